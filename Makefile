@@ -1,0 +1,123 @@
+# Development and the demonstration; `make help` lists the targets. Users install with pip and need none of this.
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+SHELL := /bin/sh
+
+# Candidates, best first; `make PYTHON=/path/to/python3` tries that one only.
+PYTHON ?= python3.13 python3.12 python3.11 python3
+
+VENV := .venv
+BIN := $(VENV)/bin
+DEMO := out/demo
+# Compiled modules: pyproject.toml has the list.
+KERNELS := $(wildcard $(shell sed -n 's|^ *"\(shapeblend_cli/.*\.py\)",*$$|\1|p' pyproject.toml))
+KERNEL_SOURCES := $(if $(KERNELS),$(KERNELS),$(error the list of kernels in pyproject.toml names no file))
+
+# pytest collects doctests from the source of a module whose import gives the compiled one beside it.
+export PY_IGNORE_IMPORTMISMATCH := 1
+export PIP_DISABLE_PIP_VERSION_CHECK := 1
+
+## ---- what people call
+
+.PHONY: help demo test lint type fmt golden bench pictures install clean
+
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s%s\n", $$1, $$2 }' Makefile
+
+demo: install ## blend samples/e.svg into samples/f.svg: frames, an animated SVG, a contact sheet
+	@mkdir -p $(DEMO)
+	@rm -f $(DEMO)/frames/*.svg
+	$(BIN)/shapeblend samples/e.svg samples/f.svg --frames 7 --ends --force --output $(DEMO)/frames
+	$(BIN)/shapeblend samples/e.svg samples/f.svg --frames 7 --force --output $(DEMO)/e-f.svg
+	$(BIN)/python tools/contact_sheet.py $(DEMO)/contact-sheet.png $(DEMO)/frames/*.svg
+	@echo
+	@echo "frames         $(DEMO)/frames/"
+	@echo "animated SVG   $(DEMO)/e-f.svg  (open it in a browser)"
+	@echo "contact sheet  $(DEMO)/contact-sheet.png"
+
+test: install chromium ## run every test
+	$(BIN)/python -m pytest -q
+
+lint: $(VENV)/.installed ## check format, lint and types
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+
+type: $(VENV)/.installed ## check types
+	$(BIN)/mypy
+
+fmt: $(VENV)/.installed ## format, and mend what the linter can mend
+	$(BIN)/ruff format .
+	$(BIN)/ruff check --fix .
+
+golden: install ## write the expected files of the golden tests anew; look at the diff before committing
+	$(BIN)/python -m pytest -q --update-golden
+
+# The usual options say --benchmark-skip, which contradicts --benchmark-only: hence the empty addopts.
+bench: install ## time the solver
+	$(BIN)/python -m pytest tests/bench -o addopts= --benchmark-only
+
+pictures: install ## draw the pictures of the README
+	$(BIN)/python tools/readme_pictures.py
+
+clean: ## remove what the other targets made, except the README's pictures
+	rm -rf $(VENV) build dist out *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis .benchmarks
+	find shapeblend_cli \( -name '*.so' -o -name '*.pyd' \) -type f -exec rm -f {} +
+	find shapeblend_cli tests tools -name __pycache__ -type d -prune -exec rm -rf {} +
+
+install: $(VENV)/.compiled ## set up .venv with the command and everything development needs
+
+## ---- how it gets there
+
+# A version of Python that can make a virtual environment is preferred to a newer one that cannot.
+$(VENV)/.created:
+	@found=; ready=; \
+	for python in $(PYTHON); do \
+	    "$$python" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || continue; \
+	    found=$${found:-$$python}; \
+	    if "$$python" -c 'import ensurepip, venv' 2>/dev/null; then ready=$$python; break; fi; \
+	done; \
+	if [ -z "$$found" ]; then \
+	    echo "shapeblend needs Python 3.11 or newer; tried $(PYTHON). Name another one: make PYTHON=/path/to/python3" >&2; exit 1; \
+	elif [ -z "$$ready" ]; then \
+	    echo "$$found cannot make virtual environments. On Debian or Ubuntu: apt-get install python3-venv" >&2; exit 1; \
+	fi; \
+	echo "making $(VENV) with $$ready"; \
+	"$$ready" -m venv --clear $(VENV)
+	@touch $@
+
+# Editable, so that edits of plain modules take effect at once. Compiling is left to the next step.
+$(VENV)/.installed: $(VENV)/.created pyproject.toml
+	@echo "installing into $(VENV)"
+	@SHAPEBLEND_PURE=1 $(BIN)/python -m pip install --quiet --editable '.[dev]'
+	@touch $@
+
+# A binary beside its source hides it, so an old one goes before anything else can fail. The stamp is set only when
+# all binaries are there: after installing a compiler, `make` tries again.
+$(VENV)/.compiled: $(VENV)/.installed setup.py $(KERNEL_SOURCES)
+	@rm -f $@ $(KERNELS:.py=.*.so)
+	@$(BIN)/python setup.py --quiet build_ext --inplace
+	@for kernel in $(KERNELS:.py=); do \
+	    ls $$kernel.*.so >/dev/null 2>&1 && continue; \
+	    echo "$$kernel.py is not compiled: shapeblend works, but slowly." >&2; \
+	    if [ -n "$$SHAPEBLEND_PURE" ]; then exit 0; fi; \
+	    echo "A C compiler and Python's headers mend that; on Debian or Ubuntu: apt-get install gcc python3-dev" >&2; \
+	    if [ "$$CI" = true ]; then exit 1; fi; \
+	    exit 0; \
+	done; \
+	touch $@
+
+# A browser shows the animated SVGs in one test. Without one that test is skipped, but not in CI.
+.PHONY: chromium
+chromium:
+	@have() { command -v chromium || command -v chromium-browser || command -v google-chrome; } >/dev/null 2>&1; \
+	have && exit 0; \
+	if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+	    echo "installing chromium for the browser test"; \
+	    { apt-get update -qq && DEBIAN_FRONTEND=noninteractive \
+	        apt-get install -y -qq --no-install-recommends chromium; } </dev/null >/dev/null || true; \
+	fi; \
+	have && exit 0; \
+	echo "no chromium here, so its test is skipped. On Debian: apt-get install chromium" >&2; \
+	[ "$$CI" != true ]
