@@ -1,0 +1,40 @@
+"""The errors shapeblend raises on purpose. Imports nothing of ours."""
+
+from __future__ import annotations
+
+
+class ShapeblendError(Exception):
+    """Something a user can understand and put right: one line, no traceback.
+
+    The message says what was found and what would work.
+    """
+
+
+class InputError(ShapeblendError, ValueError):
+    """A file that cannot be read, or that holds nothing to blend.
+
+    Parameters
+    ----------
+    file : str
+        The file as the user named it.
+    problem : str
+        What was found in it, where, and what would work.
+    """
+
+    def __init__(self, file: str, problem: str) -> None:
+        super().__init__(f"{file}: {problem}")
+        self.file = file
+        self.problem = problem
+
+
+class OutputError(ShapeblendError, OSError):
+    """A target that cannot be written, or that exists and was not to be replaced."""
+
+    def __init__(self, target: str, problem: str) -> None:
+        super().__init__(f"{target}: {problem}")
+        self.target = target
+        self.problem = problem
+
+
+class MatchError(ShapeblendError, ValueError):
+    """Two shapes, or a request about them, for which no correspondence exists."""

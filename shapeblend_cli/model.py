@@ -1,0 +1,262 @@
+"""The values that pass from stage to stage: frozen, their arrays read-only.
+
+Points are complex numbers, ``x + 1j * y``, in SVG's coordinates (y down), as svgpathtools has them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    ComplexArray = NDArray[np.complex128]
+    FloatArray = NDArray[np.float64]
+    IntArray = NDArray[np.intp]
+    BoolArray = NDArray[np.bool_]
+
+
+def frozen(values: object, dtype: object) -> NDArray:  # type: ignore[type-arg]
+    """Return a read-only array of `dtype` holding its own copy of `values`."""
+    array = np.array(values, dtype=dtype, order="C")  # type: ignore[call-overload]
+    array.setflags(write=False)
+    return array
+
+
+class Box(NamedTuple):
+    """An axis-parallel box: a viewBox, or the bounds of a drawing."""
+
+    x: float
+    y: float
+    width: float
+    height: float
+
+
+@dataclass(frozen=True, slots=True)
+class Style:
+    """How a shape is painted. Colours are ``#rrggbb``; None is no paint."""
+
+    fill: str | None = "#000000"
+    fill_opacity: float = 1.0
+    fill_rule: str = "nonzero"
+    stroke: str | None = None
+    stroke_opacity: float = 1.0
+    stroke_width: float = 1.0
+    stroke_linecap: str = "butt"
+    stroke_linejoin: str = "miter"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Contour:
+    """One subpath of a drawing as a chain of cubic Bezier segments, transforms applied.
+
+    Attributes
+    ----------
+    segments : (k, 4) complex, k >= 1
+        Control points. A segment ends where the next begins; in a closed contour the last ends
+        where the first begins. A straight segment has its inner points at thirds.
+    straight : (k,) bool
+        Whether the drawing has a straight line there.
+    closed : bool
+        Whether the subpath ends in ``Z`` or where it began.
+    """
+
+    segments: ComplexArray
+    straight: BoolArray
+    closed: bool
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "segments", frozen(self.segments, np.complex128))
+        object.__setattr__(self, "straight", frozen(self.straight, np.bool_))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Shape:
+    """One painted element of a file, in the root's user units."""
+
+    index: int
+    id: str | None
+    element: str
+    contours: tuple[Contour, ...]
+    style: Style
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Drawing:
+    """What a file paints, in paint order.
+
+    Attributes
+    ----------
+    file : str
+        The file as the user named it.
+    viewbox : Box or None
+        The root's viewBox, else ``0 0 width height``, else None.
+    shapes : tuple of Shape
+    notes : tuple of str
+        What was left out or read otherwise than a browser would, one phrase each.
+    """
+
+    file: str
+    viewbox: Box | None
+    shapes: tuple[Shape, ...]
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Polygon:
+    """A flattened contour. A closed polygon stores each vertex once.
+
+    Attributes
+    ----------
+    vertices : (m,) complex
+        No two neighbours are equal.
+    segment : (m,) int
+        The segment of the contour each vertex lies on.
+    parameter : (m,) float
+        Where on that segment, in [0, 1). 0 is a node of the drawing.
+    closed : bool
+    """
+
+    vertices: ComplexArray
+    segment: IntArray
+    parameter: FloatArray
+    closed: bool
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "vertices", frozen(self.vertices, np.complex128))
+        object.__setattr__(self, "segment", frozen(self.segment, np.intp))
+        object.__setattr__(self, "parameter", frozen(self.parameter, np.float64))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Correspondence:
+    """Which vertex of one polygon goes to which of another, and what that costs.
+
+    Attributes
+    ----------
+    dots : (k, 2) int
+        The path through the graph, ``[i, j]`` by vertex numbers, from its start. The path of closed polygons
+        comes back to the first dot, which is not repeated.
+    closed : bool
+    stretching, bending : float
+        Work, eqs (16) and (17), summed along the path.
+    lower_bound : float
+        No path that is allowed costs less, to rounding.
+    zero_angles : int
+        Dots whose angle reaches zero.
+    diagonal_deviation : float
+        Eq (30), from the start.
+    sweeps : int
+        How often the graph was gone through.
+    """
+
+    dots: IntArray
+    closed: bool
+    stretching: float
+    bending: float
+    lower_bound: float
+    zero_angles: int
+    diagonal_deviation: float
+    sweeps: int
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "dots", frozen(self.dots, np.intp))
+
+    @property
+    def work(self) -> float:
+        """Stretching and bending work together."""
+        return self.stretching + self.bending
+
+    @property
+    def gap(self) -> float:
+        """How much less work an undiscovered path could cost, as a share of this one's."""
+        return (self.work - self.lower_bound) / self.work if self.work > 0.0 else 0.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MatchedContour:
+    """A contour of A and the contour of B it becomes.
+
+    Attributes
+    ----------
+    a, b : int
+        Contour numbers, counted through each file in paint order.
+    polygon_a, polygon_b : Polygon
+        As solved: both in A's coordinates and in the same direction.
+    scale_a, scale_b : float
+        What section 3.3's normalisation divided by.
+    correspondence : Correspondence
+    seconds : float
+        Time it took to find.
+    """
+
+    a: int
+    b: int
+    polygon_a: Polygon
+    polygon_b: Polygon
+    scale_a: float
+    scale_b: float
+    correspondence: Correspondence
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Pair:
+    """Two drawings, matched contour by contour.
+
+    Attributes
+    ----------
+    a, b : int
+        Numbers of the input files.
+    contours : tuple of MatchedContour
+    style_a, style_b : Style
+        B's lengths in A's coordinates.
+    notes : tuple of str
+        What was left out, one phrase each.
+    """
+
+    a: int
+    b: int
+    contours: tuple[MatchedContour, ...]
+    style_a: Style
+    style_b: Style
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outline:
+    """A polygon to draw: vertices in order, some of them perhaps coincident."""
+
+    vertices: ComplexArray
+    closed: bool
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "vertices", frozen(self.vertices, np.complex128))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Frame:
+    """One in-between: what a frame file draws.
+
+    Attributes
+    ----------
+    t : float in [0, 1]
+        Time within the pair.
+    pair : int
+    outlines : tuple of Outline
+    style : Style
+    self_crossings : int
+        How often an outline crosses itself.
+    area : float
+        Inside the outlines, in square units of A.
+    """
+
+    t: float
+    pair: int
+    outlines: tuple[Outline, ...]
+    style: Style
+    self_crossings: int
+    area: float

@@ -1,0 +1,1 @@
+"""SVG in and out: the only package that imports svgpathtools or svgwrite."""
