@@ -1,0 +1,119 @@
+"""Contours to polygons: every node stays a vertex, and further ones follow the curves evenly."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.model import Contour, Polygon
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import FloatArray, IntArray
+
+TOLERANCE = 5e-4
+"""How far a polygon may lie from its curve, as a share of the larger side of the contour's box."""
+
+COINCIDENT = 1e-9
+"""Vertices nearer than this share of the box are one."""
+
+
+def flatten(contour: Contour, vertices: int) -> Polygon:
+    """Flatten a contour to about `vertices` vertices.
+
+    Parameters
+    ----------
+    contour : Contour
+    vertices : int >= 0
+        How many vertices are wanted. Every node of the drawing is one whatever this says; the others are
+        spread over curves and long edges evenly by arc length. 0 adds none but what a curve needs.
+
+    Returns
+    -------
+    Polygon
+        Nowhere further from the contour than `TOLERANCE` times its size. Repeated vertices are
+        left out, so it may be degenerate: fewer than three vertices when closed, fewer than two when open.
+    """
+    segments = contour.segments
+    box = cubics.bounds(segments)
+    size = max(box.width, box.height)
+    ladders = _length_ladders(segments)
+    lengths = ladders[:, -1]
+
+    counts = _share_out(lengths, vertices - (0 if contour.closed else 1))
+    segment, parameter = _spread(ladders, counts)
+    for _ in range(64):
+        ends = np.append(np.where(segment[1:] == segment[:-1], parameter[1:], 1.0), 1.0)
+        deviation = cubics.chord_deviation(cubics.pieces(segments[segment], parameter, ends))
+        deviation[contour.straight[segment]] = 0.0
+        worst = np.zeros(len(segments))
+        np.maximum.at(worst, segment, deviation)
+        coarse = worst > TOLERANCE * size
+        if not coarse.any():
+            break
+        # A chord's deviation falls with the square of its length.
+        growth = np.sqrt(worst[coarse] / (TOLERANCE * size))
+        counts[coarse] = np.maximum(counts[coarse] + 1, np.ceil(counts[coarse] * np.minimum(growth, 8.0)))
+        segment, parameter = _spread(ladders, counts)
+
+    points = cubics.evaluate(segments[segment], parameter)
+    points = np.where(parameter == 0.0, segments[segment, 0], points)
+    if not contour.closed:  # the end of the last segment, as a parameter short of 1 of nothing else
+        points = np.append(points, segments[-1, 3])
+        segment = np.append(segment, len(segments) - 1)
+        parameter = np.append(parameter, 1.0)
+    distinct = _distinct(points, contour.closed, COINCIDENT * size)
+    return Polygon(points[distinct], segment[distinct], parameter[distinct], contour.closed)
+
+
+def _length_ladders(segments: np.ndarray) -> FloatArray:
+    """Arc length from the start of each segment at equal steps of its parameter, (k, pieces + 1)."""
+    ladders = np.zeros((len(segments), cubics.ARC_PIECES + 1))
+    np.cumsum(cubics.arc_lengths(segments), axis=1, out=ladders[:, 1:])
+    return ladders
+
+
+def _share_out(lengths: FloatArray, pieces: int) -> IntArray:
+    """Cut segments into about `pieces` pieces of even length, at least one each.
+
+    The longest pieces are halved, thirded and so on until there are enough: the piece length is
+    bisected so that the counts ``ceil(length / piece)`` add up to at most `pieces`.
+    """
+    counts = np.ones(len(lengths), np.intp)
+    if pieces <= len(lengths):
+        return counts
+    low, high = lengths.sum() / pieces, lengths.max()
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        counts = np.ceil(lengths / middle).astype(np.intp)
+        low, high = (low, middle) if counts.sum() <= pieces else (middle, high)
+    return np.maximum(np.ceil(lengths / high).astype(np.intp), 1)
+
+
+def _spread(ladders: FloatArray, counts: IntArray) -> tuple[IntArray, FloatArray]:
+    """Segment and parameter of the first point of every piece, evenly by arc length in each segment."""
+    segment = np.repeat(np.arange(len(counts)), counts)
+    place = np.arange(len(segment)) - np.repeat(np.cumsum(counts) - counts, counts)
+    # One interpolation for all segments: each ladder is lifted above the one before it.
+    lift = np.arange(len(counts)) * 2.0
+    totals = np.where(ladders[:, -1:] > 0.0, ladders[:, -1:], 1.0)
+    rungs = ladders / totals + lift[:, None]
+    steps = np.linspace(0.0, 1.0, ladders.shape[1]) + lift[:, None]
+    wanted = place / counts[segment] + lift[segment]
+    return segment, np.interp(wanted, rungs.ravel(), steps.ravel()) - lift[segment]
+
+
+def _distinct(points: np.ndarray, closed: bool, distance: float) -> IntArray:
+    """Numbers of the points that are further than `distance` from the last one kept."""
+    near = np.abs(np.diff(points)) <= distance
+    if near.any():
+        kept = [0]
+        for k in range(1, len(points)):
+            if abs(points[k] - points[kept[-1]]) > distance:
+                kept.append(k)
+    else:
+        kept = list(range(len(points)))
+    while closed and len(kept) > 1 and abs(points[kept[-1]] - points[kept[0]]) <= distance:
+        kept.pop()
+    return np.array(kept, np.intp)

@@ -1,0 +1,45 @@
+"""Shared settings and fixtures."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from pathlib import Path
+
+import hypothesis
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).parents[1]
+SAMPLES = ROOT / "samples"
+
+hypothesis.settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=60)
+hypothesis.settings.load_profile("repeatable")
+
+
+@pytest.fixture
+def rng():
+    """Random numbers that are the same in every run."""
+    return np.random.default_rng(1992)
+
+
+@pytest.fixture
+def samples():
+    """The folder of sample drawings."""
+    return SAMPLES
+
+
+@pytest.fixture
+def load_uncompiled(monkeypatch):
+    """Load a kernel from its source, under another name, as on a machine without Cython."""
+
+    def load(name):
+        source = ROOT / (name.replace(".", "/") + ".py")
+        spec = importlib.util.spec_from_file_location(f"{name}_uncompiled", source)
+        module = importlib.util.module_from_spec(spec)
+        with monkeypatch.context() as without_cython:
+            without_cython.setitem(sys.modules, "cython", None)
+            spec.loader.exec_module(module)
+        return module
+
+    return load

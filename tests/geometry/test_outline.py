@@ -1,0 +1,68 @@
+"""Area, direction, crossings."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from shapely import LineString
+from shapely import Polygon as ShapelyPolygon
+
+from shapeblend_cli.geometry import crossings, outline
+from shapeblend_cli.geometry.flatten import flatten
+from tests.support.contours import polygon_contour
+from tests.support.shapes import random_polygon, star_polygon
+
+
+def crossings_one_by_one(z, closed):
+    """Every pair of edges, by shapely."""
+    ends = np.roll(z, -1) if closed else z[1:]
+    edges = [LineString([(p.real, p.imag), (q.real, q.imag)]) for p, q in zip(z, ends, strict=False)]
+    return sum(edges[p].crosses(edges[q]) for p in range(len(edges)) for q in range(p))
+
+
+@given(st.integers(0, 10**6), st.integers(3, 40), st.booleans())
+def test_crossings_agree_with_shapely(seed, m, closed):
+    z = random_polygon(np.random.default_rng(seed), m)
+    assert outline.self_crossings(z, closed) == crossings_one_by_one(z, closed)
+
+
+@given(st.integers(0, 10**6), st.integers(3, 60))
+def test_a_simple_polygon_has_none(seed, m):
+    z = star_polygon(np.random.default_rng(seed), m)
+    if ShapelyPolygon(np.c_[z.real, z.imag]).is_valid:
+        assert outline.self_crossings(z, True) == 0
+
+
+@pytest.mark.parametrize(
+    ("points", "count"),
+    [
+        ([0, 2, 2j, 2 + 2j], 1),  # a bow tie
+        ([0, 4, 4 + 4j, 2, 4j], 0),  # a vertex touches an edge from inside
+        ([0, 4, 2, 2 + 3j], 0),  # a run there and back
+        ([0, 4, 4, 4 + 4j, 4j, 4j], 0),  # coincident vertices
+        ([0.1, 0.3, 0.3 + 0.1j, 0.1 + 0.1j, 0.1, 0.3], 0),  # twice round in part
+        (np.exp(4j * np.pi * np.arange(5) / 5), 5),  # a pentagram
+    ],
+)
+def test_touching_is_not_crossing(points, count):
+    assert outline.self_crossings(np.asarray(points, complex), True) == count
+
+
+def test_reversing_keeps_the_first_vertex_and_what_each_vertex_knows():
+    polygon = flatten(polygon_contour([0, 3, 3 + 2j]), 0)
+    back = outline.reversed_polygon(polygon)
+    assert back.vertices.tolist() == [0, 3 + 2j, 3]
+    assert back.segment.tolist() == [0, 2, 1]
+    assert outline.signed_area(back.vertices) == -outline.signed_area(polygon.vertices) == -3.0
+    line = flatten(polygon_contour([0, 3, 3 + 2j], closed=False), 0)
+    assert outline.reversed_polygon(line).vertices.tolist() == [3 + 2j, 3, 0]
+
+
+def test_compiled_and_uncompiled_kernels_agree(rng, load_uncompiled):
+    assert crossings.COMPILED
+    uncompiled = load_uncompiled("shapeblend_cli.geometry.crossings")
+    edges = rng.random((60, 4))
+    edges[:, [0, 2]] = np.sort(edges[:, [0, 2]], axis=1)
+    edges = np.ascontiguousarray(edges[np.argsort(edges[:, 0])])
+    count = crossings.count_crossings(edges, 1e-12)
+    assert count == uncompiled.count_crossings(edges, 1e-12) > 0

@@ -1,0 +1,32 @@
+"""Contours to test with."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from shapeblend_cli.model import Contour, Drawing, Shape, Style
+
+ARC = 4.0 / 3.0 * np.tan(np.pi / 16.0)  # inner points of a cubic for an eighth of a circle
+
+
+def polygon_contour(points, closed=True):
+    """Straight lines from point to point."""
+    z = np.asarray(points, complex)
+    ends = np.roll(z, -1) if closed else z[1:]
+    starts = z if closed else z[:-1]
+    thirds = np.array([0, 1 / 3, 2 / 3, 1])
+    segments = starts[:, None] + (ends - starts)[:, None] * thirds
+    return Contour(segments, np.ones(len(segments), bool), closed)
+
+
+def circle_contour(centre=0j, radius=1.0):
+    """A circle in eight cubics."""
+    node = np.exp(2j * np.pi * np.arange(8) / 8)
+    after = np.roll(node, -1)
+    segments = np.stack([node, node * (1 + 1j * ARC), after * (1 - 1j * ARC), after], axis=1)
+    return Contour(centre + radius * segments, np.zeros(8, bool), True)
+
+
+def drawing(*contours, file="a.svg", viewbox=None, style=None):
+    """A file with one shape."""
+    return Drawing(file, viewbox, (Shape(0, None, "path", contours, style or Style()),))

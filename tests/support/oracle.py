@@ -1,0 +1,134 @@
+"""The paper's equations once more, written another way, to test the solver against.
+
+Angles are followed by sampling theta(t) densely instead of by extrema and signs, coincident vertices by
+really placing them along a tiny base, and least paths by trying every path from every start. Only inside a
+run of coincident vertices the motion is not sampled: there section 2.2 is read as the pieces Q0 - Q1 - Q2.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+
+EAST, SOUTH, SOUTHEAST = (1, 0), (0, 1), (1, 1)
+STEPS = (EAST, SOUTH, SOUTHEAST)
+
+
+def theta_along(back0, fwd0, back1, fwd1, samples=4001):
+    """theta(t) unwrapped, eq (4), on a grid fine at both ends, where infinitesimal edges take over."""
+    edge = np.geomspace(1e-17, 0.5, samples)
+    t = np.concatenate([[0.0], edge, 1.0 - edge[::-1], [1.0]])
+    u = np.concatenate([[1.0], 1.0 - edge, edge[::-1], [0.0]])
+    theta = np.unwrap(np.angle((u * fwd0 + t * fwd1).conj() * (u * back0 + t * back1)))
+    return theta - 2.0 * np.pi * np.floor(theta[0] / (2.0 * np.pi))
+
+
+def control_path(back0, fwd0, back1, fwd1, samples=400):
+    """theta along the lines Q0 - Q1 - Q2, for the inside of a run of coincident vertices."""
+    q0 = fwd0.conjugate() * back0
+    q1 = fwd1.conjugate() * back0 + fwd0.conjugate() * back1
+    q2 = fwd1.conjugate() * back1
+    unit = [q / abs(q) for q in (q0, q1, q2)]
+    t = np.linspace(0.0, 1.0, samples)
+    path = np.concatenate([(1 - t) * unit[0] + t * unit[1], (1 - t) * unit[1] + t * unit[2]])
+    theta = np.unwrap(np.angle(path))
+    return theta - 2.0 * np.pi * np.floor(theta[0] / (2.0 * np.pi))
+
+
+def motion(theta):
+    """delta_theta, delta_theta_star and whether zero is reached, from samples of theta."""
+    turns = np.diff(theta)
+    net = abs(turns.sum())
+    return net, 0.5 * (np.abs(turns).sum() - net), bool(theta.min() <= 0.0 or theta.max() >= 2.0 * np.pi)
+
+
+def base(back, fwd):
+    """Direction of the base of the isosceles triangle of section 2.2."""
+    alpha = np.angle(fwd.conjugate() * back) % (2.0 * np.pi)
+    return back / abs(back) * np.exp(-1j * (0.5 * np.pi + 0.5 * alpha))
+
+
+def legal_turn(step_in, step_out):
+    """Section 4: no 90-degree turns."""
+    return {step_in, step_out} != {EAST, SOUTH}
+
+
+class Oracle:
+    """Prices paths between two polygons in the unit box."""
+
+    def __init__(self, p0, p1, closed, constants, tiny=1e-11):
+        self.p, self.closed, self.constants, self.tiny = (p0, p1), closed, constants, tiny
+        self.m, self.n = len(p0), len(p1)
+        self.bend = cache(self._bend)
+
+    def _edges(self, side, k, moves_in, moves_out):
+        p = self.p[side]
+        back, fwd = p[k - 1] - p[k], p[(k + 1) % len(p)] - p[k]
+        if not self.closed and k == 0:
+            back = -fwd
+        if not self.closed and k == len(p) - 1:
+            fwd = -back
+        d = base(back, fwd) * self.tiny
+        return back if moves_in else -d, fwd if moves_out else d
+
+    def _bend(self, i, j, step_in, step_out):
+        c = self.constants
+        back0, fwd0 = self._edges(0, i, step_in[0], step_out[0])
+        back1, fwd1 = self._edges(1, j, step_in[1], step_out[1])
+        inside_run = step_in == step_out != SOUTHEAST
+        follow = control_path if inside_run else theta_along
+        delta, star, zero = motion(follow(back0, fwd0, back1, fwd1))
+        return c.k_b * (delta + c.m_b * star) ** c.e_b + c.p_b * zero
+
+    def stretch(self, i, j, step):
+        """Eq (16) for the step that leaves [i, j]."""
+        c = self.constants
+        len0 = abs(self.p[0][(i + 1) % self.m] - self.p[0][i]) * step[0]
+        len1 = abs(self.p[1][(j + 1) % self.n] - self.p[1][j]) * step[1]
+        resistance = (1 - c.c_s) * min(len0, len1) + c.c_s * max(len0, len1)
+        return c.k_s * abs(len1 - len0) ** c.e_s / resistance
+
+    def price(self, dots):
+        """Work of a path given by its dots."""
+        dots = [tuple(int(v) for v in dot) for dot in dots]
+        following = dots[1:] + dots[:1] if self.closed else dots[1:]
+        steps = [
+            ((i2 - i1) % self.m, (j2 - j1) % self.n)
+            for (i1, j1), (i2, j2) in zip(dots, following, strict=False)
+        ]
+        work = sum(self.stretch(*dot, step) for dot, step in zip(dots, steps, strict=False))
+        before = steps[-1:] + steps[:-1]
+        turns = list(zip(dots, before, steps, strict=False))
+        return work + sum(self.bend(*dot, *turn) for dot, *turn in turns[0 if self.closed else 1 :])
+
+    def least(self, bend=None, starts=None):
+        """Least work over every path (from every start when closed), one path after the other.
+
+        `bend(i, j, step_in, step_out)` prices a bend, the oracle itself if it is not given.
+        """
+        bend = bend or self.bend
+        best = np.inf
+        end = (self.m, self.n) if self.closed else (self.m - 1, self.n - 1)
+
+        def extend(i0, j0, i, j, first, last, work):
+            nonlocal best
+            if work >= best:
+                return
+            if (i, j) == end:
+                if self.closed:
+                    if not legal_turn(last, first):
+                        return
+                    work += bend(i0, j0, last, first)
+                best = min(best, work)
+                return
+            for step in STEPS:
+                if i + step[0] > end[0] or j + step[1] > end[1] or (last and not legal_turn(last, step)):
+                    continue
+                here = (i0 + i) % self.m, (j0 + j) % self.n
+                cost = self.stretch(*here, step) + (bend(*here, last, step) if last else 0.0)
+                extend(i0, j0, i + step[0], j + step[1], first or step, step, work + cost)
+
+        for i0, j0 in starts or ([(0, j) for j in range(self.n)] if self.closed else [(0, 0)]):
+            extend(i0, j0, 0, 0, None, None, 0.0)
+        return best
