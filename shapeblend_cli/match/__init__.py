@@ -1,0 +1,1 @@
+"""The least-work correspondence of two polygons."""
