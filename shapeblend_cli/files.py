@@ -1,0 +1,202 @@
+"""From files to files: the pipeline with reading before it and writing after it."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from shapeblend_cli import __version__
+from shapeblend_cli.errors import InputError, MatchError, OutputError
+from shapeblend_cli.geometry.normalise import box_of, union
+from shapeblend_cli.match.solve import COMPILED
+from shapeblend_cli.model import Box
+from shapeblend_cli.output import check_targets, write_files
+from shapeblend_cli.pipeline import BlendSettings, blend, make_frames
+from shapeblend_cli.report import report
+from shapeblend_cli.svg.read import read
+from shapeblend_cli.svg.write import animated_svg, frame_svg
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from shapeblend_cli.model import Frame, Pair
+
+STANDARD_OUTPUT = "-"
+
+MARGIN = 0.02
+"""Room around what is drawn, as a share of its larger side."""
+
+SLOW = (
+    "the solver was installed without a C compiler and runs uncompiled, about a hundred times slower; "
+    "installing again with a C compiler makes it fast"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Job:
+    """One run of the command: files in, files out.
+
+    Attributes
+    ----------
+    files : (str, str)
+    output : str
+        A folder, a name ending in ``.svg``, or ``-``.
+    force : bool
+        Replace existing files.
+    report_file : str or None
+    blend : BlendSettings
+    reported_settings : dict
+        Every option's value in force, for the report.
+    """
+
+    files: tuple[str, str]
+    output: str
+    force: bool
+    report_file: str | None
+    blend: BlendSettings
+    reported_settings: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def animated(self) -> bool:
+        """Whether one animated file is wanted instead of a file a frame."""
+        return self.output == STANDARD_OUTPUT or self.output.lower().endswith(".svg")
+
+    def frame_files(self) -> list[str]:
+        """Names of the frame files in order of time, padded with zeros to one width."""
+        count = self.blend.frames + (2 if self.blend.ends else 0)
+        return [f"frame-{k + 1:0{len(str(count))}d}.svg" for k in range(count)]
+
+
+def blend_files(job: Job, say: Callable[[str], None], detail: Callable[[str], None]) -> None:
+    """Read two files, blend them, and write what was asked for, all of it or nothing.
+
+    Parameters
+    ----------
+    job : Job
+    say : callable
+        Takes what the user should know, a line at a time.
+    detail : callable
+        Takes what was done and how long it took.
+
+    Raises
+    ------
+    ShapeblendError
+        With one line that names the file, what was found and what would work.
+    """
+    clock = _Clock()
+    if not COMPILED:
+        say(SLOW)
+    paths = _targets(job)
+    check_targets(paths, [Path(file) for file in job.files], job.force)
+
+    a, b = (read(file) for file in job.files)
+    for drawing in (a, b):
+        for note in drawing.notes:
+            say(f"{drawing.file}: {note}")
+    clock.lap("read")
+    try:
+        pair, frames = blend(a, b, job.blend)
+    except MatchError as error:
+        raise InputError(" and ".join(job.files), str(error)) from error
+    for note in pair.notes:
+        say(note)
+    clock.lap("blend")
+
+    start, end = make_frames(pair, [0.0, 1.0])
+    viewbox = _viewbox(start, end)
+    texts: dict[Path, str] = {}
+    standard_output = ""
+    names: Sequence[str | None]
+    if job.animated:
+        names = [None] * len(frames)
+        animation = animated_svg(start, end, viewbox)
+        if job.output == STANDARD_OUTPUT:
+            standard_output = animation
+        else:
+            texts[Path(job.output)] = animation
+    else:
+        names = job.frame_files()
+        texts.update(
+            (Path(job.output, name), frame_svg(frame, viewbox))
+            for name, frame in zip(job.frame_files(), frames, strict=True)
+        )
+    if job.report_file is not None:
+        found = report(__version__, job.files, job.reported_settings, pair, frames, names)
+        text = json.dumps(found, allow_nan=False) + "\n"
+        if job.report_file == STANDARD_OUTPUT:
+            standard_output = text
+        else:
+            texts[Path(job.report_file)] = text
+    write_files(texts)
+    _print(standard_output)
+    clock.lap("write")
+    for line in _details(pair, frames, clock):
+        detail(line)
+
+
+def _targets(job: Job) -> list[Path]:
+    """Every file the job will write."""
+    targets = []
+    if job.output != STANDARD_OUTPUT:
+        targets += [Path(job.output)] if job.animated else [Path(job.output, n) for n in job.frame_files()]
+    if job.report_file not in (None, STANDARD_OUTPUT):
+        targets.append(Path(str(job.report_file)))
+    if len(set(targets)) < len(targets):
+        raise OutputError(str(job.report_file), "is named for two different outputs; another name would work")
+    return targets
+
+
+def _viewbox(start: Frame, end: Frame) -> Box:
+    """The box around all that is drawn from start to end, strokes included, with a margin.
+
+    Straight vertex paths never leave the box around their ends.
+    """
+    boxes = []
+    for frame in (start, end):
+        reach = frame.style.stroke_width / 2 if frame.style.stroke else 0.0
+        for outline in frame.outlines:
+            box = box_of(outline.vertices)
+            boxes.append(Box(box.x - reach, box.y - reach, box.width + 2 * reach, box.height + 2 * reach))
+    drawn = union(boxes)
+    margin = MARGIN * max(drawn.width, drawn.height)
+    return Box(drawn.x - margin, drawn.y - margin, drawn.width + 2 * margin, drawn.height + 2 * margin)
+
+
+def _print(text: str) -> None:
+    """Write to standard output as UTF-8, whatever the locale."""
+    if text:
+        sys.stdout.buffer.write(text.encode("utf-8"))
+        sys.stdout.buffer.flush()
+
+
+class _Clock:
+    """Seconds each stage took."""
+
+    def __init__(self) -> None:
+        self.laps: dict[str, float] = {}
+        self._last = time.perf_counter()
+
+    def lap(self, stage: str) -> None:
+        now = time.perf_counter()
+        self.laps[stage] = now - self._last
+        self._last = now
+
+
+def _details(pair: Pair, frames: Sequence[Frame], clock: _Clock) -> list[str]:
+    lines = []
+    for c in pair.contours:
+        found = c.correspondence
+        lines.append(
+            f"contour {c.a} of A ({len(c.polygon_a.vertices)} vertices) to contour {c.b} of B "
+            f"({len(c.polygon_b.vertices)}): {len(found.dots)} dots, work {found.work:.6g} = stretching "
+            f"{found.stretching:.6g} + bending {found.bending:.6g}, at least {found.lower_bound:.6g}, "
+            f"{found.zero_angles} angles reach zero, {found.sweeps} sweeps"
+        )
+    crossed = sum(frame.self_crossings > 0 for frame in frames)
+    lines.append(f"{len(frames)} frames, {crossed} of them cross themselves")
+    lines.append(", ".join(f"{stage} {1000 * seconds:.1f} ms" for stage, seconds in clock.laps.items()))
+    return lines

@@ -1,0 +1,70 @@
+"""In-betweens from a correspondence: straight vertex paths, eq (2), and paint between two paints."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from shapeblend_cli.model import Style
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import ComplexArray, IntArray
+
+
+def frame_times(frames: int, ends: bool) -> list[float]:
+    """The times of `frames` in-betweens, evenly spaced, and of both ends if wanted."""
+    times = [k / (frames + 1) for k in range(frames + 2)]
+    return times if ends else times[1:-1]
+
+
+def blend_vertices(p0: ComplexArray, p1: ComplexArray, dots: IntArray, t: float) -> ComplexArray:
+    """The polygon at time t, eq (2): a vertex for every dot.
+
+    Parameters
+    ----------
+    p0, p1 : (m,) and (n,) complex
+        The polygons in common coordinates.
+    dots : (k, 2) int
+        Vertex numbers that correspond.
+    t : float in [0, 1]
+
+    Returns
+    -------
+    (k,) complex
+        At 0 and 1 exactly the vertices of `p0` and `p1`, some of them repeated.
+    """
+    return (1.0 - t) * p0[dots[:, 0]] + t * p1[dots[:, 1]]
+
+
+def blend_styles(a: Style, b: Style, t: float) -> Style:
+    """Paint at time t.
+
+    Colours blend channel by channel as they are written; paint that only one side has fades in or out in
+    its own colour. What has nothing in between changes at half time.
+    """
+    fill, fill_opacity = _blend_paint(a.fill, a.fill_opacity, b.fill, b.fill_opacity, t)
+    stroke, stroke_opacity = _blend_paint(a.stroke, a.stroke_opacity, b.stroke, b.stroke_opacity, t)
+    width0 = a.stroke_width if a.stroke else b.stroke_width
+    width1 = b.stroke_width if b.stroke else a.stroke_width
+    return replace(
+        a if t < 0.5 else b,
+        fill=fill,
+        fill_opacity=fill_opacity,
+        stroke=stroke,
+        stroke_opacity=stroke_opacity,
+        stroke_width=(1.0 - t) * width0 + t * width1,
+    )
+
+
+def _blend_paint(
+    colour0: str | None, opacity0: float, colour1: str | None, opacity1: float, t: float
+) -> tuple[str | None, float]:
+    if colour0 is None:
+        return colour1, t * opacity1
+    if colour1 is None:
+        return colour0, (1.0 - t) * opacity0
+    mixed = [
+        round((1.0 - t) * c0 + t * c1)
+        for c0, c1 in zip(bytes.fromhex(colour0[1:]), bytes.fromhex(colour1[1:]), strict=True)
+    ]
+    return "#" + bytes(mixed).hex(), (1.0 - t) * opacity0 + t * opacity1

@@ -1,0 +1,79 @@
+"""Writing files so that they appear only when all of them are complete."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from shapeblend_cli.errors import OutputError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+
+def check_targets(targets: Iterable[Path], inputs: Iterable[Path], force: bool) -> None:
+    """Refuse targets that must not be written, before any work is done.
+
+    Raises
+    ------
+    OutputError
+        A target that is one of the inputs, is a folder, exists without `force`, or whose folder cannot
+        be made.
+    """
+    sources = [path.resolve() for path in inputs]
+    for target in targets:
+        if target.resolve() in sources:
+            raise OutputError(str(target), "is an input and is never replaced; another name would work")
+        if target.is_dir():
+            raise OutputError(str(target), "is a folder; the name of a file would work")
+        if not force and os.path.lexists(target):
+            raise OutputError(str(target), "exists; --force replaces it")
+        for parent in target.parents:
+            if parent.exists():
+                if not parent.is_dir():
+                    raise OutputError(str(parent), "is a file, and a folder of that name is needed")
+                if not os.access(parent, os.W_OK):
+                    raise OutputError(str(parent), "is a folder that cannot be written to")
+                break
+
+
+def write_files(texts: Mapping[Path, str]) -> None:
+    """Write all files or none.
+
+    Each file is first written in full under a temporary name in its own folder, or in the nearest folder that
+    exists; only then are they moved into place, one atomic step each.
+
+    Raises
+    ------
+    OutputError
+        The disk is full, a folder is read-only, and the like.
+    """
+    made: list[Path] = []
+    staged: list[tuple[Path, Path]] = []
+    stages: dict[Path, Path] = {}
+    target = Path()
+    try:
+        for target, text in texts.items():
+            parent = target.parent
+            if parent not in stages:
+                for folder in [*reversed(parent.parents), parent]:
+                    if not folder.exists():
+                        folder.mkdir()
+                        made.append(folder)
+                stages[parent] = Path(tempfile.mkdtemp(prefix=".shapeblend-", dir=parent))
+            temporary = stages[parent] / target.name
+            temporary.write_text(text, encoding="utf-8", newline="\n")
+            staged.append((temporary, target))
+        for temporary, target in staged:
+            os.replace(temporary, target)
+        made.clear()
+    except OSError as error:
+        raise OutputError(str(target), f"cannot be written ({error.strerror or error})") from error
+    finally:
+        for stage in stages.values():
+            shutil.rmtree(stage, ignore_errors=True)
+        for folder in reversed(made):
+            shutil.rmtree(folder, ignore_errors=True)

@@ -1,0 +1,103 @@
+"""What a run can say of itself: the JSON report and the listing of `inspect`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.normalise import union
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import ComplexArray, Drawing, Frame, MatchedContour, Pair, Shape
+
+REPORT_FORMAT = 1
+
+
+def report(
+    version: str,
+    inputs: Sequence[str],
+    settings: dict[str, Any],
+    pair: Pair,
+    frames: Sequence[Frame],
+    files: Sequence[str | None],
+) -> dict[str, Any]:
+    """Everything about a run, ready for JSON.
+
+    Parameters
+    ----------
+    version : str
+    inputs : sequence of str
+        The files as the user named them.
+    settings : dict
+        Every option's value in force.
+    pair : Pair
+    frames : sequence of Frame
+    files : sequence of str or None
+        Where each frame was written.
+    """
+    return {
+        "report": REPORT_FORMAT,
+        "version": version,
+        "inputs": list(inputs),
+        "settings": settings,
+        "pairs": [{"a": pair.a, "b": pair.b, "contours": [_contour(c) for c in pair.contours]}],
+        "frames": [
+            {"t": f.t, "pair": f.pair, "file": file, "self_crossings": f.self_crossings, "area": f.area}
+            for f, file in zip(frames, files, strict=True)
+        ],
+    }
+
+
+def _contour(matched: MatchedContour) -> dict[str, Any]:
+    found = matched.correspondence
+    return {
+        "a": matched.a,
+        "b": matched.b,
+        "closed": found.closed,
+        "vertices_a": _points(matched.polygon_a.vertices),
+        "vertices_b": _points(matched.polygon_b.vertices),
+        "scale_a": matched.scale_a,
+        "scale_b": matched.scale_b,
+        "dots": found.dots.tolist(),
+        "start": found.dots[0].tolist(),
+        "work": found.work,
+        "stretching": found.stretching,
+        "bending": found.bending,
+        "lower_bound": found.lower_bound,
+        "gap": found.gap,
+        "diagonal_deviation": found.diagonal_deviation,
+        "zero_angles": found.zero_angles,
+        "sweeps": found.sweeps,
+        "seconds": matched.seconds,
+    }
+
+
+def _points(vertices: ComplexArray) -> list[list[float]]:
+    return [[z.real, z.imag] for z in vertices.tolist()]
+
+
+def inspection(drawing: Drawing) -> dict[str, Any]:
+    """The shapes a file draws, ready for JSON; lengths and boxes without the width of strokes."""
+    return {
+        "file": drawing.file,
+        "viewbox": list(drawing.viewbox) if drawing.viewbox else None,
+        "shapes": [_shape(shape) for shape in drawing.shapes],
+    }
+
+
+def _shape(shape: Shape) -> dict[str, Any]:
+    box = union([cubics.bounds(contour.segments) for contour in shape.contours])
+    return {
+        "index": shape.index,
+        "id": shape.id,
+        "element": shape.element,
+        "contours": len(shape.contours),
+        "closed": all(contour.closed for contour in shape.contours),
+        "length": float(sum(cubics.lengths(contour.segments).sum() for contour in shape.contours)),
+        "bbox": [box.x, box.y, box.x + box.width, box.y + box.height],
+        "fill": shape.style.fill,
+        "stroke": shape.style.stroke,
+        "fill_rule": shape.style.fill_rule,
+    }
