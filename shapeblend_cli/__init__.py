@@ -1,0 +1,33 @@
+"""Blend one 2-D shape into another with the least work of bending and stretching."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from shapeblend_cli.errors import ShapeblendError
+    from shapeblend_cli.match.solve import least_work
+    from shapeblend_cli.match.work import WorkConstants
+    from shapeblend_cli.pipeline import BlendSettings, blend
+    from shapeblend_cli.svg.read import read
+
+__version__ = "0.1.0"
+__all__ = ["BlendSettings", "ShapeblendError", "WorkConstants", "__version__", "blend", "least_work", "read"]
+
+_HOMES = {
+    "BlendSettings": "pipeline",
+    "ShapeblendError": "errors",
+    "WorkConstants": "match.work",
+    "blend": "pipeline",
+    "least_work": "match.solve",
+    "read": "svg.read",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name when it is first used: `shapeblend --help` needs none of them."""
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from importlib import import_module
+
+    return getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)

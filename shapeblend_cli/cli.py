@@ -1,0 +1,236 @@
+"""The command line: options in, one call of the pipeline, errors to exit codes.
+
+Nothing heavy is imported before it is needed: ``--help`` and usage errors come from here alone.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import TYPE_CHECKING
+
+import click
+
+from shapeblend_cli import __version__
+from shapeblend_cli.errors import ShapeblendError
+from shapeblend_cli.options import StartType, constant_options, constants_in_force
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+FAILED, USAGE = 1, 2
+STANDARD_OUTPUT = "-"
+
+
+class DefaultGroup(click.Group):
+    """A group that blends when no command is named, and whose help is that of blending."""
+
+    default = "blend"
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Put the default command in front of arguments that name none."""
+        if args and args[0] not in self.commands and args[0] not in ("-h", "--help", "--version"):
+            args = [self.default, *args]
+        return super().parse_args(ctx, args)
+
+    def format_help(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the default command's help, and what else there is."""
+        default = self.commands[self.default]
+        formatter.write_usage(ctx.command_path, "A.svg B.svg [OPTIONS]")
+        default.format_help_text(ctx, formatter)
+        default.format_options(ctx, formatter)
+        others = [(n, c.get_short_help_str(80)) for n, c in self.commands.items() if n != self.default]
+        with formatter.section("Commands"):
+            formatter.write_dl(others)
+
+
+@click.group(
+    cls=DefaultGroup,
+    no_args_is_help=True,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+@click.version_option(__version__, prog_name="shapeblend", message="%(prog)s %(version)s")
+def shapeblend() -> None:
+    """Blend one SVG shape into another."""
+
+
+@shapeblend.command()
+@click.argument("files", nargs=-1, required=True, metavar="A.svg B.svg")
+@click.option(
+    "-n",
+    "--frames",
+    type=click.IntRange(0, 10_000),
+    default=5,
+    show_default=True,
+    metavar="N",
+    help="In-betweens.",
+)
+@click.option("--ends", is_flag=True, help="Write t = 0 and t = 1 too.")
+@click.option(
+    "-o",
+    "--output",
+    default="blend",
+    show_default=True,
+    metavar="PATH",
+    help="A folder: one file a frame. A name ending in .svg: one animated SVG. -: that on standard output.",
+)
+@click.option("-f", "--force", is_flag=True, help="Replace existing files.")
+@click.option(
+    "--place",
+    type=click.Choice(["viewbox", "bbox", "asis"]),
+    default="viewbox",
+    show_default=True,
+    help="How B is laid over A: viewBox on viewBox, box on box, or file coordinates as they stand.",
+)
+@click.option(
+    "--vertices",
+    type=click.IntRange(0, 100_000),
+    default=200,
+    show_default=True,
+    metavar="N",
+    help="Vertices a contour, about. Nodes of the drawing always stay; 0 adds none but what a curve needs.",
+)
+@click.option(
+    "--start",
+    type=StartType(),
+    default="auto",
+    show_default=True,
+    help="Starting correspondence: proven best over all, or vertex I of A with vertex J of B.",
+)
+@constant_options
+@click.option(
+    "--report", "report_file", metavar="FILE", help="Write what was found as JSON; - for standard output."
+)
+@click.option("-q", "--quiet", is_flag=True, help="Only errors.")
+@click.option("-v", "--verbose", is_flag=True, help="Say what was done, and how long it took.")
+def blend(
+    files: tuple[str, ...],
+    frames: int,
+    ends: bool,
+    output: str,
+    force: bool,
+    place: str,
+    vertices: int,
+    start: tuple[int, int] | None,
+    preset: str | None,
+    report_file: str | None,
+    quiet: bool,
+    verbose: bool,
+    **given: float | None,
+) -> None:
+    """Blend the outline of A.svg into that of B.svg with the least work of bending and stretching.
+
+    Writes the in-betweens as SVG files, or one SVG that moves.
+    """
+    if len(files) != 2:
+        raise click.UsageError(f"two files are blended, A.svg and B.svg; {len(files)} given")
+    if output == report_file == STANDARD_OUTPUT:
+        raise click.UsageError("--output and --report cannot both be standard output")
+    if quiet and verbose:
+        raise click.UsageError("--quiet and --verbose contradict each other")
+    constants = constants_in_force(preset, given)
+    settings = {
+        "frames": frames,
+        "ends": ends,
+        "output": output,
+        "force": force,
+        "place": place,
+        "vertices": vertices,
+        "start": list(start) if start else "auto",
+        "preset": preset,
+        **constants,
+        "report": report_file,
+    }
+
+    from shapeblend_cli.files import Job, blend_files
+    from shapeblend_cli.match.work import WorkConstants
+    from shapeblend_cli.pipeline import BlendSettings
+
+    job = Job(
+        files=(files[0], files[1]),
+        output=output,
+        force=force,
+        report_file=report_file,
+        reported_settings=settings,
+        blend=BlendSettings(
+            frames=frames,
+            ends=ends,
+            vertices=vertices,
+            place=place,
+            start=start,
+            constants=WorkConstants(**{f"{name[0]}_{name[1]}": value for name, value in constants.items()}),
+        ),
+    )
+    blend_files(job, say=_nothing if quiet else _note, detail=_note if verbose else _nothing)
+
+
+@shapeblend.command()
+@click.argument("file", metavar="FILE")
+@click.option("--json", "as_json", is_flag=True, help="For programs.")
+def inspect(file: str, as_json: bool) -> None:
+    """List the shapes a file draws."""
+    from shapeblend_cli.report import inspection
+    from shapeblend_cli.svg.read import read
+
+    drawing = read(file)
+    found = inspection(drawing)
+    if as_json:
+        click.echo(json.dumps(found, indent=1, allow_nan=False))
+        return
+    for note in drawing.notes:
+        _note(f"{file}: {note}")
+    viewbox = " ".join(f"{v:g}" for v in found["viewbox"]) if found["viewbox"] else "none"
+    click.echo(f"{file}: viewBox {viewbox}")
+    rows = [("shape", "element", "id", "contours", "length", "box", "fill", "stroke")]
+    for shape in found["shapes"]:
+        rows.append(
+            (
+                str(shape["index"]),
+                shape["element"],
+                shape["id"] or "",
+                f"{shape['contours']} {'closed' if shape['closed'] else 'open'}",
+                f"{shape['length']:.6g}",
+                " ".join(f"{v:.5g}" for v in shape["bbox"]),
+                shape["fill"] or "none",
+                shape["stroke"] or "none",
+            )
+        )
+    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
+    for row in rows:
+        click.echo("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
+
+
+def _note(text: str) -> None:
+    click.echo(f"shapeblend: {text}", err=True)
+
+
+def _nothing(text: str) -> None:
+    pass
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Run a command line; an error is one line on standard error.
+
+    Returns
+    -------
+    int
+        Exit status: 0 done, 1 the input or the run failed, 2 the command line is wrong.
+    """
+    try:
+        shapeblend.main(list(arguments), prog_name="shapeblend", standalone_mode=False)
+    except click.ClickException as error:
+        _note(f"{' '.join(error.format_message().split())} (shapeblend --help lists the options)")
+        return USAGE
+    except click.Abort:
+        _note("interrupted; nothing was written")
+        return FAILED
+    except ShapeblendError as error:
+        _note(" ".join(str(error).split()))
+        return FAILED
+    except BrokenPipeError:
+        sys.stderr.close()  # the reader of our output has gone, and so has nothing to be told
+        return FAILED
+    except MemoryError:
+        _note("not enough memory for outlines of so many vertices; a smaller --vertices would help")
+        return FAILED
+    return 0

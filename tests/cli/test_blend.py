@@ -1,0 +1,363 @@
+"""The command as its users run it."""
+
+import json
+import re
+import subprocess
+import sys
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.cli import run
+
+SVG = "{http://www.w3.org/2000/svg}"
+SQUARE = "M0 0H10V10H0Z"
+TRIANGLE = "M0 0H10L0 10Z"
+
+
+def svg(d, attributes=""):
+    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"><path d="{d}" {attributes}/></svg>'
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch):
+    """An empty working folder with two files in it."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.svg").write_text(svg(SQUARE, 'fill="#ff0000"'))
+    (tmp_path / "b.svg").write_text(svg(TRIANGLE, 'fill="#0000ff"'))
+    return tmp_path
+
+
+def listing(folder):
+    return sorted(p.relative_to(folder).as_posix() for p in folder.rglob("*"))
+
+
+def numbers(text):
+    return [float(v) for v in re.findall(r"-?[\d.]+(?:e-?\d+)?", text)]
+
+
+def points(path):
+    pairs = np.array(numbers(path)).reshape(-1, 2)
+    return pairs @ [1, 1j]
+
+
+def path_of(file):
+    (path,) = ElementTree.parse(file).getroot().iter(SVG + "path")
+    return path
+
+
+def test_five_frames_in_a_folder_named_blend(here, capsys):
+    assert run(["a.svg", "b.svg"]) == 0
+    assert capsys.readouterr() == ("", "")
+    assert listing(here) == ["a.svg", "b.svg", "blend", *(f"blend/frame-{k}.svg" for k in range(1, 6))]
+
+
+def test_names_are_padded_to_one_width(here):
+    assert run(["a.svg", "b.svg", "-n", "10", "--ends", "-o", "out"]) == 0
+    assert [p.name for p in sorted((here / "out").iterdir())] == [f"frame-{k:02d}.svg" for k in range(1, 13)]
+
+
+def test_frames_at_the_ends_are_the_polygons_of_the_inputs(here):
+    assert run(["a.svg", "b.svg", "-n", "1", "--ends", "-o", "out", "--report", "r.json"]) == 0
+    contour = json.loads((here / "r.json").read_text())["pairs"][0]["contours"][0]
+    dots = np.array(contour["dots"])
+    for frame, side, fill in ((1, 0, "#ff0000"), (3, 1, "#0000ff")):
+        path = path_of(here / f"out/frame-{frame}.svg")
+        vertices = np.array(contour[["vertices_a", "vertices_b"][side]]) @ [1, 1j]
+        np.testing.assert_allclose(points(path.get("d")), vertices[dots[:, side]], atol=1e-4)
+        assert path.get("fill") == fill
+    middle = path_of(here / "out/frame-2.svg")
+    assert middle.get("fill") == "#800080"
+    np.testing.assert_allclose(
+        points(middle.get("d")),
+        (
+            points(path_of(here / "out/frame-1.svg").get("d"))
+            + points(path_of(here / "out/frame-3.svg").get("d"))
+        )
+        / 2,
+        atol=1e-4,
+    )
+
+
+def test_the_viewbox_holds_what_is_drawn(here):
+    assert run(["a.svg", "b.svg", "--ends", "-o", "out"]) == 0
+    for file in (here / "out").iterdir():
+        root = ElementTree.parse(file).getroot()
+        assert set(root.attrib) == {"viewBox"}
+        x, y, width, height = numbers(root.get("viewBox"))
+        z = points(path_of(file).get("d"))
+        assert x < z.real.min() < z.real.max() < x + width
+        assert y < z.imag.min() < z.imag.max() < y + height
+        assert width < 12
+        assert height < 12
+
+
+@pytest.mark.parametrize("arguments", [["-o", "x.svg"], ["-o", "-"]])
+def test_one_animated_file_with_two_keyframes_of_equal_commands(here, capfdbinary, arguments):
+    assert run(["a.svg", "b.svg", *arguments]) == 0
+    out = capfdbinary.readouterr().out
+    text = (here / "x.svg").read_bytes() if arguments[1] == "x.svg" else out
+    assert listing(here) == ["a.svg", "b.svg"] + ["x.svg"] * (arguments[1] == "x.svg")
+    (path,) = ElementTree.fromstring(text).iter(SVG + "path")
+    animated = {a.get("attributeName"): a.get("values").split(";") for a in path}
+    assert set(animated) == {"d", "fill"}
+    assert animated["fill"] == ["#ff0000", "#0000ff"] == [path.get("fill"), "#0000ff"]
+    start, end = animated["d"]
+    assert start == path.get("d")
+    assert re.sub(r"[-\d.]+", "", start) == re.sub(r"[-\d.]+", "", end)
+
+
+def test_the_report_is_that_of_the_page(here, capfdbinary):
+    assert run(["a.svg", "b.svg", "-n", "2", "--report", "-", "--kb", "0.5", "--preset", "fig1"]) == 0
+    report = json.loads(capfdbinary.readouterr().out)
+    assert list(report) == ["report", "version", "inputs", "settings", "pairs", "frames"]
+    assert report["inputs"] == ["a.svg", "b.svg"]
+    settings = report["settings"]
+    assert {k: settings[k] for k in ("ks", "kb", "es", "eb", "pb", "mb", "cs")} == {
+        "ks": 1.0, "kb": 0.5, "es": 2.0, "eb": 2.0, "pb": 1000.0, "mb": 10.0, "cs": 0.5
+    }  # fmt: skip
+    assert (settings["frames"], settings["vertices"], settings["place"], settings["start"]) == (
+        2,
+        200,
+        "viewbox",
+        "auto",
+    )
+    (pair,) = report["pairs"]
+    (contour,) = pair["contours"]
+    assert list(contour) == [
+        "a", "b", "closed", "vertices_a", "vertices_b", "scale_a", "scale_b", "dots", "start",
+        "work", "stretching", "bending", "lower_bound", "gap",
+        "diagonal_deviation", "zero_angles", "sweeps", "seconds",
+    ]  # fmt: skip
+    assert (contour["a"], contour["b"], contour["closed"], contour["scale_a"]) == (
+        0,
+        0,
+        True,
+        pytest.approx(10.0),
+    )
+    assert contour["work"] == pytest.approx(contour["stretching"] + contour["bending"])
+    assert contour["start"] == contour["dots"][0]
+    steps = np.diff(np.array(contour["dots"] + contour["dots"][:1]), axis=0)
+    steps %= [len(contour["vertices_a"]), len(contour["vertices_b"])]
+    assert {tuple(s) for s in steps.tolist()} <= {(1, 0), (0, 1), (1, 1)}
+    assert [f["file"] for f in report["frames"]] == ["frame-1.svg", "frame-2.svg"]
+    assert [f["t"] for f in report["frames"]] == pytest.approx([1 / 3, 2 / 3])
+    assert {f["self_crossings"] for f in report["frames"]} == {0}
+    assert 50 < report["frames"][1]["area"] < report["frames"][0]["area"] < 100
+
+
+def test_the_solver_alone(here, capfdbinary):
+    assert run(["a.svg", "b.svg", "-n", "0", "--report", "-", "--start", "0,0", "--vertices", "0"]) == 0
+    report = json.loads(capfdbinary.readouterr().out)
+    assert report["pairs"][0]["contours"][0]["start"] == [0, 0]
+    assert report["pairs"][0]["contours"][0]["vertices_a"] == [[0, 0], [10, 0], [10, 10], [0, 10]]
+    assert report["frames"] == []
+    assert listing(here) == ["a.svg", "b.svg"]
+
+
+def test_a_second_run_needs_force_and_leaves_what_it_does_not_write(here, capsys):
+    assert run(["a.svg", "b.svg", "-n", "2"]) == 0
+    before = (here / "blend/frame-1.svg").read_bytes()
+    (here / "blend/mine.txt").write_text("keep")
+    assert run(["b.svg", "a.svg", "-n", "2"]) == 1
+    assert capsys.readouterr().err == "shapeblend: blend/frame-1.svg: exists; --force replaces it\n"
+    assert (here / "blend/frame-1.svg").read_bytes() == before
+    assert run(["b.svg", "a.svg", "-n", "2", "--force"]) == 0
+    assert (here / "blend/frame-1.svg").read_bytes() != before
+    assert (here / "blend/mine.txt").read_text() == "keep"
+
+
+def test_same_input_same_bytes(here):
+    for name in ("one", "two"):
+        assert run(["a.svg", "b.svg", "-o", name]) == 0
+    for file in (here / "one").iterdir():
+        assert file.read_bytes() == (here / "two" / file.name).read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("place", "shift"), [("viewbox", 0.0), ("asis", 90.0), ("bbox", 0.0)], ids=["viewbox", "asis", "bbox"]
+)
+def test_place(here, capfdbinary, place, shift):
+    # The same square, ten times as large and somewhere else in its file.
+    (here / "b.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="90 90 100 100">'
+        '<rect x="90" y="90" width="100" height="100"/></svg>'
+    )
+    assert run(["a.svg", "b.svg", "-n", "0", "--report", "-", "--place", place, "--vertices", "0"]) == 0
+    contour = json.loads(capfdbinary.readouterr().out)["pairs"][0]["contours"][0]
+    b = np.array(contour["vertices_b"])
+    assert b.min(axis=0).tolist() == pytest.approx([shift, shift])
+    assert np.ptp(b, axis=0).tolist() == pytest.approx([100, 100] if place == "asis" else [10, 10])
+    assert contour["work"] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_open_lines_blend_in_the_direction_that_costs_less(here, capfdbinary):
+    for name, d in (("a", "M0 0H8V2"), ("b", "M8 3V1H0")):
+        (here / f"{name}.svg").write_text(svg(d, 'fill="none" stroke="#00ff00" stroke-width="2"'))
+    assert run(["a.svg", "b.svg", "-n", "1", "-o", "out", "--report", "-"]) == 0
+    contour = json.loads(capfdbinary.readouterr().out)["pairs"][0]["contours"][0]
+    assert contour["closed"] is False
+    assert contour["vertices_b"][0] == pytest.approx([0, 1])
+    assert contour["dots"][0] == [0, 0]
+    assert contour["dots"][-1] == [len(contour["vertices_a"]) - 1, len(contour["vertices_b"]) - 1]
+    assert contour["work"] == pytest.approx(0.0, abs=1e-9)
+    path = path_of(here / "out/frame-1.svg")
+    assert not path.get("d").endswith("Z")
+    assert (path.get("fill"), path.get("stroke"), path.get("stroke-width")) == ("none", "#00ff00", "2")
+
+
+def test_what_is_left_out_is_said_unless_quiet(here, capsys):
+    (here / "a.svg").write_text(svg(f"{SQUARE} M2 2H4V4Z M6 6H7V7Z"))
+    assert run(["a.svg", "b.svg", "-o", "one"]) == 0
+    said = capsys.readouterr().err
+    assert said == "shapeblend: a.svg: contour 0, the largest, is blended; 2 others are left out\n"
+    assert run(["a.svg", "b.svg", "-o", "two", "-q"]) == 0
+    assert capsys.readouterr().err == ""
+    assert run(["a.svg", "b.svg", "-o", "three", "-v"]) == 0
+    assert "work" in capsys.readouterr().err
+
+
+def test_a_shape_that_is_only_filled_is_closed_by_its_fill(here, capfdbinary):
+    (here / "a.svg").write_text(svg("M0 0H10V10H0"))
+    assert run(["a.svg", "b.svg", "-n", "0", "--report", "-"]) == 0
+    assert json.loads(capfdbinary.readouterr().out)["pairs"][0]["contours"][0]["closed"] is True
+
+
+BAD = {
+    "missing": (None, "no such file"),
+    "folder": ("folder", "directory"),
+    "empty": ("", "empty"),
+    "not XML": ("hello", "XML"),
+    "not SVG": ("<html/>", "svg"),
+    "no shape": ('<svg xmlns="http://www.w3.org/2000/svg"/>', "shape"),
+    "empty path": (svg(""), "shape"),
+    "one-point path": (svg("M3 3Z"), "shape"),
+    "nan": (svg("M0 0L nan 4L3 3Z"), "path"),
+    "infinite": (svg("M0 0L1e999 4L3 3Z"), "path"),
+    "open": (svg("M0 0H5V5", 'fill="none" stroke="red"'), "open"),
+    "flat": (svg("M0 0H5Z"), "2 distinct vertices"),
+}
+
+
+@pytest.mark.parametrize("case", BAD)
+@pytest.mark.parametrize("first", [True, False])
+def test_bad_input_is_one_line_and_nothing_written(here, capsys, case, first):
+    content, expected = BAD[case]
+    bad = here / "bad.svg"
+    if content == "folder":
+        bad.mkdir()
+    elif content is not None:
+        bad.write_text(content)
+    before = listing(here)
+    arguments = ["bad.svg", "b.svg"] if first else ["b.svg", "bad.svg"]
+    assert run([*arguments, "--vertices", "0", "--report", "r.json"]) == 1
+    said = capsys.readouterr()
+    assert said.out == ""
+    (line,) = said.err.splitlines()
+    assert line.startswith("shapeblend: bad.svg: ")
+    assert expected.lower() in line.lower()
+    assert listing(here) == before
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ([], "Usage"),
+        (["a.svg"], "two files"),
+        (["a.svg", "b.svg", "c.svg"], "3 given"),
+        (["a.svg", "b.svg", "--nope"], "--nope"),
+        (["a.svg", "b.svg", "-n", "-1"], "-1"),
+        (["a.svg", "b.svg", "--cs", "0"], "greater than 0"),
+        (["a.svg", "b.svg", "--cs", "2"], "at most 1"),
+        (["a.svg", "b.svg", "--ks", "nan"], "0 or more"),
+        (["a.svg", "b.svg", "--eb", "x"], "not a number"),
+        (["a.svg", "b.svg", "--start", "3"], "vertex numbers"),
+        (["a.svg", "b.svg", "--preset", "fig9"], "fig9"),
+        (["a.svg", "b.svg", "-o", "-", "--report", "-"], "standard output"),
+        (["a.svg", "b.svg", "-q", "-v"], "contradict"),
+        (["inspect"], "FILE"),
+    ],
+)
+def test_a_wrong_command_line_is_exit_2(here, capsys, arguments, words):
+    before = listing(here)
+    assert run(arguments) == 2
+    said = capsys.readouterr()
+    assert words in said.out + said.err
+    assert listing(here) == before
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["-o", "a.svg", "--force"], "a.svg: is an input"),
+        (["--report", "b.svg", "--force"], "b.svg: is an input"),
+        (["-o", "sub"], "sub: is a file"),
+        (["-o", "sub/x.svg"], "sub: is a file"),
+        (["--report", "."], ".: is a folder"),
+        (["-o", "x.svg", "--report", "x.svg"], "x.svg: is named for two"),
+        (["--start", "900,0"], "start 900,0 names no vertices"),
+    ],
+)
+def test_targets_that_must_not_be_written(here, capsys, arguments, words):
+    (here / "sub").write_text("a file")
+    before = {name: (here / name).read_bytes() for name in ("a.svg", "b.svg", "sub")}
+    assert run(["a.svg", "b.svg", *arguments]) == 1
+    (line,) = capsys.readouterr().err.splitlines()
+    assert words in line
+    assert {p.name: p.read_bytes() for p in here.iterdir()} == before
+
+
+def test_nothing_is_left_when_writing_fails_half_way(here, monkeypatch, capsys):
+    from shapeblend_cli import output
+
+    def fail(source, target):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(output.os, "replace", fail)
+    assert run(["a.svg", "b.svg", "-o", "deep/er", "--report", "r.json"]) == 1
+    assert "No space left" in capsys.readouterr().err
+    assert listing(here) == ["a.svg", "b.svg"]
+
+
+def test_as_a_module_and_its_version():
+    done = subprocess.run(
+        [sys.executable, "-m", "shapeblend_cli", "--version"], capture_output=True, text=True, check=True
+    )
+    assert re.fullmatch(r"shapeblend \d+\.\d+\.\d+\n", done.stdout)
+
+
+def test_help_names_every_option_and_command(capsys):
+    assert run(["--help"]) == 0
+    text = capsys.readouterr().out
+    for word in ("--frames", "--output", "--report", "--start", "--place", "--preset", "--cs", "inspect"):
+        assert word in text
+
+
+def test_inspect(here, capsys):
+    (here / "a.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 20">'
+        '<g transform="translate(5 5)" fill="#123456">'
+        '<rect id="r" width="4" height="2"/><path d="M0 0H3" stroke="red" fill="none"/></g></svg>'
+    )
+    assert run(["inspect", "a.svg", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out) == {
+        "file": "a.svg",
+        "viewbox": [0, 0, 20, 20],
+        "shapes": [
+            {
+                "index": 0, "id": "r", "element": "rect", "contours": 1, "closed": True,
+                "length": pytest.approx(12), "bbox": pytest.approx([5, 5, 9, 7]),
+                "fill": "#123456", "stroke": None, "fill_rule": "nonzero",
+            },
+            {
+                "index": 1, "id": None, "element": "path", "contours": 1, "closed": False,
+                "length": pytest.approx(3), "bbox": pytest.approx([5, 5, 8, 5]),
+                "fill": None, "stroke": "#ff0000", "fill_rule": "nonzero",
+            },
+        ],
+    }  # fmt: skip
+    assert run(["inspect", "a.svg"]) == 0
+    text = capsys.readouterr().out
+    assert "rect" in text
+    assert "#123456" in text

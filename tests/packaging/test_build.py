@@ -1,0 +1,184 @@
+"""What a build contains, that it needs no compiler, and that the command starts without heavy imports."""
+
+import doctest
+import importlib
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tarfile
+import tomllib
+import zipfile
+from pathlib import Path
+
+import pytest
+
+import shapeblend_cli
+from shapeblend_cli import _cython
+
+ROOT = Path(__file__).parents[2]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+KERNELS = PROJECT["tool"]["shapeblend"]["kernels"]
+MODULES = [path.removesuffix(".py").replace("/", ".") for path in KERNELS]
+PARTS = ["LICENSE", "MANIFEST.in", "Makefile", "README.md", "pyproject.toml", "setup.py"]
+PARTS += ["conftest.py", "samples", "shapeblend_cli", "tests", "tools"]
+BINARY = re.compile(r"\.(so|pyd|c)$")
+
+
+def run(*command: object, cwd: Path, **environment: str) -> str:
+    done = subprocess.run(
+        [sys.executable, *map(str, command)],
+        cwd=cwd,
+        env={**os.environ, **environment},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def source(tmp_path_factory):
+    """Give a copy of the project without anything that was built in place."""
+    copy = tmp_path_factory.mktemp("source") / "shapeblend"
+    copy.mkdir()
+    for name in PARTS:
+        if (ROOT / name).is_dir():
+            shutil.copytree(
+                ROOT / name, copy / name, ignore=shutil.ignore_patterns("__pycache__", "*.so", "*.pyd")
+            )
+        else:
+            shutil.copy(ROOT / name, copy / name)
+    return copy
+
+
+@pytest.fixture(scope="module")
+def wheel(source):
+    """Build a wheel where every compile fails."""
+    no_compiler = shutil.which("false")
+    if no_compiler is None:
+        pytest.skip("needs a command that fails, to stand for the compiler")
+    run(
+        *("-m", "pip", "wheel", "--quiet", "--no-index", "--no-deps", "--no-build-isolation"),
+        *("--wheel-dir", "dist", "."),
+        cwd=source,
+        CC=no_compiler,
+        SHAPEBLEND_PURE="",
+    )
+    (path,) = (source / "dist").glob("*.whl")
+    return path
+
+
+def test_without_a_compiler_it_installs_and_its_kernels_run_as_python(wheel, tmp_path):
+    run(
+        *("-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--target", "site", wheel),
+        cwd=tmp_path,
+    )
+    site = tmp_path / "site"
+    assert [path for path in site.rglob("*") if BINARY.search(path.name)] == []
+    code = """if True:
+        import importlib, sys
+        sys.modules["cython"] = None  # as on a machine without Cython
+        for name in sys.argv[1:]:
+            module = importlib.import_module(name)
+            print(module.__file__, bool(module.COMPILED))
+    """
+    printed = run("-c", code, *MODULES, cwd=tmp_path, PYTHONPATH=str(site)).splitlines()
+    assert printed == [f"{site / path} False" for path in KERNELS]
+
+
+def test_wheel_carries_the_package_only_with_the_source_of_its_kernels(wheel):
+    names = zipfile.ZipFile(wheel).namelist()
+    assert {name.split("/")[0] for name in names if ".dist-info/" not in name} == {"shapeblend_cli"}
+    modules = {path.relative_to(ROOT).as_posix() for path in (ROOT / "shapeblend_cli").rglob("*.py")}
+    assert modules == {name for name in names if name.endswith(".py")}
+    assert set(KERNELS) <= modules
+
+
+def test_pure_build_fits_every_platform(source, tmp_path):
+    build = "import setuptools.build_meta as b, sys; print(b.build_wheel(sys.argv[1]))"
+    printed = run("-c", build, tmp_path, cwd=source, SHAPEBLEND_PURE="1")
+    assert printed.splitlines()[-1].endswith("-py3-none-any.whl")
+
+
+def test_sdist_carries_tests_and_samples_and_nothing_built(source, tmp_path):
+    build = "import setuptools.build_meta as b, sys; print(b.build_sdist(sys.argv[1]))"
+    printed = run("-c", build, tmp_path, cwd=source, SHAPEBLEND_PURE="")
+    with tarfile.open(tmp_path / printed.splitlines()[-1]) as archive:
+        names = {name.partition("/")[2] for name in archive.getnames()}
+    here = Path(__file__).relative_to(ROOT).as_posix()
+    assert {here, "samples/e.svg", "samples/f.svg", "setup.py", "Makefile", "LICENSE", *KERNELS} <= names
+    assert [name for name in names if BINARY.search(name) or name.startswith("build/")] == []
+
+
+def test_version_is_that_of_the_package(wheel):
+    assert wheel.name.startswith(f"shapeblend-{shapeblend_cli.__version__}-")
+
+
+@pytest.mark.parametrize("option", ["--help", "--version"])
+def test_command_starts_without_heavy_imports(option, tmp_path):
+    done = subprocess.run(
+        [sys.executable, "-X", "importtime", "-m", "shapeblend_cli", option],
+        cwd=tmp_path,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    imported = {line.rpartition("|")[2].strip() for line in done.stderr.splitlines()}
+    assert "click" in imported
+    heavy = {"numpy", "scipy", "svgpathtools", "svgwrite", "tinycss2", "cssselect2"}
+    assert imported & heavy == set()
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_doctests_of_a_kernel_hold_uncompiled(name, load_uncompiled):
+    module = load_uncompiled(name)
+    assert not module.COMPILED
+    assert importlib.import_module(name) is not module
+    assert doctest.testmod(module).failed == 0
+
+
+def test_stand_in_for_cython_has_all_that_kernels_use():
+    used = set()
+    for path in KERNELS:
+        used |= set(re.findall(r"\bcython\.(\w+)", (ROOT / path).read_text(encoding="utf-8")))
+    assert used - {"cimports"} <= set(vars(_cython))
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_binary_beside_a_kernel_is_not_older_than_its_source(name):
+    module = importlib.import_module(name)
+    if not module.COMPILED:
+        pytest.skip(f"{name} is not compiled here")
+    binary = Path(module.__file__)
+    source = binary.with_name(name.rpartition(".")[2] + ".py")
+    assert binary.stat().st_mtime >= source.stat().st_mtime, "the source was edited: run make install"
+
+
+def test_kernels_are_compiled_in_ci():
+    if os.environ.get("CI") != "true" or os.environ.get("SHAPEBLEND_PURE"):
+        pytest.skip("only CI promises a compiler")
+    assert [name for name in MODULES if not importlib.import_module(name).COMPILED] == []
+
+
+def test_kernels_are_the_modules_that_import_cython():
+    package = ROOT / "shapeblend_cli"
+    found = [
+        path.relative_to(ROOT).as_posix()
+        for path in package.rglob("*.py")
+        if re.search(r"^\s*import cython$", path.read_text(encoding="utf-8"), re.MULTILINE)
+    ]
+    assert sorted(found) == sorted(KERNELS)
+
+
+def test_mypy_is_told_of_the_same_kernels():
+    told = [
+        table["module"]
+        for table in PROJECT["tool"]["mypy"]["overrides"]
+        if "valid-type" in table.get("disable_error_code", [])
+    ]
+    assert told == [sorted(MODULES)]
