@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 TOLERANCE = 5e-4
 """How far a polygon may lie from its curve, as a share of the larger side of the contour's box."""
 
+MOST_CUTS = 32
+"""Rounds of cutting; a handful is enough for any curve, cusps included."""
+
 COINCIDENT = 1e-9
 """Vertices nearer than this share of the box are one."""
 
@@ -39,23 +42,24 @@ def flatten(contour: Contour, vertices: int) -> Polygon:
     box = cubics.bounds(segments)
     size = max(box.width, box.height)
     ladders = _length_ladders(segments)
-    lengths = ladders[:, -1]
+    counts = _share_out(ladders[:, -1], vertices - (0 if contour.closed else 1))
+    segment = np.repeat(np.arange(len(segments)), counts)
+    share = (np.arange(len(segment)) - np.repeat(np.cumsum(counts) - counts, counts)) / counts[segment]
 
-    counts = _share_out(lengths, vertices - (0 if contour.closed else 1))
-    segment, parameter = _spread(ladders, counts)
-    for _ in range(64):
-        ends = np.append(np.where(segment[1:] == segment[:-1], parameter[1:], 1.0), 1.0)
-        deviation = cubics.chord_deviation(cubics.pieces(segments[segment], parameter, ends))
+    # Cut every piece that strays from its chord into even parts, until none does.
+    for _ in range(MOST_CUTS):
+        following = np.append(np.where(segment[1:] == segment[:-1], share[1:], 1.0), 1.0)
+        parameter = _parameters(ladders, segment, share)
+        end = np.where(following < 1.0, np.roll(parameter, -1), 1.0)
+        deviation = cubics.chord_deviation(cubics.pieces(segments[segment], parameter, end))
         deviation[contour.straight[segment]] = 0.0
-        worst = np.zeros(len(segments))
-        np.maximum.at(worst, segment, deviation)
-        coarse = worst > TOLERANCE * size
-        if not coarse.any():
+        if deviation.max() <= TOLERANCE * size:
             break
         # A chord's deviation falls with the square of its length.
-        growth = np.sqrt(worst[coarse] / (TOLERANCE * size))
-        counts[coarse] = np.maximum(counts[coarse] + 1, np.ceil(counts[coarse] * np.minimum(growth, 8.0)))
-        segment, parameter = _spread(ladders, counts)
+        parts = np.ceil(np.sqrt(np.maximum(deviation / (TOLERANCE * size), 1.0))).astype(np.intp)
+        part = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
+        share = np.repeat(share, parts) + part * np.repeat((following - share) / parts, parts)
+        segment = np.repeat(segment, parts)
 
     points = cubics.evaluate(segments[segment], parameter)
     points = np.where(parameter == 0.0, segments[segment, 0], points)
@@ -91,17 +95,14 @@ def _share_out(lengths: FloatArray, pieces: int) -> IntArray:
     return np.maximum(np.ceil(lengths / high).astype(np.intp), 1)
 
 
-def _spread(ladders: FloatArray, counts: IntArray) -> tuple[IntArray, FloatArray]:
-    """Segment and parameter of the first point of every piece, evenly by arc length in each segment."""
-    segment = np.repeat(np.arange(len(counts)), counts)
-    place = np.arange(len(segment)) - np.repeat(np.cumsum(counts) - counts, counts)
+def _parameters(ladders: FloatArray, segment: IntArray, share: FloatArray) -> FloatArray:
+    """The parameter at which each segment has gone the given share of its length, in [0, 1)."""
     # One interpolation for all segments: each ladder is lifted above the one before it.
-    lift = np.arange(len(counts)) * 2.0
+    lift = 2.0 * np.arange(len(ladders))
     totals = np.where(ladders[:, -1:] > 0.0, ladders[:, -1:], 1.0)
     rungs = ladders / totals + lift[:, None]
     steps = np.linspace(0.0, 1.0, ladders.shape[1]) + lift[:, None]
-    wanted = place / counts[segment] + lift[segment]
-    return segment, np.interp(wanted, rungs.ravel(), steps.ravel()) - lift[segment]
+    return np.interp(share + lift[segment], rungs.ravel(), steps.ravel()) - lift[segment]
 
 
 def _distinct(points: np.ndarray, closed: bool, distance: float) -> IntArray:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -13,8 +13,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray
 
 
-@dataclass(frozen=True, slots=True)
-class Similarity:
+class Similarity(NamedTuple):
     """Uniform scaling and a shift: ``z -> scale * z + shift``."""
 
     scale: float = 1.0
