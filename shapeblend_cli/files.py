@@ -5,9 +5,8 @@ from __future__ import annotations
 import json
 import sys
 import time
-from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli import __version__
 from shapeblend_cli.errors import InputError, MatchError, OutputError
@@ -31,13 +30,12 @@ MARGIN = 0.02
 """Room around what is drawn, as a share of its larger side."""
 
 SLOW = (
-    "the solver was installed without a C compiler and runs uncompiled, about a hundred times slower; "
+    "the solver was installed without a C compiler and runs uncompiled, far slower; "
     "installing again with a C compiler makes it fast"
 )
 
 
-@dataclass(frozen=True, slots=True)
-class Job:
+class Job(NamedTuple):
     """One run of the command: files in, files out.
 
     Attributes
@@ -58,7 +56,7 @@ class Job:
     force: bool
     report_file: str | None
     blend: BlendSettings
-    reported_settings: dict[str, Any] = field(default_factory=dict)
+    reported_settings: dict[str, Any]
 
     @property
     def animated(self) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.model import Style
@@ -46,8 +45,7 @@ def blend_styles(a: Style, b: Style, t: float) -> Style:
     stroke, stroke_opacity = _blend_paint(a.stroke, a.stroke_opacity, b.stroke, b.stroke_opacity, t)
     width0 = a.stroke_width if a.stroke else b.stroke_width
     width1 = b.stroke_width if b.stroke else a.stroke_width
-    return replace(
-        a if t < 0.5 else b,
+    return (a if t < 0.5 else b)._replace(
         fill=fill,
         fill_opacity=fill_opacity,
         stroke=stroke,

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -34,8 +34,7 @@ from shapeblend_cli.model import (
 PLACES = ("viewbox", "bbox", "asis")
 
 
-@dataclass(frozen=True, slots=True)
-class BlendSettings:
+class BlendSettings(NamedTuple):
     """What the command line can say of a blend.
 
     Attributes
@@ -58,11 +57,10 @@ class BlendSettings:
     vertices: int = 200
     place: str = "viewbox"
     start: tuple[int, int] | None = None
-    constants: WorkConstants = field(default_factory=WorkConstants)
+    constants: WorkConstants = WorkConstants()
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Chosen:
+class _Chosen(NamedTuple):
     """The contour of a drawing that is blended, with its paint."""
 
     number: int
@@ -114,7 +112,7 @@ def match(a: Drawing, b: Drawing, settings: BlendSettings) -> Pair:
         b=1,
         contours=(matched,),
         style_a=chosen_a.style,
-        style_b=replace(chosen_b.style, stroke_width=over.scale * chosen_b.style.stroke_width),
+        style_b=chosen_b.style._replace(stroke_width=over.scale * chosen_b.style.stroke_width),
         notes=tuple(
             f"{drawing.file}: contour {chosen.number}, the largest, is blended; {chosen.left_out} "
             f"other{'s are' if chosen.left_out > 1 else ' is'} left out"

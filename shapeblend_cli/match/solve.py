@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, IntArray
 
 COMPILED: bool = angles.COMPILED
-"""Whether the kernels were compiled; uncompiled they give the same results about a hundred times slower."""
+"""Whether the kernels were compiled; uncompiled they give the same results, far slower."""
 
 
 def least_work(
