@@ -1,0 +1,30 @@
+"""Time to solve: tables and search over all starts, proven, beside one given start."""
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.match.solve import least_work
+
+
+def blob(m, seed):
+    """A smooth outline with m vertices, unlike that of any other seed, in the unit box."""
+    rng = np.random.default_rng(seed)
+    angle = 2.0 * np.pi * np.arange(m) / m
+    waves = sum(0.15 / k * rng.normal() * np.cos(k * angle + rng.uniform(0, 7)) for k in range(1, 9))
+    z = (1.0 + waves) * np.exp(1j * angle)
+    z -= complex(z.real.min(), z.imag.min())
+    return z / max(z.real.max(), z.imag.max())
+
+
+@pytest.mark.parametrize("m", [100, 300, 1000])
+@pytest.mark.parametrize("start", [(0, 0), None], ids=["one start", "all starts"])
+def test_closed(benchmark, m, start):
+    benchmark.group = f"{m} x {m} vertices, closed"
+    found = benchmark.pedantic(
+        least_work,
+        (blob(m, 0), blob(m, 50), True),
+        {"start": start},
+        rounds=7 if m > 500 else 25,
+        warmup_rounds=1,
+    )
+    assert found.gap == 0.0

@@ -1,0 +1,148 @@
+"""What must hold for any two shapes, from contours to frames."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from shapeblend_cli.geometry.normalise import Similarity
+from shapeblend_cli.match.solve import least_work
+from shapeblend_cli.match.work import WorkConstants
+from shapeblend_cli.model import Contour, Style
+from shapeblend_cli.pipeline import BlendSettings, blend, make_frames, match
+from tests.support.contours import circle_contour, drawing, polygon_contour
+from tests.support.shapes import random_polygon, regular_polygon, star_polygon
+
+seeds = st.integers(0, 10**9)
+counts = st.integers(3, 30)
+constants = st.builds(
+    WorkConstants,
+    k_s=st.floats(0.1, 5),
+    k_b=st.floats(0.1, 5),
+    e_s=st.sampled_from([1.0, 1.5, 2.0]),
+    e_b=st.sampled_from([0.5, 1.0, 2.0]),
+    p_b=st.floats(0, 2000),
+    m_b=st.floats(0, 20),
+    c_s=st.floats(0.1, 1),
+)
+similarities = st.builds(
+    Similarity, st.floats(0.01, 100), st.builds(complex, st.floats(-50, 50), st.floats(-50, 50))
+)
+ASIS = BlendSettings(place="asis", vertices=40)
+
+
+def star(seed, m):
+    return star_polygon(np.random.default_rng(seed), m)
+
+
+# With e_b < 1 the rounding of angles, 1e-13 radians and the like, would be raised to something visible.
+@given(seeds, counts, similarities, st.integers(0, 29), constants.filter(lambda c: c.e_b >= 1.0))
+def test_a_shape_and_itself_moved_scaled_begun_elsewhere_cost_nothing(seed, m, similarity, start, constants):
+    p = star(seed, m)
+    a = drawing(polygon_contour(p))
+    b = drawing(polygon_contour(similarity.points(np.roll(p, start))), file="b.svg")
+    pair = match(a, b, BlendSettings(place="asis", vertices=40, constants=constants))
+    found = pair.contours[0].correspondence
+    assert found.work < 1e-7
+    p0, p1 = (polygon.vertices for polygon in (pair.contours[0].polygon_a, pair.contours[0].polygon_b))
+    assert found.dots[:, 0].tolist() == list(range(len(p0)))
+    np.testing.assert_allclose(similarity.points(p0), p1[found.dots[:, 1]], atol=1e-9 * (1 + abs(p1).max()))
+
+
+@given(seeds, counts)
+def test_a_shape_reversed_costs_nothing(seed, m):
+    p = star(seed, m)
+    pair = match(drawing(polygon_contour(p)), drawing(polygon_contour(p[::-1])), ASIS)
+    assert pair.contours[0].correspondence.work < 1e-7
+
+
+@given(seeds, counts, counts, st.booleans(), constants)
+def test_swapping_keeps_the_work(seed, m, n, closed, constants):
+    rng = np.random.default_rng(seed)
+    p0, p1 = random_polygon(rng, m), random_polygon(rng, n)
+    there, back = least_work(p0, p1, closed, constants), least_work(p1, p0, closed, constants)
+    assert there.work == pytest.approx(back.work, rel=1e-9, abs=1e-9)
+
+
+@given(seeds, counts, counts, constants)
+def test_reversing_or_mirroring_both_keeps_the_work(seed, m, n, constants):
+    rng = np.random.default_rng(seed)
+    p0, p1 = random_polygon(rng, m), random_polygon(rng, n)
+    work = least_work(p0, p1, True, constants).work
+    assert least_work(p0[::-1], p1[::-1], True, constants).work == pytest.approx(work, rel=1e-9, abs=1e-9)
+    assert least_work(p0.conj(), p1.conj(), True, constants).work == pytest.approx(work, rel=1e-9, abs=1e-9)
+
+
+@given(seeds, counts, counts, similarities)
+def test_place_and_size_do_not_matter(seed, m, n, similarity):
+    a, b = star(seed, m), star(seed + 1, n)
+    moved = drawing(polygon_contour(similarity.points(b)))
+    works = [
+        match(drawing(polygon_contour(a)), other, ASIS).contours[0].correspondence.work
+        for other in (drawing(polygon_contour(b)), moved)
+    ]
+    assert works[0] == pytest.approx(works[1], rel=1e-6, abs=1e-6)
+
+
+@given(seeds, counts, counts)
+def test_the_best_start_is_no_worse_than_any(seed, m, n):
+    p0, p1 = star(seed, m), star(seed + 1, n)
+    best = least_work(p0, p1, True)
+    for j in range(0, n, max(1, n // 5)):
+        assert least_work(p0, p1, True, start=(0, j)).work >= best.work - 1e-9
+    start = tuple(best.dots[len(best.dots) // 2].tolist())
+    assert least_work(p0, p1, True, start=start).work == pytest.approx(best.work, rel=1e-9, abs=1e-9)
+
+
+@given(seeds, counts, counts, st.booleans())
+def test_dots_are_a_path_that_leaves_out_no_vertex(seed, m, n, closed):
+    p0, p1 = star(seed, m), star(seed + 1, n)
+    dots = least_work(p0, p1, closed).dots
+    assert set(dots[:, 0].tolist()) == set(range(m))
+    assert set(dots[:, 1].tolist()) == set(range(n))
+    assert max(m, n) <= len(dots) <= m + n
+
+
+@given(seeds, counts, counts)
+def test_frames_at_both_ends_are_the_polygons(seed, m, n):
+    pair = match(drawing(polygon_contour(star(seed, m))), drawing(polygon_contour(star(seed + 1, n))), ASIS)
+    start, end = make_frames(pair, [0.0, 1.0])
+    dots = pair.contours[0].correspondence.dots
+    np.testing.assert_array_equal(start.outlines[0].vertices, pair.contours[0].polygon_a.vertices[dots[:, 0]])
+    np.testing.assert_array_equal(end.outlines[0].vertices, pair.contours[0].polygon_b.vertices[dots[:, 1]])
+
+
+@given(seeds, counts)
+def test_curves_and_lines_of_any_mixture_blend(seed, count):
+    rng = np.random.default_rng(seed)
+    nodes = rng.random(count) + 1j * rng.random(count)
+    inner = rng.random((count, 2)) + 1j * rng.random((count, 2))
+    segments = np.column_stack([nodes, inner, np.roll(nodes, -1)])
+    scribble = Contour(segments, np.zeros(count, bool), True)
+    pair, frames = blend(
+        drawing(scribble), drawing(circle_contour(), file="b.svg"), BlendSettings(place="bbox")
+    )
+    assert len(frames) == 5
+    assert all(np.isfinite(frame.outlines[0].vertices).all() for frame in frames)
+    assert pair.contours[0].correspondence.gap == 0.0
+
+
+def test_two_circles_of_other_counts_stay_round():
+    p0, p1 = regular_polygon(60), regular_polygon(47)
+    dots = least_work(p0, p1, True).dots
+    halfway = (p0[dots[:, 0]] + p1[dots[:, 1]]) / 2
+    centre = (p0.mean() + p1.mean()) / 2
+    assert abs(halfway - centre).min() > 0.4
+
+
+def test_paint_goes_from_one_to_the_other():
+    square, triangle = polygon_contour([0, 1, 1 + 1j, 1j]), polygon_contour([0, 1, 1j])
+    a = drawing(square, style=Style(fill="#000000", stroke=None))
+    b = drawing(triangle, style=Style(fill=None, stroke="#ff8000", stroke_width=3.0))
+    _, frames = blend(a, b, BlendSettings(frames=1, ends=True))
+    styles = [frame.style for frame in frames]
+    assert [s.fill for s in styles] == ["#000000"] * 3
+    assert [s.fill_opacity for s in styles] == [1.0, 0.5, 0.0]
+    assert [s.stroke for s in styles] == ["#ff8000"] * 3
+    assert [s.stroke_opacity for s in styles] == [0.0, 0.5, 1.0]
+    assert [s.stroke_width for s in styles] == [3.0] * 3
