@@ -1,0 +1,80 @@
+"""Which module may import which."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+import shapeblend_cli
+
+PACKAGE = Path(shapeblend_cli.__file__).parent
+MODULES = sorted(path.relative_to(PACKAGE).as_posix() for path in PACKAGE.rglob("*.py"))
+
+# For each room, the rooms it may look into besides itself. The first name that fits a module is its room.
+ROOMS = {
+    "errors": set(),
+    "model": set(),
+    "_cython": set(),
+    "presets": set(),
+    "output": {"errors"},
+    "svg": {"model", "errors"},
+    "geometry": {"model", "errors", "_cython"},
+    "match": {"model", "errors", "_cython"},
+    "interpolate": {"model", "errors"},
+    "report": {"model", "geometry"},
+    "pipeline": {"model", "errors", "geometry", "match", "interpolate"},
+    "files": {"pipeline", "svg", "report", "output", "geometry", "match", "model", "errors", "__init__"},
+    "options": {"presets"},
+    "cli": {"files", "pipeline", "report", "svg", "match", "options", "errors", "__init__"},
+    "__main__": {"cli"},
+    "__init__": {"errors", "match", "pipeline", "svg"},
+}
+
+
+def room(module):
+    return module.removesuffix(".py").split("/")[0]
+
+
+def imports(module):
+    """Our modules that a module imports, anywhere in it, types included."""
+    tree = ast.parse((PACKAGE / module).read_text(encoding="utf-8"))
+    for node in ast.walk(tree):
+        names = []
+        if isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{module}: relative imports hide where things come from"
+            if node.module == "shapeblend_cli":  # a submodule, or a name of the package itself
+                names = [
+                    f"shapeblend_cli.{a.name if list(PACKAGE.glob(f'{a.name}*')) else '__init__'}"
+                    for a in node.names
+                ]
+            else:
+                names = [node.module]
+        yield from (name.split(".")[1] for name in names if name.startswith("shapeblend_cli."))
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_arrows_point_one_way(module):
+    here = room(module)
+    assert set(imports(module)) - {here} <= ROOMS[here]
+
+
+@pytest.mark.parametrize("module", [m for m in MODULES if room(m) != "svg"])
+def test_only_svg_knows_the_svg_libraries(module):
+    text = (PACKAGE / module).read_text(encoding="utf-8")
+    imported = {
+        name.split(".")[0]
+        for node in ast.walk(ast.parse(text))
+        for name in (
+            [a.name for a in node.names]
+            if isinstance(node, ast.Import)
+            else [getattr(node, "module", None) or ""]
+        )
+    }
+    assert imported & {"svgpathtools", "svgwrite", "tinycss2", "cssselect2"} == set()
+
+
+@pytest.mark.parametrize("module", [m for m in MODULES if room(m) not in ("cli", "options")])
+def test_only_the_command_line_knows_click(module):
+    assert "import click" not in (PACKAGE / module).read_text(encoding="utf-8")
