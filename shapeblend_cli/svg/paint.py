@@ -1,0 +1,156 @@
+"""Paint: a CSS colour, ``none``, ``currentColor``, or a reference to a gradient or pattern."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+# Left as text: `re` compiles them when they are first used, and few files need all of them.
+_RGB = r"rgb\(\s*([0-9]{1,3})\s*,\s*([0-9]{1,3})\s*,\s*([0-9]{1,3})\s*\)"
+_URL = r"(?s)url\(\s*([\"']?)(.*?)\1\s*\)\s*(.*)"
+_ICC = r"\s*(?:icc-color|device-\w+)\(.*\)$"
+
+
+class Colour(NamedTuple):
+    """An opaque colour ``#rrggbb`` and how opaque it is."""
+
+    rgb: str
+    alpha: float = 1.0
+
+
+class Paint(NamedTuple):
+    """What fill or stroke says.
+
+    Attributes
+    ----------
+    kind : str
+        ``none``, ``colour``, ``current`` or ``server``.
+    colour : Colour or None
+        Of a colour.
+    link : str
+        What a paint server's ``url()`` refers to.
+    fallback : Paint or None
+        What follows the ``url()``.
+    """
+
+    kind: str
+    colour: Colour | None = None
+    link: str = ""
+    fallback: Paint | None = None
+
+
+_MAX_LENGTH = 1000
+_HEX_DIGITS = frozenset("0123456789abcdefABCDEF")
+
+_TO_LINEAR_SRGB = {
+    "srgb-linear": ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)),
+    "display-p3": (
+        (1.2249402, -0.2249402, 0.0),
+        (-0.0420570, 1.0420570, 0.0),
+        (-0.0196376, -0.0786361, 1.0982736),
+    ),
+    "xyz-d65": (
+        (3.2409699, -1.5373832, -0.4986108),
+        (-0.9692436, 1.8759675, 0.0415551),
+        (0.0556301, -0.2039770, 1.0569715),
+    ),
+    "xyz-d50": (
+        (3.1341359, -1.6173863, -0.4906619),
+        (-0.9787955, 1.9162543, 0.0334427),
+        (0.0719553, -0.2289768, 1.4053861),
+    ),
+}
+
+NONE = Paint("none")
+CURRENT = Paint("current")
+BLACK = Colour("#000000")
+
+_KEYWORDS = {"none": NONE, "currentcolor": CURRENT}
+_COMMON = {"black": BLACK, "white": Colour("#ffffff"), "transparent": Colour("#000000", 0.0)}
+
+
+@lru_cache(maxsize=4096)
+def parse(text: str) -> Paint | None:
+    """Return the paint `text` means, or None when it means none that is known."""
+    text = text.strip()
+    if len(text) > _MAX_LENGTH:
+        return None
+    keyword = _KEYWORDS.get(text.lower())
+    if keyword is not None:
+        return keyword
+    match = re.fullmatch(_URL, text) if text.startswith("url") else None
+    if match:
+        return Paint("server", link=match[2].strip(), fallback=parse(match[3]) if match[3] else None)
+    colour = parse_colour(text)
+    return None if colour is None else Paint("colour", colour)
+
+
+@lru_cache(maxsize=4096)
+def parse_colour(text: str) -> Colour | None:
+    """Return a CSS colour, or None when `text` is none."""
+    if len(text) > _MAX_LENGTH:
+        return None
+    text = text.strip()
+    common = _COMMON.get(text)
+    if common is not None:
+        return common
+    if text.startswith("#") and _HEX_DIGITS.issuperset(text[1:]) and len(text) in (4, 5, 7, 9):
+        return _from_hex(text[1:].lower())
+    if " icc-color(" in text or " device-" in text:
+        return parse_colour(re.sub(_ICC, "", text))
+    match = re.fullmatch(_RGB, text)
+    if match:
+        return Colour("#" + "".join(f"{min(int(match[k]), 255):02x}" for k in (1, 2, 3)))
+    return _from_css(text)
+
+
+def _from_hex(digits: str) -> Colour:
+    if len(digits) < 6:
+        digits = "".join(2 * digit for digit in digits)
+    alpha = int(digits[6:], 16) / 255 if len(digits) == 8 else 1.0
+    return Colour("#" + digits[:6], alpha)
+
+
+def _from_css(text: str) -> Colour | None:
+    """Return any other colour CSS knows: names, percentages, hsl() and the rest."""
+    from tinycss2 import color4
+
+    try:
+        colour = color4.parse_color(text)
+        # A string is a keyword, `currentcolor`.
+        if colour is None or isinstance(colour, str):
+            return None
+        parts = [min(max(part, 0.0), 1.0) for part in _srgb(colour)]
+        alpha = min(max(float(colour.alpha), 0.0), 1.0)
+        return Colour("#" + "".join(f"{int(255 * part + 0.5):02x}" for part in parts), alpha)
+    except (ValueError, TypeError, ArithmeticError, NotImplementedError, RecursionError):
+        return None
+
+
+def _srgb(colour: Any) -> tuple[float, float, float]:
+    """Return red, green and blue of a tinycss2 colour, not clipped to what sRGB can show.
+
+    tinycss2 stops at CIE XYZ; the way on from there is in
+    https://www.w3.org/TR/css-color-4/#color-conversion-code.
+    """
+    for space, matrix in _TO_LINEAR_SRGB.items():
+        try:
+            linear = colour.to(space).coordinates
+        except NotImplementedError:
+            continue
+        if space == "display-p3":
+            linear = [_expanded(part) for part in linear]
+        mixed = (sum(m * part for m, part in zip(row, linear, strict=True)) for row in matrix)
+        red, green, blue = (_companded(part) for part in mixed)
+        return red, green, blue
+    red, green, blue = colour.to("srgb").coordinates
+    return red, green, blue
+
+
+def _expanded(part: float) -> float:
+    return part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4
+
+
+def _companded(part: float) -> float:
+    return 12.92 * part if part <= 0.0031308 else 1.055 * part ** (1 / 2.4) - 0.055

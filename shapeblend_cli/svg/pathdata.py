@@ -1,0 +1,247 @@
+"""Path data into contours: the only place that speaks to svgpathtools' ``parse_path``.
+
+``parse_path`` is fast and right on valid data. On other data it drops letters it does not know, reads
+``nan`` and ``1e999``, and fails with an AssertionError on an arc whose ends coincide. So data is first
+checked against the grammar (https://www.w3.org/TR/SVG2/paths.html#PathDataBNF) and cut into
+subpaths, and arcs are handed over as lines: ``parse_path`` finds their ends, `contours.arc` the curve.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from shapeblend_cli.svg import contours
+from shapeblend_cli.svg.foreign import parse_path
+from shapeblend_cli.svg.problem import shown
+from shapeblend_cli.svg.units import BLANK, GAP, LIMIT, NUMBER, NumberError, is_end, numbers, one_blank
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import Contour
+
+MAX_SEGMENTS = 2_000_000
+
+_ARITY = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7}
+_COMMAND = re.compile(r"([MmZzLlHhVvCcSsQqTtAa])([^MmZzLlHhVvCcSsQqTtAa]*+)")
+_BLANKS = re.compile(rf"{BLANK}*+")
+# A flag is one digit and needs no gap after it: 'a1 1 0 01.5.5'.
+_ARC = re.compile(GAP + GAP.join([f"({NUMBER})"] * 3 + ["([01])"] * 2 + [f"({NUMBER})"] * 2))
+# svgpathtools reads '1.e2' as two numbers.
+_POINT_EXPONENT = re.compile(r"\.(?=[eE])")
+# Below this a single-precision radius, which is what browsers have, is zero and the arc a line.
+_NO_RADIUS = 1e-45
+
+Arc = tuple[float, float, float, bool, bool]
+
+
+class PathDataError(ValueError):
+    """Path data that breaks the grammar.
+
+    Parameters
+    ----------
+    offset : int
+        Where in the data, counted from 0.
+    found : str
+        What is there instead of what was expected.
+    """
+
+    def __init__(self, offset: int, found: str) -> None:
+        super().__init__(f"at character {offset + 1} of its path data: {found}")
+        self.offset = offset
+
+
+@dataclass(slots=True)
+class Subpath:
+    """One subpath as text ``parse_path`` reads right.
+
+    Attributes
+    ----------
+    text : list of str
+        Commands; arcs are written as lines.
+    move : complex or None
+        The point of its moveto; None for one that begins where the one before it closed.
+    is_relative : bool
+        Whether the moveto is.
+    arcs : dict
+        The arcs' parameters by the numbers of their segments.
+    count : int
+        Of segments, the closing line apart.
+    closed : bool
+    """
+
+    move: complex | None
+    is_relative: bool = False
+    text: list[str] = field(default_factory=list)
+    arcs: dict[int, Arc] = field(default_factory=dict)
+    count: int = 0
+    closed: bool = False
+
+
+def read(data: str) -> list[Contour]:
+    """Return the contours of path data.
+
+    Raises
+    ------
+    PathDataError
+        If `data` breaks the grammar.
+    """
+    subpaths, error = scan(data)
+    if error is not None:
+        raise error
+    return trace(subpaths)
+
+
+def scan(data: str) -> tuple[list[Subpath], PathDataError | None]:
+    """Cut path data into subpaths, as far as it keeps to the grammar.
+
+    Returns
+    -------
+    subpaths : list of Subpath
+        All commands before the one with the error.
+    error : PathDataError or None
+    """
+    subpaths: list[Subpath] = []
+    if data.strip() in ("", "none"):
+        return subpaths, None
+    start = _end_of_blanks(data, 0)
+    if data[start] not in "Mm":
+        return subpaths, PathDataError(start, f"found '{shown(data[start])}' where it must begin with M")
+    try:
+        count = 0
+        for match in _COMMAND.finditer(data, start):
+            count += _append(subpaths, match)
+            if count > MAX_SEGMENTS:
+                too_many = f"more than {MAX_SEGMENTS} segments, the most that are read"
+                raise PathDataError(match.start(), too_many)
+    except PathDataError as error:
+        return subpaths, error
+    return subpaths, None
+
+
+def _end_of_blanks(text: str, start: int) -> int:
+    match = _BLANKS.match(text, start)
+    return start if match is None else match.end()
+
+
+def _append(subpaths: list[Subpath], match: re.Match[str]) -> int:
+    """Append one command to the subpath it belongs to, and return its number of segments."""
+    letter, arguments = match[1], match[2]
+    if letter in "Zz":
+        if not is_end(arguments, 0):
+            start = _end_of_blanks(arguments, 0)
+            found = shown(arguments[start : start + 8])
+            raise PathDataError(match.start(2) + start, f"found '{found}' where a command belongs")
+        subpaths[-1].closed = True
+        return 0
+    if letter in "Aa":
+        text, arcs = _arcs(match)
+        count = len(arcs)
+    else:
+        values = _arguments(match)
+        text, arcs = _POINT_EXPONENT.sub("", letter + one_blank(arguments)), []
+        count = len(values) // _ARITY[letter.upper()]
+    if letter in "Mm":
+        subpaths.append(Subpath(complex(values[0], values[1]), letter == "m"))
+        count -= 1
+    elif subpaths[-1].closed:
+        subpaths.append(Subpath(None))
+    subpath = subpaths[-1]
+    subpath.arcs.update((subpath.count + k, arc) for k, arc in enumerate(arcs) if arc is not None)
+    subpath.count += count
+    subpath.text.append(text)
+    return count
+
+
+def _arguments(match: re.Match[str]) -> list[float]:
+    """Return a command's numbers."""
+    try:
+        values = numbers(match[2], "a number or a command")
+    except NumberError as error:
+        raise PathDataError(match.start(2) + error.offset, f"found {error.found}") from None
+    if not values or len(values) % _ARITY[match[1].upper()]:
+        raise _wrong_count(match, len(values))
+    return values
+
+
+def _arcs(match: re.Match[str]) -> tuple[str, list[Arc | None]]:
+    """Return lines to the ends of a command's arcs, and the arcs; None is one that is a line."""
+    letter = "L" if match[1] == "A" else "l"
+    arguments = match[2]
+    text: list[str] = []
+    arcs: list[Arc | None] = []
+    end = 0
+    while arc := _ARC.match(arguments, end):
+        if not end and "," in arc[0][: arc.start(1)]:
+            break
+        rx, ry, rotation, x, y = (float(arc[k]) for k in (1, 2, 3, 6, 7))
+        if not max(map(abs, (rx, ry, rotation, x, y))) < LIMIT:
+            raise PathDataError(match.start(), f"{match[1]} has a number beyond {LIMIT:g}")
+        is_line = min(abs(rx), abs(ry)) < _NO_RADIUS
+        arcs.append(None if is_line else (rx, ry, rotation, arc[4] == "1", arc[5] == "1"))
+        text.append(f"{letter}{x!r} {y!r}")
+        end = arc.end()
+    if not end or not is_end(arguments, end):
+        start = _end_of_blanks(arguments, end)
+        found = f"found '{shown(arguments[start : start + 20])}'"
+        expected = "the seven numbers of an arc belong, its flags 0 or 1"
+        raise PathDataError(match.start(2) + start, f"{found} where {expected}")
+    return " ".join(text), arcs
+
+
+def _wrong_count(match: re.Match[str], count: int) -> PathDataError:
+    arity = _ARITY[match[1].upper()]
+    found = f"{match[1]} with {count} number{'' if count == 1 else 's'}"
+    return PathDataError(match.start(), f"found {found} where {arity} or a multiple belong")
+
+
+def trace(subpaths: list[Subpath]) -> list[Contour]:
+    """Return the contours of checked subpaths; one that has no length is left out."""
+    found = []
+    position = 0j
+    for subpath in subpaths:
+        if subpath.move is not None:
+            position = subpath.move + (position if subpath.is_relative else 0j)
+            # The moveto's own text is relative to where the last subpath ended.
+            before = position - subpath.move if subpath.is_relative else 0j
+        else:
+            before = position
+        start = position
+        if subpath.count:
+            path = list(parse_path(" ".join(subpath.text), current_pos=before))
+            contour = _contour(path, subpath)
+            if contour is not None:
+                found.append(contour)
+            if not subpath.closed:
+                position = path[-1].end
+        if subpath.closed:
+            position = start
+    return found
+
+
+def _contour(path: list[Any], subpath: Subpath) -> Contour | None:
+    """Return the contour of the segments that ``parse_path`` made of `subpath`."""
+    segments: list[contours.Segment] = []
+    straight: list[bool] = []
+    for index, piece in enumerate(path):
+        parameters = subpath.arcs.get(index)
+        if parameters is not None:
+            rx, ry, rotation, large, sweep = parameters
+            curves = contours.arc(piece.start, piece.end, (rx, ry), rotation, large, sweep)
+            segments.extend(curves)
+            straight.extend([False] * len(curves))
+            continue
+        points = piece.bpoints()
+        if len(points) == 2:
+            segments.append(contours.line(*points))
+        elif len(points) == 3:
+            segments.append(_raised(*points))
+        else:
+            segments.append(points)
+        straight.append(len(points) == 2)
+    return contours.chain(segments, straight, subpath.closed)
+
+
+def _raised(start: complex, control: complex, end: complex) -> contours.Segment:
+    """Return a quadratic segment as a cubic."""
+    return (start, start + 2 / 3 * (control - start), end + 2 / 3 * (control - end), end)

@@ -1,0 +1,202 @@
+"""Style sheets, by tinycss2 and cssselect2; imported only when a file needs them.
+
+Selector matching can be made to take exponential time (``g g g g path`` in a deep tree), so every
+element looked at on the way is paid for out of a budget.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import cssselect2
+import tinycss2
+
+from shapeblend_cli.svg.css import put
+from shapeblend_cli.svg.problem import Problem
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from shapeblend_cli.svg.css import Declarations
+    from shapeblend_cli.svg.xmltree import Node
+
+_MAX_TEXT = 2_000_000
+_BUDGET = 10_000_000
+_MAX_SELECTOR = 2_000
+
+_MEDIA = frozenset(("", "all", "screen", "only screen"))
+
+_Rules = list[tuple[Any, "Declarations", "Declarations"]]
+
+
+def declarations(source: object) -> tuple[Declarations, Declarations]:
+    """Return the declarations in `source`, text or tokens: the normal and the important ones."""
+    normal: Declarations = {}
+    important: Declarations = {}
+    try:
+        for item in tinycss2.parse_blocks_contents(source, skip_comments=True, skip_whitespace=True):
+            if item.type == "declaration":
+                value = tinycss2.serialize(item.value).strip()
+                put(important if item.important else normal, item.name, value)
+    except RecursionError:
+        raise Problem("a style nested too deep; without it the file would work") from None
+    return normal, important
+
+
+def match(root: Node, texts: list[str]) -> dict[int, tuple[Declarations, Declarations]]:
+    """Return what style sheets declare for each element below `root` that a rule selects.
+
+    Parameters
+    ----------
+    root : Node
+    texts : list of str
+        The sheets, in document order.
+
+    Returns
+    -------
+    dict
+        From the identity of a node to its normal and its important declarations.
+
+    Raises
+    ------
+    Problem
+        If the sheets are too long, or take too long to match.
+    """
+    matcher = cssselect2.Matcher()
+    count = 0
+    try:
+        for selector, normal, important in _rules(texts):
+            matcher.add_selector(selector, (normal, important))
+            count += 1
+        return _matched(root, matcher) if count else {}
+    except RecursionError:
+        raise Problem("its style sheet is nested too deep; without it the file would work") from None
+
+
+def _matched(root: Node, matcher: Any) -> dict[int, tuple[Declarations, Declarations]]:
+    budget = _Budget()
+    # Each selector is tried on the elements of its class, id or type: those without one, on all.
+    matcher.add_relevant_selectors = _paid(matcher.add_relevant_selectors, budget)
+    found = {}
+    for element in _elements(root, budget):
+        normal: Declarations = {}
+        important: Declarations = {}
+        for _, _, pseudo_element, payload in matcher.match(element):
+            if pseudo_element is None:
+                normal.update(payload[0])
+                important.update(payload[1])
+        if normal or important:
+            found[id(element.etree_element)] = (normal, important)
+    return found
+
+
+def _rules(texts: list[str]) -> _Rules:
+    """Return the selectors of all sheets, each with its declarations, in order."""
+    rules: _Rules = []
+    sheet = _without_fonts("\n".join(texts))
+    if len(sheet) > _MAX_TEXT:
+        raise Problem(f"a style sheet longer than {_MAX_TEXT} characters, the most that is read")
+    waiting = list(reversed(tinycss2.parse_stylesheet(sheet, skip_comments=True, skip_whitespace=True)))
+    while waiting:
+        rule = waiting.pop()
+        if rule.type == "at-rule" and rule.lower_at_keyword == "media" and rule.content is not None:
+            if tinycss2.serialize(rule.prelude).strip().lower() in _MEDIA:
+                inner = tinycss2.parse_rule_list(rule.content, skip_comments=True, skip_whitespace=True)
+                waiting.extend(reversed(inner))
+        elif rule.type == "qualified-rule":
+            normal, important = declarations(rule.content)
+            rules.extend((selector, normal, important) for selector in _selectors(rule.prelude))
+    return rules
+
+
+def _without_fonts(sheet: str) -> str:
+    """Return `sheet` without ``@font-face`` rules: embedded fonts can be most of a file."""
+    first, *rest = sheet.split("@font-face")
+    # What follows a rule's closing brace; all of it where there is none.
+    return first + "".join(text[text.find("}") + 1 :] for text in rest)
+
+
+def _selectors(prelude: list[Any]) -> list[Any]:
+    """Return a rule's selectors; none when one of them cannot be read, as in browsers."""
+    if len(prelude) > _MAX_SELECTOR:
+        return []
+    try:
+        return list(cssselect2.compile_selector_list(prelude))
+    except (cssselect2.SelectorError, NotImplementedError, ValueError, SyntaxError, MemoryError):
+        return []
+
+
+class _Budget:
+    """How many more elements may be looked at."""
+
+    def __init__(self) -> None:
+        self.left = _BUDGET
+
+    def pay(self, count: int) -> None:
+        self.left -= count
+        if self.left < 0:
+            raise Problem("its style sheet takes too long to match; without it the file would work")
+
+
+def _paid(add: Callable[..., None], budget: _Budget) -> Callable[..., None]:
+    def paid(element: object, selectors: list[object], relevant: list[object]) -> None:
+        budget.pay(len(selectors))
+        add(element, selectors, relevant)
+
+    return paid
+
+
+class _Element(cssselect2.ElementWrapper):  # type: ignore[misc]
+    """What cssselect2 sees of a node. Its own wrapper recurses over ancestors and siblings."""
+
+    def __init__(
+        self, node: Node, parent: _Element | None, index: int, previous: _Element | None, budget: _Budget
+    ) -> None:
+        budget.pay(1)
+        self.etree_element = node
+        self.parent = parent
+        self.index = index
+        self.previous = previous
+        self.in_html_document = False
+        self.transport_content_language = None
+        self.local_name = node.tag
+        self.namespace_url = ""
+        self.etree_children = node.children
+        self._budget = budget
+
+    @property
+    def etree_siblings(self) -> list[Node]:
+        siblings = [self.etree_element] if self.parent is None else self.parent.etree_children
+        self._budget.pay(len(siblings))
+        return siblings
+
+    @property
+    def ancestors(self) -> Iterator[_Element]:
+        element = self.parent
+        while element is not None:
+            self._budget.pay(1)
+            yield element
+            element = element.parent
+
+    @property
+    def previous_siblings(self) -> Iterator[_Element]:
+        element = self.previous
+        while element is not None:
+            self._budget.pay(1)
+            yield element
+            element = element.previous
+
+    def iter_children(self) -> Iterator[_Element]:
+        child = None
+        for index, node in enumerate(self.etree_element.children):
+            child = _Element(node, self, index, child, self._budget)
+            yield child
+
+
+def _elements(root: Node, budget: _Budget) -> Iterator[_Element]:
+    """Yield an element for `root` and each node below it, in document order."""
+    stack = [_Element(root, None, 0, None, budget)]
+    while stack:
+        element = stack.pop()
+        yield element
+        stack.extend(reversed(list(element.iter_children())))
