@@ -66,7 +66,9 @@ clean: ## remove what the other targets made, except the README's pictures
 	find shapeblend_cli \( -name '*.so' -o -name '*.pyd' \) -type f -exec rm -f {} +
 	find shapeblend_cli tests tools -name __pycache__ -type d -prune -exec rm -rf {} +
 
+# Bytecode is written here because some machines forbid Python to write it when it imports.
 install: $(VENV)/.compiled ## set up .venv with the command and everything development needs
+	@$(BIN)/python -m compileall -q shapeblend_cli
 
 ## ---- how it gets there
 
