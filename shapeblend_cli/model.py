@@ -143,8 +143,8 @@ class Correspondence:
     closed : bool
     stretching, bending : float
         Work, eqs (16) and (17), summed along the path.
-    lower_bound : float
-        No path that is allowed costs less, to rounding.
+    lower_bound : float or None
+        No path that is allowed costs less, to rounding; None where nothing is proven.
     zero_angles : int
         Dots whose angle reaches zero.
     diagonal_deviation : float
@@ -157,7 +157,7 @@ class Correspondence:
     closed: bool
     stretching: float
     bending: float
-    lower_bound: float
+    lower_bound: float | None
     zero_angles: int
     diagonal_deviation: float
     sweeps: int
@@ -171,8 +171,10 @@ class Correspondence:
         return self.stretching + self.bending
 
     @property
-    def gap(self) -> float:
+    def gap(self) -> float | None:
         """How much less work an undiscovered path could cost, as a share of this one's."""
+        if self.lower_bound is None:
+            return None
         return (self.work - self.lower_bound) / self.work if self.work > 0.0 else 0.0
 
 

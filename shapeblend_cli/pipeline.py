@@ -181,7 +181,7 @@ def _least_work_either_way(a: Polygon, b: Polygon, settings: BlendSettings) -> t
 
     def solve(b: Polygon) -> tuple[Polygon, Correspondence]:
         unit_a, unit_b = to_unit_box(a)[0], to_unit_box(b)[0]
-        return b, least_work(unit_a, unit_b, a.closed, settings.constants, settings.start)
+        return b, least_work(unit_a, unit_b, a.closed, settings.constants, start=settings.start)
 
     if not a.closed:
         return min(solve(b), solve(reversed_polygon(b)), key=lambda solved: solved[1].work)

@@ -342,67 +342,109 @@ def _bend_inside_run(
 
 @cython.boundscheck(False)
 @cython.wraparound(False)
+@cython.cdivision(True)
 def fill_bends(
     p: cython.double[:, ::1],
     q: cython.double[:, ::1],
+    weight: cython.double[::1],
+    origin: cython.Py_ssize_t[::1],
+    place: cython.Py_ssize_t[::1],
     k_b: cython.double,
     m_b: cython.double,
     e_b: cython.double,
     p_b: cython.double,
-    bends: cython.double[:, :, ::1],
+    bends: cython.double[:, ::1],
 ) -> None:
-    """Fill in the seven bends of every pair of corners.
+    """Fill in the seven bends of every pair of corners in a window.
 
     Parameters
     ----------
     p, q : (m, 10) and (n, 10) float
         Corners of the two wires, from `work.corners`.
+    weight : (m,) float
+        What k_b is multiplied by at each corner of the first wire.
+    origin : (m,) int
+        The corner of q, modulo n, with which the window of each corner of p begins.
+    place : (m,) int
+        Where the window of each corner of p begins in `bends`; it ends where the next begins.
     k_b, m_b, e_b, p_b : float
         The constants of eq (17).
-    bends : (m, n, 7) float
+    bends : (dots, 7) float
         Overwritten. The last axis is the step into the dot and the step out of it, in the order EE, ED,
         DE, SS, SD, DS, DD: E moves on the first wire alone, S on the second alone, D (Southeast) on both.
     """
+    m: cython.Py_ssize_t = p.shape[0]
+    n: cython.Py_ssize_t = q.shape[0]
     i: cython.Py_ssize_t
     j: cython.Py_ssize_t
-    for i in range(p.shape[0]):
-        for j in range(q.shape[0]):
-            bends[i, j, EE] = _bend_inside_run(p, i, q, j, k_b, m_b, e_b, p_b)
-            bends[i, j, ED] = _bend_out_of_run(p, i, q, j, k_b, m_b, e_b, p_b)
-            bends[i, j, DE] = _bend_into_run(p, i, q, j, k_b, m_b, e_b, p_b)
-            bends[i, j, SS] = _bend_inside_run(q, j, p, i, k_b, m_b, e_b, p_b)
-            bends[i, j, SD] = _bend_out_of_run(q, j, p, i, k_b, m_b, e_b, p_b)
-            bends[i, j, DS] = _bend_into_run(q, j, p, i, k_b, m_b, e_b, p_b)
-            bends[i, j, DD] = _bend_moving(p, i, q, j, k_b, m_b, e_b, p_b)
+    k: cython.Py_ssize_t
+    end: cython.Py_ssize_t
+    stiff: cython.double
+    for i in range(m):
+        end = place[i + 1] if i + 1 < m else bends.shape[0]
+        j = origin[i] % n
+        stiff = k_b * weight[i]
+        for k in range(place[i], end):
+            bends[k, EE] = _bend_inside_run(p, i, q, j, stiff, m_b, e_b, p_b)
+            bends[k, ED] = _bend_out_of_run(p, i, q, j, stiff, m_b, e_b, p_b)
+            bends[k, DE] = _bend_into_run(p, i, q, j, stiff, m_b, e_b, p_b)
+            bends[k, SS] = _bend_inside_run(q, j, p, i, stiff, m_b, e_b, p_b)
+            bends[k, SD] = _bend_out_of_run(q, j, p, i, stiff, m_b, e_b, p_b)
+            bends[k, DS] = _bend_into_run(q, j, p, i, stiff, m_b, e_b, p_b)
+            bends[k, DD] = _bend_moving(p, i, q, j, stiff, m_b, e_b, p_b)
+            j += 1
+            if j == n:
+                j = 0
 
 
 @cython.boundscheck(False)
 @cython.wraparound(False)
-def bend_at(
+def bends_along(
     p: cython.double[:, ::1],
     q: cython.double[:, ::1],
-    i: cython.Py_ssize_t,
-    j: cython.Py_ssize_t,
-    kind: cython.int,
+    weight: cython.double[::1],
+    dots: cython.Py_ssize_t[:, ::1],
+    kinds: cython.Py_ssize_t[::1],
     k_b: cython.double,
     m_b: cython.double,
     e_b: cython.double,
     p_b: cython.double,
-) -> cython.double:
-    """One bend at the dot [i, j]; `kind` is its place on the last axis of `fill_bends`."""
-    if kind == EE:
-        return _bend_inside_run(p, i, q, j, k_b, m_b, e_b, p_b)
-    if kind == ED:
-        return _bend_out_of_run(p, i, q, j, k_b, m_b, e_b, p_b)
-    if kind == DE:
-        return _bend_into_run(p, i, q, j, k_b, m_b, e_b, p_b)
-    if kind == SS:
-        return _bend_inside_run(q, j, p, i, k_b, m_b, e_b, p_b)
-    if kind == SD:
-        return _bend_out_of_run(q, j, p, i, k_b, m_b, e_b, p_b)
-    if kind == DS:
-        return _bend_into_run(q, j, p, i, k_b, m_b, e_b, p_b)
-    return _bend_moving(p, i, q, j, k_b, m_b, e_b, p_b)
+    work: cython.double[::1],
+) -> None:
+    """Bending work at single dots.
+
+    Parameters
+    ----------
+    p, q, weight, k_b, m_b, e_b, p_b
+        As in `fill_bends`.
+    dots : (k, 2) int
+    kinds : (k,) int
+        The steps into and out of each dot: a place on the last axis of `fill_bends`.
+    work : (k,) float
+        Overwritten.
+    """
+    i: cython.Py_ssize_t
+    j: cython.Py_ssize_t
+    k: cython.Py_ssize_t
+    stiff: cython.double
+    for k in range(dots.shape[0]):
+        i = dots[k, 0]
+        j = dots[k, 1]
+        stiff = k_b * weight[i]
+        if kinds[k] == EE:
+            work[k] = _bend_inside_run(p, i, q, j, stiff, m_b, e_b, p_b)
+        elif kinds[k] == ED:
+            work[k] = _bend_out_of_run(p, i, q, j, stiff, m_b, e_b, p_b)
+        elif kinds[k] == DE:
+            work[k] = _bend_into_run(p, i, q, j, stiff, m_b, e_b, p_b)
+        elif kinds[k] == SS:
+            work[k] = _bend_inside_run(q, j, p, i, stiff, m_b, e_b, p_b)
+        elif kinds[k] == SD:
+            work[k] = _bend_out_of_run(q, j, p, i, stiff, m_b, e_b, p_b)
+        elif kinds[k] == DS:
+            work[k] = _bend_into_run(q, j, p, i, stiff, m_b, e_b, p_b)
+        else:
+            work[k] = _bend_moving(p, i, q, j, stiff, m_b, e_b, p_b)
 
 
 def angle_change(q0: complex, q1: complex, q2: complex) -> tuple[float, float, bool]:

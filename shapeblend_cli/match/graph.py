@@ -19,6 +19,13 @@ Departures
   to it, and a closed path has to end in the state it started from.
 * No back-pointers are followed per step direction: one byte a dot says, for each of the three
   steps out of it, which step in was the best (two bits are enough).
+
+Windows
+-------
+Only a window of the graph need be stored: column c has the rows ``low[c]`` to ``high[c]``, and they begin at
+``place[c]`` of a flat array. Tables have a window of one period, m columns, whose ``low`` is called `origin`;
+with n rows a column it is the whole graph. A South step on the first wire's vertex i stretches a
+stiffness ``weight[i]`` times (section 6).
 """
 
 from __future__ import annotations
@@ -56,60 +63,94 @@ SOUTHEAST_CAME_SHIFT = cython.declare(cython.int, 2)  # two bits: EAST, SOUTH or
 def cost_to_go(
     east: cython.double[::1],
     south: cython.double[::1],
-    southeast: cython.double[:, ::1],
-    bends: cython.double[:, :, ::1],
+    southeast: cython.double[::1],
+    bends: cython.double[:, ::1],
+    weight: cython.double[::1],
+    origin: cython.Py_ssize_t[::1],
+    place: cython.Py_ssize_t[::1],
+    low: cython.Py_ssize_t[::1],
+    high: cython.Py_ssize_t[::1],
     first_sink: cython.Py_ssize_t,
-    to_go: cython.double[:, :, ::1],
+    go_place: cython.Py_ssize_t[::1],
+    to_go: cython.double[:, ::1],
 ) -> None:
     """Least work from every state to the nearest sink, from the last column backwards.
 
     Parameters
     ----------
-    east, south, southeast, bends : arrays
+    east, south, southeast, bends, weight, origin, place : arrays
         The tables of `work.Tables`.
+    low, high : (columns,) int
+        First and last row of each column; neither ever falls. Column c is vertex ``c mod m``, row r
+        vertex ``r mod n``.
     first_sink : int
         Sinks are the dots of the last column from this row on. A path ends where it meets the last column.
-    to_go : (columns, rows, 3) float
+    go_place : (columns,) int
+        Where each column begins in `to_go`.
+    to_go : (dots, 3) float
         Overwritten: the work from a dot onwards, the bend at the dot included, by the step that led to
-        it. Column c is vertex ``c mod m``, row r vertex ``r mod n``. Infinite where no path leads to a sink.
+        it. Infinite where no path leads to a sink.
     """
-    columns: cython.Py_ssize_t = to_go.shape[0]
-    rows: cython.Py_ssize_t = to_go.shape[1]
-    m: cython.Py_ssize_t = bends.shape[0]
-    n: cython.Py_ssize_t = bends.shape[1]
+    columns: cython.Py_ssize_t = low.shape[0]
+    m: cython.Py_ssize_t = place.shape[0]
+    n: cython.Py_ssize_t = south.shape[0]
     c: cython.Py_ssize_t
     r: cython.Py_ssize_t
     i: cython.Py_ssize_t
     j: cython.Py_ssize_t
+    k: cython.Py_ssize_t
+    t: cython.Py_ssize_t
+    here: cython.Py_ssize_t
+    beyond: cython.Py_ssize_t
     e: cython.double
     s: cython.double
     d: cython.double
     south_of_here: cython.double
     southeast_of_here: cython.double
 
-    for r in range(rows):
-        to_go[columns - 1, r, EAST] = 0.0 if r >= first_sink else INFINITY
-        to_go[columns - 1, r, SOUTH] = INFINITY
-        to_go[columns - 1, r, SOUTHEAST] = 0.0 if r >= first_sink else INFINITY
+    here = go_place[columns - 1]
+    for r in range(low[columns - 1], high[columns - 1] + 1):
+        to_go[here, EAST] = 0.0 if r >= first_sink else INFINITY
+        to_go[here, SOUTH] = INFINITY
+        to_go[here, SOUTHEAST] = 0.0 if r >= first_sink else INFINITY
+        here += 1
 
     for c in range(columns - 2, -1, -1):
         i = c % m
-        j = (rows - 1) % n
+        r = high[c]
+        j = r % n
+        t = (r - origin[i]) % n
+        k = place[i] + t
+        here = go_place[c] + r - low[c]
+        beyond = go_place[c + 1] + r - low[c + 1]  # the dot to the East
         south_of_here = INFINITY
         southeast_of_here = INFINITY
-        for r in range(rows - 1, -1, -1):
+        if low[c + 1] <= r + 1 <= high[c + 1]:
+            southeast_of_here = to_go[beyond + 1, SOUTHEAST]
+        while r >= low[c]:
             # What each step out of the dot costs from here on, the bend at the dot apart.
-            e = east[i] + to_go[c + 1, r, EAST]
-            s = south[j] + south_of_here
-            d = southeast[i, j] + southeast_of_here
-            southeast_of_here = to_go[c + 1, r, SOUTHEAST]
-            south_of_here = min(bends[i, j, SS] + s, bends[i, j, SD] + d)
-            to_go[c, r, EAST] = min(bends[i, j, EE] + e, bends[i, j, ED] + d)
-            to_go[c, r, SOUTH] = south_of_here
-            to_go[c, r, SOUTHEAST] = min(min(bends[i, j, DE] + e, bends[i, j, DS] + s), bends[i, j, DD] + d)
+            e = INFINITY
+            d = southeast[k] + southeast_of_here
+            southeast_of_here = INFINITY
+            if low[c + 1] <= r <= high[c + 1]:
+                e = east[i] + to_go[beyond, EAST]
+                southeast_of_here = to_go[beyond, SOUTHEAST]
+            s = south[j] * weight[i] + south_of_here
+            south_of_here = min(bends[k, SS] + s, bends[k, SD] + d)
+            to_go[here, EAST] = min(bends[k, EE] + e, bends[k, ED] + d)
+            to_go[here, SOUTH] = south_of_here
+            to_go[here, SOUTHEAST] = min(min(bends[k, DE] + e, bends[k, DS] + s), bends[k, DD] + d)
+            r -= 1
+            here -= 1
+            beyond -= 1
             j -= 1
             if j < 0:
                 j = n - 1
+            k -= 1
+            t -= 1
+            if t < 0:
+                t = n - 1
+                k += n
 
 
 @cython.boundscheck(False)
@@ -118,25 +159,36 @@ def cost_to_go(
 def sweep(
     east: cython.double[::1],
     south: cython.double[::1],
-    southeast: cython.double[:, ::1],
-    bends: cython.double[:, :, ::1],
+    southeast: cython.double[::1],
+    bends: cython.double[:, ::1],
+    weight: cython.double[::1],
+    origin: cython.Py_ssize_t[::1],
+    place: cython.Py_ssize_t[::1],
+    first_column: cython.Py_ssize_t,
+    last_column: cython.Py_ssize_t,
     low: cython.Py_ssize_t[::1],
     high: cython.Py_ssize_t[::1],
     last_source: cython.Py_ssize_t,
     source: cython.double[::1],
     open_wires: cython.bint,
-    to_go: cython.double[:, :, ::1],
+    go_low: cython.Py_ssize_t[::1],
+    go_place: cython.Py_ssize_t[::1],
+    to_go: cython.double[:, ::1],
     bound: cython.double,
+    live: cython.Py_ssize_t[::1],
     left: cython.double[:, ::1],
-    parents: cython.uchar[:, ::1],
+    parent_place: cython.Py_ssize_t[::1],
+    parents: cython.uchar[::1],
     ends: cython.double[:, ::1],
 ) -> None:
     """Least work to every state from any source, eqs (20)-(22), column by column.
 
     Parameters
     ----------
-    east, south, southeast, bends : arrays
-        The tables of `work.Tables`.
+    east, south, southeast, bends, weight, origin, place : arrays
+        The tables of `work.Tables`, whose column 0 is `first_column` where they hold a part of a period.
+    first_column, last_column : int
+        The columns to go through, both included; those before them have been gone through by earlier calls.
     low, high : (columns,) int
         First and last row of each column; neither ever falls. Column c is vertex ``c mod m``, row r
         vertex ``r mod n``.
@@ -146,35 +198,43 @@ def sweep(
         Work at a source by the step that led to it; infinite forbids the step.
     open_wires : bool
         There is one source, and no bend is charged there.
-    to_go : (columns, rows, 3) float, or empty
-        Lower bounds on the work from each state onwards, as by `cost_to_go`; its row 0 is row 0.
+    go_low, go_place, to_go : arrays, or empty
+        Lower bounds on the work from each state onwards, by `cost_to_go`, and the window they are kept in.
     bound : float
         With `to_go`: states that no path of less than this work goes through are left out.
+    live : (3,) int
+        Handed from call to call: first and last row that a path can come from, and the row of `left` they
+        are kept in; last < first when no path costs less than the bound. Begins as low[0], last_source, 0.
     left : (4, high[-1] - low[0] + 1) float
-        Overwritten, room for two columns: the work of having left a dot by East and by Southeast.
-    parents : (columns, at least max(high - low) + 1) uchar
-        Overwritten where a path can come by: the best steps in, row ``low[c]`` first.
-    ends : (at least high[-1] - low[-1] + 1, 3) float
-        Overwritten: work at the last column by the step in, row ``low[-1]`` first. South steps are made
-        there only where the path may have begun in the middle of the same run.
+        Handed from call to call, room for two columns: the work of having left a dot by East, by Southeast.
+    parent_place : (columns,) int
+        Where each column begins in `parents`.
+    parents : (dots,) uchar
+        Overwritten where a path can come by: the best steps in.
+    ends : (high[-1] - low[-1] + 1, 3) float
+        Overwritten in the last of all columns: work by the step in, row ``low[-1]`` first. South steps are
+        made there only where the path may have begun in the middle of the same run.
     """
     columns: cython.Py_ssize_t = low.shape[0]
-    m: cython.Py_ssize_t = bends.shape[0]
-    n: cython.Py_ssize_t = bends.shape[1]
+    m: cython.Py_ssize_t = place.shape[0]
+    n: cython.Py_ssize_t = south.shape[0]
+    shift: cython.Py_ssize_t = first_column if m < columns - 1 + open_wires else 0
     pruning: cython.bint = to_go.shape[0] > 0
     south_at_end: cython.bint = open_wires or source[SOUTH] < INFINITY
-    origin: cython.Py_ssize_t = low[0]
+    base: cython.Py_ssize_t = low[0]
+    first: cython.Py_ssize_t = live[0]
+    last: cython.Py_ssize_t = live[1]
+    was: cython.Py_ssize_t = live[2]
+    now: cython.Py_ssize_t
+    new_first: cython.Py_ssize_t
+    new_last: cython.Py_ssize_t
     c: cython.Py_ssize_t
     r: cython.Py_ssize_t
     i: cython.Py_ssize_t
     j: cython.Py_ssize_t
-    # Rows of the last column that a path can come from, and of this one.
-    first: cython.Py_ssize_t = origin
-    last: cython.Py_ssize_t = last_source
-    new_first: cython.Py_ssize_t
-    new_last: cython.Py_ssize_t
-    was: cython.Py_ssize_t = 0
-    now: cython.Py_ssize_t = 2
+    k: cython.Py_ssize_t
+    t: cython.Py_ssize_t
+    g: cython.Py_ssize_t = 0
     w_e: cython.double
     w_s: cython.double
     w_d: cython.double
@@ -184,18 +244,24 @@ def sweep(
     left_south: cython.double
     came: cython.int
 
-    for r in range(ends.shape[0]):
-        ends[r, EAST] = INFINITY
-        ends[r, SOUTH] = INFINITY
-        ends[r, SOUTHEAST] = INFINITY
+    if last_column == columns - 1:
+        for r in range(ends.shape[0]):
+            ends[r, EAST] = INFINITY
+            ends[r, SOUTH] = INFINITY
+            ends[r, SOUTHEAST] = INFINITY
 
-    for c in range(columns):
-        i = c % m
+    for c in range(first_column, last_column + 1):
+        i = (c - shift) % m
+        now = 2 - was
         new_first = -1
         new_last = -1
         left_south = INFINITY
         r = max(low[c], first)
         j = r % n
+        t = (r - origin[i]) % n
+        k = place[i] + t
+        if pruning:
+            g = go_place[c] + r - go_low[c]
         while r <= high[c]:
             w_e = INFINITY
             w_s = left_south
@@ -207,18 +273,19 @@ def sweep(
                     w_d = source[SOUTHEAST]
             else:
                 if r <= last:
-                    w_e = left[was, r - origin]
+                    w_e = left[was, r - base]
                 if first < r <= last + 1:
-                    w_d = left[was + 1, r - 1 - origin]
+                    w_d = left[was + 1, r - 1 - base]
                 if c == columns - 1 and not south_at_end:
                     w_s = INFINITY
             if pruning:
-                if w_e + to_go[c, r, EAST] >= bound:
+                if w_e + to_go[g, EAST] >= bound:
                     w_e = INFINITY
-                if w_s + to_go[c, r, SOUTH] >= bound:
+                if w_s + to_go[g, SOUTH] >= bound:
                     w_s = INFINITY
-                if w_d + to_go[c, r, SOUTHEAST] >= bound:
+                if w_d + to_go[g, SOUTHEAST] >= bound:
                     w_d = INFINITY
+                g += 1
             if w_e < INFINITY or w_s < INFINITY or w_d < INFINITY:
                 if new_first < 0:
                     new_first = r
@@ -228,23 +295,23 @@ def sweep(
 
             came = 0
             # Leaving East, after East or Southeast.
-            by_e = w_e + bends[i, j, EE]
-            by_d = w_d + bends[i, j, DE]
+            by_e = w_e + bends[k, EE]
+            by_d = w_d + bends[k, DE]
             if by_d < by_e:
                 by_e = by_d
                 came |= EAST_CAME_DIAGONALLY
-            left[now, r - origin] = by_e + east[i]
+            left[now, r - base] = by_e + east[i]
             # Leaving South, after South or Southeast.
-            by_s = w_s + bends[i, j, SS]
-            by_d = w_d + bends[i, j, DS]
+            by_s = w_s + bends[k, SS]
+            by_d = w_d + bends[k, DS]
             if by_d < by_s:
                 by_s = by_d
                 came |= SOUTH_CAME_DIAGONALLY
-            left_south = by_s + south[j]
+            left_south = by_s + south[j] * weight[i]
             # Leaving Southeast, after any step.
-            by_e = w_e + bends[i, j, ED]
-            by_s = w_s + bends[i, j, SD]
-            by_d = w_d + bends[i, j, DD]
+            by_e = w_e + bends[k, ED]
+            by_s = w_s + bends[k, SD]
+            by_d = w_d + bends[k, DD]
             if by_d <= by_e and by_d <= by_s:
                 came |= SOUTHEAST << SOUTHEAST_CAME_SHIFT
             elif by_s < by_e:
@@ -252,12 +319,12 @@ def sweep(
                 came |= SOUTH << SOUTHEAST_CAME_SHIFT
             else:
                 by_d = by_e
-            left[now + 1, r - origin] = by_d + southeast[i, j]
-            if open_wires and c == 0 and r == origin:  # no angle, whatever the step
-                left[now, r - origin] = east[i]
-                left_south = south[j]
-                left[now + 1, r - origin] = southeast[i, j]
-            parents[c, r - low[c]] = came
+            left[now + 1, r - base] = by_d + southeast[k]
+            if open_wires and c == 0 and r == base:  # no angle, whatever the step
+                left[now, 0] = east[i]
+                left_south = south[j] * weight[i]
+                left[now + 1, 0] = southeast[k]
+            parents[parent_place[c] + r - low[c]] = came
 
             if c == columns - 1:
                 ends[r - low[c], EAST] = w_e
@@ -267,17 +334,140 @@ def sweep(
             j += 1
             if j == n:
                 j = 0
-        if new_first < 0:
-            return  # no path costs less than the bound
+            k += 1
+            t += 1
+            if t == n:
+                t = 0
+                k -= n
+        if new_first < 0:  # no path costs less than the bound
+            live[0] = 0
+            live[1] = -1
+            return
         first = new_first
         last = new_last
-        was, now = now, was
+        was = now
+    live[0] = first
+    live[1] = last
+    live[2] = was
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
+def sweep_simplified(
+    east: cython.double[::1],
+    south: cython.double[::1],
+    southeast: cython.double[::1],
+    bends: cython.double[:, ::1],
+    weight: cython.double[::1],
+    origin: cython.Py_ssize_t[::1],
+    place: cython.Py_ssize_t[::1],
+    low: cython.Py_ssize_t[::1],
+    high: cython.Py_ssize_t[::1],
+    first_step: cython.int,
+    open_wires: cython.bint,
+    left: cython.double[:, ::1],
+    parent_place: cython.Py_ssize_t[::1],
+    parents: cython.uchar[::1],
+    ends: cython.double[::1],
+) -> None:
+    """The simplified algorithm of section 4.1, eqs (23)-(28): one work value and one step in for each dot.
+
+    Departure: eqs (23)-(25) allow turns of 90 degrees, which section 4 forbids; here they cost infinitely much.
+
+    Parameters
+    ----------
+    east, south, southeast, bends, weight, origin, place : arrays
+        The tables of `work.Tables`.
+    low, high : (columns,) int
+        First and last row of each column; the path leads from ``low[0]`` to ``high[-1]``.
+    first_step : int
+        The step that leads to the first dot.
+    open_wires : bool
+        No bend is charged at the first dot.
+    left : (4, high[-1] - low[0] + 1) float
+        Overwritten: room for two columns.
+    parent_place, parents : arrays
+        As in `sweep`.
+    ends : (3,) float
+        Overwritten: work at the last dot by the step in.
+    """
+    columns: cython.Py_ssize_t = low.shape[0]
+    m: cython.Py_ssize_t = place.shape[0]
+    n: cython.Py_ssize_t = south.shape[0]
+    base: cython.Py_ssize_t = low[0]
+    was: cython.Py_ssize_t = 0
+    now: cython.Py_ssize_t
+    c: cython.Py_ssize_t
+    r: cython.Py_ssize_t
+    i: cython.Py_ssize_t
+    j: cython.Py_ssize_t
+    k: cython.Py_ssize_t
+    w_0: cython.double
+    w_1: cython.double
+    w_2: cython.double
+    work: cython.double
+    left_east: cython.double
+    left_south: cython.double
+    left_southeast: cython.double
+
+    for c in range(columns):
+        i = c % m
+        now = 2 - was
+        left_south = INFINITY
+        for r in range(low[c], high[c] + 1):
+            j = r % n
+            k = place[i] + (r - origin[i]) % n
+            w_0 = INFINITY
+            w_1 = left_south
+            w_2 = INFINITY
+            if c > 0:
+                if low[c - 1] <= r <= high[c - 1]:
+                    w_0 = left[was, r - base]
+                if low[c - 1] <= r - 1 <= high[c - 1]:
+                    w_2 = left[was + 1, r - 1 - base]
+            if c == columns - 1 and r == high[c]:
+                ends[EAST] = w_0
+                ends[SOUTH] = w_1
+                ends[SOUTHEAST] = w_2
+            left_east = INFINITY
+            left_south = INFINITY
+            if c == 0 and r == base:
+                w_0 = 0.0 if first_step == EAST else INFINITY
+                w_1 = 0.0 if first_step == SOUTH else INFINITY
+                w_2 = 0.0 if first_step == SOUTHEAST else INFINITY
+            if w_0 <= w_1 and w_0 <= w_2:  # eq 26
+                work = w_0
+                parents[parent_place[c] + r - low[c]] = EAST << SOUTHEAST_CAME_SHIFT
+                left_east = work + bends[k, EE] + east[i]
+                left_southeast = work + bends[k, ED] + southeast[k]
+            elif w_1 <= w_2:  # eq 27
+                work = w_1
+                parents[parent_place[c] + r - low[c]] = SOUTH << SOUTHEAST_CAME_SHIFT
+                left_south = work + bends[k, SS] + south[j] * weight[i]
+                left_southeast = work + bends[k, SD] + southeast[k]
+            else:  # eq 28
+                work = w_2
+                parents[parent_place[c] + r - low[c]] = (
+                    EAST_CAME_DIAGONALLY | SOUTH_CAME_DIAGONALLY | (SOUTHEAST << SOUTHEAST_CAME_SHIFT)
+                )
+                left_east = work + bends[k, DE] + east[i]
+                left_south = work + bends[k, DS] + south[j] * weight[i]
+                left_southeast = work + bends[k, DD] + southeast[k]
+            if open_wires and c == 0 and r == base:
+                left_east = east[i]
+                left_south = south[j] * weight[i]
+                left_southeast = southeast[k]
+            left[now, r - base] = left_east
+            left[now + 1, r - base] = left_southeast
+        was = now
 
 
 @cython.boundscheck(False)
 @cython.wraparound(False)
 def backtrack(
-    parents: cython.uchar[:, ::1],
+    parents: cython.uchar[::1],
+    parent_place: cython.Py_ssize_t[::1],
     low: cython.Py_ssize_t[::1],
     row: cython.Py_ssize_t,
     step: cython.int,
@@ -286,7 +476,7 @@ def backtrack(
 
     Parameters
     ----------
-    parents, low : arrays
+    parents, parent_place, low : arrays
         As filled in by `sweep`.
     row : int
         Row of the end of the path.
@@ -309,7 +499,7 @@ def backtrack(
             c -= 1
         if step != EAST:
             r -= 1
-        came = parents[c, r - low[c]]
+        came = parents[parent_place[c] + r - low[c]]
         if step == EAST:
             step = SOUTHEAST if came & EAST_CAME_DIAGONALLY else EAST
         elif step == SOUTH:

@@ -2,28 +2,46 @@
 
 from __future__ import annotations
 
+from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.match import angles, starts
-from shapeblend_cli.match.work import WorkConstants, corners, path_work, tables
+from shapeblend_cli.match import angles, coarse
+from shapeblend_cli.match.work import Wires, WorkConstants
 from shapeblend_cli.model import Correspondence
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray, IntArray
+    from collections.abc import Callable, Sequence
+
+    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+
+    Dot = tuple[int, int]
 
 COMPILED: bool = angles.COMPILED
 """Whether the kernels were compiled; uncompiled they give the same results, far slower."""
+
+SOLVERS = ("exact", "simplified")
+EFFORTS = ("exact", "auto", "fast")
+
+EXACT_DOTS = {"exact": np.inf, "auto": 2_500_000, "fast": 40_000}
+"""Up to how many dots, m n, the search is exact, by effort; beyond that it goes from coarse to fine."""
 
 
 def least_work(
     p0: ComplexArray,
     p1: ComplexArray,
-    closed: bool,
+    closed: bool = True,
     constants: WorkConstants | None = None,
-    start: tuple[int, int] | None = None,
+    *,
+    start: Dot | None = None,
+    pins: Sequence[Dot] = (),
+    band: float | None = None,
+    weight: FloatArray | None = None,
+    solver: str = "exact",
+    effort: str = "auto",
+    watch: Callable[[float], None] | None = None,
 ) -> Correspondence:
     """Find the correspondence that takes the least work.
 
@@ -36,54 +54,87 @@ def least_work(
         Open polygons correspond end to end, first vertex to first.
     constants : WorkConstants, optional
     start : (int, int), optional
-        A vertex of `p0` and the vertex of `p1` it must correspond to. Without it every start is considered,
-        and the result is the least over all of them.
+        A vertex of `p0` and the vertex of `p1` it must correspond to. Without it, and without pins, every
+        start is considered, and the result is the least over all of them.
+    pins : sequence of (int, int)
+        Further vertices that must correspond.
+    band : float, optional
+        Largest diagonal deviation, eq (30), of the path, measured from `start`, else from the first pin, else
+        from where the path comes to vertex 0 of `p0` (section 5.2).
+    weight : (m,) float > 0, optional
+        Stiffness along the first wire (section 6): multiplies k_s and k_b there.
+    solver : {'exact', 'simplified'}
+        The rigorous algorithm, or that of section 4.1.
+    effort : {'auto', 'exact', 'fast'}
+        `exact` proves the result however long it takes; `auto` does where it is quick; otherwise a
+        coarser problem is solved exactly and refined, and nothing is proven.
+    watch : callable, optional
+        Told now and then which share of the work is done, from 0 to 1.
 
     Returns
     -------
     Correspondence
-        Closed paths begin at `start`, else where they come to vertex 0 of `p0`.
+        Closed paths begin at `start`, else at the first pin, else where they come to vertex 0 of `p0`.
 
     Raises
     ------
     MatchError
-        A start that names no vertex, or any start for open polygons, whose ends correspond.
+        Pins that name no vertex or cross each other, or a band that no path fits into.
     """
     constants = constants or WorkConstants()
     m, n = len(p0), len(p1)
-    if start is not None:
-        if not closed:
-            raise MatchError("the outlines are open: their ends correspond, and a start cannot be chosen")
-        if not (0 <= start[0] < m and 0 <= start[1] < n):
-            raise MatchError(f"start {start[0]},{start[1]} names no vertices; 0,0 to {m - 1},{n - 1} would")
+    pins = _checked_pins(([start] if start else []) + list(pins), m, n)
 
-    # Column 0 of the graph: the given start, or the sharpest corner, where the fewest rows are worth a look.
-    first0, first1 = start or (_sharpest(p0) if closed else 0, 0)
-    rolled0, rolled1 = np.roll(p0, -first0), np.roll(p1, -first1)
-    priced = tables(rolled0, rolled1, closed, constants)
-    if not closed:
-        path = starts.least_open(priced)
-    elif start is not None:
-        path = starts.least_from_zero(priced)
+    # Column 0 of the graph: the first pin, or the sharpest corner, where the fewest rows are worth a look.
+    # A band is measured from vertex 0.
+    first0, first1 = 0, 0
+    if closed and pins:
+        first0, first1 = pins[0]
+    elif closed and band is None:
+        first0 = coarse.sharpest(p0)
+    problem = coarse.Problem(
+        p0=np.roll(p0, -first0),
+        p1=np.roll(p1, -first1),
+        closed=closed,
+        constants=constants,
+        weight=None if weight is None else np.roll(np.asarray(weight, np.float64), -first0),
+        band=band,
+        solver=solver,
+        watch=watch or (lambda share: None),
+    )
+    limit = EXACT_DOTS[effort]
+    if closed and not pins:
+        found, proven = coarse.solve(problem, None, limit)
     else:
-        path = starts.least_closed(priced)
+        rolled = [((i - first0) % m, (j - first1) % n) for i, j in pins]
+        placements = _placements(rolled[1:] if closed else rolled, m, n, closed)
+        if not placements:
+            raise MatchError(_crossing(rolled, pins, closed))
+        solved = [coarse.solve(problem, placement, limit) for placement in placements]
+        found, proven = min(solved, key=lambda s: s[0].work if s[0] else np.inf)
+    if found is None:
+        raise MatchError(
+            f"no path stays within {band:g} of the diagonal of {m} and {n} vertices; a wider band would work"
+            if band is not None
+            else "no path goes through these pins without a turn of 90 degrees; others would work"
+        )
 
-    dots = np.array(path.dots, np.intp)
+    dots = np.array(found.dots, np.intp)
     if closed:
         dots = dots[:-1]  # the end is the start again
     dots = (dots + np.array([first0, first1])) % np.array([m, n])
-    if closed and start is None:
+    if closed and not pins:
         dots = np.roll(dots, -_enters_column_0(dots[:, 0]), axis=0)
-    price = path_work(p0, p1, dots, closed, constants)
+    price = Wires(p0, p1, closed, constants, weight).path_work(dots)
     return Correspondence(
         dots=dots,
         closed=closed,
         stretching=price.stretching,
         bending=price.bending,
-        lower_bound=price.total,
+        lower_bound=price.total if proven else None,
         zero_angles=price.zero_angles,
         diagonal_deviation=diagonal_deviation(dots, m, n, closed),
-        sweeps=path.sweeps,
+        sweeps=found.sweeps,
     )
 
 
@@ -97,9 +148,42 @@ def diagonal_deviation(dots: IntArray, m: int, n: int, closed: bool) -> float:
     return float(np.abs(gone[:, 0] - gone[:, 1]).max(initial=0.0))
 
 
-def _sharpest(vertices: ComplexArray) -> int:
-    theta = corners(vertices, closed=True)[:, 0]
-    return int(np.abs(theta - np.pi).argmax())
+def _checked_pins(pins: list[Dot], m: int, n: int) -> list[Dot]:
+    """The pins without repetitions, all of them within the polygons."""
+    for i, j in pins:
+        if not (0 <= i < m and 0 <= j < n):
+            raise MatchError(f"pin {i},{j} names no vertices; 0,0 to {m - 1},{n - 1} would")
+    return list(dict.fromkeys(pins))
+
+
+def _placements(pins: list[Dot], m: int, n: int, closed: bool) -> list[list[Dot]]:
+    """Where in the graph the pins can lie so that one path goes through all of them, in order along it.
+
+    A pin that shares a vertex with the first dot lies in the first column or in the last, in the first row or in
+    the last.
+    """
+
+    def places(i: int, j: int) -> list[Dot]:
+        if not closed:
+            return [(i, j)]
+        return [(c, r) for c in ([0, m] if i == 0 else [i]) for r in ([0, n] if j == 0 else [j])]
+
+    ordered = [sorted(choice) for choice in product(*(places(i, j) for i, j in pins))]
+    return [p for p in ordered if all(r1 <= r2 for (_, r1), (_, r2) in pairwise(p))]
+
+
+def _crossing(rolled: list[Dot], pins: list[Dot], closed: bool) -> str:
+    """Say which pins cross."""
+    order = sorted(range(len(pins)), key=lambda k: rolled[k])
+    for first, second in pairwise(order):
+        if rolled[first][1] > rolled[second][1]:
+            named = [pins[first], pins[second]]
+            round_ = f", going round from {pins[0][0]},{pins[0][1]}" if closed else ""
+            return (
+                f"pins {named[0][0]},{named[0][1]} and {named[1][0]},{named[1][1]} cross each other{round_}; "
+                "vertices must correspond in the same order on both outlines"
+            )
+    raise AssertionError("pins that do not cross have a placement")
 
 
 def _enters_column_0(columns: IntArray) -> int:

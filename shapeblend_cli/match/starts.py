@@ -13,7 +13,8 @@ bound and the set is cut in two. Sets are taken up in the order of their bounds,
 path is not above the next bound.
 
 Cost: O(m n) time and memory for the tables and the first pass; a later sweep visits only the dots that could
-still matter.
+still matter. Where the tables would not fit into memory they are made block by block in every sweep, and
+the first pass is left out.
 """
 
 from __future__ import annotations
@@ -24,11 +25,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.match import graph
-from shapeblend_cli.match.work import EAST, SOUTH, SOUTHEAST
+from shapeblend_cli.match.work import EAST, SOUTH, SOUTHEAST, Window
 
 if TYPE_CHECKING:
-    from shapeblend_cli.match.work import Tables
-    from shapeblend_cli.model import FloatArray
+    from collections.abc import Iterable
+
+    from shapeblend_cli.match.work import Tables, Wires
+    from shapeblend_cli.model import FloatArray, IntArray
 
 Dots = list[tuple[int, int]]
 
@@ -39,13 +42,17 @@ ENTERING = (EAST, SOUTHEAST)
 ROUNDING = 1e-12
 """Sums of work taken in another order differ by less than this share of them."""
 
-FIRST_SLACK = 0.02
-SLACK_GROWTH = 8.0
-"""How far above its lower bound a first closed path is looked for, as a share, and how that grows."""
+SLACKS = (0.02, 0.2)
+"""How far above its lower bound a first closed path is looked for, as a share, before it is looked for anywhere."""
+
+STORED_DOTS = 12_000_000
+"""Tables of more dots than these, about a gigabyte, are made block by block."""
+
+BLOCK_DOTS = 1_000_000
 
 
 class Path(NamedTuple):
-    """A path proven least, in columns and rows from its start to its end, and the sweeps that took."""
+    """A path in columns and rows from its start to its end, and the sweeps it took to find."""
 
     dots: Dots
     work: float
@@ -68,106 +75,230 @@ class Starts(NamedTuple):
         return self._replace(steps=self.steps[:1]), self._replace(steps=self.steps[1:])
 
 
-class Graph:
-    """The graph of two polygons, with room for sweeping through it."""
+class Search:
+    """Sweeps through the graph of two wires, or through a part of it.
 
-    def __init__(self, tables: Tables, closed: bool) -> None:
-        self.tables = tables
-        self.closed = closed
-        self.m, self.n = tables.southeast.shape
-        self.columns = self.m + 1 if closed else self.m
-        self.rows = 2 * self.n if closed else self.n
+    Parameters
+    ----------
+    wires : Wires
+    region : Window
+        The columns, 0 to m when closed, 0 to m - 1 when open, and the rows that paths may go through.
+    band : float, optional
+        Diagonal deviation, eq (30), that a path may have from its own start.
+    forbidden : iterable of (int, int)
+        Dots that no Southeast step may leave.
+    """
+
+    def __init__(
+        self,
+        wires: Wires,
+        region: Window,
+        band: float | None = None,
+        forbidden: Iterable[tuple[int, int]] = (),
+    ) -> None:
+        self.wires = wires
+        self.closed = wires.closed
+        self.region = region
+        self.band = band
+        self.forbidden = list(forbidden)
+        self.columns = len(region.low)
+        self.span = wires.n if self.closed else wires.n - 1
         self.sweeps = 0
-        self._to_go: FloatArray = np.empty((0, 0, 0))
-        self._left = np.empty((4, self.rows + 1))
-        self._parents = np.empty((self.columns, self.rows + 1), np.uint8)
-        self._ends = np.empty((self.rows + 1, 3))
+        self._to_go: FloatArray = np.empty((0, 3))
+        self._tables: Tables | None = None
+        whole = bool((region.high - region.low >= wires.n).any())
+        if (wires.m * wires.n if whole else region.dots) <= STORED_DOTS:
+            self._tables = self._priced(None if whole else region, 0)
 
-    def bound_states(self) -> FloatArray:
-        """Bound the work of every closed path by the row and step it starts with, (n, 3) float.
+    def _priced(self, window: Window | None, first_column: int) -> Tables:
+        tables = self.wires.tables(window, first_column)
+        m, n = self.wires.m, self.wires.n
+        heights = np.diff(np.append(tables.place, len(tables.southeast)))
+        for i, j in self.forbidden:
+            for column in range((i - first_column) % m, len(tables.place), m):
+                row = (j - tables.origin[column]) % n
+                if row < heights[column]:
+                    tables.southeast[tables.place[column] + row] = np.inf
+        return tables
 
-        Later sweeps are pruned by the pass that this takes.
+    def limits(self, starts: Starts) -> Window | None:
+        """The part of the region that paths from a set of starts may go through; None when that is nothing."""
+        low = np.maximum(self.region.low, starts.first_row)
+        high = np.minimum(self.region.high, starts.last_row + self.span)
+        if self.band is not None:
+            diagonal = np.arange(self.columns) * (self.span / (self.columns - 1))
+            reach = self.band * self.span + 1e-9
+            low = np.maximum(low, np.ceil(starts.first_row + diagonal - reach).astype(np.intp))
+            high = np.minimum(high, np.floor(starts.last_row + diagonal + reach).astype(np.intp))
+        return Window.between(low, high) if (low <= high).all() else None
+
+    def bound_starts(self) -> FloatArray | None:
+        """Bound the work of every closed path by the row it starts in, from the first row of the region on.
+
+        Later sweeps are pruned by the pass that this takes. None where tables are not stored.
         """
-        self._to_go = np.empty((self.columns, self.rows, 3))
-        graph.cost_to_go(*self.tables, self.n, self._to_go)
+        if self._tables is None:
+            return None
+        self._to_go = np.empty((self.region.dots, 3))
+        first = int(self.region.low[0])
+        graph.cost_to_go(
+            *self._tables,
+            self.region.low,
+            self.region.high,
+            first + self.span,
+            self.region.place,
+            self._to_go,
+        )
         self.sweeps += 1
-        return self._to_go[0, : self.n]
+        rows = min(int(self.region.high[0]) - first + 1, self.wires.n)
+        bounds: FloatArray = self._to_go[:rows, list(ENTERING)].min(axis=1)
+        return bounds
 
     def sweep(self, starts: Starts, bound: float) -> tuple[float, Dots, bool] | None:
         """Find the least path from a set of starts to the ends that belong to them.
 
         Returns
         -------
-        (work, dots, is_closed) or None
-            `dots` in columns and rows; None when every path costs at least `bound`.
+        (work, dots, is_own) or None
+            `dots` in columns and rows. `is_own`: the path ends in the state it started from and stays in
+            the band around its own start. None when every path costs at least `bound`.
         """
-        span = self.n if self.closed else self.n - 1
-        low = np.full(self.columns, starts.first_row, np.intp)
-        high = np.full(self.columns, starts.last_row + span, np.intp)
+        window = self.limits(starts)
+        if window is None:
+            return None
         source = np.full(3, np.inf)
         source[list(starts.steps)] = 0.0
-        graph.sweep(
-            *self.tables, low, high, starts.last_row, source, not self.closed,
-            self._to_go, bound, self._left, self._parents, self._ends,
-        )  # fmt: skip
+        live = np.array([starts.first_row, starts.last_row, 0], np.intp)
+        left = np.empty((4, int(window.high[-1] - window.low[0]) + 1))
+        parents = np.empty(window.dots, np.uint8)
+        ends = np.empty((int(window.high[-1] - window.low[-1]) + 1, 3))
+        for tables, first, last in self._blocks(window):
+            graph.sweep(
+                *tables, first, last, window.low, window.high, starts.last_row, source, not self.closed,
+                self.region.low, self.region.place, self._to_go, bound, live, left, window.place, parents, ends,
+            )  # fmt: skip
+            if live[1] < live[0]:
+                break
         self.sweeps += 1
-        # Ends lie as many rows below the starts as the second polygon has vertices.
-        ends = self._ends[span : span + starts.last_row - starts.first_row + 1]
-        allowed = np.full(3, np.inf)
-        allowed[list(starts.steps if self.closed else STEPS)] = 0.0
-        offered = ends + allowed
+        if live[1] < live[0]:
+            return None
+
+        # The ends that belong to the starts lie `span` rows further down.
+        first_end = starts.first_row + self.span - int(window.low[-1])
+        offered = ends[max(first_end, 0) :].copy()
+        if self.closed:
+            offered[:, [step for step in STEPS if step not in starts.steps]] = np.inf
         place = int(offered.argmin())
         work = float(offered.flat[place])
         if not work < bound:
             return None
-        row, step = starts.first_row + span + place // 3, place % 3
-        dots, first_step = graph.backtrack(self._parents, low, row, step)
-        is_closed = dots[0][1] + span == row and (first_step == step or not self.closed)
-        return work, dots, is_closed
+        row, step = int(window.low[-1]) + max(first_end, 0) + place // 3, place % 3
+        dots, first_step = graph.backtrack(parents, window.place, window.low, row, step)
+        own = dots[0][1] + self.span == row and (first_step == step or not self.closed)
+        return work, dots, own and self._in_band(dots)
+
+    def sweep_simplified(self, row: int, step: int) -> tuple[float, Dots] | None:
+        """Follow the simplified algorithm from one state; None where it finds no way back to it."""
+        window = self.limits(Starts(0.0, row, row, (step,)))
+        if window is None or self._tables is None:
+            return None
+        left = np.empty((4, int(window.high[-1] - window.low[0]) + 1))
+        parents = np.empty(window.dots, np.uint8)
+        ends = np.empty(3)
+        graph.sweep_simplified(
+            *self._tables, window.low, window.high, step, not self.closed, left, window.place, parents, ends
+        )
+        self.sweeps += 1
+        last = step if self.closed else int(ends.argmin())
+        if not np.isfinite(ends[last]):
+            return None
+        dots, _ = graph.backtrack(parents, window.place, window.low, row + self.span, last)
+        return float(ends[last]), dots
+
+    def _blocks(self, window: Window) -> Iterable[tuple[Tables, int, int]]:
+        """The tables for a window, all at once or in blocks of columns."""
+        if self._tables is not None:
+            yield self._tables, 0, self.columns - 1
+            return
+        for part in window.blocks(BLOCK_DOTS):
+            low, high = window.low[part], window.high[part]
+            period = Window.between(low, np.minimum(high, low + self.wires.n - 1))
+            yield self._priced(period, part.start), part.start, part.stop - 1
+
+    def _in_band(self, dots: Dots) -> bool:
+        if self.band is None:
+            return True
+        path: IntArray = np.array(dots)
+        gone = (path - path[0]) / (self.columns - 1, self.span)
+        return bool(np.abs(gone[:, 0] - gone[:, 1]).max() <= self.band + 1e-9 / self.span)
 
 
-def least_open(tables: Tables) -> Path:
-    """Least path between open polygons: their ends correspond."""
-    search = Graph(tables, closed=False)
-    found = search.sweep(Starts(0.0, 0, 0, STEPS), np.inf)
-    assert found is not None, "an open graph always has a path"
-    work, dots, _ = found
-    return Path(dots, work, search.sweeps)
+def least_from(search: Search) -> Path | None:
+    """Least path from the first dot of the region: back to it when closed, to the other ends when open."""
+    row = int(search.region.low[0])
+    if search.closed:
+        return _branch_and_bound(search, [Starts(0.0, row, row, STEPS)], np.inf)
+    found = search.sweep(Starts(0.0, row, row, STEPS), np.inf)
+    return Path(found[1], found[0], search.sweeps) if found else None
 
 
-def least_from_zero(tables: Tables) -> Path:
-    """Least path between closed polygons whose vertices 0 correspond."""
-    search = Graph(tables, closed=True)
-    found = _branch_and_bound(search, [Starts(0.0, 0, 0, STEPS)], np.inf)
-    assert found is not None, "a closed graph always has a path"
-    return found
+def least_of_all(search: Search) -> Path | None:
+    """Least closed path over all starts in the region's column 0."""
+    first = int(search.region.low[0])
+    bounds = search.bound_starts()
+    if bounds is None:
+        last = min(int(search.region.high[0]), first + search.wires.n - 1)
+        return _branch_and_bound(search, [Starts(0.0, first, last, ENTERING)], np.inf)
 
-
-def least_closed(tables: Tables) -> Path:
-    """Least path between closed polygons over all starting correspondences."""
-    search = Graph(tables, closed=True)
-    bounds = search.bound_states()[:, list(ENTERING)].min(axis=1)
+    # A first closed path from the most promising start, looked for close above its bound first: the closer, the
+    # fewer dots a sweep visits.
     row = int(bounds.argmin())
     lowest = float(bounds[row])
-
-    # A first closed path from the most promising start, looked for close above its bound first: the closer,
-    # the fewer dots a sweep visits.
-    first, slack = None, FIRST_SLACK
-    while first is None:
-        limit = lowest + slack * max(lowest, 1.0) if slack < 1.0 else np.inf
-        first = _branch_and_bound(search, [Starts(lowest, row, row, ENTERING)], limit)
-        slack *= SLACK_GROWTH
+    if not np.isfinite(lowest):
+        return None
+    limits = [lowest + slack * max(lowest, 1.0) for slack in SLACKS] + [np.inf]
+    best = None
+    for limit in limits:
+        best = best or _branch_and_bound(search, [Starts(lowest, first + row, first + row, ENTERING)], limit)
 
     # Then runs of neighbouring rows that could still do better.
-    rows = np.flatnonzero(bounds < first.work * (1.0 - ROUNDING))
+    limit = best.work * (1.0 - ROUNDING) if best else np.inf
+    rows = np.flatnonzero(bounds < limit)
     runs = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1) if len(rows) else []
-    sets = [Starts(float(bounds[run].min()), int(run[0]), int(run[-1]), ENTERING) for run in runs]
-    better = _branch_and_bound(search, sets, first.work * (1.0 - ROUNDING))
-    return (better or first)._replace(sweeps=search.sweeps)
+    sets = [Starts(float(bounds[r].min()), first + int(r[0]), first + int(r[-1]), ENTERING) for r in runs]
+    best = _branch_and_bound(search, sets, limit) or best
+    return best._replace(sweeps=search.sweeps) if best else None
 
 
-def _branch_and_bound(search: Graph, sets: list[Starts], limit: float) -> Path | None:
-    """Least closed path from any of the sets that costs less than `limit`, or None."""
+def simplified_from(search: Search, steps: tuple[int, ...] = STEPS) -> Path | None:
+    """The simplified algorithm's best path from the first dot of the region."""
+    row = int(search.region.low[0])
+    found = [search.sweep_simplified(row, step) for step in (steps if search.closed else (SOUTHEAST,))]
+    paths = [Path(dots, work, search.sweeps) for work, dots in filter(None, found)]
+    return min(paths, key=lambda path: path.work, default=None)
+
+
+def simplified_of_all(search: Search) -> Path | None:
+    """The simplified algorithm's best path over all starts.
+
+    Starts whose least work is above the best path so far need not be tried: the algorithm cannot do better.
+    """
+    first = int(search.region.low[0])
+    bounds = search.bound_starts()
+    assert bounds is not None, "the simplified algorithm works on stored tables"
+    best = None
+    for row in np.argsort(bounds, kind="stable").tolist():
+        if best is not None and bounds[row] >= best.work:
+            break
+        for step in ENTERING:
+            found = search.sweep_simplified(first + row, step)
+            if found is not None and (best is None or found[0] < best.work):
+                best = Path(found[1], found[0], search.sweeps)
+    return best._replace(sweeps=search.sweeps) if best else None
+
+
+def _branch_and_bound(search: Search, sets: list[Starts], limit: float) -> Path | None:
+    """Least path of its own from any of the sets that costs less than `limit`, or None."""
     best = None
     queue = list(sets)
     heapq.heapify(queue)
@@ -176,8 +307,8 @@ def _branch_and_bound(search: Graph, sets: list[Starts], limit: float) -> Path |
         found = search.sweep(starts, limit)
         if found is None:
             continue
-        work, dots, is_closed = found
-        if is_closed:
+        work, dots, is_own = found
+        if is_own:
             best = Path(dots, work, search.sweeps)
             limit = work * (1.0 - ROUNDING)
         else:

@@ -11,7 +11,6 @@ The paper's text calls eq (17) "equation 18".
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
-from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -19,6 +18,8 @@ import numpy as np
 from shapeblend_cli.match import angles
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
 EE, ED, DE, SS, SD, DS, DD = range(7)
@@ -27,16 +28,13 @@ EE, ED, DE, SS, SD, DS, DD = range(7)
 EAST, SOUTH, SOUTHEAST = range(3)
 """Steps of a path: (1, 0), (0, 1) and (1, 1)."""
 
-BEND_OF_STEPS = {
-    (EAST, EAST): EE,
-    (EAST, SOUTHEAST): ED,
-    (SOUTHEAST, EAST): DE,
-    (SOUTH, SOUTH): SS,
-    (SOUTH, SOUTHEAST): SD,
-    (SOUTHEAST, SOUTH): DS,
-    (SOUTHEAST, SOUTHEAST): DD,
-}
-"""Turns of 90 degrees, East then South and South then East, are not there: section 4 forbids them."""
+NO_BEND = -1
+BEND_OF_STEPS = np.array([[EE, NO_BEND, ED], [NO_BEND, SS, SD], [DE, DS, DD]])
+"""The bend by the step into a dot and the step out of it. Turns of 90 degrees are none: section 4 forbids them."""
+
+
+STRETCHING_DOTS = 1 << 18
+"""Stretching work is computed for so many dots at once: few enough to stay in the cache."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,25 +77,73 @@ class WorkConstants:
         return self.k_b, self.m_b, self.e_b, self.p_b
 
 
-class Tables(NamedTuple):
-    """The work of every step and every bend of a graph, over one period of its dots.
+class Window(NamedTuple):
+    """The part of a graph that is stored or gone through, column by column.
 
     Attributes
     ----------
-    east : (m,) float
-        Stretching work of the East step that leaves column i.
+    low, high : (columns,) int
+        First and last row of each column; neither ever falls.
+    place : (columns,) int
+        Where each column begins in a flat array of the window's dots.
+    """
+
+    low: IntArray
+    high: IntArray
+    place: IntArray
+
+    @classmethod
+    def between(cls, low: IntArray, high: IntArray) -> Window:
+        """Lay out the columns one after the other."""
+        heights = high - low + 1
+        return cls(low, high, np.cumsum(heights) - heights)
+
+    @classmethod
+    def full(cls, columns: int, rows: int) -> Window:
+        """Every row of every column."""
+        return cls.between(np.zeros(columns, np.intp), np.full(columns, rows - 1, np.intp))
+
+    @property
+    def dots(self) -> int:
+        """How many dots there are in all columns."""
+        return int(self.place[-1] + self.high[-1] - self.low[-1]) + 1
+
+    def blocks(self, dots: int) -> Iterator[slice]:
+        """Cut the columns into runs of about so many dots."""
+        ends = np.append(self.place[1:], self.dots)
+        first = 0
+        while first < len(ends):
+            last = max(int(np.searchsorted(ends, self.place[first] + dots, "right")), first + 1)
+            yield slice(first, last)
+            first = last
+
+
+class Tables(NamedTuple):
+    """The work of every step and every bend in a window of a graph.
+
+    Attributes
+    ----------
+    east : (columns,) float
+        Stretching work of the East step that leaves each column.
     south : (n,) float
-        Stretching work of the South step that leaves row j.
-    southeast : (m, n) float
-        Stretching work of the Southeast step that leaves dot [i, j].
-    bends : (m, n, 7) float
-        Bending work at dot [i, j] by the steps into it and out of it, see `BEND_OF_STEPS`.
+        Stretching work of the South step that leaves row j, where the first wire's stiffness is 1.
+    southeast : (dots,) float
+        Stretching work of the Southeast step that leaves each dot.
+    bends : (dots, 7) float
+        Bending work at each dot by the steps into it and out of it, see `BEND_OF_STEPS`.
+    weight : (columns,) float
+        Stiffness of the first wire.
+    origin, place : (columns,) int
+        `Window.low` and `Window.place` of the dots.
     """
 
     east: FloatArray
     south: FloatArray
     southeast: FloatArray
     bends: FloatArray
+    weight: FloatArray
+    origin: IntArray
+    place: IntArray
 
 
 class PathWork(NamedTuple):
@@ -187,63 +233,118 @@ def stretching_work(len0: FloatArray, len1: FloatArray, constants: WorkConstants
     return k_s * np.power(delta, e_s) / np.where(resistance > 0.0, resistance, 1.0)
 
 
-def tables(p0: ComplexArray, p1: ComplexArray, closed: bool, constants: WorkConstants) -> Tables:
-    """Price every step and every bend of the graph of two polygons in the unit box.
-
-    O(m n) time and memory, 64 bytes a dot.
-    """
-    len0, len1 = edge_lengths(p0, closed), edge_lengths(p1, closed)
-    bends = np.empty((len(p0), len(p1), 7))
-    angles.fill_bends(corners(p0, closed), corners(p1, closed), *constants.bending(), bends)
-    return Tables(
-        east=stretching_work(len0, np.zeros(1), constants),
-        south=stretching_work(np.zeros(1), len1, constants),
-        southeast=stretching_work(len0[:, None], len1[None, :], constants),
-        bends=bends,
-    )
-
-
-def path_work(
-    p0: ComplexArray, p1: ComplexArray, dots: IntArray, closed: bool, constants: WorkConstants
-) -> PathWork:
-    """Price a given path by the equations, without a graph.
+class Wires:
+    """Two polygons in the unit box, ready to be priced.
 
     Parameters
     ----------
     p0, p1 : (m,) and (n,) complex
-        Polygons in the unit box.
-    dots : (k, 2) int
-        The path, from its first dot; a closed path comes back to that dot after the last, which is not
-        repeated. Every step goes East, South or Southeast, and none is followed by a turn of 90 degrees.
     closed : bool
-        The bend at the first dot is charged when closed; open wires have no angle at their ends.
-
-    Returns
-    -------
-    PathWork
-
-    Raises
-    ------
-    ValueError
-        A step is none of the three, or a turn of 90 degrees.
+    constants : WorkConstants
+    weight : (m,) float, optional
+        Stiffness of the first wire at its vertices (section 6): k_s and k_b are multiplied by it, k_s of an edge
+        by the mean of its ends.
     """
-    m, n = len(p0), len(p1)
-    following = np.roll(dots, -1, axis=0) if closed else dots[1:]
-    moves = (following - dots[: len(following)]) % (m, n)
-    steps = [{(1, 0): EAST, (0, 1): SOUTH, (1, 1): SOUTHEAST}.get((di, dj)) for di, dj in moves.tolist()]
-    turns = list(zip(steps[-1:] + steps[:-1], steps, strict=True)) if closed else list(pairwise(steps))
-    if None in steps or not all(turn in BEND_OF_STEPS for turn in turns):
-        raise ValueError(
-            "a path goes one step East, South or Southeast at a time, without turns of 90 degrees"
+
+    def __init__(
+        self,
+        p0: ComplexArray,
+        p1: ComplexArray,
+        closed: bool,
+        constants: WorkConstants,
+        weight: FloatArray | None = None,
+    ) -> None:
+        self.closed = closed
+        self.constants = constants
+        self.m, self.n = len(p0), len(p1)
+        self.weight = np.ones(self.m) if weight is None else np.asarray(weight, np.float64)
+        self.edge_weight = 0.5 * (self.weight + np.roll(self.weight, -1))
+        self.len0, self.len1 = edge_lengths(p0, closed), edge_lengths(p1, closed)
+        self.corners0, self.corners1 = corners(p0, closed), corners(p1, closed)
+
+    def tables(self, window: Window | None = None, first_column: int = 0) -> Tables:
+        """Price every step and every bend in a window, the whole graph without one.
+
+        O(dots) time and memory, 72 bytes a dot.
+
+        Parameters
+        ----------
+        window : Window, optional
+            Rows count on beyond n.
+        first_column : int
+            The column of the graph that column 0 of the window is; it counts on beyond m.
+        """
+        if window is None:
+            window, columns = Window.full(self.m, self.n), np.arange(self.m)
+        else:
+            columns = (first_column + np.arange(len(window.low))) % self.m
+        len0, edge_weight = self.len0[columns], self.edge_weight[columns]
+        southeast = np.empty(window.dots)
+        for part in window.blocks(STRETCHING_DOTS):
+            heights = window.high[part] - window.low[part] + 1
+            column = np.repeat(columns[part], heights)
+            row = np.arange(len(column)) - np.repeat(np.cumsum(heights) - heights - window.low[part], heights)
+            first = int(window.place[part.start])
+            southeast[first : first + len(column)] = self.edge_weight[column] * stretching_work(
+                self.len0[column], self.len1[row % self.n], self.constants
+            )
+        bends = np.empty((window.dots, 7))
+        weight = self.weight[columns]
+        angles.fill_bends(
+            self.corners0[columns],
+            self.corners1,
+            weight,
+            window.low,
+            window.place,
+            *self.constants.bending(),
+            bends,
+        )
+        return Tables(
+            east=stretching_work(len0, np.zeros(1), self.constants) * edge_weight,
+            south=stretching_work(np.zeros(1), self.len1, self.constants),
+            southeast=southeast,
+            bends=bends,
+            weight=weight,
+            origin=window.low,
+            place=window.place,
         )
 
-    start = dots[: len(moves)]
-    len0 = edge_lengths(p0, closed)[start[:, 0]] * moves[:, 0]
-    len1 = edge_lengths(p1, closed)[start[:, 1]] * moves[:, 1]
-    corners0, corners1 = corners(p0, closed), corners(p1, closed)
-    bending, zero_angles = 0.0, 0
-    for (i, j), turn in zip((dots if closed else dots[1:-1]).tolist(), turns, strict=True):
-        kind = BEND_OF_STEPS[turn]  # type: ignore[index]
-        bending += angles.bend_at(corners0, corners1, i, j, kind, *constants.bending())
-        zero_angles += angles.bend_at(corners0, corners1, i, j, kind, 0.0, 0.0, 1.0, 1.0) > 0.0
-    return PathWork(float(stretching_work(len0, len1, constants).sum()), bending, int(zero_angles))
+    def path_work(self, dots: IntArray) -> PathWork:
+        """Price a given path by the equations, without a graph.
+
+        Parameters
+        ----------
+        dots : (k, 2) int
+            The path, from its first dot; a closed path comes back to that dot after the last, which is
+            not repeated. Every step goes East, South or Southeast, and none is followed by a turn of 90
+            degrees. The bend at the first dot is charged when closed; open wires have no angle at their ends.
+
+        Raises
+        ------
+        ValueError
+            A step is none of the three, or a turn of 90 degrees.
+        """
+        dots = np.ascontiguousarray(dots, np.intp)
+        following = np.roll(dots, -1, axis=0) if self.closed else dots[1:]
+        start = dots[: len(following)]
+        moves = (following - start) % (self.m, self.n)
+        steps = moves @ (1, 2) - 1  # EAST, SOUTH, SOUTHEAST
+        at, steps_in, steps_out = dots[1:-1], steps[:-1], steps[1:]
+        if self.closed:
+            at, steps_in, steps_out = dots, np.roll(steps, 1), steps
+        legal = moves.max(initial=0) <= 1 and moves.any(axis=1).all()
+        kinds = BEND_OF_STEPS[steps_in, steps_out] if legal else np.array([NO_BEND])
+        if (kinds == NO_BEND).any():
+            raise ValueError(
+                "a path goes one step East, South or Southeast at a time, without turns of 90 degrees"
+            )
+
+        stiff = np.where(moves[:, 0] > 0, self.edge_weight[start[:, 0]], self.weight[start[:, 0]])
+        stretching = stiff * stretching_work(
+            self.len0[start[:, 0]] * moves[:, 0], self.len1[start[:, 1]] * moves[:, 1], self.constants
+        )
+        bending, zeros = np.empty(len(at)), np.empty(len(at))
+        corners_at = self.corners0, self.corners1, self.weight, np.ascontiguousarray(at), kinds
+        angles.bends_along(*corners_at, *self.constants.bending(), bending)
+        angles.bends_along(*corners_at, 0.0, 0.0, 1.0, 1.0, zeros)  # the penalty alone
+        return PathWork(float(stretching.sum()), float(bending.sum()), int(zeros.sum()))

@@ -8,7 +8,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from shapeblend_cli.match import angles
-from shapeblend_cli.match.work import BEND_OF_STEPS, EAST, SOUTH, SOUTHEAST, WorkConstants, corners
+from shapeblend_cli.match.work import (
+    BEND_OF_STEPS,
+    EAST,
+    NO_BEND,
+    SOUTH,
+    SOUTHEAST,
+    Window,
+    WorkConstants,
+    corners,
+)
 from tests.support import oracle
 from tests.support.shapes import random_polygon
 
@@ -92,15 +101,26 @@ def test_an_edge_that_turns_right_round_through_nothing_costs_no_angle():
     assert (delta, star, zero) == (pytest.approx(0.0, abs=1e-12), pytest.approx(0.0, abs=1e-12), False)
 
 
+def all_bends(kernel, p0, p1, closed, constants):
+    """The seven bends of every pair of corners, (m, n, 7)."""
+    m, n = len(p0), len(p1)
+    window = Window.full(m, n)
+    bends = np.empty((m * n, 7))
+    ends = corners(p0, closed), corners(p1, closed), np.ones(m)
+    kernel.fill_bends(*ends, window.low, window.place, *constants.bending(), bends)
+    return bends.reshape(m, n, 7)
+
+
 @pytest.mark.parametrize("closed", [True, False])
 def test_every_bend_of_a_graph_agrees_with_the_oracle(rng, closed):
     for constants in (WorkConstants(), WorkConstants(k_b=0.7, m_b=3.0, e_b=2.0, p_b=50.0)):
         for m, n in ((3, 4), (5, 3), (6, 6)):
             p0, p1 = random_polygon(rng, m), random_polygon(rng, n)
-            bends = np.empty((m, n, 7))
-            angles.fill_bends(corners(p0, closed), corners(p1, closed), *constants.bending(), bends)
+            bends = all_bends(angles, p0, p1, closed, constants)
             expected = oracle.Oracle(p0, p1, closed, constants)
-            for (step_in, step_out), kind in BEND_OF_STEPS.items():
+            for (step_in, step_out), kind in np.ndenumerate(BEND_OF_STEPS):
+                if kind == NO_BEND:
+                    continue
                 moves_in, moves_out = STEP[step_in], STEP[step_out]
                 # No step leads over the end of an open wire.
                 columns, rows = (
@@ -117,8 +137,6 @@ def test_compiled_and_uncompiled_kernels_agree_to_the_bit(rng, load_uncompiled):
     uncompiled = load_uncompiled("shapeblend_cli.match.angles")
     assert not uncompiled.COMPILED
     for m, n, constants in ((7, 9, WorkConstants()), (12, 5, WorkConstants(k_b=0.3, e_b=0.5, m_b=4.0))):
-        p, q = (corners(random_polygon(rng, k), closed=True) for k in (m, n))
-        tables = [np.empty((m, n, 7)) for _ in range(2)]
-        angles.fill_bends(p, q, *constants.bending(), tables[0])
-        uncompiled.fill_bends(p, q, *constants.bending(), tables[1])
+        p, q = random_polygon(rng, m), random_polygon(rng, n)
+        tables = [all_bends(kernel, p, q, True, constants) for kernel in (angles, uncompiled)]
         np.testing.assert_array_equal(*tables)

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
+from shapeblend_cli.errors import MatchError
 from shapeblend_cli.match import graph, starts
 from shapeblend_cli.match.solve import least_work
-from shapeblend_cli.match.work import BEND_OF_STEPS, EAST, SOUTH, SOUTHEAST, WorkConstants, path_work, tables
+from shapeblend_cli.match.work import BEND_OF_STEPS, EAST, SOUTH, SOUTHEAST, Window, Wires, WorkConstants
 from tests.support.oracle import EAST as E
 from tests.support.oracle import SOUTH as S
 from tests.support.oracle import SOUTHEAST as D
@@ -27,48 +28,177 @@ def random_constants(rng):
     )
 
 
-def exhaustive(p0, p1, closed, constants, starts=None):
+def exhaustive(p0, p1, closed, constants, weight=None, **restrictions):
     """Least work over all paths; bends come from the tables, which have a test of their own."""
-    priced = tables(p0, p1, closed, constants).bends
-    oracle = Oracle(p0, p1, closed, constants)
+    priced = Wires(p0, p1, closed, constants, weight).tables().bends.reshape(len(p0), len(p1), 7)
 
     def bend(i, j, step_in, step_out):
         return priced[i, j, BEND_OF_STEPS[CODE[step_in], CODE[step_out]]]
 
-    return oracle.least(bend, starts)
+    return Oracle(p0, p1, closed, constants, weight).least(bend, **restrictions)
+
+
+def random_problem(seed, smallest=3):
+    """Two small polygons, constants, and the generator for more."""
+    rng = np.random.default_rng(seed)
+    m, n = rng.integers(smallest, 7, 2)
+    make = random_polygon if seed % 2 else star_polygon
+    return make(rng, m), make(rng, n), random_constants(rng), rng
 
 
 @pytest.mark.parametrize("seed", range(300))
 def test_closed_optimum_is_that_of_an_exhaustive_search(seed):
-    rng = np.random.default_rng(seed)
-    m, n = rng.integers(3, 7, 2)
-    make = random_polygon if seed % 2 else star_polygon
-    p0, p1, constants = make(rng, m), make(rng, n), random_constants(rng)
+    p0, p1, constants, _ = random_problem(seed)
     found = least_work(p0, p1, True, constants)
     assert found.work == pytest.approx(exhaustive(p0, p1, True, constants), rel=1e-9, abs=1e-12)
     assert found.gap <= 1e-9
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(1000, 1040))
 def test_optimum_from_a_given_start_is_that_of_an_exhaustive_search(seed):
-    rng = np.random.default_rng(1000 + seed)
-    m, n = rng.integers(3, 7, 2)
-    p0, p1, constants = random_polygon(rng, m), random_polygon(rng, n), random_constants(rng)
-    start = int(rng.integers(m)), int(rng.integers(n))
-    found = least_work(p0, p1, True, constants, start)
+    p0, p1, constants, rng = random_problem(seed)
+    start = int(rng.integers(len(p0))), int(rng.integers(len(p1)))
+    found = least_work(p0, p1, True, constants, start=start)
     assert found.dots[0].tolist() == list(start)
-    assert found.work == pytest.approx(exhaustive(p0, p1, True, constants, [start]), rel=1e-9, abs=1e-12)
+    assert found.work == pytest.approx(
+        exhaustive(p0, p1, True, constants, starts=[start]), rel=1e-9, abs=1e-12
+    )
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", range(2000, 2060))
 def test_open_optimum_is_that_of_an_exhaustive_search(seed):
-    rng = np.random.default_rng(2000 + seed)
-    m, n = rng.integers(2, 7, 2)
-    p0, p1, constants = random_polygon(rng, m), random_polygon(rng, n), random_constants(rng)
+    p0, p1, constants, _ = random_problem(seed, smallest=2)
     found = least_work(p0, p1, False, constants)
     assert found.dots[0].tolist() == [0, 0]
-    assert found.dots[-1].tolist() == [m - 1, n - 1]
+    assert found.dots[-1].tolist() == [len(p0) - 1, len(p1) - 1]
     assert found.work == pytest.approx(exhaustive(p0, p1, False, constants), rel=1e-9, abs=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(4000, 4080))
+def test_banded_optimum_is_that_of_an_exhaustive_search(seed):
+    p0, p1, constants, rng = random_problem(seed)
+    closed, band = bool(seed % 4), rng.choice([0.0, 0.1, 0.2, 0.35])
+    best = exhaustive(p0, p1, closed, constants, band=band)
+    if np.isinf(best):
+        with pytest.raises(MatchError, match="within .* of the diagonal"):
+            least_work(p0, p1, closed, constants, band=band)
+        return
+    found = least_work(p0, p1, closed, constants, band=band)
+    assert found.work == pytest.approx(best, rel=1e-9, abs=1e-12)
+    assert found.diagonal_deviation <= band + 1e-9
+
+
+@pytest.mark.parametrize("seed", range(5000, 5100))
+def test_pinned_optimum_is_that_of_an_exhaustive_search(seed):
+    p0, p1, constants, rng = random_problem(seed)
+    m, n, closed = len(p0), len(p1), bool(seed % 3)
+    pins = [(int(rng.integers(m)), int(rng.integers(n))) for _ in range(rng.integers(1, 4))]
+    best = exhaustive(p0, p1, closed, constants, starts=[pins[0]] if closed else None, pins=pins)
+    if np.isinf(best):
+        with pytest.raises(MatchError, match="cross each other|no path goes through these pins"):
+            least_work(p0, p1, closed, constants, pins=pins)
+        return
+    found = least_work(p0, p1, closed, constants, pins=pins)
+    assert set(pins) <= set(map(tuple, found.dots.tolist()))
+    assert found.work == pytest.approx(best, rel=1e-9, abs=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(6000, 6040))
+def test_stiff_optimum_is_that_of_an_exhaustive_search(seed):
+    p0, p1, constants, rng = random_problem(seed)
+    closed, weight = bool(seed % 3), rng.choice([0.2, 1.0, 5.0], len(p0))
+    found = least_work(p0, p1, closed, constants, weight=weight)
+    assert found.work == pytest.approx(exhaustive(p0, p1, closed, constants, weight), rel=1e-9, abs=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(7000, 7060))
+def test_everything_at_once_is_that_of_an_exhaustive_search(seed):
+    p0, p1, constants, rng = random_problem(seed)
+    m, n = len(p0), len(p1)
+    weight = rng.choice([0.5, 1.0, 3.0], m)
+    start, pin = ((int(rng.integers(m)), int(rng.integers(n))) for _ in range(2))
+    best = exhaustive(p0, p1, True, constants, weight, starts=[start], pins=[pin], band=0.6)
+    if np.isinf(best):
+        return
+    found = least_work(p0, p1, True, constants, start=start, pins=[pin], band=0.6, weight=weight)
+    assert found.work == pytest.approx(best, rel=1e-9, abs=1e-12)
+
+
+def test_stiffness_of_one_everywhere_changes_no_bit(rng):
+    p0, p1 = star_polygon(rng, 30), star_polygon(rng, 25)
+    plain, stiff = least_work(p0, p1), least_work(p0, p1, weight=np.ones(30))
+    np.testing.assert_array_equal(plain.dots, stiff.dots)
+    assert (plain.work, plain.stretching, plain.sweeps) == (stiff.work, stiff.stretching, stiff.sweeps)
+
+
+def test_a_full_band_is_no_band(rng):
+    p0, p1 = star_polygon(rng, 30), star_polygon(rng, 25)
+    assert least_work(p0, p1, band=1.0).work == pytest.approx(least_work(p0, p1).work, rel=1e-12)
+
+
+def test_pins_of_the_least_path_change_nothing(rng):
+    p0, p1 = star_polygon(rng, 40), star_polygon(rng, 35)
+    least = least_work(p0, p1)
+    pins = [tuple(dot) for dot in least.dots[[3, 11, 30]].tolist()]
+    assert least_work(p0, p1, pins=pins).work == pytest.approx(least.work, rel=1e-12)
+
+
+def test_crossing_pins_are_named(rng):
+    p = star_polygon(rng, 12)
+    with pytest.raises(MatchError, match=r"pins 4,8 and 8,4 cross each other, going round from 0,0"):
+        least_work(p, p, pins=[(0, 0), (4, 8), (8, 4)])
+    with pytest.raises(MatchError, match=r"pins 3,6 and 5,2 cross each other; vertices"):
+        least_work(p, p, False, pins=[(3, 6), (5, 2)])
+    assert least_work(p, p, pins=[(4, 8), (8, 4)]).gap == 0.0  # two alone never cross on closed outlines
+
+
+@pytest.mark.parametrize("seed", range(8000, 8060))
+def test_the_simplified_solver_is_never_below_the_exact_one(seed):
+    p0, p1, constants, _ = random_problem(seed)
+    for closed in (True, False):
+        exact = least_work(p0, p1, closed, constants)
+        simple = least_work(p0, p1, closed, constants, solver="simplified")
+        assert simple.work >= exact.work * (1 - 1e-12)
+        assert simple.lower_bound is None
+        assert simple.gap is None
+
+
+def test_the_simplified_solver_considers_every_start(rng):
+    p0, p1 = random_polygon(rng, 12), random_polygon(rng, 10)
+    best = least_work(p0, p1, solver="simplified").work
+    for j in range(10):
+        assert best <= least_work(p0, p1, start=(0, j), solver="simplified").work * (1 + 1e-12)
+
+
+def simplified_by_the_book(p0, p1, constants):
+    """Eqs (23)-(28) for open wires, as they stand, without 90-degree turns."""
+    m, n = len(p0), len(p1)
+    priced = Wires(p0, p1, False, constants).tables()
+    bends, oracle = priced.bends.reshape(m, n, 7), Oracle(p0, p1, False, constants)
+    work, came = {(0, 0): 0.0}, {(0, 0): None}
+    for i in range(m):
+        for j in range(n):
+            if (i, j) == (0, 0):
+                continue
+            offers = []
+            for step in (E, S, D):
+                before = i - step[0], j - step[1]
+                if before not in work:
+                    continue
+                bend = 0.0
+                if came[before]:
+                    kind = BEND_OF_STEPS[CODE[came[before]], CODE[step]]
+                    bend = np.inf if kind < 0 else bends[(*before, kind)]
+                offers.append((work[before] + bend + oracle.stretch(*before, step), step))
+            work[i, j], came[i, j] = min(offers, key=lambda offer: offer[0])
+    return work[m - 1, n - 1]
+
+
+@pytest.mark.parametrize("seed", range(9000, 9030))
+def test_the_simplified_solver_is_that_of_the_equations(seed):
+    p0, p1, constants, _ = random_problem(seed)
+    simple = least_work(p0, p1, False, constants, solver="simplified")
+    assert simple.work == pytest.approx(simplified_by_the_book(p0, p1, constants), rel=1e-9)
 
 
 @pytest.mark.parametrize("seed", range(25))
@@ -76,21 +206,33 @@ def test_work_is_the_sum_of_the_equations_along_the_dots(seed):
     rng = np.random.default_rng(3000 + seed)
     closed = bool(seed % 3)
     p0, p1 = star_polygon(rng, 6), random_polygon(rng, 5)
-    constants = random_constants(rng)
-    found = least_work(p0, p1, closed, constants)
+    constants, weight = random_constants(rng), rng.choice([0.5, 1.0, 2.0], 6)
+    found = least_work(p0, p1, closed, constants, weight=weight)
     assert found.work == pytest.approx(
-        Oracle(p0, p1, closed, constants).price(found.dots), rel=5e-3, abs=5e-3
+        Oracle(p0, p1, closed, constants, weight).price(found.dots), rel=5e-3, abs=5e-3
     )
+
+
+@pytest.mark.parametrize("closed", [True, False])
+def test_tables_made_block_by_block_change_nothing(rng, closed, monkeypatch):
+    p0, p1 = star_polygon(rng, 23), star_polygon(rng, 31)
+    pins = [(2, 5), (9, 20)]
+    stored = [least_work(p0, p1, closed, **given) for given in ({}, {"pins": pins}, {"band": 0.3})]
+    monkeypatch.setattr(starts, "STORED_DOTS", 0)
+    monkeypatch.setattr(starts, "BLOCK_DOTS", 100)
+    blocks = [least_work(p0, p1, closed, **given) for given in ({}, {"pins": pins}, {"band": 0.3})]
+    for one, other in zip(stored, blocks, strict=True):
+        np.testing.assert_array_equal(one.dots, other.dots)
+        assert one.work == other.work
 
 
 def plain_sweeps(p0, p1, constants):
     """Least work by one unpruned sweep from every starting state, without bounds of any kind."""
-    priced = tables(p0, p1, True, constants)
+    wires, region = Wires(p0, p1, True, constants), Window.full(len(p0) + 1, 2 * len(p1))
     least = np.inf
     for row in range(len(p1)):
         for step in (EAST, SOUTHEAST):
-            search = starts.Graph(priced, closed=True)
-            found = search.sweep(starts.Starts(0.0, row, row, (step,)), np.inf)
+            found = starts.Search(wires, region).sweep(starts.Starts(0.0, row, row, (step,)), np.inf)
             if found is not None:
                 assert found[2]
                 least = min(least, found[0])
@@ -125,24 +267,23 @@ def test_pruning_loses_nothing(p0, p1):
 
 
 def test_cost_to_go_is_the_cost_of_the_sweep(rng):
-    priced = tables(star_polygon(rng, 12), star_polygon(rng, 10), True, WorkConstants())
-    search = starts.Graph(priced, closed=True)
-    bounds = search.bound_states()
+    wires = Wires(star_polygon(rng, 12), star_polygon(rng, 10), True, WorkConstants())
+    region = Window.full(13, 20)
+    bounds = starts.Search(wires, region).bound_starts()
+    assert len(bounds) == 10
     for row in range(10):
         for step in (EAST, SOUTHEAST):
-            work, _, _ = starts.Graph(priced, closed=True).sweep(
-                starts.Starts(0.0, row, row, (step,)), np.inf
-            )
-            assert bounds[row, step] <= work + 1e-9
+            work, _, _ = starts.Search(wires, region).sweep(starts.Starts(0.0, row, row, (step,)), np.inf)
+            assert bounds[row] <= work + 1e-9
     everywhere = starts.Starts(0.0, 0, 9, (EAST, SOUTHEAST))
-    work, _, _ = starts.Graph(priced, closed=True).sweep(everywhere, np.inf)
-    assert bounds[:, [EAST, SOUTHEAST]].min() == pytest.approx(work)
+    work, _, _ = starts.Search(wires, region).sweep(everywhere, np.inf)
+    assert bounds.min() == pytest.approx(work)
 
 
 def test_a_path_prices_the_same_wherever_it_begins(rng):
     p0, p1 = star_polygon(rng, 9), star_polygon(rng, 7)
     found = least_work(p0, p1, True)
-    turned = path_work(p0, p1, np.roll(found.dots, 4, axis=0), True, WorkConstants())
+    turned = Wires(p0, p1, True, WorkConstants()).path_work(np.roll(found.dots, 4, axis=0))
     assert turned.total == pytest.approx(found.work)
 
 
@@ -152,17 +293,13 @@ def test_a_path_prices_the_same_wherever_it_begins(rng):
 def test_a_path_with_a_turn_or_a_jump_is_refused(rng, dots):
     p0, p1 = star_polygon(rng, 3), star_polygon(rng, 3)
     with pytest.raises(ValueError, match="East, South or Southeast"):
-        path_work(p0, p1, np.array(dots), True, WorkConstants())
+        Wires(p0, p1, True, WorkConstants()).path_work(np.array(dots))
 
 
 def test_a_start_that_names_no_vertex_is_refused(rng):
-    from shapeblend_cli.errors import MatchError
-
     p = star_polygon(rng, 5)
-    with pytest.raises(MatchError, match="start 5,0 names no vertices; 0,0 to 4,4"):
+    with pytest.raises(MatchError, match="5,0 names no vertices; 0,0 to 4,4"):
         least_work(p, p, True, start=(5, 0))
-    with pytest.raises(MatchError, match="open"):
-        least_work(p, p, False, start=(0, 0))
 
 
 def test_compiled_and_uncompiled_kernels_agree_to_the_bit(rng, load_uncompiled, monkeypatch):

@@ -15,12 +15,12 @@ def wedge(alpha, length=1.0):
 
 def bend(p, q, i, j, kind):
     """delta_theta in degrees, delta_theta_star in degrees, and whether theta reaches zero."""
-    ends = corners(p, closed=True), corners(q, closed=True)
-    work = [
-        angles.bend_at(*ends, i, j, kind, k_b, m_b, 1.0, p_b)
-        for k_b, m_b, p_b in ((1, 0, 0), (1, 1, 0), (0, 0, 1))
-    ]
-    return np.degrees(work[0]), np.degrees(work[1] - work[0]), work[2] > 0
+    ends = corners(p, closed=True), corners(q, closed=True), np.ones(len(p))
+    at = np.array([[i, j]]), np.array([kind])
+    work = np.empty((3, 1))
+    for row, (k_b, m_b, p_b) in enumerate(((1, 0, 0), (1, 1, 0), (0, 0, 1))):
+        angles.bends_along(*ends, *at, k_b, m_b, 1.0, p_b, work[row])
+    return np.degrees(work[0, 0]), np.degrees(work[1, 0] - work[0, 0]), work[2, 0] > 0
 
 
 @pytest.mark.parametrize("alpha", [20.0, 40.0, 90.0, 150.0])

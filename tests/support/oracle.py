@@ -57,9 +57,10 @@ def legal_turn(step_in, step_out):
 class Oracle:
     """Prices paths between two polygons in the unit box."""
 
-    def __init__(self, p0, p1, closed, constants, tiny=1e-11):
+    def __init__(self, p0, p1, closed, constants, weight=None, tiny=1e-11):
         self.p, self.closed, self.constants, self.tiny = (p0, p1), closed, constants, tiny
         self.m, self.n = len(p0), len(p1)
+        self.weight = np.ones(self.m) if weight is None else weight
         self.bend = cache(self._bend)
 
     def _edges(self, side, k, moves_in, moves_out):
@@ -79,7 +80,7 @@ class Oracle:
         inside_run = step_in == step_out != SOUTHEAST
         follow = control_path if inside_run else theta_along
         delta, star, zero = motion(follow(back0, fwd0, back1, fwd1))
-        return c.k_b * (delta + c.m_b * star) ** c.e_b + c.p_b * zero
+        return self.weight[i] * c.k_b * (delta + c.m_b * star) ** c.e_b + c.p_b * zero
 
     def stretch(self, i, j, step):
         """Eq (16) for the step that leaves [i, j]."""
@@ -87,7 +88,8 @@ class Oracle:
         len0 = abs(self.p[0][(i + 1) % self.m] - self.p[0][i]) * step[0]
         len1 = abs(self.p[1][(j + 1) % self.n] - self.p[1][j]) * step[1]
         resistance = (1 - c.c_s) * min(len0, len1) + c.c_s * max(len0, len1)
-        return c.k_s * abs(len1 - len0) ** c.e_s / resistance
+        weight = (self.weight[i] + self.weight[(i + step[0]) % self.m]) / 2
+        return weight * c.k_s * abs(len1 - len0) ** c.e_s / resistance
 
     def price(self, dots):
         """Work of a path given by its dots."""
@@ -102,33 +104,40 @@ class Oracle:
         turns = list(zip(dots, before, steps, strict=False))
         return work + sum(self.bend(*dot, *turn) for dot, *turn in turns[0 if self.closed else 1 :])
 
-    def least(self, bend=None, starts=None):
+    def least(self, bend=None, starts=None, pins=(), band=None):
         """Least work over every path (from every start when closed), one path after the other.
 
-        `bend(i, j, step_in, step_out)` prices a bend, the oracle itself if it is not given.
+        `bend(i, j, step_in, step_out)` prices a bend, the oracle itself if it is not given. Paths go through
+        all `pins` and keep within `band` of the diagonal through their start; without `starts` a closed path
+        starts where it enters column 0.
         """
         bend = bend or self.bend
         best = np.inf
         end = (self.m, self.n) if self.closed else (self.m - 1, self.n - 1)
+        pins = set(pins)
 
-        def extend(i0, j0, i, j, first, last, work):
+        def extend(i0, j0, i, j, first, last, work, missing):
             nonlocal best
-            if work >= best:
+            if work >= best or (band is not None and abs(i / end[0] - j / end[1]) > band + 1e-12):
                 return
+            here = (i0 + i) % self.m, (j0 + j) % self.n
+            missing = missing - {here}
             if (i, j) == end:
+                if missing or (self.closed and not legal_turn(last, first)):
+                    return
+                if self.closed and starts is None and last == SOUTH:
+                    return
                 if self.closed:
-                    if not legal_turn(last, first):
-                        return
                     work += bend(i0, j0, last, first)
                 best = min(best, work)
                 return
             for step in STEPS:
                 if i + step[0] > end[0] or j + step[1] > end[1] or (last and not legal_turn(last, step)):
                     continue
-                here = (i0 + i) % self.m, (j0 + j) % self.n
                 cost = self.stretch(*here, step) + (bend(*here, last, step) if last else 0.0)
-                extend(i0, j0, i + step[0], j + step[1], first or step, step, work + cost)
+                extend(i0, j0, i + step[0], j + step[1], first or step, step, work + cost, missing)
 
-        for i0, j0 in starts or ([(0, j) for j in range(self.n)] if self.closed else [(0, 0)]):
-            extend(i0, j0, 0, 0, None, None, 0.0)
+        everywhere = [(0, j) for j in range(self.n)] if self.closed else [(0, 0)]
+        for i0, j0 in starts or everywhere:
+            extend(i0, j0, 0, 0, None, None, 0.0, pins)
         return best
