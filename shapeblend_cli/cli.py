@@ -13,7 +13,16 @@ import click
 
 from shapeblend_cli import __version__
 from shapeblend_cli.errors import ShapeblendError
-from shapeblend_cli.options import StartType, constant_options, constants_in_force
+from shapeblend_cli.options import (
+    START,
+    BandType,
+    PinType,
+    StiffType,
+    band_in_force,
+    constant_options,
+    constants_in_force,
+)
+from shapeblend_cli.progress import Progress
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -92,10 +101,50 @@ def shapeblend() -> None:
 )
 @click.option(
     "--start",
-    type=StartType(),
+    type=START,
     default="auto",
     show_default=True,
     help="Starting correspondence: proven best over all, or vertex I of A with vertex J of B.",
+)
+@click.option(
+    "--pin",
+    "pins",
+    type=PinType(),
+    multiple=True,
+    help="Vertices that must correspond, by number, or the nearest to a point of A and a point of B. Repeatable.",
+)
+@click.option(
+    "--reverse",
+    type=click.Choice(["auto", "yes", "no"]),
+    default="auto",
+    show_default=True,
+    help="Go through B's outline backwards. auto: closed outlines in the same direction; both are tried where "
+    "that is not decided, and for open ones.",
+)
+@click.option(
+    "--stiff",
+    type=StiffType(),
+    multiple=True,
+    help="Make A's wire W times as stiff within r of a point. Repeatable.",
+)
+@click.option(
+    "--solver",
+    type=click.Choice(["exact", "simplified"]),
+    default="exact",
+    show_default=True,
+    help="The paper's section 4, or 4.1.",
+)
+@click.option(
+    "--band",
+    type=BandType(),
+    help="Diagonal deviation a path may have from its start (section 5.2), 0 to 1.  [default: none]",
+)
+@click.option(
+    "--effort",
+    type=click.Choice(["auto", "exact", "fast"]),
+    default="auto",
+    show_default=True,
+    help="exact: proven, however long it takes; auto: where that is quick; fast: coarse to fine early on.",
 )
 @constant_options
 @click.option(
@@ -112,6 +161,12 @@ def blend(
     place: str,
     vertices: int,
     start: tuple[int, int] | None,
+    pins: tuple[tuple[complex, complex], ...],
+    reverse: str,
+    stiff: tuple[tuple[complex, float, float], ...],
+    solver: str,
+    band: float | str | None,
+    effort: str,
     preset: str | None,
     report_file: str | None,
     quiet: bool,
@@ -129,6 +184,7 @@ def blend(
     if quiet and verbose:
         raise click.UsageError("--quiet and --verbose contradict each other")
     constants = constants_in_force(preset, given)
+    band_here = band_in_force(preset, band)
     settings = {
         "frames": frames,
         "ends": ends,
@@ -137,6 +193,12 @@ def blend(
         "place": place,
         "vertices": vertices,
         "start": list(start) if start else "auto",
+        "pins": [[_plain(side) for side in pin] for pin in pins],
+        "reverse": reverse,
+        "stiff": [[_plain(point), radius, weight] for point, radius, weight in stiff],
+        "solver": solver,
+        "band": band_here,
+        "effort": effort,
         "preset": preset,
         **constants,
         "report": report_file,
@@ -158,10 +220,17 @@ def blend(
             vertices=vertices,
             place=place,
             start=start,
+            pins=pins,
+            reverse=reverse,
+            stiff=stiff,
+            solver=solver,
+            band=band_here,
+            effort=effort,
             constants=WorkConstants(**{f"{name[0]}_{name[1]}": value for name, value in constants.items()}),
         ),
     )
-    blend_files(job, say=_nothing if quiet else _note, detail=_note if verbose else _nothing)
+    with Progress(quiet) as progress:
+        blend_files(job, _nothing if quiet else _note, _note if verbose else _nothing, progress.show)
 
 
 @shapeblend.command()
@@ -198,6 +267,11 @@ def inspect(file: str, as_json: bool) -> None:
     widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
     for row in rows:
         click.echo("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
+
+
+def _plain(side: complex) -> int | list[float]:
+    """A vertex number or a point, for JSON."""
+    return side if isinstance(side, int) else [side.real, side.imag]
 
 
 def _note(text: str) -> None:

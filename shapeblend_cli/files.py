@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import json
 import sys
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli import __version__
+from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError, OutputError
 from shapeblend_cli.geometry.normalise import box_of, union
+from shapeblend_cli.interpolate import frame_times
 from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.model import Box
 from shapeblend_cli.output import check_targets, write_files
-from shapeblend_cli.pipeline import BlendSettings, blend, make_frames
+from shapeblend_cli.pipeline import BlendSettings, make_frames, match
 from shapeblend_cli.report import report
 from shapeblend_cli.svg.read import read
 from shapeblend_cli.svg.write import animated_svg, frame_svg
@@ -69,7 +70,12 @@ class Job(NamedTuple):
         return [f"frame-{k + 1:0{len(str(count))}d}.svg" for k in range(count)]
 
 
-def blend_files(job: Job, say: Callable[[str], None], detail: Callable[[str], None]) -> None:
+def blend_files(
+    job: Job,
+    say: Callable[[str], None],
+    detail: Callable[[str], None],
+    watch: Callable[[float], None],
+) -> None:
     """Read two files, blend them, and write what was asked for, all of it or nothing.
 
     Parameters
@@ -79,13 +85,15 @@ def blend_files(job: Job, say: Callable[[str], None], detail: Callable[[str], No
         Takes what the user should know, a line at a time.
     detail : callable
         Takes what was done and how long it took.
+    watch : callable
+        Told now and then which share of the matching is done, from 0 to 1.
 
     Raises
     ------
     ShapeblendError
         With one line that names the file, what was found and what would work.
     """
-    clock = _Clock()
+    clock = Clock()
     if not COMPILED:
         say(SLOW)
     paths = _targets(job)
@@ -97,14 +105,15 @@ def blend_files(job: Job, say: Callable[[str], None], detail: Callable[[str], No
             say(f"{drawing.file}: {note}")
     clock.lap("read")
     try:
-        pair, frames = blend(a, b, job.blend)
+        pair = match(a, b, job.blend, clock, watch)
     except MatchError as error:
         raise InputError(" and ".join(job.files), str(error)) from error
     for note in pair.notes:
         say(note)
-    clock.lap("blend")
-
+    frames = make_frames(pair, frame_times(job.blend.frames, job.blend.ends))
     start, end = make_frames(pair, [0.0, 1.0])
+    clock.lap("interpolate")
+
     viewbox = _viewbox(start, end)
     texts: dict[Path, str] = {}
     standard_output = ""
@@ -123,7 +132,7 @@ def blend_files(job: Job, say: Callable[[str], None], detail: Callable[[str], No
             for name, frame in zip(job.frame_files(), frames, strict=True)
         )
     if job.report_file is not None:
-        found = report(__version__, job.files, job.reported_settings, pair, frames, names)
+        found = report(__version__, job.files, job.reported_settings, pair, frames, names, clock.seconds)
         text = json.dumps(found, allow_nan=False) + "\n"
         if job.report_file == STANDARD_OUTPUT:
             standard_output = text
@@ -171,30 +180,21 @@ def _print(text: str) -> None:
         sys.stdout.buffer.flush()
 
 
-class _Clock:
-    """Seconds each stage took."""
-
-    def __init__(self) -> None:
-        self.laps: dict[str, float] = {}
-        self._last = time.perf_counter()
-
-    def lap(self, stage: str) -> None:
-        now = time.perf_counter()
-        self.laps[stage] = now - self._last
-        self._last = now
+def _proof(lower_bound: float | None) -> str:
+    return "not proven least" if lower_bound is None else f"at least {lower_bound:.6g}"
 
 
-def _details(pair: Pair, frames: Sequence[Frame], clock: _Clock) -> list[str]:
+def _details(pair: Pair, frames: Sequence[Frame], clock: Clock) -> list[str]:
     lines = []
     for c in pair.contours:
         found = c.correspondence
         lines.append(
             f"contour {c.a} of A ({len(c.polygon_a.vertices)} vertices) to contour {c.b} of B "
             f"({len(c.polygon_b.vertices)}): {len(found.dots)} dots, work {found.work:.6g} = stretching "
-            f"{found.stretching:.6g} + bending {found.bending:.6g}, at least {found.lower_bound:.6g}, "
+            f"{found.stretching:.6g} + bending {found.bending:.6g}, {_proof(found.lower_bound)}, "
             f"{found.zero_angles} angles reach zero, {found.sweeps} sweeps"
         )
     crossed = sum(frame.self_crossings > 0 for frame in frames)
     lines.append(f"{len(frames)} frames, {crossed} of them cross themselves")
-    lines.append(", ".join(f"{stage} {1000 * seconds:.1f} ms" for stage, seconds in clock.laps.items()))
+    lines.append(", ".join(f"{stage} {1000 * seconds:.1f} ms" for stage, seconds in clock.seconds.items()))
     return lines

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from shapeblend_cli.presets import PRESETS
+from shapeblend_cli.presets import BANDS, PRESETS
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -44,6 +44,72 @@ class StartType(click.ParamType[Any]):
         return i, j
 
 
+class BandType(click.ParamType[Any]):
+    """A diagonal deviation from 0 to 1, or ``none``."""
+
+    name = "DD|none"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Read a share; ``none`` stays as it is."""
+        if value == "none" or isinstance(value, float):
+            return value
+        band = _number(self, value, param, ctx)
+        if not 0.0 <= band <= 1.0:
+            self.fail(f"{value}: a band lies between 0 and 1, or is 'none'.", param, ctx)
+        return band
+
+
+class PinType(click.ParamType[Any]):
+    """``I,J``: two vertex numbers; or ``x,y:x,y``: a point of A and a point of B."""
+
+    name = "I,J|x,y:x,y"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Turn numbers into a pair of int, points into a pair of complex."""
+        if isinstance(value, tuple):
+            return value
+        if ":" in value:
+            sides = [side.split(",") for side in value.split(":")]
+            if [len(side) for side in sides] != [2, 2]:
+                self.fail(f"{value!r} is not two points such as 1.5,2:3,4.", param, ctx)
+            return tuple(complex(*(_number(self, v, param, ctx) for v in side)) for side in sides)
+        return START.convert(value, param, ctx)
+
+
+class StiffType(click.ParamType[Any]):
+    """``x,y,r=W``: around a point of A, within a radius, the wire is W times as stiff."""
+
+    name = "x,y,r=W"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Turn it into the point, the radius and the weight."""
+        if isinstance(value, tuple):
+            return value
+        region, equals, weight = value.partition("=")
+        parts = region.split(",")
+        if not equals or len(parts) != 3:
+            self.fail(f"{value!r} is not of the form x,y,r=W, such as 10,20,5=3.", param, ctx)
+        x, y, radius, factor = (_number(self, v, param, ctx) for v in (*parts, weight))
+        if radius <= 0.0 or factor <= 0.0:
+            self.fail(f"{value!r}: the radius and the weight must be greater than 0.", param, ctx)
+        return complex(x, y), radius, factor
+
+
+def _number(
+    kind: click.ParamType[Any], text: str, param: click.Parameter | None, ctx: click.Context | None
+) -> float:
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if not math.isfinite(number):
+        kind.fail(f"{text!r} is not a number.", param, ctx)
+    return number
+
+
+START = StartType()
+
+
 class ConstantType(click.ParamType[float]):
     """A finite number, not negative; above zero where zero means nothing, and at most one for c_s."""
 
@@ -55,12 +121,9 @@ class ConstantType(click.ParamType[float]):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         """Read a number and hold it against its range."""
-        try:
-            number = float(value)
-        except ValueError:
-            self.fail(f"{value!r} is not a number.", param, ctx)
+        number = _number(self, value, param, ctx)
         least = "greater than 0" if self.positive else "0 or more"
-        if not math.isfinite(number) or number < 0.0 or (self.positive and number == 0.0):
+        if number < 0.0 or (self.positive and number == 0.0):
             self.fail(f"{value} must be {least}.", param, ctx)
         if number > self.largest:
             self.fail(f"{value} must be at most {self.largest:g}.", param, ctx)
@@ -72,7 +135,7 @@ def constant_options(command: Callable[..., Any]) -> Callable[..., Any]:
     add = click.option(
         "--preset",
         type=click.Choice(list(PRESETS)),
-        help="The constants of a row of the paper's table 1; single constants given beside it win.",
+        help="The constants and the band of a row of the paper's table 1; what is given beside it wins.",
     )
     command = add(command)
     for name, (default, text) in reversed(CONSTANTS.items()):
@@ -85,3 +148,10 @@ def constants_in_force(preset: str | None, given: dict[str, float | None]) -> di
     """The seven constants: what was given, else the preset's, else the default."""
     base = {name: default for name, (default, _) in CONSTANTS.items()}
     return base | PRESETS.get(preset or "", {}) | {name: x for name, x in given.items() if x is not None}
+
+
+def band_in_force(preset: str | None, given: float | str | None) -> float | None:
+    """The band: what was given, else the preset's; none by default."""
+    if given is None:
+        return BANDS.get(preset or "")
+    return None if given == "none" else float(given)

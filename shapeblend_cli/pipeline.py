@@ -5,16 +5,16 @@
 
 from __future__ import annotations
 
-import time
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.errors import InputError
+from shapeblend_cli.clock import Clock
+from shapeblend_cli.errors import InputError, MatchError
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.normalise import Similarity, lay_over, to_unit_box, union
-from shapeblend_cli.geometry.outline import reversed_polygon, self_crossings, signed_area
+from shapeblend_cli.geometry.outline import direction, reversed_polygon, self_crossings, signed_area
 from shapeblend_cli.interpolate import blend_styles, blend_vertices, frame_times
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.match.work import WorkConstants
@@ -31,7 +31,10 @@ from shapeblend_cli.model import (
     Style,
 )
 
-PLACES = ("viewbox", "bbox", "asis")
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from shapeblend_cli.model import FloatArray
 
 
 class BlendSettings(NamedTuple):
@@ -49,6 +52,15 @@ class BlendSettings(NamedTuple):
         How B is laid over A: viewBox on viewBox, box on box, or file coordinates as they stand.
     start : (int, int) or None
         A vertex of A and the vertex of B it corresponds to; None for the best of all.
+    pins : tuple of pairs
+        Vertices that must correspond: two numbers, as in the report, or two points (complex), one of A and one of
+        B, each in the coordinates of its own file; the nearest vertex is taken.
+    reverse : str
+        Whether to go through B's outline backwards: yes, no, or auto.
+    stiff : tuple of (complex, float, float)
+        Point of A, radius and weight: vertices of A within the radius are so many times as stiff.
+    solver, band, effort
+        See `match.solve.least_work`.
     constants : WorkConstants
     """
 
@@ -57,6 +69,12 @@ class BlendSettings(NamedTuple):
     vertices: int = 200
     place: str = "viewbox"
     start: tuple[int, int] | None = None
+    pins: tuple[tuple[complex, complex], ...] = ()
+    reverse: str = "auto"
+    stiff: tuple[tuple[complex, float, float], ...] = ()
+    solver: str = "exact"
+    band: float | None = None
+    effort: str = "auto"
     constants: WorkConstants = WorkConstants()
 
 
@@ -77,14 +95,31 @@ def blend(a: Drawing, b: Drawing, settings: BlendSettings) -> tuple[Pair, list[F
     InputError
         A drawing whose outline cannot be blended with the other's; its file is named.
     MatchError
-        A start that does not exist.
+        Starts, pins, bands and stiff regions that do not fit the outlines.
     """
     pair = match(a, b, settings)
     return pair, make_frames(pair, frame_times(settings.frames, settings.ends))
 
 
-def match(a: Drawing, b: Drawing, settings: BlendSettings) -> Pair:
-    """Find the correspondence of two drawings: everything up to the first frame."""
+def match(
+    a: Drawing,
+    b: Drawing,
+    settings: BlendSettings,
+    clock: Clock | None = None,
+    watch: Callable[[float], None] | None = None,
+) -> Pair:
+    """Find the correspondence of two drawings: everything up to the first frame.
+
+    Parameters
+    ----------
+    a, b : Drawing
+    settings : BlendSettings
+    clock : Clock, optional
+        Told of the stages `flatten` and `match`.
+    watch : callable, optional
+        Told now and then which share of the matching is done, from 0 to 1.
+    """
+    clock = clock or Clock()
     chosen_a, chosen_b = _largest_contour(a), _largest_contour(b)
     if chosen_a.contour.closed != chosen_b.contour.closed:
         opened, closed = (b, a) if chosen_a.contour.closed else (a, b)
@@ -95,8 +130,8 @@ def match(a: Drawing, b: Drawing, settings: BlendSettings) -> Pair:
     over = place_over(a, b, settings.place)
     polygon_a = _polygon(a, chosen_a.contour, settings.vertices)
     polygon_b = _polygon(b, over.contour(chosen_b.contour), settings.vertices)
-    before = time.perf_counter()
-    polygon_b, correspondence = _least_work_either_way(polygon_a, polygon_b, settings)
+    clock.lap("flatten")
+    polygon_b, correspondence = _least_work_either_way(polygon_a, polygon_b, over, settings, watch)
     matched = MatchedContour(
         a=chosen_a.number,
         b=chosen_b.number,
@@ -105,7 +140,7 @@ def match(a: Drawing, b: Drawing, settings: BlendSettings) -> Pair:
         scale_a=to_unit_box(polygon_a)[1],
         scale_b=to_unit_box(polygon_b)[1],
         correspondence=correspondence,
-        seconds=time.perf_counter() - before,
+        seconds=clock.lap("match"),
     )
     return Pair(
         a=0,
@@ -176,17 +211,73 @@ def _polygon(drawing: Drawing, contour: Contour, vertices: int) -> Polygon:
     return polygon
 
 
-def _least_work_either_way(a: Polygon, b: Polygon, settings: BlendSettings) -> tuple[Polygon, Correspondence]:
-    """Solve for the direction of B that agrees with A's, for open outlines for the cheaper of both."""
+def _least_work_either_way(
+    a: Polygon,
+    b: Polygon,
+    over: Similarity,
+    settings: BlendSettings,
+    watch: Callable[[float], None] | None,
+) -> tuple[Polygon, Correspondence]:
+    """Solve for the direction of B that agrees with A's; where none is decided, for the cheaper of both."""
+    backwards = _backwards(a, b, settings.reverse)
+    unit_a = to_unit_box(a)[0]
+    weight = _weight(a, settings.stiff)
+    solved = []
+    for run, reverse in enumerate(backwards):
+        candidate = reversed_polygon(b) if reverse else b
+        found = least_work(
+            unit_a,
+            to_unit_box(candidate)[0],
+            a.closed,
+            settings.constants,
+            start=settings.start,
+            pins=[_pin(a, candidate, over, pin) for pin in settings.pins],
+            band=settings.band,
+            weight=weight,
+            solver=settings.solver,
+            effort=settings.effort,
+            watch=_part(watch, run, len(backwards)),
+        )
+        solved.append((candidate, found))
+    return min(solved, key=lambda pair: pair[1].work)
 
-    def solve(b: Polygon) -> tuple[Polygon, Correspondence]:
-        unit_a, unit_b = to_unit_box(a)[0], to_unit_box(b)[0]
-        return b, least_work(unit_a, unit_b, a.closed, settings.constants, start=settings.start)
 
-    if not a.closed:
-        return min(solve(b), solve(reversed_polygon(b)), key=lambda solved: solved[1].work)
-    opposite = signed_area(a.vertices) * signed_area(b.vertices) < 0.0
-    return solve(reversed_polygon(b) if opposite else b)
+def _backwards(a: Polygon, b: Polygon, reverse: str) -> list[bool]:
+    """Whether to go through B backwards: one answer, or both where only the work can tell."""
+    if reverse != "auto":
+        return [reverse == "yes"]
+    ways = direction(a), direction(b)
+    return [False, True] if 0 in ways else [ways[0] != ways[1]]
+
+
+def _part(watch: Callable[[float], None] | None, run: int, runs: int) -> Callable[[float], None] | None:
+    return None if watch is None else lambda share: watch((run + share) / runs)
+
+
+def _pin(a: Polygon, b: Polygon, over: Similarity, pin: tuple[complex, complex]) -> tuple[int, int]:
+    """Two vertex numbers, from numbers or from points."""
+    if isinstance(pin[0], int) and isinstance(pin[1], int):
+        return pin[0], pin[1]
+    nearest_a = np.abs(a.vertices - pin[0]).argmin()
+    nearest_b = np.abs(b.vertices - over.points(np.array(pin[1]))).argmin()
+    return int(nearest_a), int(nearest_b)
+
+
+def _weight(a: Polygon, stiff: tuple[tuple[complex, float, float], ...]) -> FloatArray | None:
+    """Stiffness at A's vertices; regions that overlap multiply."""
+    if not stiff:
+        return None
+    weight = np.ones(len(a.vertices))
+    for point, radius, factor in stiff:
+        within = np.abs(a.vertices - point) <= radius
+        if not within.any():
+            nearest = a.vertices[np.abs(a.vertices - point).argmin()]
+            raise MatchError(
+                f"no vertex of A lies within {radius:g} of the stiff point {point.real:g},{point.imag:g}; "
+                f"the nearest is {nearest.real:g},{nearest.imag:g}"
+            )
+        weight[within] *= factor
+    return weight
 
 
 def _frame(pair: Pair, t: float) -> Frame:

@@ -1,4 +1,4 @@
-"""The constants of the paper's table 1, by figure."""
+"""The constants of the paper's table 1, by figure, and the diagonal deviation dd of the same row."""
 
 from __future__ import annotations
 
@@ -14,4 +14,15 @@ PRESETS: dict[str, dict[str, float]] = {
         "fig27": (0.3, 1.0, 2.0, 0.3, 1000.0, 10.0, 0.5),
         "fig28": (1.0, 0.1, 2.0, 0.1, 1000.0, 10.0, 0.5),
     }.items()
+}
+
+BANDS: dict[str, float] = {
+    "fig1": 0.06,
+    "fig2": 0.09,
+    "fig3": 0.09,
+    "fig8": 0.0,
+    "fig10": 0.0,
+    "fig11": 0.125,
+    "fig27": 0.245,
+    "fig28": 0.04,
 }

@@ -22,6 +22,7 @@ def report(
     pair: Pair,
     frames: Sequence[Frame],
     files: Sequence[str | None],
+    seconds: dict[str, float],
 ) -> dict[str, Any]:
     """Everything about a run, ready for JSON.
 
@@ -36,6 +37,8 @@ def report(
     frames : sequence of Frame
     files : sequence of str or None
         Where each frame was written.
+    seconds : dict
+        How long each stage took.
     """
     return {
         "report": REPORT_FORMAT,
@@ -47,6 +50,7 @@ def report(
             {"t": f.t, "pair": f.pair, "file": file, "self_crossings": f.self_crossings, "area": f.area}
             for f, file in zip(frames, files, strict=True)
         ],
+        "seconds": seconds,
     }
 
 

@@ -16,16 +16,30 @@ ROOMS = {
     "model": set(),
     "_cython": set(),
     "presets": set(),
+    "clock": set(),
+    "progress": set(),
     "output": {"errors"},
     "svg": {"model", "errors"},
     "geometry": {"model", "errors", "_cython"},
     "match": {"model", "errors", "_cython"},
     "interpolate": {"model", "errors"},
     "report": {"model", "geometry"},
-    "pipeline": {"model", "errors", "geometry", "match", "interpolate"},
-    "files": {"pipeline", "svg", "report", "output", "geometry", "match", "model", "errors", "__init__"},
+    "pipeline": {"model", "errors", "clock", "geometry", "match", "interpolate"},
+    "files": {
+        "pipeline",
+        "interpolate",
+        "clock",
+        "svg",
+        "report",
+        "output",
+        "geometry",
+        "match",
+        "model",
+        "errors",
+        "__init__",
+    },
     "options": {"presets"},
-    "cli": {"files", "pipeline", "report", "svg", "match", "options", "errors", "__init__"},
+    "cli": {"files", "progress", "pipeline", "report", "svg", "match", "options", "errors", "__init__"},
     "__main__": {"cli"},
     "__init__": {"errors", "match", "pipeline", "svg"},
 }
@@ -75,6 +89,6 @@ def test_only_svg_knows_the_svg_libraries(module):
     assert imported & {"svgpathtools", "svgwrite", "tinycss2", "cssselect2"} == set()
 
 
-@pytest.mark.parametrize("module", [m for m in MODULES if room(m) not in ("cli", "options")])
+@pytest.mark.parametrize("module", [m for m in MODULES if room(m) not in ("cli", "options", "progress")])
 def test_only_the_command_line_knows_click(module):
     assert "import click" not in (PACKAGE / module).read_text(encoding="utf-8")

@@ -21,6 +21,23 @@ def signed_area(vertices: ComplexArray) -> float:
     return 0.5 * float((vertices.conj() * np.roll(vertices, -1)).imag.sum())
 
 
+def direction(polygon: Polygon) -> int:
+    """Which way round a polygon goes: 1, -1, or 0 where that is not decided.
+
+    The sign of the area decides if the outline does not cross itself. If it does, the sum of its turns must agree:
+    in a figure of eight they cancel, and one lobe's being larger says nothing. Open lines have no direction.
+    """
+    if not polygon.closed:
+        return 0
+    vertices = polygon.vertices
+    way = int(np.sign(signed_area(vertices)))
+    if self_crossings(vertices, closed=True):
+        edges = np.roll(vertices, -1) - vertices
+        turns = np.angle(edges * np.roll(edges, 1).conj()).sum() / (2.0 * np.pi)
+        return way if way * round(float(turns)) > 0 else 0
+    return way
+
+
 def reversed_polygon(polygon: Polygon) -> Polygon:
     """The same polygon the other way round; a closed one keeps its first vertex."""
     order = np.arange(len(polygon.vertices))[::-1]

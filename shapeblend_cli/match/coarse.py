@@ -22,7 +22,7 @@ from shapeblend_cli.match.work import Window, Wires, corners
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from shapeblend_cli.match.starts import Path, Search
+    from shapeblend_cli.match.starts import Path
     from shapeblend_cli.match.work import WorkConstants
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
@@ -109,7 +109,7 @@ def _search(problem: Problem, region: Window, pins: list[Dot] | None) -> Path | 
     # A Southeast step past a pin would leave it out: into the row below it, or from the row above it.
     past = [dot for c, r in pins or [] for dot in ((c - 1, r), (c, r - 1))]
     forbidden = [(c, r) for c, r in past if 0 <= c < m and 0 <= r < n]
-    search = starts.Search(problem.wires, region, problem.band, forbidden)
+    search = starts.Search(problem.wires, region, problem.band, forbidden, problem.watch)
     if problem.solver == "simplified":
         return starts.simplified_of_all(search) if pins is None else starts.simplified_from(search)
     return starts.least_of_all(search) if pins is None else starts.least_from(search)
@@ -125,6 +125,7 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> Path | None:
         p0=problem.p0[kept0],
         p1=problem.p1[kept1],
         weight=None if problem.weight is None else problem.weight[kept0],
+        watch=lambda share: problem.watch(share / FACTOR),
     )
     coarse_pins = None
     if pins is not None:
@@ -136,11 +137,12 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> Path | None:
     laid = np.stack([_laid(dots[:, 0], kept0, m), _laid(dots[:, 1], kept1, n)], axis=1)
     sweeps = path.sweeps
 
+    full = replace(problem, watch=lambda share: problem.watch((1.0 + (FACTOR - 1.0) * share) / FACTOR))
     walls = _region(problem, pins)
     pad = np.full(len(walls.low), PAD)
     for _ in range(MOST_WIDENINGS):
         region = corridor(laid, problem, pad, None if pins is None else walls)
-        path = _search(problem, region, pins)
+        path = _search(full, region, pins)
         if path is None:
             pad *= 2
             continue
@@ -153,7 +155,7 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> Path | None:
             reach[max(c - 2 * PAD, 0) : c + 2 * PAD + 1] = True
         pad[reach] *= 2
     if path is None:  # what fits at a third of the vertices need not fit near by in full
-        path = _search(problem, walls, pins)
+        path = _search(full, walls, pins)
     return path._replace(sweeps=sweeps) if path else None
 
 

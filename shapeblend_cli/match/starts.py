@@ -28,7 +28,7 @@ from shapeblend_cli.match import graph
 from shapeblend_cli.match.work import EAST, SOUTH, SOUTHEAST, Window
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable
 
     from shapeblend_cli.match.work import Tables, Wires
     from shapeblend_cli.model import FloatArray, IntArray
@@ -49,6 +49,9 @@ STORED_DOTS = 12_000_000
 """Tables of more dots than these, about a gigabyte, are made block by block."""
 
 BLOCK_DOTS = 1_000_000
+
+PRICED, FIRST_SWEPT = 0.5, 0.6
+"""Shares of a usual search that are done when the tables are, and when the first pass is."""
 
 
 class Path(NamedTuple):
@@ -87,6 +90,8 @@ class Search:
         Diagonal deviation, eq (30), that a path may have from its own start.
     forbidden : iterable of (int, int)
         Dots that no Southeast step may leave.
+    watch : callable
+        Told which share of the search is done, as far as that can be known.
     """
 
     def __init__(
@@ -95,12 +100,14 @@ class Search:
         region: Window,
         band: float | None = None,
         forbidden: Iterable[tuple[int, int]] = (),
+        watch: Callable[[float], None] = lambda share: None,
     ) -> None:
         self.wires = wires
         self.closed = wires.closed
         self.region = region
         self.band = band
         self.forbidden = list(forbidden)
+        self.watch = watch
         self.columns = len(region.low)
         self.span = wires.n if self.closed else wires.n - 1
         self.sweeps = 0
@@ -109,6 +116,7 @@ class Search:
         whole = bool((region.high - region.low >= wires.n).any())
         if (wires.m * wires.n if whole else region.dots) <= STORED_DOTS:
             self._tables = self._priced(None if whole else region, 0)
+            self.watch(PRICED)
 
     def _priced(self, window: Window | None, first_column: int) -> Tables:
         tables = self.wires.tables(window, first_column)
@@ -150,6 +158,7 @@ class Search:
             self._to_go,
         )
         self.sweeps += 1
+        self.watch(FIRST_SWEPT)
         rows = min(int(self.region.high[0]) - first + 1, self.wires.n)
         bounds: FloatArray = self._to_go[:rows, list(ENTERING)].min(axis=1)
         return bounds
@@ -179,6 +188,8 @@ class Search:
             )  # fmt: skip
             if live[1] < live[0]:
                 break
+            if self.sweeps == 0:
+                self.watch(FIRST_SWEPT * last / self.columns)
         self.sweeps += 1
         if live[1] < live[0]:
             return None
@@ -303,6 +314,8 @@ def _branch_and_bound(search: Search, sets: list[Starts], limit: float) -> Path 
     queue = list(sets)
     heapq.heapify(queue)
     while queue and queue[0].bound < limit:
+        waiting = sum(starts.last_row - starts.first_row + 1 for starts in queue if starts.bound < limit)
+        search.watch(1.0 - (1.0 - FIRST_SWEPT) * min(waiting / search.wires.n, 1.0))
         starts = heapq.heappop(queue)
         found = search.sweep(starts, limit)
         if found is None:

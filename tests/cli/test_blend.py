@@ -111,7 +111,7 @@ def test_one_animated_file_with_two_keyframes_of_equal_commands(here, capfdbinar
 def test_the_report_is_that_of_the_page(here, capfdbinary):
     assert run(["a.svg", "b.svg", "-n", "2", "--report", "-", "--kb", "0.5", "--preset", "fig1"]) == 0
     report = json.loads(capfdbinary.readouterr().out)
-    assert list(report) == ["report", "version", "inputs", "settings", "pairs", "frames"]
+    assert list(report) == ["report", "version", "inputs", "settings", "pairs", "frames", "seconds"]
     assert report["inputs"] == ["a.svg", "b.svg"]
     settings = report["settings"]
     assert {k: settings[k] for k in ("ks", "kb", "es", "eb", "pb", "mb", "cs")} == {
@@ -270,9 +270,17 @@ def test_bad_input_is_one_line_and_nothing_written(here, capsys, case, first):
         (["a.svg", "b.svg", "-n", "-1"], "-1"),
         (["a.svg", "b.svg", "--cs", "0"], "greater than 0"),
         (["a.svg", "b.svg", "--cs", "2"], "at most 1"),
-        (["a.svg", "b.svg", "--ks", "nan"], "0 or more"),
+        (["a.svg", "b.svg", "--ks", "nan"], "not a number"),
+        (["a.svg", "b.svg", "--kb", "-1"], "0 or more"),
         (["a.svg", "b.svg", "--eb", "x"], "not a number"),
         (["a.svg", "b.svg", "--start", "3"], "vertex numbers"),
+        (["a.svg", "b.svg", "--pin", "3"], "vertex numbers"),
+        (["a.svg", "b.svg", "--pin", "1,2:3"], "two points"),
+        (["a.svg", "b.svg", "--pin", "1,x:3,4"], "not a number"),
+        (["a.svg", "b.svg", "--stiff", "1,2=3"], "x,y,r=W"),
+        (["a.svg", "b.svg", "--stiff", "1,2,0=3"], "greater than 0"),
+        (["a.svg", "b.svg", "--band", "2"], "between 0 and 1"),
+        (["a.svg", "b.svg", "--reverse", "maybe"], "maybe"),
         (["a.svg", "b.svg", "--preset", "fig9"], "fig9"),
         (["a.svg", "b.svg", "-o", "-", "--report", "-"], "standard output"),
         (["a.svg", "b.svg", "-q", "-v"], "contradict"),
@@ -296,7 +304,10 @@ def test_a_wrong_command_line_is_exit_2(here, capsys, arguments, words):
         (["-o", "sub/x.svg"], "sub: is a file"),
         (["--report", "."], ".: is a folder"),
         (["-o", "x.svg", "--report", "x.svg"], "x.svg: is named for two"),
-        (["--start", "900,0"], "start 900,0 names no vertices"),
+        (["--start", "900,0"], "900,0 names no vertices"),
+        (["--pin", "0,0", "--pin", "40,90", "--pin", "90,40"], "cross each other"),
+        (["--preset", "fig8", "--vertices", "0"], "within 0 of the diagonal"),
+        (["--stiff", "500,500,1=2"], "no vertex of A lies within 1"),
     ],
 )
 def test_targets_that_must_not_be_written(here, capsys, arguments, words):

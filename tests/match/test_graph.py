@@ -80,7 +80,7 @@ def test_banded_optimum_is_that_of_an_exhaustive_search(seed):
     closed, band = bool(seed % 4), rng.choice([0.0, 0.1, 0.2, 0.35])
     best = exhaustive(p0, p1, closed, constants, band=band)
     if np.isinf(best):
-        with pytest.raises(MatchError, match="within .* of the diagonal"):
+        with pytest.raises(MatchError, match=r"within .* of the diagonal"):
             least_work(p0, p1, closed, constants, band=band)
         return
     found = least_work(p0, p1, closed, constants, band=band)
@@ -95,7 +95,7 @@ def test_pinned_optimum_is_that_of_an_exhaustive_search(seed):
     pins = [(int(rng.integers(m)), int(rng.integers(n))) for _ in range(rng.integers(1, 4))]
     best = exhaustive(p0, p1, closed, constants, starts=[pins[0]] if closed else None, pins=pins)
     if np.isinf(best):
-        with pytest.raises(MatchError, match="cross each other|no path goes through these pins"):
+        with pytest.raises(MatchError, match=r"cross each other|no path goes through these pins"):
             least_work(p0, p1, closed, constants, pins=pins)
         return
     found = least_work(p0, p1, closed, constants, pins=pins)
