@@ -20,7 +20,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test lint type fmt golden bench pictures install clean
+.PHONY: help demo test lint type fmt golden bench pictures tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s%s\n", $$1, $$2 }' Makefile
@@ -60,6 +60,9 @@ bench: install ## time the solver
 
 pictures: install ## draw the pictures of the README
 	$(BIN)/python tools/readme_pictures.py
+
+tables: install ## measure the solver and write docs/solver.md
+	$(BIN)/python tools/solver_table.py
 
 clean: ## remove what the other targets made, except the README's pictures
 	rm -rf $(VENV) build dist out *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis .benchmarks

@@ -18,6 +18,9 @@ TOLERANCE = 5e-4
 MOST_CUTS = 32
 """Rounds of cutting; a handful is enough for any curve, cusps included."""
 
+MOST_GROWTH = 3
+"""A segment is divided evenly by at most so many times the pieces it would get by its length."""
+
 COINCIDENT = 1e-9
 """Vertices nearer than this share of the box are one."""
 
@@ -41,25 +44,30 @@ def flatten(contour: Contour, vertices: int) -> Polygon:
     segments = contour.segments
     box = cubics.bounds(segments)
     size = max(box.width, box.height)
+    tolerance = TOLERANCE * size
     ladders = _length_ladders(segments)
     counts = _share_out(ladders[:, -1], vertices - (0 if contour.closed else 1))
-    segment = np.repeat(np.arange(len(segments)), counts)
-    share = (np.arange(len(segment)) - np.repeat(np.cumsum(counts) - counts, counts)) / counts[segment]
-
-    # Cut every piece that strays from its chord into even parts, until none does.
+    wanted = counts.copy()
     for _ in range(MOST_CUTS):
-        following = np.append(np.where(segment[1:] == segment[:-1], share[1:], 1.0), 1.0)
-        parameter = _parameters(ladders, segment, share)
-        end = np.where(following < 1.0, np.roll(parameter, -1), 1.0)
-        deviation = cubics.chord_deviation(cubics.pieces(segments[segment], parameter, end))
-        deviation[contour.straight[segment]] = 0.0
-        if deviation.max() <= TOLERANCE * size:
+        segment, share = _even(counts)
+        parameter, deviation = _measure(contour, ladders, segment, share)
+        worst = np.zeros(len(segments))
+        np.maximum.at(worst, segment, deviation / tolerance)
+        more = np.ceil(counts * np.sqrt(np.minimum(worst, 4.0))).astype(np.intp)
+        coarse = (worst > 1.0) & (more <= MOST_GROWTH * wanted)
+        if not coarse.any():
             break
-        # A chord's deviation falls with the square of its length.
-        parts = np.ceil(np.sqrt(np.maximum(deviation / (TOLERANCE * size), 1.0))).astype(np.intp)
+        counts[coarse] = np.maximum(more, counts + 1)[coarse]
+    # What still strays is a sharp bend in a long segment: cut there alone.
+    for _ in range(MOST_CUTS):
+        if deviation.max() <= tolerance:
+            break
+        parts = np.ceil(np.sqrt(np.maximum(deviation / tolerance, 1.0))).astype(np.intp)
+        following = np.append(np.where(segment[1:] == segment[:-1], share[1:], 1.0), 1.0)
         part = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
         share = np.repeat(share, parts) + part * np.repeat((following - share) / parts, parts)
         segment = np.repeat(segment, parts)
+        parameter, deviation = _measure(contour, ladders, segment, share)
 
     points = cubics.evaluate(segments[segment], parameter)
     points = np.where(parameter == 0.0, segments[segment, 0], points)
@@ -69,6 +77,25 @@ def flatten(contour: Contour, vertices: int) -> Polygon:
         parameter = np.append(parameter, 1.0)
     distinct = _distinct(points, contour.closed, COINCIDENT * size)
     return Polygon(points[distinct], segment[distinct], parameter[distinct], contour.closed)
+
+
+def _even(counts: IntArray) -> tuple[IntArray, FloatArray]:
+    """Segments cut evenly: the segment of each piece, and the share of its length at which the piece begins."""
+    segment = np.repeat(np.arange(len(counts)), counts)
+    return segment, (np.arange(len(segment)) - np.repeat(np.cumsum(counts) - counts, counts)) / counts[
+        segment
+    ]
+
+
+def _measure(
+    contour: Contour, ladders: FloatArray, segment: IntArray, share: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """The parameter at which each piece begins, and how far the piece may stray from its chord."""
+    parameter = _parameters(ladders, segment, share)
+    last = np.append(segment[1:] != segment[:-1], True)
+    end = np.where(last, 1.0, np.roll(parameter, -1))
+    deviation = cubics.chord_deviation(cubics.pieces(contour.segments[segment], parameter, end))
+    return parameter, np.where(contour.straight[segment], 0.0, deviation)
 
 
 def _length_ladders(segments: np.ndarray) -> FloatArray:

@@ -1,10 +1,11 @@
 """Graphs of any size: exact where that is quick, from coarse to fine beyond.
 
 A problem too large to be solved at once is thinned out to a third of its vertices on each side, sharp
-corners first, and solved so, by thinning again if need be. The path found is laid into the full graph, a
-corridor around it is searched exactly, and where the best path touches the corridor's wall the corridor is
-widened there and searched again. Under finer sampling stretching and bending work tend to a limit, so a
-coarse optimum is near a fine one; but nothing is proven.
+corners first, and solved so, by thinning again if need be. In the full graph only a corridor is searched:
+the dots that correspond to those of coarse paths of hardly more work than the best, as many as there is
+room for, and some around them. Where the best path touches the corridor's wall the corridor is widened and
+searched again. Under finer sampling stretching and bending work tend to a limit, so a coarse optimum
+is near a fine one; but nothing is proven.
 
 Cost: about linear in m + n.
 """
@@ -22,24 +23,39 @@ from shapeblend_cli.match.work import Window, Wires, corners
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from shapeblend_cli.match.starts import Path
+    from shapeblend_cli.match.starts import Path, Search
     from shapeblend_cli.match.work import WorkConstants
-    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
 
     Dot = tuple[int, int]
 
 FACTOR = 3
 """How many vertices become one."""
 
-PAD = 16 * FACTOR
-"""How far a corridor reaches to all sides of the coarse path, in vertices."""
+PADS = (16, 24, 32, 48, 64, 96, 128, 192, 256)
+"""How far a corridor reaches beyond what coarse paths cover, in vertices to all sides: as far as there is room for."""
+
+FOLLOWED = (
+    (0.4, 1 / 16),
+    (0.2, 1 / 16),
+    (0.1, 1 / 16),
+    (0.05, 1 / 32),
+    (0.02, 1 / 64),
+    (0.01, 1 / 128),
+    (0.0, 0.0),
+)
+"""Which coarse paths are followed: how much more work than the best one they may take, and how far from its
+start they may start, both as shares. The first for which there is room."""
+
+CORRIDOR_DOTS, CORRIDOR_ROWS = 1_000_000, 120
+"""Room for a corridor: so many dots, or so many rows a column if that is more."""
 
 MOST_WIDENINGS = 6
 
 CORNER = 0.35
 """A vertex whose angle is this far from straight, in radians, is a corner."""
 
-COARSEST_DOTS = 90_000
+COARSEST_DOTS = 600_000
 """Problems of up to so many dots are not thinned out further."""
 
 
@@ -84,10 +100,15 @@ def solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[
     proven : bool
         Whether the path is the least, and not only the best in a corridor.
     """
-    m, n = len(problem.p0), len(problem.p1)
-    if m * n <= exact_dots:
-        return _search(problem, _region(problem, pins), pins), problem.solver == "exact"
-    return _refine(problem, pins), False
+    path, search = _solve(problem, pins, exact_dots)
+    return path, search.proves and problem.solver == "exact"
+
+
+def _solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[Path | None, Search]:
+    """Find a path, and the search it comes from."""
+    if len(problem.p0) * len(problem.p1) <= exact_dots:
+        return _search(problem, _region(problem, pins), pins)
+    return _refine(problem, pins)
 
 
 def _region(problem: Problem, pins: list[Dot] | None) -> Window:
@@ -103,7 +124,7 @@ def _region(problem: Problem, pins: list[Dot] | None) -> Window:
     return Window.between(region.low, region.high)
 
 
-def _search(problem: Problem, region: Window, pins: list[Dot] | None) -> Path | None:
+def _search(problem: Problem, region: Window, pins: list[Dot] | None) -> tuple[Path | None, Search]:
     """Search a region exactly."""
     m, n = len(problem.p0), len(problem.p1)
     # A Southeast step past a pin would leave it out: into the row below it, or from the row above it.
@@ -111,13 +132,15 @@ def _search(problem: Problem, region: Window, pins: list[Dot] | None) -> Path | 
     forbidden = [(c, r) for c, r in past if 0 <= c < m and 0 <= r < n]
     search = starts.Search(problem.wires, region, problem.band, forbidden, problem.watch)
     if problem.solver == "simplified":
-        return starts.simplified_of_all(search) if pins is None else starts.simplified_from(search)
-    return starts.least_of_all(search) if pins is None else starts.least_from(search)
+        find = starts.simplified_of_all if pins is None else starts.simplified_from
+    else:
+        find = starts.least_of_all if pins is None else starts.least_from
+    return find(search), search
 
 
-def _refine(problem: Problem, pins: list[Dot] | None) -> Path | None:
-    """Solve a coarser problem and search a corridor around its path."""
-    m, n = len(problem.p0), len(problem.p1)
+def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Search]:
+    """Solve a coarser problem and search a corridor around its best paths."""
+    m, n, watch = len(problem.p0), len(problem.p1), problem.watch
     kept0 = thin(problem.p0, problem.closed, {c % m for c, _ in pins or []})
     kept1 = thin(problem.p1, problem.closed, {r % n for _, r in pins or []})
     coarser = replace(
@@ -125,38 +148,48 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> Path | None:
         p0=problem.p0[kept0],
         p1=problem.p1[kept1],
         weight=None if problem.weight is None else problem.weight[kept0],
-        watch=lambda share: problem.watch(share / FACTOR),
+        watch=lambda share: watch(share / FACTOR),
     )
+    problem = replace(problem, watch=lambda share: watch((1.0 + (FACTOR - 1.0) * share) / FACTOR))
     coarse_pins = None
     if pins is not None:
         coarse_pins = [(_place_of(c, kept0, m), _place_of(r, kept1, n)) for c, r in pins]
-    path, _ = solve(coarser, coarse_pins, COARSEST_DOTS)
-    if path is None:
-        return None
-    dots = np.array(path.dots)
-    laid = np.stack([_laid(dots[:, 0], kept0, m), _laid(dots[:, 1], kept1, n)], axis=1)
-    sweeps = path.sweeps
-
-    full = replace(problem, watch=lambda share: problem.watch((1.0 + (FACTOR - 1.0) * share) / FACTOR))
     walls = _region(problem, pins)
-    pad = np.full(len(walls.low), PAD)
-    for _ in range(MOST_WIDENINGS):
-        region = corridor(laid, problem, pad, None if pins is None else walls)
-        path = _search(full, region, pins)
-        if path is None:
-            pad *= 2
-            continue
-        sweeps += path.sweeps
-        touching = _touching(np.array(path.dots), region, None if pins is None else walls)
-        if not len(touching):
+
+    path, coarse_search = _solve(coarser, coarse_pins, COARSEST_DOTS)
+    if path is None:  # what fits in full need not fit at a third of the vertices
+        return _search(problem, walls, pins)
+    columns = _laid(np.arange(coarse_search.columns), kept0, m)
+    inside = None if pins is None else walls
+
+    def around(pad: IntArray) -> Window:
+        return corridor(columns, rows, pad, (m, n) if problem.closed else None, inside)
+
+    room = max(CORRIDOR_DOTS, CORRIDOR_ROWS * m)
+    pads = [np.full(len(walls.low), pad) for pad in PADS]
+    for slack, reach in FOLLOWED:
+        rows = _laid(coarse_search.rows_near(path, slack, None if pins is not None else reach), kept1, n)
+        if around(pads[0]).dots <= room:
             break
-        reach = np.zeros(len(pad), bool)
-        for c in touching:
-            reach[max(c - 2 * PAD, 0) : c + 2 * PAD + 1] = True
-        pad[reach] *= 2
-    if path is None:  # what fits at a third of the vertices need not fit near by in full
-        path = _search(full, walls, pins)
-    return path._replace(sweeps=sweeps) if path else None
+    pad = max((p for p in pads if around(p).dots <= room), key=lambda p: int(p[0]), default=pads[0])
+    del coarse_search  # its tables are not needed beside those of the corridor
+
+    sweeps = path.sweeps
+    for _ in range(MOST_WIDENINGS):
+        region = around(pad)
+        found, search = _search(problem, region, pins)
+        widen = np.ones(len(pad), bool)
+        if found is not None:
+            sweeps += found.sweeps
+            touching = _touching(np.array(found.dots), region, inside)
+            widen = np.convolve(touching, np.ones(4 * PADS[0] + 1), "same") > 0.0
+        pad[widen] *= 2
+        if not widen.any() or (found is not None and around(pad).dots > 2 * room):
+            break
+    if found is None:
+        found, search = _search(problem, walls, pins)
+    search.proves = False
+    return (found._replace(sweeps=sweeps) if found else None), search
 
 
 def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> IntArray:
@@ -179,48 +212,62 @@ def sharpest(vertices: ComplexArray) -> int:
     return int(np.abs(corners(vertices, closed=True)[:, 0] - np.pi).argmax())
 
 
-def corridor(path: IntArray, problem: Problem, pad: IntArray, walls: Window | None) -> Window:
-    """The dots around a path.
+def corridor(
+    columns: IntArray, rows: IntArray, pad: IntArray, period: Dot | None, walls: Window | None
+) -> Window:
+    """The dots around what coarse paths cover.
 
     Parameters
     ----------
-    path : (k, 2) int
-        Columns and rows, not falling, from column 0 to the last; steps may be long.
-    problem : Problem
+    columns : (k,) int
+        Columns of the full graph that coarse paths know of, rising, from the first to the last.
+    rows : (k, 2) int
+        The first and last row that coarse paths come by in each.
     pad : (columns,) int
-        How far the corridor reaches to all sides.
+        How far the corridor reaches beyond, to all sides.
+    period : (int, int) or None
+        The vertex numbers m and n of closed polygons: the corridor goes on as it began.
     walls : Window or None
         What it must stay inside; without walls its rows only must not be negative.
     """
-    m, n = len(problem.p0), len(problem.p1)
-    columns = len(pad)
-    column = np.arange(columns)
-    if problem.closed:  # the path goes on before its start and beyond its end as it does inside
-        path = np.concatenate([path[:-1] - (m, n), path, path[1:] + (m, n)])
-    # The boxes between neighbouring dots; those that hold a column reach from its first dot's row to its last's.
-    before = np.clip(np.searchsorted(path[:, 0], column - pad, "left") - 1, 0, None)
-    after = np.clip(np.searchsorted(path[:, 0], column + pad, "right"), None, len(path) - 1)
-    low = np.minimum.accumulate((path[before, 1] - pad)[::-1])[::-1]
-    high = np.maximum.accumulate(path[after, 1] + pad)
+    low, high = rows[:, 0], np.maximum.accumulate(rows[:, 1])
+    if period is not None:
+        m, n = period
+        columns = np.concatenate([columns[:-1] - m, columns, columns[1:] + m])
+        low = np.concatenate([low[:-1] - n, low, low[1:] + n])
+        high = np.concatenate([high[:-1] - n, high, high[1:] + n])
+    column = np.arange(len(pad))
+    # Between two columns that are known a path may come by anywhere from the first's rows to the second's.
+    before = np.clip(np.searchsorted(columns, column - pad, "right") - 1, 0, None)
+    after = np.clip(np.searchsorted(columns, column + pad, "left"), None, len(columns) - 1)
+    low, high = low[before], high[after]
+    if period is not None:  # no column may hold a row and its repetition n rows further down
+        middle, most = (low + high) // 2, (n - 1) // 2
+        low, high = np.maximum(low - pad, middle - most), np.minimum(high + pad, middle + most)
+    else:
+        low, high = low - pad, high + pad
+    low, high = np.minimum.accumulate(low[::-1])[::-1], np.maximum.accumulate(high)
     if walls is not None:
         low, high = np.maximum(low, walls.low), np.minimum(high, walls.high)
-    elif problem.closed:
+    elif period is not None:
         low[-1], high[-1] = low[0] + n, high[0] + n
-        high = np.minimum(np.minimum(high, low + n - 1), high[-1])
-        low = np.minimum(low, low[-1])
+        low, high = np.minimum(low, low[-1]), np.minimum(high, high[-1])
+        high = np.minimum(high, low + n - 1)
         lift = n if low[0] < 0 else 0
         low, high = low + lift, high + lift
     return Window.between(low, high)
 
 
-def _touching(path: IntArray, region: Window, walls: Window | None) -> IntArray:
+def _touching(path: IntArray, region: Window, walls: Window | None) -> BoolArray:
     """The columns in which a path runs along a wall of its corridor that is no wall of the graph."""
     c, r = path[:, 0], path[:, 1]
     at_low, at_high = r == region.low[c], r == region.high[c]
     if walls is not None:
         at_low &= region.low[c] > walls.low[c]
         at_high &= region.high[c] < walls.high[c]
-    return np.unique(c[at_low | at_high])
+    touching = np.zeros(len(region.low), bool)
+    touching[c[at_low | at_high]] = True
+    return touching
 
 
 def _laid(rows: IntArray, kept: IntArray, period: int) -> IntArray:

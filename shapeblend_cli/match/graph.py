@@ -71,6 +71,8 @@ def cost_to_go(
     low: cython.Py_ssize_t[::1],
     high: cython.Py_ssize_t[::1],
     first_sink: cython.Py_ssize_t,
+    last_sink: cython.Py_ssize_t,
+    south_at_end: cython.bint,
     go_place: cython.Py_ssize_t[::1],
     to_go: cython.double[:, ::1],
 ) -> None:
@@ -83,8 +85,10 @@ def cost_to_go(
     low, high : (columns,) int
         First and last row of each column; neither ever falls. Column c is vertex ``c mod m``, row r
         vertex ``r mod n``.
-    first_sink : int
-        Sinks are the dots of the last column from this row on. A path ends where it meets the last column.
+    first_sink, last_sink : int
+        Sinks are the dots of the last column between these rows. A path ends where it meets one.
+    south_at_end : bool
+        Paths may go South in the last column.
     go_place : (columns,) int
         Where each column begins in `to_go`.
     to_go : (dots, 3) float
@@ -108,12 +112,25 @@ def cost_to_go(
     south_of_here: cython.double
     southeast_of_here: cython.double
 
-    here = go_place[columns - 1]
-    for r in range(low[columns - 1], high[columns - 1] + 1):
-        to_go[here, EAST] = 0.0 if r >= first_sink else INFINITY
-        to_go[here, SOUTH] = INFINITY
-        to_go[here, SOUTHEAST] = 0.0 if r >= first_sink else INFINITY
-        here += 1
+    i = (columns - 1) % m
+    south_of_here = INFINITY
+    for r in range(high[columns - 1], low[columns - 1] - 1, -1):
+        here = go_place[columns - 1] + r - low[columns - 1]
+        if r > last_sink:
+            to_go[here, EAST] = INFINITY
+            to_go[here, SOUTH] = INFINITY
+            to_go[here, SOUTHEAST] = INFINITY
+        elif r >= first_sink:
+            to_go[here, EAST] = 0.0
+            to_go[here, SOUTH] = 0.0 if south_at_end else INFINITY
+            to_go[here, SOUTHEAST] = 0.0
+        else:
+            k = place[i] + (r - origin[i]) % n
+            s = south[r % n] * weight[i] + south_of_here
+            to_go[here, EAST] = INFINITY
+            to_go[here, SOUTH] = bends[k, SS] + s
+            to_go[here, SOUTHEAST] = bends[k, DS] + s
+        south_of_here = to_go[here, SOUTH]
 
     for c in range(columns - 2, -1, -1):
         i = c % m
@@ -179,6 +196,7 @@ def sweep(
     left: cython.double[:, ::1],
     parent_place: cython.Py_ssize_t[::1],
     parents: cython.uchar[::1],
+    visited: cython.Py_ssize_t[:, ::1],
     ends: cython.double[:, ::1],
 ) -> None:
     """Least work to every state from any source, eqs (20)-(22), column by column.
@@ -211,6 +229,8 @@ def sweep(
         Where each column begins in `parents`.
     parents : (dots,) uchar
         Overwritten where a path can come by: the best steps in.
+    visited : (columns, 2) int
+        Overwritten: the first and the last row of each column that a path can come by.
     ends : (high[-1] - low[-1] + 1, 3) float
         Overwritten in the last of all columns: work by the step in, row ``low[-1]`` first. South steps are
         made there only where the path may have begun in the middle of the same run.
@@ -343,6 +363,8 @@ def sweep(
             live[0] = 0
             live[1] = -1
             return
+        visited[c, 0] = new_first
+        visited[c, 1] = new_last
         first = new_first
         last = new_last
         was = now

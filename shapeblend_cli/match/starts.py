@@ -111,7 +111,9 @@ class Search:
         self.columns = len(region.low)
         self.span = wires.n if self.closed else wires.n - 1
         self.sweeps = 0
+        self.proves = True  # until it turns out to be a corridor only
         self._to_go: FloatArray = np.empty((0, 3))
+        self._visited: IntArray = np.empty((self.columns, 2), np.intp)
         self._tables: Tables | None = None
         whole = bool((region.high - region.low >= wires.n).any())
         if (wires.m * wires.n if whole else region.dots) <= STORED_DOTS:
@@ -147,21 +149,53 @@ class Search:
         """
         if self._tables is None:
             return None
-        self._to_go = np.empty((self.region.dots, 3))
         first = int(self.region.low[0])
-        graph.cost_to_go(
-            *self._tables,
-            self.region.low,
-            self.region.high,
-            first + self.span,
-            self.region.place,
-            self._to_go,
-        )
-        self.sweeps += 1
-        self.watch(FIRST_SWEPT)
+        self._bound_states(first, int(self.region.high[0]), south_at_end=False)
         rows = min(int(self.region.high[0]) - first + 1, self.wires.n)
         bounds: FloatArray = self._to_go[:rows, list(ENTERING)].min(axis=1)
         return bounds
+
+    def _bound_states(self, first_row: int, last_row: int, south_at_end: bool) -> None:
+        """Bound the work from every state to the ends of paths that start in these rows: later sweeps are pruned by it."""
+        assert self._tables is not None
+        self._to_go = np.empty((self.region.dots, 3))
+        graph.cost_to_go(
+            *self._tables, self.region.low, self.region.high, first_row + self.span, last_row + self.span,
+            south_at_end, self.region.place, self._to_go,
+        )  # fmt: skip
+        self.sweeps += 1
+        self.watch(FIRST_SWEPT)
+
+    def rows_near(self, path: Path, slack: float, reach: float | None) -> IntArray:
+        """The rows of each column that a path of hardly more work than the given one can come by.
+
+        Parameters
+        ----------
+        path : Path
+            The least path of this search.
+        slack : float
+            How much more work, as a share.
+        reach : float or None
+            How far from where this path starts they may start, as a share of the second polygon's vertices; None
+            where there is one start, reached by any step.
+
+        Returns
+        -------
+        (columns, 2) int
+            The first and the last row.
+        """
+        row = path.dots[0][1]
+        away = int((reach or 0.0) * self.wires.n)
+        first = max(row - away, int(self.region.low[0]))
+        last = min(row + away, int(self.region.high[0]), first + self.wires.n - 1)
+        self._bound_states(first, last, south_at_end=reach is None)
+        columns, rows = np.array(path.dots).T
+        self._visited[:] = rows.max(), rows.min()
+        near = Starts(0.0, first, last, STEPS if reach is None else ENTERING)
+        self.sweep(near, path.work * (1.0 + slack) + ROUNDING)
+        np.minimum.at(self._visited[:, 0], columns, rows)
+        np.maximum.at(self._visited[:, 1], columns, rows)
+        return self._visited.copy()
 
     def sweep(self, starts: Starts, bound: float) -> tuple[float, Dots, bool] | None:
         """Find the least path from a set of starts to the ends that belong to them.
@@ -184,7 +218,8 @@ class Search:
         for tables, first, last in self._blocks(window):
             graph.sweep(
                 *tables, first, last, window.low, window.high, starts.last_row, source, not self.closed,
-                self.region.low, self.region.place, self._to_go, bound, live, left, window.place, parents, ends,
+                self.region.low, self.region.place, self._to_go, bound, live, left, window.place, parents,
+                self._visited, ends,
             )  # fmt: skip
             if live[1] < live[0]:
                 break

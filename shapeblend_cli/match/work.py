@@ -324,7 +324,7 @@ class Wires:
         ValueError
             A step is none of the three, or a turn of 90 degrees.
         """
-        dots = np.ascontiguousarray(dots, np.intp)
+        dots = np.array(dots, np.intp)  # kernels take no read-only arrays
         following = np.roll(dots, -1, axis=0) if self.closed else dots[1:]
         start = dots[: len(following)]
         moves = (following - start) % (self.m, self.n)

@@ -28,3 +28,10 @@ def test_closed(benchmark, m, start):
         warmup_rounds=1,
     )
     assert found.gap == 0.0
+
+
+@pytest.mark.parametrize("m", [1000, 2000, 5000, 10_000, 20_000])
+def test_any_size(benchmark, m):
+    benchmark.group = "m x m vertices, effort auto"
+    found = benchmark.pedantic(least_work, (blob(m, 0), blob(m, 50), True), rounds=3, warmup_rounds=0)
+    benchmark.extra_info["work"] = found.work

@@ -1,0 +1,100 @@
+"""Coarse to fine: legal paths, near the exact answer where that is known, in bounded time and memory."""
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.errors import MatchError
+from shapeblend_cli.match import coarse, solve
+from shapeblend_cli.match.solve import least_work
+from shapeblend_cli.match.work import Wires, WorkConstants
+from tests.support.shapes import gear, star_polygon, unit_box
+
+
+@pytest.fixture
+def small(monkeypatch):
+    """Everything above 30 by 30 vertices goes from coarse to fine, in narrow corridors."""
+    monkeypatch.setitem(solve.EXACT_DOTS, "fast", 900)
+    monkeypatch.setattr(coarse, "COARSEST_DOTS", 900)
+    monkeypatch.setattr(coarse, "PADS", (6,))
+    monkeypatch.setattr(coarse, "CORRIDOR_DOTS", 5000)
+
+
+def wavy(m, seed):
+    """A smooth outline, unlike that of any other seed."""
+    rng = np.random.default_rng(seed)
+    angle = 2.0 * np.pi * np.arange(m) / m
+    waves = sum(0.2 / k * rng.normal() * np.cos(k * angle + rng.uniform(0, 7)) for k in range(1, 7))
+    return unit_box((1.0 + waves) * np.exp(1j * angle))
+
+
+CASES = {
+    "closed": {},
+    "start": {"start": (7, 30)},
+    "pins": {"pins": [(5, 9), (60, 70), (100, 115)]},
+    "band": {"band": 0.3},
+    "stiff": {"weight": np.linspace(0.5, 2.0, 150)},
+    "simplified": {"solver": "simplified"},
+    "open": {"closed": False},
+    "open with a pin": {"closed": False, "pins": [(70, 80)]},
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("seed", range(4))
+def test_paths_are_legal_and_not_below_the_least(small, case, seed):
+    p0, p1, given = wavy(150, seed), wavy(170, seed + 50), CASES[case]
+    found = least_work(p0, p1, effort="fast", **given)
+    exact = least_work(p0, p1, effort="exact", **{**given, "solver": "exact"})
+    wires = Wires(p0, p1, given.get("closed", True), WorkConstants(), given.get("weight"))
+    assert wires.path_work(found.dots).total == pytest.approx(found.work)
+    assert exact.work * (1 - 1e-9) <= found.work <= 2.0 * exact.work
+    assert found.lower_bound is None
+    assert found.gap is None
+    assert exact.gap == 0.0
+    assert set(given.get("pins", [])) <= set(map(tuple, found.dots.tolist()))
+    if "start" in given:
+        assert tuple(found.dots[0].tolist()) == given["start"]
+    if "band" in given:
+        assert found.diagonal_deviation <= given["band"] + 1e-9
+
+
+def test_smooth_outlines_come_out_exact(small):
+    for seed in range(6):
+        p0, p1 = wavy(300, seed), wavy(280, seed + 20)
+        assert least_work(p0, p1, effort="fast").work == pytest.approx(
+            least_work(p0, p1, effort="exact").work, rel=0.01
+        )
+
+
+@pytest.mark.parametrize(
+    "shape", [gear(40), star_polygon(np.random.default_rng(3), 200)], ids=["gear", "star"]
+)
+def test_a_shape_and_itself_cost_nothing(small, shape):
+    assert least_work(shape, np.roll(shape, 33), effort="fast").work < 1e-9
+
+
+def test_a_band_that_no_path_fits_into_is_an_error_here_too(small):
+    with pytest.raises(MatchError, match=r"within 0 of the diagonal"):
+        least_work(wavy(150, 1), wavy(171, 2), effort="fast", band=0.0)
+
+
+def test_thinning_keeps_corners_ends_and_what_it_is_told_to_keep():
+    square = np.concatenate(
+        [np.linspace(a, b, 20, endpoint=False) for a, b in ((0, 1), (1, 1 + 1j), (1 + 1j, 1j), (1j, 0))]
+    )
+    kept = coarse.thin(square, True, {33})
+    assert {0, 20, 40, 60, 33} <= set(kept.tolist())
+    assert len(kept) < 40
+    assert coarse.thin(square, False, set())[-1] == 79
+
+
+def test_large_outlines_take_bounded_memory():
+    import tracemalloc
+
+    p0, p1 = wavy(4000, 1), wavy(4000, 2)
+    tracemalloc.start()
+    found = least_work(p0, p1)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert found.lower_bound is None
+    assert peak < 250e6  # all tables at once would take a gigabyte
