@@ -141,12 +141,12 @@ def _search(problem: Problem, region: Window, pins: list[Dot] | None) -> tuple[P
 def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Search]:
     """Solve a coarser problem and search a corridor around its best paths."""
     m, n, watch = len(problem.p0), len(problem.p1), problem.watch
-    kept0 = thin(problem.p0, problem.closed, {c % m for c, _ in pins or []})
-    kept1 = thin(problem.p1, problem.closed, {r % n for _, r in pins or []})
+    thin0, kept0 = thin(problem.p0, problem.closed, {c % m for c, _ in pins or []})
+    thin1, kept1 = thin(problem.p1, problem.closed, {r % n for _, r in pins or []})
     coarser = replace(
         problem,
-        p0=problem.p0[kept0],
-        p1=problem.p1[kept1],
+        p0=thin0,
+        p1=thin1,
         weight=None if problem.weight is None else problem.weight[kept0],
         watch=lambda share: watch(share / FACTOR),
     )
@@ -192,19 +192,40 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Sear
     return (found._replace(sweeps=sweeps) if found else None), search
 
 
-def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> IntArray:
-    """Numbers of about every third vertex.
+def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> tuple[ComplexArray, IntArray]:
+    """A polygon of about a third of the vertices.
 
-    Of each run of `FACTOR` vertices the sharpest if it is a corner, else the first, so that smooth curves stay evenly
-    divided; vertex 0, the last of an open polygon, and those to `keep`.
+    Corners stay, one in `FACTOR` vertices at the most; so do vertex 0, the last of an open polygon, and those to
+    `keep`. Between them vertices are spread evenly over those there are, on edges if need be: edges longer and
+    shorter by turns would bend while they turn, and that would look like work.
+
+    Returns
+    -------
+    vertices : (k, ) complex
+    nearest : (k, ) int
+        The vertex of the full polygon nearest to each; never falling.
     """
     m = len(vertices)
     sharpness = np.abs(corners(vertices, closed)[:, 0] - np.pi)
     runs = -(-m // FACTOR)
     padded = np.zeros(runs * FACTOR)
-    padded[:m] = np.where(sharpness > CORNER, sharpness, 0.0)
-    kept = set((np.arange(runs) * FACTOR + padded.reshape(runs, FACTOR).argmax(axis=1)).tolist())
-    return np.array(sorted(kept | keep | ({0} if closed else {0, m - 1})), np.intp)
+    padded[:m] = sharpness
+    sharp = np.arange(runs) * FACTOR + padded.reshape(runs, FACTOR).argmax(axis=1)
+    fixed = set(sharp[padded[sharp] > CORNER].tolist()) | keep | {0}
+    if not closed:
+        fixed |= {m - 1}
+    stops = np.array([*sorted(fixed), m] if closed else sorted(fixed))
+
+    pieces = np.maximum(np.round(np.diff(stops) / FACTOR).astype(np.intp), 1)
+    part = np.arange(pieces.sum()) - np.repeat(np.cumsum(pieces) - pieces, pieces)
+    start, end = np.repeat(stops[:-1], pieces), np.repeat(stops[1:], pieces)
+    at = start + (end - start) * part / np.repeat(pieces, pieces)
+    if not closed:
+        at = np.append(at, m - 1)
+    outline = np.append(vertices, vertices[0])
+    number = np.arange(m + 1)
+    points = np.interp(at, number, outline.real) + 1j * np.interp(at, number, outline.imag)
+    return points, np.round(at).astype(np.intp)
 
 
 def sharpest(vertices: ComplexArray) -> int:
@@ -271,7 +292,7 @@ def _touching(path: IntArray, region: Window, walls: Window | None) -> BoolArray
 
 
 def _laid(rows: IntArray, kept: IntArray, period: int) -> IntArray:
-    """Vertex numbers of the full polygon, counted on beyond its period, from those of the thinned one."""
+    """Vertex numbers of the full polygon, counted on beyond its period, nearest to those of the thinned one."""
     return kept[rows % len(kept)] + period * (rows // len(kept))
 
 

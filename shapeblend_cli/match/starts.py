@@ -156,7 +156,7 @@ class Search:
         return bounds
 
     def _bound_states(self, first_row: int, last_row: int, south_at_end: bool) -> None:
-        """Bound the work from every state to the ends of paths that start in these rows: later sweeps are pruned by it."""
+        """Bound the work from every state to the ends of paths that start in these rows, for later sweeps."""
         assert self._tables is not None
         self._to_go = np.empty((self.region.dots, 3))
         graph.cost_to_go(

@@ -82,10 +82,12 @@ def test_thinning_keeps_corners_ends_and_what_it_is_told_to_keep():
     square = np.concatenate(
         [np.linspace(a, b, 20, endpoint=False) for a, b in ((0, 1), (1, 1 + 1j), (1 + 1j, 1j), (1j, 0))]
     )
-    kept = coarse.thin(square, True, {33})
+    thinned, kept = coarse.thin(square, True, {33})
     assert {0, 20, 40, 60, 33} <= set(kept.tolist())
     assert len(kept) < 40
-    assert coarse.thin(square, False, set())[-1] == 79
+    for vertex in (0, 20, 40, 60, 33):
+        assert square[vertex] in thinned
+    assert coarse.thin(square, False, set())[1][-1] == 79
 
 
 def test_large_outlines_take_bounded_memory():
