@@ -6,20 +6,19 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from shapeblend_cli.errors import ShapeblendError
-    from shapeblend_cli.match.solve import least_work
     from shapeblend_cli.match.work import WorkConstants
-    from shapeblend_cli.pipeline import BlendSettings, blend
+    from shapeblend_cli.pipeline import BlendSettings, blend, correspond
     from shapeblend_cli.svg.read import read
 
 __version__ = "0.1.0"
-__all__ = ["BlendSettings", "ShapeblendError", "WorkConstants", "__version__", "blend", "least_work", "read"]
+__all__ = ["BlendSettings", "ShapeblendError", "WorkConstants", "__version__", "blend", "correspond", "read"]
 
 _HOMES = {
     "BlendSettings": "pipeline",
     "ShapeblendError": "errors",
     "WorkConstants": "match.work",
     "blend": "pipeline",
-    "least_work": "match.solve",
+    "correspond": "pipeline",
     "read": "svg.read",
 }
 

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -33,6 +34,8 @@ from shapeblend_cli.model import (
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    from numpy.typing import ArrayLike
 
     from shapeblend_cli.model import FloatArray
 
@@ -99,6 +102,61 @@ def blend(a: Drawing, b: Drawing, settings: BlendSettings) -> tuple[Pair, list[F
     """
     pair = match(a, b, settings)
     return pair, make_frames(pair, frame_times(settings.frames, settings.ends))
+
+
+def correspond(
+    p0: ArrayLike, p1: ArrayLike, closed: bool = True, settings: BlendSettings | None = None
+) -> Correspondence:
+    """Find the least-work correspondence of two polygons, without any SVG.
+
+    Parameters
+    ----------
+    p0, p1 : (m,) and (n,) complex
+        Vertices, ``x + 1j * y``, in any unit; the first is not repeated at the end. Each polygon is scaled to the
+        unit box (section 3.3).
+    closed : bool
+        Open polygons correspond end to end.
+    settings : BlendSettings, optional
+        Its start, pins, reverse, stiff, solver, band, effort and constants count; points are those of `p0` and `p1`.
+
+    Returns
+    -------
+    Correspondence
+        Its dots number the vertices as they were given, also where `p1` was gone through backwards.
+
+    Raises
+    ------
+    ValueError
+        Vertices that are not finite, neighbours that coincide, or too few.
+    MatchError
+        Starts, pins, bands and stiff regions that do not fit the polygons.
+
+    Examples
+    --------
+    The triangle and the square of figures 23 and 24:
+
+    >>> found = correspond([0, 1j, 1], [0, 1j, 1 + 1j, 1])
+    >>> len(found.dots), round(found.stretching, 4), found.gap
+    (4, 2.1421, 0.0)
+    """
+    a, b = _given_polygon(p0, closed), _given_polygon(p1, closed)
+    solved, found = _least_work_either_way(a, b, Similarity(), settings or BlendSettings(), None)
+    return replace(found, dots=np.stack([found.dots[:, 0], solved.segment[found.dots[:, 1]]], axis=1))
+
+
+def _given_polygon(points: ArrayLike, closed: bool) -> Polygon:
+    """A polygon whose segments are its vertices' numbers."""
+    vertices = np.array(points, np.complex128)
+    least = 3 if closed else 2
+    if vertices.ndim != 1 or len(vertices) < least:
+        raise ValueError(f"a polygon is a list of {least} or more complex numbers")
+    if not np.isfinite(vertices).all():
+        raise ValueError("a vertex is not finite")
+    if (np.diff(vertices) == 0.0).any() or (closed and vertices[0] == vertices[-1]):
+        raise ValueError(
+            "neighbouring vertices coincide; leave out repetitions, also of the first vertex at the end"
+        )
+    return Polygon(vertices, np.arange(len(vertices)), np.zeros(len(vertices)), closed)
 
 
 def match(

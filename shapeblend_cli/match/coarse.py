@@ -12,8 +12,7 @@ Cost: about linear in m + n.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -59,8 +58,7 @@ COARSEST_DOTS = 600_000
 """Problems of up to so many dots are not thinned out further."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Problem:
+class Problem(NamedTuple):
     """Two polygons whose vertices 0 are column 0 and row 0, and what is asked of a path between them.
 
     See `solve.least_work`.
@@ -143,14 +141,13 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Sear
     m, n, watch = len(problem.p0), len(problem.p1), problem.watch
     thin0, kept0 = thin(problem.p0, problem.closed, {c % m for c, _ in pins or []})
     thin1, kept1 = thin(problem.p1, problem.closed, {r % n for _, r in pins or []})
-    coarser = replace(
-        problem,
+    coarser = problem._replace(
         p0=thin0,
         p1=thin1,
         weight=None if problem.weight is None else problem.weight[kept0],
         watch=lambda share: watch(share / FACTOR),
     )
-    problem = replace(problem, watch=lambda share: watch((1.0 + (FACTOR - 1.0) * share) / FACTOR))
+    problem = problem._replace(watch=lambda share: watch((1.0 + (FACTOR - 1.0) * share) / FACTOR))
     coarse_pins = None
     if pins is not None:
         coarse_pins = [(_place_of(c, kept0, m), _place_of(r, kept1, n)) for c, r in pins]
