@@ -38,7 +38,7 @@ class DefaultGroup(click.Group):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Put the default command in front of arguments that name none."""
-        if args and args[0] not in self.commands and args[0] not in ("-h", "--help", "--version"):
+        if not args or args[0] not in (*self.commands, "-h", "--help", "--version"):
             args = [self.default, *args]
         return super().parse_args(ctx, args)
 
@@ -55,7 +55,6 @@ class DefaultGroup(click.Group):
 
 @click.group(
     cls=DefaultGroup,
-    no_args_is_help=True,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 @click.version_option(__version__, prog_name="shapeblend", message="%(prog)s %(version)s")

@@ -263,7 +263,7 @@ def test_bad_input_is_one_line_and_nothing_written(here, capsys, case, first):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ([], "Usage"),
+        ([], "A.svg B.svg"),
         (["a.svg"], "two files"),
         (["a.svg", "b.svg", "c.svg"], "3 given"),
         (["a.svg", "b.svg", "--nope"], "--nope"),
