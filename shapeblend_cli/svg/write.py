@@ -20,6 +20,16 @@ if TYPE_CHECKING:
 DIGITS = 5
 """Coordinates are written to about this share, 10 ** -DIGITS, of the drawing's size."""
 
+DEFAULTS = {
+    "fill_opacity": "1",
+    "fill_rule": "nonzero",
+    "stroke_opacity": "1",
+    "stroke_width": "1",
+    "stroke_linecap": "butt",
+    "stroke_linejoin": "miter",
+}
+"""What SVG takes for attributes that are not there."""
+
 SECONDS = 2.0
 """How long an animation takes from A to B."""
 
@@ -33,7 +43,8 @@ def decimals_for(box: Box) -> int:
 def frame_svg(frame: Frame, viewbox: Box) -> str:
     """One frame as an SVG document."""
     drawing, decimals = _drawing(viewbox)
-    drawing.add(drawing.path(d=_path_data(frame.outlines, decimals), **_paint(frame.style, decimals)))
+    paint = _without_defaults(_paint(frame.style, decimals))
+    drawing.add(drawing.path(d=_path_data(frame.outlines, decimals), **paint))
     return _text(drawing)
 
 
@@ -50,7 +61,8 @@ def animated_svg(start: Frame, end: Frame, viewbox: Box) -> str:
     keyframes = [
         {"d": _path_data(frame.outlines, decimals), **_paint(frame.style, decimals)} for frame in (start, end)
     ]
-    path = drawing.path(**keyframes[0])
+    shown = _without_defaults(keyframes[0]).keys() | _without_defaults(keyframes[1]).keys()
+    path = drawing.path(**{name: value for name, value in keyframes[0].items() if name in shown})
     for name in sorted(keyframes[0].keys() & keyframes[1].keys()):
         value, target = keyframes[0][name], keyframes[1][name]
         if value != target:
@@ -92,8 +104,13 @@ def _path_data(outlines: Sequence[Outline], decimals: int) -> str:
     return "".join(parts)
 
 
+def _without_defaults(attributes: dict[str, str]) -> dict[str, str]:
+    """The attributes that say something else than SVG does by itself."""
+    return {name: value for name, value in attributes.items() if DEFAULTS.get(name) != value}
+
+
 def _paint(style: Style, decimals: int) -> dict[str, str]:
-    """Presentation attributes, leaving out what is SVG's default for every shape."""
+    """Presentation attributes of a style."""
     paint = {"fill": style.fill or "none"}
     if style.fill is not None:
         paint["fill_opacity"] = _number(style.fill_opacity, 4)

@@ -1,0 +1,65 @@
+"""Whole runs against files one can read."""
+
+import json
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from shapeblend_cli.cli import run
+
+HERE = Path(__file__).parent
+CASES = sorted(path.parent.name for path in HERE.glob("*/arguments.txt"))
+
+
+def canonical(path):
+    """An SVG file with its attributes in one order, so that only meaning counts."""
+    return ElementTree.canonicalize(path.read_text(encoding="utf-8"))
+
+
+def correspondence(report):
+    """Dots and work of every contour, rounded to what must not change."""
+    contours = [contour for pair in report["pairs"] for contour in pair["contours"]]
+    return [
+        {"dots": c["dots"], "stretching": round(c["stretching"], 9), "bending": round(c["bending"], 9)}
+        for c in contours
+    ]
+
+
+def produce(case, folder):
+    """Run a case in a folder: what it wrote, by name, and the correspondence."""
+    arguments = (HERE / case / "arguments.txt").read_text(encoding="utf-8").split()
+    files = [str(HERE / case / name) for name in ("a.svg", "b.svg")]
+    assert (
+        run([*files, *arguments, "--output", str(folder / "out"), "--report", str(folder / "report.json")])
+        == 0
+    )
+    report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
+    return {path.name: path for path in sorted((folder / "out").iterdir())}, correspondence(report)
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_golden(case, tmp_path, request):
+    written, found = produce(case, tmp_path)
+    expected, known = HERE / case / "expected", HERE / case / "correspondence.json"
+    if request.config.getoption("--update-golden"):
+        expected.mkdir(exist_ok=True)
+        for old in expected.iterdir():
+            old.unlink()
+        for name, path in written.items():
+            (expected / name).write_bytes(path.read_bytes())
+        lines = ",\n ".join(json.dumps(contour) for contour in found)
+        known.write_text(f"[{lines}]\n", encoding="utf-8")
+        return
+    assert found == json.loads(known.read_text(encoding="utf-8"))
+    assert sorted(written) == sorted(path.name for path in expected.iterdir())
+    for name, path in written.items():
+        assert canonical(path) == canonical(expected / name)
+
+
+def test_a_difference_would_be_seen(tmp_path):
+    written, _ = produce(CASES[0], tmp_path)
+    changed = tmp_path / "changed.svg"
+    path = next(iter(written.values()))
+    changed.write_text(path.read_text(encoding="utf-8").replace("M", "M1", 1), encoding="utf-8")
+    assert canonical(changed) != canonical(path)
