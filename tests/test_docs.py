@@ -1,0 +1,52 @@
+"""What the documents say is what the commands do."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from shapeblend_cli.cli import shapeblend
+
+ROOT = Path(__file__).parents[1]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def test_every_option_in_the_readme_exists():
+    known = {name for command in shapeblend.commands.values() for p in command.params for name in p.opts}
+    code = " ".join(re.findall(r"`[^`]*`|^    shapeblend .*$", README, re.MULTILINE))
+    told = set(re.findall(r"(?<![\w-])--[a-z]+(?:-[a-z]+)*", code))
+    assert told
+    assert told <= known | {"--preset", "--help"}
+
+
+def test_every_option_is_in_the_readme():
+    blend = shapeblend.commands["blend"]
+    names = {max(p.opts, key=len) for p in blend.params if p.opts[0].startswith("-")}
+    short = {"--frames": "-n", "--output": "-o", "--verbose": "-v", "--quiet": "-q"}
+    assert [
+        name for name in sorted(names) if name not in README and short.get(name, name) not in README
+    ] == []
+
+
+@pytest.mark.parametrize("link", re.findall(r"\]\(([^)#]+)\)", README))
+def test_what_the_readme_links_to_is_there(link):
+    assert (ROOT / link).exists()
+
+
+def test_figures_in_the_readme_are_those_of_the_table():
+    table = (ROOT / "docs" / "solver.md").read_text(encoding="utf-8")
+    for figure in ("1.3 times", "5.1 %", "28 %", "64 %", "95 %"):
+        assert f"| {figure} |" in table
+        assert figure in README
+
+
+def test_nothing_speaks_of_the_machine_it_was_made_on():
+    files = [
+        *ROOT.glob("*.md"),
+        *ROOT.glob("docs/*.md"),
+        *ROOT.glob("shapeblend_cli/**/*.py"),
+        ROOT / "Makefile",
+    ]
+    for file in files:
+        assert "/work/" not in file.read_text(encoding="utf-8")
+        assert "/home/" not in file.read_text(encoding="utf-8")
