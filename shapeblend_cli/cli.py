@@ -5,7 +5,6 @@ Nothing heavy is imported before it is needed: ``--help`` and usage errors come 
 
 from __future__ import annotations
 
-import json
 import sys
 from typing import TYPE_CHECKING
 
@@ -237,6 +236,8 @@ def blend(
 @click.option("--json", "as_json", is_flag=True, help="For programs.")
 def inspect(file: str, as_json: bool) -> None:
     """List the shapes a file draws."""
+    import json
+
     from shapeblend_cli.report import inspection
     from shapeblend_cli.svg.read import read
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -132,6 +131,8 @@ def blend_files(
             for name, frame in zip(job.frame_files(), frames, strict=True)
         )
     if job.report_file is not None:
+        import json  # most runs write no report
+
         found = report(__version__, job.files, job.reported_settings, pair, frames, names, clock.seconds)
         text = json.dumps(found, allow_nan=False) + "\n"
         if job.report_file == STANDARD_OUTPUT:

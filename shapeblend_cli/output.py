@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import os
-import shutil
-import tempfile
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -43,17 +42,18 @@ def check_targets(targets: Iterable[Path], inputs: Iterable[Path], force: bool) 
 def write_files(texts: Mapping[Path, str]) -> None:
     """Write all files or none.
 
-    Each file is first written in full under a temporary name in its own folder, or in the nearest folder that
-    exists; only then are they moved into place, one atomic step each.
+    Each file is first written in full in a folder of our own beside its target; only then are they moved into
+    place, one atomic step each.
 
     Raises
     ------
     OutputError
         The disk is full, a folder is read-only, and the like.
     """
-    made: list[Path] = []
-    staged: list[tuple[Path, Path]] = []
+    made: list[Path] = []  # folders, outermost first
     stages: dict[Path, Path] = {}
+    staged: list[tuple[Path, Path]] = []
+    moved: list[Path] = []  # to names that were free
     target = Path()
     try:
         for target, text in texts.items():
@@ -63,17 +63,24 @@ def write_files(texts: Mapping[Path, str]) -> None:
                     if not folder.exists():
                         folder.mkdir()
                         made.append(folder)
-                stages[parent] = Path(tempfile.mkdtemp(prefix=".shapeblend-", dir=parent))
+                stages[parent] = parent / f".shapeblend-{os.getpid()}"
+                stages[parent].mkdir()
             temporary = stages[parent] / target.name
-            temporary.write_text(text, encoding="utf-8", newline="\n")
             staged.append((temporary, target))
+            temporary.write_text(text, encoding="utf-8", newline="\n")
         for temporary, target in staged:
+            is_new = not os.path.lexists(target)
             os.replace(temporary, target)
-        made.clear()
+            if is_new:
+                moved.append(target)
     except OSError as error:
+        for path in moved:
+            path.unlink(missing_ok=True)
         raise OutputError(str(target), f"cannot be written ({error.strerror or error})") from error
     finally:
-        for stage in stages.values():
-            shutil.rmtree(stage, ignore_errors=True)
-        for folder in reversed(made):
-            shutil.rmtree(folder, ignore_errors=True)
+        # After a success this takes away the emptied folders of our own alone.
+        for temporary, _ in staged:
+            temporary.unlink(missing_ok=True)
+        for folder in [*stages.values(), *reversed(made)]:
+            with suppress(OSError):
+                folder.rmdir()

@@ -322,10 +322,15 @@ def test_targets_that_must_not_be_written(here, capsys, arguments, words):
 def test_nothing_is_left_when_writing_fails_half_way(here, monkeypatch, capsys):
     from shapeblend_cli import output
 
-    def fail(source, target):
-        raise OSError(28, "No space left on device")
+    replace, calls = output.os.replace, []
 
-    monkeypatch.setattr(output.os, "replace", fail)
+    def fail_at_the_third(source, target):
+        calls.append(target)
+        if len(calls) == 3:
+            raise OSError(28, "No space left on device")
+        replace(source, target)
+
+    monkeypatch.setattr(output.os, "replace", fail_at_the_third)
     assert run(["a.svg", "b.svg", "-o", "deep/er", "--report", "r.json"]) == 1
     assert "No space left" in capsys.readouterr().err
     assert listing(here) == ["a.svg", "b.svg"]
