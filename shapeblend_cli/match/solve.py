@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.match import angles, coarse
+from shapeblend_cli.match import angles, coarse, starts
 from shapeblend_cli.match.work import Wires, WorkConstants
 from shapeblend_cli.model import Correspondence
 
@@ -103,6 +103,8 @@ def least_work(
         watch=watch or (lambda share: None),
     )
     limit = EXACT_DOTS[effort]
+    if solver == "simplified":  # it works on tables that are all there
+        limit = min(limit, starts.STORED_DOTS)
     if closed and not pins:
         found, proven = coarse.solve(problem, None, limit)
     else:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.match import coarse, solve
+from shapeblend_cli.match import coarse, solve, starts
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.match.work import Wires, WorkConstants
 from tests.support.shapes import gear, star_polygon, unit_box
@@ -56,6 +56,16 @@ def test_paths_are_legal_and_not_below_the_least(small, case, seed):
         assert tuple(found.dots[0].tolist()) == given["start"]
     if "band" in given:
         assert found.diagonal_deviation <= given["band"] + 1e-9
+
+
+def test_the_simplified_solver_goes_coarse_where_tables_would_not_fit(small, monkeypatch):
+    monkeypatch.setattr(starts, "STORED_DOTS", 900)
+    monkeypatch.setattr(coarse, "CORRIDOR_DOTS", 500)
+    p0, p1 = wavy(60, 1), wavy(50, 2)
+    exact = least_work(p0, p1, effort="exact")
+    assert exact.gap == 0.0  # block by block
+    monkeypatch.setattr(starts, "STORED_DOTS", 2500)
+    assert least_work(p0, p1, solver="simplified", effort="exact").work >= exact.work * (1 - 1e-9)
 
 
 def test_smooth_outlines_come_out_exact(small):
