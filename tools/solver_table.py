@@ -70,7 +70,8 @@ def share(condition):
 
 
 def percent(values, at):
-    return f"{100 * np.percentile(values, at):.2g} %"
+    value = 100 * np.percentile(values, at)
+    return f"{value:.0f} %" if value >= 10 else f"{value:.2g} %"
 
 
 def on_icons():

@@ -57,6 +57,9 @@ CORNER = 0.35
 COARSEST_DOTS = 600_000
 """Problems of up to so many dots are not thinned out further."""
 
+LEAST_VERTICES = 100
+"""A polygon of up to so many vertices is not thinned out, however many the other one has."""
+
 
 class Problem(NamedTuple):
     """Two polygons whose vertices 0 are column 0 and row 0, and what is asked of a path between them.
@@ -104,7 +107,8 @@ def solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[
 
 def _solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[Path | None, Search]:
     """Find a path, and the search it comes from."""
-    if len(problem.p0) * len(problem.p1) <= exact_dots:
+    m, n = len(problem.p0), len(problem.p1)
+    if m * n <= exact_dots or max(m, n) <= LEAST_VERTICES:
         return _search(problem, _region(problem, pins), pins)
     return _refine(problem, pins)
 
@@ -141,6 +145,9 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Sear
     m, n, watch = len(problem.p0), len(problem.p1), problem.watch
     thin0, kept0 = thin(problem.p0, problem.closed, {c % m for c, _ in pins or []})
     thin1, kept1 = thin(problem.p1, problem.closed, {r % n for _, r in pins or []})
+    walls = _region(problem, pins)
+    if len(thin0) + len(thin1) == m + n:  # pins everywhere
+        return _search(problem, walls, pins)
     coarser = problem._replace(
         p0=thin0,
         p1=thin1,
@@ -151,7 +158,6 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Sear
     coarse_pins = None
     if pins is not None:
         coarse_pins = [(_place_of(c, kept0, m), _place_of(r, kept1, n)) for c, r in pins]
-    walls = _region(problem, pins)
 
     path, coarse_search = _solve(coarser, coarse_pins, COARSEST_DOTS)
     if path is None:  # what fits in full need not fit at a third of the vertices
@@ -179,7 +185,9 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Sear
         if found is not None:
             sweeps += found.sweeps
             touching = _touching(np.array(found.dots), region, inside)
-            widen = np.convolve(touching, np.ones(4 * PADS[0] + 1), "same") > 0.0
+            near = np.arange(-2 * PADS[0], 2 * PADS[0] + 1) + np.flatnonzero(touching)[:, None]
+            widen[:] = False
+            widen[np.clip(near, 0, len(pad) - 1)] = True
         pad[widen] *= 2
         if not widen.any() or (found is not None and around(pad).dots > 2 * room):
             break
@@ -190,7 +198,7 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Sear
 
 
 def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> tuple[ComplexArray, IntArray]:
-    """A polygon of about a third of the vertices.
+    """A polygon of about a third of the vertices, or all where there are few.
 
     Corners stay, one in `FACTOR` vertices at the most; so do vertex 0, the last of an open polygon, and those to
     `keep`. Between them vertices are spread evenly over those there are, on edges if need be: edges longer and
@@ -203,6 +211,8 @@ def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> tuple[ComplexA
         The vertex of the full polygon nearest to each; never falling.
     """
     m = len(vertices)
+    if m <= LEAST_VERTICES:
+        return vertices, np.arange(m)
     sharpness = np.abs(corners(vertices, closed)[:, 0] - np.pi)
     runs = -(-m // FACTOR)
     padded = np.zeros(runs * FACTOR)
@@ -259,15 +269,14 @@ def corridor(
     before = np.clip(np.searchsorted(columns, column - pad, "right") - 1, 0, None)
     after = np.clip(np.searchsorted(columns, column + pad, "left"), None, len(columns) - 1)
     low, high = low[before], high[after]
-    if period is not None:  # no column may hold a row and its repetition n rows further down
-        middle, most = (low + high) // 2, (n - 1) // 2
-        low, high = np.maximum(low - pad, middle - most), np.minimum(high + pad, middle + most)
-    else:
-        low, high = low - pad, high + pad
-    low, high = np.minimum.accumulate(low[::-1])[::-1], np.maximum.accumulate(high)
+    low, high = low - pad, high + pad
     if walls is not None:
         low, high = np.maximum(low, walls.low), np.minimum(high, walls.high)
-    elif period is not None:
+    elif period is not None:  # no column may hold a row and its repetition n rows further down
+        middle, most = (low + high) // 2, (n - 1) // 2
+        low, high = np.maximum(low, middle - most), np.minimum(high, middle + most)
+    low, high = np.minimum.accumulate(low[::-1])[::-1], np.maximum.accumulate(high)
+    if walls is None and period is not None:
         low[-1], high[-1] = low[0] + n, high[0] + n
         low, high = np.minimum(low, low[-1]), np.minimum(high, high[-1])
         high = np.minimum(high, low + n - 1)

@@ -230,15 +230,17 @@ class Search:
             return None
 
         # The ends that belong to the starts lie `span` rows further down.
-        first_end = starts.first_row + self.span - int(window.low[-1])
-        offered = ends[max(first_end, 0) :].copy()
+        first_end = max(starts.first_row + self.span - int(window.low[-1]), 0)
+        offered = ends[first_end:].copy()
+        if not len(offered):
+            return None
         if self.closed:
             offered[:, [step for step in STEPS if step not in starts.steps]] = np.inf
         place = int(offered.argmin())
         work = float(offered.flat[place])
         if not work < bound:
             return None
-        row, step = int(window.low[-1]) + max(first_end, 0) + place // 3, place % 3
+        row, step = int(window.low[-1]) + first_end + place // 3, place % 3
         dots, first_step = graph.backtrack(parents, window.place, window.low, row, step)
         own = dots[0][1] + self.span == row and (first_step == step or not self.closed)
         return work, dots, own and self._in_band(dots)
@@ -246,7 +248,7 @@ class Search:
     def sweep_simplified(self, row: int, step: int) -> tuple[float, Dots] | None:
         """Follow the simplified algorithm from one state; None where it finds no way back to it."""
         window = self.limits(Starts(0.0, row, row, (step,)))
-        if window is None or self._tables is None:
+        if window is None or self._tables is None or window.high[-1] != row + self.span:
             return None
         left = np.empty((4, int(window.high[-1] - window.low[0]) + 1))
         parents = np.empty(window.dots, np.uint8)

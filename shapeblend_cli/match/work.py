@@ -96,7 +96,7 @@ class Window(NamedTuple):
     def between(cls, low: IntArray, high: IntArray) -> Window:
         """Lay out the columns one after the other."""
         heights = high - low + 1
-        return cls(low, high, np.cumsum(heights) - heights)
+        return cls(np.ascontiguousarray(low), np.ascontiguousarray(high), np.cumsum(heights) - heights)
 
     @classmethod
     def full(cls, columns: int, rows: int) -> Window:

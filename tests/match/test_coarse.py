@@ -16,6 +16,7 @@ def small(monkeypatch):
     monkeypatch.setitem(solve.EXACT_DOTS, "fast", 900)
     monkeypatch.setattr(coarse, "COARSEST_DOTS", 900)
     monkeypatch.setattr(coarse, "PADS", (6,))
+    monkeypatch.setattr(coarse, "LEAST_VERTICES", 12)
     monkeypatch.setattr(coarse, "CORRIDOR_DOTS", 5000)
 
 
@@ -76,6 +77,15 @@ def test_smooth_outlines_come_out_exact(small):
         )
 
 
+def test_a_short_outline_and_a_very_long_one():
+    p0, p1 = star_polygon(np.random.default_rng(1), 9), wavy(1200, 2)
+    least = least_work(p0, p1, effort="exact")
+    problem = coarse.Problem(p0, p1, True, WorkConstants(), None, None, "exact", lambda share: None)
+    path, proven = coarse.solve(problem, None, 100)
+    assert not proven
+    assert least.work <= path.work * (1 + 1e-9)
+
+
 @pytest.mark.parametrize(
     "shape", [gear(40), star_polygon(np.random.default_rng(3), 200)], ids=["gear", "star"]
 )
@@ -88,7 +98,7 @@ def test_a_band_that_no_path_fits_into_is_an_error_here_too(small):
         least_work(wavy(150, 1), wavy(171, 2), effort="fast", band=0.0)
 
 
-def test_thinning_keeps_corners_ends_and_what_it_is_told_to_keep():
+def test_thinning_keeps_corners_ends_and_what_it_is_told_to_keep(small):
     square = np.concatenate(
         [np.linspace(a, b, 20, endpoint=False) for a, b in ((0, 1), (1, 1 + 1j), (1 + 1j, 1j), (1j, 0))]
     )
