@@ -141,6 +141,10 @@ def blend_files(
             texts[Path(job.report_file)] = text
     write_files(texts)
     _print(standard_output)
+    if not job.animated and names:
+        stale = {path.name for path in Path(job.output).glob("frame-*.svg")} - set(names)
+        if stale:
+            say(f"{job.output}: {len(stale)} frame files of another run are left, {min(stale)} among them")
     clock.lap("write")
     for line in _details(pair, frames, clock):
         detail(line)

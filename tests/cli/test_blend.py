@@ -168,6 +168,14 @@ def test_a_second_run_needs_force_and_leaves_what_it_does_not_write(here, capsys
     assert (here / "blend/mine.txt").read_text() == "keep"
 
 
+def test_frames_of_a_longer_run_are_left_and_named(here, capsys):
+    assert run(["a.svg", "b.svg", "-n", "4", "-o", "out"]) == 0
+    assert run(["a.svg", "b.svg", "-n", "2", "-o", "out", "-f"]) == 0
+    said = capsys.readouterr().err
+    assert said == "shapeblend: out: 2 frame files of another run are left, frame-3.svg among them\n"
+    assert len(list((here / "out").iterdir())) == 4
+
+
 def test_same_input_same_bytes(here):
     for name in ("one", "two"):
         assert run(["a.svg", "b.svg", "-o", name]) == 0
