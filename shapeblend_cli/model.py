@@ -116,7 +116,7 @@ class Polygon:
     segment : (m,) int
         The segment of the contour each vertex lies on.
     parameter : (m,) float
-        Where on that segment, in [0, 1). 0 is a node of the drawing.
+        Where on that segment, in [0, 1); 1 at the end of an open polygon alone. 0 and 1 are nodes of the drawing.
     closed : bool
     """
 

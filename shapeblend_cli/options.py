@@ -12,8 +12,6 @@ from shapeblend_cli.presets import BANDS, PRESETS
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
-
 CONSTANTS = {
     "ks": (1.0, "Stiffness against stretching."),
     "kb": (1.0, "Stiffness against bending."),

@@ -64,14 +64,13 @@ def flatten(contour: Contour, vertices: int) -> Polygon:
             break
         parts = np.ceil(np.sqrt(np.maximum(deviation / tolerance, 1.0))).astype(np.intp)
         following = np.append(np.where(segment[1:] == segment[:-1], share[1:], 1.0), 1.0)
-        part = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
-        share = np.repeat(share, parts) + part * np.repeat((following - share) / parts, parts)
+        share = np.repeat(share, parts) + _numbered(parts) * np.repeat((following - share) / parts, parts)
         segment = np.repeat(segment, parts)
         parameter, deviation = _measure(contour, ladders, segment, share)
 
     points = cubics.evaluate(segments[segment], parameter)
     points = np.where(parameter == 0.0, segments[segment, 0], points)
-    if not contour.closed:  # the end of the last segment, as a parameter short of 1 of nothing else
+    if not contour.closed:  # nothing begins at the end of the last segment, so it is added by itself
         points = np.append(points, segments[-1, 3])
         segment = np.append(segment, len(segments) - 1)
         parameter = np.append(parameter, 1.0)
@@ -82,9 +81,12 @@ def flatten(contour: Contour, vertices: int) -> Polygon:
 def _even(counts: IntArray) -> tuple[IntArray, FloatArray]:
     """Segments cut evenly: the segment of each piece, and the share of its length at which the piece begins."""
     segment = np.repeat(np.arange(len(counts)), counts)
-    return segment, (np.arange(len(segment)) - np.repeat(np.cumsum(counts) - counts, counts)) / counts[
-        segment
-    ]
+    return segment, _numbered(counts) / counts[segment]
+
+
+def _numbered(counts: IntArray) -> IntArray:
+    """Numbers from 0 in each of the runs of these lengths, one run after the other."""
+    return np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
 
 
 def _measure(

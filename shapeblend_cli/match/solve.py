@@ -22,9 +22,6 @@ if TYPE_CHECKING:
 COMPILED: bool = angles.COMPILED
 """Whether the kernels were compiled; uncompiled they give the same results, far slower."""
 
-SOLVERS = ("exact", "simplified")
-EFFORTS = ("exact", "auto", "fast")
-
 EXACT_DOTS = {"exact": np.inf, "auto": 2_500_000, "fast": 40_000}
 """Up to how many dots, m n, the search is exact, by effort; beyond that it goes from coarse to fine."""
 

@@ -318,10 +318,10 @@ def least_of_all(search: Search) -> Path | None:
     return best._replace(sweeps=search.sweeps) if best else None
 
 
-def simplified_from(search: Search, steps: tuple[int, ...] = STEPS) -> Path | None:
+def simplified_from(search: Search) -> Path | None:
     """The simplified algorithm's best path from the first dot of the region."""
     row = int(search.region.low[0])
-    found = [search.sweep_simplified(row, step) for step in (steps if search.closed else (SOUTHEAST,))]
+    found = [search.sweep_simplified(row, step) for step in (STEPS if search.closed else (SOUTHEAST,))]
     paths = [Path(dots, work, search.sweeps) for work, dots in filter(None, found)]
     return min(paths, key=lambda path: path.work, default=None)
 
