@@ -280,23 +280,30 @@ def _least_work_either_way(
     backwards = _backwards(a, b, settings.reverse)
     unit_a = to_unit_box(a)[0]
     weight = _weight(a, settings.stiff)
-    solved = []
+    solved: list[tuple[Polygon, Correspondence]] = []
+    refused: list[MatchError] = []
     for run, reverse in enumerate(backwards):
         candidate = reversed_polygon(b) if reverse else b
-        found = least_work(
-            unit_a,
-            to_unit_box(candidate)[0],
-            a.closed,
-            settings.constants,
-            start=settings.start,
-            pins=[_pin(a, candidate, over, pin) for pin in settings.pins],
-            band=settings.band,
-            weight=weight,
-            solver=settings.solver,
-            effort=settings.effort,
-            watch=_part(watch, run, len(backwards)),
-        )
-        solved.append((candidate, found))
+        try:
+            found = least_work(
+                unit_a,
+                to_unit_box(candidate)[0],
+                a.closed,
+                settings.constants,
+                start=settings.start,
+                pins=[_pin(a, candidate, over, pin) for pin in settings.pins],
+                band=settings.band,
+                weight=weight,
+                solver=settings.solver,
+                effort=settings.effort,
+                watch=_part(watch, run, len(backwards)),
+            )
+        except MatchError as error:  # pins that cross one way round need not cross the other way
+            refused.append(error)
+        else:
+            solved.append((candidate, found))
+    if not solved:
+        raise refused[0]
     return min(solved, key=lambda pair: pair[1].work)
 
 

@@ -6,7 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import shapeblend_cli as sb
-from tests.support.shapes import star_polygon
+from shapeblend_cli.match.work import BEND_OF_STEPS, Wires
+from tests.support.oracle import EAST, SOUTH, SOUTHEAST, Oracle
+from tests.support.shapes import random_polygon, star_polygon
 
 seeds = st.integers(0, 10**9)
 
@@ -35,6 +37,32 @@ def test_an_open_line_backwards_costs_nothing():
     assert found.dots.tolist() == [[k, 4 - k] for k in range(5)]
     forced = sb.correspond(line, 10 * line[::-1] + 7, closed=False, settings=sb.BlendSettings(reverse="no"))
     assert forced.work > 0.1
+
+
+def test_pins_that_cross_one_way_round_decide_for_the_other():
+    line = np.array([0, 2, 2 + 1j, 3 + 1j, 5 + 4j])
+    other = 3 * line[::-1] + 1
+    pins = ((complex(line[1]), complex(other[3])), (complex(line[3]), complex(other[1])))
+    found = sb.correspond(line, other, closed=False, settings=sb.BlendSettings(pins=pins))
+    assert found.dots.tolist() == [[k, 4 - k] for k in range(5)]
+    with pytest.raises(sb.ShapeblendError, match=r"cross each other"):
+        sb.correspond(line, other, closed=False, settings=sb.BlendSettings(pins=pins, reverse="no"))
+
+
+@given(seeds, st.sampled_from(["yes", "no"]))
+def test_a_given_direction_is_solved_as_exhaustively(seed, reverse):
+    rng = np.random.default_rng(seed)
+    p0, p1 = random_polygon(rng, 5), random_polygon(rng, 4)
+    way = p1[::-1] if reverse == "yes" else p1
+    found = sb.correspond(p0, p1, settings=sb.BlendSettings(reverse=reverse))
+    priced = Wires(p0, way, True, sb.WorkConstants()).tables().bends.reshape(5, 4, 7)
+    code = {EAST: 0, SOUTH: 1, SOUTHEAST: 2}
+
+    def bend(i, j, step_in, step_out):
+        return priced[i, j, BEND_OF_STEPS[code[step_in], code[step_out]]]
+
+    least = Oracle(p0, way, True, sb.WorkConstants()).least(bend)
+    assert found.work == pytest.approx(least, rel=1e-9, abs=1e-9)
 
 
 def test_a_figure_of_eight_is_tried_both_ways():
