@@ -10,7 +10,7 @@ from shapeblend_cli import __version__
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError, OutputError
 from shapeblend_cli.geometry.normalise import box_of, union
-from shapeblend_cli.interpolate import frame_times
+from shapeblend_cli.interpolate.times import frame_times
 from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.model import Box
 from shapeblend_cli.output import check_targets, write_files

@@ -16,7 +16,9 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.normalise import Similarity, lay_over, to_unit_box, union
 from shapeblend_cli.geometry.outline import direction, reversed_polygon, self_crossings, signed_area
-from shapeblend_cli.interpolate import blend_styles, blend_vertices, frame_times
+from shapeblend_cli.interpolate.paths import blend_vertices
+from shapeblend_cli.interpolate.styles import blend_styles
+from shapeblend_cli.interpolate.times import frame_times
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.match.work import WorkConstants
 from shapeblend_cli.model import (

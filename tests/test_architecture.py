@@ -22,7 +22,7 @@ ROOMS = {
     "svg": {"model", "errors"},
     "geometry": {"model", "errors", "_cython"},
     "match": {"model", "errors", "_cython"},
-    "interpolate": {"model", "errors"},
+    "interpolate": {"model", "errors", "geometry"},
     "report": {"model", "geometry"},
     "pipeline": {"model", "errors", "clock", "geometry", "match", "interpolate"},
     "files": {
