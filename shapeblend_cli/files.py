@@ -168,9 +168,9 @@ def _viewbox(start: Frame, end: Frame) -> Box:
     Straight vertex paths never leave the box around their ends.
     """
     boxes = []
-    for frame in (start, end):
-        reach = frame.style.stroke_width / 2 if frame.style.stroke else 0.0
-        for outline in frame.outlines:
+    for shape in (*start.shapes, *end.shapes):
+        reach = shape.style.stroke_width / 2 if shape.style.stroke else 0.0
+        for outline in shape.outlines:
             box = box_of(outline.vertices)
             boxes.append(Box(box.x - reach, box.y - reach, box.width + 2 * reach, box.height + 2 * reach))
     drawn = union(boxes)

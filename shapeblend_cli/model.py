@@ -204,26 +204,43 @@ class MatchedContour(NamedTuple):
     seconds: float
 
 
+class MatchedShape(NamedTuple):
+    """Contours that are painted together, from one paint to another.
+
+    Attributes
+    ----------
+    contours : tuple of MatchedContour
+    style_a, style_b : Style
+        B's lengths in A's coordinates.
+    """
+
+    contours: tuple[MatchedContour, ...]
+    style_a: Style
+    style_b: Style
+
+
 class Pair(NamedTuple):
-    """Two drawings, matched contour by contour.
+    """Two drawings, matched shape by shape.
 
     Attributes
     ----------
     a, b : int
         Numbers of the input files.
-    contours : tuple of MatchedContour
-    style_a, style_b : Style
-        B's lengths in A's coordinates.
+    shapes : tuple of MatchedShape
+        In paint order.
     notes : tuple of str
         What was left out, one phrase each.
     """
 
     a: int
     b: int
-    contours: tuple[MatchedContour, ...]
-    style_a: Style
-    style_b: Style
+    shapes: tuple[MatchedShape, ...]
     notes: tuple[str, ...] = ()
+
+    @property
+    def contours(self) -> list[MatchedContour]:
+        """The contours of all shapes."""
+        return [contour for shape in self.shapes for contour in shape.contours]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -237,6 +254,13 @@ class Outline:
         object.__setattr__(self, "vertices", frozen(self.vertices, np.complex128))
 
 
+class PaintedShape(NamedTuple):
+    """Outlines that are painted together: one path of a frame."""
+
+    outlines: tuple[Outline, ...]
+    style: Style
+
+
 class Frame(NamedTuple):
     """One in-between: what a frame file draws.
 
@@ -245,8 +269,8 @@ class Frame(NamedTuple):
     t : float in [0, 1]
         Time within the pair.
     pair : int
-    outlines : tuple of Outline
-    style : Style
+    shapes : tuple of PaintedShape
+        In paint order.
     self_crossings : int
         How often an outline crosses itself.
     area : float
@@ -255,7 +279,6 @@ class Frame(NamedTuple):
 
     t: float
     pair: int
-    outlines: tuple[Outline, ...]
-    style: Style
+    shapes: tuple[PaintedShape, ...]
     self_crossings: int
     area: float

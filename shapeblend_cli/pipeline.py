@@ -28,7 +28,9 @@ from shapeblend_cli.model import (
     Drawing,
     Frame,
     MatchedContour,
+    MatchedShape,
     Outline,
+    PaintedShape,
     Pair,
     Polygon,
     Style,
@@ -205,9 +207,13 @@ def match(
     return Pair(
         a=0,
         b=1,
-        contours=(matched,),
-        style_a=chosen_a.style,
-        style_b=chosen_b.style._replace(stroke_width=over.scale * chosen_b.style.stroke_width),
+        shapes=(
+            MatchedShape(
+                contours=(matched,),
+                style_a=chosen_a.style,
+                style_b=chosen_b.style._replace(stroke_width=over.scale * chosen_b.style.stroke_width),
+            ),
+        ),
         notes=tuple(
             f"{drawing.file}: contour {chosen.number}, the largest, is blended; {chosen.left_out} "
             f"other{'s are' if chosen.left_out > 1 else ' is'} left out"
@@ -348,18 +354,23 @@ def _weight(a: Polygon, stiff: tuple[tuple[complex, float, float], ...]) -> Floa
 
 
 def _frame(pair: Pair, t: float) -> Frame:
+    shapes = tuple(_painted(shape, t) for shape in pair.shapes)
+    outlines = [outline for shape in shapes for outline in shape.outlines]
+    return Frame(
+        t=t,
+        pair=0,
+        shapes=shapes,
+        self_crossings=sum(self_crossings(o.vertices, o.closed) for o in outlines),
+        area=sum(abs(signed_area(o.vertices)) for o in outlines),
+    )
+
+
+def _painted(shape: MatchedShape, t: float) -> PaintedShape:
     outlines = tuple(
         Outline(
             blend_vertices(c.polygon_a.vertices, c.polygon_b.vertices, c.correspondence.dots, t),
             c.correspondence.closed,
         )
-        for c in pair.contours
+        for c in shape.contours
     )
-    return Frame(
-        t=t,
-        pair=0,
-        outlines=outlines,
-        style=blend_styles(pair.style_a, pair.style_b, t),
-        self_crossings=sum(self_crossings(o.vertices, o.closed) for o in outlines),
-        area=sum(abs(signed_area(o.vertices)) for o in outlines),
-    )
+    return PaintedShape(outlines, blend_styles(shape.style_a, shape.style_b, t))

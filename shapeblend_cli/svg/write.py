@@ -15,7 +15,7 @@ from shapeblend_cli.svg.foreign import svgwrite
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Box, Frame, Outline, Style
+    from shapeblend_cli.model import Box, Frame, Outline, PaintedShape, Style
 
 DIGITS = 5
 """Coordinates are written to about this share, 10 ** -DIGITS, of the drawing's size."""
@@ -43,8 +43,9 @@ def decimals_for(box: Box) -> int:
 def frame_svg(frame: Frame, viewbox: Box) -> str:
     """One frame as an SVG document."""
     drawing, decimals = _drawing(viewbox)
-    paint = _without_defaults(_paint(frame.style, decimals))
-    drawing.add(drawing.path(d=_path_data(frame.outlines, decimals), **paint))
+    for shape in frame.shapes:
+        paint = _without_defaults(_paint(shape.style, decimals))
+        drawing.add(drawing.path(d=_path_data(shape.outlines, decimals), **paint))
     return _text(drawing)
 
 
@@ -54,12 +55,18 @@ def animated_svg(start: Frame, end: Frame, viewbox: Box) -> str:
     Parameters
     ----------
     start, end : Frame
-        With the same outlines, vertex for vertex.
+        With the same shapes and outlines, vertex for vertex.
     viewbox : Box
     """
     drawing, decimals = _drawing(viewbox)
+    for shape, target in zip(start.shapes, end.shapes, strict=True):
+        drawing.add(_animated_path(drawing, shape, target, decimals))
+    return _text(drawing)
+
+
+def _animated_path(drawing: Any, start: PaintedShape, end: PaintedShape, decimals: int) -> Any:
     keyframes = [
-        {"d": _path_data(frame.outlines, decimals), **_paint(frame.style, decimals)} for frame in (start, end)
+        {"d": _path_data(shape.outlines, decimals), **_paint(shape.style, decimals)} for shape in (start, end)
     ]
     shown = _without_defaults(keyframes[0]).keys() | _without_defaults(keyframes[1]).keys()
     path = drawing.path(**{name: value for name, value in keyframes[0].items() if name in shown})
@@ -74,8 +81,7 @@ def animated_svg(start: Frame, end: Frame, viewbox: Box) -> str:
                     repeatCount="indefinite",
                 )
             )
-    drawing.add(path)
-    return _text(drawing)
+    return path
 
 
 def _drawing(viewbox: Box) -> tuple[Any, int]:

@@ -108,8 +108,12 @@ def test_frames_at_both_ends_are_the_polygons(seed, m, n):
     pair = match(drawing(polygon_contour(star(seed, m))), drawing(polygon_contour(star(seed + 1, n))), ASIS)
     start, end = make_frames(pair, [0.0, 1.0])
     dots = pair.contours[0].correspondence.dots
-    np.testing.assert_array_equal(start.outlines[0].vertices, pair.contours[0].polygon_a.vertices[dots[:, 0]])
-    np.testing.assert_array_equal(end.outlines[0].vertices, pair.contours[0].polygon_b.vertices[dots[:, 1]])
+    np.testing.assert_array_equal(
+        start.shapes[0].outlines[0].vertices, pair.contours[0].polygon_a.vertices[dots[:, 0]]
+    )
+    np.testing.assert_array_equal(
+        end.shapes[0].outlines[0].vertices, pair.contours[0].polygon_b.vertices[dots[:, 1]]
+    )
 
 
 @given(seeds, counts)
@@ -123,7 +127,7 @@ def test_curves_and_lines_of_any_mixture_blend(seed, count):
         drawing(scribble), drawing(circle_contour(), file="b.svg"), BlendSettings(place="bbox")
     )
     assert len(frames) == 5
-    assert all(np.isfinite(frame.outlines[0].vertices).all() for frame in frames)
+    assert all(np.isfinite(frame.shapes[0].outlines[0].vertices).all() for frame in frames)
     assert pair.contours[0].correspondence.gap == 0.0
 
 
@@ -140,7 +144,7 @@ def test_paint_goes_from_one_to_the_other():
     a = drawing(square, style=Style(fill="#000000", stroke=None))
     b = drawing(triangle, style=Style(fill=None, stroke="#ff8000", stroke_width=3.0))
     _, frames = blend(a, b, BlendSettings(frames=1, ends=True))
-    styles = [frame.style for frame in frames]
+    styles = [frame.shapes[0].style for frame in frames]
     assert [s.fill for s in styles] == ["#000000"] * 3
     assert [s.fill_opacity for s in styles] == [1.0, 0.5, 0.0]
     assert [s.stroke for s in styles] == ["#ff8000"] * 3
