@@ -7,14 +7,15 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from shapeblend_cli.errors import ShapeblendError
     from shapeblend_cli.match.work import WorkConstants
-    from shapeblend_cli.pipeline import BlendSettings, blend, correspond
+    from shapeblend_cli.pipeline import blend, correspond
+    from shapeblend_cli.settings import BlendSettings
     from shapeblend_cli.svg.read import read
 
 __version__ = "0.1.0"
 __all__ = ["BlendSettings", "ShapeblendError", "WorkConstants", "__version__", "blend", "correspond", "read"]
 
 _HOMES = {
-    "BlendSettings": "pipeline",
+    "BlendSettings": "settings",
     "ShapeblendError": "errors",
     "WorkConstants": "match.work",
     "blend": "pipeline",

@@ -15,6 +15,7 @@ from shapeblend_cli.errors import ShapeblendError
 from shapeblend_cli.options import (
     START,
     BandType,
+    MatchType,
     PinType,
     StiffType,
     band_in_force,
@@ -126,6 +127,20 @@ def shapeblend() -> None:
     help="Make A's wire W times as stiff within r of a point. Repeatable.",
 )
 @click.option(
+    "--match",
+    "pairs",
+    type=MatchType(),
+    multiple=True,
+    help="Contours that become one another: a number or an id of A and one of B. Repeatable.",
+)
+@click.option(
+    "--unmatched",
+    type=click.Choice(["point", "split"]),
+    default="point",
+    show_default=True,
+    help="point: what has no partner grows from a point, or shrinks to one; split: an outline is cut for it.",
+)
+@click.option(
     "--solver",
     type=click.Choice(["exact", "simplified"]),
     default="exact",
@@ -162,6 +177,8 @@ def blend(
     pins: tuple[tuple[complex, complex], ...],
     reverse: str,
     stiff: tuple[tuple[complex, float, float], ...],
+    pairs: tuple[tuple[str, str], ...],
+    unmatched: str,
     solver: str,
     band: float | str | None,
     effort: str,
@@ -194,6 +211,8 @@ def blend(
         "pins": [[_plain(side) for side in pin] for pin in pins],
         "reverse": reverse,
         "stiff": [[_plain(point), radius, weight] for point, radius, weight in stiff],
+        "match": [list(pair) for pair in pairs],
+        "unmatched": unmatched,
         "solver": solver,
         "band": band_here,
         "effort": effort,
@@ -204,7 +223,7 @@ def blend(
 
     from shapeblend_cli.files import Job, blend_files
     from shapeblend_cli.match.work import WorkConstants
-    from shapeblend_cli.pipeline import BlendSettings
+    from shapeblend_cli.settings import BlendSettings
 
     job = Job(
         files=(files[0], files[1]),
@@ -221,6 +240,8 @@ def blend(
             pins=pins,
             reverse=reverse,
             stiff=stiff,
+            pairs=pairs,
+            unmatched=unmatched,
             solver=solver,
             band=band_here,
             effort=effort,

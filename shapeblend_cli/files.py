@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from shapeblend_cli import __version__
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError, OutputError
-from shapeblend_cli.geometry.normalise import box_of, union
+from shapeblend_cli.geometry.normalise import box_of, grown, union
 from shapeblend_cli.interpolate.times import frame_times
 from shapeblend_cli.match.solve import COMPILED
-from shapeblend_cli.model import Box
 from shapeblend_cli.output import check_targets, write_files
-from shapeblend_cli.pipeline import BlendSettings, make_frames, match
+from shapeblend_cli.pipeline import make_frames, match
 from shapeblend_cli.report import report
 from shapeblend_cli.svg.read import read
 from shapeblend_cli.svg.write import animated_svg, frame_svg
@@ -22,7 +21,8 @@ from shapeblend_cli.svg.write import animated_svg, frame_svg
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.model import Frame, Pair
+    from shapeblend_cli.model import Box, Frame, Pair
+    from shapeblend_cli.settings import BlendSettings
 
 STANDARD_OUTPUT = "-"
 
@@ -171,11 +171,9 @@ def _viewbox(start: Frame, end: Frame) -> Box:
     for shape in (*start.shapes, *end.shapes):
         reach = shape.style.stroke_width / 2 if shape.style.stroke else 0.0
         for outline in shape.outlines:
-            box = box_of(outline.vertices)
-            boxes.append(Box(box.x - reach, box.y - reach, box.width + 2 * reach, box.height + 2 * reach))
+            boxes.append(grown(box_of(outline.vertices), reach))
     drawn = union(boxes)
-    margin = MARGIN * max(drawn.width, drawn.height)
-    return Box(drawn.x - margin, drawn.y - margin, drawn.width + 2 * margin, drawn.height + 2 * margin)
+    return grown(drawn, MARGIN * max(drawn.width, drawn.height))
 
 
 def _print(text: str) -> None:
@@ -193,6 +191,11 @@ def _details(pair: Pair, frames: Sequence[Frame], clock: Clock) -> list[str]:
     lines = []
     for c in pair.contours:
         found = c.correspondence
+        if c.a is None or c.b is None:
+            way = f"contour {c.a} of A shrinks to" if c.b is None else f"contour {c.b} of B grows from"
+            spot = (c.polygon_b if c.b is None else c.polygon_a).vertices[0]
+            lines.append(f"{way} the point {spot.real:.6g},{spot.imag:.6g}")
+            continue
         lines.append(
             f"contour {c.a} of A ({len(c.polygon_a.vertices)} vertices) to contour {c.b} of B "
             f"({len(c.polygon_b.vertices)}): {len(found.dots)} dots, work {found.work:.6g} = stretching "

@@ -183,10 +183,10 @@ class MatchedContour(NamedTuple):
 
     Attributes
     ----------
-    a, b : int
-        Contour numbers, counted through each file in paint order.
+    a, b : int or None
+        Contour numbers, counted through each file in paint order; None where it grows from a point, or shrinks to one.
     polygon_a, polygon_b : Polygon
-        As solved: both in A's coordinates and in the same direction.
+        As solved: both in A's coordinates and in the same direction. A point is a polygon of one vertex.
     scale_a, scale_b : float
         What section 3.3's normalisation divided by.
     correspondence : Correspondence
@@ -194,8 +194,8 @@ class MatchedContour(NamedTuple):
         Time it took to find.
     """
 
-    a: int
-    b: int
+    a: int | None
+    b: int | None
     polygon_a: Polygon
     polygon_b: Polygon
     scale_a: float

@@ -74,6 +74,21 @@ class PinType(click.ParamType[Any]):
         return START.convert(value, param, ctx)
 
 
+class MatchType(click.ParamType[Any]):
+    """``A=B``: a contour number or an id of each drawing."""
+
+    name = "A=B"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Turn it into the two names."""
+        if isinstance(value, tuple):
+            return value
+        a, equals, b = value.partition("=")
+        if not (a.strip() and equals and b.strip()):
+            self.fail(f"{value!r} is not of the form A=B, such as 0=1 or left=right.", param, ctx)
+        return a.strip(), b.strip()
+
+
 class StiffType(click.ParamType[Any]):
     """``x,y,r=W``: around a point of A, within a radius, the wire is W times as stiff."""
 

@@ -24,7 +24,9 @@ ROOMS = {
     "match": {"model", "errors", "_cython"},
     "interpolate": {"model", "errors", "geometry"},
     "report": {"model", "geometry"},
-    "pipeline": {"model", "errors", "clock", "geometry", "match", "interpolate"},
+    "settings": {"match"},
+    "pairing": {"model", "errors", "geometry", "match", "settings"},
+    "pipeline": {"model", "clock", "geometry", "interpolate", "pairing", "settings"},
     "files": {
         "pipeline",
         "interpolate",
@@ -36,12 +38,24 @@ ROOMS = {
         "match",
         "model",
         "errors",
+        "settings",
         "__init__",
     },
     "options": {"presets"},
-    "cli": {"files", "progress", "pipeline", "report", "svg", "match", "options", "errors", "__init__"},
+    "cli": {
+        "settings",
+        "files",
+        "progress",
+        "pipeline",
+        "report",
+        "svg",
+        "match",
+        "options",
+        "errors",
+        "__init__",
+    },
     "__main__": {"cli"},
-    "__init__": {"errors", "match", "pipeline", "svg"},
+    "__init__": {"settings", "errors", "match", "pipeline", "svg"},
 }
 
 

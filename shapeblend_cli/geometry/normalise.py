@@ -40,6 +40,11 @@ def union(boxes: list[Box]) -> Box:
     return Box(x, y, max(b.x + b.width for b in boxes) - x, max(b.y + b.height for b in boxes) - y)
 
 
+def grown(box: Box, reach: float) -> Box:
+    """The box moved outwards on all sides."""
+    return Box(box.x - reach, box.y - reach, box.width + 2 * reach, box.height + 2 * reach)
+
+
 def lay_over(box: Box, onto: Box) -> Similarity:
     """Fit a box into another, centre on centre, as SVG's ``xMidYMid meet`` does.
 

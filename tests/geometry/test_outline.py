@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 from shapely import LineString
 from shapely import Polygon as ShapelyPolygon
 
-from shapeblend_cli.geometry import crossings, outline
+from shapeblend_cli.geometry import crossings, cubics, outline
 from shapeblend_cli.geometry.flatten import flatten
-from tests.support.contours import polygon_contour
+from tests.support.contours import circle_contour, polygon_contour
 from tests.support.shapes import random_polygon, star_polygon
 
 
@@ -48,14 +48,37 @@ def test_touching_is_not_crossing(points, count):
     assert outline.self_crossings(np.asarray(points, complex), True) == count
 
 
-def test_reversing_keeps_the_first_vertex_and_what_each_vertex_knows():
-    polygon = flatten(polygon_contour([0, 3, 3 + 2j]), 0)
-    back = outline.reversed_polygon(polygon)
-    assert back.vertices.tolist() == [0, 3 + 2j, 3]
-    assert back.segment.tolist() == [0, 2, 1]
-    assert outline.signed_area(back.vertices) == -outline.signed_area(polygon.vertices) == -3.0
-    line = flatten(polygon_contour([0, 3, 3 + 2j], closed=False), 0)
-    assert outline.reversed_polygon(line).vertices.tolist() == [3 + 2j, 3, 0]
+@pytest.mark.parametrize("closed", [True, False])
+def test_what_is_reversed_stays_on_its_contour(closed):
+    corners = [0, 3, 3 + 2j, 1 + 3j]
+    for contour in (polygon_contour(corners, closed=closed), *([circle_contour()] if closed else [])):
+        polygon = flatten(contour, 30)
+        back = outline.reversed_polygon(polygon, len(contour.segments))
+        there = outline.reversed_contour(contour)
+        assert back.vertices[0] == polygon.vertices[0 if closed else -1]
+        assert outline.signed_area(back.vertices) == pytest.approx(-outline.signed_area(polygon.vertices))
+        on_it = cubics.evaluate(there.segments[back.segment], back.parameter)
+        np.testing.assert_allclose(on_it, back.vertices, atol=1e-12)
+        steps = np.diff(back.segment + back.parameter)
+        assert (steps > 0).all()
+        again = outline.reversed_polygon(back, len(contour.segments))
+        np.testing.assert_array_equal(again.vertices, polygon.vertices)
+        np.testing.assert_array_equal(again.segment, polygon.segment)
+        np.testing.assert_allclose(again.parameter, polygon.parameter, atol=1e-15)
+
+
+def test_winding_numbers():
+    square = np.array([0, 4, 4 + 4j, 4j])
+    points = np.array([2 + 2j, 5 + 2j, -1 + 2j, 2 - 1j, 2 + 5j, 0.001 + 0.001j])
+    assert outline.winding_numbers(points, square).tolist() == [1, 0, 0, 0, 0, 1]
+    assert outline.winding_numbers(points, square[::-1]).tolist() == [-1, 0, 0, 0, 0, -1]
+    assert outline.winding_numbers(points[:2], np.concatenate([square, square])).tolist() == [2, 0]
+
+
+def test_outlines_cross_each_other():
+    a, b = (flatten(polygon_contour(np.array([0, 4, 4 + 4j, 4j]) + shift), 0) for shift in (0, 2 + 2j))
+    assert outline.all_crossings([a]) == outline.all_crossings([a, a]) == 0
+    assert outline.all_crossings([a, b]) == 2
 
 
 def test_compiled_and_uncompiled_kernels_agree(rng, load_uncompiled):

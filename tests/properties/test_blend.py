@@ -9,7 +9,8 @@ from shapeblend_cli.geometry.normalise import Similarity
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.match.work import WorkConstants
 from shapeblend_cli.model import Contour, Style
-from shapeblend_cli.pipeline import BlendSettings, blend, make_frames, match
+from shapeblend_cli.pipeline import blend, make_frames, match
+from shapeblend_cli.settings import BlendSettings
 from tests.support.contours import circle_contour, drawing, polygon_contour
 from tests.support.shapes import random_polygon, regular_polygon, star_polygon
 

@@ -1,0 +1,121 @@
+"""What it costs to make one contour of another: the work, the way, the change of size and of paint."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.geometry.normalise import to_unit_box
+from shapeblend_cli.match.solve import least_work
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.match.work import WorkConstants
+    from shapeblend_cli.model import Box, ComplexArray, FloatArray
+    from shapeblend_cli.pairing.parts import Part
+
+WAY = 1.0
+"""Cost of a way as long as the drawing is large."""
+
+SIZE = 0.5
+"""Cost of a change of size by the factor e."""
+
+WORK = 0.5
+"""Cost of any amount of work. A part of it, work / (work + `HALF`), is the cost of less: shapes that differ in every
+detail are not worse partners than those that differ in most."""
+
+HALF = 10.0
+"""Least work that costs half of `WORK`: a circle into a five-pointed star takes about this much."""
+
+PAINT = 0.5
+"""Cost of turning a filled shape into one that is not, or one without a stroke into one with; and of turning black
+into white."""
+
+ALONE = 1.0
+"""What is saved by not leaving out a contour as large as the drawing."""
+
+VERTICES = 32
+"""Vertices of the polygons whose work is compared."""
+
+MOST_WORKS = 400
+"""Pairs for which the work is found, about. Of more, those that are cheapest without it."""
+
+
+class View(NamedTuple):
+    """Contours of one drawing in their frame: the drawing's box, or for holes that of their outline."""
+
+    parts: Sequence[Part]
+    frame: Box
+
+    @property
+    def size(self) -> float:
+        """Diagonal of the frame."""
+        return abs(complex(self.frame.width, self.frame.height))
+
+    def centres(self) -> ComplexArray:
+        """Where the middle of each contour lies, the frame's middle being 0 and its diagonal 1."""
+        x, y, width, height = self.frame
+        middle = complex(x + width / 2, y + height / 2)
+        return (np.array([part.centre for part in self.parts]) - middle) / self.size
+
+    def sizes(self) -> FloatArray:
+        """Diagonal of each contour's box as a share of the frame's."""
+        return np.array([part.size for part in self.parts]) / self.size
+
+
+def costs(a: View, b: View, constants: WorkConstants) -> FloatArray:
+    """What it costs to turn each contour of `a` into each of `b`.
+
+    Returns
+    -------
+    (p, q) float >= 0
+        Without a unit: shares of the drawing's size, `WAY` being 1.
+    """
+    way = np.abs(a.centres()[:, None] - b.centres())
+    size = np.abs(np.log(a.sizes())[:, None] - np.log(b.sizes()))
+    paint = np.array([[_repainting(p, q) for q in b.parts] for p in a.parts])
+    cheap = WAY * way + SIZE * size + PAINT * paint
+    work = np.full(cheap.shape, np.nan)
+    for i, j in _worth_solving(cheap):
+        work[i, j] = _work(a.parts[i], b.parts[j], constants)
+    return cheap + WORK * np.where(np.isnan(work), 1.0, work / (work + HALF))
+
+
+def _worth_solving(cheap: FloatArray) -> list[tuple[int, int]]:
+    """All pairs, or the cheapest of each row and of each column."""
+    if cheap.size <= MOST_WORKS:
+        return list(np.ndindex(cheap.shape))
+    each = max(1, MOST_WORKS // sum(cheap.shape))
+    rows = {(i, int(j)) for i, row in enumerate(cheap) for j in np.argsort(row, kind="stable")[:each]}
+    columns = {(int(i), j) for j, col in enumerate(cheap.T) for i in np.argsort(col, kind="stable")[:each]}
+    return sorted(rows | columns)
+
+
+def _work(a: Part, b: Part, constants: WorkConstants) -> float:
+    """Least work between two contours, each in its unit box, on a few of their vertices."""
+    p0, p1 = (thinned(to_unit_box(part.polygon)[0]) for part in (a, b))
+    closed = a.polygon.closed and b.polygon.closed
+    ways = [p1] if closed else [p1, p1[::-1]]
+    return min(least_work(p0, p, closed, constants).work for p in ways)
+
+
+def thinned(vertices: ComplexArray) -> ComplexArray:
+    """At most `VERTICES` of the vertices, evenly spread by their numbers, the first and the last among them."""
+    if len(vertices) <= VERTICES:
+        return vertices
+    return vertices[np.round(np.linspace(0, len(vertices) - 1, VERTICES)).astype(np.intp)]
+
+
+def _repainting(a: Part, b: Part) -> float:
+    """How differently two contours are painted: 0 for alike, 1 for black and white, 1 for each kind of paint more."""
+    found = 0.0
+    for p, q in ((a.style.fill, b.style.fill), (a.style.stroke, b.style.stroke)):
+        if p is None or q is None:
+            found += (p is None) != (q is None)
+        else:
+            found += (
+                sum(abs(x - y) for x, y in zip(bytes.fromhex(p[1:]), bytes.fromhex(q[1:]), strict=True)) / 765
+            )
+    return found

@@ -1,0 +1,187 @@
+"""One contour into another: solved where there are two, grown from a point where there is one."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.errors import MatchError
+from shapeblend_cli.geometry.normalise import to_unit_box
+from shapeblend_cli.geometry.outline import direction, reversed_contour, reversed_polygon
+from shapeblend_cli.match.solve import least_work
+from shapeblend_cli.model import Contour, Correspondence, MatchedContour, Polygon
+from shapeblend_cli.pairing.costs import thinned
+from shapeblend_cli.pairing.parts import LINE
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from shapeblend_cli.model import FloatArray
+    from shapeblend_cli.pairing.parts import Part
+    from shapeblend_cli.pairing.wishes import Wishes
+    from shapeblend_cli.settings import BlendSettings
+
+    Watch = Callable[[float], None]
+
+OPENINGS = 24
+"""Nodes of an outline at which it may be opened to become a line, at most."""
+
+
+def join(a: Part, b: Part, settings: BlendSettings, wishes: Wishes, watch: Watch | None) -> MatchedContour:
+    """Solve the correspondence of two contours.
+
+    Parameters
+    ----------
+    a, b : Part
+        B's is reversed where that agrees better with A's direction. An outline that is to become a line is opened.
+    settings : BlendSettings
+    wishes : Wishes
+    watch : callable or None
+        Told now and then which share of the work is done, from 0 to 1.
+
+    Raises
+    ------
+    MatchError
+        Wishes that cannot be met.
+    """
+    if (a.role == LINE) != (b.role == LINE):
+        a, b = (a, _opened(b, a, settings)) if a.role == LINE else (_opened(a, b, settings), b)
+    backwards, found = least_work_either_way(a.polygon, b.polygon, settings, wishes, watch)
+    contour_b, polygon_b = b.contour, b.polygon
+    if backwards:
+        polygon_b = reversed_polygon(polygon_b, len(contour_b.segments))
+        contour_b = reversed_contour(contour_b)
+    return MatchedContour(
+        a=a.number,
+        b=b.number,
+        polygon_a=a.polygon,
+        polygon_b=polygon_b,
+        scale_a=to_unit_box(a.polygon)[1],
+        scale_b=to_unit_box(polygon_b)[1],
+        correspondence=found,
+        seconds=0.0,
+    )
+
+
+def grown(part: Part, point: complex, *, of_b: bool) -> MatchedContour:
+    """A contour that grows from a point, if it is B's, or shrinks to one, if it is A's. Nothing is solved."""
+    size = to_unit_box(part.polygon)[1]
+    spot = Polygon(np.array([point]), np.zeros(1, np.intp), np.zeros(1), part.polygon.closed)
+    every = np.arange(len(part.polygon.vertices))
+    dots = np.stack([0 * every, every] if of_b else [every, 0 * every], axis=1)
+    nothing = Correspondence(dots, part.polygon.closed, 0.0, 0.0, 0.0, 0, 0.0, 0)
+    return MatchedContour(
+        a=None if of_b else part.number,
+        b=part.number if of_b else None,
+        polygon_a=spot if of_b else part.polygon,
+        polygon_b=part.polygon if of_b else spot,
+        scale_a=size,
+        scale_b=size,
+        correspondence=nothing,
+        seconds=0.0,
+    )
+
+
+def least_work_either_way(
+    a: Polygon, b: Polygon, settings: BlendSettings, wishes: Wishes, watch: Watch | None
+) -> tuple[bool, Correspondence]:
+    """Solve for the direction of B that agrees with A's; where none is decided, for the cheaper of both.
+
+    Returns
+    -------
+    backwards : bool
+        Whether B was gone through backwards; then the dots number the vertices of `reversed_polygon`.
+    correspondence : Correspondence
+    """
+    ways = _backwards(a, b, settings.reverse)
+    unit_a = to_unit_box(a)[0]
+    weight = _weight(a, settings.stiff)
+    solved: list[tuple[bool, Correspondence]] = []
+    refused: list[MatchError] = []
+    for run, backwards in enumerate(ways):
+        # Only the vertices count here, and they do not depend on the number of segments.
+        candidate = reversed_polygon(b, 1) if backwards else b
+        try:
+            found = least_work(
+                unit_a,
+                to_unit_box(candidate)[0],
+                a.closed,
+                settings.constants,
+                start=wishes.start,
+                pins=[_vertices(a, candidate, pin) for pin in wishes.pins],
+                band=settings.band,
+                weight=weight,
+                solver=settings.solver,
+                effort=settings.effort,
+                watch=part_of(watch, run, len(ways)),
+            )
+        except MatchError as error:  # pins that cross one way round need not cross the other way
+            refused.append(error)
+        else:
+            solved.append((backwards, found))
+    if not solved:
+        raise refused[0]
+    return min(solved, key=lambda way: way[1].work)
+
+
+def part_of(watch: Watch | None, run: int, runs: int) -> Watch | None:
+    """What watches one of several runs."""
+    return None if watch is None else lambda share: watch((run + share) / runs)
+
+
+def _backwards(a: Polygon, b: Polygon, reverse: str) -> list[bool]:
+    """Whether to go through B backwards: one answer, or both where only the work can tell."""
+    if reverse != "auto":
+        return [reverse == "yes"]
+    ways = direction(a), direction(b)
+    return [False, True] if 0 in ways else [ways[0] != ways[1]]
+
+
+def _vertices(a: Polygon, b: Polygon, pin: tuple[complex, complex]) -> tuple[int, int]:
+    """Two vertex numbers, from numbers or from points."""
+    if isinstance(pin[0], int) and isinstance(pin[1], int):
+        return pin[0], pin[1]
+    return int(np.abs(a.vertices - pin[0]).argmin()), int(np.abs(b.vertices - pin[1]).argmin())
+
+
+def _weight(a: Polygon, stiff: tuple[tuple[complex, float, float], ...]) -> FloatArray | None:
+    """Stiffness at A's vertices; regions that overlap multiply."""
+    if not stiff:
+        return None
+    weight = np.ones(len(a.vertices))
+    for point, radius, factor in stiff:
+        weight[np.abs(a.vertices - point) <= radius] *= factor
+    return weight
+
+
+def _opened(outline: Part, line: Part, settings: BlendSettings) -> Part:
+    """An outline cut at the node from which it becomes the line, or comes of it, with the least work."""
+    nodes = np.flatnonzero(outline.polygon.parameter == 0.0)
+    nodes = nodes[:: -(-len(nodes) // OPENINGS)] if len(nodes) else np.zeros(1, np.intp)
+    p = thinned(to_unit_box(line.polygon)[0])
+    unit = to_unit_box(outline.polygon)[0]
+
+    def work(vertex: int) -> float:
+        rolled = np.roll(unit, -vertex)
+        q = thinned(np.append(rolled, rolled[0]))
+        return min(least_work(p, way, False, settings.constants).work for way in (q, q[::-1]))
+
+    return cut_open(outline, min(nodes.tolist(), key=work))
+
+
+def cut_open(outline: Part, vertex: int) -> Part:
+    """A closed contour as an open one that begins and ends at a vertex which is a node."""
+    polygon, contour = outline.polygon, outline.contour
+    first = int(polygon.segment[vertex])
+    count = len(contour.segments)
+    rolled = Contour(
+        np.roll(contour.segments, -first, axis=0), np.roll(contour.straight, -first), closed=False
+    )
+    opened = Polygon(
+        np.append(np.roll(polygon.vertices, -vertex), polygon.vertices[vertex]),
+        np.append((np.roll(polygon.segment, -vertex) - first) % count, count - 1),
+        np.append(np.roll(polygon.parameter, -vertex), 1.0),
+        closed=False,
+    )
+    return outline._replace(contour=rolled, polygon=opened, role=LINE)

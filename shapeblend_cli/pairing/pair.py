@@ -1,0 +1,159 @@
+"""Which contour of A becomes which of B."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.errors import MatchError
+from shapeblend_cli.geometry.normalise import union
+from shapeblend_cli.pairing.assign import align, assign
+from shapeblend_cli.pairing.costs import ALONE, View, costs
+from shapeblend_cli.pairing.order import order, overlaps
+from shapeblend_cli.pairing.parts import HOLE, LINE, OUTLINE, Part
+from shapeblend_cli.pairing.split import split_outlines
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.match.work import WorkConstants
+    from shapeblend_cli.model import FloatArray
+    from shapeblend_cli.settings import BlendSettings
+
+    Numbers = tuple[int, int]
+    Couple = tuple[Part, Part]
+
+SKIPPED = 2.0
+"""What it costs to leave out a contour where the order of paint decides who is paired."""
+
+
+def pair_parts(
+    a: Sequence[Part], b: Sequence[Part], settings: BlendSettings, given: Sequence[Numbers] = ()
+) -> list[Couple]:
+    """Pair the contours of two drawings.
+
+    Outlines are paired with outlines and open lines with open lines, each set at the least total cost. Holes are
+    paired with holes inside paired outlines. As many are paired as can be. Where two paired shapes would have to swap
+    places, one now on top and now below, contours are paired in the order of paint instead. Only where the drawings
+    have no kind in common is an outline paired with an open line.
+
+    Parameters
+    ----------
+    a, b : sequence of Part
+        The contours of each drawing, at least one, B's laid over A.
+    settings : BlendSettings
+    given : sequence of (int, int)
+        Numbers of contours that are pairs whatever they cost; the outlines of paired holes are, too.
+
+    Returns
+    -------
+    list of (Part, Part)
+        By A's number. Pieces, if outlines without a partner are to have them, go by the number of what was cut.
+
+    Raises
+    ------
+    MatchError
+        Given pairs that name no contour, name one twice, or join what cannot be joined.
+    """
+    constants = settings.constants
+    fixed = _checked(a, b, given)
+    tops_a, tops_b = ([part for part in parts if part.role != HOLE] for parts in (a, b))
+    kinds: list[tuple[str, ...]] = [(OUTLINE,), (LINE,)]
+    if {part.role for part in tops_a}.isdisjoint(part.role for part in tops_b):
+        kinds = [(OUTLINE, LINE)]
+    frames = [union([part.box for part in parts]) for parts in (tops_a, tops_b)]
+    views = View(tops_a, frames[0]), View(tops_b, frames[1])
+    found = [_pairs(views, kind, constants, fixed) for kind in kinds]
+    couples = [couple for couples in found for couple in couples]
+    if order([(p.shape, q.shape) for p, q in couples], overlaps(a), overlaps(b)) is None:
+        couples = _in_order(views, kinds, constants, fixed)
+    if settings.unmatched == "split":
+        couples = split_outlines(a, b, couples, settings.vertices)
+    for outer_a, outer_b in list(couples):
+        holes_a, holes_b = (
+            [p for p in parts if outer.has(p)] for parts, outer in ((a, outer_a), (b, outer_b))
+        )
+        inside = View(holes_a, outer_a.box), View(holes_b, outer_b.box)
+        couples += _pairs(inside, (HOLE,), constants, fixed)
+    return sorted(couples, key=lambda couple: couple[0].number)
+
+
+def _pairs(
+    views: tuple[View, View], roles: tuple[str, ...], constants: WorkConstants, fixed: dict[int, int]
+) -> list[Couple]:
+    """Pair the contours of some roles at the least total cost, those that are fixed first."""
+    sides = [View([part for part in view.parts if part.role in roles], view.frame) for view in views]
+    of_b = {part.number: part for part in sides[1].parts}
+    couples = [(part, of_b[fixed[part.number]]) for part in sides[0].parts if fixed.get(part.number) in of_b]
+    taken = {part.number for part, _ in couples}, {part.number for _, part in couples}
+    free = [
+        view._replace(parts=[part for part in view.parts if part.number not in numbers])
+        for view, numbers in zip(sides, taken, strict=True)
+    ]
+    if not free[0].parts or not free[1].parts:
+        return couples
+    if len(free[0].parts) == len(free[1].parts) == 1:
+        return [*couples, (free[0].parts[0], free[1].parts[0])]
+    table = _less_what_is_saved(costs(free[0], free[1], constants), free[0], free[1])
+    return couples + [(free[0].parts[i], free[1].parts[j]) for i, j in assign(table)]
+
+
+def _less_what_is_saved(table: FloatArray, a: View, b: View) -> FloatArray:
+    """Make it cheaper to pair the larger contours of the side that has more: what is left out had better be small."""
+    if len(a.parts) < len(b.parts):
+        return table - ALONE * b.sizes()
+    if len(a.parts) > len(b.parts):
+        return table - ALONE * a.sizes()[:, None]
+    return table
+
+
+def _in_order(
+    views: tuple[View, View],
+    kinds: list[tuple[str, ...]],
+    constants: WorkConstants,
+    fixed: dict[int, int],
+) -> list[Couple]:
+    """Pair outlines and lines so that the order of paint agrees; what is fixed is fixed all the same."""
+    a, b = views
+    table = costs(a, b, constants)
+    for i, p in enumerate(a.parts):
+        for j, q in enumerate(b.parts):
+            if not any(p.role in kind and q.role in kind for kind in kinds):
+                table[i, j] = np.inf
+            wanted = fixed.get(p.number)
+            if wanted == q.number:
+                table[i, j] = -1.0 / np.finfo(float).eps
+            elif wanted is not None or q.number in fixed.values():
+                table[i, j] = np.inf
+    return [(a.parts[i], b.parts[j]) for i, j in align(table, SKIPPED)]
+
+
+def _checked(a: Sequence[Part], b: Sequence[Part], given: Sequence[Numbers]) -> dict[int, int]:
+    """The pairs that were given, and those of the outlines around holes."""
+    parts = tuple({part.number: part for part in side} for side in (a, b))
+    fixed: dict[int, int] = {}
+
+    def add(i: int, j: int) -> None:
+        if fixed.get(i, j) != j or any(other != i and fixed[other] == j for other in fixed):
+            raise MatchError(f"{i}={j} contradicts another pair; each contour has one partner")
+        fixed[i] = j
+
+    for i, j in given:
+        for number, side, name in ((i, parts[0], "A"), (j, parts[1], "B")):
+            if number not in side:
+                most = max(side)
+                raise MatchError(f"{name} has no contour {number} to match; its contours are 0 to {most}")
+        p, q = parts[0][i], parts[1][j]
+        if (p.role == HOLE) != (q.role == HOLE) or (p.role != q.role and LINE in (p.role, q.role)):
+            raise MatchError(
+                f"contour {i} of A is {_named(p)} and contour {j} of B {_named(q)}; two of a kind would work"
+            )
+        add(i, j)
+        if p.outline is not None and q.outline is not None:
+            add(p.outline, q.outline)
+    return fixed
+
+
+def _named(part: Part) -> str:
+    return {OUTLINE: "an outline", HOLE: f"a hole in contour {part.outline}", LINE: "an open line"}[part.role]

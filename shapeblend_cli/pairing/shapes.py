@@ -1,0 +1,129 @@
+"""Matched contours put together into shapes that are painted in one go, those without a partner among them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from shapeblend_cli.model import MatchedContour, MatchedShape
+from shapeblend_cli.pairing.growth import Bridge, point_inside, point_on
+from shapeblend_cli.pairing.join import grown
+from shapeblend_cli.pairing.order import order, overlaps
+from shapeblend_cli.pairing.parts import HOLE, Part
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import Style
+
+
+class Joint(NamedTuple):
+    """Two contours and how one becomes the other."""
+
+    a: Part
+    b: Part
+    matched: MatchedContour
+
+    def side(self, *, of_b: bool) -> Part:
+        """The contour of one drawing."""
+        return self.b if of_b else self.a
+
+    def bridge(self, *, to_b: bool) -> Bridge:
+        """The pair as seen from one drawing."""
+        dots = self.matched.correspondence.dots
+        on_a = self.matched.polygon_a.vertices[dots[:, 0]]
+        on_b = self.matched.polygon_b.vertices[dots[:, 1]]
+        return Bridge(on_b, on_a) if to_b else Bridge(on_a, on_b)
+
+
+class _Group(NamedTuple):
+    """What is painted together: the shapes it comes from, and whether a stroke grows with it."""
+
+    a: int | None
+    b: int | None
+    stroke_grows: bool = False
+
+
+def matched_shapes(a: Sequence[Part], b: Sequence[Part], joints: Sequence[Joint]) -> tuple[MatchedShape, ...]:
+    """Put together the contours of two drawings, and give each without a partner a point to grow from.
+
+    Contours are painted together if they come from the same shape of A and the same shape of B. What grows out of one
+    of them is painted with it, unless it has a stroke, whose width must grow from nothing too.
+
+    Parameters
+    ----------
+    a, b : sequence of Part
+        All contours of the drawings.
+    joints : sequence of Joint
+        Those that are paired, at least one.
+
+    Returns
+    -------
+    tuple of MatchedShape
+        In paint order.
+    """
+    groups: dict[_Group, list[MatchedContour]] = {}
+    styles: dict[_Group, tuple[Style, Style]] = {}
+    for joint in joints:
+        group = _Group(joint.a.shape, joint.b.shape)
+        groups.setdefault(group, []).append(joint.matched)
+        styles.setdefault(group, _styles(joint.a, joint.b))
+    for parts, of_b in ((a, False), (b, True)):
+        for part, group, point in _unmatched(parts, joints, of_b=of_b):
+            groups.setdefault(group, []).append(grown(part, point, of_b=of_b))
+            nothing = part.style._replace(stroke_width=0.0)
+            styles.setdefault(group, (nothing, part.style) if of_b else (part.style, nothing))
+    keys = list(groups)
+    shapes = [(group.a, group.b) for group in keys]
+    below_a, below_b = overlaps(a), overlaps(b)
+    # Pairs that the user gave may contradict the order of paint; then A's counts.
+    ranks = order(shapes, below_a, below_b) or order(shapes, below_a, ()) or range(len(keys))
+    return tuple(MatchedShape(tuple(groups[keys[k]]), *styles[keys[k]]) for k in ranks)
+
+
+def _styles(a: Part, b: Part) -> tuple[Style, Style]:
+    """The styles of a pair, under one fill rule where one paints both."""
+    rules = {part.style.fill_rule for part in (a, b) if not part.any_rule}
+    rule = rules.pop() if len(rules) == 1 else None if rules else "nonzero"
+    if rule is None:
+        return a.style, b.style
+    return a.style._replace(fill_rule=rule), b.style._replace(fill_rule=rule)
+
+
+def _unmatched(
+    parts: Sequence[Part], joints: Sequence[Joint], *, of_b: bool
+) -> list[tuple[Part, _Group, complex]]:
+    """The contours of one drawing without a partner, what each is painted with, and the point it grows from."""
+    paired = {joint.side(of_b=of_b).number: joint for joint in joints}
+    tops = [joint for joint in joints if joint.side(of_b=of_b).role != HOLE]
+    bridges = [joint.bridge(to_b=of_b) for joint in tops]
+    found: list[tuple[Part, _Group, complex]] = []
+    alone: dict[int, tuple[_Group, complex]] = {}
+    for part in parts:
+        if part.number in paired or part.role == HOLE:
+            continue
+        near = [k for k, joint in enumerate(tops) if joint.side(of_b=of_b).shape == part.shape]
+        near = near or list(range(len(tops)))
+        number, point = point_on(part.polygon.vertices, [bridges[k] for k in near])
+        joint = tops[near[number]]
+        own = (
+            _Group(None, part.shape, bool(part.style.stroke))
+            if of_b
+            else _Group(part.shape, None, bool(part.style.stroke))
+        )
+        is_same = joint.side(of_b=of_b).shape == part.shape and part.style.stroke is None
+        group = _Group(joint.a.shape, joint.b.shape) if is_same else own
+        alone[part.number] = group, point
+        found.append((part, group, point))
+    for part in parts:
+        if part.number in paired or part.role != HOLE or part.outline is None:
+            continue
+        if part.outline in alone:
+            found.append((part, *alone[part.outline]))
+            continue
+        joint = next((k for k in tops if k.side(of_b=of_b).has(part)), paired[part.outline])
+        siblings = [
+            other.bridge(to_b=of_b) for other in joints if other.side(of_b=of_b).outline == part.outline
+        ]
+        point = point_inside(part.polygon.vertices, joint.bridge(to_b=of_b), siblings)
+        found.append((part, _Group(joint.a.shape, joint.b.shape), point))
+    return found
