@@ -20,10 +20,10 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test lint type fmt golden bench pictures tables install clean
+.PHONY: help demo test lint type fmt golden bench bench-quality pictures tables install clean
 
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s%s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
 
 demo: install ## blend samples/e.svg into samples/f.svg: frames, an animated SVG, a contact sheet
 	@mkdir -p $(DEMO)
@@ -63,6 +63,9 @@ pictures: install ## draw the pictures of the README
 
 tables: install ## measure the solver and write docs/solver.md
 	$(BIN)/python tools/solver_table.py
+
+bench-quality: install ## measure the results beside other tools and write docs/quality.md; flubber needs node and npm
+	$(BIN)/python -m tools.quality
 
 clean: ## remove what the other targets made, except the README's pictures
 	rm -rf $(VENV) build dist out *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis .benchmarks

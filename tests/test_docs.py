@@ -6,6 +6,9 @@ from pathlib import Path
 import pytest
 
 from shapeblend_cli.cli import shapeblend
+from tools.quality.peers import arc_length, flubber
+from tools.quality.peers import shapeblend as shapeblend_blend
+from tools.quality.tables import BEGIN, END
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -38,6 +41,17 @@ def test_figures_in_the_readme_are_those_of_the_table():
     for figure in ("1.3 times", "5.1 %", "28 %", "64 %", "95 %"):
         assert f"| {figure} |" in table
         assert figure in README
+
+
+def test_figures_beside_other_tools_are_those_of_the_document():
+    document = (ROOT / "docs" / "quality.md").read_text(encoding="utf-8")
+    for text in (README, document):
+        assert (text.count(BEGIN), text.count(END)) == (1, 1)
+    figures = README[README.index(BEGIN) : README.index(END)]
+    assert figures in document
+    for tool in (shapeblend_blend.NAME, flubber.NAME, arc_length.NAME):
+        assert tool in figures
+    assert len(re.findall(r"\d %", figures)) >= 4 * 3
 
 
 def test_nothing_speaks_of_the_machine_it_was_made_on():

@@ -1,0 +1,232 @@
+"""The scores of docs/quality.md on shapes with known answers, and the run without node."""
+
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tools.quality import __main__ as quality
+from tools.quality import crossings, data, scores, sizes, tables
+from tools.quality.data import Pair, icon_pairs, polygon, subpaths
+from tools.quality.peers import ALL, Tool, arc_length, flubber, shapeblend
+from tools.quality.scores import STEPS, Score, area, area_share, is_crossed, score
+
+SQUARE = np.array([0, 10, 10 + 10j, 10j])
+BOW_TIE = SQUARE[[0, 2, 1, 3]]
+TOUCHING = np.array([0, 10, 10 + 10j, 5, 10j])  # a vertex on the opposite side
+POINT = np.full(4, 5 + 5j)
+
+
+def frames(*contours):
+    """The same contours at all times."""
+    return [list(contours)] * (STEPS + 1)
+
+
+@pytest.mark.parametrize(
+    ("contour", "crossed"),
+    [
+        pytest.param(SQUARE, False, id="square"),
+        pytest.param(SQUARE[::-1], False, id="square, the other way round"),
+        pytest.param(np.repeat(SQUARE, 3), False, id="square with repeated vertices"),
+        pytest.param(
+            np.append(SQUARE, SQUARE[0] + 1e-7), False, id="square with two vertices nearly the same"
+        ),
+        pytest.param(BOW_TIE, True, id="bow tie"),
+        pytest.param(TOUCHING, True, id="a vertex touches a side"),
+        pytest.param(np.array([0, 10, 10 + 10j, 10, 20]), True, id="a spike without width"),
+        pytest.param(POINT, False, id="point"),
+        pytest.param(np.array([0, 10]), False, id="line"),
+    ],
+)
+def test_crossed(contour, crossed):
+    assert is_crossed(contour) is crossed
+
+
+def test_a_frame_is_crossed_if_one_of_its_contours_is():
+    assert not score(frames(SQUARE, SQUARE + 50), (2, 2)).crossed
+    assert score(frames(SQUARE, BOW_TIE + 50), (2, 2)).crossed
+
+
+def test_contours_that_cross_each_other_are_not_crossed():
+    assert not score(frames(SQUARE, SQUARE + 5 + 5j), (2, 2)).crossed
+
+
+def test_only_in_betweens_count():
+    both_ends = [[BOW_TIE], *frames(SQUARE)[1:-1], [BOW_TIE]]
+    assert not score(both_ends, (1, 1)).crossed
+    one = frames(SQUARE)
+    one[7] = [BOW_TIE]
+    assert score(one, (1, 1)).crossed
+
+
+def test_area_share_of_a_shape_that_collapses_on_its_way():
+    assert area_share([[SQUARE * abs(1 - 2 * k / STEPS)] for k in range(STEPS + 1)]) == 0.0
+    assert area_share(
+        [[SQUARE * (1 if k in (0, STEPS) else 0.8)] for k in range(STEPS + 1)]
+    ) == pytest.approx(0.64)
+
+
+def test_area_share_is_beside_the_straight_line_between_the_ends():
+    # Areas 100 and 400: at t = .5 a square of side 15 has 225, and 250 lies on the line.
+    growing = [[SQUARE * (1 + k / STEPS)] for k in range(STEPS + 1)]
+    line = [100 + 300 * k / STEPS for k in range(STEPS + 1)]
+    expected = min(100 * (1 + k / STEPS) ** 2 / line[k] for k in range(1, STEPS))
+    assert area_share(growing) == pytest.approx(expected)
+
+
+def test_areas_of_contours_add_up_whichever_way_round():
+    assert area(SQUARE) == area(SQUARE[::-1]) == 100.0
+    grown = [[SQUARE, SQUARE[::-1] * (k / STEPS) ** 0.5] for k in range(STEPS + 1)]
+    assert area_share(grown) == pytest.approx(1.0)
+
+
+def test_a_contour_that_grows_from_a_point_is_neither_crossed_nor_left_out():
+    growing = [[SQUARE, 50 + 5 * (SQUARE - 5 - 5j) * k / STEPS] for k in range(STEPS + 1)]
+    found = score(growing, (1, 2))
+    assert not found.crossed
+    assert not found.left_out
+
+
+def test_contours_that_are_left_out_are_noticed_at_either_end():
+    assert score(frames(SQUARE), (2, 1)).left_out
+    assert score(frames(SQUARE), (1, 2)).left_out
+    assert score(frames(SQUARE, POINT), (2, 1)).left_out
+    assert not score(frames(SQUARE), (1, 1)).left_out
+
+
+def test_polygon_follows_lines_and_curves():
+    assert polygon("M0,0 L10,0 L10,10 L0,10 Z").tolist() == SQUARE.tolist()
+    assert polygon("M0.5,-1 L10,0 L0.5,-1 Z").tolist() == [0.5 - 1j, 10]
+    k = 0.5522847498
+    circle = polygon(f"M1,0 C1,{k} {k},1 0,1 C-{k},1 -1,{k} -1,0 C-1,-{k} -{k},-1 0,-1 C{k},-1 1,-{k} 1,0 Z")
+    assert len(circle) == 4 * data.CHORDS
+    np.testing.assert_allclose(np.abs(circle), 1.0, atol=3e-4)
+
+
+@pytest.mark.parametrize(("name", "pairs", "contours"), [("single", 80, (1, 1)), ("whole", 40, (2, 5))])
+def test_sets_of_icons(name, pairs, contours):
+    icons = icon_pairs(name)
+    counts = [len(subpaths(side)) for pair in icons for side in (pair.a, pair.b)]
+    assert len(icons) == pairs
+    assert (min(counts), max(counts)) == contours
+    # Every number is taken in: lines and curves end where the data says.
+    assert all(np.isfinite(polygon(part)).all() for pair in icons for part in subpaths(pair.a))
+
+
+def test_what_a_file_draws_is_read_whole():
+    drawn = shapeblend.contours(
+        "several.svg",
+        b"""<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">
+        <path d="M0 0H10V10H0Z M50 50H60V60H50Z"/><circle cx="50" cy="20" r="10"/></svg>""",
+    )
+    assert [len(contour) for contour in drawn][:2] == [4, 4]
+    assert drawn[0].tolist() == SQUARE.tolist()
+    assert len(drawn[2]) >= shapeblend.FINE
+    np.testing.assert_allclose(np.abs(drawn[2] - 50 - 20j), 10.0, atol=1e-2)
+
+
+def test_shapeblend_gives_the_frames_of_its_files():
+    (blend,) = shapeblend.blends([Pair("", "M0,0 L10,0 L10,10 L0,10 Z", "M20,0 L40,0 L40,20 L20,20 Z")])
+    assert len(blend) == STEPS + 1
+    assert [area(contour) for (contour,) in blend] == pytest.approx(
+        [(10 + k) ** 2 for k in range(STEPS + 1)], rel=1e-3
+    )
+    assert score(blend, (1, 1)) == Score(
+        crossed=False, area_share=pytest.approx(1.69 / 1.9, rel=1e-3), left_out=False
+    )
+
+
+def test_shapeblend_failing_is_no_answer(capsys):
+    nothing = Pair("", "", "M0,0 L10,0 L10,10 Z")
+    assert shapeblend.blends([nothing]) == [None]
+    assert shapeblend.animation(nothing) is None
+    assert "a.svg" in capsys.readouterr().err
+
+
+def test_arc_length_finds_start_and_direction():
+    turned = np.roll(SQUARE, 1)[::-1] + 30
+    for blend in (arc_length.frames([SQUARE], [turned]), arc_length.frames([turned], [SQUARE])):
+        assert score(blend, (1, 1)) == Score(crossed=False, area_share=pytest.approx(1.0), left_out=False)
+        assert area(blend[5][0]) == pytest.approx(100.0)
+
+
+def test_arc_length_pairs_by_size_and_lets_the_rest_grow():
+    blend = arc_length.frames([3 * SQUARE], [SQUARE + 50, 4 * SQUARE])
+    assert [area(contour) for contour in blend[0]] == pytest.approx([900.0, 0.0])
+    assert [area(contour) for contour in blend[-1]] == pytest.approx([1600.0, 100.0])
+    np.testing.assert_allclose(blend[0][1], 55 + 5j)
+
+
+def test_rounding_path_data_keeps_its_points_apart():
+    assert sizes.rounded("M1.23456,-0.0001L10,1e-7L-2.5000001,33.9999Z") == "M1.235,0L10,0L-2.5,34Z"
+
+
+def test_animated_holds_all_frames():
+    text = sizes.animated(["M0,0L1,0L1,1Z", "M0,0L2,0L2,2Z"])
+    assert 'values="M0,0L1,0L1,1Z;M0,0L2,0L2,2Z"' in text
+    assert shapeblend.contours("a.svg", text.replace("<path>", '<path d="M0,0L2,0L2,2Z">').encode())
+
+
+def test_no_answer_counts_as_crossed_and_as_shrunk():
+    good, bad = Score(False, 1.0, False), Score(True, 0.5, True)
+    (row,) = crossings.section({("single", "a tool"): [good, good, bad, None]}).table.rows
+    assert row == ["one contour", "a tool", "4", "3", "50 %", "50 %", "100.0 %", "33.3 %"]
+    (row,) = crossings.section({("single", "a tool"): [None]}).table.rows
+    assert row == ["one contour", "a tool", "1", "0", "100 %", "100 %", "–", "–"]
+
+
+def test_figures_are_replaced_and_nothing_else():
+    section = tables.Section("T", "text", tables.Table(["a"], [["1"]]), [("what", {"x": "7 %"})])
+    figures = tables.short([section], ["x", "y"], ["z (not there)"])
+    assert "| what | 7 % | – |" in figures
+    assert "Not measured: z (not there)." in figures
+    text = tables.with_figures(f"before\n{tables.BEGIN}\nold\n{tables.END}\nafter\n", figures)
+    assert text == f"before\n{figures}\nafter\n"
+    assert tables.with_figures(text, figures) == text
+    with pytest.raises(ValueError, match="no place for figures"):
+        tables.with_figures("before", figures)
+
+
+def test_without_node_the_rest_is_measured_and_the_document_says_so(monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr(shutil, "which", lambda name: None)
+    few = {"single": icon_pairs("single")[:2], "whole": icon_pairs("whole")[:1]}
+    for module in (crossings, sizes):
+        monkeypatch.setattr(module, "icon_pairs", few.get)
+    without_cache = [
+        tool._replace(ready=flubber.ready.__wrapped__) if tool.ready is flubber.ready else tool
+        for tool in ALL
+    ]
+    monkeypatch.setattr(quality, "ALL", without_cache)
+    monkeypatch.setattr(quality, "ROOT", tmp_path)
+    (tmp_path / "docs").mkdir()
+    (tmp_path / "README.md").write_text(f"x\n{tables.BEGIN}{tables.END}\n", encoding="utf-8")
+
+    def files():
+        quality.main()
+        return [(tmp_path / name).read_text(encoding="utf-8") for name in ("README.md", "docs/quality.md")]
+
+    readme, document = once = files()
+    assert f"Not measured: {flubber.NAME} (node and npm are not there)." in document
+    assert f"| {flubber.NAME}" not in document
+    assert "| one contour | shapeblend | 2 | 2 |" in document
+    assert readme[2:-1] in document
+    assert files() == once
+
+
+def test_a_measure_takes_any_tool(monkeypatch):
+    monkeypatch.setattr(crossings, "icon_pairs", lambda name: [Pair("", "M0,0 Z", "M0,0 Z")])
+    found = crossings.scored(
+        [Tool("none", lambda pairs: [None]), Tool("bow", lambda pairs: [frames(BOW_TIE)])]
+    )
+    assert found["single", "none"] == [None]
+    assert found["single", "bow"][0].crossed
+
+
+def test_other_tools_are_locked_by_their_contents_alone():
+    lock = json.loads(Path(flubber.HERE, "package-lock.json").read_text(encoding="utf-8"))
+    packages = {name: package for name, package in lock["packages"].items() if name}
+    assert packages["node_modules/flubber"]["version"] == flubber.VERSION
+    assert all("integrity" in package and "resolved" not in package for package in packages.values())
+    assert scores.STEPS == 10

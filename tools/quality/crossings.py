@@ -1,0 +1,91 @@
+"""Measure: how often an in-between crosses itself, loses area, or lacks contours."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tools.quality.data import SETS, icon_pairs, subpaths
+from tools.quality.scores import LITTLE, Score, score
+from tools.quality.tables import NONE, Section, Table, share
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from tools.quality.peers import Tool
+
+    Scores = dict[tuple[str, str], list[Score | None]]
+
+HEADER = (
+    "pairs of icons",
+    "tool",
+    "pairs",
+    "answered",
+    "crossed",
+    "area below 70 %",
+    "least area, median",
+    "contours left out",
+)
+
+LEFT_OUT = "... contours are left out"
+
+TEXT = """\
+Pairs of icons: `tests/bench/data/pairs.json`. Nine in-betweens a pair, t = .1, .2, ... .9.
+
+- *answered*: pairs for which the tool gave frames. One without an answer counts as crossed and as below 70 %.
+- *crossed*: pairs in which a contour of at least one in-between crosses or touches itself: shapely calls it
+  invalid, after neighbours nearer than a millionth of a unit, in drawings 100 wide, are made one vertex.
+  Whether one contour crosses another is not asked. A contour shrunk to a point is not crossed.
+- *area*: that of all contours of a frame added up, holes too, as a share of the straight line between the areas
+  at t = 0 and t = 1 as the tool draws them; the least of the nine counts. *below 70 %*: share of the pairs.
+- *contours left out*: pairs in which the tool draws fewer contours at t = 0 or t = 1 than the icon has. Its other
+  figures are then of a simpler task.
+
+The tools:
+
+- shapeblend: its command, told the number of frames and nothing else. Measured are the frame files it writes,
+  rounding included; a contour with curves in about 2000 pieces.
+- flubber, in node: `maxSegmentLength` is a 120th of the longest contour, or, as "sides of 10", what the library takes
+  by itself, which is coarse in drawings 100 wide. Several contours go by `interpolateAll`, in the order of the
+  drawing, `separate` and `combine`. For several to several in unequal number it has no call: the largest are
+  paired, in order of size. It knows no holes and turns every contour the same way round.
+- even arc length: 120 vertices a contour, from the start with the least squared distances. Contours are paired in
+  order of size; what is left over grows from a point or shrinks to one."""
+
+
+def scored(tools: Sequence[Tool]) -> Scores:
+    """Every pair of every set with every tool; None where there was no answer."""
+    found: Scores = {}
+    for name in SETS:
+        pairs = icon_pairs(name)
+        contours = [(len(subpaths(pair.a)), len(subpaths(pair.b))) for pair in pairs]
+        for tool in tools:
+            blends = zip(tool.blends(pairs), contours, strict=True)
+            found[name, tool.name] = [frames and score(frames, counts) for frames, counts in blends]
+    return found
+
+
+def section(scores: Scores) -> Section:
+    rows, brief = [], {}
+    for (name, tool), all_pairs in scores.items():
+        answered = [one for one in all_pairs if one]
+        crossed = share(one is None or one.crossed for one in all_pairs)
+        little = share(one is None or one.area_share < LITTLE for one in all_pairs)
+        left_out = share(one.left_out for one in answered) if answered else NONE
+        median = f"{100 * np.median([one.area_share for one in answered]):.1f} %" if answered else NONE
+        counts = str(len(all_pairs)), str(len(answered))
+        rows.append([SETS[name], tool, *counts, crossed, little, median, left_out])
+        head = f"{len(all_pairs)} pairs of icons of {SETS[name]}"
+        for what, cell in (
+            (f"{head}: an in-between crosses itself", crossed),
+            ("... an in-between has less than 70 % of its area", little),
+            (LEFT_OUT, left_out),
+        ):
+            brief.setdefault((name, what), {})[tool] = cell
+    told = [
+        (what, cells)
+        for (_, what), cells in brief.items()
+        if what != LEFT_OUT or set(cells.values()) != {"0 %"}
+    ]
+    return Section("Crossings and area", TEXT, Table(HEADER, rows), told)

@@ -1,0 +1,40 @@
+"""The tools that are compared: what each is, a module each how it is used."""
+
+from __future__ import annotations
+
+import functools
+from typing import TYPE_CHECKING, NamedTuple
+
+from tools.quality.peers import arc_length, flubber, shapeblend
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    import numpy as np
+
+    from tools.quality.data import Pair
+
+
+class Tool(NamedTuple):
+    """One way to blend.
+
+    Attributes
+    ----------
+    name : str
+    blends : callable
+        Gives for each pair its frames at the times of `scores.STEPS`, or None where the tool fails.
+    ready : callable
+        Gives None, or else why the tool cannot run here.
+    """
+
+    name: str
+    blends: Callable[[list[Pair]], list[list[list[np.ndarray]] | None]]
+    ready: Callable[[], str | None] = lambda: None
+
+
+ALL = (
+    Tool(shapeblend.NAME, shapeblend.blends),
+    Tool(flubber.NAME, flubber.blends, flubber.ready),
+    Tool(flubber.COARSE, functools.partial(flubber.blends, own_sides=True), flubber.ready),
+    Tool(arc_length.NAME, arc_length.blends),
+)

@@ -1,0 +1,54 @@
+"""What takes no thought: vertices at even arc length, vertex to vertex, from the best of all starts.
+
+Contours are paired in order of size. One that is left over grows out of its centroid, or shrinks to it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tools.quality.data import Pair, polygon, subpaths
+from tools.quality.scores import STEPS, area
+
+NAME = "even arc length"
+VERTICES = 120
+
+
+def blends(pairs: list[Pair]) -> list[list[list[np.ndarray]] | None]:
+    return [frames([polygon(d) for d in subpaths(a)], [polygon(d) for d in subpaths(b)]) for _, a, b in pairs]
+
+
+def frames(a: list[np.ndarray], b: list[np.ndarray]) -> list[list[np.ndarray]]:
+    """All frames between two drawings, given as their contours."""
+    a, b = (sorted(contours, key=area, reverse=True) for contours in (a, b))
+    matched = [matching(even(p), even(q)) for p, q in zip(a, b, strict=False)]
+    matched += [(even(p), np.full(VERTICES, centroid(p))) for p in a[len(b) :]]
+    matched += [(np.full(VERTICES, centroid(q)), even(q)) for q in b[len(a) :]]
+    return [[p + (q - p) * k / STEPS for p, q in matched] for k in range(STEPS + 1)]
+
+
+def matching(p: np.ndarray, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Both with q turned to the direction of p, and begun where squared distances add up to the least."""
+    if signed_area(p) * signed_area(q) < 0:
+        q = np.roll(q[::-1], 1)
+    starts = np.add.outer(np.arange(len(q)), np.arange(len(q))) % len(q)
+    return p, q[starts[(np.abs(q[starts] - p) ** 2).sum(axis=1).argmin()]]
+
+
+def even(contour: np.ndarray) -> np.ndarray:
+    """Vertices at even arc length, from the first one on."""
+    around = np.append(contour, contour[0])
+    reached = np.append(0.0, np.cumsum(np.abs(np.diff(around))))
+    return np.interp(reached[-1] * np.arange(VERTICES) / VERTICES, reached, around)
+
+
+def signed_area(contour: np.ndarray) -> float:
+    return float((contour.conj() * np.roll(contour, -1)).imag.sum()) / 2
+
+
+def centroid(contour: np.ndarray) -> complex:
+    """Of the inside."""
+    p = contour - contour[0]
+    q = np.roll(p, -1)
+    cross = (p.conj() * q).imag
+    return complex(contour[0] + ((p + q) * cross).sum() / (3 * cross.sum()))

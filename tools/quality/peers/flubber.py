@@ -1,0 +1,91 @@
+"""flubber, the library most used to morph paths in web pages, run by node.
+
+It is installed from the lock file beside this one into `out/`. For several contours its calls are
+`interpolateAll` (as many on both sides), `separate` (one to several) and `combine` (several to one).
+There is none for, say, two to four: the largest are paired, in order of size, and the rest is left out.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+
+from tools.quality.data import ROOT, Pair, polygon, subpaths
+from tools.quality.scores import STEPS, area
+
+HERE = Path(__file__).parent
+INSTALLED = ROOT / "out" / "quality" / "peers"
+FILES = ("package.json", "package-lock.json", "flubber.mjs")
+VERSION = json.loads((HERE / "package.json").read_text(encoding="utf-8"))["dependencies"]["flubber"]
+NAME = f"flubber {VERSION}"
+
+VERTICES = 120
+"""The longest contour gets about so many."""
+
+COARSE = f"{NAME}, sides of 10"
+"""What it is called where it is left its default, a longest side of 10 units whatever the drawing's size."""
+
+
+@functools.cache
+def ready() -> str | None:
+    """Install it, or say why it cannot run here."""
+    if not (shutil.which("node") and shutil.which("npm")):
+        return "node and npm are not there"
+    INSTALLED.mkdir(parents=True, exist_ok=True)
+    for name in FILES:
+        shutil.copyfile(HERE / name, INSTALLED / name)
+    done = subprocess.run(
+        ["npm", "ci", "--loglevel=error", "--no-audit", "--no-fund", "--ignore-scripts"],
+        cwd=INSTALLED,
+        stdout=subprocess.DEVNULL,
+        check=False,
+    )
+    return "npm could not install it" if done.returncode else None
+
+
+def blends(pairs: list[Pair], own_sides: bool = False) -> list[list[list[np.ndarray]] | None]:
+    times = [k / STEPS for k in range(STEPS + 1)]
+    return [
+        frames and [[np.array(ring) @ [1, 1j] for ring in frame] for frame in frames]
+        for frames in _run(pairs, times, strings=False, own_sides=own_sides)
+    ]
+
+
+def path_data(pairs: list[Pair], times: list[float], own_sides: bool) -> list[list[str] | None]:
+    """For each pair, the frames as the library writes them.
+
+    Parameters
+    ----------
+    pairs, times : list
+    own_sides : bool
+        Leave the length of sides to the library.
+    """
+    return _run(pairs, times, strings=True, own_sides=own_sides)
+
+
+def _run(pairs: list[Pair], times: list[float], strings: bool, own_sides: bool) -> list:
+    jobs = "".join(f"{json.dumps(_job(pair, times, strings, own_sides))}\n" for pair in pairs)
+    done = subprocess.run(
+        ["node", FILES[-1]], cwd=INSTALLED, input=jobs, stdout=subprocess.PIPE, text=True, check=True
+    )
+    return [json.loads(line).get("frames") for line in done.stdout.splitlines()]
+
+
+def _job(pair: Pair, times: list[float], strings: bool, own_sides: bool) -> dict:
+    a, b = subpaths(pair.a), subpaths(pair.b)
+    longest = max(perimeter(polygon(contour)) for contour in a + b)
+    if 1 < min(len(a), len(b)) < max(len(a), len(b)):
+        a, b = (
+            sorted(c, key=lambda d: area(polygon(d)), reverse=True)[: min(len(a), len(b))] for c in (a, b)
+        )
+    side = None if own_sides else longest / VERTICES
+    return {"a": a, "b": b, "side": side, "times": times, "strings": strings}
+
+
+def perimeter(contour: np.ndarray) -> float:
+    return float(np.abs(np.diff(contour, append=contour[0])).sum())

@@ -1,0 +1,78 @@
+"""Markdown: sections of docs/quality.md, and the short table that the README repeats."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+BEGIN = "<!-- figures: written by make bench-quality, here and in docs/quality.md -->"
+END = "<!-- end of figures -->"
+
+NONE = "–"
+"""Stands where there is nothing to measure."""
+
+
+class Table(NamedTuple):
+    """Cells as text."""
+
+    header: Sequence[str]
+    rows: Sequence[Sequence[str]]
+
+    def markdown(self) -> str:
+        lines = [self.header, ["---"] * len(self.header), *self.rows]
+        return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
+class Section(NamedTuple):
+    """One measure.
+
+    Attributes
+    ----------
+    title, text : str
+    table : Table
+    brief : sequence of (str, dict)
+        What the short table says of it: a row's name, and a cell for each tool, by name.
+    """
+
+    title: str
+    text: str
+    table: Table
+    brief: Sequence[tuple[str, dict[str, str]]]
+
+    def markdown(self) -> str:
+        return f"## {self.title}\n\n{self.text}\n\n{self.table.markdown()}"
+
+
+def share(conditions: Iterable[bool]) -> str:
+    """How many of them hold, to three digits."""
+    return f"{100 * np.mean(list(conditions)):.3g} %"
+
+
+def short(sections: Sequence[Section], tools: Sequence[str], missing: Sequence[str]) -> str:
+    """What the README repeats, with the lines around it."""
+    rows = [
+        [name, *(cells.get(tool, NONE) for tool in tools)]
+        for section in sections
+        for name, cells in section.brief
+    ]
+    lines = "".join(f"\nNot measured: {line}.\n" for line in missing)
+    return f"{BEGIN}\n\n{Table(['', *tools], rows).markdown()}{lines}\n{END}"
+
+
+def document(short_table: str, sections: Sequence[Section]) -> str:
+    """The text of docs/quality.md."""
+    parts = ["# shapeblend beside other tools\n", "Written by `make bench-quality`.\n", f"{short_table}\n"]
+    return "\n".join([*parts, *(section.markdown() for section in sections)])
+
+
+def with_figures(text: str, short_table: str) -> str:
+    """A text with the figures between the two marks replaced."""
+    before, begin, rest = text.partition(BEGIN)
+    _, end, after = rest.partition(END)
+    if not (begin and end):
+        raise ValueError(f"no place for figures: it begins with {BEGIN} and ends with {END}")
+    return before + short_table + after
