@@ -13,15 +13,16 @@ from shapeblend_cli.geometry.normalise import box_of, grown, union
 from shapeblend_cli.interpolate.times import frame_times
 from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.output import check_targets, write_files
-from shapeblend_cli.pipeline import make_frames, match
+from shapeblend_cli.pipeline import keyframes, make_frames, match
 from shapeblend_cli.report import report
+from shapeblend_cli.svg.animate import animated_svg
 from shapeblend_cli.svg.read import read
-from shapeblend_cli.svg.write import animated_svg, frame_svg
+from shapeblend_cli.svg.write import frame_svg
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.model import Box, Frame, Pair
+    from shapeblend_cli.model import Box, Frame, PaintedShape, Pair
     from shapeblend_cli.settings import BlendSettings
 
 STANDARD_OUTPUT = "-"
@@ -110,7 +111,7 @@ def blend_files(
     for note in pair.notes:
         say(note)
     frames = make_frames(pair, frame_times(job.blend.frames, job.blend.ends))
-    start, end = make_frames(pair, [0.0, 1.0])
+    start, end = keyframes(pair)
     clock.lap("interpolate")
 
     viewbox = _viewbox(start, end)
@@ -162,13 +163,13 @@ def _targets(job: Job) -> list[Path]:
     return targets
 
 
-def _viewbox(start: Frame, end: Frame) -> Box:
+def _viewbox(start: Sequence[PaintedShape], end: Sequence[PaintedShape]) -> Box:
     """The box around all that is drawn from start to end, strokes included, with a margin.
 
     Straight vertex paths never leave the box around their ends.
     """
     boxes = []
-    for shape in (*start.shapes, *end.shapes):
+    for shape in (*start, *end):
         reach = shape.style.stroke_width / 2 if shape.style.stroke else 0.0
         for outline in shape.outlines:
             boxes.append(grown(box_of(outline.vertices), reach))

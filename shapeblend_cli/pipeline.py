@@ -177,15 +177,30 @@ def drawn_box(drawing: Drawing) -> Box:
     return union([cubics.bounds(contour.segments) for shape in drawing.shapes for contour in shape.contours])
 
 
+def keyframes(pair: Pair) -> tuple[tuple[PaintedShape, ...], tuple[PaintedShape, ...]]:
+    """The shapes of a pair at t = 0 and t = 1, command for command alike; what has no partner is a point there."""
+    start, end = (tuple(_painted(shape, t) for shape in pair.shapes) for t in (0.0, 1.0))
+    return start, end
+
+
 def _frame(pair: Pair, t: float) -> Frame:
-    shapes = tuple(painted for painted in (_painted(shape, t) for shape in pair.shapes) if painted.outlines)
-    outlines = [outline for shape in shapes for outline in shape.outlines]
+    # At the ends of time a contour that grows from a point or shrinks to one is not there.
+    shapes = [
+        shape._replace(
+            contours=tuple(
+                c for c in shape.contours if not (c.a is None and t == 0.0) and not (c.b is None and t == 1.0)
+            )
+        )
+        for shape in pair.shapes
+    ]
+    painted = tuple(_painted(shape, t) for shape in shapes if shape.contours)
+    outlines = [outline for shape in painted for outline in shape.outlines]
     return Frame(
         t=t,
         pair=0,
-        shapes=shapes,
+        shapes=painted,
         self_crossings=sum(self_crossings(o.vertices, o.closed) for o in outlines),
-        area=sum(abs(sum(signed_area(o.vertices) for o in shape.outlines)) for shape in shapes),
+        area=sum(abs(sum(signed_area(o.vertices) for o in shape.outlines)) for shape in painted),
     )
 
 
@@ -196,6 +211,5 @@ def _painted(shape: MatchedShape, t: float) -> PaintedShape:
             c.correspondence.closed,
         )
         for c in shape.contours
-        if not (c.a is None and t == 0.0) and not (c.b is None and t == 1.0)
     )
     return PaintedShape(outlines, blend_styles(shape.style_a, shape.style_b, t))

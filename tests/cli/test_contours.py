@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 
 import numpy as np
 import pytest
@@ -130,6 +131,15 @@ def test_the_frames_at_the_ends_have_no_contours_of_a_point(here):
     files(EYED, LEAF)
     assert run(["a.svg", "b.svg", "-n", "1", "--ends", "-o", "out"]) == 0
     assert [(here / f"out/frame-{k}.svg").read_text().count("M") for k in (1, 2, 3)] == [2, 2, 1]
+
+
+def test_an_animation_has_the_point_a_contour_grows_from(here):
+    files(LEAF, EYED)
+    assert run(["a.svg", "b.svg", "-o", "moving.svg"]) == 0
+    (values,) = re.findall(r'values="(M[^"]*)"', (here / "moving.svg").read_text())
+    start, end = values.split(";")
+    assert start.count("M") == end.count("M") == 2
+    assert len(re.findall(r"[\d.]+", start)) == len(re.findall(r"[\d.]+", end))
 
 
 def test_a_stroke_that_grows_grows_in_width(here):
