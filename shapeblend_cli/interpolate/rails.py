@@ -142,6 +142,4 @@ def rail(contour: Contour, polygon: Polygon) -> Rail:
     corner[-1] = corner[0]
     if not closed:
         corner[[0, -1]] = True
-    return Rail(
-        segments, contour.straight, vertices, closed, segment, start, end, lengths, node, corner
-    )
+    return Rail(segments, contour.straight, vertices, closed, segment, start, end, lengths, node, corner)

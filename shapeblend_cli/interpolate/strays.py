@@ -23,9 +23,9 @@ LEAST_SAMPLES = 4
 
 
 def strays(
-    segments_a: ComplexArray, segments_b: ComplexArray, a: Rail, b: Rail, dots: FloatArray, cuts: FloatArray
+    segments_a: ComplexArray, segments_b: ComplexArray, a: Rail, b: Rail, places: FloatArray, cuts: FloatArray
 ) -> FloatArray:
-    """Distance, near each of the solver's dots, between the in-between of curves and that of polygons.
+    """Distance, near each of the given places, between the in-between of curves and that of polygons.
 
     Both are seen as polygons, and the distance of each one's vertices from the other one's edges is taken: which
     point is drawn where along an outline is of no account, but where the outline runs is. It is looked for nearby
@@ -37,7 +37,8 @@ def strays(
     segments_a, segments_b : (s, 4) complex
         Pieces between the cuts.
     a, b : Rail
-    dots : (k, 2) float
+    places : (k, 2) float
+        The polygons' vertices: what corresponds, as places on both rails.
     cuts : (s + 1, 2) float
         Where the pieces begin and end.
 
@@ -46,33 +47,39 @@ def strays(
     (k,) float
         The largest over `TIMES`, in the drawing's unit.
     """
-    along_dots = _along(a, b, dots)
-    along_cuts = _along(a, b, cuts)
-    spans = np.searchsorted(along_dots, along_cuts)
+    along_places = along(a, b, places)
+    along_cuts = along(a, b, cuts)
+    spans = np.searchsorted(along_places, along_cuts)
     counts = LEAST_SAMPLES + 2 * np.diff(spans)
     piece = np.repeat(np.arange(len(counts)), counts)
     begins = np.cumsum(counts) - counts
     u = (np.arange(len(piece)) - begins[piece]) / counts[piece]
     samples = [
-        np.append(cubics.evaluate(segments[piece], u), segments[-1, 3]) for segments in (segments_a, segments_b)
+        np.append(cubics.evaluate(segments[piece], u), segments[-1, 3])
+        for segments in (segments_a, segments_b)
     ]
-    vertices = [r.points(dots[:, side]) for side, r in enumerate((a, b))]
-    far = np.zeros(len(dots))
+    vertices = [r.points(places[:, side]) for side, r in enumerate((a, b))]
+    far = np.zeros(len(places))
+    curve: ComplexArray
+    polygon: ComplexArray
     for t in TIMES:
-        curve = (1.0 - t) * samples[0] + t * samples[1]
-        polygon = (1.0 - t) * vertices[0] + t * vertices[1]
+        curve = samples[0] + t * (samples[1] - samples[0])
+        polygon = vertices[0] + t * (vertices[1] - vertices[0])
         length_curve, length_polygon = _lengths(curve), _lengths(polygon)
         # Lengths along both, made equal at the cuts.
-        at_cuts = np.interp(along_cuts, along_dots, length_polygon)
+        at_cuts = np.interp(along_cuts, along_places, length_polygon)
         curve_cuts = length_curve[np.append(begins, len(piece))]
-        there = np.searchsorted(length_curve, np.interp(length_polygon, at_cuts, curve_cuts), side="right") - 1
+        there = (
+            np.searchsorted(length_curve, np.interp(length_polygon, at_cuts, curve_cuts), side="right") - 1
+        )
         np.maximum(far, _nearest(polygon, curve, there, a.closed), out=far)
         back = np.searchsorted(length_polygon, np.interp(length_curve, curve_cuts, at_cuts), side="right") - 1
-        np.maximum.at(far, np.clip(back, 0, len(dots) - 1), _nearest(curve, polygon, back, a.closed))
+        np.maximum.at(far, np.clip(back, 0, len(places) - 1), _nearest(curve, polygon, back, a.closed))
     return far
 
 
-def _along(a: Rail, b: Rail, places: FloatArray) -> FloatArray:
+def along(a: Rail, b: Rail, places: FloatArray) -> FloatArray:
+    """How far along both outlines places are: 0 at vertices 0, 2 once round."""
     return a.length_at(places[:, 0]) / a.lengths[-1] + b.length_at(places[:, 1]) / b.lengths[-1]
 
 
