@@ -135,3 +135,21 @@ def signed_area(segments: ComplexArray) -> float:
 def line(start: complex, end: complex) -> ComplexArray:
     """A straight segment, (4,) complex, its inner points at thirds."""
     return start + (end - start) * np.array([0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0])
+
+
+def directions(segments: ComplexArray) -> tuple[ComplexArray, ComplexArray]:
+    """Unit tangents at the start and the end of each segment, both (k,) complex, in the direction of travel.
+
+    Where a handle has no length the next control point that lies elsewhere gives the direction, as it does in
+    the limit. A segment that is a point has none: zero.
+    """
+    extent = np.abs(segments - segments[:, :1]).max(axis=1)
+    return _towards(segments, extent), -_towards(segments[:, ::-1], extent)
+
+
+def _towards(segments: ComplexArray, extent: FloatArray) -> ComplexArray:
+    ahead = segments[:, 1:] - segments[:, :1]
+    apart = np.abs(ahead) > 1e-6 * extent[:, None]
+    chosen = ahead[np.arange(len(segments)), apart.argmax(axis=1)]
+    length = np.abs(chosen)
+    return np.where(apart.any(axis=1), chosen / np.where(length > 0.0, length, 1.0), 0.0)
