@@ -161,6 +161,12 @@ def shapeblend() -> None:
 )
 @constant_options
 @click.option(
+    "--curves/--polygons",
+    default=True,
+    show_default=True,
+    help="Frames of the drawings' own curves, or of the solver's polygons.",
+)
+@click.option(
     "--report", "report_file", metavar="FILE", help="Write what was found as JSON; - for standard output."
 )
 @click.option("-q", "--quiet", is_flag=True, help="Only errors.")
@@ -183,6 +189,7 @@ def blend(
     band: float | str | None,
     effort: str,
     preset: str | None,
+    curves: bool,
     report_file: str | None,
     quiet: bool,
     verbose: bool,
@@ -218,6 +225,7 @@ def blend(
         "effort": effort,
         "preset": preset,
         **constants,
+        "curves": curves,
         "report": report_file,
     }
 
@@ -245,6 +253,7 @@ def blend(
             solver=solver,
             band=band_here,
             effort=effort,
+            curves=curves,
             constants=WorkConstants(**{f"{name[0]}_{name[1]}": value for name, value in constants.items()}),
         ),
     )

@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from shapeblend_cli import __version__
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError, OutputError
-from shapeblend_cli.geometry.normalise import box_of, grown, union
-from shapeblend_cli.interpolate.times import frame_times
+from shapeblend_cli.geometry.normalise import union
 from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.output import check_targets, write_files
-from shapeblend_cli.pipeline import keyframes, make_frames, match
+from shapeblend_cli.pipeline import make_frames, match_all, shapes_at
 from shapeblend_cli.report import report
 from shapeblend_cli.svg.animate import animated_svg
 from shapeblend_cli.svg.read import read
@@ -22,13 +21,10 @@ from shapeblend_cli.svg.write import frame_svg
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.model import Box, Frame, PaintedShape, Pair
+    from shapeblend_cli.model import Frame, Pair
     from shapeblend_cli.settings import BlendSettings
 
 STANDARD_OUTPUT = "-"
-
-MARGIN = 0.02
-"""Room around what is drawn, as a share of its larger side."""
 
 SLOW = (
     "the solver was installed without a C compiler and runs uncompiled, far slower; "
@@ -41,7 +37,8 @@ class Job(NamedTuple):
 
     Attributes
     ----------
-    files : (str, str)
+    files : tuple of str
+        Two or more.
     output : str
         A folder, a name ending in ``.svg``, or ``-``.
     force : bool
@@ -52,7 +49,7 @@ class Job(NamedTuple):
         Every option's value in force, for the report.
     """
 
-    files: tuple[str, str]
+    files: tuple[str, ...]
     output: str
     force: bool
     report_file: str | None
@@ -66,7 +63,8 @@ class Job(NamedTuple):
 
     def frame_files(self) -> list[str]:
         """Names of the frame files in order of time, padded with zeros to one width."""
-        count = self.blend.frames + (2 if self.blend.ends else 0)
+        pairs = len(self.files) - 1
+        count = pairs * self.blend.frames + (pairs + 1 if self.blend.ends else 0)
         return [f"frame-{k + 1:0{len(str(count))}d}.svg" for k in range(count)]
 
 
@@ -76,7 +74,7 @@ def blend_files(
     detail: Callable[[str], None],
     watch: Callable[[float], None],
 ) -> None:
-    """Read two files, blend them, and write what was asked for, all of it or nothing.
+    """Read files, blend each with the next, and write what was asked for, all of it or nothing.
 
     Parameters
     ----------
@@ -99,28 +97,27 @@ def blend_files(
     paths = _targets(job)
     check_targets(paths, [Path(file) for file in job.files], job.force)
 
-    a, b = (read(file) for file in job.files)
-    for drawing in (a, b):
+    drawings = [read(file) for file in job.files]
+    for drawing in drawings:
         for note in drawing.notes:
             say(f"{drawing.file}: {note}")
     clock.lap("read")
     try:
-        pair = match(a, b, job.blend, clock, watch)
+        pairs, notes = match_all(drawings, job.blend, clock, watch)
     except MatchError as error:
         raise InputError(" and ".join(job.files), str(error)) from error
-    for note in pair.notes:
+    for note in notes:
         say(note)
-    frames = make_frames(pair, frame_times(job.blend.frames, job.blend.ends))
-    start, end = keyframes(pair)
+    frames = make_frames(pairs, job.blend)
     clock.lap("interpolate")
 
-    viewbox = _viewbox(start, end)
     texts: dict[Path, str] = {}
     standard_output = ""
     names: Sequence[str | None]
     if job.animated:
         names = [None] * len(frames)
-        animation = animated_svg(start, end, viewbox)
+        (pair,) = pairs
+        animation = animated_svg(shapes_at(pair, 0.0), shapes_at(pair, 1.0), union(list(pair.views)))
         if job.output == STANDARD_OUTPUT:
             standard_output = animation
         else:
@@ -128,13 +125,13 @@ def blend_files(
     else:
         names = job.frame_files()
         texts.update(
-            (Path(job.output, name), frame_svg(frame, viewbox))
+            (Path(job.output, name), frame_svg(frame))
             for name, frame in zip(job.frame_files(), frames, strict=True)
         )
     if job.report_file is not None:
         import json  # most runs write no report
 
-        found = report(__version__, job.files, job.reported_settings, pair, frames, names, clock.seconds)
+        found = report(__version__, job.files, job.reported_settings, pairs, frames, names, clock.seconds)
         text = json.dumps(found, allow_nan=False) + "\n"
         if job.report_file == STANDARD_OUTPUT:
             standard_output = text
@@ -147,7 +144,7 @@ def blend_files(
         if stale:
             say(f"{job.output}: {len(stale)} frame files of another run are left, {min(stale)} among them")
     clock.lap("write")
-    for line in _details(pair, frames, clock):
+    for line in _details(pairs, frames, clock):
         detail(line)
 
 
@@ -163,20 +160,6 @@ def _targets(job: Job) -> list[Path]:
     return targets
 
 
-def _viewbox(start: Sequence[PaintedShape], end: Sequence[PaintedShape]) -> Box:
-    """The box around all that is drawn from start to end, strokes included, with a margin.
-
-    Straight vertex paths never leave the box around their ends.
-    """
-    boxes = []
-    for shape in (*start, *end):
-        reach = shape.style.stroke_width / 2 if shape.style.stroke else 0.0
-        for outline in shape.outlines:
-            boxes.append(grown(box_of(outline.vertices), reach))
-    drawn = union(boxes)
-    return grown(drawn, MARGIN * max(drawn.width, drawn.height))
-
-
 def _print(text: str) -> None:
     """Write to standard output as UTF-8, whatever the locale."""
     if text:
@@ -188,9 +171,9 @@ def _proof(lower_bound: float | None) -> str:
     return "not proven least" if lower_bound is None else f"at least {lower_bound:.6g}"
 
 
-def _details(pair: Pair, frames: Sequence[Frame], clock: Clock) -> list[str]:
+def _details(pairs: Sequence[Pair], frames: Sequence[Frame], clock: Clock) -> list[str]:
     lines = []
-    for c in pair.contours:
+    for c in (contour for pair in pairs for contour in pair.contours):
         found = c.correspondence
         if c.a is None or c.b is None:
             way = f"contour {c.a} of A shrinks to" if c.b is None else f"contour {c.b} of B grows from"

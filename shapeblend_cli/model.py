@@ -185,8 +185,10 @@ class MatchedContour(NamedTuple):
     ----------
     a, b : int or None
         Contour numbers, counted through each file in paint order; None where it grows from a point, or shrinks to one.
+    contour_a, contour_b : Contour
+        Both in A's coordinates and in the same direction. A point is a contour whose control points are all there.
     polygon_a, polygon_b : Polygon
-        As solved: both in A's coordinates and in the same direction. A point is a polygon of one vertex.
+        The contours flattened, as solved. A point is a polygon of one vertex.
     scale_a, scale_b : float
         What section 3.3's normalisation divided by.
     correspondence : Correspondence
@@ -196,6 +198,8 @@ class MatchedContour(NamedTuple):
 
     a: int | None
     b: int | None
+    contour_a: Contour
+    contour_b: Contour
     polygon_a: Polygon
     polygon_b: Polygon
     scale_a: float
@@ -219,6 +223,59 @@ class MatchedShape(NamedTuple):
     style_b: Style
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Outline:
+    """A chain of cubics and lines to draw, some of them perhaps without extent.
+
+    Attributes
+    ----------
+    segments : (s, 4) complex
+        Control points, as in `Contour`.
+    straight : (s,) bool
+        Which segments are drawn as lines.
+    closed : bool
+    """
+
+    segments: ComplexArray
+    straight: BoolArray
+    closed: bool
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "segments", frozen(self.segments, np.complex128))
+        object.__setattr__(self, "straight", frozen(self.straight, np.bool_))
+
+
+class MovingContour(NamedTuple):
+    """An outline and another one, segment for segment alike.
+
+    Attributes
+    ----------
+    start, end : Outline
+    grows, shrinks : bool
+        Whether it is a point at the start, or at the end.
+    """
+
+    start: Outline
+    end: Outline
+    grows: bool = False
+    shrinks: bool = False
+
+
+class MovingShape(NamedTuple):
+    """Contours that move and are painted together."""
+
+    contours: tuple[MovingContour, ...]
+    style_a: Style
+    style_b: Style
+
+
+class PaintedShape(NamedTuple):
+    """Outlines that are painted together: one path of a frame."""
+
+    outlines: tuple[Outline, ...]
+    style: Style
+
+
 class Pair(NamedTuple):
     """Two drawings, matched shape by shape.
 
@@ -228,37 +285,25 @@ class Pair(NamedTuple):
         Numbers of the input files.
     shapes : tuple of MatchedShape
         In paint order.
-    notes : tuple of str
-        What was left out, one phrase each.
+    moving : tuple of MovingShape
+        How they move, in the same order.
+    drawn : (tuple of PaintedShape, tuple of PaintedShape)
+        The two drawings as they are, laid over A.
+    views : (Box, Box)
+        What part of the plane to show of each.
     """
 
     a: int
     b: int
     shapes: tuple[MatchedShape, ...]
-    notes: tuple[str, ...] = ()
+    moving: tuple[MovingShape, ...]
+    drawn: tuple[tuple[PaintedShape, ...], tuple[PaintedShape, ...]]
+    views: tuple[Box, Box]
 
     @property
     def contours(self) -> list[MatchedContour]:
         """The contours of all shapes."""
         return [contour for shape in self.shapes for contour in shape.contours]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Outline:
-    """A polygon to draw: vertices in order, some of them perhaps coincident."""
-
-    vertices: ComplexArray
-    closed: bool
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "vertices", frozen(self.vertices, np.complex128))
-
-
-class PaintedShape(NamedTuple):
-    """Outlines that are painted together: one path of a frame."""
-
-    outlines: tuple[Outline, ...]
-    style: Style
 
 
 class Frame(NamedTuple):
@@ -271,6 +316,8 @@ class Frame(NamedTuple):
     pair : int
     shapes : tuple of PaintedShape
         In paint order.
+    view : Box
+        What part of the plane to show.
     self_crossings : int
         How often an outline crosses itself.
     area : float
@@ -280,5 +327,6 @@ class Frame(NamedTuple):
     t: float
     pair: int
     shapes: tuple[PaintedShape, ...]
+    view: Box
     self_crossings: int
     area: float

@@ -6,15 +6,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.normalise import Similarity, lay_over, union
+from shapeblend_cli.geometry.normalise import Similarity, between_boxes, grown, lay_over, union
 from shapeblend_cli.geometry.outline import self_crossings, signed_area
-from shapeblend_cli.interpolate.paths import blend_vertices
+from shapeblend_cli.interpolate.paths import between, moving
 from shapeblend_cli.interpolate.styles import blend_styles
 from shapeblend_cli.interpolate.times import frame_times
 from shapeblend_cli.model import (
@@ -23,6 +24,7 @@ from shapeblend_cli.model import (
     Drawing,
     Frame,
     MatchedShape,
+    MovingShape,
     Outline,
     PaintedShape,
     Pair,
@@ -30,13 +32,19 @@ from shapeblend_cli.model import (
 )
 from shapeblend_cli.pairing.join import join, least_work_either_way, part_of
 from shapeblend_cli.pairing.pair import pair_parts
-from shapeblend_cli.pairing.parts import main_way, take_apart
+from shapeblend_cli.pairing.parts import Part, main_way, take_apart
 from shapeblend_cli.pairing.shapes import Joint, matched_shapes
 from shapeblend_cli.pairing.wishes import Wishes, check_stiff, given_pairs, pinned, wishes_for
 from shapeblend_cli.settings import BlendSettings
 
+MARGIN = 0.02
+"""Room around what a drawing without a viewBox paints, as a share of its larger side."""
+
+FLAT_PIECES = 12
+"""Lines for which a curve is taken where crossings are counted and areas measured."""
+
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import ArrayLike
 
@@ -47,12 +55,12 @@ def blend(a: Drawing, b: Drawing, settings: BlendSettings) -> tuple[Pair, list[F
     Raises
     ------
     InputError
-        A drawing whose outline cannot be blended with the other's; its file is named.
+        A drawing in which nothing can be blended; its file is named.
     MatchError
-        Starts, pins, bands and stiff regions that do not fit the outlines.
+        Starts, pins, bands, pairs and stiff regions that do not fit the outlines.
     """
-    pair = match(a, b, settings)
-    return pair, make_frames(pair, frame_times(settings.frames, settings.ends))
+    (pair,), _ = match_all([a, b], settings)
+    return pair, make_frames([pair], settings)
 
 
 def correspond(
@@ -118,34 +126,74 @@ def _given_polygon(points: ArrayLike, closed: bool) -> Polygon:
     return Polygon(vertices, np.arange(len(vertices)), np.zeros(len(vertices)), closed)
 
 
-def match(
-    a: Drawing,
-    b: Drawing,
+def match_all(
+    drawings: Sequence[Drawing],
     settings: BlendSettings,
     clock: Clock | None = None,
     watch: Callable[[float], None] | None = None,
-) -> Pair:
-    """Find the correspondence of two drawings: everything up to the first frame.
+) -> tuple[list[Pair], list[str]]:
+    """Find the correspondences of drawings, each with the next one: everything up to the first frame.
 
     Parameters
     ----------
-    a, b : Drawing
+    drawings : sequence of Drawing
+        Two or more; all are laid over the first.
     settings : BlendSettings
     clock : Clock, optional
-        Told of the stages `flatten` and `match`.
+        Told of the stages `flatten`, `match` and `interpolate`.
     watch : callable, optional
         Told now and then which share of the matching is done, from 0 to 1.
+
+    Returns
+    -------
+    pairs : list of Pair
+    notes : list of str
+        What was left out, one phrase each.
     """
     clock = clock or Clock()
-    over = place_over(a, b, settings.place)
-    parts_a, notes_a = take_apart(a, Similarity(), settings.vertices)
-    way = main_way([part.polygon for part in parts_a])
-    parts_b, notes_b = take_apart(b, over, settings.vertices, way)
-    check_stiff([part.polygon for part in parts_a], settings)
+    first = drawings[0]
+    laid: list[_Laid] = []
+    notes: list[str] = []
+    for number, drawing in enumerate(drawings):
+        over = place_over(first, drawing, settings.place) if number else Similarity()
+        way = main_way([part.polygon for part in laid[0].parts]) if laid else None
+        parts, left_out = take_apart(drawing, over, settings.vertices, way)
+        laid.append(_Laid(drawing, over, parts))
+        notes += left_out
+    check_stiff([part.polygon for part in laid[0].parts], settings)
     clock.lap("flatten")
-    pins = pinned(parts_a, parts_b, settings, over)
-    given = given_pairs((a, b), (parts_a, parts_b), settings) + [found.pair for found in pins]
-    couples = pair_parts(parts_a, parts_b, settings, given)
+    pairs = []
+    for number, (a, b) in enumerate(pairwise(laid)):
+        shapes = _match(a, b, settings, clock, part_of(watch, number, len(laid) - 1))
+        moving_shapes = tuple(
+            MovingShape(
+                tuple(moving(contour, curves=settings.curves) for contour in shape.contours),
+                shape.style_a,
+                shape.style_b,
+            )
+            for shape in shapes
+        )
+        views = view_of(a, first, settings.place), view_of(b, first, settings.place)
+        pairs.append(Pair(number, number + 1, shapes, moving_shapes, (as_drawn(a), as_drawn(b)), views))
+        clock.lap("interpolate")
+    return pairs, notes
+
+
+class _Laid(NamedTuple):
+    """A drawing, what lays it over the first, and its contours laid there."""
+
+    drawing: Drawing
+    over: Similarity
+    parts: list[Part]
+
+
+def _match(
+    a: _Laid, b: _Laid, settings: BlendSettings, clock: Clock, watch: Callable[[float], None] | None
+) -> tuple[MatchedShape, ...]:
+    """Pair the contours of two drawings and find the correspondence of each pair."""
+    pins = pinned(a.parts, b.parts, settings, b.over)
+    given = given_pairs((a.drawing, b.drawing), (a.parts, b.parts), settings)
+    couples = pair_parts(a.parts, b.parts, settings, given + [found.pair for found in pins])
     clock.lap("match")
     largest = max(couples, key=lambda couple: couple[0].size)
     joints = []
@@ -153,14 +201,57 @@ def match(
         wishes = wishes_for(couple, settings, pins, is_largest=couple is largest)
         matched = join(*couple, settings, wishes, part_of(watch, run, len(couples)))
         joints.append(Joint(*couple, matched._replace(seconds=clock.lap("match"))))
-    shapes = matched_shapes(parts_a, parts_b, joints)
+    shapes = matched_shapes(a.parts, b.parts, joints)
     clock.lap("match")
-    return Pair(a=0, b=1, shapes=shapes, notes=(*notes_a, *notes_b))
+    return shapes
 
 
-def make_frames(pair: Pair, times: list[float]) -> list[Frame]:
-    """Make the frames of a pair at the given times in [0, 1]."""
-    return [_frame(pair, t) for t in times]
+def as_drawn(laid: _Laid) -> tuple[PaintedShape, ...]:
+    """What a drawing paints, laid over the first."""
+    return tuple(
+        PaintedShape(
+            tuple(Outline(laid.over.points(c.segments), c.straight, c.closed) for c in shape.contours),
+            shape.style._replace(stroke_width=laid.over.scale * shape.style.stroke_width),
+        )
+        for shape in laid.drawing.shapes
+    )
+
+
+def view_of(laid: _Laid, first: Drawing, place: str) -> Box:
+    """What part of the plane to show of a drawing: its viewBox, and what it paints outside.
+
+    Where it is laid by its own box, its viewBox says nothing, and the first drawing's stands in.
+    """
+    boxes = []
+    for shape in as_drawn(laid):
+        reach = shape.style.stroke_width / 2.0 if shape.style.stroke else 0.0
+        boxes += [grown(cubics.bounds(outline.segments), reach) for outline in shape.outlines]
+    drawn = union(boxes)
+    with_margin = grown(drawn, MARGIN * max(drawn.width, drawn.height))
+    viewbox = first.viewbox if place == "bbox" else laid.drawing.viewbox
+    if viewbox is None:
+        return with_margin
+    if place != "bbox":
+        corner = complex(laid.over.points(np.array(complex(viewbox.x, viewbox.y))))
+        viewbox = Box(
+            corner.real, corner.imag, laid.over.scale * viewbox.width, laid.over.scale * viewbox.height
+        )
+    slack = 1e-9 * max(viewbox.width, viewbox.height)
+    is_inside = union([viewbox, drawn]) == viewbox or union([grown(viewbox, slack), drawn]) == grown(
+        viewbox, slack
+    )
+    return viewbox if is_inside else union([viewbox, with_margin])
+
+
+def make_frames(pairs: Sequence[Pair], settings: BlendSettings) -> list[Frame]:
+    """Make the in-betweens of all pairs, and with `settings.ends` the drawings, in order of time."""
+    frames = []
+    for pair in pairs:
+        times = frame_times(settings.frames, settings.ends)
+        if settings.ends and pair.a:
+            times = times[1:]  # the pair before has ended with this one's start
+        frames += [frame_at(pair, t, as_drawn=settings.curves) for t in times]
+    return frames
 
 
 def place_over(a: Drawing, b: Drawing, place: str) -> Similarity:
@@ -177,39 +268,46 @@ def drawn_box(drawing: Drawing) -> Box:
     return union([cubics.bounds(contour.segments) for shape in drawing.shapes for contour in shape.contours])
 
 
-def keyframes(pair: Pair) -> tuple[tuple[PaintedShape, ...], tuple[PaintedShape, ...]]:
-    """The shapes of a pair at t = 0 and t = 1, command for command alike; what has no partner is a point there."""
-    start, end = (tuple(_painted(shape, t) for shape in pair.shapes) for t in (0.0, 1.0))
-    return start, end
-
-
-def _frame(pair: Pair, t: float) -> Frame:
-    # At the ends of time a contour that grows from a point or shrinks to one is not there.
-    shapes = [
-        shape._replace(
-            contours=tuple(
-                c for c in shape.contours if not (c.a is None and t == 0.0) and not (c.b is None and t == 1.0)
-            )
+def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
+    """The shapes of a pair at time t, command for command alike at all times; what has no partner ends as a point."""
+    return tuple(
+        PaintedShape(
+            tuple(between(contour, t) for contour in shape.contours),
+            blend_styles(shape.style_a, shape.style_b, t),
         )
-        for shape in pair.shapes
+        for shape in pair.moving
+    )
+
+
+def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:
+    """The frame at time t; at t = 0 and t = 1 it may be the drawing itself."""
+    moved = shapes_at(pair, t)
+    flat = [
+        [(cubics.polyline(o.segments, o.straight, FLAT_PIECES), o) for o in shape.outlines] for shape in moved
     ]
-    painted = tuple(_painted(shape, t) for shape in shapes if shape.contours)
-    outlines = [outline for shape in painted for outline in shape.outlines]
+    if t in (0.0, 1.0):
+        moved = pair.drawn[int(t)] if as_drawn else _without_points(pair, moved, t)
     return Frame(
         t=t,
-        pair=0,
-        shapes=painted,
-        self_crossings=sum(self_crossings(o.vertices, o.closed) for o in outlines),
-        area=sum(abs(sum(signed_area(o.vertices) for o in shape.outlines)) for shape in painted),
+        pair=pair.a,
+        shapes=moved,
+        view=between_boxes(*pair.views, t),
+        self_crossings=sum(
+            self_crossings(np.append(z, o.segments[-1, 3]), closed=False) for shape in flat for z, o in shape
+        ),
+        area=sum(abs(sum(signed_area(z) for z, _ in shape)) for shape in flat),
     )
 
 
-def _painted(shape: MatchedShape, t: float) -> PaintedShape:
-    outlines = tuple(
-        Outline(
-            blend_vertices(c.polygon_a.vertices, c.polygon_b.vertices, c.correspondence.dots, t),
-            c.correspondence.closed,
+def _without_points(pair: Pair, shapes: tuple[PaintedShape, ...], t: float) -> tuple[PaintedShape, ...]:
+    """The shapes at an end of time, but for contours that are a point there."""
+    found = []
+    for moving_shape, shape in zip(pair.moving, shapes, strict=True):
+        outlines = tuple(
+            outline
+            for contour, outline in zip(moving_shape.contours, shape.outlines, strict=True)
+            if not (contour.shrinks if t else contour.grows)
         )
-        for c in shape.contours
-    )
-    return PaintedShape(outlines, blend_styles(shape.style_a, shape.style_b, t))
+        if outlines:
+            found.append(shape._replace(outlines=outlines))
+    return tuple(found)

@@ -19,7 +19,7 @@ def report(
     version: str,
     inputs: Sequence[str],
     settings: dict[str, Any],
-    pair: Pair,
+    pairs: Sequence[Pair],
     frames: Sequence[Frame],
     files: Sequence[str | None],
     seconds: dict[str, float],
@@ -33,7 +33,7 @@ def report(
         The files as the user named them.
     settings : dict
         Every option's value in force.
-    pair : Pair
+    pairs : sequence of Pair
     frames : sequence of Frame
     files : sequence of str or None
         Where each frame was written.
@@ -45,7 +45,9 @@ def report(
         "version": version,
         "inputs": list(inputs),
         "settings": settings,
-        "pairs": [{"a": pair.a, "b": pair.b, "contours": [_contour(c) for c in pair.contours]}],
+        "pairs": [
+            {"a": pair.a, "b": pair.b, "contours": [_contour(c) for c in pair.contours]} for pair in pairs
+        ],
         "frames": [
             {"t": f.t, "pair": f.pair, "file": file, "self_crossings": f.self_crossings, "area": f.area}
             for f, file in zip(frames, files, strict=True)

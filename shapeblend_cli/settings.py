@@ -35,6 +35,8 @@ class BlendSettings(NamedTuple):
         See `match.solve.least_work`.
     pairs : tuple of (str, str)
         Contours that must become one another: numbers, as in the report, or ids of shapes.
+    curves : bool
+        Frames of smooth curves, or of the solver's polygons.
     unmatched : {'point', 'split'}
         Whether an outline without a partner grows from a point, or another outline is cut for it.
     constants : WorkConstants
@@ -54,3 +56,4 @@ class BlendSettings(NamedTuple):
     constants: WorkConstants = WorkConstants()
     pairs: tuple[tuple[str, str], ...] = ()
     unmatched: str = "point"
+    curves: bool = True

@@ -45,6 +45,11 @@ def grown(box: Box, reach: float) -> Box:
     return Box(box.x - reach, box.y - reach, box.width + 2 * reach, box.height + 2 * reach)
 
 
+def between_boxes(a: Box, b: Box, t: float) -> Box:
+    """The box on the way from one to another."""
+    return Box(*((1.0 - t) * x + t * y for x, y in zip(a, b, strict=True)))
+
+
 def lay_over(box: Box, onto: Box) -> Similarity:
     """Fit a box into another, centre on centre, as SVG's ``xMidYMid meet`` does.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -55,6 +56,8 @@ def join(a: Part, b: Part, settings: BlendSettings, wishes: Wishes, watch: Watch
     return MatchedContour(
         a=a.number,
         b=b.number,
+        contour_a=a.contour,
+        contour_b=contour_b,
         polygon_a=a.polygon,
         polygon_b=polygon_b,
         scale_a=to_unit_box(a.polygon)[1],
@@ -68,12 +71,15 @@ def grown(part: Part, point: complex, *, of_b: bool) -> MatchedContour:
     """A contour that grows from a point, if it is B's, or shrinks to one, if it is A's. Nothing is solved."""
     size = to_unit_box(part.polygon)[1]
     spot = Polygon(np.array([point]), np.zeros(1, np.intp), np.zeros(1), part.polygon.closed)
+    still = replace(part.contour, segments=np.full_like(part.contour.segments, point))
     every = np.arange(len(part.polygon.vertices))
     dots = np.stack([0 * every, every] if of_b else [every, 0 * every], axis=1)
     nothing = Correspondence(dots, part.polygon.closed, 0.0, 0.0, 0.0, 0, 0.0, 0)
     return MatchedContour(
         a=None if of_b else part.number,
         b=part.number if of_b else None,
+        contour_a=still if of_b else part.contour,
+        contour_b=part.contour if of_b else still,
         polygon_a=spot if of_b else part.polygon,
         polygon_b=part.polygon if of_b else spot,
         scale_a=size,

@@ -31,14 +31,30 @@ def decimals_for(box: Box) -> int:
 
 
 def path_data(outlines: Sequence[Outline], decimals: int) -> str:
-    """Polygons as path data: pairs after the first are lines without saying so."""
-    parts = []
-    for outline in outlines:
-        points = " ".join(
-            f"{number(z.real, decimals)},{number(z.imag, decimals)}" for z in outline.vertices.tolist()
-        )
-        parts.append(f"M{points}{'Z' if outline.closed else ''}")
-    return "".join(parts)
+    """Outlines as path data: lines and cubics, the letter of a command left out where SVG repeats it by itself.
+
+    Which commands there are depends on the outlines' `straight` and `closed` alone, so that outlines alike in these
+    can be animated into each other.
+    """
+    return "".join(_subpath(outline, decimals) for outline in outlines)
+
+
+def _subpath(outline: Outline, decimals: int) -> str:
+    segments, straight = outline.segments.tolist(), outline.straight.tolist()
+    if outline.closed and straight[-1]:
+        segments.pop()  # Z draws it
+    parts = ["M", _point(outline.segments[0, 0], decimals)]
+    last = "L"  # what follows a moveto without a letter
+    for (_, p1, p2, p3), is_line in zip(segments, straight, strict=False):
+        letter = "L" if is_line else "C"
+        parts.append(" " if letter == last else letter)
+        parts.append(" ".join(_point(z, decimals) for z in ((p3,) if is_line else (p1, p2, p3))))
+        last = letter
+    return "".join(parts) + ("Z" if outline.closed else "")
+
+
+def _point(z: complex, decimals: int) -> str:
+    return f"{number(z.real, decimals)},{number(z.imag, decimals)}"
 
 
 def without_defaults(attributes: dict[str, str]) -> dict[str, str]:

@@ -8,13 +8,13 @@ from shapeblend_cli.svg import document
 from shapeblend_cli.svg.attributes import decimals_for, paint_attributes, path_data, without_defaults
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import Box, Frame
+    from shapeblend_cli.model import Frame
 
 
-def frame_svg(frame: Frame, viewbox: Box) -> str:
+def frame_svg(frame: Frame) -> str:
     """One frame as an SVG document."""
-    decimals = decimals_for(viewbox)
-    drawing = document.empty(viewbox, decimals)
+    decimals = decimals_for(frame.view)
+    drawing = document.empty(frame.view, decimals)
     for shape in frame.shapes:
         paint = without_defaults(paint_attributes(shape.style, decimals))
         drawing.add(drawing.path(d=path_data(shape.outlines, decimals), **paint))

@@ -61,7 +61,7 @@ def test_names_are_padded_to_one_width(here):
 
 
 def test_frames_at_the_ends_are_the_polygons_of_the_inputs(here):
-    assert run(["a.svg", "b.svg", "-n", "1", "--ends", "-o", "out", "--report", "r.json"]) == 0
+    assert run(["a.svg", "b.svg", "-n", "1", "--ends", "-o", "out", "--report", "r.json", "--polygons"]) == 0
     contour = json.loads((here / "r.json").read_text())["pairs"][0]["contours"][0]
     dots = np.array(contour["dots"])
     for frame, side, fill in ((1, 0, "#ff0000"), (3, 1, "#0000ff")):
@@ -82,7 +82,22 @@ def test_frames_at_the_ends_are_the_polygons_of_the_inputs(here):
     )
 
 
-def test_the_viewbox_holds_what_is_drawn(here):
+def test_the_viewbox_is_that_of_the_inputs(here):
+    assert run(["a.svg", "b.svg", "--ends", "-o", "out"]) == 0
+    for file in (here / "out").iterdir():
+        root = ElementTree.parse(file).getroot()
+        assert dict(root.attrib) == {"viewBox": "0 0 10 10"}
+    (here / "b.svg").write_text((here / "b.svg").read_text().replace("0 0 10 10", "-5 0 20 10"))
+    assert run(["a.svg", "b.svg", "-n", "1", "--ends", "-o", "out", "--place", "asis", "-f"]) == 0
+    boxes = [ElementTree.parse(here / f"out/frame-{k}.svg").getroot().get("viewBox") for k in (1, 2, 3)]
+    assert boxes == ["0 0 10 10", "-2.5 0 15 10", "-5 0 20 10"]
+
+
+@pytest.mark.parametrize("viewbox", ["", 'viewBox="2 2 4 4"'], ids=["none", "too small"])
+def test_the_viewbox_holds_what_is_drawn(here, viewbox):
+    for name in ("a", "b"):
+        text = (here / f"{name}.svg").read_text().replace('viewBox="0 0 10 10"', viewbox)
+        (here / f"{name}.svg").write_text(text)
     assert run(["a.svg", "b.svg", "--ends", "-o", "out"]) == 0
     for file in (here / "out").iterdir():
         root = ElementTree.parse(file).getroot()

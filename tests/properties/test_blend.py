@@ -9,7 +9,7 @@ from shapeblend_cli.geometry.normalise import Similarity
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.match.work import WorkConstants
 from shapeblend_cli.model import Contour, Style
-from shapeblend_cli.pipeline import blend, make_frames, match
+from shapeblend_cli.pipeline import blend
 from shapeblend_cli.settings import BlendSettings
 from tests.support.contours import circle_contour, drawing, polygon_contour
 from tests.support.shapes import random_polygon, regular_polygon, star_polygon
@@ -30,6 +30,11 @@ similarities = st.builds(
     Similarity, st.floats(0.01, 100), st.builds(complex, st.floats(-50, 50), st.floats(-50, 50))
 )
 ASIS = BlendSettings(place="asis", vertices=40)
+
+
+def match(a, b, settings):
+    pair, _ = blend(a, b, settings)
+    return pair
 
 
 def star(seed, m):
@@ -104,17 +109,20 @@ def test_dots_are_a_path_that_leaves_out_no_vertex(seed, m, n, closed):
     assert max(m, n) <= len(dots) <= m + n
 
 
-@given(seeds, counts, counts)
-def test_frames_at_both_ends_are_the_polygons(seed, m, n):
-    pair = match(drawing(polygon_contour(star(seed, m))), drawing(polygon_contour(star(seed + 1, n))), ASIS)
-    start, end = make_frames(pair, [0.0, 1.0])
-    dots = pair.contours[0].correspondence.dots
-    np.testing.assert_array_equal(
-        start.shapes[0].outlines[0].vertices, pair.contours[0].polygon_a.vertices[dots[:, 0]]
-    )
-    np.testing.assert_array_equal(
-        end.shapes[0].outlines[0].vertices, pair.contours[0].polygon_b.vertices[dots[:, 1]]
-    )
+@given(seeds, counts, counts, st.booleans())
+def test_frames_at_both_ends_are_the_drawings(seed, m, n, curves):
+    a, b = (drawing(polygon_contour(star(seed + k, count))) for k, count in enumerate((m, n)))
+    pair, frames = blend(a, b, ASIS._replace(frames=0, ends=True, curves=curves))
+    (contour,) = pair.contours
+    dots = contour.correspondence.dots
+    for frame, side, polygon, shape in zip(
+        frames, dots.T, (contour.polygon_a, contour.polygon_b), (a, b), strict=True
+    ):
+        (outline,) = frame.shapes[0].outlines
+        drawn = shape.shapes[0].contours[0].segments if curves else None
+        np.testing.assert_array_equal(
+            outline.segments if curves else outline.segments[:, 0], drawn if curves else polygon.vertices[side]
+        )
 
 
 @given(seeds, counts)
@@ -128,7 +136,7 @@ def test_curves_and_lines_of_any_mixture_blend(seed, count):
         drawing(scribble), drawing(circle_contour(), file="b.svg"), BlendSettings(place="bbox")
     )
     assert len(frames) == 5
-    assert all(np.isfinite(frame.shapes[0].outlines[0].vertices).all() for frame in frames)
+    assert all(np.isfinite(frame.shapes[0].outlines[0].segments).all() for frame in frames)
     assert pair.contours[0].correspondence.gap == 0.0
 
 
@@ -144,7 +152,7 @@ def test_paint_goes_from_one_to_the_other():
     square, triangle = polygon_contour([0, 1, 1 + 1j, 1j]), polygon_contour([0, 1, 1j])
     a = drawing(square, style=Style(fill="#000000", stroke=None))
     b = drawing(triangle, style=Style(fill=None, stroke="#ff8000", stroke_width=3.0))
-    _, frames = blend(a, b, BlendSettings(frames=1, ends=True))
+    _, frames = blend(a, b, BlendSettings(frames=1, ends=True, curves=False))
     styles = [frame.shapes[0].style for frame in frames]
     assert [s.fill for s in styles] == ["#000000"] * 3
     assert [s.fill_opacity for s in styles] == [1.0, 0.5, 0.0]
