@@ -16,7 +16,7 @@ from shapeblend_cli.model import Box
 from shapeblend_cli.output import check_targets, write_files
 from shapeblend_cli.pipeline import BlendSettings, make_frames, match
 from shapeblend_cli.report import report
-from shapeblend_cli.svg.read import read
+from shapeblend_cli.svg.read import STANDARD_INPUT, read
 from shapeblend_cli.svg.write import animated_svg, frame_svg
 
 if TYPE_CHECKING:
@@ -41,6 +41,7 @@ class Job(NamedTuple):
     Attributes
     ----------
     files : (str, str)
+        One of them may be ``-``, standard input.
     output : str
         A folder, a name ending in ``.svg``, or ``-``.
     force : bool
@@ -49,6 +50,10 @@ class Job(NamedTuple):
     blend : BlendSettings
     reported_settings : dict
         Every option's value in force, for the report.
+    select : (str or None, str or None)
+        Which shapes of each file; None is all it paints.
+    lenient : bool
+        Draw broken path data up to the error.
     """
 
     files: tuple[str, str]
@@ -57,6 +62,8 @@ class Job(NamedTuple):
     report_file: str | None
     blend: BlendSettings
     reported_settings: dict[str, Any]
+    select: tuple[str | None, str | None] = (None, None)
+    lenient: bool = False
 
     @property
     def animated(self) -> bool:
@@ -96,9 +103,12 @@ def blend_files(
     if not COMPILED:
         say(SLOW)
     paths = _targets(job)
-    check_targets(paths, [Path(file) for file in job.files], job.force)
+    check_targets(paths, [Path(file) for file in job.files if file != STANDARD_INPUT], job.force)
 
-    a, b = (read(file) for file in job.files)
+    a, b = (
+        read(file, lenient=job.lenient, select=select)
+        for file, select in zip(job.files, job.select, strict=True)
+    )
     for drawing in (a, b):
         for note in drawing.notes:
             say(f"{drawing.file}: {note}")
@@ -106,7 +116,7 @@ def blend_files(
     try:
         pair = match(a, b, job.blend, clock, watch)
     except MatchError as error:
-        raise InputError(" and ".join(job.files), str(error)) from error
+        raise InputError(f"{a.file} and {b.file}", str(error)) from error
     for note in pair.notes:
         say(note)
     frames = make_frames(pair, frame_times(job.blend.frames, job.blend.ends))
