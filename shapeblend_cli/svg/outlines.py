@@ -62,12 +62,13 @@ def _path(node: Node, declared: Declarations, notes: Notes, lenient: bool) -> li
     if "d" in declared:
         match = re.fullmatch(_CSS_PATH, declared["d"])
         data = match[2] if match else "" if declared["d"] == "none" else data
-    subpaths, error = pathdata.scan(data)
-    if isinstance(error, pathdata.TooManySegments):
-        raise Problem(f"{node}: {error}")
-    if error is not None:
-        _broken(f"{node}: {error}", any(subpath.count for subpath in subpaths), notes, lenient)
-    return pathdata.trace(subpaths)
+    try:
+        subpaths, error = pathdata.scan(data)
+        if error is not None:
+            _broken(f"{node}: {error}", any(subpath.count for subpath in subpaths), notes, lenient)
+        return pathdata.trace(subpaths)
+    except pathdata.TooManySegments as limit:
+        raise Problem(f"{node}: {limit}") from None
 
 
 def _points(node: Node, notes: Notes, lenient: bool) -> Contour | None:

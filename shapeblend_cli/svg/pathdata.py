@@ -20,7 +20,7 @@ from shapeblend_cli.svg.units import BLANK, GAP, LIMIT, NUMBER, NumberError, is_
 if TYPE_CHECKING:
     from shapeblend_cli.model import Contour
 
-MAX_SEGMENTS = 2_000_000
+MAX_SEGMENTS = 500_000
 
 _ARITY = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7}
 _COMMAND = re.compile(r"([MmZzLlHhVvCcSsQqTtAa])([^MmZzLlHhVvCcSsQqTtAa]*+)")
@@ -51,11 +51,11 @@ class PathDataError(ValueError):
         self.offset = offset
 
 
-class TooManySegments(PathDataError):
-    """Path data longer than what is read, whatever stands in it."""
+class TooManySegments(ValueError):
+    """Path data longer than what is read, whether it keeps to the grammar or not."""
 
-    def __init__(self, offset: int) -> None:
-        super().__init__(offset, f"more than {MAX_SEGMENTS} segments, the most that are read")
+    def __init__(self) -> None:
+        super().__init__(f"more than {MAX_SEGMENTS} segments, the most that are read")
 
 
 @dataclass(slots=True)
@@ -92,6 +92,7 @@ def read(data: str) -> list[Contour]:
     ------
     PathDataError
         If `data` breaks the grammar.
+    TooManySegments
     """
     subpaths, error = scan(data)
     if error is not None:
@@ -109,6 +110,10 @@ def scan(data: str) -> tuple[list[Subpath], PathDataError | None]:
     subpaths : list of Subpath
         All segments before the error, those of the command with the error among them.
     error : PathDataError or None
+
+    Raises
+    ------
+    TooManySegments
     """
     subpaths: list[Subpath] = []
     if data.strip() in ("", "none"):
@@ -123,7 +128,7 @@ def scan(data: str) -> tuple[list[Subpath], PathDataError | None]:
         if error is not None:
             return subpaths, error
         if count > MAX_SEGMENTS:
-            return subpaths, TooManySegments(match.start())
+            raise TooManySegments
     return subpaths, None
 
 
@@ -224,7 +229,13 @@ def _arcs(match: re.Match[str]) -> tuple[str, list[Arc | None], PathDataError | 
 
 
 def trace(subpaths: list[Subpath]) -> list[Contour]:
-    """Return the contours of checked subpaths; one that has no length is left out."""
+    """Return the contours of checked subpaths; one that has no length is left out.
+
+    Raises
+    ------
+    TooManySegments
+        An arc is several cubics, so these are known only here.
+    """
     found = []
     position = 0j
     for subpath in subpaths:
@@ -258,6 +269,8 @@ def _contour(path: list[Any], subpath: Subpath) -> Contour | None:
             curves = contours.arc(piece.start, piece.end, (rx, ry), rotation, large, sweep)
             segments.extend(curves)
             straight.extend([False] * len(curves))
+            if len(segments) > MAX_SEGMENTS:
+                raise TooManySegments
             continue
         points = piece.bpoints()
         if len(points) == 2:

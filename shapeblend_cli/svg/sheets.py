@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.svg.css import Declarations
     from shapeblend_cli.svg.xmltree import Node
 
-_MAX_TEXT = 2_000_000
+_MAX_TEXT = 500_000
 _BUDGET = 4_000_000
 _MAX_SELECTOR = 2_000
 _MAX_CLASSES = 10_000

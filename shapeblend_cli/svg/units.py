@@ -39,6 +39,7 @@ _LENGTH = re.compile(rf"({NUMBER})\s*+(%|[a-zA-Z]*+)")
 _RUN = re.compile(rf"{BLANK}{{2,}}")
 _NUMBER = re.compile(NUMBER)
 _NEXT_NUMBER = re.compile(GAP + NUMBER)
+_NUMBERS = re.compile(rf"{BLANK}*+(?:{NUMBER}(?:{GAP}{NUMBER})*+)?+{BLANK}*+,?{BLANK}*+")
 # A comma after the last number is against the grammar, and all browsers forgive it.
 _END = re.compile(rf"{BLANK}*+,?{BLANK}*+")
 
@@ -117,11 +118,9 @@ def numbers(text: str, expected: str = "a number") -> list[float]:
     NumberError
         If something else is there, or a number beyond the limit.
     """
-    short = one_blank(text)
-    end = sum(map(len, _NEXT_NUMBER.findall(short)))
-    if not is_end(short, end) or short.lstrip()[:1] == ",":
+    if not _NUMBERS.fullmatch(text):
         raise _error(text, expected)
-    values = [float(number) for number in _NUMBER.findall(short)]
+    values = list(map(float, _NUMBER.findall(text)))
     if values and not -LIMIT < min(values) <= max(values) < LIMIT:
         raise _error(text, expected)
     return values

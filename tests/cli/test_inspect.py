@@ -1,10 +1,12 @@
 """The table of `inspect`: for people on a terminal, for grep and cut elsewhere."""
 
+import json
 import os
 import pty
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
@@ -54,6 +56,34 @@ def test_columns_are_aligned_and_every_cell_is_one_word(file, capsys):
         "0      rect     r   1         closed  12      1.5,0,5.5,2  #123456  none     nonzero\n"
         "1      path     -   2         open    4       0,0,3,1      none     #ff0000  evenodd\n"
     )
+
+
+def test_length_and_box_of_straight_and_curved_pieces_together(file, capsys):
+    file.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0h10a5 5 0 0 1 0 10h-10zM3 3h2M1 1C1 9 4 9 4 1"/></svg>'
+    )
+    assert run(["inspect", "a.svg", "--json"]) == 0
+    (shape,) = json.loads(capsys.readouterr().out)["shapes"]
+    t = np.linspace(0, 1, 20001)
+    curve = (
+        3 * t * (1 - t) ** 2 * (1 + 9j)
+        + (1 - t) ** 3 * (1 + 1j)
+        + 3 * t**2 * (1 - t) * (4 + 9j)
+        + t**3 * (4 + 1j)
+    )
+    total = 30 + 5 * np.pi + 2 + np.abs(np.diff(curve)).sum()
+    assert shape["length"] == pytest.approx(total, rel=1e-5)
+    assert shape["bbox"] == pytest.approx([0, 0, 15, 10], abs=1e-4)
+    assert (shape["contours"], shape["closed"]) == (3, False)
+
+
+@pytest.mark.parametrize("count", [1, 3000])
+def test_curves_are_measured_in_slices(file, capsys, count):
+    file.write_text(f'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0{"q1 2 2 0" * count}"/></svg>')
+    assert run(["inspect", "a.svg", "--json"]) == 0
+    (shape,) = json.loads(capsys.readouterr().out)["shapes"]
+    assert shape["length"] == pytest.approx(count * 2.9578857, rel=1e-6)
+    assert shape["bbox"] == pytest.approx([0, 0, 2 * count, 1])
 
 
 @pytest.mark.parametrize("name", ["n" * 59, "n" * 900])
