@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 
 _MAX_TEXT = 500_000
 _BUDGET = 4_000_000
+_NEW = 3
+"""What an element costs that is made, not only looked at."""
+
 _MAX_SELECTOR = 2_000
 _MAX_CLASSES = 10_000
 
@@ -185,7 +188,7 @@ class _Element(cssselect2.ElementWrapper):  # type: ignore[misc]
     """
 
     def __init__(self, node: Node, parent: _Element | None, index: int, budget: Budget) -> None:
-        budget.pay(1)
+        budget.pay(_NEW)
         self.etree_element = node
         self.parent = parent
         self.index = index
