@@ -20,7 +20,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test lint type fmt golden bench bench-quality pictures tables install clean
+.PHONY: help demo test lint type fmt golden fuzz bench bench-quality pictures tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -53,6 +53,11 @@ fmt: $(VENV)/.installed ## format, and mend what the linter can mend
 
 golden: install ## write the expected files of the golden tests anew; look at the diff before committing
 	$(BIN)/python -m pytest -q --update-golden
+
+SECONDS ?= 60
+
+fuzz: install ## feed the reader damaged files for SECONDS (60)
+	$(BIN)/python tools/fuzz_reader.py $(SECONDS)
 
 # The usual options say --benchmark-skip, which contradicts --benchmark-only: hence the empty addopts.
 bench: install ## time the solver

@@ -13,6 +13,7 @@ import click
 from shapeblend_cli import __version__
 from shapeblend_cli.errors import ShapeblendError
 from shapeblend_cli.options import (
+    SELECTOR,
     START,
     BandType,
     MatchType,
@@ -21,6 +22,7 @@ from shapeblend_cli.options import (
     band_in_force,
     constant_options,
     constants_in_force,
+    lenient_option,
 )
 from shapeblend_cli.progress import Progress
 
@@ -28,7 +30,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 FAILED, USAGE = 1, 2
-STANDARD_OUTPUT = "-"
+STANDARD_INPUT = STANDARD_OUTPUT = "-"
 
 
 class DefaultGroup(click.Group):
@@ -45,7 +47,7 @@ class DefaultGroup(click.Group):
     def format_help(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the default command's help, and what else there is."""
         default = self.commands[self.default]
-        formatter.write_usage(ctx.command_path, "A.svg B.svg [OPTIONS]")
+        formatter.write_usage(ctx.command_path, "A.svg B.svg [C.svg ...] [OPTIONS]")
         default.format_help_text(ctx, formatter)
         default.format_options(ctx, formatter)
         others = [(n, c.get_short_help_str(80)) for n, c in self.commands.items() if n != self.default]
@@ -63,7 +65,7 @@ def shapeblend() -> None:
 
 
 @shapeblend.command()
-@click.argument("files", nargs=-1, required=True, metavar="A.svg B.svg")
+@click.argument("files", nargs=-1, required=True, metavar="A.svg B.svg [C.svg ...]")
 @click.option(
     "-n",
     "--frames",
@@ -83,6 +85,13 @@ def shapeblend() -> None:
     help="A folder: one file a frame. A name ending in .svg: one animated SVG. -: that on standard output.",
 )
 @click.option("-f", "--force", is_flag=True, help="Replace existing files.")
+@click.option(
+    "--select-a",
+    type=SELECTOR,
+    help="Which shapes of A: #id, or a CSS selector.  [default: all painted ones]",
+)
+@click.option("--select-b", type=SELECTOR, help="Which shapes of B.")
+@lenient_option
 @click.option(
     "--place",
     type=click.Choice(["viewbox", "bbox", "asis"]),
@@ -177,6 +186,9 @@ def blend(
     ends: bool,
     output: str,
     force: bool,
+    select_a: str | None,
+    select_b: str | None,
+    lenient: bool,
     place: str,
     vertices: int,
     start: tuple[int, int] | None,
@@ -197,10 +209,14 @@ def blend(
 ) -> None:
     """Blend the outline of A.svg into that of B.svg with the least work of bending and stretching.
 
-    Writes the in-betweens as SVG files, or one SVG that moves.
+    Writes the in-betweens as SVG files, or one SVG that moves. One of the two may be -, standard input.
     """
-    if len(files) != 2:
-        raise click.UsageError(f"two files are blended, A.svg and B.svg; {len(files)} given")
+    if len(files) < 2:
+        raise click.UsageError(f"two files or more are blended, A.svg and B.svg; {len(files)} given")
+    if files.count(STANDARD_INPUT) > 1:
+        raise click.UsageError("standard input can be one of the files, not more")
+    if len(files) > 2 and (start or pins or pairs or stiff):
+        raise click.UsageError(f"--start, --pin, --match and --stiff are about two files; {len(files)} given")
     if output == report_file == STANDARD_OUTPUT:
         raise click.UsageError("--output and --report cannot both be standard output")
     if quiet and verbose:
@@ -212,6 +228,9 @@ def blend(
         "ends": ends,
         "output": output,
         "force": force,
+        "select_a": select_a,
+        "select_b": select_b,
+        "lenient": lenient,
         "place": place,
         "vertices": vertices,
         "start": list(start) if start else "auto",
@@ -234,11 +253,13 @@ def blend(
     from shapeblend_cli.settings import BlendSettings
 
     job = Job(
-        files=(files[0], files[1]),
+        files=files,
         output=output,
         force=force,
         report_file=report_file,
         reported_settings=settings,
+        select=(select_a, *[select_b] * (len(files) - 1)),
+        lenient=lenient,
         blend=BlendSettings(
             frames=frames,
             ends=ends,
@@ -263,40 +284,28 @@ def blend(
 
 @shapeblend.command()
 @click.argument("file", metavar="FILE")
+@click.option(
+    "--select", type=SELECTOR, help="Which shapes: #id, or a CSS selector.  [default: all painted ones]"
+)
+@lenient_option
 @click.option("--json", "as_json", is_flag=True, help="For programs.")
-def inspect(file: str, as_json: bool) -> None:
-    """List the shapes a file draws."""
-    import json
-
+def inspect(file: str, select: str | None, lenient: bool, as_json: bool) -> None:
+    """List the shapes a file draws; - is standard input."""
     from shapeblend_cli.report import inspection
     from shapeblend_cli.svg.read import read
 
-    drawing = read(file)
-    found = inspection(drawing)
+    drawing = read(file, lenient=lenient, select=select)
+    found = inspection(drawing) | {"file": file}
     if as_json:
+        import json
+
         click.echo(json.dumps(found, indent=1, allow_nan=False))
         return
+    from shapeblend_cli.listing import show
+
     for note in drawing.notes:
-        _note(f"{file}: {note}")
-    viewbox = " ".join(f"{v:g}" for v in found["viewbox"]) if found["viewbox"] else "none"
-    click.echo(f"{file}: viewBox {viewbox}")
-    rows = [("shape", "element", "id", "contours", "length", "box", "fill", "stroke")]
-    for shape in found["shapes"]:
-        rows.append(
-            (
-                str(shape["index"]),
-                shape["element"],
-                shape["id"] or "",
-                f"{shape['contours']} {'closed' if shape['closed'] else 'open'}",
-                f"{shape['length']:.6g}",
-                " ".join(f"{v:.5g}" for v in shape["bbox"]),
-                shape["fill"] or "none",
-                shape["stroke"] or "none",
-            )
-        )
-    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
-    for row in rows:
-        click.echo("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
+        _note(f"{drawing.file}: {note}")
+    show(found)
 
 
 def _plain(side: complex) -> int | list[float]:

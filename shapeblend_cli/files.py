@@ -15,7 +15,7 @@ from shapeblend_cli.output import check_targets, write_files
 from shapeblend_cli.pipeline import make_frames, match_all, shapes_at
 from shapeblend_cli.report import report
 from shapeblend_cli.svg.animate import animated_svg
-from shapeblend_cli.svg.read import read
+from shapeblend_cli.svg.read import STANDARD_INPUT, read
 from shapeblend_cli.svg.write import frame_svg
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ class Job(NamedTuple):
     Attributes
     ----------
     files : tuple of str
-        Two or more.
+        Two or more. One of them may be ``-``, standard input.
     output : str
         A folder, a name ending in ``.svg``, or ``-``.
     force : bool
@@ -47,6 +47,10 @@ class Job(NamedTuple):
     blend : BlendSettings
     reported_settings : dict
         Every option's value in force, for the report.
+    select : tuple of str or None
+        Which shapes of each file; None is all it paints.
+    lenient : bool
+        Draw broken path data up to the error.
     """
 
     files: tuple[str, ...]
@@ -55,6 +59,8 @@ class Job(NamedTuple):
     report_file: str | None
     blend: BlendSettings
     reported_settings: dict[str, Any]
+    select: tuple[str | None, ...]
+    lenient: bool
 
     @property
     def animated(self) -> bool:
@@ -95,9 +101,12 @@ def blend_files(
     if not COMPILED:
         say(SLOW)
     paths = _targets(job)
-    check_targets(paths, [Path(file) for file in job.files], job.force)
+    check_targets(paths, [Path(file) for file in job.files if file != STANDARD_INPUT], job.force)
 
-    drawings = [read(file) for file in job.files]
+    drawings = [
+        read(file, lenient=job.lenient, select=select)
+        for file, select in zip(job.files, job.select, strict=True)
+    ]
     for drawing in drawings:
         for note in drawing.notes:
             say(f"{drawing.file}: {note}")
@@ -105,7 +114,7 @@ def blend_files(
     try:
         pairs, notes = match_all(drawings, job.blend, clock, watch)
     except MatchError as error:
-        raise InputError(" and ".join(job.files), str(error)) from error
+        raise InputError(" and ".join(drawing.file for drawing in drawings), str(error)) from error
     for note in notes:
         say(note)
     frames = make_frames(pairs, job.blend)

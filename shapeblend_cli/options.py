@@ -123,6 +123,29 @@ def _number(
 START = StartType()
 
 
+class SelectorType(click.ParamType[str]):
+    """``#id``, or a CSS selector; whether an id is there only the file can tell."""
+
+    name = "SEL"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """Look whether it can be one."""
+        from shapeblend_cli.svg.select import SelectorError, check
+
+        try:
+            check(value)
+        except SelectorError as error:
+            self.fail(str(error), param, ctx)
+        return str(value)
+
+
+SELECTOR = SelectorType()
+
+lenient_option = click.option(
+    "--lenient", is_flag=True, help="Draw broken path data and points up to the error, as browsers do."
+)
+
+
 class ConstantType(click.ParamType[float]):
     """A finite number, not negative; above zero where zero means nothing, and at most one for c_s."""
 

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.normalise import union
+from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -93,16 +96,36 @@ def inspection(drawing: Drawing) -> dict[str, Any]:
     }
 
 
+_SLICE = 2048
+"""Curved segments measured at once; each takes 4 kB."""
+
+
+def _measured(shape: Shape) -> tuple[float, list[float]]:
+    """Return the length of a shape's contours together, and their box."""
+    segments = np.concatenate([contour.segments for contour in shape.contours])
+    straight = np.concatenate([contour.straight for contour in shape.contours])
+    curved = segments[~straight]
+    ends = segments[:, ::3]
+    x, y = ends.real, ends.imag
+    box = Box(x.min(), y.min(), np.ptp(x), np.ptp(y))
+    length = np.abs(ends[straight, 1] - ends[straight, 0]).sum()
+    if len(curved):
+        box = union([box, cubics.bounds(curved)])
+        slices = (curved[k : k + _SLICE] for k in range(0, len(curved), _SLICE))
+        length += sum(cubics.lengths(part).sum() for part in slices)
+    return float(length), [float(v) for v in (box.x, box.y, box.x + box.width, box.y + box.height)]
+
+
 def _shape(shape: Shape) -> dict[str, Any]:
-    box = union([cubics.bounds(contour.segments) for contour in shape.contours])
+    length, box = _measured(shape)
     return {
         "index": shape.index,
         "id": shape.id,
         "element": shape.element,
         "contours": len(shape.contours),
         "closed": all(contour.closed for contour in shape.contours),
-        "length": float(sum(cubics.lengths(contour.segments).sum() for contour in shape.contours)),
-        "bbox": [box.x, box.y, box.x + box.width, box.y + box.height],
+        "length": length,
+        "bbox": box,
         "fill": shape.style.fill,
         "stroke": shape.style.stroke,
         "fill_rule": shape.style.fill_rule,

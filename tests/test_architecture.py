@@ -41,10 +41,12 @@ ROOMS = {
         "settings",
         "__init__",
     },
-    "options": {"presets"},
+    "options": {"presets", "svg"},
+    "listing": set(),
     "cli": {
         "settings",
         "files",
+        "listing",
         "progress",
         "pipeline",
         "report",

@@ -15,7 +15,12 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
 def test_every_option_in_the_readme_exists():
-    known = {name for command in shapeblend.commands.values() for p in command.params for name in (*p.opts, *p.secondary_opts)}
+    known = {
+        name
+        for command in shapeblend.commands.values()
+        for p in command.params
+        for name in (*p.opts, *p.secondary_opts)
+    }
     code = " ".join(re.findall(r"`[^`]*`|^    shapeblend .*$", README, re.MULTILINE))
     told = set(re.findall(r"(?<![\w-])--[a-z]+(?:-[a-z]+)*", code))
     assert told

@@ -117,11 +117,19 @@ def arc(
     elif not sweep and angle > 0:
         angle -= 2 * math.pi
     middle = (start + end) / 2 + complex(centre.real * rx, centre.imag * ry) * turn
-    cubics = circular(begin, angle)
-    placed = [tuple(middle + complex(p.real * rx, p.imag * ry) * turn for p in cubic) for cubic in cubics]
+    along, across = rx * turn, 1j * ry * turn
+    placed = [
+        (
+            middle + p.real * along + p.imag * across,
+            middle + q.real * along + q.imag * across,
+            middle + r.real * along + r.imag * across,
+            middle + s.real * along + s.imag * across,
+        )
+        for p, q, r, s in circular(begin, angle)
+    ]
     placed[0] = (start, *placed[0][1:])
     placed[-1] = (*placed[-1][:3], end)
-    return placed  # type: ignore[return-value]
+    return placed
 
 
 def circular(begin: float, angle: float) -> list[Segment]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.svg import paint
@@ -36,8 +37,12 @@ _MAX_SUBSTITUTIONS = 20
 Declarations = dict[str, str]
 
 
+@lru_cache(maxsize=128)
 def inline(text: str) -> tuple[Declarations, Declarations]:
-    """Return the declarations of a style attribute: the normal and the important ones."""
+    """Return the declarations of a style attribute: the normal and the important ones.
+
+    Many elements have the same: the dictionaries are shared and must not be changed.
+    """
     if len(text) > _MAX_INLINE:
         raise Problem(f"a style attribute longer than {_MAX_INLINE} characters, the most that is read")
     if re.search(_NEEDS_PARSER, text):

@@ -16,21 +16,23 @@ if TYPE_CHECKING:
     from shapeblend_cli.svg.notes import Notes
     from shapeblend_cli.svg.xmltree import Node
 
-POINT_LISTS = frozenset(("path", "polyline", "polygon"))
-SHAPES = POINT_LISTS | {"rect", "circle", "ellipse", "line"}
-
 _CSS_PATH = r"""path\(\s*+(?:(?:nonzero|evenodd)\s*+,\s*+)?(["'])([^"']*+)\1\s*+\)"""
 
 
 def outline(
-    node: Node, declared: Declarations, viewport: tuple[float, float], font_size: float, notes: Notes
+    node: Node,
+    declared: Declarations,
+    viewport: tuple[float, float],
+    font_size: float,
+    notes: Notes,
+    lenient: bool = False,
 ) -> list[Contour]:
     """Return the contours of a shape; none when it has no extent.
 
     Parameters
     ----------
     node : Node
-        With a tag out of `SHAPES`.
+        With a tag out of `elements.SHAPES`.
     declared : dict
         What the cascade gives it: in SVG 2 sizes are properties too.
     viewport : pair of float
@@ -38,43 +40,59 @@ def outline(
     font_size : float
         What 1em is.
     notes : Notes
+    lenient : bool
+        Take path data and points that break the grammar for what stands before the error, and note that.
 
     Raises
     ------
     Problem
-        If path data or points break the grammar.
+        If they break the grammar and `lenient` is not given, or if they exceed a limit.
     """
     if node.tag == "path":
-        return _path(node, declared)
+        return _path(node, declared, notes, lenient)
     if node.tag in ("polyline", "polygon"):
-        contour = _points(node, notes)
+        contour = _points(node, notes, lenient)
     else:
         contour = _Sizes(node, declared, viewport, font_size, notes).contour()
     return [] if contour is None else [contour]
 
 
-def _path(node: Node, declared: Declarations) -> list[Contour]:
+def _path(node: Node, declared: Declarations, notes: Notes, lenient: bool) -> list[Contour]:
     data = node.get("d") or ""
     if "d" in declared:
         match = re.fullmatch(_CSS_PATH, declared["d"])
         data = match[2] if match else "" if declared["d"] == "none" else data
     try:
-        return pathdata.read(data)
-    except pathdata.PathDataError as error:
-        raise Problem(f"{node}: {error}") from None
+        subpaths, error = pathdata.scan(data)
+        if error is not None:
+            _broken(f"{node}: {error}", any(subpath.count for subpath in subpaths), notes, lenient)
+        return pathdata.trace(subpaths)
+    except pathdata.TooManySegments as limit:
+        raise Problem(f"{node}: {limit}") from None
 
 
-def _points(node: Node, notes: Notes) -> Contour | None:
+def _points(node: Node, notes: Notes, lenient: bool) -> Contour | None:
     try:
         values = numbers(node.get("points") or "")
     except NumberError as error:
-        raise Problem(f"{node}: at character {error.offset + 1} of its points: found {error.found}") from None
+        # Firefox draws that much, Chromium nothing.
+        values = error.before
+        found = f"{node}: at character {error.offset + 1} of its points: found {error.found}"
+        _broken(found, len(values) > 3, notes, lenient)
     if len(values) > 2 * pathdata.MAX_SEGMENTS:
         raise Problem(f"{node}: more than {pathdata.MAX_SEGMENTS} points, the most that are read")
     if len(values) % 2:
         notes.add("a last coordinate without a partner left out")
     points = [complex(x, y) for x, y in zip(values[::2], values[1::2], strict=False)]
     return basic_shapes.polyline(points, closed=node.tag == "polygon")
+
+
+def _broken(found: str, has_more: bool, notes: Notes, lenient: bool) -> None:
+    """Note an error, or raise it."""
+    if lenient:
+        notes.add(f"{found}; {'what stands before it is drawn' if has_more else 'nothing stands before it'}")
+    else:
+        raise Problem(f"{found}; --lenient {'draws what stands before it' if has_more else 'leaves it out'}")
 
 
 class _Sizes:

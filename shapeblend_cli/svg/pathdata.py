@@ -20,7 +20,7 @@ from shapeblend_cli.svg.units import BLANK, GAP, LIMIT, NUMBER, NumberError, is_
 if TYPE_CHECKING:
     from shapeblend_cli.model import Contour
 
-MAX_SEGMENTS = 2_000_000
+MAX_SEGMENTS = 500_000
 
 _ARITY = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7}
 _COMMAND = re.compile(r"([MmZzLlHhVvCcSsQqTtAa])([^MmZzLlHhVvCcSsQqTtAa]*+)")
@@ -49,6 +49,13 @@ class PathDataError(ValueError):
     def __init__(self, offset: int, found: str) -> None:
         super().__init__(f"at character {offset + 1} of its path data: {found}")
         self.offset = offset
+
+
+class TooManySegments(ValueError):
+    """Path data longer than what is read, whether it keeps to the grammar or not."""
+
+    def __init__(self) -> None:
+        super().__init__(f"more than {MAX_SEGMENTS} segments, the most that are read")
 
 
 @dataclass(slots=True)
@@ -85,6 +92,7 @@ def read(data: str) -> list[Contour]:
     ------
     PathDataError
         If `data` breaks the grammar.
+    TooManySegments
     """
     subpaths, error = scan(data)
     if error is not None:
@@ -95,11 +103,17 @@ def read(data: str) -> list[Contour]:
 def scan(data: str) -> tuple[list[Subpath], PathDataError | None]:
     """Cut path data into subpaths, as far as it keeps to the grammar.
 
+    https://www.w3.org/TR/SVG2/paths.html#PathDataErrorHandling: that far browsers draw it.
+
     Returns
     -------
     subpaths : list of Subpath
-        All commands before the one with the error.
+        All segments before the error, those of the command with the error among them.
     error : PathDataError or None
+
+    Raises
+    ------
+    TooManySegments
     """
     subpaths: list[Subpath] = []
     if data.strip() in ("", "none"):
@@ -107,15 +121,14 @@ def scan(data: str) -> tuple[list[Subpath], PathDataError | None]:
     start = _end_of_blanks(data, 0)
     if data[start] not in "Mm":
         return subpaths, PathDataError(start, f"found '{shown(data[start])}' where it must begin with M")
-    try:
-        count = 0
-        for match in _COMMAND.finditer(data, start):
-            count += _append(subpaths, match)
-            if count > MAX_SEGMENTS:
-                too_many = f"more than {MAX_SEGMENTS} segments, the most that are read"
-                raise PathDataError(match.start(), too_many)
-    except PathDataError as error:
-        return subpaths, error
+    count = 0
+    for match in _COMMAND.finditer(data, start):
+        added, error = _append(subpaths, match)
+        count += added
+        if error is not None:
+            return subpaths, error
+        if count > MAX_SEGMENTS:
+            raise TooManySegments
     return subpaths, None
 
 
@@ -124,23 +137,30 @@ def _end_of_blanks(text: str, start: int) -> int:
     return start if match is None else match.end()
 
 
-def _append(subpaths: list[Subpath], match: re.Match[str]) -> int:
-    """Append one command to the subpath it belongs to, and return its number of segments."""
-    letter, arguments = match[1], match[2]
+def _append(subpaths: list[Subpath], match: re.Match[str]) -> tuple[int, PathDataError | None]:
+    """Append one command to the subpath it belongs to.
+
+    Returns
+    -------
+    count : int
+        The number of its segments.
+    error : PathDataError or None
+        What is wrong with it, behind these segments.
+    """
+    letter = match[1]
     if letter in "Zz":
-        if not is_end(arguments, 0):
-            start = _end_of_blanks(arguments, 0)
-            found = shown(arguments[start : start + 8])
-            raise PathDataError(match.start(2) + start, f"found '{found}' where a command belongs")
         subpaths[-1].closed = True
-        return 0
+        return 0, _after_close(match)
+    values: list[float] = []
     if letter in "Aa":
-        text, arcs = _arcs(match)
+        text, arcs, error = _arcs(match)
         count = len(arcs)
     else:
-        values = _arguments(match)
-        text, arcs = _POINT_EXPONENT.sub("", letter + one_blank(arguments)), []
+        values, text, error = _arguments(match)
+        arcs = []
         count = len(values) // _ARITY[letter.upper()]
+    if not count:
+        return 0, error
     if letter in "Mm":
         subpaths.append(Subpath(complex(values[0], values[1]), letter == "m"))
         count -= 1
@@ -150,53 +170,72 @@ def _append(subpaths: list[Subpath], match: re.Match[str]) -> int:
     subpath.arcs.update((subpath.count + k, arc) for k, arc in enumerate(arcs) if arc is not None)
     subpath.count += count
     subpath.text.append(text)
-    return count
+    return count, error
 
 
-def _arguments(match: re.Match[str]) -> list[float]:
-    """Return a command's numbers."""
+def _after_close(match: re.Match[str]) -> PathDataError | None:
+    arguments = match[2]
+    if is_end(arguments, 0):
+        return None
+    start = _end_of_blanks(arguments, 0)
+    found = shown(arguments[start : start + 8])
+    return PathDataError(match.start(2) + start, f"found '{found}' where a command belongs")
+
+
+def _arguments(match: re.Match[str]) -> tuple[list[float], str, PathDataError | None]:
+    """Return the numbers of a command's whole segments, these segments as text, and what is wrong then."""
+    letter, arguments = match[1], match[2]
+    arity = _ARITY[letter.upper()]
+    error = None
     try:
-        values = numbers(match[2], "a number or a command")
-    except NumberError as error:
-        raise PathDataError(match.start(2) + error.offset, f"found {error.found}") from None
-    if not values or len(values) % _ARITY[match[1].upper()]:
-        raise _wrong_count(match, len(values))
-    return values
+        values = numbers(arguments, "a number or a command")
+    except NumberError as wrong:
+        values = wrong.before
+        error = PathDataError(match.start(2) + wrong.offset, f"found {wrong.found}")
+    if error is None and (not values or len(values) % arity):
+        found = f"{letter} with {len(values)} number{'' if len(values) == 1 else 's'}"
+        error = PathDataError(match.start(), f"found {found} where {arity} or a multiple belong")
+    if error is None:
+        return values, _POINT_EXPONENT.sub("", letter + one_blank(arguments)), None
+    values = values[: len(values) // arity * arity]
+    return values, letter + " ".join(map(repr, values)), error
 
 
-def _arcs(match: re.Match[str]) -> tuple[str, list[Arc | None]]:
-    """Return lines to the ends of a command's arcs, and the arcs; None is one that is a line."""
+def _arcs(match: re.Match[str]) -> tuple[str, list[Arc | None], PathDataError | None]:
+    """Return lines to the ends of a command's arcs, the arcs, and what is wrong then; None is an arc that is a line."""
     letter = "L" if match[1] == "A" else "l"
     arguments = match[2]
     text: list[str] = []
     arcs: list[Arc | None] = []
+    error = None
     end = 0
     while arc := _ARC.match(arguments, end):
         if not end and "," in arc[0][: arc.start(1)]:
             break
         rx, ry, rotation, x, y = (float(arc[k]) for k in (1, 2, 3, 6, 7))
         if not max(map(abs, (rx, ry, rotation, x, y))) < LIMIT:
-            raise PathDataError(match.start(), f"{match[1]} has a number beyond {LIMIT:g}")
+            error = PathDataError(match.start(), f"{match[1]} has a number beyond {LIMIT:g}")
+            break
         is_line = min(abs(rx), abs(ry)) < _NO_RADIUS
         arcs.append(None if is_line else (rx, ry, rotation, arc[4] == "1", arc[5] == "1"))
         text.append(f"{letter}{x!r} {y!r}")
         end = arc.end()
-    if not end or not is_end(arguments, end):
+    if error is None and (not end or not is_end(arguments, end)):
         start = _end_of_blanks(arguments, end)
         found = f"found '{shown(arguments[start : start + 20])}'"
         expected = "the seven numbers of an arc belong, its flags 0 or 1"
-        raise PathDataError(match.start(2) + start, f"{found} where {expected}")
-    return " ".join(text), arcs
-
-
-def _wrong_count(match: re.Match[str], count: int) -> PathDataError:
-    arity = _ARITY[match[1].upper()]
-    found = f"{match[1]} with {count} number{'' if count == 1 else 's'}"
-    return PathDataError(match.start(), f"found {found} where {arity} or a multiple belong")
+        error = PathDataError(match.start(2) + start, f"{found} where {expected}")
+    return " ".join(text), arcs, error
 
 
 def trace(subpaths: list[Subpath]) -> list[Contour]:
-    """Return the contours of checked subpaths; one that has no length is left out."""
+    """Return the contours of checked subpaths; one that has no length is left out.
+
+    Raises
+    ------
+    TooManySegments
+        An arc is several cubics, so these are known only here.
+    """
     found = []
     position = 0j
     for subpath in subpaths:
@@ -230,6 +269,8 @@ def _contour(path: list[Any], subpath: Subpath) -> Contour | None:
             curves = contours.arc(piece.start, piece.end, (rx, ry), rotation, large, sweep)
             segments.extend(curves)
             straight.extend([False] * len(curves))
+            if len(segments) > MAX_SEGMENTS:
+                raise TooManySegments
             continue
         points = piece.bpoints()
         if len(points) == 2:

@@ -6,6 +6,7 @@ element looked at on the way is paid for out of a budget.
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import cssselect2
@@ -20,11 +21,28 @@ if TYPE_CHECKING:
     from shapeblend_cli.svg.css import Declarations
     from shapeblend_cli.svg.xmltree import Node
 
-_MAX_TEXT = 2_000_000
-_BUDGET = 10_000_000
+_MAX_TEXT = 500_000
+_BUDGET = 4_000_000
+_NEW = 3
+"""What an element costs that is made, not only looked at."""
+
 _MAX_SELECTOR = 2_000
+_MAX_CLASSES = 10_000
 
 _MEDIA = frozenset(("", "all", "screen", "only screen"))
+
+UNREADABLE = (
+    cssselect2.SelectorError,
+    NotImplementedError,
+    ValueError,
+    SyntaxError,
+    MemoryError,
+    RecursionError,
+    # cssselect2 stumbles over ':nth-child(2n+)'.
+    AttributeError,
+    TypeError,
+)
+"""What cssselect2 raises on what is no selector, or none it knows."""
 
 _Rules = list[tuple[Any, "Declarations", "Declarations"]]
 
@@ -74,14 +92,16 @@ def match(root: Node, texts: list[str]) -> dict[int, tuple[Declarations, Declara
 
 
 def _matched(root: Node, matcher: Any) -> dict[int, tuple[Declarations, Declarations]]:
-    budget = _Budget()
+    budget = Budget("its style sheet takes too long to match; without it the file would work")
     # Each selector is tried on the elements of its class, id or type: those without one, on all.
     matcher.add_relevant_selectors = _paid(matcher.add_relevant_selectors, budget)
     found = {}
-    for element in _elements(root, budget):
+    for element in elements(root, budget):
         normal: Declarations = {}
         important: Declarations = {}
-        for _, _, pseudo_element, payload in matcher.match(element):
+        rules = matcher.match(element)
+        budget.pay(4 * len(rules))
+        for _, _, pseudo_element, payload in rules:
             if pseudo_element is None:
                 normal.update(payload[0])
                 important.update(payload[1])
@@ -121,24 +141,39 @@ def _selectors(prelude: list[Any]) -> list[Any]:
     if len(prelude) > _MAX_SELECTOR:
         return []
     try:
-        return list(cssselect2.compile_selector_list(prelude))
-    except (cssselect2.SelectorError, NotImplementedError, ValueError, SyntaxError, MemoryError):
+        return compiled(prelude)
+    except RecursionError:
+        raise
+    except UNREADABLE:
         return []
 
 
-class _Budget:
-    """How many more elements may be looked at."""
+def compiled(source: object) -> list[Any]:
+    """Return the selectors of a list, text or tokens; raises one of `UNREADABLE`."""
+    return list(cssselect2.compile_selector_list(source))
 
-    def __init__(self) -> None:
-        self.left = _BUDGET
+
+class Budget:
+    """How many more elements may be looked at.
+
+    Parameters
+    ----------
+    problem : str
+        What is said when they are used up.
+    """
+
+    def __init__(self, problem: str) -> None:
+        self._left = _BUDGET
+        self._problem = problem
 
     def pay(self, count: int) -> None:
-        self.left -= count
-        if self.left < 0:
-            raise Problem("its style sheet takes too long to match; without it the file would work")
+        """Take `count` off, and raise a Problem when that is more than there was."""
+        self._left -= count
+        if self._left < 0:
+            raise Problem(self._problem)
 
 
-def _paid(add: Callable[..., None], budget: _Budget) -> Callable[..., None]:
+def _paid(add: Callable[..., None], budget: Budget) -> Callable[..., None]:
     def paid(element: object, selectors: list[object], relevant: list[object]) -> None:
         budget.pay(len(selectors))
         add(element, selectors, relevant)
@@ -147,16 +182,16 @@ def _paid(add: Callable[..., None], budget: _Budget) -> Callable[..., None]:
 
 
 class _Element(cssselect2.ElementWrapper):  # type: ignore[misc]
-    """What cssselect2 sees of a node. Its own wrapper recurses over ancestors and siblings."""
+    """What cssselect2 sees of a node.
 
-    def __init__(
-        self, node: Node, parent: _Element | None, index: int, previous: _Element | None, budget: _Budget
-    ) -> None:
-        budget.pay(1)
+    Its own wrapper recurses over ancestors and siblings, and keeps all siblings alive.
+    """
+
+    def __init__(self, node: Node, parent: _Element | None, index: int, budget: Budget) -> None:
+        budget.pay(_NEW)
         self.etree_element = node
         self.parent = parent
         self.index = index
-        self.previous = previous
         self.in_html_document = False
         self.transport_content_language = None
         self.local_name = node.tag
@@ -170,6 +205,18 @@ class _Element(cssselect2.ElementWrapper):  # type: ignore[misc]
         self._budget.pay(len(siblings))
         return siblings
 
+    @cached_property
+    def classes(self) -> set[str]:
+        text = self.etree_element.get("class")
+        return set(text[:_MAX_CLASSES].split()) if text else set()
+
+    @property
+    def previous(self) -> _Element | None:
+        if self.parent is None or self.index == 0:
+            return None
+        before = self.index - 1
+        return _Element(self.parent.etree_children[before], self.parent, before, self._budget)
+
     @property
     def ancestors(self) -> Iterator[_Element]:
         element = self.parent
@@ -182,21 +229,23 @@ class _Element(cssselect2.ElementWrapper):  # type: ignore[misc]
     def previous_siblings(self) -> Iterator[_Element]:
         element = self.previous
         while element is not None:
-            self._budget.pay(1)
             yield element
             element = element.previous
 
     def iter_children(self) -> Iterator[_Element]:
-        child = None
         for index, node in enumerate(self.etree_element.children):
-            child = _Element(node, self, index, child, self._budget)
-            yield child
+            yield _Element(node, self, index, self._budget)
 
 
-def _elements(root: Node, budget: _Budget) -> Iterator[_Element]:
-    """Yield an element for `root` and each node below it, in document order."""
-    stack = [_Element(root, None, 0, None, budget)]
+def elements(root: Node, budget: Budget) -> Iterator[_Element]:
+    """Yield what selectors are matched against for `root` and each node below it, in document order."""
+    first = _Element(root, None, 0, budget)
+    yield first
+    stack = [first.iter_children()]
     while stack:
-        element = stack.pop()
-        yield element
-        stack.extend(reversed(list(element.iter_children())))
+        element = next(stack[-1], None)
+        if element is None:
+            stack.pop()
+        else:
+            yield element
+            stack.append(element.iter_children())

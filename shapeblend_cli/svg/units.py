@@ -39,6 +39,7 @@ _LENGTH = re.compile(rf"({NUMBER})\s*+(%|[a-zA-Z]*+)")
 _RUN = re.compile(rf"{BLANK}{{2,}}")
 _NUMBER = re.compile(NUMBER)
 _NEXT_NUMBER = re.compile(GAP + NUMBER)
+_NUMBERS = re.compile(rf"{BLANK}*+(?:{NUMBER}(?:{GAP}{NUMBER})*+)?+{BLANK}*+,?{BLANK}*+")
 # A comma after the last number is against the grammar, and all browsers forgive it.
 _END = re.compile(rf"{BLANK}*+,?{BLANK}*+")
 
@@ -52,12 +53,15 @@ class NumberError(ValueError):
         Where, counted from 0.
     found : str
         What it is.
+    before : list of float
+        The numbers that stand before it.
     """
 
-    def __init__(self, offset: int, found: str) -> None:
+    def __init__(self, offset: int, found: str, before: list[float]) -> None:
         super().__init__(f"at character {offset + 1}: found {found}")
         self.offset = offset
         self.found = found
+        self.before = before
 
 
 def length(text: str, whole: float | None = None, font_size: float = _ROOT_FONT_SIZE) -> float | None:
@@ -114,11 +118,9 @@ def numbers(text: str, expected: str = "a number") -> list[float]:
     NumberError
         If something else is there, or a number beyond the limit.
     """
-    short = one_blank(text)
-    end = sum(map(len, _NEXT_NUMBER.findall(short)))
-    if not is_end(short, end) or short.lstrip()[:1] == ",":
+    if not _NUMBERS.fullmatch(text):
         raise _error(text, expected)
-    values = [float(number) for number in _NUMBER.findall(short)]
+    values = list(map(float, _NUMBER.findall(text)))
     if values and not -LIMIT < min(values) <= max(values) < LIMIT:
         raise _error(text, expected)
     return values
@@ -127,13 +129,15 @@ def numbers(text: str, expected: str = "a number") -> list[float]:
 def _error(text: str, expected: str) -> NumberError:
     """Return the first error of a list of numbers that has one."""
     end = 0
+    before: list[float] = []
     while match := _NEXT_NUMBER.match(text, end):
         number = match[0].strip(", \t\r\n\f")
         start = match.end() - len(number)
         if end == 0 and "," in match[0]:
             break
         if not abs(float(number)) < LIMIT:
-            return NumberError(start, f"{shown(number, 20)}, which is beyond {LIMIT:g}")
+            return NumberError(start, f"{shown(number, 20)}, which is beyond {LIMIT:g}", before)
+        before.append(float(number))
         end = match.end()
     rest = text[end:].lstrip(" \t\r\n\f")
-    return NumberError(len(text) - len(rest), f"'{shown(rest[:12])}' where {expected} belongs")
+    return NumberError(len(text) - len(rest), f"'{shown(rest[:12])}' where {expected} belongs", before)

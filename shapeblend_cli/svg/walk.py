@@ -11,11 +11,13 @@ import numpy as np
 from shapeblend_cli.model import Shape
 from shapeblend_cli.svg import contours, transforms, viewports
 from shapeblend_cli.svg.css import Cascade, Declarations, resolved
+from shapeblend_cli.svg.elements import GROUPS, LEFT_OUT, POINT_LISTS, SHAPES
 from shapeblend_cli.svg.notes import Notes
-from shapeblend_cli.svg.outlines import POINT_LISTS, SHAPES, outline
+from shapeblend_cli.svg.outlines import outline
 from shapeblend_cli.svg.painting import Painter
 from shapeblend_cli.svg.pathdata import MAX_SEGMENTS
 from shapeblend_cli.svg.problem import Problem, shown
+from shapeblend_cli.svg.select import around, chosen, unpainted
 from shapeblend_cli.svg.style import INITIAL, Inherited, inherit, share
 from shapeblend_cli.svg.units import LIMIT
 
@@ -23,8 +25,6 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Contour
     from shapeblend_cli.svg.xmltree import Node
 
-_GROUPS = frozenset(("g", "a", "switch", "svg", "use"))
-_LEFT_OUT = frozenset(("text", "image", "foreignObject", "video", "canvas", "iframe"))
 _EFFECTS = {
     "clip-path": "not applied",
     "mask": "not applied",
@@ -42,13 +42,15 @@ MAX_USE_DEPTH = 16
 MAX_USED = 10_000
 MAX_VARIABLES = 1000
 _MAX_ID = 1000
+_MAX_NAMES = 3
 
 
 class _Place(NamedTuple):
     """An element on the way down, and what the elements around it hand on to it.
 
     `used` are the elements that the open ``use`` elements refer to, `use_id` is the id of the innermost;
-    `given` is the size that a ``use`` gives to the viewport it refers to.
+    `given` is the size that a ``use`` gives to the viewport it refers to. `chosen` tells whether one of the elements
+    on the way is among those that were asked for.
     """
 
     node: Node
@@ -59,6 +61,7 @@ class _Place(NamedTuple):
     used: tuple[Node, ...] = ()
     use_id: str | None = None
     given: tuple[str | None, str | None] = (None, None)
+    chosen: bool = True
 
 
 class Walk:
@@ -70,11 +73,14 @@ class Walk:
         An ``svg`` element.
     notes : Notes
         Takes phrases on what is left out.
+    lenient : bool
+        Draw broken path data and points up to the error.
     """
 
-    def __init__(self, root: Node, notes: Notes) -> None:
+    def __init__(self, root: Node, notes: Notes, lenient: bool = False) -> None:
         self._root = root
         self._notes = notes
+        self._lenient = lenient
         self._cascade = Cascade(root)
         self._ids: dict[str, Node] = {}
         for node in root.walk():
@@ -88,49 +94,65 @@ class Walk:
         self._visits_by_use = 0
         self._segments = 0
         self._used_outlines: dict[int, list[Contour]] = {}
+        self._painted = 0
+        self._chosen: set[int] = set()
+        self._around: set[int] = set()
+        self._reason: str | None = None
+        self._other_names: dict[str, None] = {}
 
-    def shapes(self, viewport: viewports.Size) -> tuple[Shape, ...]:
+    def shapes(self, viewport: viewports.Size, select: str | None = None) -> tuple[Shape, ...]:
         """Return the shapes that are painted.
 
         Parameters
         ----------
         viewport : pair of float
             What percentages refer to at the root.
+        select : str, optional
+            A selector. Only shapes that it matches, that stand in elements it matches, or that are drawn through a
+            ``use`` of which one of the two is true are returned; their numbers are those among all of them.
 
         Raises
         ------
         Problem
             If there is none, or a limit is exceeded.
         """
-        self._stack = [_Place(self._root, transforms.IDENTITY, INITIAL, 1.0, viewport)]
+        nodes = [] if select is None else chosen(self._root, select)
+        self._chosen = {id(node) for node in nodes}
+        self._around = {id(node) for node in around(self._root, nodes[0])} if nodes else set()
+        first = _Place(self._root, transforms.IDENTITY, INITIAL, 1.0, viewport, chosen=select is None)
+        self._stack = [first]
         while self._stack:
             self._visit(self._stack.pop())
-        if not self._shapes:
+        if not self._painted:
             found = self._what_was_found()
             raise Problem(f"no painted shape: {found}; a file with a filled or stroked path would work")
+        if select is not None and not self._shapes:
+            raise unpainted(self._root, select, nodes, self._reason, list(self._other_names))
         return tuple(self._shapes)
 
     def _visit(self, place: _Place) -> None:
         node = place.node
+        if id(node) in self._chosen:
+            place = place._replace(chosen=True)
         if place.used:
             self._visits_by_use += 1
             if self._visits_by_use > MAX_USED:
                 raise Problem(f"more than {MAX_USED} elements drawn through use, the most that are read")
-        if node.tag in _LEFT_OUT:
+        if node.tag in LEFT_OUT:
             self._notes.add(f"{node.tag} left out")
         is_used_symbol = node.tag == "symbol" and place.used[-1:] == (node,)
-        if not (node.tag in SHAPES or node.tag in _GROUPS or is_used_symbol) or not _is_for_us(node):
+        if not (node.tag in SHAPES or node.tag in GROUPS or is_used_symbol) or not _is_for_us(node):
             return
         declared = self._cascade.declared(node, keep=bool(place.used))
         if declared:
             place, declared = self._entered(place, declared)
         if declared.get("display", "").strip().lower() == "none":
-            self._skip(node, "not displayed")
+            self._skip(place, "not displayed")
         elif place.opacity == 0:
             # Icon sets put a frame of opacity 0 around every drawing.
-            self._skip(node, "of opacity 0")
+            self._skip(place, "of opacity 0")
         elif transforms.determinant(place.matrix) == 0:
-            self._skip(node, "without extent")
+            self._skip(place, "without extent")
         elif node.tag in SHAPES:
             self._draw(place, declared)
         elif node.tag == "use":
@@ -225,27 +247,33 @@ class Walk:
         """Add a shape, if it is painted and has an extent."""
         node = place.node
         if place.inherited.visibility != "visible":
-            self._skip(node, "hidden")
+            self._skip(place, "hidden")
             return
         scale = math.sqrt(abs(transforms.determinant(place.matrix)))
         if declared.get("vector-effect") == "non-scaling-stroke":
             scale = 1.0
         style = self._painter.style(place.inherited, place.opacity, scale, place.viewport)
         if style.fill is None and style.stroke is None:
-            self._skip(node, "with neither fill nor stroke")
+            self._skip(place, "with neither fill nor stroke")
             return
         outlines = self._outline(place, declared)
-        placed = tuple(contours.transformed(contour, place.matrix) for contour in outlines)
-        if not placed:
-            self._skip(node, "without extent")
+        if not outlines:
+            self._skip(place, "without extent")
             return
-        self._segments += sum(len(contour.segments) for contour in placed)
+        self._segments += sum(len(contour.segments) for contour in outlines)
         if self._segments > MAX_SEGMENTS:
             raise Problem(f"more than {MAX_SEGMENTS} segments, the most that are read")
+        index = self._painted
+        self._painted += 1
+        name = _clean(node.get("id") or place.use_id)
+        if not place.chosen:
+            if name and len(self._other_names) < _MAX_NAMES:
+                self._other_names[name] = None
+            return
+        placed = tuple(contours.transformed(contour, place.matrix) for contour in outlines)
         if not all(np.abs(contour.segments).max() < LIMIT for contour in placed):
             raise Problem(f"{node}: coordinates beyond {LIMIT:g}; smaller ones would work")
-        name = _clean(node.get("id") or place.use_id)
-        self._shapes.append(Shape(len(self._shapes), name, node.tag, placed, style))
+        self._shapes.append(Shape(index, name, node.tag, placed, style))
 
     def _outline(self, place: _Place, declared: Declarations) -> list[Contour]:
         node = place.node
@@ -253,13 +281,19 @@ class Walk:
         is_repeated = bool(place.used) and node.tag in POINT_LISTS
         if is_repeated and id(node) in self._used_outlines:
             return self._used_outlines[id(node)]
-        found = outline(node, declared, place.viewport, place.inherited.font_size, self._notes)
+        found = outline(node, declared, place.viewport, place.inherited.font_size, self._notes, self._lenient)
         if is_repeated:
             self._used_outlines[id(node)] = found
         return found
 
-    def _skip(self, node: Node, reason: str) -> None:
+    def _skip(self, place: _Place, reason: str) -> None:
+        node = place.node
         self._skipped[reason] += node.tag in SHAPES
+        if self._reason is None and self._chosen:
+            if place.chosen:
+                self._reason = reason
+            elif id(node) in self._around:
+                self._reason = f"in {node}, which is {reason}"
 
     def _what_was_found(self) -> str:
         found = [f"{_shapes(count)} {reason}" for reason, count in self._skipped.items() if count]

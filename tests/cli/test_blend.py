@@ -295,7 +295,7 @@ def test_bad_input_is_one_line_and_nothing_written(here, capsys, case, first):
     [
         ([], "A.svg B.svg"),
         (["a.svg"], "two files"),
-        (["a.svg", "b.svg", "c.svg"], "3 given"),
+        (["a.svg", "b.svg", "c.svg", "--start", "0,0"], "3 given"),
         (["a.svg", "b.svg", "--nope"], "--nope"),
         (["a.svg", "b.svg", "-n", "-1"], "-1"),
         (["a.svg", "b.svg", "--cs", "0"], "greater than 0"),

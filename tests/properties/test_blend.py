@@ -121,7 +121,8 @@ def test_frames_at_both_ends_are_the_drawings(seed, m, n, curves):
         (outline,) = frame.shapes[0].outlines
         drawn = shape.shapes[0].contours[0].segments if curves else None
         np.testing.assert_array_equal(
-            outline.segments if curves else outline.segments[:, 0], drawn if curves else polygon.vertices[side]
+            outline.segments if curves else outline.segments[:, 0],
+            drawn if curves else polygon.vertices[side],
         )
 
 

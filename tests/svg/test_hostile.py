@@ -8,7 +8,7 @@ import io
 import pytest
 
 from shapeblend_cli.errors import InputError
-from shapeblend_cli.svg import sheets, walk, xmltree
+from shapeblend_cli.svg import pathdata, sheets, walk, xmltree
 from shapeblend_cli.svg.read import read
 from tests.svg.drawings import boxes, drawn, svg
 
@@ -109,6 +109,13 @@ def test_segments_drawn_by_use_are_limited(monkeypatch):
         drawn(f'<defs><path id="p" d="{path}"/></defs>{"""<use href="#p"/>""" * 6}')
 
 
+def test_segments_of_arcs_are_counted_before_they_are_kept(monkeypatch):
+    monkeypatch.setattr(pathdata, "MAX_SEGMENTS", 20)
+    assert len(drawn(f'<path d="M0 0{"a9 9 0 1 1 1 0" * 2}"/>').shapes[0].contours[0].segments) == 16
+    with pytest.raises(InputError, match="path on line 1: more than 20 segments, the most that are read"):
+        drawn(f'<path d="M0 0{"a9 9 0 1 1 1 0" * 3}"/>')
+
+
 @pytest.mark.parametrize(
     "markup",
     [
@@ -134,6 +141,19 @@ def test_many_rules_on_many_elements_cannot_take_for_ever(monkeypatch):
     monkeypatch.setattr(sheets, "_BUDGET", 10_000)
     with pytest.raises(InputError, match="style sheet takes too long to match"):
         drawn(f"<style>{'* { fill: red }' * 200}</style>{RECT * 100}")
+
+
+def test_rules_that_match_are_paid_for(monkeypatch):
+    monkeypatch.setattr(sheets, "_BUDGET", 10_000)
+    with pytest.raises(InputError, match="style sheet takes too long to match"):
+        drawn(f"<style>{'rect { fill: red }' * 30}</style>{RECT * 100}")
+
+
+def test_only_the_beginning_of_a_list_of_classes_counts(monkeypatch):
+    monkeypatch.setattr(sheets, "_MAX_CLASSES", 10)
+    rects = '<rect class="a b c d e f" width="1" height="2"/>'
+    drawing = drawn(f"<style>.e {{ fill: #123 }} .f {{ fill: red }}</style>{rects}")
+    assert drawing.shapes[0].style.fill == "#112233"
 
 
 def test_siblings_are_not_recursed_over():

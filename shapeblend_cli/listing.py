@@ -1,0 +1,105 @@
+"""What `inspect` shows to people: a table on a terminal, and elsewhere one line a shape for grep, cut and awk."""
+
+from __future__ import annotations
+
+import io
+import sys
+import unicodedata
+from typing import TYPE_CHECKING, Any, Literal
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+COLUMNS = ("shape", "element", "id", "contours", "ends", "length", "box", "fill", "stroke", "rule")
+
+_NUMBERS = frozenset(("shape", "contours", "length"))
+_PAINTS = frozenset(("fill", "stroke"))
+_FOLDED = frozenset(("id", "box"))
+
+_MAX_PRETTY = 1000
+"""rich takes more than half a second for so many rows."""
+
+_MAX_ALIGNED = 60
+"""A longer cell pushes the rest of its own line on, and no other line."""
+
+
+def show(found: dict[str, Any]) -> None:
+    """Print the shapes a file draws on standard output.
+
+    Parameters
+    ----------
+    found : dict
+        What `report.inspection` returns.
+    """
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")  # any id on any terminal
+    viewbox = " ".join(f"{v:g}" for v in found["viewbox"]) if found["viewbox"] else "none"
+    title = f"{found['file']}: viewBox {viewbox}"
+    rows = [_cells(shape) for shape in found["shapes"]]
+    if sys.stdout.isatty() and len(rows) <= _MAX_PRETTY:
+        _print_table(title, rows)
+    else:
+        print("\n".join([title, *_aligned([COLUMNS, *rows])]))
+
+
+def _cells(shape: dict[str, Any]) -> tuple[str, ...]:
+    """Return a shape's cells; none of them is empty, so that awk can count on them."""
+    return (
+        str(shape["index"]),
+        shape["element"],
+        shape["id"] or "-",
+        str(shape["contours"]),
+        "closed" if shape["closed"] else "open",
+        f"{shape['length']:.6g}",
+        ",".join(f"{v:.6g}" for v in shape["bbox"]),
+        shape["fill"] or "none",
+        shape["stroke"] or "none",
+        shape["fill_rule"],
+    )
+
+
+def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
+    """Return lines with their columns two blanks apart."""
+    widths = [max(min(_width(cell), _MAX_ALIGNED) for cell in column) for column in zip(*rows, strict=True)]
+    return [
+        "  ".join(
+            cell + " " * (width - _width(cell)) for cell, width in zip(row, widths, strict=True)
+        ).rstrip()
+        for row in rows
+    ]
+
+
+def _width(text: str) -> int:
+    """Return how many columns a text takes."""
+    if text.isascii():
+        return len(text)
+    return sum(0 if unicodedata.combining(c) else 1 + (unicodedata.east_asian_width(c) in "WF") for c in text)
+
+
+def _print_table(title: str, rows: Sequence[Sequence[str]]) -> None:
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    # Narrow, so that most drawings fit into 80 columns; ids and boxes are folded where they do not.
+    table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="bold")
+    for name in COLUMNS:
+        justify: Literal["right", "left"] = "right" if name in _NUMBERS else "left"
+        table.add_column(name, justify=justify, overflow="fold", no_wrap=name not in _FOLDED)
+    for row in rows:
+        cells = dict(zip(COLUMNS, row, strict=True))
+        x0, y0, x1, y1 = cells["box"].split(",")
+        cells["box"] = f"{x0},{y0} {x1},{y1}"
+        table.add_row(*(Text(cell, _style(name, cell)) for name, cell in cells.items()))
+    console = Console(highlight=False)
+    console.print(Text(title))
+    console.print(table)
+
+
+def _style(column: str, cell: str) -> str:
+    """Return how a cell looks: a colour is shown in itself."""
+    if column not in _PAINTS or cell == "none":
+        return ""
+    red, green, blue = (int(cell[k : k + 2], 16) for k in (1, 3, 5))
+    is_light = 3 * red + 6 * green + blue > 1275
+    return f"{'black' if is_light else 'white'} on {cell}"

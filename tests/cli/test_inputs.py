@@ -1,0 +1,163 @@
+"""Which file is read, and how much of it: standard input, broken data, selected shapes."""
+
+import gzip
+import io
+import json
+import os
+import pty
+import subprocess
+import sys
+
+import pytest
+
+from shapeblend_cli.cli import run
+from shapeblend_cli.svg import xmltree
+
+SQUARE = "M0 0H10V10H0Z"
+TRIANGLE = "M0 0H10L0 10Z"
+
+
+def svg(markup):
+    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10">{markup}</svg>'
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch):
+    """An empty working folder with two files in it."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.svg").write_text(
+        svg(f'<path id="big" d="{SQUARE}"/><g id="few"><path id="small" class="c" d="M1 1h3v3z"/></g>')
+    )
+    (tmp_path / "b.svg").write_text(svg(f'<path d="{TRIANGLE}"/>'))
+    return tmp_path
+
+
+@pytest.fixture
+def stdin(monkeypatch):
+    """Put bytes on standard input."""
+
+    def put(data):
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(data)))
+
+    return put
+
+
+def report(capfdbinary):
+    return json.loads(capfdbinary.readouterr().out)
+
+
+@pytest.mark.parametrize("pack", [bytes, gzip.compress])
+@pytest.mark.parametrize("first", [True, False])
+def test_a_dash_is_standard_input(here, stdin, capfdbinary, pack, first):
+    stdin(pack(svg(f'<path d="{SQUARE}"/>').encode()))
+    files = ["-", "b.svg"] if first else ["b.svg", "-"]
+    assert run([*files, "-n", "0", "--vertices", "0", "--report", "-"]) == 0
+    found = report(capfdbinary)
+    assert found["inputs"] == files
+    side = "vertices_a" if first else "vertices_b"
+    assert len(found["pairs"][0]["contours"][0][side]) == 4
+
+
+def test_standard_input_is_called_so_in_messages(here, stdin, capsys):
+    stdin(b"nothing")
+    assert run(["a.svg", "-"]) == 1
+    assert capsys.readouterr().err.startswith("shapeblend: <stdin>: line 1: not well-formed XML")
+    stdin(svg(f'<path d="{SQUARE}"/>').encode())
+    assert run(["-", "b.svg", "--start", "900,0"]) == 1
+    assert capsys.readouterr().err.startswith("shapeblend: <stdin> and b.svg: ")
+    stdin(b"")
+    assert run(["inspect", "-"]) == 1
+    assert capsys.readouterr().err == "shapeblend: <stdin>: the file is empty; an SVG file would work\n"
+
+
+def test_standard_input_has_the_limit_of_a_file(here, stdin, capsys, monkeypatch):
+    monkeypatch.setattr(xmltree, "MAX_BYTES", 1000)
+    stdin(svg(" " * 1000).encode())
+    assert run(["-", "b.svg"]) == 1
+    assert "larger than" in capsys.readouterr().err
+
+
+def test_a_closed_standard_input_is_an_error(here, monkeypatch, capsys):
+    monkeypatch.setattr(sys, "stdin", None)
+    assert run(["inspect", "-"]) == 1
+    assert capsys.readouterr().err.startswith("shapeblend: <stdin>: standard input is closed")
+
+
+def test_standard_input_can_be_only_one_of_the_two(here, capsys):
+    assert run(["-", "-"]) == 2
+    assert "one of the files, not more" in capsys.readouterr().err
+
+
+def test_a_target_named_like_a_dash_is_no_input(here, stdin):
+    stdin(svg(f'<path d="{SQUARE}"/>').encode())
+    assert run(["-", "b.svg", "-n", "0", "--report", "./-"]) == 0
+    assert json.loads((here / "-").read_text())["inputs"] == ["-", "b.svg"]
+
+
+def test_typing_a_file_at_a_terminal(here):
+    ours, theirs = pty.openpty()
+    command = [sys.executable, "-m", "shapeblend_cli", "inspect", "-", "--json"]
+    process = subprocess.Popen(command, cwd=here, stdin=theirs, stdout=subprocess.PIPE)
+    os.close(theirs)
+    os.write(ours, svg(f'<path d="{SQUARE}"/>').encode() + b"\n\x04")
+    out = process.communicate(timeout=60)[0]
+    os.close(ours)
+    assert process.returncode == 0
+    assert json.loads(out)["shapes"][0]["length"] == 40
+
+
+def test_broken_data_is_drawn_up_to_the_error_on_request(here, capsys):
+    (here / "a.svg").write_text(svg('<path id="p" d="M0 0h4v4h-4z junk"/>'))
+    assert run(["a.svg", "b.svg"]) == 1
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line == (
+        "shapeblend: a.svg: path 'p' on line 1: at character 14 of its path data: found 'junk' where a "
+        "command belongs; --lenient draws what stands before it"
+    )
+    assert sorted(os.listdir(here)) == ["a.svg", "b.svg"]
+    assert run(["a.svg", "b.svg", "--lenient"]) == 0
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.endswith("where a command belongs; what stands before it is drawn")
+    assert run(["inspect", "a.svg", "--json"]) == 1
+    assert capsys.readouterr().out == ""
+    assert run(["inspect", "a.svg", "--json", "--lenient"]) == 0
+    assert json.loads(capsys.readouterr().out)["shapes"][0]["length"] == 16
+
+
+def test_selected_shapes_are_blended(here, capfdbinary):
+    assert run(["a.svg", "b.svg", "-n", "0", "--report", "-", "--vertices", "0", "--select-a", "#few"]) == 0
+    found = report(capfdbinary)
+    vertices = found["pairs"][0]["contours"][0]["vertices_a"]
+    assert sorted(vertices) == [[1, 1], [4, 1], [4, 4]]
+    settings = found["settings"]
+    assert (settings["select_a"], settings["select_b"], settings["lenient"]) == ("#few", None, False)
+    arguments = ["b.svg", "a.svg", "--select-b", ".c", "--lenient"]
+    assert run([*arguments, "-n", "0", "--report", "-"]) == 0
+    settings = report(capfdbinary)["settings"]
+    assert (settings["select_a"], settings["select_b"], settings["lenient"]) == (None, ".c", True)
+
+
+def test_inspect_lists_what_a_selector_takes_under_the_numbers_of_the_file(here, capsys):
+    assert run(["inspect", "a.svg", "--json", "--select", "#few"]) == 0
+    (shape,) = json.loads(capsys.readouterr().out)["shapes"]
+    assert (shape["index"], shape["id"]) == (1, "small")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "status", "words"),
+    [
+        (["a.svg", "b.svg", "--select-a", "#smal"], 1, "a.svg: nothing in it matches '#smal'; #small would"),
+        (["a.svg", "b.svg", "--select-b", "#x"], 1, "b.svg: nothing in it matches '#x'"),
+        (["a.svg", "b.svg", "--select-a", "g >"], 2, "'--select-a': 'g >' is no CSS selector"),
+        (["nowhere.svg", "b.svg", "--select-b", "g >"], 2, "'--select-b'"),
+        (["inspect", "a.svg", "--select", ":x"], 2, "an unknown pseudo-class"),
+        (["inspect", "a.svg", "--select", "#1st"], 1, "nothing in it matches '#1st'"),
+    ],
+)
+def test_a_selector_that_does_not_work_is_one_line(here, capsys, arguments, status, words):
+    assert run(arguments) == status
+    said = capsys.readouterr()
+    (line,) = said.err.splitlines()
+    assert words in line
+    assert said.out == ""
+    assert sorted(os.listdir(here)) == ["a.svg", "b.svg"]

@@ -1,0 +1,150 @@
+"""The table of `inspect`: for people on a terminal, for grep and cut elsewhere."""
+
+import json
+import os
+import pty
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.cli import run
+
+DRAWING = (
+    '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 20">'
+    '<rect id="{name}" x="1.5" width="4" height="2" fill="#123456"/>'
+    '<path d="M0 0H3M1 1H2" stroke="red" fill="none" fill-rule="evenodd"/></svg>'
+)
+
+
+@pytest.fixture
+def file(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.svg").write_text(DRAWING.format(name="r"))
+    return tmp_path / "a.svg"
+
+
+def on_a_terminal(file, columns=80, **environment):
+    """Return what a terminal of so many columns gets."""
+    ours, theirs = pty.openpty()
+    command = [sys.executable, "-m", "shapeblend_cli", "inspect", file.name]
+    settings = {**os.environ, "COLUMNS": str(columns), "TERM": "xterm-256color", **environment}
+    process = subprocess.Popen(
+        command, cwd=file.parent, stdin=subprocess.DEVNULL, stdout=theirs, env=settings
+    )
+    os.close(theirs)
+    seen = b""
+    while True:
+        try:
+            part = os.read(ours, 4096)
+        except OSError:  # the other side has closed
+            break
+        if not part:
+            break
+        seen += part
+    os.close(ours)
+    assert process.wait(timeout=60) == 0
+    return seen.decode()
+
+
+def test_columns_are_aligned_and_every_cell_is_one_word(file, capsys):
+    assert run(["inspect", "a.svg"]) == 0
+    assert capsys.readouterr().out == (
+        "a.svg: viewBox 0 0 20 20\n"
+        "shape  element  id  contours  ends    length  box          fill     stroke   rule\n"
+        "0      rect     r   1         closed  12      1.5,0,5.5,2  #123456  none     nonzero\n"
+        "1      path     -   2         open    4       0,0,3,1      none     #ff0000  evenodd\n"
+    )
+
+
+def test_length_and_box_of_straight_and_curved_pieces_together(file, capsys):
+    file.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0h10a5 5 0 0 1 0 10h-10zM3 3h2M1 1C1 9 4 9 4 1"/></svg>'
+    )
+    assert run(["inspect", "a.svg", "--json"]) == 0
+    (shape,) = json.loads(capsys.readouterr().out)["shapes"]
+    t = np.linspace(0, 1, 20001)
+    curve = (
+        3 * t * (1 - t) ** 2 * (1 + 9j)
+        + (1 - t) ** 3 * (1 + 1j)
+        + 3 * t**2 * (1 - t) * (4 + 9j)
+        + t**3 * (4 + 1j)
+    )
+    total = 30 + 5 * np.pi + 2 + np.abs(np.diff(curve)).sum()
+    assert shape["length"] == pytest.approx(total, rel=1e-5)
+    assert shape["bbox"] == pytest.approx([0, 0, 15, 10], abs=1e-4)
+    assert (shape["contours"], shape["closed"]) == (3, False)
+
+
+@pytest.mark.parametrize("count", [1, 3000])
+def test_curves_are_measured_in_slices(file, capsys, count):
+    file.write_text(f'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0{"q1 2 2 0" * count}"/></svg>')
+    assert run(["inspect", "a.svg", "--json"]) == 0
+    (shape,) = json.loads(capsys.readouterr().out)["shapes"]
+    assert shape["length"] == pytest.approx(count * 2.9578857, rel=1e-6)
+    assert shape["bbox"] == pytest.approx([0, 0, 2 * count, 1])
+
+
+@pytest.mark.parametrize("name", ["n" * 59, "n" * 900])
+def test_nothing_is_cut_and_one_long_id_widens_no_other_line(file, capsys, name):
+    file.write_text(DRAWING.format(name=name))
+    assert run(["inspect", "a.svg"]) == 0
+    _, head, first, second = capsys.readouterr().out.splitlines()
+    assert first.split()[2] == name
+    assert len(first) > len(name)
+    assert len(second) < 150
+    assert head.index("contours") == second.index("2  ")
+
+
+@pytest.mark.parametrize("variable", ["FORCE_COLOR", "COLUMNS"])
+def test_a_pipe_gets_no_colours_and_no_line_breaks(file, variable):
+    done = subprocess.run(
+        [sys.executable, "-m", "shapeblend_cli", "inspect", "a.svg"],
+        capture_output=True, text=True, check=True, env={**os.environ, variable: "20"},
+    )  # fmt: skip
+    assert "\x1b" not in done.stdout
+    assert len(done.stdout.splitlines()) == 4
+
+
+def test_rich_is_imported_for_terminals_alone(file):
+    code = (
+        "import sys; from shapeblend_cli.cli import run; run(sys.argv[1:]); "
+        "print(*(name for name in ('rich', 'json') if name in sys.modules), file=sys.stderr)"
+    )
+    for arguments in (["inspect", "a.svg"], ["a.svg", "a.svg", "-o", "out"]):
+        done = subprocess.run(
+            [sys.executable, "-c", code, *arguments], capture_output=True, text=True, check=True
+        )
+        assert done.stderr.splitlines()[-1] == ""
+
+
+def test_a_terminal_gets_colours_within_its_width(file):
+    seen = on_a_terminal(file)
+    assert "\x1b[" in seen
+    assert "#123456" in seen
+    plain = on_a_terminal(file, NO_COLOR="1", TERM="dumb")
+    assert "\x1b[3" not in plain
+    assert max(map(len, plain.splitlines())) <= 80
+    assert [line.split()[:2] for line in plain.splitlines()[2:4]] == [["0", "rect"], ["1", "path"]]
+
+
+def test_ids_are_no_markup(file):
+    file.write_text(DRAWING.format(name="[red]x[/red]:smile:"))
+    assert "[red]x[/red]:smile:" in on_a_terminal(file, columns=200)
+
+
+def test_an_id_that_the_terminal_cannot_show(file):
+    file.write_text(DRAWING.format(name="\N{SNOWMAN}"), encoding="utf-8")
+    done = subprocess.run(
+        [sys.executable, "-m", "shapeblend_cli", "inspect", "a.svg"],
+        capture_output=True, check=True, env={**os.environ, "PYTHONIOENCODING": "ascii"},
+    )  # fmt: skip
+    assert rb"\u2603" in done.stdout
+
+
+def test_wide_characters_take_two_columns(file, capsys):
+    file.write_text(DRAWING.format(name="\N{CJK UNIFIED IDEOGRAPH-7FBD}"), encoding="utf-8")
+    assert run(["inspect", "a.svg"]) == 0
+    _, _, first, second = capsys.readouterr().out.splitlines()
+    assert first.index("closed") == second.index("open") - 1
