@@ -27,6 +27,12 @@ if TYPE_CHECKING:
 
 OUTLINE, HOLE, LINE = "outline", "hole", "line"
 
+MOST_CONTOURS = 2_000
+"""Contours of a drawing that are blended; each is solved by itself, and every two are compared."""
+
+MOST_SEGMENTS = 50_000
+"""Segments of a contour that are blended."""
+
 
 class Part(NamedTuple):
     """One contour of a drawing, as it is matched.
@@ -116,8 +122,9 @@ def take_apart(
     Raises
     ------
     InputError
-        If nothing is left.
+        If nothing is left, or there is too much of it.
     """
+    _check_size(drawing)
     shapes: list[list[_Usable]] = []
     number = 0
     left_out: list[str] = []
@@ -148,6 +155,23 @@ def take_apart(
         for part in _parts_of(index, drawing.shapes[index], usable, over.scale, way)
     ]
     return parts, [f"{drawing.file}: {phrase}, left out" for phrase in left_out]
+
+
+def _check_size(drawing: Drawing) -> None:
+    contours = [contour for shape in drawing.shapes for contour in shape.contours]
+    if len(contours) > MOST_CONTOURS:
+        raise InputError(
+            drawing.file,
+            f"it draws {len(contours)} contours, and {MOST_CONTOURS} are the most that are blended; selecting some of "
+            "its shapes would work (--select-a, --select-b)",
+        )
+    largest = max(len(contour.segments) for contour in contours)
+    if largest > MOST_SEGMENTS:
+        raise InputError(
+            drawing.file,
+            f"it draws a contour of {largest} segments, and {MOST_SEGMENTS} are the most that are blended; a "
+            "simpler drawing would work",
+        )
 
 
 def main_way(polygons: Sequence[Polygon]) -> int:

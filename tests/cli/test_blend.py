@@ -266,6 +266,8 @@ BAD = {
     "one-point path": (svg("M3 3Z"), "shape"),
     "nan": (svg("M0 0L nan 4L3 3Z"), "path"),
     "infinite": (svg("M0 0L1e999 4L3 3Z"), "path"),
+    "many contours": (svg("M0 0H1V1Z" * 2001), "2001 contours"),
+    "many segments": (svg("M0 0" + "h1v1" * 25_001), "50002 segments"),
     "flat": (svg("M0 0H5Z"), "2 distinct vertices"),
 }
 
