@@ -39,8 +39,13 @@ LONGEST_SLIDE = 0.3
 LEAST_HANDLE, MOST_HANDLE = 0.05, 0.9
 """Length of a handle on a line, as a share of the line: such a line never turns back."""
 
-BLOCK = 128
+BLOCK = 32
 """So many cuts are slid together, since that takes the time of their number cubed; blocks do not see each other."""
+
+
+def _in_blocks(values: FloatArray, rest: float) -> FloatArray:
+    """Values in rows of `BLOCK`, the last one filled up."""
+    return np.append(values, np.full(-len(values) % BLOCK, rest)).reshape(-1, BLOCK)
 
 
 def _speeds(segments: ComplexArray, closed: bool) -> tuple[BoolArray, ComplexArray, FloatArray, FloatArray]:
@@ -156,29 +161,26 @@ def slides(a: Rail, b: Rail, cuts: FloatArray, loose: BoolArray, distance: float
     sideways = 0.5 * speed * np.abs(np.sin(np.where(side == 0, middle, turn - middle)))
     stiffness = (sideways / (SIDEWAYS * distance)) ** 2 + (2.0 / shorter) ** 2
     steps = np.diff(cuts, axis=0)
-    for first in range(0, len(numbers), BLOCK):
-        block = numbers[first : first + BLOCK]
-        k = np.arange(len(block))
-        own, earlier, later = (
-            np.where(movable, sign * change, 0.0)[block]
-            for change in (1.0 / before + 1.0 / after, -1.0 / before, -1.0 / after)
-        )
-        # A column is what the slide of a cut does to its own join and to those before and after it.
-        matrix = np.zeros((len(block), len(block)))
-        matrix[k, k] = own
-        matrix[k[:-1], k[1:]] = earlier[1:]
-        matrix[k[1:], k[:-1]] = later[:-1]
-        matrix *= weight[block, None]
-        normal = matrix.T @ matrix
-        normal[k, k] += stiffness[block]
-        slide = np.linalg.solve(normal, -matrix.T @ (weight * excess)[block])
-        slide = np.clip(slide, -(LONGEST_SLIDE * shorter)[block], (LONGEST_SLIDE * shorter)[block])
-        # From parameters to places, by the mean density of vertices on the piece that becomes shorter.
-        there = side[block]
-        density = np.where(
-            slide > 0.0, steps[block, there] / after[block], steps[block - 1, there] / before[block]
-        )
-        moves[block, there] = np.where(movable[block], slide * density, 0.0)
+    # A column is what the slide of a cut does to its own join and to those before and after it.
+    own, earlier, later = (
+        _in_blocks(np.where(movable, sign * change, 0.0), 0.0)
+        for change in (1.0 / before + 1.0 / after, -1.0 / before, -1.0 / after)
+    )
+    k = np.arange(BLOCK)
+    matrix = np.zeros((len(own), BLOCK, BLOCK))
+    matrix[:, k, k] = own
+    matrix[:, k[:-1], k[1:]] = earlier[:, 1:]
+    matrix[:, k[1:], k[:-1]] = later[:, :-1]
+    matrix *= _in_blocks(weight, 0.0)[:, :, None]
+    across = np.swapaxes(matrix, 1, 2)
+    normal = across @ matrix
+    normal[:, k, k] += _in_blocks(stiffness, 1.0)
+    wanted = across @ _in_blocks(-weight * excess, 0.0)[:, :, None]
+    slide = np.linalg.solve(normal, wanted).ravel()[: len(numbers)]
+    slide = np.clip(slide, -LONGEST_SLIDE * shorter, LONGEST_SLIDE * shorter)
+    # From parameters to places, by the mean density of vertices on the piece that becomes shorter.
+    density = np.where(slide > 0.0, steps[numbers, side] / after, steps[numbers - 1, side] / before)
+    moves[numbers, side] = np.where(movable, slide * density, 0.0)
     if a.closed:
         moves[-1] = moves[0]
     return moves

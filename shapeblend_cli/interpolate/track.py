@@ -162,10 +162,12 @@ def _without_stairs(
     still = np.where(steps[:, 0] == 0.0, 0, np.where(steps[:, 1] == 0.0, 1, 2))
     if not (still < 2).any():
         return places, anchored
-    breaks = np.flatnonzero((still[1:] != still[:-1]) | anchored[1:-1]) + 1
+    corners = _corners(a, b, places)
+    # A stand is seen in parts where the outline that goes on turns a corner.
+    turns = np.where(still[1:] == 0, corners[1][1:-1], (still[1:] == 1) & corners[0][1:-1])
+    breaks = np.flatnonzero((still[1:] != still[:-1]) | anchored[1:-1] | turns) + 1
     firsts = np.concatenate([[0], breaks])
     lasts = np.concatenate([breaks, [len(still)]])
-    corners = _corners(a, b, places)
     lengths = np.stack([a.length_at(places[:, 0]), b.length_at(places[:, 1])], axis=1)
     kept = np.ones(len(places), np.bool_)
     forced = np.zeros(len(places), np.bool_)
