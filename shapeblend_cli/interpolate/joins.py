@@ -82,26 +82,52 @@ def divide_lines(
     segments_a, segments_b : (s, 4) complex
         As given, but for the inner points of lines whose other piece is not one. Those stay on the line.
     """
-    smooth_a, _, in_a, out_a = _speeds(segments_a, closed)
-    smooth_b, _, in_b, out_b = _speeds(segments_b, closed)
     free = line_a ^ line_b
     if not free.any():
         return segments_a, segments_b
+    even_a = _as_uneven_as(segments_a, segments_b, line_a & free)
+    even_b = _as_uneven_as(segments_b, segments_a, line_b & free)
+    smooth_a, _, in_a, out_a = _speeds(even_a, closed)
+    smooth_b, _, in_b, out_b = _speeds(even_b, closed)
     excess = np.where(smooth_a & smooth_b, np.log(in_a * out_b / (out_a * in_b)), 0.0)
     # Where both pieces at a join can give way, each takes half.
     share = np.exp(excess / np.maximum(1, free.astype(np.intp) + np.roll(free, 1)))
     following = np.roll(share, -1)
-    result = []
-    for segments, these, out, inward in (
-        (segments_a, line_a & free, share, 1.0 / following),
-        (segments_b, line_b & free, 1.0 / share, following),
-    ):
-        divided = segments.copy()
-        start, end = segments[these, 0], segments[these, 3]
-        divided[these, 1] = start + np.clip(out[these] / 3.0, LEAST_HANDLE, MOST_HANDLE) * (end - start)
-        divided[these, 2] = end - np.clip(inward[these] / 3.0, LEAST_HANDLE, MOST_HANDLE) * (end - start)
-        result.append(divided)
-    return result[0], result[1]
+    return (
+        _divided(even_a, line_a & free, share, 1.0 / following),
+        _divided(even_b, line_b & free, 1.0 / share, following),
+    )
+
+
+def _as_uneven_as(segments: ComplexArray, others: ComplexArray, lines: BoolArray) -> ComplexArray:
+    """Lines divided so that each goes as fast at its ends, for its length, as the curve it is matched with.
+
+    Then both are at the same share of their lengths at about the same time, as the polygons are.
+    """
+    legs = np.abs(np.diff(others[lines], axis=1))
+    chord = np.abs(others[lines, 3] - others[lines, 0])
+    length = 0.5 * (legs.sum(axis=1) + chord)
+    length = np.where(length > 0.0, length, 1.0)
+    found = segments.copy()
+    start, end = segments[lines, 0], segments[lines, 3]
+    found[lines, 1] = start + np.clip(legs[:, 0] / length, LEAST_HANDLE, MOST_HANDLE) * (end - start)
+    found[lines, 2] = end - np.clip(legs[:, 2] / length, LEAST_HANDLE, MOST_HANDLE) * (end - start)
+    return found
+
+
+def _divided(
+    segments: ComplexArray, lines: BoolArray, outward: FloatArray, inward: FloatArray
+) -> ComplexArray:
+    """Lines with their handles so many times as long, within bounds."""
+    found = segments.copy()
+    start, end = segments[lines, 0], segments[lines, 3]
+    chord = end - start
+    whole = np.where(chord == 0.0, 1.0, np.abs(chord))
+    head = np.abs(segments[lines, 1] - start) / whole * outward[lines]
+    tail = np.abs(end - segments[lines, 2]) / whole * inward[lines]
+    found[lines, 1] = start + np.clip(head, LEAST_HANDLE, MOST_HANDLE) * chord
+    found[lines, 2] = end - np.clip(tail, LEAST_HANDLE, MOST_HANDLE) * chord
+    return found
 
 
 def slides(a: Rail, b: Rail, cuts: FloatArray, loose: BoolArray, distance: float) -> FloatArray:
