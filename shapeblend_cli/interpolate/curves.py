@@ -25,10 +25,11 @@ if TYPE_CHECKING:
     from shapeblend_cli.interpolate.track import Track
     from shapeblend_cli.model import BoolArray, ComplexArray, Contour, FloatArray, IntArray, Polygon
 
-TOLERANCE = 3e-3
+TOLERANCE = 2e-3
 """How far in-betweens of curves may lie from those of polygons, as a share of the larger outline's size.
 
-Twice as much saves a tenth of the segments, half as much adds as many; what is seen is the same.
+Four times what flattening allows itself. Over pairs of icons an in-between then has about as many segments as both
+drawings together, and a bump of that height is a fifth of a pixel in an icon of 100.
 """
 
 SNAP = 1.5

@@ -39,8 +39,13 @@ LONGEST_SLIDE = 0.3
 LEAST_HANDLE, MOST_HANDLE = 0.05, 0.9
 """Length of a handle on a line, as a share of the line: such a line never turns back."""
 
-BLOCK = 128
+BLOCK = 32
 """So many cuts are slid together, since that takes the time of their number cubed; blocks do not see each other."""
+
+
+def _in_blocks(values: FloatArray, rest: float) -> FloatArray:
+    """Values in rows of `BLOCK`, the last one filled up."""
+    return np.append(values, np.full(-len(values) % BLOCK, rest)).reshape(-1, BLOCK)
 
 
 def _speeds(segments: ComplexArray, closed: bool) -> tuple[BoolArray, ComplexArray, FloatArray, FloatArray]:
@@ -77,26 +82,52 @@ def divide_lines(
     segments_a, segments_b : (s, 4) complex
         As given, but for the inner points of lines whose other piece is not one. Those stay on the line.
     """
-    smooth_a, _, in_a, out_a = _speeds(segments_a, closed)
-    smooth_b, _, in_b, out_b = _speeds(segments_b, closed)
     free = line_a ^ line_b
     if not free.any():
         return segments_a, segments_b
+    even_a = _as_uneven_as(segments_a, segments_b, line_a & free)
+    even_b = _as_uneven_as(segments_b, segments_a, line_b & free)
+    smooth_a, _, in_a, out_a = _speeds(even_a, closed)
+    smooth_b, _, in_b, out_b = _speeds(even_b, closed)
     excess = np.where(smooth_a & smooth_b, np.log(in_a * out_b / (out_a * in_b)), 0.0)
     # Where both pieces at a join can give way, each takes half.
     share = np.exp(excess / np.maximum(1, free.astype(np.intp) + np.roll(free, 1)))
     following = np.roll(share, -1)
-    result = []
-    for segments, these, out, inward in (
-        (segments_a, line_a & free, share, 1.0 / following),
-        (segments_b, line_b & free, 1.0 / share, following),
-    ):
-        divided = segments.copy()
-        start, end = segments[these, 0], segments[these, 3]
-        divided[these, 1] = start + np.clip(out[these] / 3.0, LEAST_HANDLE, MOST_HANDLE) * (end - start)
-        divided[these, 2] = end - np.clip(inward[these] / 3.0, LEAST_HANDLE, MOST_HANDLE) * (end - start)
-        result.append(divided)
-    return result[0], result[1]
+    return (
+        _divided(even_a, line_a & free, share, 1.0 / following),
+        _divided(even_b, line_b & free, 1.0 / share, following),
+    )
+
+
+def _as_uneven_as(segments: ComplexArray, others: ComplexArray, lines: BoolArray) -> ComplexArray:
+    """Lines divided so that each goes as fast at its ends, for its length, as the curve it is matched with.
+
+    Then both are at the same share of their lengths at about the same time, as the polygons are.
+    """
+    legs = np.abs(np.diff(others[lines], axis=1))
+    chord = np.abs(others[lines, 3] - others[lines, 0])
+    length = 0.5 * (legs.sum(axis=1) + chord)
+    length = np.where(length > 0.0, length, 1.0)
+    found = segments.copy()
+    start, end = segments[lines, 0], segments[lines, 3]
+    found[lines, 1] = start + np.clip(legs[:, 0] / length, LEAST_HANDLE, MOST_HANDLE) * (end - start)
+    found[lines, 2] = end - np.clip(legs[:, 2] / length, LEAST_HANDLE, MOST_HANDLE) * (end - start)
+    return found
+
+
+def _divided(
+    segments: ComplexArray, lines: BoolArray, outward: FloatArray, inward: FloatArray
+) -> ComplexArray:
+    """Lines with their handles so many times as long, within bounds."""
+    found = segments.copy()
+    start, end = segments[lines, 0], segments[lines, 3]
+    chord = end - start
+    whole = np.where(chord == 0.0, 1.0, np.abs(chord))
+    head = np.abs(segments[lines, 1] - start) / whole * outward[lines]
+    tail = np.abs(end - segments[lines, 2]) / whole * inward[lines]
+    found[lines, 1] = start + np.clip(head, LEAST_HANDLE, MOST_HANDLE) * chord
+    found[lines, 2] = end - np.clip(tail, LEAST_HANDLE, MOST_HANDLE) * chord
+    return found
 
 
 def slides(a: Rail, b: Rail, cuts: FloatArray, loose: BoolArray, distance: float) -> FloatArray:
@@ -156,29 +187,26 @@ def slides(a: Rail, b: Rail, cuts: FloatArray, loose: BoolArray, distance: float
     sideways = 0.5 * speed * np.abs(np.sin(np.where(side == 0, middle, turn - middle)))
     stiffness = (sideways / (SIDEWAYS * distance)) ** 2 + (2.0 / shorter) ** 2
     steps = np.diff(cuts, axis=0)
-    for first in range(0, len(numbers), BLOCK):
-        block = numbers[first : first + BLOCK]
-        k = np.arange(len(block))
-        own, earlier, later = (
-            np.where(movable, sign * change, 0.0)[block]
-            for change in (1.0 / before + 1.0 / after, -1.0 / before, -1.0 / after)
-        )
-        # A column is what the slide of a cut does to its own join and to those before and after it.
-        matrix = np.zeros((len(block), len(block)))
-        matrix[k, k] = own
-        matrix[k[:-1], k[1:]] = earlier[1:]
-        matrix[k[1:], k[:-1]] = later[:-1]
-        matrix *= weight[block, None]
-        normal = matrix.T @ matrix
-        normal[k, k] += stiffness[block]
-        slide = np.linalg.solve(normal, -matrix.T @ (weight * excess)[block])
-        slide = np.clip(slide, -(LONGEST_SLIDE * shorter)[block], (LONGEST_SLIDE * shorter)[block])
-        # From parameters to places, by the mean density of vertices on the piece that becomes shorter.
-        there = side[block]
-        density = np.where(
-            slide > 0.0, steps[block, there] / after[block], steps[block - 1, there] / before[block]
-        )
-        moves[block, there] = np.where(movable[block], slide * density, 0.0)
+    # A column is what the slide of a cut does to its own join and to those before and after it.
+    own, earlier, later = (
+        _in_blocks(np.where(movable, sign * change, 0.0), 0.0)
+        for change in (1.0 / before + 1.0 / after, -1.0 / before, -1.0 / after)
+    )
+    k = np.arange(BLOCK)
+    matrix = np.zeros((len(own), BLOCK, BLOCK))
+    matrix[:, k, k] = own
+    matrix[:, k[:-1], k[1:]] = earlier[:, 1:]
+    matrix[:, k[1:], k[:-1]] = later[:, :-1]
+    matrix *= _in_blocks(weight, 0.0)[:, :, None]
+    across = np.swapaxes(matrix, 1, 2)
+    normal = across @ matrix
+    normal[:, k, k] += _in_blocks(stiffness, 1.0)
+    wanted = across @ _in_blocks(-weight * excess, 0.0)[:, :, None]
+    slide = np.linalg.solve(normal, wanted).ravel()[: len(numbers)]
+    slide = np.clip(slide, -LONGEST_SLIDE * shorter, LONGEST_SLIDE * shorter)
+    # From parameters to places, by the mean density of vertices on the piece that becomes shorter.
+    density = np.where(slide > 0.0, steps[numbers, side] / after, steps[numbers - 1, side] / before)
+    moves[numbers, side] = np.where(movable, slide * density, 0.0)
     if a.closed:
         moves[-1] = moves[0]
     return moves

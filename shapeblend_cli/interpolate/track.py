@@ -27,16 +27,14 @@ class Track:
 
     Attributes
     ----------
-    dots : (k, 2) float
-        The solver's dots as places on both rails, from the start on; closed outlines come back to the first one.
     places : (l, 2) float
-        The same way without the solver's stairs, see `slack_track`. Never decreasing.
+        What corresponds, as places on both rails: the solver's dots without its stairs. Neither side ever decreases;
+        closed outlines come back to where they began.
     fixed : (l,) bool
         The places at which a cut is needed: corners that are matched with corners, both ends of where a corner
         stands still, and both ends of the track.
     """
 
-    dots: FloatArray
     places: FloatArray
     fixed: BoolArray
 
@@ -66,7 +64,7 @@ def slack_track(a: Rail, b: Rail, dots: IntArray) -> Track:
     if a.closed:
         places, anchored = _begun(a, b, places, anchored)
     anchored[[0, -1]] = True
-    return Track(given, *_without_stairs(a, b, places, anchored))
+    return Track(*_without_stairs(a, b, places, anchored))
 
 
 def _corners(a: Rail, b: Rail, places: FloatArray) -> tuple[BoolArray, BoolArray]:
@@ -156,17 +154,25 @@ def _begun(a: Rail, b: Rail, places: FloatArray, anchored: BoolArray) -> tuple[F
 def _without_stairs(
     a: Rail, b: Rail, places: FloatArray, anchored: BoolArray
 ) -> tuple[FloatArray, BoolArray]:
-    """The track through the middles of short stands; see `slack_track`."""
+    """The track without stands that are rounding; see `slack_track`.
+
+    A stand of one step becomes the place in its middle. A longer one is spread over half an edge before it and half
+    an edge after it: a vertex speaks for the outline up to half way to the next one, so that is as true, and the
+    in-between does not bend where both outlines are smooth. What stays a stand are those of corners, and parts
+    between corners of the outline that goes on, which are corners anyway.
+    """
     steps = np.diff(places, axis=0)
     # The side that stands still in a step; no side in a diagonal one.
     still = np.where(steps[:, 0] == 0.0, 0, np.where(steps[:, 1] == 0.0, 1, 2))
     if not (still < 2).any():
         return places, anchored
-    breaks = np.flatnonzero((still[1:] != still[:-1]) | anchored[1:-1]) + 1
+    corners = _corners(a, b, places)
+    # A stand is seen in parts where the outline that goes on turns a corner.
+    turns = np.where(still[1:] == 0, corners[1][1:-1], (still[1:] == 1) & corners[0][1:-1])
+    breaks = np.flatnonzero((still[1:] != still[:-1]) | anchored[1:-1] | turns) + 1
     firsts = np.concatenate([[0], breaks])
     lasts = np.concatenate([breaks, [len(still)]])
-    corners = _corners(a, b, places)
-    lengths = np.stack([a.length_at(places[:, 0]), b.length_at(places[:, 1])], axis=1)
+    lengths = a.length_at(places[:, 0]), b.length_at(places[:, 1])
     kept = np.ones(len(places), np.bool_)
     forced = np.zeros(len(places), np.bool_)
     is_long = np.repeat(lasts - firsts >= LONG_STAND, lasts - firsts)
@@ -195,27 +201,27 @@ def _without_stairs(
                 elif is_long[step]:
                     forced[end] = True
         if q - p < LONG_STAND and len(ends) == 2:
-            middle = 0.5 * (lengths[p, 1 - side] + lengths[q, 1 - side])
+            middle = 0.5 * (lengths[1 - side][p] + lengths[1 - side][q])
             moved = float((b if side == 0 else a).place_at(np.array([middle]))[0])
             middles.append((places[p, 0], moved) if side == 0 else (moved, places[p, 1]))
         for end in {p, q} - {end for end, _ in ends}:
             forced[end] = True
     kept |= fixed | forced
-    result = np.concatenate([places[kept], np.array(middles, np.float64).reshape(-1, 2)])
-    fixed = np.concatenate([fixed[kept], np.zeros(len(middles), np.bool_)])
-    order = np.lexsort((result[:, 1], result[:, 0]))
-    result, fixed = np.maximum.accumulate(result[order], axis=0), fixed[order]
-    # Vertices on the way through a stand that was smoothed away keep the track close to the outline.
-    length_a, length_b = a.length_at(result[:, 0]), b.length_at(result[:, 1])
-    gone_a = places[~kept & (np.append(still == 1, False) | np.append(False, still == 1)), 0]
-    gone_b = places[~kept & (np.append(still == 0, False) | np.append(False, still == 0)), 1]
-    between = np.concatenate(
-        [
-            np.stack([gone_a, b.place_at(np.interp(a.length_at(gone_a), length_a, length_b))], axis=1),
-            np.stack([a.place_at(np.interp(b.length_at(gone_b), length_b, length_a)), gone_b], axis=1),
-        ]
+    slack = np.concatenate([places[kept], np.reshape(middles, (-1, 2))])
+    slack, fixed = _in_order(slack, np.append(fixed[kept], np.zeros(len(middles), np.bool_)))
+    # Vertices on the way through a stand that is no longer one: without them its curve would become a chord.
+    length_a, length_b = a.length_at(slack[:, 0]), b.length_at(slack[:, 1])
+    gone_a, gone_b = (
+        places[~kept & (np.append(still == other, False) | np.append(False, still == other)), side]
+        for side, other in ((0, 1), (1, 0))
     )
-    result = np.concatenate([result, between])
-    fixed = np.concatenate([fixed, np.zeros(len(between), np.bool_)])
-    order = np.lexsort((result[:, 1], result[:, 0]))
-    return np.maximum.accumulate(result[order], axis=0), fixed[order]
+    to_b = b.place_at(np.interp(a.length_at(gone_a), length_a, length_b))
+    to_a = a.place_at(np.interp(b.length_at(gone_b), length_b, length_a))
+    between = np.concatenate([np.stack([gone_a, to_b], axis=1), np.stack([to_a, gone_b], axis=1)])
+    return _in_order(np.concatenate([slack, between]), np.append(fixed, np.zeros(len(between), np.bool_)))
+
+
+def _in_order(places: FloatArray, fixed: BoolArray) -> tuple[FloatArray, BoolArray]:
+    """Places one after the other, whatever rounding has done to them."""
+    order = np.lexsort((places[:, 1], places[:, 0]))
+    return np.maximum.accumulate(places[order], axis=0), fixed[order]
