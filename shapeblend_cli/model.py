@@ -251,12 +251,15 @@ class MovingContour(NamedTuple):
     Attributes
     ----------
     start, end : Outline
+    places : pair of (s + 1,) float
+        Where the matched contours are cut for that, in vertices of their polygons, rising, once round if closed.
     grows, shrinks : bool
         Whether it is a point at the start, or at the end.
     """
 
     start: Outline
     end: Outline
+    places: tuple[FloatArray, FloatArray]
     grows: bool = False
     shrinks: bool = False
 
@@ -274,6 +277,21 @@ class PaintedShape(NamedTuple):
 
     outlines: tuple[Outline, ...]
     style: Style
+
+
+class Track(NamedTuple):
+    """A shape over several keys, the drawings that are blended one after the other.
+
+    Attributes
+    ----------
+    keys : tuple of PaintedShape
+        Alike but for coordinates and paint.
+    first : int
+        Number of the drawing it begins with.
+    """
+
+    keys: tuple[PaintedShape, ...]
+    first: int
 
 
 class Pair(NamedTuple):

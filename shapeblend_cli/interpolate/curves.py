@@ -59,16 +59,23 @@ class CommonSegments:
         the other one; one after the other they are the whole drawing. Each ends where the next begins.
     straight : (s,) bool
         Whether the segment is a line, or a point, in both, and so in every in-between.
+    places_a, places_b : (s + 1,) float
+        Where the drawings are cut: vertex numbers of their polygons, rising, once round if closed. Between two
+        vertices by the curve's parameter.
     """
 
     segments_a: ComplexArray
     segments_b: ComplexArray
     straight: BoolArray
+    places_a: FloatArray
+    places_b: FloatArray
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "segments_a", frozen(self.segments_a, np.complex128))
         object.__setattr__(self, "segments_b", frozen(self.segments_b, np.complex128))
         object.__setattr__(self, "straight", frozen(self.straight, np.bool_))
+        object.__setattr__(self, "places_a", frozen(self.places_a, np.float64))
+        object.__setattr__(self, "places_b", frozen(self.places_b, np.float64))
 
 
 def common_segments(
@@ -111,12 +118,16 @@ def common_segments(
     dots = np.asarray(dots, np.intp)
     if all(one.straight.all() and one.node.all() for one in (a, b)):
         # Polygons from the outset: nothing is rounded, and the solver's own paths are the best.
-        return CommonSegments(*_pieces(a, b, unrolled(a, b, dots)))
+        return _common(a, b, unrolled(a, b, dots))
     boxes = box_of(a.vertices), box_of(b.vertices)
     distance = tolerance * max(max(box.width, box.height) for box in boxes)
     track = slack_track(a, b, dots)
     cuts = _cuts(a, b, track, distance)
-    return CommonSegments(*_pieces(a, b, _slid(a, b, track, cuts, distance)))
+    return _common(a, b, _slid(a, b, track, cuts, distance))
+
+
+def _common(a: Rail, b: Rail, cuts: FloatArray) -> CommonSegments:
+    return CommonSegments(*_pieces(a, b, cuts), cuts[:, 0], cuts[:, 1])
 
 
 def _out_of_a_point(
@@ -125,9 +136,20 @@ def _out_of_a_point(
     """One outline is a point: the other's own segments grow out of it, or shrink into it."""
     if len(polygon_a.vertices) == 1:
         segments, straight = contour_b.segments, contour_b.straight
-        return CommonSegments(np.full_like(segments, polygon_a.vertices[0]), segments, straight)
+        places = _node_places(contour_b, polygon_b)
+        point = np.full_like(segments, polygon_a.vertices[0])
+        return CommonSegments(point, segments, straight, np.zeros_like(places), places)
     segments, straight = contour_a.segments, contour_a.straight
-    return CommonSegments(segments, np.full_like(segments, polygon_b.vertices[0]), straight)
+    places = _node_places(contour_a, polygon_a)
+    point = np.full_like(segments, polygon_b.vertices[0])
+    return CommonSegments(segments, point, straight, places, np.zeros_like(places))
+
+
+def _node_places(contour: Contour, polygon: Polygon) -> FloatArray:
+    """The vertex at which each segment of a contour begins, and the end of the last."""
+    count = len(polygon.vertices)
+    first = np.searchsorted(polygon.segment + polygon.parameter, np.arange(len(contour.segments)))
+    return np.append(first, count if polygon.closed else count - 1).astype(np.float64)
 
 
 def _pieces(a: Rail, b: Rail, cuts: FloatArray) -> tuple[ComplexArray, ComplexArray, BoolArray]:

@@ -12,7 +12,7 @@ from shapeblend_cli.interpolate.curves import common_segments
 from shapeblend_cli.model import MovingContour, Outline
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import MatchedContour
+    from shapeblend_cli.model import FloatArray, IntArray, MatchedContour
 
 
 def moving(matched: MatchedContour, *, curves: bool) -> MovingContour:
@@ -36,16 +36,29 @@ def moving(matched: MatchedContour, *, curves: bool) -> MovingContour:
             matched.contour_a, matched.polygon_a, matched.contour_b, matched.polygon_b, dots
         )
         segments_a, segments_b, straight = common.segments_a, common.segments_b, common.straight
+        places = common.places_a, common.places_b
     else:
         segments_a = cubics.lines(matched.polygon_a.vertices[dots[:, 0]], closed)
         segments_b = cubics.lines(matched.polygon_b.vertices[dots[:, 1]], closed)
         straight = np.ones(len(segments_a), np.bool_)
+        places = _unrolled(dots, matched)
     return MovingContour(
         start=Outline(segments_a, straight, closed),
         end=Outline(segments_b, straight, closed),
+        places=places,
         grows=matched.a is None,
         shrinks=matched.b is None,
     )
+
+
+def _unrolled(dots: IntArray, matched: MatchedContour) -> tuple[FloatArray, FloatArray]:
+    """Vertex numbers along the path, counted on beyond a closed polygon's last vertex."""
+    if not matched.correspondence.closed:
+        return dots[:, 0].astype(np.float64), dots[:, 1].astype(np.float64)
+    counts = len(matched.polygon_a.vertices), len(matched.polygon_b.vertices)
+    steps = (np.roll(dots, -1, axis=0) - dots) % counts
+    along = dots[0] + np.concatenate([np.zeros((1, 2), np.intp), np.cumsum(steps, axis=0)])
+    return along[:, 0].astype(np.float64), along[:, 1].astype(np.float64)
 
 
 def between(contour: MovingContour, t: float) -> Outline:

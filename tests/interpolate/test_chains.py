@@ -1,0 +1,120 @@
+"""Sequences: what goes on from pair to pair as one path."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from shapely import LineString
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.interpolate.chains import tracks
+from shapeblend_cli.interpolate.paths import between
+from shapeblend_cli.model import MovingContour
+from shapeblend_cli.pipeline import match_all
+from shapeblend_cli.settings import BlendSettings
+from tests.support.contours import drawing as contour_drawing
+from tests.support.contours import polygon_contour
+from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing
+from tests.support.shapes import star_polygon
+
+EVENODD = 'fill-rule="evenodd"'
+CIRCLE = "M22 12A10 10 0 1 0 2 12A10 10 0 1 0 22 12Z"
+STAR = "M12 2 15 9 22 9 17 14 19 22 12 17 5 22 7 14 2 9 9 9Z"
+DROP = "M12 2C14 8 20 10 20 16C20 20 16 22 12 22C8 22 4 20 4 16C4 10 10 8 12 2Z"
+LINES = [
+    f'<path d="{d}" fill="none" stroke="#000"/>'
+    for d in ("M2 2L20 9L9 20", "M20 20C20 5 9 2 2 9", "M2 9H12V20H20")
+]
+
+
+def pairs_of(*paths, curves=True):
+    pairs, _ = match_all([drawing(p, attributes=EVENODD) for p in paths], BlendSettings(curves=curves))
+    return pairs
+
+
+def line(outline):
+    points = np.append(cubics.polyline(outline.segments, outline.straight, 40), outline.segments[-1, 3])
+    return LineString(np.stack([points.real, points.imag], axis=1))
+
+
+# Drawings are 20 large. A line between two curves is divided unevenly for the one, and so not quite for the other.
+NEAR = 0.15
+
+
+def assert_goes_the_same_way(pairs, found):
+    """Halfway through each pair every outline of the tracks is one of the pair's own."""
+    for pair in pairs:
+        own = [line(between(c, 0.5)) for shape in pair.moving for c in shape.contours]
+        here = [track for track in found if track.first <= pair.a < track.first + len(track.keys) - 1]
+        outlines = []
+        for track in here:
+            k = pair.a - track.first
+            for start, end in zip(track.keys[k].outlines, track.keys[k + 1].outlines, strict=True):
+                outlines.append(line(between(MovingContour(start, end, (np.zeros(1), np.zeros(1))), 0.5)))
+        assert len(outlines) == len(own)
+        for outline in own:
+            assert min(outline.hausdorff_distance(other) for other in outlines) < NEAR
+
+
+@pytest.mark.parametrize("curves", [True, False])
+@pytest.mark.parametrize(
+    "paths",
+    [
+        (CIRCLE, STAR, DROP),
+        (DROP, CIRCLE, DROP, LEAF, BAR),
+        (LEAF, LEAF, LEAF),
+        (STAR, BAR, STAR, BAR),
+        (B, EIGHT, B),
+        (RING, RING, RING),
+        tuple(LINES),
+    ],
+)
+def test_equal_contours_make_one_path_of_equal_commands(paths, curves):
+    pairs = pairs_of(*paths, curves=curves)
+    found = tracks(pairs)
+    (track,) = found
+    assert (track.first, len(track.keys)) == (0, len(paths))
+    for outlines in zip(*(key.outlines for key in track.keys), strict=True):
+        assert len({o.segments.shape for o in outlines}) == 1
+        assert len({o.straight.tobytes() for o in outlines}) == 1
+        for o in outlines:
+            joints = np.abs(o.segments[1:, 0] - o.segments[:-1, 3])
+            assert joints.max(initial=0.0) < 1e-9
+    assert_goes_the_same_way(pairs, found)
+    for k, pair in enumerate(pairs):
+        for shapes, key in ((pair.drawn[0], track.keys[k]), (pair.drawn[1], track.keys[k + 1])):
+            drawn = [line(o) for shape in shapes for o in shape.outlines]
+            for outline in key.outlines:
+                assert min(line(outline).hausdorff_distance(other) for other in drawn) < (
+                    0.01 if curves else 0.05
+                )
+
+
+def test_a_shape_that_does_not_go_on_as_it_came_ends_there():
+    pairs = pairs_of(EYED, LEAF, EYED)
+    found = tracks(pairs)
+    assert [(t.first, len(t.keys)) for t in found] == [(0, 2), (1, 2)]
+    assert_goes_the_same_way(pairs, found)
+    pairs = pairs_of(SQUARES, BAR, SQUARES)
+    assert_goes_the_same_way(pairs, tracks(pairs))
+
+
+def test_an_outline_that_was_opened_for_a_line_does_not_go_on_closed():
+    ring = '<circle cx="12" cy="12" r="8" fill="none" stroke="#000"/>'
+    square = '<path d="M4 4H20V20H4Z" fill="none" stroke="#000"/>'
+    pairs = pairs_of(LINES[0], ring, square)
+    found = tracks(pairs)
+    assert [(t.first, len(t.keys)) for t in found] == [(0, 2), (1, 2)]
+
+
+@given(st.integers(0, 10**9), st.lists(st.integers(3, 12), min_size=3, max_size=4), st.booleans())
+def test_any_polygons_in_any_direction(seed, counts, curves):
+    rng = np.random.default_rng(seed)
+    drawings = []
+    for count in counts:
+        z = star_polygon(rng, count) * 10
+        drawings.append(contour_drawing(polygon_contour(z[::-1] if rng.random() < 0.5 else z)))
+    pairs, _ = match_all(drawings, BlendSettings(vertices=20, curves=curves, place="asis"))
+    found = tracks(pairs)
+    assert [len(t.keys) for t in found] == [len(counts)]
+    assert_goes_the_same_way(pairs, found)
