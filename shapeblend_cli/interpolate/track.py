@@ -106,8 +106,8 @@ def _corners_to_corners(a: Rail, b: Rail, given: FloatArray) -> tuple[FloatArray
             continue
         used_a.add(x)
         used_b.add(y)
-        # What lies on the wrong side of the new place, or level with it, no longer leads there.
-        wrong = (places[:, 0] - x) * (places[:, 1] - y) <= 0.0
+        # What lies before the new place on one outline and behind it on the other no longer fits.
+        wrong = (places[:, 0] - x) * (places[:, 1] - y) < 0.0
         wrong[[0, -1]] = False
         if (both[wrong]).any():
             continue
