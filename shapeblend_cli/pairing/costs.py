@@ -43,6 +43,10 @@ MOST_WORKS = 400
 """Pairs for which the work is found, about. Of more, those that are cheapest without it."""
 
 
+_COINCIDENT = 1e-6
+"""Vertices of a unit box nearer than this are one."""
+
+
 class View(NamedTuple):
     """Contours of one drawing in their frame: the drawing's box, or for holes that of their outline."""
 
@@ -77,10 +81,10 @@ def costs(a: View, b: View, constants: WorkConstants) -> FloatArray:
     size = np.abs(np.log(a.sizes())[:, None] - np.log(b.sizes()))
     paint = np.array([[_repainting(p, q) for q in b.parts] for p in a.parts])
     cheap = WAY * way + SIZE * size + PAINT * paint
-    work = np.full(cheap.shape, np.nan)
+    work = np.full(cheap.shape, np.inf)
     for i, j in _worth_solving(cheap):
         work[i, j] = _work(a.parts[i], b.parts[j], constants)
-    return cheap + WORK * np.where(np.isnan(work), 1.0, work / (work + HALF))
+    return cheap + WORK * (1.0 - HALF / (work + HALF))
 
 
 def _worth_solving(cheap: FloatArray) -> list[tuple[int, int]]:
@@ -95,17 +99,35 @@ def _worth_solving(cheap: FloatArray) -> list[tuple[int, int]]:
 
 def _work(a: Part, b: Part, constants: WorkConstants) -> float:
     """Least work between two contours, each in its unit box, on a few of their vertices."""
-    p0, p1 = (thinned(to_unit_box(part.polygon)[0]) for part in (a, b))
     closed = a.polygon.closed and b.polygon.closed
-    ways = [p1] if closed else [p1, p1[::-1]]
-    return min(least_work(p0, p, closed, constants).work for p in ways)
+    return least_thinned_work(to_unit_box(a.polygon)[0], to_unit_box(b.polygon)[0], closed, constants)
 
 
-def thinned(vertices: ComplexArray) -> ComplexArray:
-    """At most `VERTICES` of the vertices, evenly spread by their numbers, the first and the last among them."""
-    if len(vertices) <= VERTICES:
-        return vertices
-    return vertices[np.round(np.linspace(0, len(vertices) - 1, VERTICES)).astype(np.intp)]
+def least_thinned_work(p0: ComplexArray, p1: ComplexArray, closed: bool, constants: WorkConstants) -> float:
+    """Least work between two polygons in their unit boxes, on a few of their vertices; open ones either way.
+
+    Infinite where so few vertices do not make an outline.
+    """
+    p, q = _thinned(p0, closed), _thinned(p1, closed)
+    if min(len(p), len(q)) < (3 if closed else 2):
+        return np.inf
+    return min(least_work(p, way, closed, constants).work for way in ([q] if closed else [q, q[::-1]]))
+
+
+def _thinned(vertices: ComplexArray, closed: bool) -> ComplexArray:
+    """At most `VERTICES` of the vertices, evenly spread by their numbers; none twice in a row."""
+    if len(vertices) > VERTICES:
+        last = len(vertices) - (0 if closed else 1)
+        at = np.linspace(0, last, VERTICES, endpoint=not closed)
+        vertices = vertices[np.round(at).astype(np.intp)]
+    # What goes back the way it came may have its vertices in pairs.
+    kept = [vertices[0]]
+    for vertex in vertices[1:]:
+        if abs(vertex - kept[-1]) > _COINCIDENT:
+            kept.append(vertex)
+    while closed and len(kept) > 1 and abs(kept[-1] - kept[0]) <= _COINCIDENT:
+        kept.pop()
+    return np.array(kept)
 
 
 def _repainting(a: Part, b: Part) -> float:

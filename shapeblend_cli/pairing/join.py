@@ -12,7 +12,7 @@ from shapeblend_cli.geometry.normalise import to_unit_box
 from shapeblend_cli.geometry.outline import direction, reversed_contour, reversed_polygon
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.model import Contour, Correspondence, MatchedContour, Polygon
-from shapeblend_cli.pairing.costs import thinned
+from shapeblend_cli.pairing.costs import least_thinned_work
 from shapeblend_cli.pairing.parts import LINE
 
 if TYPE_CHECKING:
@@ -165,13 +165,12 @@ def _opened(outline: Part, line: Part, settings: BlendSettings) -> Part:
     """An outline cut at the node from which it becomes the line, or comes of it, with the least work."""
     nodes = np.flatnonzero(outline.polygon.parameter == 0.0)
     nodes = nodes[:: -(-len(nodes) // OPENINGS)] if len(nodes) else np.zeros(1, np.intp)
-    p = thinned(to_unit_box(line.polygon)[0])
+    p = to_unit_box(line.polygon)[0]
     unit = to_unit_box(outline.polygon)[0]
 
     def work(vertex: int) -> float:
         rolled = np.roll(unit, -vertex)
-        q = thinned(np.append(rolled, rolled[0]))
-        return min(least_work(p, way, False, settings.constants).work for way in (q, q[::-1]))
+        return least_thinned_work(p, np.append(rolled, rolled[0]), False, settings.constants)
 
     return cut_open(outline, min(nodes.tolist(), key=work))
 

@@ -100,3 +100,12 @@ def test_given_pairs_win():
 def test_pairs_that_cannot_be_given(a, b, given, message):
     with pytest.raises(MatchError, match=message):
         pairs(a, b, given)
+
+
+def test_lines_there_and_back_and_specks_are_paired():
+    there_and_back = "M2 2L20 9L2 2Z M2 12L20 19L2 12Z M2 20H2.001V20.001Z"
+    stroke = 'fill="none" stroke="#000"'
+    parts = [
+        take_apart(drawing(d, attributes=stroke), Similarity(), 200)[0] for d in (there_and_back, SQUARES)
+    ]
+    assert len(pair_parts(*parts, BlendSettings())) == 3
