@@ -8,14 +8,14 @@ import numpy as np
 
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.normalise import union
-from shapeblend_cli.pairing.assign import align, assign
+from shapeblend_cli.pairing.assign import assign
 from shapeblend_cli.pairing.costs import ALONE, View, costs
 from shapeblend_cli.pairing.order import order, overlaps
 from shapeblend_cli.pairing.parts import HOLE, LINE, OUTLINE, Part
 from shapeblend_cli.pairing.split import split_outlines
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Collection, Sequence
 
     from shapeblend_cli.match.work import WorkConstants
     from shapeblend_cli.model import FloatArray
@@ -24,8 +24,11 @@ if TYPE_CHECKING:
     Numbers = tuple[int, int]
     Couple = tuple[Part, Part]
 
-SKIPPED = 2.0
-"""What it costs to leave out a contour where the order of paint decides who is paired."""
+ROUNDS = 4
+"""How often contours that could not keep the order of paint get other partners."""
+
+NEVER = 1e6
+"""Cost of a pair that is refused: more than that of any number of others."""
 
 
 def pair_parts(
@@ -35,8 +38,8 @@ def pair_parts(
 
     Outlines are paired with outlines and open lines with open lines, each set at the least total cost. Holes are
     paired with holes inside paired outlines. As many are paired as can be. Where two paired shapes would have to swap
-    places, one now on top and now below, contours are paired in the order of paint instead. Only where the drawings
-    have no kind in common is an outline paired with an open line.
+    places, one now on top and now below, the larger one keeps its partner and the other gets another one, or none. Only
+    where the drawings have no kind in common is an outline paired with an open line.
 
     Parameters
     ----------
@@ -64,10 +67,18 @@ def pair_parts(
         kinds = [(OUTLINE, LINE)]
     frames = [union([part.box for part in parts]) for parts in (tops_a, tops_b)]
     views = View(tops_a, frames[0]), View(tops_b, frames[1])
-    found = [_pairs(views, kind, constants, fixed) for kind in kinds]
-    couples = [couple for couples in found for couple in couples]
-    if order([(p.shape, q.shape) for p, q in couples], overlaps(a), overlaps(b)) is None:
-        couples = _in_order(views, kinds, constants, fixed)
+    couples = [couple for kind in kinds for couple in _pairs(views, kind, constants, fixed)]
+    below = overlaps(a), overlaps(b)
+    refused: set[Numbers] = set()
+    for _ in range(ROUNDS):
+        kept = _without_swaps(couples, fixed, below)
+        if len(kept) == len(couples):
+            break
+        settled = {(p.number, q.number) for p, q in kept}
+        refused |= {(p.number, q.number) for p, q in couples} - settled
+        again = fixed | dict(settled)
+        couples = [couple for kind in kinds for couple in _pairs(views, kind, constants, again, refused)]
+    couples = _without_swaps(couples, fixed, below)
     if settings.unmatched == "split":
         couples = split_outlines(a, b, couples, settings.vertices)
     for outer_a, outer_b in list(couples):
@@ -80,9 +91,13 @@ def pair_parts(
 
 
 def _pairs(
-    views: tuple[View, View], roles: tuple[str, ...], constants: WorkConstants, fixed: dict[int, int]
+    views: tuple[View, View],
+    roles: tuple[str, ...],
+    constants: WorkConstants,
+    fixed: dict[int, int],
+    refused: Collection[Numbers] = (),
 ) -> list[Couple]:
-    """Pair the contours of some roles at the least total cost, those that are fixed first."""
+    """Pair the contours of some roles at the least total cost, those that are fixed first, none that is refused."""
     sides = [View([part for part in view.parts if part.role in roles], view.frame) for view in views]
     of_b = {part.number: part for part in sides[1].parts}
     couples = [(part, of_b[fixed[part.number]]) for part in sides[0].parts if fixed.get(part.number) in of_b]
@@ -93,10 +108,14 @@ def _pairs(
     ]
     if not free[0].parts or not free[1].parts:
         return couples
-    if len(free[0].parts) == len(free[1].parts) == 1:
-        return [*couples, (free[0].parts[0], free[1].parts[0])]
-    table = _less_what_is_saved(costs(free[0], free[1], constants), free[0], free[1])
-    return couples + [(free[0].parts[i], free[1].parts[j]) for i, j in assign(table)]
+    a, b = free[0].parts, free[1].parts
+    allowed = np.array([[(p.number, q.number) not in refused for q in b] for p in a])
+    if len(a) == len(b) == 1:
+        found = [(0, 0)]
+    else:
+        table = _less_what_is_saved(costs(free[0], free[1], constants), free[0], free[1])
+        found = assign(np.where(allowed, table, NEVER))
+    return couples + [(a[i], b[j]) for i, j in found if allowed[i, j]]
 
 
 def _less_what_is_saved(table: FloatArray, a: View, b: View) -> FloatArray:
@@ -108,25 +127,27 @@ def _less_what_is_saved(table: FloatArray, a: View, b: View) -> FloatArray:
     return table
 
 
-def _in_order(
-    views: tuple[View, View],
-    kinds: list[tuple[str, ...]],
-    constants: WorkConstants,
-    fixed: dict[int, int],
+def _without_swaps(
+    couples: Sequence[Couple], fixed: dict[int, int], below: tuple[list[Numbers], list[Numbers]]
 ) -> list[Couple]:
-    """Pair outlines and lines so that the order of paint agrees; what is fixed is fixed all the same."""
-    a, b = views
-    table = costs(a, b, constants)
-    for i, p in enumerate(a.parts):
-        for j, q in enumerate(b.parts):
-            if not any(p.role in kind and q.role in kind for kind in kinds):
-                table[i, j] = np.inf
-            wanted = fixed.get(p.number)
-            if wanted == q.number:
-                table[i, j] = -1.0 / np.finfo(float).eps
-            elif wanted is not None or q.number in fixed.values():
-                table[i, j] = np.inf
-    return [(a.parts[i], b.parts[j]) for i, j in align(table, SKIPPED)]
+    """The couples that can keep the order of paint; of two that cannot both, what is fixed, or the larger."""
+
+    def fits(some: Sequence[Couple]) -> bool:
+        return order([(p.shape, q.shape) for p, q in some], *below) is not None
+
+    if fits(couples):
+        return list(couples)
+    kept = [couple for couple in couples if couple[0].number in fixed]
+    others = [couple for couple in couples if couple[0].number not in fixed]
+    others.sort(key=lambda couple: -couple[0].size * couple[1].size)
+    waiting = [others]
+    while waiting:  # by halves, since most of them fit
+        some = waiting.pop()
+        if fits([*kept, *some]):
+            kept += some
+        elif len(some) > 1:
+            waiting += [some[len(some) // 2 :], some[: len(some) // 2]]
+    return kept
 
 
 def _checked(a: Sequence[Part], b: Sequence[Part], given: Sequence[Numbers]) -> dict[int, int]:

@@ -1,10 +1,10 @@
-from itertools import combinations, permutations
+from itertools import permutations
 
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.pairing.assign import align, assign
+from shapeblend_cli.pairing.assign import assign
 
 tables = st.tuples(st.integers(1, 5), st.integers(1, 5)).flatmap(
     lambda shape: st.lists(
@@ -28,26 +28,5 @@ def test_as_many_pairs_as_can_be_at_the_least_total(rows):
     assert sum(costs[i, j] for i, j in found) == least
 
 
-@given(tables, st.integers(0, 30))
-def test_pairs_in_order_at_the_least_total(rows, left_out):
-    costs = np.array(rows, float)
-    p, q = costs.shape
-    found = align(costs, float(left_out))
-    assert found == sorted(found)
-    assert [j for _, j in found] == sorted({j for _, j in found})
-
-    def total(pairs):
-        return sum(costs[i, j] for i, j in pairs) + left_out * (p + q - 2 * len(pairs))
-
-    every = (
-        total(list(zip(i, j, strict=True)))
-        for count in range(min(p, q) + 1)
-        for i in combinations(range(p), count)
-        for j in combinations(range(q), count)
-    )
-    assert total(found) == min(every)
-
-
-def test_what_cannot_be_a_pair_is_none():
-    assert align(np.array([[np.inf, 1.0], [2.0, np.inf]]), 5.0) in ([(0, 1)], [(1, 0)])
+def test_nothing_with_nothing():
     assert assign(np.zeros((0, 3))) == []
