@@ -16,8 +16,10 @@ from shapeblend_cli.options import (
     SELECTOR,
     START,
     BandType,
+    EaseType,
     MatchType,
     PinType,
+    RepeatType,
     StiffType,
     band_in_force,
     constant_options,
@@ -28,6 +30,8 @@ from shapeblend_cli.progress import Progress
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+    from shapeblend_cli.easing import Ease
 
 FAILED, USAGE = 1, 2
 STANDARD_INPUT = STANDARD_OUTPUT = "-"
@@ -176,6 +180,43 @@ def shapeblend() -> None:
     help="Frames of the drawings' own curves, or of the solver's polygons.",
 )
 @click.option(
+    "--precision",
+    type=click.IntRange(0, 10),
+    metavar="N",
+    help="Decimals of coordinates.  [default: by the drawings' size]",
+)
+@click.option(
+    "--animate",
+    type=click.Choice(["smil", "css", "frames"]),
+    default="smil",
+    show_default=True,
+    help="How an animated SVG moves. css stands still for who prefers reduced motion, and in Safari; frames are "
+    "pictures shown in turn, and work everywhere.",
+)
+@click.option(
+    "--duration",
+    type=click.FloatRange(0.01, 3600.0),
+    default=2.0,
+    show_default=True,
+    metavar="S",
+    help="Seconds an animated SVG takes from one drawing to the next.",
+)
+@click.option(
+    "--ease",
+    type=EaseType(),
+    default="linear",
+    show_default=True,
+    help="linear, ease, ease-in, ease-out, ease-in-out or cubic-bezier(x1,y1,x2,y2): spaces in-betweens and moves "
+    "animations.",
+)
+@click.option(
+    "--repeat",
+    type=RepeatType(),
+    default="forever",
+    show_default=True,
+    help="How often an animated SVG runs; pingpong: there and back.",
+)
+@click.option(
     "--report", "report_file", metavar="FILE", help="Write what was found as JSON; - for standard output."
 )
 @click.option("-q", "--quiet", is_flag=True, help="Only errors.")
@@ -202,6 +243,11 @@ def blend(
     effort: str,
     preset: str | None,
     curves: bool,
+    precision: int | None,
+    animate: str,
+    duration: float,
+    ease: Ease,
+    repeat: int | str,
     report_file: str | None,
     quiet: bool,
     verbose: bool,
@@ -245,12 +291,18 @@ def blend(
         "preset": preset,
         **constants,
         "curves": curves,
+        "precision": precision,
+        "animate": animate,
+        "duration": duration,
+        "ease": str(ease),
+        "repeat": repeat,
         "report": report_file,
     }
 
     from shapeblend_cli.files import Job, blend_files
     from shapeblend_cli.match.work import WorkConstants
     from shapeblend_cli.settings import BlendSettings
+    from shapeblend_cli.svg.animate import Timing
 
     job = Job(
         files=files,
@@ -260,6 +312,9 @@ def blend(
         reported_settings=settings,
         select=(select_a, *[select_b] * (len(files) - 1)),
         lenient=lenient,
+        animate=animate,
+        timing=Timing(duration, ease, repeat),
+        precision=precision,
         blend=BlendSettings(
             frames=frames,
             ends=ends,
@@ -275,6 +330,7 @@ def blend(
             band=band_here,
             effort=effort,
             curves=curves,
+            ease=ease,
             constants=WorkConstants(**{f"{name[0]}_{name[1]}": value for name, value in constants.items()}),
         ),
     )

@@ -10,19 +10,22 @@ from shapeblend_cli import __version__
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError, OutputError
 from shapeblend_cli.geometry.normalise import union
+from shapeblend_cli.interpolate.chains import tracks
 from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.output import check_targets, write_files
-from shapeblend_cli.pipeline import make_frames, match_all, shapes_at
+from shapeblend_cli.pipeline import make_frames, match_all
 from shapeblend_cli.report import report
-from shapeblend_cli.svg.animate import animated_svg
+from shapeblend_cli.svg.animate import css_svg, smil_svg, stacked_svg
+from shapeblend_cli.svg.attributes import decimals_for
 from shapeblend_cli.svg.read import STANDARD_INPUT, read
 from shapeblend_cli.svg.write import frame_svg
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.model import Frame, Pair
+    from shapeblend_cli.model import Box, Frame, Pair
     from shapeblend_cli.settings import BlendSettings
+    from shapeblend_cli.svg.animate import Timing
 
 STANDARD_OUTPUT = "-"
 
@@ -51,6 +54,12 @@ class Job(NamedTuple):
         Which shapes of each file; None is all it paints.
     lenient : bool
         Draw broken path data up to the error.
+    animate : {'smil', 'css', 'frames'}
+        How an animated SVG moves.
+    timing : Timing
+        Of an animated SVG.
+    precision : int or None
+        Decimals of coordinates; None for as many as the drawings' size asks for.
     """
 
     files: tuple[str, ...]
@@ -61,6 +70,9 @@ class Job(NamedTuple):
     reported_settings: dict[str, Any]
     select: tuple[str | None, ...]
     lenient: bool
+    animate: str
+    timing: Timing
+    precision: int | None
 
     @property
     def animated(self) -> bool:
@@ -123,10 +135,11 @@ def blend_files(
     texts: dict[Path, str] = {}
     standard_output = ""
     names: Sequence[str | None]
+    views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
+    decimals = decimals_for(views) if job.precision is None else job.precision
     if job.animated:
         names = [None] * len(frames)
-        (pair,) = pairs
-        animation = animated_svg(shapes_at(pair, 0.0), shapes_at(pair, 1.0), union(list(pair.views)))
+        animation = _animation(job, pairs, views, decimals)
         if job.output == STANDARD_OUTPUT:
             standard_output = animation
         else:
@@ -134,7 +147,7 @@ def blend_files(
     else:
         names = job.frame_files()
         texts.update(
-            (Path(job.output, name), frame_svg(frame))
+            (Path(job.output, name), frame_svg(frame, decimals))
             for name, frame in zip(job.frame_files(), frames, strict=True)
         )
     if job.report_file is not None:
@@ -155,6 +168,17 @@ def blend_files(
     clock.lap("write")
     for line in _details(pairs, frames, clock):
         detail(line)
+
+
+def _animation(job: Job, pairs: Sequence[Pair], views: Sequence[Box], decimals: int) -> str:
+    """The animated SVG that is wanted."""
+    if job.animate == "frames":
+        frames = make_frames(pairs, job.blend._replace(ends=True))
+        return stacked_svg(frames, job.timing, len(pairs), decimals)
+    moving = tracks(pairs)
+    if job.animate == "css":
+        return css_svg(moving, union(list(views)), job.timing, decimals)
+    return smil_svg(moving, views, job.timing, decimals)
 
 
 def _targets(job: Job) -> list[Path]:

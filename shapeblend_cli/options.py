@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from shapeblend_cli import easing
 from shapeblend_cli.presets import BANDS, PRESETS
 
 if TYPE_CHECKING:
@@ -72,6 +73,42 @@ class PinType(click.ParamType[Any]):
                 self.fail(f"{value!r} is not two points such as 1.5,2:3,4.", param, ctx)
             return tuple(complex(*(_number(self, v, param, ctx) for v in side)) for side in sides)
         return START.convert(value, param, ctx)
+
+
+class EaseType(click.ParamType[Any]):
+    """A CSS name of an easing, or ``cubic-bezier(x1,y1,x2,y2)``."""
+
+    name = "NAME"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Turn it into its four numbers."""
+        if isinstance(value, easing.Ease):
+            return value
+        try:
+            return easing.parse(value)
+        except ValueError as error:
+            self.fail(f"{error}.", param, ctx)
+
+
+class RepeatType(click.ParamType[Any]):
+    """How often an animation runs: a number, ``forever``, or ``pingpong``."""
+
+    name = "N|forever|pingpong"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Read a number; the words stay as they are."""
+        if isinstance(value, int) or value in ("forever", "pingpong"):
+            return value
+        if not value.isdecimal() or not 1 <= int(value) <= MOST_RUNS:
+            self.fail(
+                f"{value!r} is neither 'forever' nor 'pingpong' nor a number from 1 to {MOST_RUNS}.",
+                param,
+                ctx,
+            )
+        return int(value)
+
+
+MOST_RUNS = 1_000_000
 
 
 class MatchType(click.ParamType[Any]):

@@ -247,7 +247,7 @@ def make_frames(pairs: Sequence[Pair], settings: BlendSettings) -> list[Frame]:
     """Make the in-betweens of all pairs, and with `settings.ends` the drawings, in order of time."""
     frames = []
     for pair in pairs:
-        times = frame_times(settings.frames, settings.ends)
+        times = frame_times(settings.frames, settings.ends, settings.ease)
         if settings.ends and pair.a:
             times = times[1:]  # the pair before has ended with this one's start
         frames += [frame_at(pair, t, as_drawn=settings.curves) for t in times]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from shapeblend_cli.easing import LINEAR, Ease
 from shapeblend_cli.match.work import WorkConstants
 
 
@@ -37,6 +38,8 @@ class BlendSettings(NamedTuple):
         Contours that must become one another: numbers, as in the report, or ids of shapes.
     curves : bool
         Frames of smooth curves, or of the solver's polygons.
+    ease : Ease
+        How the in-betweens are spaced in time.
     unmatched : {'point', 'split'}
         Whether an outline without a partner grows from a point, or another outline is cut for it.
     constants : WorkConstants
@@ -57,3 +60,4 @@ class BlendSettings(NamedTuple):
     pairs: tuple[tuple[str, str], ...] = ()
     unmatched: str = "point"
     curves: bool = True
+    ease: Ease = LINEAR

@@ -12,6 +12,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.outline import reversed_polygon
+from shapeblend_cli.interpolate.styles import common_styles
 from shapeblend_cli.model import MovingContour, Outline, PaintedShape, Track
 
 if TYPE_CHECKING:
@@ -113,7 +114,7 @@ def _run(matched: MatchedContour, moving: MovingContour) -> _Run:
 def _track(shape: _Shape) -> Track:
     keys = [
         PaintedShape(tuple(Outline(run.keys[k], run.straight, run.closed) for run in shape.runs), style)
-        for k, style in enumerate(shape.styles)
+        for k, style in enumerate(common_styles(shape.styles))
     ]
     return Track(tuple(keys), shape.first)
 

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from shapeblend_cli.model import Style
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 
 def blend_styles(a: Style, b: Style, t: float) -> Style:
@@ -36,3 +41,20 @@ def _blend_paint(
         for c0, c1 in zip(bytes.fromhex(colour0[1:]), bytes.fromhex(colour1[1:]), strict=True)
     ]
     return "#" + bytes(mixed).hex(), (1.0 - t) * opacity0 + t * opacity1
+
+
+def common_styles(styles: Sequence[Style]) -> list[Style]:
+    """The same paints at every key: what a key lacks is there transparent, as the nearest key has it."""
+    found = list(styles)
+    filled = [k for k, style in enumerate(styles) if style.fill is not None]
+    stroked = [k for k, style in enumerate(styles) if style.stroke is not None]
+    for k in range(len(styles)):
+        if filled and k not in filled:
+            near = styles[min(filled, key=lambda other: abs(other - k))]
+            found[k] = found[k]._replace(fill=near.fill, fill_opacity=0.0)
+        if stroked and k not in stroked:
+            near = styles[min(stroked, key=lambda other: abs(other - k))]
+            found[k] = found[k]._replace(
+                stroke=near.stroke, stroke_opacity=0.0, stroke_width=near.stroke_width
+            )
+    return found

@@ -10,8 +10,8 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import Box, Outline, Style
 
-DIGITS = 5
-"""Coordinates are written to about this share, 10 ** -DIGITS, of the drawing's size."""
+ROUNDING = 4e-5
+"""How far a coordinate may be off by rounding, as a share of what is shown."""
 
 DEFAULTS = {
     "fill_opacity": "1",
@@ -24,10 +24,10 @@ DEFAULTS = {
 """What SVG takes for attributes that are not there."""
 
 
-def decimals_for(box: Box) -> int:
-    """Decimals that keep coordinates within half of 10 ** -DIGITS of a drawing's size."""
-    size = max(box.width, box.height)
-    return max(0, DIGITS - math.floor(math.log10(size))) if size > 0.0 else DIGITS
+def decimals_for(boxes: Sequence[Box]) -> int:
+    """As many decimals as keep points within `ROUNDING` of their places, whichever of the boxes is shown."""
+    size = min(max(box.width, box.height) for box in boxes)
+    return max(0, math.ceil(-math.log10(math.sqrt(2.0) * ROUNDING * size))) if size > 0.0 else 5
 
 
 def path_data(outlines: Sequence[Outline], decimals: int) -> str:

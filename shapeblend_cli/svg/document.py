@@ -14,14 +14,26 @@ if TYPE_CHECKING:
 
 def empty(viewbox: Box, decimals: int) -> Any:
     """A document that draws nothing yet."""
-    drawing = svgwrite.Drawing(debug=False, viewBox=" ".join(number(v, decimals) for v in viewbox))
+    drawing = svgwrite.Drawing(debug=False, viewBox=box_text(viewbox, decimals))
     drawing.elements.remove(drawing.defs)
     return drawing
 
 
-def text(drawing: Any) -> str:
-    """Serialise without what svgwrite adds unasked: a size of 100 %, a profile, two unused namespaces."""
+def box_text(box: Box, decimals: int) -> str:
+    """A box as ``viewBox`` has it."""
+    return " ".join(number(value, decimals) for value in box)
+
+
+def text(drawing: Any, style: str | None = None) -> str:
+    """Serialise, with a style sheet or without.
+
+    What svgwrite adds unasked goes: a size of 100 %, a profile, two unused namespaces.
+    """
     root = drawing.get_xml()
     for name in ("width", "height", "version", "baseProfile", "xmlns:ev", "xmlns:xlink"):
         root.attrib.pop(name, None)
+    if style is not None:
+        sheet = ElementTree.Element("style")
+        sheet.text = style
+        root.insert(0, sheet)
     return ElementTree.tostring(root, encoding="unicode") + "\n"

@@ -1,0 +1,99 @@
+"""Easing, as CSS has it: how far a blend has come when a share of its time has passed.
+
+https://www.w3.org/TR/css-easing-1/#cubic-bezier-easing-functions
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+NAMES = {
+    "linear": (0.0, 0.0, 1.0, 1.0),
+    "ease": (0.25, 0.1, 0.25, 1.0),
+    "ease-in": (0.42, 0.0, 1.0, 1.0),
+    "ease-out": (0.0, 0.0, 0.58, 1.0),
+    "ease-in-out": (0.42, 0.0, 0.58, 1.0),
+}
+
+HALVINGS = 60
+"""Steps of the bisection that solves for the curve's parameter."""
+
+
+class Ease(NamedTuple):
+    """A cubic Bezier curve from (0, 0) to (1, 1), time to the right and progress upwards; its inner control points.
+
+    All four lie in [0, 1]: progress beyond it would be a picture before A or after B, and there is none.
+    """
+
+    x1: float = 0.0
+    y1: float = 0.0
+    x2: float = 1.0
+    y2: float = 1.0
+
+    def __str__(self) -> str:
+        """As CSS writes it."""
+        names = [name for name, numbers in NAMES.items() if self == numbers]
+        return names[0] if names else f"cubic-bezier({','.join(f'{number:g}' for number in self)})"
+
+    @property
+    def is_linear(self) -> bool:
+        """Whether progress is time."""
+        return self.x1 == self.y1 and self.x2 == self.y2
+
+    def mirrored(self) -> Ease:
+        """The same way back."""
+        return Ease(1.0 - self.x2, 1.0 - self.y2, 1.0 - self.x1, 1.0 - self.y1)
+
+    def at(self, time: float) -> float:
+        """Progress, from 0 to 1, at a time from 0 to 1."""
+        if self.is_linear or time in (0.0, 1.0):
+            return time
+        return _solved(self.x1, self.x2, self.y1, self.y2, time)
+
+    def time_of(self, progress: float) -> float:
+        """Time at which a progress is reached."""
+        if self.is_linear or progress in (0.0, 1.0):
+            return progress
+        return _solved(self.y1, self.y2, self.x1, self.x2, progress)
+
+
+LINEAR = Ease()
+
+
+def parse(text: str) -> Ease:
+    """Read ``linear``, ``ease``, ``ease-in``, ``ease-out``, ``ease-in-out`` or ``cubic-bezier(x1,y1,x2,y2)``.
+
+    Raises
+    ------
+    ValueError
+        With what would work.
+    """
+    name = text.strip().lower()
+    if name in NAMES:
+        return Ease(*NAMES[name])
+    body = name.removeprefix("cubic-bezier(").removesuffix(")")
+    try:
+        numbers = [float(part) for part in body.split(",")]
+    except ValueError:
+        numbers = []
+    if name != f"cubic-bezier({body})" or len(numbers) != 4 or not all(map(math.isfinite, numbers)):
+        raise ValueError(f"{text!r} is none of {', '.join(NAMES)}, nor of the form cubic-bezier(0.3,0,0.7,1)")
+    if not all(0.0 <= number <= 1.0 for number in numbers):
+        raise ValueError(
+            f"{text!r}: all four numbers lie between 0 and 1, since there is nothing before A and after B"
+        )
+    return Ease(*numbers)
+
+
+def _solved(x1: float, x2: float, y1: float, y2: float, x: float) -> float:
+    """The curve's y where its x, which never falls, has a value."""
+
+    def bezier(p1: float, p2: float, s: float) -> float:
+        return 3.0 * (1.0 - s) ** 2 * s * p1 + 3.0 * (1.0 - s) * s * s * p2 + s**3
+
+    low, high = 0.0, 1.0
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if bezier(x1, x2, middle) < x else (low, middle)
+    return bezier(y1, y2, high)
