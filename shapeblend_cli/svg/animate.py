@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.easing import LINEAR, Ease
 from shapeblend_cli.svg import document
-from shapeblend_cli.svg.attributes import number, paint_attributes, path_data, without_defaults
+from shapeblend_cli.svg.attributes import number, paint_attributes, short_path_data, without_defaults
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -154,7 +154,7 @@ class _Clock:
 def _values(track: Track, decimals: int) -> dict[str, list[str]]:
     """Every attribute of a path at each of its keys, but for what SVG takes for granted at all of them."""
     keys = [
-        {"d": path_data(shape.outlines, decimals), **paint_attributes(shape.style, decimals)}
+        {"d": short_path_data(shape.outlines, decimals), **paint_attributes(shape.style, decimals)}
         for shape in track.keys
     ]
     shown = {name for key in keys for name in without_defaults(key)}
@@ -255,6 +255,6 @@ def stacked_svg(frames: Sequence[Frame], timing: Timing, pairs: int, decimals: i
         picture.add(clock.steps(drawing, "visibility", ["visible" if k == n else "hidden" for n in order]))
         for shape in frame.shapes:
             paint = without_defaults(paint_attributes(shape.style, decimals))
-            picture.add(drawing.path(d=path_data(shape.outlines, decimals), **paint))
+            picture.add(drawing.path(d=short_path_data(shape.outlines, decimals), **paint))
         drawing.add(picture)
     return document.text(drawing)

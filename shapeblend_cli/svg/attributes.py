@@ -57,6 +57,55 @@ def _point(z: complex, decimals: int) -> str:
     return f"{number(z.real, decimals)},{number(z.imag, decimals)}"
 
 
+def short_path_data(outlines: Sequence[Outline], decimals: int) -> str:
+    """The same as `path_data`, about a fifth shorter: every point is given by its way from the one before.
+
+    Each is rounded by itself before, so that no errors add up. A browser that goes evenly from one such list of
+    numbers to another goes evenly from point to point as well.
+    """
+    return "".join(_short_subpath(outline, decimals) for outline in outlines)
+
+
+def _short_subpath(outline: Outline, decimals: int) -> str:
+    segments, straight = outline.segments.tolist(), outline.straight.tolist()
+    if outline.closed and straight[-1]:
+        segments.pop()
+    scale = 10**decimals
+    here = _on_grid(outline.segments[0, 0], scale)
+    parts = [f"M{_way(here, (0, 0), scale)}"]
+    last = ""
+    for (_, p1, p2, p3), is_line in zip(segments, straight, strict=False):
+        letter = "l" if is_line else "c"
+        points = [_on_grid(z, scale) for z in ((p3,) if is_line else (p1, p2, p3))]
+        for k, point in enumerate(points):
+            way = _way(point, here, scale)
+            if k or letter == last:
+                parts.append(way if way.startswith("-") else f" {way}")
+            else:
+                parts.append(letter + way)
+        here, last = points[-1], letter
+    return "".join(parts) + ("z" if outline.closed else "")
+
+
+def _on_grid(z: complex, scale: int) -> tuple[int, int]:
+    if not (math.isfinite(z.real) and math.isfinite(z.imag)):
+        raise ValueError(f"{z} cannot be written to an SVG file")
+    return round(z.real * scale), round(z.imag * scale)
+
+
+def _way(point: tuple[int, int], start: tuple[int, int], scale: int) -> str:
+    x, y = (_shortest(p - q, scale) for p, q in zip(point, start, strict=True))
+    return x + y if y.startswith("-") else f"{x} {y}"
+
+
+def _shortest(value: int, scale: int) -> str:
+    """A number of units of 1 / scale, without needless zeros."""
+    whole, rest = divmod(abs(value), scale)
+    decimals = str(rest + scale)[1:].rstrip("0") if rest else ""
+    digits = (str(whole) if whole or not decimals else "") + (f".{decimals}" if decimals else "")
+    return f"-{digits}" if value < 0 else digits
+
+
 def without_defaults(attributes: dict[str, str]) -> dict[str, str]:
     """The attributes that say something else than SVG does by itself."""
     return {name: value for name, value in attributes.items() if DEFAULTS.get(name) != value}

@@ -58,7 +58,7 @@ def test_one_animation_through_all(here):
     assert found["fill"]["values"] == "#000000;#ffffff;#000000"
     keys = found["d"]["values"].split(";")
     assert len(keys) == 3
-    assert len({re.sub(r"[\d.,-]+", "", key) for key in keys}) == 1
+    assert len({re.sub(r"[\d. -]+", "", key) for key in keys}) == 1
     assert {a["dur"] for a in found.values()} == {"3s"}
     assert {a["repeatCount"] for a in found.values()} == {"indefinite"}
     assert not {"keyTimes", "calcMode", "fill"} & set(found["d"])
