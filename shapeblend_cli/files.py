@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli import __version__
 from shapeblend_cli.clock import Clock
+from shapeblend_cli.emit.forms import file_names
 from shapeblend_cli.errors import InputError, MatchError, OutputError
 from shapeblend_cli.geometry.normalise import union
 from shapeblend_cli.match.solve import COMPILED
@@ -40,7 +41,7 @@ class Job(NamedTuple):
     files : tuple of str
         Two or more. One of them may be ``-``, standard input.
     output : str
-        A folder, a name ending in ``.svg``, or ``-``.
+        A folder, the name of a file, or ``-``.
     force : bool
         Replace existing files.
     report_file : str or None
@@ -51,6 +52,8 @@ class Job(NamedTuple):
         Which shapes of each file; None is all it paints.
     lenient : bool
         Draw broken path data up to the error.
+    emit : str
+        A name of `emit.forms.FORMS`.
     """
 
     files: tuple[str, ...]
@@ -61,10 +64,11 @@ class Job(NamedTuple):
     reported_settings: dict[str, Any]
     select: tuple[str | None, ...]
     lenient: bool
+    emit: str = "frames"
 
     @property
     def animated(self) -> bool:
-        """Whether one animated file is wanted instead of a file a frame."""
+        """Whether one animated SVG is wanted instead of a file a frame."""
         return self.output == STANDARD_OUTPUT or self.output.lower().endswith(".svg")
 
     def frame_files(self) -> list[str]:
@@ -122,9 +126,20 @@ def blend_files(
 
     texts: dict[Path, str] = {}
     standard_output = ""
-    names: Sequence[str | None]
-    if job.animated:
-        names = [None] * len(frames)
+    names: Sequence[str | None] = [None] * len(frames)
+    if job.emit != "frames":
+        from shapeblend_cli.emit.move import Move
+        from shapeblend_cli.emit.write import emitted
+
+        moves = [Move(shapes_at(pair, 0.0), shapes_at(pair, 1.0), pair.views) for pair in pairs]
+        written, lost = emitted(job.emit, moves)
+        for note in lost:
+            say(note)
+        if job.output == STANDARD_OUTPUT:
+            (standard_output,) = written
+        else:
+            texts.update(zip(map(Path, file_names(job.emit, job.output)), written, strict=True))
+    elif job.animated:
         (pair,) = pairs
         animation = animated_svg(shapes_at(pair, 0.0), shapes_at(pair, 1.0), union(list(pair.views)))
         if job.output == STANDARD_OUTPUT:
@@ -148,7 +163,7 @@ def blend_files(
             texts[Path(job.report_file)] = text
     write_files(texts)
     _print(standard_output)
-    if not job.animated and names:
+    if job.emit == "frames" and not job.animated and names:
         stale = {path.name for path in Path(job.output).glob("frame-*.svg")} - set(names)
         if stale:
             say(f"{job.output}: {len(stale)} frame files of another run are left, {min(stale)} among them")
@@ -159,8 +174,10 @@ def blend_files(
 
 def _targets(job: Job) -> list[Path]:
     """Every file the job will write."""
-    targets = []
-    if job.output != STANDARD_OUTPUT:
+    targets: list[Path] = []
+    if job.emit != "frames":
+        targets += map(Path, file_names(job.emit, job.output))
+    elif job.output != STANDARD_OUTPUT:
         targets += [Path(job.output)] if job.animated else [Path(job.output, n) for n in job.frame_files()]
     if job.report_file not in (None, STANDARD_OUTPUT):
         targets.append(Path(str(job.report_file)))
