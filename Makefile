@@ -36,7 +36,7 @@ demo: install ## blend samples/e.svg into samples/f.svg: frames, an animated SVG
 	@echo "animated SVG   $(DEMO)/e-f.svg  (open it in a browser)"
 	@echo "contact sheet  $(DEMO)/contact-sheet.png"
 
-test: install chromium ## run every test
+test: install chromium npm ## run every test
 	$(BIN)/python -m pytest -q
 
 lint: $(VENV)/.installed ## check format, lint and types
@@ -133,4 +133,18 @@ chromium:
 	fi; \
 	have && exit 0; \
 	echo "no chromium here, so its test is skipped. On Debian: apt-get install chromium" >&2; \
+	[ "$$CI" != true ]
+
+# lottie-web, which npm installs into out/, plays the Lottie files in one test. Without npm that test is skipped, but not in CI.
+.PHONY: npm
+npm:
+	@have() { command -v node && command -v npm; } >/dev/null 2>&1; \
+	have && exit 0; \
+	if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+	    echo "installing npm for the test of Lottie files"; \
+	    { apt-get update -qq && DEBIAN_FRONTEND=noninteractive \
+	        apt-get install -y -qq --no-install-recommends nodejs npm; } </dev/null >/dev/null || true; \
+	fi; \
+	have && exit 0; \
+	echo "no npm here, so the test of Lottie files is skipped. On Debian: apt-get install npm" >&2; \
 	[ "$$CI" != true ]

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from shapeblend_cli import __version__
+from shapeblend_cli.emit.forms import FORMS, problem
 from shapeblend_cli.errors import ShapeblendError
 from shapeblend_cli.options import (
     SELECTOR,
@@ -83,10 +84,17 @@ def shapeblend() -> None:
 @click.option(
     "-o",
     "--output",
-    default="blend",
-    show_default=True,
     metavar="PATH",
-    help="A folder: one file a frame. A name ending in .svg: one animated SVG. -: that on standard output.",
+    help="A folder: one file a frame. A name ending in .svg: one animated SVG. -: that on standard output.  "
+    "[default: blend; with --emit lottie blend.json, with avd blend.xml]",
+)
+@click.option(
+    "--emit",
+    type=click.Choice(list(FORMS)),
+    default="frames",
+    show_default=True,
+    help="frames: SVG, as --output says; pair: A and B with equal commands, for other programs to move between; "
+    "lottie: an animation as JSON; avd: an animated vector drawable for Android.",
 )
 @click.option("-f", "--force", is_flag=True, help="Replace existing files.")
 @click.option(
@@ -225,7 +233,8 @@ def blend(
     files: tuple[str, ...],
     frames: int,
     ends: bool,
-    output: str,
+    output: str | None,
+    emit: str,
     force: bool,
     select_a: str | None,
     select_b: str | None,
@@ -263,6 +272,9 @@ def blend(
         raise click.UsageError("standard input can be one of the files, not more")
     if len(files) > 2 and (start or pins or pairs or stiff):
         raise click.UsageError(f"--start, --pin, --match and --stiff are about two files; {len(files)} given")
+    output = FORMS[emit].output if output is None else output
+    if found := problem(emit, output, len(files)):
+        raise click.UsageError(found)
     if output == report_file == STANDARD_OUTPUT:
         raise click.UsageError("--output and --report cannot both be standard output")
     if quiet and verbose:
@@ -273,6 +285,7 @@ def blend(
         "frames": frames,
         "ends": ends,
         "output": output,
+        "emit": emit,
         "force": force,
         "select_a": select_a,
         "select_b": select_b,
@@ -315,6 +328,7 @@ def blend(
         animate=animate,
         timing=Timing(duration, ease, repeat),
         precision=precision,
+        emit=emit,
         blend=BlendSettings(
             frames=frames,
             ends=ends,

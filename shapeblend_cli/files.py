@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli import __version__
 from shapeblend_cli.clock import Clock
+from shapeblend_cli.emit.forms import file_names
 from shapeblend_cli.errors import InputError, MatchError, OutputError
 from shapeblend_cli.geometry.normalise import union
 from shapeblend_cli.interpolate.chains import tracks
 from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.output import check_targets, write_files
-from shapeblend_cli.pipeline import make_frames, match_all
+from shapeblend_cli.pipeline import make_frames, match_all, shapes_at
 from shapeblend_cli.report import report
 from shapeblend_cli.svg.animate import css_svg, smil_svg, stacked_svg
 from shapeblend_cli.svg.attributes import decimals_for
@@ -43,7 +44,7 @@ class Job(NamedTuple):
     files : tuple of str
         Two or more. One of them may be ``-``, standard input.
     output : str
-        A folder, a name ending in ``.svg``, or ``-``.
+        A folder, the name of a file, or ``-``.
     force : bool
         Replace existing files.
     report_file : str or None
@@ -60,6 +61,8 @@ class Job(NamedTuple):
         Of an animated SVG.
     precision : int or None
         Decimals of coordinates; None for as many as the drawings' size asks for.
+    emit : str
+        A name of `emit.forms.FORMS`.
     """
 
     files: tuple[str, ...]
@@ -73,10 +76,11 @@ class Job(NamedTuple):
     animate: str
     timing: Timing
     precision: int | None
+    emit: str
 
     @property
     def animated(self) -> bool:
-        """Whether one animated file is wanted instead of a file a frame."""
+        """Whether one animated SVG is wanted instead of a file a frame."""
         return self.output == STANDARD_OUTPUT or self.output.lower().endswith(".svg")
 
     def frame_files(self) -> list[str]:
@@ -134,11 +138,22 @@ def blend_files(
 
     texts: dict[Path, str] = {}
     standard_output = ""
-    names: Sequence[str | None]
+    names: Sequence[str | None] = [None] * len(frames)
     views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
     decimals = decimals_for(views) if job.precision is None else job.precision
-    if job.animated:
-        names = [None] * len(frames)
+    if job.emit != "frames":
+        from shapeblend_cli.emit.move import Move
+        from shapeblend_cli.emit.write import emitted
+
+        moves = [Move(shapes_at(pair, 0.0), shapes_at(pair, 1.0), pair.views) for pair in pairs]
+        written, lost = emitted(job.emit, moves, job.timing.seconds, job.timing.ease, decimals)
+        for note in lost:
+            say(note)
+        if job.output == STANDARD_OUTPUT:
+            (standard_output,) = written
+        else:
+            texts.update(zip(map(Path, file_names(job.emit, job.output)), written, strict=True))
+    elif job.animated:
         animation = _animation(job, pairs, views, decimals)
         if job.output == STANDARD_OUTPUT:
             standard_output = animation
@@ -161,7 +176,7 @@ def blend_files(
             texts[Path(job.report_file)] = text
     write_files(texts)
     _print(standard_output)
-    if not job.animated and names:
+    if job.emit == "frames" and not job.animated and names:
         stale = {path.name for path in Path(job.output).glob("frame-*.svg")} - set(names)
         if stale:
             say(f"{job.output}: {len(stale)} frame files of another run are left, {min(stale)} among them")
@@ -183,8 +198,10 @@ def _animation(job: Job, pairs: Sequence[Pair], views: Sequence[Box], decimals: 
 
 def _targets(job: Job) -> list[Path]:
     """Every file the job will write."""
-    targets = []
-    if job.output != STANDARD_OUTPUT:
+    targets: list[Path] = []
+    if job.emit != "frames":
+        targets += map(Path, file_names(job.emit, job.output))
+    elif job.output != STANDARD_OUTPUT:
         targets += [Path(job.output)] if job.animated else [Path(job.output, n) for n in job.frame_files()]
     if job.report_file not in (None, STANDARD_OUTPUT):
         targets.append(Path(str(job.report_file)))

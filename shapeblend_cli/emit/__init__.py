@@ -1,0 +1,1 @@
+"""Blends for other programs to play, and what each of these takes."""

@@ -1,0 +1,187 @@
+"""A blend as a Lottie animation: JSON that lottie-web, lottie-ios, lottie-android, After Effects and others play.
+
+A layer for every shape, the topmost first, with two keyframes. The format: https://lottie.github.io/lottie-spec/
+"""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from shapeblend_cli.geometry.normalise import union
+from shapeblend_cli.svg.attributes import number
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.easing import Ease
+    from shapeblend_cli.emit.move import Move
+    from shapeblend_cli.model import Box, ComplexArray, Outline, PaintedShape
+
+VERSION = "5.7.4"
+"""Of the format; players mend what older versions did otherwise."""
+
+FRAME_RATE = 60
+
+SIZE = 512
+"""Pixels of the longer side, which players scale as they like, unless the drawing's own size will do."""
+
+OWN_SIZES = range(100, 4097)
+"""Longer sides that do; both sides must be whole numbers."""
+
+MITER_LIMIT = 4
+"""SVG's."""
+
+FILL_RULES = {"nonzero": 1, "evenodd": 2}
+LINE_CAPS = {"butt": 1, "round": 2, "square": 3}
+LINE_JOINS = {"miter": 1, "round": 2, "bevel": 3}
+
+
+def lottie(moves: Sequence[Move], seconds: float, ease: Ease, decimals: int) -> str:
+    """A Lottie animation of drawings that become one another in turn.
+
+    The frame named by `op` is not shown, so there is one more than `seconds` has: the last one shows the last drawing.
+
+    Parameters
+    ----------
+    moves : sequence of Move
+        Each begins with the picture the one before ends with.
+    seconds : float
+        How long each move takes.
+    ease : Ease
+        How fast when within a move.
+    decimals : int
+        Of coordinates.
+    """
+    view = union([box for move in moves for box in move.views])
+    is_whole = view.width.is_integer() and view.height.is_integer()
+    longer = max(view.width, view.height)
+    scale = 1.0 if is_whole and longer in OWN_SIZES else SIZE / longer
+    width, height = (max(1, round(scale * side)) for side in (view.width, view.height))
+    frames = max(1, round(FRAME_RATE * seconds))
+    last = frames * len(moves) + 1
+    layers = []
+    for k, move in enumerate(moves):
+        keys = _Keys(frames * k, frames * (k + 1), ease)
+        until = keys.end if k + 1 < len(moves) else last
+        for name, start, end in move.shapes():
+            shapes = _shapes(start, end, keys, decimals)
+            placed = {"ks": _placed(view, scale, (width, height), decimals), "ao": 0, "shapes": shapes}
+            times = {"ip": keys.start, "op": until, "st": 0}
+            layers.append({"ddd": 0, "ty": 4, "nm": name, "sr": 1, **placed, **times, "bm": 0})
+    layers.reverse()  # in Lottie what comes first is on top
+    found = {
+        "v": VERSION,
+        "fr": FRAME_RATE,
+        "ip": 0,
+        "op": last,
+        "w": width,
+        "h": height,
+        "nm": "blend",
+        "ddd": 0,
+        "assets": [],
+        "layers": [{"ind": ind, **layer} for ind, layer in enumerate(layers, 1)],
+    }
+    return json.dumps(found, separators=(",", ":"), allow_nan=False) + "\n"
+
+
+class _Keys:
+    """The two keyframes of a move."""
+
+    def __init__(self, start: int, end: int, ease: Ease) -> None:
+        self.start = start
+        self.end = end
+        self.ease = [_plain(value, 4) for value in ease]
+
+    def value(self, start: Any, end: Any) -> dict[str, Any]:
+        """A number or a list of numbers that moves, or stays."""
+        if start == end:
+            return {"a": 0, "k": start}
+        x1, y1, x2, y2 = self.ease
+        speed = {"o": {"x": [x1], "y": [y1]}, "i": {"x": [x2], "y": [y2]}}
+        first, last = (v if isinstance(v, list) else [v] for v in (start, end))
+        return self._moving(first, last, speed)
+
+    def path(self, start: dict[str, Any], end: dict[str, Any]) -> dict[str, Any]:
+        """A path that moves, or stays."""
+        if start == end:
+            return {"a": 0, "k": start}
+        x1, y1, x2, y2 = self.ease
+        return self._moving([start], [end], {"o": {"x": x1, "y": y1}, "i": {"x": x2, "y": y2}})
+
+    def _moving(self, start: list[Any], end: list[Any], speed: dict[str, Any]) -> dict[str, Any]:
+        return {"a": 1, "k": [{"t": self.start, "s": start, **speed}, {"t": self.end, "s": end}]}
+
+
+def _placed(view: Box, scale: float, size: tuple[int, int], decimals: int) -> dict[str, Any]:
+    """The transform that lays the centre of the view on the centre of the picture."""
+    middle = view.x + view.width / 2, view.y + view.height / 2
+    centre = [*(_plain(value, decimals + 1) for value in middle), 0]  # half of a side has one decimal more
+    percent = float(f"{100 * scale:.9g}")
+    percent = int(percent) if percent.is_integer() else percent
+    values = {"o": 100, "r": 0, "p": [*(_plain(side / 2, 1) for side in size), 0], "a": centre}
+    return {name: {"a": 0, "k": v} for name, v in {**values, "s": [percent, percent, 100]}.items()}
+
+
+def _shapes(start: PaintedShape, end: PaintedShape, keys: _Keys, decimals: int) -> list[dict[str, Any]]:
+    """The one group of a layer: paths, and what paints them, the upper paint first."""
+    items: list[dict[str, Any]] = []
+    for number_of_path, (a, b) in enumerate(zip(start.outlines, end.outlines, strict=True), 1):
+        path = keys.path(_bezier(a, decimals), _bezier(b, decimals))
+        items.append({"ty": "sh", "nm": f"contour-{number_of_path}", "ks": path})
+    s, e = start.style, end.style
+    if s.stroke is not None and e.stroke is not None:
+        stroke = {
+            "c": keys.value(_colour(s.stroke), _colour(e.stroke)),
+            "o": keys.value(_percent(s.stroke_opacity), _percent(e.stroke_opacity)),
+            "w": keys.value(_plain(s.stroke_width, decimals), _plain(e.stroke_width, decimals)),
+            "lc": LINE_CAPS[s.stroke_linecap],
+            "lj": LINE_JOINS[s.stroke_linejoin],
+            "ml": MITER_LIMIT,
+        }
+        items.append({"ty": "st", "nm": "stroke", **stroke})
+    if s.fill is not None and e.fill is not None:
+        fill = {
+            "c": keys.value(_colour(s.fill), _colour(e.fill)),
+            "o": keys.value(_percent(s.fill_opacity), _percent(e.fill_opacity)),
+            "r": FILL_RULES[s.fill_rule],
+        }
+        items.append({"ty": "fl", "nm": "fill", **fill})
+    still = {"p": [0, 0], "a": [0, 0], "s": [100, 100], "r": 0, "o": 100}
+    items.append({"ty": "tr", **{name: {"a": 0, "k": value} for name, value in still.items()}})
+    return [{"ty": "gr", "nm": "paths", "it": items}]
+
+
+def _bezier(outline: Outline, decimals: int) -> dict[str, Any]:
+    """Vertices with the tangents that come in and go out, relative to them; a closed path has its first vertex once."""
+    first, second, third, fourth = outline.segments.T
+    leaving = np.where(outline.straight, 0.0, second - first)
+    coming = np.where(outline.straight, 0.0, third - fourth)
+    if outline.closed:
+        vertices, coming = first, np.roll(coming, 1)
+    else:
+        vertices = np.append(first, fourth[-1])
+        leaving, coming = np.append(leaving, 0.0), np.append(0.0, coming)
+    lists = {"v": vertices, "i": coming, "o": leaving}
+    return {"c": outline.closed, **{name: _points(z, decimals) for name, z in lists.items()}}
+
+
+def _points(values: ComplexArray, decimals: int) -> list[list[float]]:
+    return [[_plain(z.real, decimals), _plain(z.imag, decimals)] for z in values.tolist()]
+
+
+def _colour(text: str) -> list[float]:
+    """``#rrggbb`` as shares of 1, with the opaque alpha some players expect."""
+    return [*(_plain(c / 255, 4) for c in bytes.fromhex(text[1:])), 1]
+
+
+def _percent(share: float) -> float:
+    return _plain(100 * share, 2)
+
+
+def _plain(value: float, decimals: int) -> float:
+    """A rounded number, an int where it is whole: JSON then has it in its shortest form."""
+    rounded = float(number(value, decimals))
+    return int(rounded) if rounded.is_integer() else rounded

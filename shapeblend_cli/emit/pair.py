@@ -1,0 +1,32 @@
+"""Two drawings with equal commands, for any program that moves one path into another.
+
+GSAP, CSS transitions, Figma and many more go evenly from number to number, and need the same commands in the same
+order for that. The in-betweens are then those of shapeblend.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from shapeblend_cli.svg import document
+from shapeblend_cli.svg.attributes import paint_attributes, path_data, without_defaults
+
+if TYPE_CHECKING:
+    from shapeblend_cli.emit.move import Move
+
+
+def svg_pair(move: Move, decimals: int) -> tuple[str, str]:
+    """Two SVG documents: the same paths by id, order, attributes and commands.
+
+    Each shows what its drawing shows, in the coordinates of A. A contour without a partner is a point in the other
+    file; paint without a partner is there with an opacity of 0, so that it can fade in.
+    """
+    drawings = [document.empty(view, decimals) for view in move.views]
+    for name, *shapes in move.shapes():
+        paints = [paint_attributes(shape.style, decimals) for shape in shapes]
+        shown = without_defaults(paints[0]).keys() | without_defaults(paints[1]).keys()
+        for drawing, shape, paint in zip(drawings, shapes, paints, strict=True):
+            attributes = {key: value for key, value in paint.items() if key in shown}
+            drawing.add(drawing.path(d=path_data(shape.outlines, decimals), id=name, **attributes))
+    a, b = (document.text(drawing) for drawing in drawings)
+    return a, b

@@ -1,0 +1,50 @@
+"""Blends to write in every form: what is hard about each is in its name."""
+
+from tests.support.drawings import BAR, EIGHT, I_DOT, J_DOT, LEAF, RING, SQUARES, B, svg
+
+ROUND = 'stroke="#204080" stroke-width="1.5" stroke-linecap="round" stroke-linejoin="round"'
+
+BLENDS = {
+    "holes": (
+        svg(B, attributes='fill="#c04020" fill-rule="evenodd"'),
+        svg(EIGHT, attributes='fill="#2040c0" fill-rule="evenodd"'),
+    ),
+    "a hole that grows, stroked with round caps": (
+        svg(LEAF, attributes=f'fill="#ffcc00" {ROUND}'),
+        svg(RING, attributes=f'fill="#ffcc00" fill-rule="evenodd" {ROUND}'),
+    ),
+    "outlines that shrink": (svg(SQUARES, attributes='fill="#080"'), svg(BAR, attributes='fill="#08f"')),
+    "stroked outlines that grow": (
+        svg(BAR, attributes=f'fill="#fff" {ROUND}'),
+        svg(SQUARES, attributes=f'fill="#fff" {ROUND}'),
+    ),
+    "evenodd": (
+        svg("M2 2H22V22H2Z M6 6H18V18H6Z", attributes='fill-rule="evenodd"'),
+        svg("M2 12L12 2L22 12L12 22Z M8 12L12 8L16 12L12 16Z", attributes='fill-rule="evenodd"'),
+    ),
+    "lines": (
+        svg("M2 2H20V14", attributes=f'fill="none" {ROUND}'),
+        svg("M4 20C4 4 20 4 20 20", attributes='fill="none" stroke="#c00" stroke-width="4"'),
+    ),
+    "paint on one side alone": (
+        svg(BAR, attributes='fill="#c0c" fill-opacity=".5"'),
+        svg(LEAF, attributes=f'fill="none" {ROUND}'),
+    ),
+    "shapes on top of one another": (
+        svg(f'<path d="{BAR}" fill="#e0a000"/>', f'<path d="{I_DOT}" fill="#0060a0"/>'),
+        svg(f'<path d="{LEAF}" fill="#a0e000"/>', f'<path d="{J_DOT}" fill="#a00060"/>'),
+    ),
+    "another viewBox": (
+        svg("M-40 -10H-20V10H-40Z", viewbox="-50 -20 40 40", attributes='stroke="#f00" stroke-width="3"'),
+        svg("M100 100H500L300 400Z", viewbox="50 50 500 400", attributes='fill="#333"'),
+    ),
+}
+
+
+def written(folder, blend):
+    """Write the two drawings of a blend; gives their names."""
+    names = []
+    for name, text in zip(("from.svg", "to.svg"), BLENDS[blend], strict=True):
+        (folder / name).write_text(text, encoding="utf-8")
+        names.append(name)
+    return names

@@ -1,0 +1,195 @@
+"""The animated vector drawable: no Android is here, so it is held against Android's reference."""
+
+import re
+from xml.etree import ElementTree
+
+import pytest
+
+from shapeblend_cli.cli import run
+from shapeblend_cli.easing import Ease
+from shapeblend_cli.emit.avd import animated_vector
+from shapeblend_cli.emit.move import Move
+from shapeblend_cli.model import Box, Outline, PaintedShape, Style
+from tests.emit.blends import BLENDS, written
+from tests.support.contours import polygon_contour
+from tests.support.pictures import difference, pixels
+
+ANDROID = "{http://schemas.android.com/apk/res/android}"
+AAPT = "{http://schemas.android.com/aapt}"
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
+COMMANDS = re.compile(r"(?:[MLC ]-?\d+(?:\.\d+)?,-?\d+(?:\.\d+)?(?: -?\d+(?:\.\d+)?,-?\d+(?:\.\d+)?)*|Z)+")
+
+# What the reference lists: attributes of a path, and which of them an animator may move, by its kind of value.
+PATH = {
+    *("name", "pathData", "fillColor", "fillAlpha", "fillType", "strokeColor", "strokeAlpha", "strokeWidth"),
+    *("strokeLineCap", "strokeLineJoin", "strokeMiterLimit"),
+}
+MOVES = {
+    "pathData": "pathType",
+    "fillColor": "colorType",
+    "strokeColor": "colorType",
+    "fillAlpha": "floatType",
+    "strokeAlpha": "floatType",
+    "strokeWidth": "floatType",
+}
+TO_SVG = {
+    "pathData": "d",
+    "fillColor": "fill",
+    "fillAlpha": "fill-opacity",
+    "fillType": "fill-rule",
+    "strokeColor": "stroke",
+    "strokeAlpha": "stroke-opacity",
+    "strokeWidth": "stroke-width",
+    "strokeLineCap": "stroke-linecap",
+    "strokeLineJoin": "stroke-linejoin",
+}
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def emit_avd(here, blend):
+    assert run([*written(here, blend), "--emit", "avd"]) == 0
+    return ElementTree.parse(here / "blend.xml").getroot()
+
+
+def android(element):
+    return {name.removeprefix(ANDROID): value for name, value in element.attrib.items()}
+
+
+def inline(element, name):
+    (found,) = (attr for attr in element.findall(AAPT + "attr") if attr.get("name") == f"android:{name}")
+    (value,) = found
+    return value
+
+
+def animators(root):
+    """Which path, what moves, from where, to where."""
+    for target in root.findall("target"):
+        for animator in inline(target, "animation").iter("objectAnimator"):
+            yield android(target)["name"], android(animator)
+
+
+def shown(root, at_the_end):
+    """An SVG of what Android shows before or after the animation."""
+    vector = inline(root, "drawable")
+    size = android(vector)
+    moved = {
+        (name, a["propertyName"]): a["valueTo" if at_the_end else "valueFrom"] for name, a in animators(root)
+    }
+    paths = []
+    for path in vector.iter("path"):
+        attributes = {"fillColor": "none"} | android(path)
+        name = attributes.pop("name")
+        attributes |= {key: value for (of, key), value in moved.items() if of == name}
+        attributes["fillType"] = attributes.get("fillType", "nonzero").lower()
+        if attributes.get("strokeWidth") == "0":  # a hairline of a point, which resvg does not draw at all
+            attributes.pop("strokeColor")
+        paths.append(
+            "<path " + " ".join(f'{TO_SVG[key]}="{value}"' for key, value in attributes.items()) + "/>"
+        )
+    group = vector.find("group")
+    shift = {} if group is None else android(group)
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {size["viewportWidth"]} {size["viewportHeight"]}">'
+        f'<g transform="translate({shift.get("translateX", 0)} {shift.get("translateY", 0)})">'
+        f"{''.join(paths)}</g></svg>"
+    )
+
+
+@pytest.mark.parametrize("blend", BLENDS)
+def test_it_is_what_the_reference_describes(here, blend):
+    root = emit_avd(here, blend)
+    assert root.tag == "animated-vector"
+    vector = inline(root, "drawable")
+    assert vector.tag == "vector"
+    assert set(android(vector)) == {"width", "height", "viewportWidth", "viewportHeight"}
+    assert all(android(vector)[side].endswith("dp") for side in ("width", "height"))
+    names = [android(path)["name"] for path in vector.iter("path")]
+    assert names == [f"shape-{k + 1}" for k in range(len(names))]
+    for path in vector.iter("path"):
+        assert set(android(path)) <= PATH
+        assert COMMANDS.fullmatch(android(path)["pathData"])
+    assert {element.tag for element in vector} <= {"path", "group"}
+    targets = [android(target)["name"] for target in root.findall("target")]
+    assert len(set(targets)) == len(targets)
+    assert set(targets) <= set(names)
+    for _, animator in animators(root):
+        assert animator["valueType"] == MOVES[animator["propertyName"]]
+        assert animator["duration"] == "2000"
+        assert animator["valueFrom"] != animator["valueTo"]
+
+
+@pytest.mark.parametrize("blend", BLENDS)
+def test_paths_agree_command_for_command(here, blend):
+    root = emit_avd(here, blend)
+    paths = {android(path)["name"]: android(path) for path in inline(root, "drawable").iter("path")}
+    for name, animator in animators(root):
+        key = animator["propertyName"]
+        assert paths[name].get(key, "1") == animator["valueFrom"]  # only an opacity has a default
+        if key == "pathData":
+            assert NUMBER.sub("0", animator["valueFrom"]) == NUMBER.sub("0", animator["valueTo"])
+            assert COMMANDS.fullmatch(animator["valueTo"])
+
+
+@pytest.mark.parametrize("blend", [name for name in BLENDS if name not in ("another viewBox", "lines")])
+def test_it_begins_and_ends_with_the_drawings(here, blend):
+    root = emit_avd(here, blend)
+    for drawing, at_the_end in zip(BLENDS[blend], (False, True), strict=True):
+        assert difference(pixels(shown(root, at_the_end)), pixels(drawing)) < 1e-3
+
+
+def test_the_corner_of_the_view_is_moved_to_the_origin(here):
+    root = emit_avd(here, "another viewBox")
+    vector = inline(root, "drawable")
+    assert android(vector) == {
+        "width": "40dp", "height": "40dp", "viewportWidth": "40", "viewportHeight": "40"
+    }  # fmt: skip
+    assert android(vector.find("group")) == {"translateX": "50", "translateY": "20"}
+
+
+def test_seconds_ease_and_size():
+    contour = polygon_contour([0j, 1000 + 0j, 1000 + 500j])
+    shape = PaintedShape((Outline(contour.segments, contour.straight, True),), Style("#000000"))
+    view = Box(0.0, 0.0, 1000.0, 500.0)
+    move = Move((shape,), (shape._replace(style=Style("#ffffff")),), (view, view))
+    root = ElementTree.fromstring(animated_vector(move, 0.3, Ease(0.42, 0.0, 0.58, 1.0), 3))
+    ((_, animator),) = animators(root)
+    assert animator == {
+        "propertyName": "fillColor",
+        "duration": "300",
+        "valueFrom": "#000000",
+        "valueTo": "#ffffff",
+        "valueType": "colorType",
+    }
+    (curve,) = root.iter("pathInterpolator")
+    assert android(curve) == {"controlX1": "0.42", "controlY1": "0", "controlX2": "0.58", "controlY2": "1"}
+    size = android(inline(root, "drawable"))
+    assert (size["width"], size["height"], size["viewportWidth"]) == ("200dp", "100dp", "1000")
+
+
+def test_drawings_that_are_the_same_have_nothing_to_move(here):
+    written(here, "holes")
+    assert run(["from.svg", "from.svg", "--emit", "avd", "-o", "-", "--report", "r.json"]) == 0
+    assert run(["from.svg", "from.svg", "--emit", "avd"]) == 0
+    assert ElementTree.parse(here / "blend.xml").getroot().findall("target") == []
+
+
+def test_what_cannot_change_on_the_way_is_said(here, capsys):
+    assert run([*written(here, "lines"), "--emit", "avd"]) == 0
+    said = capsys.readouterr().err.splitlines()
+    assert said == [
+        f"shapeblend: shape-1: Android cannot change the line {what} on the way; that of the first drawing stays"
+        for what in ("cap", "join")
+    ]
+
+
+def test_a_path_that_is_too_long_for_android_is_said(here, capsys):
+    assert run([*written(here, "evenodd"), "--emit", "avd", "--polygons", "--vertices", "2000"]) == 0
+    (line,) = capsys.readouterr().err.splitlines()
+    assert re.fullmatch(
+        r"shapeblend: shape-1: its path has \d{5} characters, and Android takes 32767; .*", line
+    )

@@ -1,0 +1,203 @@
+"""The Lottie file, by the letter of its format; how it plays is seen in a browser."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.cli import run
+from shapeblend_cli.easing import LINEAR, Ease
+from shapeblend_cli.emit.lottie import lottie
+from shapeblend_cli.emit.move import Move
+from shapeblend_cli.model import Box, Outline, PaintedShape, Style
+from tests.emit.blends import BLENDS, written
+from tests.support.contours import circle_contour, polygon_contour
+from tests.support.drawings import BAR, LEAF, RING, svg
+
+VIEW = Box(0.0, 0.0, 24.0, 24.0)
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def emit_lottie(here, blend):
+    assert run([*written(here, blend), "--emit", "lottie"]) == 0
+    return json.loads((here / "blend.json").read_text(encoding="utf-8"))
+
+
+def outline(contour):
+    return Outline(contour.segments, contour.straight, contour.closed)
+
+
+def of(contour, target, style=None, target_style=None, view=VIEW, seconds=2.0, ease=LINEAR):
+    """A Lottie of one shape of one contour, and its items by type."""
+    start, end = (
+        PaintedShape((outline(c),), s or Style()) for c, s in ((contour, style), (target, target_style))
+    )
+    found = json.loads(lottie([Move((start,), (end,), (view, view))], seconds, ease, 4))
+    return found, {item["ty"]: item for item in found["layers"][0]["shapes"][0]["it"]}
+
+
+def properties(value):
+    """Every property of a file: what has `a` and `k`."""
+    if isinstance(value, dict):
+        if value.keys() == {"a", "k"}:
+            yield value
+        for inner in value.values():
+            yield from properties(inner)
+    elif isinstance(value, list):
+        for inner in value:
+            yield from properties(inner)
+
+
+SQUARE = polygon_contour([2 + 2j, 10 + 2j, 10 + 10j, 2 + 10j])
+DIAMOND = polygon_contour([6 + 0j, 12 + 6j, 6 + 12j, 6j])
+
+
+@pytest.mark.parametrize("blend", BLENDS)
+def test_every_path_has_as_many_vertices_at_the_end_as_at_the_start(here, blend):
+    found = emit_lottie(here, blend)
+    assert found["layers"]
+    for layer in found["layers"]:
+        assert (layer["ty"], layer["ip"], layer["op"]) == (4, 0, 121)
+        (group,) = layer["shapes"]
+        assert group["it"][-1]["ty"] == "tr"
+        for item in group["it"]:
+            if item["ty"] == "sh":
+                keys = item["ks"]["k"]
+                beziers = [key["s"][0] for key in keys] if item["ks"]["a"] else [keys]
+                assert len({len(b[name]) for b in beziers for name in "vio"}) == 1
+                assert len({b["c"] for b in beziers}) == 1
+
+
+@pytest.mark.parametrize("blend", BLENDS)
+def test_properties_either_stay_or_have_two_keyframes(here, blend):
+    for found in properties(emit_lottie(here, blend)):
+        if found["a"]:
+            first, last = found["k"]
+            assert (first["t"], last["t"]) == (0, 120)
+            assert set(first) == {"t", "s", "o", "i"}
+            assert set(last) == {"t", "s"}
+            assert isinstance(first["s"], list)
+
+
+@pytest.mark.parametrize("blend", BLENDS)
+def test_same_input_same_bytes_and_finite_short_numbers(here, blend):
+    emit_lottie(here, blend)
+    before = (here / "blend.json").read_text(encoding="utf-8")
+    assert run(["from.svg", "to.svg", "--emit", "lottie", "-f"]) == 0
+    assert (here / "blend.json").read_text(encoding="utf-8") == before
+    seen = []
+    json.loads(before, parse_float=seen.append, parse_constant=lambda text: pytest.fail(text))
+    assert all(math.isfinite(float(text)) and len(text) <= 12 for text in seen)
+    assert not [text for text in seen if text.endswith(".0")]
+
+
+def test_straight_segments_have_no_tangents_and_the_first_vertex_is_not_repeated():
+    _, items = of(SQUARE, DIAMOND)
+    start, end = (key["s"][0] for key in items["sh"]["ks"]["k"])
+    assert start == {
+        "c": True,
+        "v": [[2, 2], [10, 2], [10, 10], [2, 10]],
+        "i": [[0, 0]] * 4,
+        "o": [[0, 0]] * 4,
+    }
+    assert end["v"] == [[6, 0], [12, 6], [6, 12], [0, 6]]
+
+
+def test_tangents_are_relative_and_the_closing_segment_comes_in_at_the_first_vertex():
+    circle = circle_contour(12 + 12j, 10.0)
+    _, items = of(circle, circle)
+    assert items["sh"]["ks"]["a"] == 0
+    found = items["sh"]["ks"]["k"]
+    v, i, o = (np.array(found[name]) @ [1, 1j] for name in "vio")
+    np.testing.assert_allclose(v, circle.segments[:, 0], atol=1e-4)
+    np.testing.assert_allclose(v + o, circle.segments[:, 1], atol=2e-4)
+    np.testing.assert_allclose(v + i, np.roll(circle.segments[:, 2], 1), atol=2e-4)
+
+
+def test_an_open_line_has_one_vertex_more_than_segments():
+    line = polygon_contour([2 + 2j, 10 + 2j, 10 + 10j], closed=False)
+    _, items = of(line, line)
+    assert items["sh"]["ks"]["k"] == {
+        "c": False,
+        "v": [[2, 2], [10, 2], [10, 10]],
+        "i": [[0, 0]] * 3,
+        "o": [[0, 0]] * 3,
+    }
+
+
+def test_paint():
+    style = Style("#ff0000", 0.5, "evenodd", "#0000ff", 0.25, 2.0, "round", "bevel")
+    _, items = of(SQUARE, SQUARE, style, style._replace(fill="#000000", stroke_width=4.0))
+    assert list(items) == ["sh", "st", "fl", "tr"]  # what comes first is on top
+    speed = {"o": {"x": [0], "y": [0]}, "i": {"x": [1], "y": [1]}}
+    fill, stroke = items["fl"], items["st"]
+    assert fill["c"] == {"a": 1, "k": [{"t": 0, "s": [1, 0, 0, 1], **speed}, {"t": 120, "s": [0, 0, 0, 1]}]}
+    assert fill["o"] == {"a": 0, "k": 50}
+    assert fill["r"] == 2
+    assert stroke["w"] == {"a": 1, "k": [{"t": 0, "s": [2], **speed}, {"t": 120, "s": [4]}]}
+    assert (stroke["c"]["k"], stroke["o"]["k"]) == ([0, 0, 1, 1], 25)
+    assert (stroke["lc"], stroke["lj"], stroke["ml"]) == (2, 3, 4)
+
+
+@pytest.mark.parametrize(
+    ("view", "size", "percent", "centre"),
+    [
+        (Box(0.0, 0.0, 24.0, 24.0), (512, 512), 2133.33333, [12, 12, 0]),
+        (Box(-50.0, 10.0, 300.0, 200.0), (300, 200), 100, [100, 110, 0]),
+        (Box(0.0, 0.0, 0.5, 1000.25), (1, 512), 51.1872032, [0.25, 500.125, 0]),
+        (Box(0.0, 0.0, 1e6, 5e5), (512, 256), 0.0512, [500000, 250000, 0]),
+        (Box(0.0, 0.0, 1e20, 1e20), (512, 512), 5.12e-16, [5e19, 5e19, 0]),
+    ],
+)
+def test_the_size_is_whole_and_the_view_is_in_its_middle(view, size, percent, centre):
+    found, _ = of(SQUARE, DIAMOND, view=view)
+    assert (found["w"], found["h"]) == size
+    place = {name: value["k"] for name, value in found["layers"][0]["ks"].items()}
+    assert place["s"] == [pytest.approx(percent), pytest.approx(percent), 100]
+    assert place["a"] == centre
+    assert place["p"] == [size[0] / 2, size[1] / 2, 0]
+
+
+def test_seconds_and_ease():
+    found, items = of(SQUARE, DIAMOND, seconds=0.5, ease=Ease(0.42, 0.0, 0.58, 1.0))
+    assert (found["fr"], found["op"]) == (60, 31)
+    first, last = items["sh"]["ks"]["k"]
+    assert (first["t"], first["o"], first["i"]) == (0, {"x": 0.42, "y": 0}, {"x": 0.58, "y": 1})
+    assert last["t"] == 30
+
+
+def test_what_is_painted_last_is_the_first_layer(here):
+    found = emit_lottie(here, "shapes on top of one another")
+    names = [layer["nm"] for layer in found["layers"]]
+    assert names == sorted(names, reverse=True)
+    assert [layer["ind"] for layer in found["layers"]] == list(range(1, len(names) + 1))
+
+
+def test_a_sequence_has_the_layers_of_one_move_after_those_of_another(here):
+    for name, d in (("a", BAR), ("b", LEAF), ("c", RING)):
+        (here / f"{name}.svg").write_text(svg(d))
+    assert run(["a.svg", "b.svg", "c.svg", "--emit", "lottie", "-o", "all.json"]) == 0
+    found = json.loads((here / "all.json").read_text(encoding="utf-8"))
+    assert found["op"] == 241
+    assert sorted({(layer["ip"], layer["op"]) for layer in found["layers"]}) == [(0, 120), (120, 241)]
+
+
+def test_standard_output(here, capfdbinary):
+    assert run([*written(here, "holes"), "--emit", "lottie", "-o", "-"]) == 0
+    assert json.loads(capfdbinary.readouterr().out)["layers"]
+    assert sorted(path.name for path in here.iterdir()) == ["from.svg", "to.svg"]
+
+
+def test_what_cannot_change_on_the_way_is_said():
+    style = Style("#000000", stroke="#000000", stroke_linecap="round")
+    shapes = [(PaintedShape((outline(SQUARE),), s),) for s in (style, style._replace(stroke_linecap="butt"))]
+    move = Move(*shapes, (VIEW, VIEW))
+    assert move.kept("Lottie") == [
+        "shape-1: Lottie cannot change the line cap on the way; that of the first drawing stays"
+    ]

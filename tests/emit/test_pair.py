@@ -1,0 +1,93 @@
+"""Two SVG files with equal commands."""
+
+import re
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.cli import run
+from tests.emit.blends import BLENDS, written
+from tests.support.pictures import difference, pixels
+
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def emit_pair(here, blend, *options):
+    assert run([*written(here, blend), "--emit", "pair", "-q", *options]) == 0
+    return [(here / "blend" / name).read_text(encoding="utf-8") for name in ("a.svg", "b.svg")]
+
+
+def mixed(a, b, t):
+    """What a program shows that goes evenly from number to number, in numbers and colours."""
+
+    def between(value, target):
+        if value.startswith("#"):
+            channels = (
+                round((1 - t) * x + t * y)
+                for x, y in zip(bytes.fromhex(value[1:]), bytes.fromhex(target[1:]), strict=True)
+            )
+            return "#" + bytes(channels).hex()
+        if not NUMBER.search(value):
+            return target if t >= 0.5 else value
+        pairs = iter(zip(map(float, NUMBER.findall(value)), map(float, NUMBER.findall(target)), strict=True))
+        return NUMBER.sub(lambda _: str(np.dot(next(pairs), (1 - t, t)).round(6)), value)
+
+    root, other = ElementTree.fromstring(a), ElementTree.fromstring(b)
+    for element, target in zip(root.iter(), other.iter(), strict=True):
+        for name in set(element.keys()) - {"id"}:
+            element.set(name, between(element.get(name), target.get(name)))
+    return ElementTree.tostring(root, encoding="unicode")
+
+
+@pytest.mark.parametrize("blend", BLENDS)
+def test_paths_attributes_and_commands_agree(here, blend):
+    a, b = (list(ElementTree.fromstring(text)) for text in emit_pair(here, blend))
+    assert [path.get("id") for path in a] == [f"shape-{k + 1}" for k in range(len(a))]
+    for one, other in zip(a, b, strict=True):
+        assert one.get("id") == other.get("id")
+        assert list(one.keys()) == list(other.keys())
+        assert NUMBER.sub("0", one.get("d")) == NUMBER.sub("0", other.get("d"))
+
+
+@pytest.mark.parametrize("blend", BLENDS)
+def test_each_file_shows_what_its_drawing_shows(here, blend):
+    for text, drawing in zip(emit_pair(here, blend), BLENDS[blend], strict=True):
+        assert difference(pixels(text), pixels(drawing)) < 1e-3
+
+
+@pytest.mark.parametrize("blend", [name for name in BLENDS if name != "another viewBox"])
+def test_going_evenly_from_number_to_number_gives_the_frames(here, blend):
+    a, b = emit_pair(here, blend)
+    assert run(["from.svg", "to.svg", "-n", "3", "-o", "frames", "-q"]) == 0
+    for k, t in enumerate((0.25, 0.5, 0.75), 1):
+        frame = (here / "frames" / f"frame-{k}.svg").read_text(encoding="utf-8")
+        assert difference(pixels(mixed(a, b, t)), pixels(frame)) < 1e-3
+
+
+def test_a_contour_without_a_partner_is_a_point_in_the_other_file(here):
+    a, b = emit_pair(here, "a hole that grows, stroked with round caps")
+    for text, points in ((a, 1), (b, 0)):
+        subpaths = re.findall(r"M[^MZ]+", ElementTree.fromstring(text)[0].get("d"))
+        extents = [
+            np.ptp(np.reshape([float(v) for v in NUMBER.findall(s)], (-1, 2)), axis=0) for s in subpaths
+        ]
+        assert sum(bool((extent == 0).all()) for extent in extents) == points
+
+
+def test_paint_without_a_partner_is_there_and_not_seen(here):
+    a, b = (ElementTree.fromstring(text)[0] for text in emit_pair(here, "paint on one side alone"))
+    assert (a.get("fill"), a.get("fill-opacity"), a.get("stroke-opacity")) == ("#cc00cc", "0.5", "0")
+    assert (b.get("fill"), b.get("fill-opacity"), b.get("stroke-opacity")) == ("#cc00cc", "0", "1")
+    assert a.get("stroke") == b.get("stroke") == "#204080"
+
+
+def test_polygons_have_lines_alone(here):
+    for text in emit_pair(here, "holes", "--polygons"):
+        assert "C" not in ElementTree.fromstring(text)[0].get("d")
