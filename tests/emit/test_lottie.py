@@ -201,3 +201,14 @@ def test_what_cannot_change_on_the_way_is_said():
     assert move.kept("Lottie") == [
         "shape-1: Lottie cannot change the line cap on the way; that of the first drawing stays"
     ]
+
+
+def test_paint_that_one_side_alone_shows_has_its_rule_and_caps_from_there():
+    unseen = Style(None, fill_rule="nonzero")
+    seen = Style("#000000", 1.0, "evenodd", "#ff0000", stroke_linecap="round", stroke_linejoin="bevel")
+    before = seen._replace(
+        fill_opacity=0.0, fill_rule=unseen.fill_rule, stroke_opacity=0.0, stroke_linecap="butt"
+    )
+    for styles in ((before, seen), (seen, before)):
+        _, items = of(SQUARE, DIAMOND, *styles)
+        assert (items["fl"]["r"], items["st"]["lc"], items["st"]["lj"]) == (2, 2, 3)
