@@ -92,7 +92,7 @@ def tracks(pairs: Sequence[Pair]) -> list[Track]:
                 begun.append(_Shape(pair.a, runs, [moving.style_a, moving.style_b]))
             else:
                 del ended[key]
-                going.remove(old)
+                going = [shape for shape in going if shape is not old]
                 begun.append(_Shape(old.first, runs, [*old.styles, moving.style_b]))
         done += going
         going = begun

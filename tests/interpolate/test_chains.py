@@ -99,6 +99,19 @@ def test_a_shape_that_does_not_go_on_as_it_came_ends_there():
     assert_goes_the_same_way(pairs, tracks(pairs))
 
 
+def test_some_shapes_go_on_and_others_do_not():
+    def shapes(*paths):
+        return "".join(
+            f'<path d="{p}" fill="{c}"/>' for p, c in zip(paths, ("#f00", "#0a0", "#00f"), strict=False)
+        )
+
+    corner, other = "M0 0H3V3H0Z", "M20 0L24 0L24 4Z"
+    pairs = pairs_of(shapes(STAR, corner, other), shapes(DROP, corner), shapes(LEAF, other, corner))
+    found = tracks(pairs)
+    assert sorted((t.first, len(t.keys)) for t in found) == [(0, 2), (0, 3), (0, 3), (1, 2)]
+    assert_goes_the_same_way(pairs, found)
+
+
 def test_an_outline_that_was_opened_for_a_line_does_not_go_on_closed():
     ring = '<circle cx="12" cy="12" r="8" fill="none" stroke="#000"/>'
     square = '<path d="M4 4H20V20H4Z" fill="none" stroke="#000"/>'
