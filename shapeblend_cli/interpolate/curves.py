@@ -15,7 +15,7 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.normalise import box_of
 from shapeblend_cli.interpolate.joins import divide_lines, slides
-from shapeblend_cli.interpolate.rails import rail
+from shapeblend_cli.interpolate.rails import is_among, rail
 from shapeblend_cli.interpolate.strays import along, strays
 from shapeblend_cli.interpolate.track import slack_track, unrolled
 from shapeblend_cli.model import frozen
@@ -181,7 +181,7 @@ def _cuts(a: Rail, b: Rail, track: Track, distance: float) -> FloatArray:
         apart, more = _remedies(a, b, track, cuts, joined, far, distance)
         if not apart and not more:
             break
-        first = np.setdiff1d(first, apart)
+        first = first[~is_among(first, np.array(apart, np.intp))]
         extra = np.concatenate([extra, np.reshape(more, (-1, 2))])
     return cuts
 
@@ -202,7 +202,7 @@ def _cuts_at_nodes(a: Rail, b: Rail, track: Track) -> tuple[FloatArray, BoolArra
         low, high = track.places[[0, -1], side]
         numbers = np.arange(np.ceil(low), np.floor(high) + 1.0)
         numbers = numbers[one.flag(one.node, numbers)]
-        numbers = numbers[~np.isin(numbers, fixed[:, side])]
+        numbers = numbers[~is_among(numbers, fixed[:, side])]
         to = other.place_at(np.interp(one.length_at(numbers), lengths[side], lengths[1 - side]))
         found.append(np.stack([numbers, to] if side == 0 else [to, numbers], axis=1))
     cuts = np.concatenate(found)
@@ -260,7 +260,7 @@ def _remedies(
     apart: list[int] = []
     more: list[FloatArray] = []
     pieces = _piece_of(a, b, cuts, track.places[bad])
-    for k in np.unique(pieces).tolist():
+    for k in sorted(set(pieces.tolist())):
         within = bad[pieces == k]
         worst = track.places[within[far[within].argmax()]]
         ends = np.flatnonzero(joined[k : k + 2] >= 0) + k
@@ -277,7 +277,7 @@ def _slid(a: Rail, b: Rail, track: Track, cuts: FloatArray, distance: float) -> 
     ends = track.places[[0, -1]]
     held = track.places[track.fixed]
     held = held[(held != ends[0]).any(axis=1) & (held != ends[1]).any(axis=1)]
-    loose = ~(np.isin(cuts[:, 0], held[:, 0]) & np.isin(cuts[:, 1], held[:, 1]))
+    loose = ~(is_among(cuts[:, 0], held[:, 0]) & is_among(cuts[:, 1], held[:, 1]))
     wished = cuts
     for _ in range(SLIDING_ROUNDS):
         wished = wished + slides(a, b, wished, loose, distance)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -11,6 +11,8 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import COINCIDENT
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from shapeblend_cli.model import BoolArray, ComplexArray, Contour, FloatArray, IntArray, Polygon
 
 CORNER = 0.1
@@ -143,3 +145,12 @@ def rail(contour: Contour, polygon: Polygon) -> Rail:
     if not closed:
         corner[[0, -1]] = True
     return Rail(segments, contour.straight, vertices, closed, segment, start, end, lengths, node, corner)
+
+
+def is_among(values: NDArray[Any], others: NDArray[Any]) -> BoolArray:
+    """Which values are among others, as `numpy.isin` says, whose first call imports all of `numpy.ma`."""
+    if not len(others):
+        return np.zeros(len(values), np.bool_)
+    ranked = np.sort(others)
+    at = np.searchsorted(ranked, values)
+    return ranked[np.minimum(at, len(ranked) - 1)] == values

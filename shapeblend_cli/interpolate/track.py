@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.interpolate.rails import is_among
+
 if TYPE_CHECKING:
     from shapeblend_cli.interpolate.rails import Rail
     from shapeblend_cli.model import BoolArray, FloatArray, IntArray
@@ -75,8 +77,8 @@ def _corners_to_corners(a: Rail, b: Rail, given: FloatArray) -> tuple[FloatArray
     """Lead corners through corners that the solver passed nearby; tell which places are such a pair."""
     corner_a, corner_b = _corners(a, b, given)
     both = corner_a & corner_b
-    lone_a = corner_a & ~np.isin(given[:, 0], given[both, 0])
-    lone_b = corner_b & ~np.isin(given[:, 1], given[both, 1])
+    lone_a = corner_a & ~is_among(given[:, 0], given[both, 0])
+    lone_b = corner_b & ~is_among(given[:, 1], given[both, 1])
     if not lone_a.any() or not lone_b.any():
         return given, both
     length_a, length_b = a.length_at(given[:, 0]), b.length_at(given[:, 1])

@@ -118,20 +118,31 @@ def test_version_is_that_of_the_package(wheel):
     assert wheel.name.startswith(f"shapeblend-{shapeblend_cli.__version__}-")
 
 
-@pytest.mark.parametrize("option", ["--help", "--version"])
-def test_command_starts_without_heavy_imports(option, tmp_path):
+def imported_by(arguments, folder):
     done = subprocess.run(
-        [sys.executable, "-X", "importtime", "-m", "shapeblend_cli", option],
-        cwd=tmp_path,
+        [sys.executable, "-X", "importtime", "-m", "shapeblend_cli", *arguments],
+        cwd=folder,
         stdin=subprocess.DEVNULL,
         capture_output=True,
         text=True,
         check=True,
     )
-    imported = {line.rpartition("|")[2].strip() for line in done.stderr.splitlines()}
+    return {line.rpartition("|")[2].strip() for line in done.stderr.splitlines()}
+
+
+@pytest.mark.parametrize("option", ["--help", "--version"])
+def test_command_starts_without_heavy_imports(option, tmp_path):
+    imported = imported_by([option], tmp_path)
     assert "click" in imported
     heavy = {"numpy", "scipy", "svgpathtools", "svgwrite", "tinycss2", "cssselect2"}
     assert imported & heavy == set()
+
+
+def test_a_blend_imports_nothing_heavy_that_it_does_not_need(samples, tmp_path):
+    imported = imported_by([samples / "bird-1.svg", samples / "bird-2.svg"], tmp_path)
+    assert "numpy" in imported
+    # numpy.ma comes with the first call of numpy.unique and its kin.
+    assert imported & {"scipy", "numpy.ma", "rich", "lap", "json", "difflib"} == set()
 
 
 @pytest.mark.parametrize("name", MODULES)
