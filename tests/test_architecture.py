@@ -19,7 +19,7 @@ ROOMS = {
     "clock": set(),
     "progress": set(),
     "output": {"errors"},
-    "svg": {"model", "errors"},
+    "svg": {"model", "errors", "geometry"},
     "geometry": {"model", "errors", "_cython"},
     "match": {"model", "errors", "_cython"},
     "interpolate": {"model", "errors", "geometry"},

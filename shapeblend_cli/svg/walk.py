@@ -32,7 +32,6 @@ _EFFECTS = {
     "marker-start": "not drawn",
     "marker-mid": "not drawn",
     "marker-end": "not drawn",
-    "stroke-dasharray": "drawn as one line",
 }
 # CSS properties that come before `transform`, in this order.
 _SINGLE_TRANSFORMS = ("translate", "rotate", "scale")
@@ -244,6 +243,9 @@ class Walk:
             raise Problem(f"more than {MAX_SEGMENTS} segments, the most that are read")
         if not all(np.abs(contour.segments).max() < LIMIT for contour in placed):
             raise Problem(f"{node}: coordinates beyond {LIMIT:g}; smaller ones would work")
+        style = self._painter.with_gradients(style, place.inherited, outlines, place.matrix, place.viewport)
+        if style.stroke_dasharray and node.get("pathLength") is not None:
+            self._notes.add("pathLength not applied to dashes")
         name = _clean(node.get("id") or place.use_id)
         self._shapes.append(Shape(len(self._shapes), name, node.tag, placed, style))
 
