@@ -15,7 +15,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.normalise import Similarity, lay_over, union
 from shapeblend_cli.geometry.outline import self_crossings, signed_area
 from shapeblend_cli.interpolate.paths import blend_vertices
-from shapeblend_cli.interpolate.styles import blend_styles
+from shapeblend_cli.interpolate.styles import blend_styles, painted_as
 from shapeblend_cli.interpolate.times import frame_times
 from shapeblend_cli.model import (
     Box,
@@ -153,9 +153,17 @@ def match(
         wishes = wishes_for(couple, settings, pins, is_largest=couple is largest)
         matched = join(*couple, settings, wishes, part_of(watch, run, len(couples)))
         joints.append(Joint(*couple, matched._replace(seconds=clock.lap("match"))))
-    shapes = matched_shapes(parts_a, parts_b, joints)
+    shapes = tuple(_in_style(shape, settings.style) for shape in matched_shapes(parts_a, parts_b, joints))
     clock.lap("match")
     return Pair(a=0, b=1, shapes=shapes, notes=(*notes_a, *notes_b))
+
+
+def _in_style(shape: MatchedShape, style: str) -> MatchedShape:
+    """A shape painted as the settings say; one without a partner keeps its own paint."""
+    if all(c.a is None for c in shape.contours) or all(c.b is None for c in shape.contours):
+        return shape
+    style_a, style_b = painted_as(shape.style_a, shape.style_b, style)
+    return shape._replace(style_a=style_a, style_b=style_b)
 
 
 def make_frames(pair: Pair, times: list[float]) -> list[Frame]:
@@ -212,4 +220,4 @@ def _painted(shape: MatchedShape, t: float) -> PaintedShape:
         )
         for c in shape.contours
     )
-    return PaintedShape(outlines, blend_styles(shape.style_a, shape.style_b, t))
+    return PaintedShape(outlines, *blend_styles(shape.style_a, shape.style_b, t))

@@ -38,6 +38,8 @@ class BlendSettings(NamedTuple):
     unmatched : {'point', 'split'}
         Whether an outline without a partner grows from a point, or another outline is cut for it.
     constants : WorkConstants
+    style : {'a', 'b', 'blend'}
+        Whether all frames are painted as in A, as in B, or in between.
     """
 
     frames: int = 5
@@ -54,3 +56,4 @@ class BlendSettings(NamedTuple):
     constants: WorkConstants = WorkConstants()
     pairs: tuple[tuple[str, str], ...] = ()
     unmatched: str = "point"
+    style: str = "blend"
