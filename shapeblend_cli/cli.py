@@ -162,6 +162,13 @@ def shapeblend() -> None:
     help="point: what has no partner grows from a point, or shrinks to one; split: an outline is cut for it.",
 )
 @click.option(
+    "--style",
+    type=click.Choice(["blend", "a", "b"]),
+    default="blend",
+    show_default=True,
+    help="Paint that blends too, or all frames painted as in A, or as in B.",
+)
+@click.option(
     "--solver",
     type=click.Choice(["exact", "simplified"]),
     default="exact",
@@ -247,6 +254,7 @@ def blend(
     stiff: tuple[tuple[complex, float, float], ...],
     pairs: tuple[tuple[str, str], ...],
     unmatched: str,
+    style: str,
     solver: str,
     band: float | str | None,
     effort: str,
@@ -298,6 +306,7 @@ def blend(
         "stiff": [[_plain(point), radius, weight] for point, radius, weight in stiff],
         "match": [list(pair) for pair in pairs],
         "unmatched": unmatched,
+        "style": style,
         "solver": solver,
         "band": band_here,
         "effort": effort,
@@ -340,6 +349,7 @@ def blend(
             stiff=stiff,
             pairs=pairs,
             unmatched=unmatched,
+            style=style,
             solver=solver,
             band=band_here,
             effort=effort,

@@ -37,8 +37,87 @@ class Box(NamedTuple):
     height: float
 
 
+class Stop(NamedTuple):
+    """A colour ``#rrggbb`` of a gradient, and where: 0 at its beginning, 1 at its end."""
+
+    offset: float
+    colour: str
+    opacity: float = 1.0
+
+
+class LinearGradient(NamedTuple):
+    """Colours along the line from `start` to `end`, in the coordinates of the drawing.
+
+    Attributes
+    ----------
+    start, end : complex
+    stops : tuple of Stop
+        Two or more, in order.
+    spread : {'pad', 'reflect', 'repeat'}
+        What is beyond the ends.
+    """
+
+    start: complex
+    end: complex
+    stops: tuple[Stop, ...]
+    spread: str = "pad"
+
+    def moved(self, scale: float, shift: complex) -> LinearGradient:
+        """The gradient under ``z -> scale * z + shift``."""
+        return self._replace(start=scale * self.start + shift, end=scale * self.end + shift)
+
+
+class RadialGradient(NamedTuple):
+    """Colours from a focus out to an ellipse, in the coordinates of the drawing.
+
+    The ellipse is the unit circle stretched by `radii`, turned by `angle` and moved to `centre`. Apart like this,
+    rather than in a matrix, because SMIL can move each of them.
+
+    Attributes
+    ----------
+    centre : complex
+    radii : (float, float)
+        The larger first.
+    angle : float
+        In degrees; 0 for a circle.
+    focus : complex
+        In the unit circle, before it is stretched.
+    focal_radius : float
+        Where the colours begin, in radii.
+    stops, spread
+        As in `LinearGradient`.
+    """
+
+    centre: complex
+    radii: tuple[float, float]
+    angle: float
+    focus: complex
+    focal_radius: float
+    stops: tuple[Stop, ...]
+    spread: str = "pad"
+
+    def moved(self, scale: float, shift: complex) -> RadialGradient:
+        """The gradient under ``z -> scale * z + shift``."""
+        first, second = self.radii
+        return self._replace(centre=scale * self.centre + shift, radii=(scale * first, scale * second))
+
+
+if TYPE_CHECKING:
+    Gradient = LinearGradient | RadialGradient
+
+
 class Style(NamedTuple):
-    """How a shape is painted. Colours are ``#rrggbb``; None is no paint."""
+    """How a shape is painted.
+
+    Attributes
+    ----------
+    fill, stroke : str or None
+        ``#rrggbb``; None is no paint. Where there is a gradient, the plain colour that stands for it.
+    fill_gradient, stroke_gradient : LinearGradient, RadialGradient or None
+        Painted instead of the plain colour.
+    stroke_dasharray : tuple of float
+        Lengths of dashes and gaps in turn; empty for a solid line.
+    """
 
     fill: str | None = "#000000"
     fill_opacity: float = 1.0
@@ -48,6 +127,30 @@ class Style(NamedTuple):
     stroke_width: float = 1.0
     stroke_linecap: str = "butt"
     stroke_linejoin: str = "miter"
+    stroke_miterlimit: float = 4.0
+    stroke_dasharray: tuple[float, ...] = ()
+    stroke_dashoffset: float = 0.0
+    fill_gradient: Gradient | None = None
+    stroke_gradient: Gradient | None = None
+
+    def with_plain(self, name: str, stop: Stop) -> Style:
+        """The style with the colour of a stop for its fill or its stroke, as if a gradient had only that one."""
+        if name == "fill":
+            opacity = self.fill_opacity * stop.opacity
+            return self._replace(fill=stop.colour, fill_opacity=opacity, fill_gradient=None)
+        opacity = self.stroke_opacity * stop.opacity
+        return self._replace(stroke=stop.colour, stroke_opacity=opacity, stroke_gradient=None)
+
+    def moved(self, scale: float, shift: complex) -> Style:
+        """The style of a shape under ``z -> scale * z + shift``."""
+        fill, stroke = self.fill_gradient, self.stroke_gradient
+        return self._replace(
+            stroke_width=scale * self.stroke_width,
+            stroke_dasharray=tuple(scale * length for length in self.stroke_dasharray),
+            stroke_dashoffset=scale * self.stroke_dashoffset,
+            fill_gradient=fill and fill.moved(scale, shift),
+            stroke_gradient=stroke and stroke.moved(scale, shift),
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -273,10 +376,19 @@ class MovingShape(NamedTuple):
 
 
 class PaintedShape(NamedTuple):
-    """Outlines that are painted together: one path of a frame."""
+    """Outlines that are painted together: one path of a frame.
+
+    Attributes
+    ----------
+    outlines : tuple of Outline
+    style : Style
+    below : Style or None
+        What is painted first, under `style`, where one paint has to dissolve into another.
+    """
 
     outlines: tuple[Outline, ...]
     style: Style
+    below: Style | None = None
 
 
 class Track(NamedTuple):

@@ -16,7 +16,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.normalise import Similarity, between_boxes, grown, lay_over, union
 from shapeblend_cli.geometry.outline import self_crossings, signed_area
 from shapeblend_cli.interpolate.paths import between, moving
-from shapeblend_cli.interpolate.styles import blend_styles
+from shapeblend_cli.interpolate.styles import blend_styles, painted_as
 from shapeblend_cli.interpolate.times import frame_times
 from shapeblend_cli.model import (
     Box,
@@ -201,9 +201,17 @@ def _match(
         wishes = wishes_for(couple, settings, pins, is_largest=couple is largest)
         matched = join(*couple, settings, wishes, part_of(watch, run, len(couples)))
         joints.append(Joint(*couple, matched._replace(seconds=clock.lap("match"))))
-    shapes = matched_shapes(a.parts, b.parts, joints)
+    shapes = tuple(_in_style(shape, settings.style) for shape in matched_shapes(a.parts, b.parts, joints))
     clock.lap("match")
     return shapes
+
+
+def _in_style(shape: MatchedShape, style: str) -> MatchedShape:
+    """A shape painted as the settings say; one without a partner keeps its own paint."""
+    if all(c.a is None for c in shape.contours) or all(c.b is None for c in shape.contours):
+        return shape
+    style_a, style_b = painted_as(shape.style_a, shape.style_b, style)
+    return shape._replace(style_a=style_a, style_b=style_b)
 
 
 def as_drawn(laid: _Laid) -> tuple[PaintedShape, ...]:
@@ -211,7 +219,7 @@ def as_drawn(laid: _Laid) -> tuple[PaintedShape, ...]:
     return tuple(
         PaintedShape(
             tuple(Outline(laid.over.points(c.segments), c.straight, c.closed) for c in shape.contours),
-            shape.style._replace(stroke_width=laid.over.scale * shape.style.stroke_width),
+            shape.style.moved(*laid.over),
         )
         for shape in laid.drawing.shapes
     )
@@ -273,7 +281,7 @@ def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
     return tuple(
         PaintedShape(
             tuple(between(contour, t) for contour in shape.contours),
-            blend_styles(shape.style_a, shape.style_b, t),
+            *blend_styles(shape.style_a, shape.style_b, t),
         )
         for shape in pair.moving
     )

@@ -43,6 +43,8 @@ class BlendSettings(NamedTuple):
     unmatched : {'point', 'split'}
         Whether an outline without a partner grows from a point, or another outline is cut for it.
     constants : WorkConstants
+    style : {'a', 'b', 'blend'}
+        Whether all frames are painted as in A, as in B, or in between.
     """
 
     frames: int = 5
@@ -61,3 +63,4 @@ class BlendSettings(NamedTuple):
     unmatched: str = "point"
     curves: bool = True
     ease: Ease = LINEAR
+    style: str = "blend"

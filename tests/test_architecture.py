@@ -20,7 +20,7 @@ ROOMS = {
     "clock": set(),
     "progress": set(),
     "output": {"errors"},
-    "svg": {"model", "errors", "easing"},
+    "svg": {"model", "errors", "easing", "geometry"},
     "emit": {"model", "geometry", "svg", "easing"},
     "geometry": {"model", "errors", "_cython"},
     "match": {"model", "errors", "_cython"},

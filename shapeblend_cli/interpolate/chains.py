@@ -12,7 +12,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.outline import reversed_polygon
-from shapeblend_cli.interpolate.styles import common_styles
+from shapeblend_cli.interpolate.styles import keyed_styles
 from shapeblend_cli.model import MovingContour, Outline, PaintedShape, Track
 
 if TYPE_CHECKING:
@@ -86,6 +86,8 @@ def tracks(pairs: Sequence[Pair]) -> list[Track]:
             couples = list(zip(matched.contours, moving.contours, strict=True))
             key = frozenset(contour.a for contour in matched.contours)
             old = ended.get(key) if len(key) == len(couples) else None
+            if old is not None and keyed_styles([*old.styles, moving.style_b]) is None:
+                old = None
             runs = _gone_on(old, couples) if old else None
             if old is None or runs is None:
                 runs = [_run(contour, motion) for contour, motion in couples]
@@ -96,7 +98,7 @@ def tracks(pairs: Sequence[Pair]) -> list[Track]:
                 begun.append(_Shape(old.first, runs, [*old.styles, moving.style_b]))
         done += going
         going = begun
-    return [_track(shape) for shape in [*done, *going]]
+    return [track for shape in [*done, *going] for track in _tracks(shape)]
 
 
 def _ends(shape: _Shape) -> frozenset[int | None]:
@@ -111,12 +113,22 @@ def _run(matched: MatchedContour, moving: MovingContour) -> _Run:
     return _Run(keys, start.straight, start.closed, moving.places[1], matched.polygon_b, matched.b)
 
 
-def _track(shape: _Shape) -> Track:
-    keys = [
-        PaintedShape(tuple(Outline(run.keys[k], run.straight, run.closed) for run in shape.runs), style)
-        for k, style in enumerate(common_styles(shape.styles))
+def _tracks(shape: _Shape) -> list[Track]:
+    """A track for every coat of paint."""
+    coats = keyed_styles(shape.styles)
+    assert coats is not None, "shapes go on only as long as their paint does"
+    return [
+        Track(
+            tuple(
+                PaintedShape(
+                    tuple(Outline(run.keys[k], run.straight, run.closed) for run in shape.runs), style
+                )
+                for k, style in enumerate(styles)
+            ),
+            shape.first,
+        )
+        for styles in coats
     ]
-    return Track(tuple(keys), shape.first)
 
 
 def _gone_on(shape: _Shape, couples: Sequence[tuple[MatchedContour, MovingContour]]) -> list[_Run] | None:

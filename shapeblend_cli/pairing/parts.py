@@ -54,7 +54,7 @@ class Part(NamedTuple):
     outline : int or None
         Number of the contour that a hole is in.
     style : Style
-        Its shape's, lengths in A's coordinates, with the fill rule that paints its contours as they are directed here.
+        Its shape's in A's coordinates, with the fill rule that paints its contours as they are directed here.
     any_rule : bool
         Whether the other rule would paint the shape alike.
     is_piece : bool
@@ -152,7 +152,7 @@ def take_apart(
     parts = [
         part
         for index, usable in enumerate(shapes)
-        for part in _parts_of(index, drawing.shapes[index], usable, over.scale, way)
+        for part in _parts_of(index, drawing.shapes[index], usable, over, way)
     ]
     return parts, [f"{drawing.file}: {phrase}, left out" for phrase in left_out]
 
@@ -193,12 +193,12 @@ def _as_painted(contour: Contour, style: Style) -> Contour:
     )
 
 
-def _parts_of(index: int, shape: Shape, usable: list[_Usable], scale: float, way: int) -> list[Part]:
+def _parts_of(index: int, shape: Shape, usable: list[_Usable], over: Similarity, way: int) -> list[Part]:
     """The contours of one shape, outlines told from holes and directed."""
     closed = [(number, polygon) for number, contour, polygon in usable if contour.closed]
     outline_of: dict[int, int | None] = {}
     turned: dict[int, bool] = {}
-    style = shape.style._replace(stroke_width=scale * shape.style.stroke_width)
+    style = shape.style.moved(*over)
     if closed and style.fill is not None:
         nesting = nest([polygon for _, polygon in closed], style.fill_rule, way)
         for (number, _), home, turn in zip(closed, nesting.outline, nesting.turned, strict=True):

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from typing import TYPE_CHECKING
+
+from shapeblend_cli.model import LinearGradient
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Box, Outline, Style
+    from shapeblend_cli.model import Box, Gradient, Outline, RadialGradient, Style
 
 ROUNDING = 4e-5
 """How far a coordinate may be off by rounding, as a share of what is shown."""
+
+SHARE_DIGITS = 5
+"""Decimals of shares, such as where in a gradient a stop is."""
 
 DEFAULTS = {
     "fill_opacity": "1",
@@ -20,6 +26,9 @@ DEFAULTS = {
     "stroke_width": "1",
     "stroke_linecap": "butt",
     "stroke_linejoin": "miter",
+    "stroke_miterlimit": "4",
+    "stroke_dasharray": "none",
+    "stroke_dashoffset": "0",
 }
 """What SVG takes for attributes that are not there."""
 
@@ -111,8 +120,24 @@ def without_defaults(attributes: dict[str, str]) -> dict[str, str]:
     return {name: value for name, value in attributes.items() if DEFAULTS.get(name) != value}
 
 
+def plainest(style: Style) -> Style:
+    """A style that paints the same without dashes that touch each other, or gradients of a single colour.
+
+    Both are there at the ends of time where the other end has dashes or a gradient. A keyframe needs them; in a picture
+    that stands still, dashes that touch show seams.
+    """
+    dashes = style.stroke_dasharray
+    # Of an odd number, dashes are gaps the second time round.
+    if dashes and len(dashes) % 2 == 0 and not any(dashes[1::2]):
+        style = style._replace(stroke_dasharray=(), stroke_dashoffset=0.0)
+    for name, gradient in (("fill", style.fill_gradient), ("stroke", style.stroke_gradient)):
+        if gradient is not None and len({(stop.colour, stop.opacity) for stop in gradient.stops}) == 1:
+            style = style.with_plain(name, gradient.stops[0])
+    return style
+
+
 def paint_attributes(style: Style, decimals: int) -> dict[str, str]:
-    """Presentation attributes of a style."""
+    """Presentation attributes of a style; gradients apart, for which `gradient_attributes` is there."""
     paint = {"fill": style.fill or "none"}
     if style.fill is not None:
         paint["fill_opacity"] = number(style.fill_opacity, 4)
@@ -123,7 +148,70 @@ def paint_attributes(style: Style, decimals: int) -> dict[str, str]:
         paint["stroke_width"] = number(style.stroke_width, decimals)
         paint["stroke_linecap"] = style.stroke_linecap
         paint["stroke_linejoin"] = style.stroke_linejoin
+        paint["stroke_miterlimit"] = number(style.stroke_miterlimit, 4)
+        dashes = " ".join(number(length, decimals) for length in style.stroke_dasharray)
+        paint["stroke_dasharray"] = dashes or "none"
+        paint["stroke_dashoffset"] = number(style.stroke_dashoffset, decimals) if dashes else "0"
     return paint
+
+
+def gradient_attributes(
+    gradient: Gradient, decimals: int, *, as_ellipse: bool = False
+) -> tuple[dict[str, str], list[dict[str, str]]]:
+    """Attributes of a gradient and of each of its stops.
+
+    Parameters
+    ----------
+    gradient : LinearGradient or RadialGradient
+    decimals : int
+    as_ellipse : bool
+        Write a circle as an ellipse too, so that it has the attributes of one: a unit circle under
+        ``translate(x y) rotate(angle) scale(rx ry)``.
+    """
+    found = {"gradientUnits": "userSpaceOnUse"}
+    if isinstance(gradient, LinearGradient):
+        for end, point in (("1", gradient.start), ("2", gradient.end)):
+            found[f"x{end}"] = number(point.real, decimals)
+            found[f"y{end}"] = number(point.imag, decimals)
+    else:
+        found |= _radial_attributes(gradient, decimals, as_ellipse)
+    if gradient.spread != "pad":
+        found["spreadMethod"] = gradient.spread
+    stops = [
+        {
+            "offset": number(stop.offset, SHARE_DIGITS),
+            "stop_color": stop.colour,
+            "stop_opacity": number(stop.opacity, 4),
+        }
+        for stop in gradient.stops
+    ]
+    return found, stops
+
+
+def _radial_attributes(gradient: RadialGradient, decimals: int, as_ellipse: bool) -> dict[str, str]:
+    centre, focus, focal_radius = gradient.centre, gradient.focus, gradient.focal_radius
+    first, second = gradient.radii
+    if first == second and not as_ellipse:
+        spot = centre + first * focus * cmath.rect(1.0, math.radians(gradient.angle))
+        return {
+            "cx": number(centre.real, decimals),
+            "cy": number(centre.imag, decimals),
+            "r": number(first, decimals),
+            "fx": number(spot.real, decimals),
+            "fy": number(spot.imag, decimals),
+            "fr": number(first * focal_radius, decimals),
+        }
+    place = f"{number(centre.real, decimals)} {number(centre.imag, decimals)}"
+    stretch = f"{number(first, decimals)} {number(second, decimals)}"
+    return {
+        "cx": "0",
+        "cy": "0",
+        "r": "1",
+        "fx": number(focus.real, SHARE_DIGITS),
+        "fy": number(focus.imag, SHARE_DIGITS),
+        "fr": number(focal_radius, SHARE_DIGITS),
+        "gradientTransform": f"translate({place}) rotate({number(gradient.angle, 4)}) scale({stretch})",
+    }
 
 
 def number(value: float, decimals: int) -> str:

@@ -1,20 +1,30 @@
-"""The style a shape is painted in: paint servers, opacity and stroke width resolved."""
+"""The style a shape is painted in: paint servers, opacity, stroke width and dashes resolved."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.model import Style
+import numpy as np
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.model import Stop, Style
 from shapeblend_cli.svg import paint
-from shapeblend_cli.svg.style import Inherited, diagonal
+from shapeblend_cli.svg.problem import Problem
+from shapeblend_cli.svg.style import Inherited, in_user_units
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import Box, Contour, Gradient
     from shapeblend_cli.svg.css import Cascade
     from shapeblend_cli.svg.notes import Notes
+    from shapeblend_cli.svg.transforms import Matrix
     from shapeblend_cli.svg.xmltree import Node
 
-_GRADIENTS = frozenset(("linearGradient", "radialGradient"))
-_MAX_LINKS = 8
+MAX_STOPS = 1_000_000
+"""Of all gradients together, counted once for every colour they are used with."""
+
+_STAND_IN = "a gradient or pattern read as a plain colour"
 
 
 class Painter:
@@ -32,12 +42,13 @@ class Painter:
         self._ids = ids
         self._cascade = cascade
         self._notes = notes
-        self._stops: dict[int, paint.Colour] = {}
+        self._stops: dict[tuple[int, paint.Colour], tuple[Stop, ...]] = {}
+        self._stops_read = 0
 
     def style(
         self, inherited: Inherited, opacity: float, scale: float, viewport: tuple[float, float]
     ) -> Style:
-        """Return the style of a shape.
+        """Return the style of a shape, with plain colours that stand for gradients and patterns.
 
         Parameters
         ----------
@@ -50,55 +61,114 @@ class Painter:
         viewport : pair of float
             What percentages refer to.
         """
-        fill, fill_alpha = self._colour(inherited.fill, inherited.color)
-        stroke, stroke_alpha = self._colour(inherited.stroke, inherited.color)
-        fill_alpha *= inherited.fill_opacity * opacity
-        stroke_alpha *= inherited.stroke_opacity * opacity
-        width, is_share = inherited.stroke_width
-        if is_share:
-            width *= diagonal(*viewport)
+        fill, fill_alpha = self._colour(inherited.fill, inherited)
+        stroke, stroke_alpha = self._colour(inherited.stroke, inherited)
+        width = in_user_units(inherited.stroke_width, viewport)
+        dashes = tuple(scale * in_user_units(dash, viewport) for dash in inherited.stroke_dasharray)
         return Style(
             fill=fill,
-            fill_opacity=fill_alpha,
+            fill_opacity=fill_alpha * inherited.fill_opacity * opacity,
             fill_rule=inherited.fill_rule,
             stroke=stroke if width > 0 else None,
-            stroke_opacity=stroke_alpha,
+            stroke_opacity=stroke_alpha * inherited.stroke_opacity * opacity,
             stroke_width=width * scale,
             stroke_linecap=inherited.stroke_linecap,
             stroke_linejoin=inherited.stroke_linejoin,
+            stroke_miterlimit=inherited.stroke_miterlimit,
+            # https://www.w3.org/TR/SVG2/painting.html#StrokeDasharrayProperty: only zeros are a solid line.
+            stroke_dasharray=dashes if any(dashes) else (),
+            stroke_dashoffset=scale * in_user_units(inherited.stroke_dashoffset, viewport),
         )
 
-    def _colour(self, given: paint.Paint, current: paint.Colour) -> tuple[str | None, float]:
+    def with_gradients(
+        self,
+        style: Style,
+        inherited: Inherited,
+        contours: Sequence[Contour],
+        matrix: Matrix,
+        viewport: tuple[float, float],
+    ) -> Style:
+        """Return the style of a shape with the gradients it is painted in; what stays a stand-in is noted.
+
+        Parameters
+        ----------
+        style : Style
+        inherited : Inherited
+        contours : sequence of Contour
+            The shape's, in its own coordinates: the units of a gradient may be those of the box around them.
+        matrix : Matrix
+            From these coordinates to those of the root.
+        viewport : pair of float
+        """
+        box: Box | None = None
+        for name, given in (("fill", inherited.fill), ("stroke", inherited.stroke)):
+            server = self._server(given)
+            # Where there is no such server, nothing is to be painted, or the fallback.
+            if given.kind != "server" or getattr(style, name) is None or self._is_replaced(given, server):
+                continue
+            if box is None:
+                box = cubics.bounds(np.concatenate([contour.segments for contour in contours]))
+            found = self._placed(server, inherited, matrix, box, viewport) if server else None
+            if found is None:
+                self._notes.add(_STAND_IN)
+            elif isinstance(found, Stop):
+                style = style.with_plain(name, found)
+            elif name == "fill":
+                style = style._replace(fill_gradient=found)
+            else:
+                style = style._replace(stroke_gradient=found)
+        return style
+
+    def _placed(
+        self, server: Node, inherited: Inherited, matrix: Matrix, box: Box, viewport: tuple[float, float]
+    ) -> Gradient | Stop | None:
+        from shapeblend_cli.svg import gradients  # most drawings have none
+
+        links = gradients.chain(server, self._ids)
+        if not links:
+            return None
+        stops = self._stops_of(server, inherited)
+        return gradients.placed(links, stops, matrix, box, viewport, inherited.font_size)
+
+    def _server(self, given: paint.Paint) -> Node | None:
+        return self._ids.get(given.link[1:]) if given.link.startswith("#") else None
+
+    def _is_replaced(self, given: paint.Paint, server: Node | None) -> bool:
+        """Return whether a paint server's fallback is painted: it is not there, or a pattern."""
+        from shapeblend_cli.svg.gradients import KINDS
+
+        if given.fallback is None or (server is not None and server.tag in KINDS):
+            return False
+        return given.fallback.kind != "none" or server is None
+
+    def _colour(self, given: paint.Paint, inherited: Inherited) -> tuple[str | None, float]:
         """Return the plain colour that stands for a paint, and its opacity."""
         if given.kind == "current":
-            return current
+            return inherited.color
         if given.colour is not None:
             return given.colour
         if given.kind != "server":
             return None, 1.0
-        server = self._ids.get(given.link[1:]) if given.link.startswith("#") else None
-        fallback = given.fallback
-        if fallback is not None and (fallback.kind != "none" or server is None):
-            return self._colour(fallback, current)
-        self._notes.add("a gradient or pattern read as a plain colour")
-        if server is None:
-            return paint.BLACK
-        if id(server) not in self._stops:
-            self._stops[id(server)] = self._first_stop(server) or paint.BLACK
-        return self._stops[id(server)]
+        server = self._server(given)
+        if given.fallback is not None and self._is_replaced(given, server):
+            return self._colour(given.fallback, inherited)
+        return (self._first_stop(server, inherited) if server else None) or paint.BLACK
 
-    def _first_stop(self, gradient: Node) -> paint.Colour | None:
+    def _first_stop(self, server: Node, inherited: Inherited) -> paint.Colour | None:
         """Return the colour of a gradient's first stop, opaque: a later stop may well be."""
-        for _ in range(_MAX_LINKS):
-            if gradient.tag not in _GRADIENTS:
-                return None
-            for stop in gradient.children:
-                if stop.tag == "stop":
-                    given = paint.parse(self._cascade.declared(stop).get("stop-color", "black"))
-                    # Stops hardly ever say currentColor; its colour would not be the shape's.
-                    return paint.Colour(given.colour.rgb) if given and given.colour else None
-            target = self._ids.get(gradient.link().strip()[1:])
-            if target is None:
-                return None
-            gradient = target
-        return None
+        stops = self._stops_of(server, inherited)
+        return paint.Colour(stops[0].colour) if stops else None
+
+    def _stops_of(self, server: Node, inherited: Inherited) -> tuple[Stop, ...]:
+        from shapeblend_cli.svg import gradients
+
+        # They may be of the shape's colour, or of that of one of its custom properties.
+        key = id(server), inherited.color
+        if key in self._stops and not inherited.variables:
+            return self._stops[key]
+        stops = gradients.read_stops(gradients.chain(server, self._ids), self._cascade, inherited)
+        self._stops_read += len(stops)
+        if self._stops_read > MAX_STOPS:
+            raise Problem(f"more than {MAX_STOPS} stops of gradients, the most that are read")
+        self._stops[key] = stops
+        return stops

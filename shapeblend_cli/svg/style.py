@@ -17,20 +17,24 @@ if TYPE_CHECKING:
     from shapeblend_cli.svg.css import Declarations
 
 
-class Inherited(NamedTuple):
-    """The inherited properties of an element, as computed for its children.
+Measure = tuple[float, bool]
+"""A length in user units, except that ``(share, True)`` is a share of the viewport's diagonal."""
 
-    `stroke_width` is in user units, except that ``(share, True)`` is a share of the viewport's diagonal.
-    """
+
+class Inherited(NamedTuple):
+    """The inherited properties of an element, as computed for its children."""
 
     fill: paint.Paint = paint.Paint("colour", paint.BLACK)
     fill_opacity: float = 1.0
     fill_rule: str = "nonzero"
     stroke: paint.Paint = paint.NONE
     stroke_opacity: float = 1.0
-    stroke_width: tuple[float, bool] = (1.0, False)
+    stroke_width: Measure = (1.0, False)
     stroke_linecap: str = "butt"
     stroke_linejoin: str = "miter"
+    stroke_miterlimit: float = 4.0
+    stroke_dasharray: tuple[Measure, ...] = ()
+    stroke_dashoffset: Measure = (0.0, False)
     color: paint.Colour = paint.BLACK
     visibility: str = "visible"
     font_size: float = 16.0
@@ -47,6 +51,9 @@ _KEYWORDS = {
 }
 _PARENTS = (KEYWORDS - {"initial"}) | {""}
 _PROPERTIES = {field.replace("_", "-"): field for field in Inherited._fields if field != "variables"}
+_MAX_DASHES_TEXT = 10_000
+_MAX_DASHES = 1000
+
 _FONT_SIZES = {"smaller": 1 / 1.2, "larger": 1.2}
 
 
@@ -92,7 +99,14 @@ def _value(name: str, text: str, parent: Inherited, font_size: float) -> object:
     if name in ("fill-opacity", "stroke-opacity"):
         return share(text)
     if name == "stroke-width":
-        return _stroke_width(text, font_size)
+        return _positive(_measure(text, font_size))
+    if name == "stroke-dashoffset":
+        return _measure(text, font_size)
+    if name == "stroke-dasharray":
+        return _dashes(text, font_size)
+    if name == "stroke-miterlimit":
+        limit = length(text) if text[-1:].isdigit() or text[-1:] == "." else None
+        return None if limit is None or limit < 1 else limit
     if name == "font-size":
         return _font_size(text, font_size)
     keyword = text.lower()
@@ -105,10 +119,30 @@ def share(text: str) -> float | None:
     return None if value is None else min(max(value, 0.0), 1.0)
 
 
-def _stroke_width(text: str, font_size: float) -> tuple[float, bool] | None:
+def _measure(text: str, font_size: float) -> Measure | None:
     is_share = text.endswith("%")
-    width = length(text, 1.0 if is_share else None, font_size)
-    return None if width is None or width < 0 else (width, is_share)
+    value = length(text, 1.0 if is_share else None, font_size)
+    return None if value is None else (value, is_share)
+
+
+def _positive(measure: Measure | None) -> Measure | None:
+    return None if measure is None or measure[0] < 0 else measure
+
+
+def _dashes(text: str, font_size: float) -> tuple[Measure, ...] | None:
+    """Return the lengths of dashes and gaps in turn; of dashes that cannot be read, or are too many, None."""
+    if text.lower() == "none":
+        return ()
+    parts = text[:_MAX_DASHES_TEXT].replace(",", " ").split()
+    if len(text) > _MAX_DASHES_TEXT or not 0 < len(parts) <= _MAX_DASHES:
+        return None
+    found = []
+    for part in parts:
+        dash = _positive(_measure(part, font_size))
+        if dash is None:
+            return None
+        found.append(dash)
+    return tuple(found)
 
 
 def _font_size(text: str, font_size: float) -> float:
@@ -118,6 +152,12 @@ def _font_size(text: str, font_size: float) -> float:
     size = length(text, font_size, font_size)
     # Keywords such as 'medium' are rare and only matter to lengths in em.
     return INITIAL.font_size if size is None or size < 0 else size
+
+
+def in_user_units(measure: Measure, viewport: tuple[float, float]) -> float:
+    """Return a length that may be a share of the viewport's diagonal."""
+    value, is_share = measure
+    return value * diagonal(*viewport) if is_share else value
 
 
 def diagonal(width: float, height: float) -> float:

@@ -32,7 +32,6 @@ _EFFECTS = {
     "marker-start": "not drawn",
     "marker-mid": "not drawn",
     "marker-end": "not drawn",
-    "stroke-dasharray": "drawn as one line",
 }
 # CSS properties that come before `transform`, in this order.
 _SINGLE_TRANSFORMS = ("translate", "rotate", "scale")
@@ -273,6 +272,9 @@ class Walk:
         placed = tuple(contours.transformed(contour, place.matrix) for contour in outlines)
         if not all(np.abs(contour.segments).max() < LIMIT for contour in placed):
             raise Problem(f"{node}: coordinates beyond {LIMIT:g}; smaller ones would work")
+        style = self._painter.with_gradients(style, place.inherited, outlines, place.matrix, place.viewport)
+        if style.stroke_dasharray and node.get("pathLength") is not None:
+            self._notes.add("pathLength not applied to dashes")
         self._shapes.append(Shape(index, name, node.tag, placed, style))
 
     def _outline(self, place: _Place, declared: Declarations) -> list[Contour]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from shapeblend_cli.errors import InputError
+from shapeblend_cli.model import Stop
 from tests.svg.drawings import boxes, drawn
 
 RECT = '<rect width="1" height="2"/>'
@@ -192,32 +193,84 @@ GRADIENT = (
 @pytest.mark.parametrize(
     ("fill", "colour"),
     [
-        ("url(#g)", "#00aa00"),
-        ("url('#g') none", "#00aa00"),
-        ("url(#g) red", "#ff0000"),
+        ("url(#p)", "#000000"),
+        ("url(#p) none", "#000000"),
+        ("url(#p) red", "#ff0000"),
         ("url(#missing)", "#000000"),
         ("url(other.svg#g) #123", "#112233"),
     ],
 )
-def test_a_gradient_is_read_as_a_plain_colour(fill, colour):
-    assert style(f'<defs>{GRADIENT}</defs><g fill="{fill}">{RECT}</g>').fill == colour
+def test_a_pattern_or_what_is_not_there_is_read_as_a_plain_colour(fill, colour):
+    painted = style(f'<defs><pattern id="p"/></defs><g fill="{fill}">{RECT}</g>')
+    assert (painted.fill, painted.fill_gradient) == (colour, None)
 
 
-def test_a_gradient_is_noted():
-    notes = drawn(f'<defs>{GRADIENT}</defs><g fill="url(#g)">{RECT}</g>').notes
+def test_a_plain_colour_for_a_pattern_is_noted():
+    notes = drawn(f'<defs><pattern id="p"/></defs><g fill="url(#p)">{RECT}</g>').notes
     assert notes == ("a gradient or pattern read as a plain colour",)
+
+
+@pytest.mark.parametrize("fill", ["url(#g)", "url('#g') none", "url(#g) red"])
+def test_a_gradient_is_read_with_a_colour_that_stands_for_it(fill):
+    drawing = drawn(f'<defs>{GRADIENT}</defs><g fill="{fill}">{RECT}</g>')
+    painted = drawing.shapes[0].style
+    assert painted.fill == "#00aa00"
+    assert painted.fill_gradient.stops == (Stop(0, "#00aa00"), Stop(0, "#000000"))
+    assert drawing.notes == ()
 
 
 def test_what_is_left_out_is_noted():
     notes = drawn(
         f'<text>a</text><text>b</text><image/><g clip-path="url(#c)" filter="none">{RECT}</g>'
-        f'<g style="stroke-dasharray:1 2">{RECT}</g><use href="#x"/><use href="http://example.org/a.svg#b"/>'
+        f'<use href="#x"/><use href="http://example.org/a.svg#b"/>'
     ).notes
     assert notes == (
         "text left out (2 times)",
         "image left out",
         "clip-path not applied",
-        "stroke-dasharray drawn as one line",
         "use of '#x', which is not in the file, left out",
         "use of 'http://example.org/a.svg#b', which is not in the file, left out",
     )
+
+
+def dashes(value, more="", root='viewBox="0 0 30 40"'):
+    painted = style(f'<g stroke="red" font-size="10" stroke-dasharray="{value}" {more}>{RECT}</g>', root)
+    return painted.stroke_dasharray, painted.stroke_dashoffset
+
+
+@pytest.mark.parametrize(
+    ("value", "expected"),
+    [
+        ("none", ()),
+        ("5", (5,)),
+        ("1 2,3 , 4", (1, 2, 3, 4)),
+        ("1px 1pt 1em", (1, 4 / 3, 10)),
+        # A share of the viewport's diagonal, by its root mean square: 35.36.
+        ("10% 1", (pytest.approx(1250**0.5 / 10), 1)),
+        ("0 0", ()),
+        ("0 4", (0, 4)),
+    ],
+)
+def test_dashes_are_read_in_user_units(value, expected):
+    assert dashes(value)[0] == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("value", ["1 -2", "1;2", "1 " * 2000, "calc(1px)"])
+def test_dashes_that_cannot_be_read_are_noted_and_the_line_is_solid(value):
+    drawing = drawn(f'<g stroke="red" stroke-dasharray="{value}">{RECT}</g>')
+    assert drawing.shapes[0].style.stroke_dasharray == ()
+    assert drawing.notes == ("stroke-dasharray cannot be read",)
+
+
+def test_dashes_grow_with_the_stroke():
+    assert dashes("1 2", 'stroke-dashoffset="-3" transform="scale(2)"') == ((2, 4), -6)
+    assert dashes("1 2", 'style="stroke-dashoffset:1em"') == ((1, 2), 10)
+
+
+def test_the_miter_limit_is_read_and_pathlength_noted():
+    assert style(f'<g stroke="red" stroke-miterlimit="2.5">{RECT}</g>').stroke_miterlimit == 2.5
+    drawing = drawn(
+        '<path d="M0 0H9" pathLength="3" stroke="red" stroke-dasharray="1" stroke-miterlimit=".5"/>'
+    )
+    assert drawing.shapes[0].style.stroke_miterlimit == 4
+    assert drawing.notes == ("stroke-miterlimit cannot be read", "pathLength not applied to dashes")

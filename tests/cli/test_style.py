@@ -1,0 +1,79 @@
+"""Paint, as users blend it."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from shapeblend_cli.cli import run
+
+SQUARE = "M2 2H22V22H2Z"
+DOT = "M40 40H44V44H40Z"
+A = f'<path d="{SQUARE}" fill="#ff0000"/>'
+B = (
+    f'<path d="{SQUARE}" fill="#0000ff" stroke="#00ff00" stroke-width="2" stroke-dasharray="3 1" '
+    f'stroke-dashoffset="1"/><path d="{DOT}" fill="#123456"/>'
+)
+
+
+@pytest.fixture(autouse=True)
+def here(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    write("a.svg", A)
+    write("b.svg", B)
+    return tmp_path
+
+
+def write(name, markup, viewbox="0 0 50 50"):
+    Path(name).write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{viewbox}">{markup}</svg>')
+
+
+def frame(number, *options):
+    assert run(["a.svg", "b.svg", "-n", "1", "--ends", "-f", "-o", "out", "--match", "0=0", *options]) == 0
+    text = Path(f"out/frame-{number}.svg").read_text()
+    return [dict(re.findall(r'([\w-]+)="([^"]*)"', path)) for path in re.findall(r"<path [^>]*>", text)]
+
+
+@pytest.mark.parametrize(
+    ("options", "fills", "strokes"),
+    [
+        ([], ["#ff0000", "#8c53a2", "#0000ff"], ["0", "0.5", "1"]),
+        (["--style", "a"], ["#ff0000"] * 3, ["none"] * 3),
+        (["--style", "b"], ["#0000ff"] * 3, ["1"] * 3),
+    ],
+)
+def test_frames_are_painted_in_the_style_asked_for(options, fills, strokes):
+    paths = [frame(number, *options)[0] for number in (1, 2, 3)]
+    assert [path["fill"] for path in paths] == fills
+    assert [path.get("stroke-opacity", "1") if "stroke" in path else "none" for path in paths] == strokes
+
+
+@pytest.mark.parametrize("style", ["a", "b", "blend"])
+def test_a_shape_without_a_partner_keeps_its_own_paint(style):
+    assert [path["fill"] for path in frame(2, "--style", style)][1:] == ["#123456"]
+
+
+def test_the_report_has_the_style():
+    frame(1, "--style", "b", "--report", "r.json")
+    assert json.loads(Path("r.json").read_text())["settings"]["style"] == "b"
+
+
+def test_dashes_are_laid_over_a_with_the_drawing():
+    write("b.svg", B.replace("3 1", "30 10").replace('"2"', '"20"'), viewbox="0 0 500 500")
+    path = frame(3)[0]
+    assert (path["stroke-width"], path["stroke-dasharray"], path["stroke-dashoffset"]) == ("2", "3 1", "0.1")
+
+
+def test_gaps_open_between_the_dashes_of_a_solid_line():
+    write("a.svg", A.replace("/>", ' stroke="#00ff00"/>'))
+    paths = [frame(number)[0] for number in (1, 2, 3)]
+    assert [path.get("stroke-dasharray") for path in paths] == [None, "3.5 0.5", "3 1"]
+    assert [path.get("stroke-dashoffset") for path in paths] == [None, "1", "1"]
+
+
+def test_the_animation_has_dashes_at_both_ends():
+    write("a.svg", A.replace("/>", ' stroke="#00ff00"/>'))
+    assert run(["a.svg", "b.svg", "-o", "moving.svg", "--match", "0=0"]) == 0
+    assert 'attributeName="stroke-dasharray"' in Path("moving.svg").read_text()
+    assert 'values="4 0;3 1"' in Path("moving.svg").read_text()

@@ -1,0 +1,110 @@
+"""Colours in OKLab, checked with the whole of coloraide, of which the program uses three modules."""
+
+import subprocess
+import sys
+
+import pytest
+from coloraide import Color
+from hypothesis import given
+from hypothesis import strategies as st
+
+from shapeblend_cli.interpolate.colours import STEPS, TOLERANCE, blend_colours, blend_in_srgb, colour_stops
+
+colours = st.integers(0, 0xFFFFFF).map("#{:06x}".format)
+greys = st.integers(0, 0xFF).map(lambda v: f"#{v:02x}{v:02x}{v:02x}")
+times = st.floats(0, 1)
+opacities = st.floats(0, 1)
+
+
+def channels(colour):
+    return list(bytes.fromhex(colour[1:]))
+
+
+def in_oklab(a, b, t):
+    return Color(a).mix(b, t, space="oklab", out_space="srgb").clip()
+
+
+def test_halfway_between_red_and_blue():
+    # What CSS's color-mix(in oklab, red, blue) is: https://facelessuser.github.io/coloraide/interpolation/
+    assert blend_colours("#ff0000", "#0000ff", 0.5) == "#8c53a2"
+    assert blend_in_srgb("#ff0000", "#0000ff", 0.5) == "#800080"
+
+
+@given(colours, colours, times)
+def test_it_is_what_coloraide_mixes(a, b, t):
+    expected = [255 * value for value in in_oklab(a, b, t).coords()]
+    assert channels(blend_colours(a, b, t)) == pytest.approx(expected, abs=0.501)
+
+
+@given(colours, colours)
+def test_ends_are_exact(a, b):
+    assert (blend_colours(a, b, 0.0), blend_colours(a, b, 1.0)) == (a, b)
+
+
+@given(greys, greys, times)
+def test_grey_stays_grey(a, b, t):
+    red, green, blue = channels(blend_colours(a, b, t))
+    assert red == green == blue
+
+
+@given(colours, colours, times, opacities, opacities)
+def test_it_is_a_colour_of_srgb(a, b, t, opacity_a, opacity_b):
+    found = blend_colours(a, b, t, opacity_a, opacity_b)
+    assert len(found) == 7
+    assert found == found.lower()
+    assert len(channels(found)) == 3
+
+
+def test_what_is_less_opaque_has_less_say():
+    # Premultiplied: half of 1 and half of 0.25 are in the ratio of 4 to 1.
+    assert blend_colours("#ff0000", "#0000ff", 0.5, 1.0, 0.25) == blend_colours("#ff0000", "#0000ff", 0.2)
+    for t in (0.0, 0.5, 1.0):
+        assert blend_colours("#ff0000", "#0000ff", t, 0.0, 1.0) == "#0000ff"
+        assert blend_colours("#ff0000", "#0000ff", t, 0.3, 0.0) == "#ff0000"
+    assert blend_colours("#ff0000", "#0000ff", 0.5, 0.0, 0.0) == "#8c53a2"
+
+
+@given(colours, colours, opacities, opacities)
+def test_straight_from_stop_to_stop_nobody_sees_the_difference(a, b, opacity_a, opacity_b):
+    stops = colour_stops(a, b, opacity_a, opacity_b)
+    gaps = len(stops) - 1
+    if gaps == 16:  # as many as there may be: only where one end is all but transparent
+        assert min(opacity_a, opacity_b) < 0.1
+        return
+    for k in range(8 * gaps + 1):
+        t = k / 8 / gaps
+        gap = min(int(t * gaps), gaps - 1)
+        shown = blend_in_srgb(stops[gap], stops[gap + 1], t * gaps - gap)
+        meant = blend_colours(a, b, t, opacity_a, opacity_b)
+        opacity = (1 - t) * opacity_a + t * opacity_b
+        steps = max(abs(p - q) for p, q in zip(channels(shown), channels(meant), strict=True))
+        error = Color(shown).delta_e(meant, method="ok")
+        assert opacity * error <= TOLERANCE + 1e-9 or opacity * steps <= STEPS
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "number"),
+    [
+        ("#123456", "#123456", 2),
+        ("#102030", "#405060", 2),
+        ("#ff0000", "#0000ff", 7),
+        ("#000000", "#ffffff", 9),
+    ],
+)
+def test_there_are_no_more_stops_than_it_takes(a, b, number):
+    stops = colour_stops(a, b)
+    assert (stops[0], stops[-1], len(stops)) == (a, b, number)
+
+
+def test_coloraide_is_imported_for_two_colours_alone_and_leaves_no_trace():
+    script = (
+        "import sys\n"
+        "from shapeblend_cli.interpolate.colours import blend_colours\n"
+        "blend_colours('#123456', '#123456', 0.5)\n"
+        "assert 'decimal' not in sys.modules\n"
+        "blend_colours('#123456', '#654321', 0.5)\n"
+        "assert not [name for name in sys.modules if name.startswith('coloraide')]\n"
+        "import coloraide\n"
+        "assert coloraide.Color('red').convert('oklab')[0] > 0.6\n"
+    )
+    subprocess.run([sys.executable, "-c", script], check=True)

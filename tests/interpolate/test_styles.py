@@ -1,0 +1,128 @@
+"""Paint between two paints: strokes, dashes, opacity, and whose paint it is."""
+
+import pytest
+
+from shapeblend_cli.interpolate.styles import MOST_DASHES, blend_styles, common_dashes, painted_as
+from shapeblend_cli.model import LinearGradient, RadialGradient, Stop, Style
+
+LINE = Style(fill=None, stroke="#000000")
+FADE = (Stop(0.0, "#ff0000"), Stop(1.0, "#0000ff"))
+LINEAR = LinearGradient(0j, 10 + 0j, FADE)
+RADIAL = RadialGradient(5 + 5j, (5.0, 5.0), 0.0, 0j, 0.0, FADE)
+
+
+def at(a, b, t):
+    return blend_styles(a, b, t)[0]
+
+
+def test_numbers_go_straight_and_keywords_change_at_half_time():
+    a = LINE._replace(stroke_width=1.0, stroke_miterlimit=2.0, stroke_opacity=0.5)
+    b = LINE._replace(
+        stroke_width=3.0,
+        stroke_miterlimit=6.0,
+        stroke_opacity=1.0,
+        stroke_linecap="round",
+        stroke_linejoin="bevel",
+    )
+    early, late = at(a, b, 0.25), at(a, b, 0.5)
+    assert (early.stroke_width, early.stroke_miterlimit, early.stroke_opacity) == (1.5, 3.0, 0.625)
+    assert (early.stroke_linecap, early.stroke_linejoin) == ("butt", "miter")
+    assert (late.stroke_linecap, late.stroke_linejoin) == ("round", "bevel")
+
+
+def test_a_stroke_that_fades_in_has_its_own_shape_all_along():
+    b = LINE._replace(stroke_width=3.0, stroke_linecap="round", stroke_dasharray=(2.0, 1.0))
+    found = at(Style(), b, 0.25)
+    assert (found.stroke_width, found.stroke_linecap, found.stroke_dasharray) == (3.0, "round", (2.0, 1.0))
+    assert found.stroke_opacity == 0.25
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "common"),
+    [
+        ((), (), ((), ())),
+        ((4, 2), (6, 1), ((4, 2), (6, 1))),
+        ((4, 2), (1, 1, 3, 1), ((4, 2, 4, 2), (1, 1, 3, 1))),
+        # Once through an odd list, what was a dash is a gap.
+        ((1, 2, 3), (5,), ((1, 2, 3, 1, 2, 3), (5, 5, 5, 5, 5, 5))),
+        ((1, 2, 3, 4), (1, 2, 3, 4, 5, 6), ((1, 2, 3, 4) * 3, (1, 2, 3, 4, 5, 6) * 2)),
+        ((), (3, 1, 2, 2), ((4, 0, 4, 0), (3, 1, 2, 2))),
+        ((7,), (), ((7, 7), (14, 0))),
+    ],
+)
+def test_dashes_are_repeated_to_one_length(a, b, common):
+    assert common_dashes(a, b) == common
+
+
+def test_gaps_open_between_dashes_that_stay_where_they_are():
+    dashed = LINE._replace(stroke_dasharray=(6.0, 2.0), stroke_dashoffset=3.0)
+    found = at(LINE, dashed, 0.5)
+    assert found.stroke_dasharray == (7.0, 1.0)
+    assert found.stroke_dashoffset == 3.0
+    assert at(dashed, LINE, 0.5) == found
+
+
+def test_dashes_and_their_offset_blend():
+    a = LINE._replace(stroke_dasharray=(4.0, 2.0), stroke_dashoffset=0.0)
+    b = LINE._replace(stroke_dasharray=(8.0, 4.0, 2.0, 4.0), stroke_dashoffset=10.0)
+    found = at(a, b, 0.5)
+    assert found.stroke_dasharray == (6.0, 3.0, 3.0, 3.0)
+    assert found.stroke_dashoffset == 5.0
+
+
+def test_lists_of_dashes_with_too_little_in_common_change_at_half_time():
+    a = LINE._replace(stroke_dasharray=(1.0,) * 62)
+    b = LINE._replace(stroke_dasharray=(2.0,) * 58, stroke_dashoffset=4.0)
+    assert MOST_DASHES < 62 * 29
+    assert at(a, b, 0.49).stroke_dasharray == a.stroke_dasharray
+    assert at(a, b, 0.51).stroke_dasharray == b.stroke_dasharray
+    assert (at(a, b, 0.49).stroke_dashoffset, at(a, b, 0.51).stroke_dashoffset) == (0.0, 4.0)
+
+
+def test_style_of_one_side_leaves_the_fill_rule_of_the_other():
+    a = Style(fill="#ff0000", fill_rule="evenodd")
+    b = Style(fill="#0000ff", stroke="#00ff00", stroke_width=5.0)
+    assert painted_as(a, b, "blend") == (a, b)
+    assert painted_as(a, b, "a") == (a, a._replace(fill_rule="nonzero"))
+    assert painted_as(a, b, "b") == (b._replace(fill_rule="evenodd"), b)
+
+
+def test_a_plain_colour_becomes_a_gradient_of_that_colour_first():
+    a, b = Style(fill="#00ff00"), Style(fill="#ff0000", fill_gradient=LINEAR)
+    start, below = blend_styles(a, b, 0.0)
+    assert below is None
+    assert start.fill_gradient == LINEAR._replace(stops=(Stop(0.0, "#00ff00"), Stop(1.0, "#00ff00")))
+    assert at(a, b, 1.0).fill_gradient == LINEAR
+    assert at(b, a, 0.0).fill_gradient == LINEAR
+
+
+def test_a_gradient_without_a_partner_fades_as_it_is():
+    b = Style(fill="#ff0000", fill_gradient=LINEAR)
+    found = at(Style(fill=None, stroke="#000000"), b, 0.25)
+    assert (found.fill_gradient, found.fill_opacity) == (LINEAR, 0.25)
+
+
+def composed(a_opacity, b_opacity, t):
+    """How much of A and of B is seen where B is painted over A."""
+    a = Style(fill="#ff0000", fill_opacity=a_opacity, fill_gradient=LINEAR)
+    b = Style(fill="#ff0000", fill_opacity=b_opacity, fill_gradient=RADIAL)
+    top, below = blend_styles(a, b, t)
+    assert (top.fill_gradient, below.fill_gradient) == (RADIAL, LINEAR)
+    return (1 - top.fill_opacity) * below.fill_opacity, top.fill_opacity
+
+
+@pytest.mark.parametrize("opacities", [(1.0, 1.0), (1.0, 0.4), (0.3, 1.0), (0.5, 0.5)])
+@pytest.mark.parametrize("t", [0.0, 0.25, 0.5, 0.9, 1.0])
+def test_gradients_of_two_kinds_dissolve_into_each_other_evenly(opacities, t):
+    assert composed(*opacities, t) == pytest.approx(((1 - t) * opacities[0], t * opacities[1]))
+
+
+def test_only_what_has_to_dissolve_is_painted_twice():
+    a = Style(fill="#ff0000", fill_gradient=LINEAR, stroke="#000000")
+    b = Style(fill="#ff0000", fill_gradient=RADIAL, stroke="#000000", stroke_width=3.0)
+    top, below = blend_styles(a, b, 0.5)
+    assert (top.stroke, top.stroke_width, below.stroke) == ("#000000", 2.0, None)
+    a, b = (Style(fill="#123456", stroke="#ff0000", stroke_gradient=g) for g in (LINEAR, RADIAL))
+    top, below = blend_styles(a, b, 0.5)
+    assert (top.fill, below.fill) == (None, "#123456")
+    assert (top.stroke_gradient, below.stroke_gradient) == (RADIAL, LINEAR)
