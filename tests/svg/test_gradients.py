@@ -7,6 +7,7 @@ import pytest
 import resvg_py
 from PIL import Image
 
+from shapeblend_cli.errors import InputError
 from shapeblend_cli.model import Box, LinearGradient, RadialGradient, Stop
 from shapeblend_cli.pipeline import blend
 from shapeblend_cli.settings import BlendSettings
@@ -136,6 +137,13 @@ def test_a_gradient_of_one_colour_is_that_colour(definition, colour, opacity):
             '<path d="M0 0H9" stroke="url(#g)" fill="none"/>',
         ),
         (f'<linearGradient id="g" gradientTransform="scale(0)">{STOPS}</linearGradient>', BOX),
+        (
+            f'<linearGradient id="g" x2="1e-300" gradientTransform="scale(1e-100)">{STOPS}</linearGradient>',
+            BOX,
+        ),
+        (f'<linearGradient id="g" x2="9e8" gradientTransform="scale(9e8)">{STOPS}</linearGradient>', BOX),
+        (f'<radialGradient id="g" r="1e-300" fx="9e8">{STOPS}</radialGradient>', BOX),
+        ('<linearGradient id="g" href="#h"/><linearGradient id="h" href="#g"/>', BOX),
     ],
 )
 def test_a_gradient_that_paints_nothing_is_read_as_a_plain_colour(definition, shape):
@@ -144,6 +152,12 @@ def test_a_gradient_that_paints_nothing_is_read_as_a_plain_colour(definition, sh
     assert style.fill or style.stroke
     assert style.fill_gradient is style.stroke_gradient is None
     assert drawing.notes == ("a gradient or pattern read as a plain colour",)
+
+
+def test_gradients_of_very_many_stops_in_very_many_colours_are_refused():
+    shapes = "".join(f'<rect color="#{k:06x}" width="1" height="1" fill="url(#g)"/>' for k in range(101))
+    with pytest.raises(InputError, match="more than 200000 stops of gradients"):
+        drawn(f'<linearGradient id="g">{STOPS * 1000}</linearGradient>{shapes}')
 
 
 def pixels(text):
