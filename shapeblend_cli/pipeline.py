@@ -258,7 +258,8 @@ def make_frames(pairs: Sequence[Pair], settings: BlendSettings) -> list[Frame]:
         times = frame_times(settings.frames, settings.ends, settings.ease)
         if settings.ends and pair.a:
             times = times[1:]  # the pair before has ended with this one's start
-        frames += [frame_at(pair, t, as_drawn=settings.curves) for t in times]
+        as_drawn = settings.curves and settings.style == "blend"
+        frames += [frame_at(pair, t, as_drawn=as_drawn) for t in times]
     return frames
 
 

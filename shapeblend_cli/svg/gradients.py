@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 KINDS = frozenset(("linearGradient", "radialGradient"))
 _MAX_LINKS = 8
 
+_NO_AREA = 1e-24
+"""A gradient whose unit square is this small in the drawing has no extent."""
+
 _CIRCLE = 1e-9
 """Radii that differ by no more than this share are the same."""
 
@@ -108,7 +111,7 @@ def placed(
     """
     if not stops:
         return None
-    if len({(stop.colour, stop.opacity) for stop in stops}) == 1:
+    if all(stop[1:] == stops[0][1:] for stop in stops):
         return stops[-1]
     attributes = _Attributes(links, viewport, font_size)
     own = transforms.parse(attributes.get("gradientTransform")) or transforms.IDENTITY
@@ -117,22 +120,29 @@ def placed(
             return None
         matrix = transforms.multiply(matrix, (box.width, 0.0, 0.0, box.height, box.x, box.y))
     matrix = transforms.multiply(matrix, own)
-    if not transforms.is_sound(matrix) or transforms.determinant(matrix) == 0.0:
-        return None
     spread = attributes.get("spreadMethod").strip()
     spread = spread if spread in ("reflect", "repeat") else "pad"
-    if links[0].tag == "linearGradient":
+    is_linear = links[0].tag == "linearGradient"
+    if is_linear:
         start = complex(attributes.across("x1", "0%"), attributes.down("y1", "0%"))
-        end = complex(attributes.across("x2", "100%"), attributes.down("y2", "0%"))
-        return _linear(start, end, matrix, stops, spread) if start != end else stops[-1]
-    centre = complex(attributes.across("cx", "50%"), attributes.down("cy", "50%"))
-    radius = attributes.along("r", "50%")
-    focal_radius = attributes.along("fr", "0%")
-    if radius <= 0.0:
+        way = complex(attributes.across("x2", "100%"), attributes.down("y2", "0%")) - start
+        frame = (way.real, way.imag, -way.imag, way.real, start.real, start.imag)
+        is_point = way == 0.0
+    else:
+        centre = complex(attributes.across("cx", "50%"), attributes.down("cy", "50%"))
+        focus = complex(attributes.across("fx", centre.real), attributes.down("fy", centre.imag))
+        radius = attributes.along("r", "50%")
+        frame = (radius, 0.0, 0.0, radius, centre.real, centre.imag)
+        is_point = radius <= 0.0
+    if is_point:
         return stops[-1]
-    focus = complex(attributes.across("fx", centre.real), attributes.down("fy", centre.imag))
-    circle = transforms.multiply(matrix, (radius, 0.0, 0.0, radius, centre.real, centre.imag))
-    return _radial(circle, (focus - centre) / radius, max(focal_radius, 0.0) / radius, stops, spread)
+    matrix = transforms.multiply(matrix, frame)
+    if not transforms.is_sound(matrix) or abs(transforms.determinant(matrix)) < _NO_AREA:
+        return None
+    if is_linear:
+        return _linear(matrix, stops, spread)
+    focal_radius = max(attributes.along("fr", "0%"), 0.0)
+    return _radial(matrix, (focus - centre) / radius, focal_radius / radius, stops, spread)
 
 
 class _Attributes:
@@ -168,25 +178,16 @@ class _Attributes:
         return value or 0.0
 
 
-def _linear(
-    start: complex, end: complex, m: transforms.Matrix, stops: tuple[Stop, ...], spread: str
-) -> LinearGradient:
-    """Return a linear gradient under a transform.
+def _linear(m: transforms.Matrix, stops: tuple[Stop, ...], spread: str) -> LinearGradient:
+    """Return the gradient that goes from 0 to 1 along the x axis, under a transform.
 
     Lines of one colour stay lines of one colour, but where the transform skews they are no longer across the line from
     start to end; the end moves along the last of them to where they are.
     """
-    a, b, c, d, e, f = m
-
-    def turned(z: complex) -> complex:
-        return complex(a * z.real + c * z.imag, b * z.real + d * z.imag)
-
-    way = turned(end - start)
-    last = turned(1j * (end - start))
+    way, last = complex(m[0], m[1]), complex(m[2], m[3])
     last /= abs(last)
-    way -= last * (way * last.conjugate()).real
-    first = turned(start) + complex(e, f)
-    return LinearGradient(first, first + way, stops, spread)
+    start = complex(m[4], m[5])
+    return LinearGradient(start, start + way - last * (way * last.conjugate()).real, stops, spread)
 
 
 def _radial(

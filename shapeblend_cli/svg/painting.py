@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.svg.transforms import Matrix
     from shapeblend_cli.svg.xmltree import Node
 
-MAX_STOPS = 1_000_000
+MAX_STOPS = 200_000
 """Of all gradients together, counted once for every colour they are used with."""
 
 _STAND_IN = "a gradient or pattern read as a plain colour"
@@ -42,7 +42,7 @@ class Painter:
         self._ids = ids
         self._cascade = cascade
         self._notes = notes
-        self._stops: dict[tuple[int, paint.Colour], tuple[Stop, ...]] = {}
+        self._stops: dict[tuple[int, paint.Colour, int], tuple[Inherited, tuple[Stop, ...]]] = {}
         self._stops_read = 0
 
     def style(
@@ -162,13 +162,14 @@ class Painter:
     def _stops_of(self, server: Node, inherited: Inherited) -> tuple[Stop, ...]:
         from shapeblend_cli.svg import gradients
 
-        # They may be of the shape's colour, or of that of one of its custom properties.
-        key = id(server), inherited.color
-        if key in self._stops and not inherited.variables:
-            return self._stops[key]
+        # They may be of the shape's colour, or of that of one of its custom properties. What is in force is kept, so
+        # that the number that stands for the custom properties stays theirs.
+        key = id(server), inherited.color, id(inherited.variables)
+        if key in self._stops:
+            return self._stops[key][1]
         stops = gradients.read_stops(gradients.chain(server, self._ids), self._cascade, inherited)
         self._stops_read += len(stops)
         if self._stops_read > MAX_STOPS:
             raise Problem(f"more than {MAX_STOPS} stops of gradients, the most that are read")
-        self._stops[key] = stops
+        self._stops[key] = inherited, stops
         return stops

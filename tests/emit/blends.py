@@ -13,7 +13,7 @@ BLENDS = {
         svg(LEAF, attributes=f'fill="#ffcc00" {ROUND}'),
         svg(RING, attributes=f'fill="#ffcc00" fill-rule="evenodd" {ROUND}'),
     ),
-    "outlines that shrink": (svg(SQUARES, attributes='fill="#080"'), svg(BAR, attributes='fill="#08f"')),
+    "outlines that shrink": (svg(SQUARES, attributes='fill="#080"'), svg(BAR, attributes='fill="#090"')),
     "stroked outlines that grow": (
         svg(BAR, attributes=f'fill="#fff" {ROUND}'),
         svg(SQUARES, attributes=f'fill="#fff" {ROUND}'),

@@ -7,6 +7,7 @@ import pytest
 import resvg_py
 from PIL import Image
 
+from shapeblend_cli.errors import InputError
 from shapeblend_cli.model import Box, LinearGradient, RadialGradient, Stop
 from shapeblend_cli.pipeline import blend
 from shapeblend_cli.settings import BlendSettings
@@ -136,6 +137,13 @@ def test_a_gradient_of_one_colour_is_that_colour(definition, colour, opacity):
             '<path d="M0 0H9" stroke="url(#g)" fill="none"/>',
         ),
         (f'<linearGradient id="g" gradientTransform="scale(0)">{STOPS}</linearGradient>', BOX),
+        (
+            f'<linearGradient id="g" x2="1e-300" gradientTransform="scale(1e-100)">{STOPS}</linearGradient>',
+            BOX,
+        ),
+        (f'<linearGradient id="g" x2="9e8" gradientTransform="scale(9e8)">{STOPS}</linearGradient>', BOX),
+        (f'<radialGradient id="g" r="1e-300" fx="9e8">{STOPS}</radialGradient>', BOX),
+        ('<linearGradient id="g" href="#h"/><linearGradient id="h" href="#g"/>', BOX),
     ],
 )
 def test_a_gradient_that_paints_nothing_is_read_as_a_plain_colour(definition, shape):
@@ -146,6 +154,12 @@ def test_a_gradient_that_paints_nothing_is_read_as_a_plain_colour(definition, sh
     assert drawing.notes == ("a gradient or pattern read as a plain colour",)
 
 
+def test_gradients_of_very_many_stops_in_very_many_colours_are_refused():
+    shapes = "".join(f'<rect color="#{k:06x}" width="1" height="1" fill="url(#g)"/>' for k in range(101))
+    with pytest.raises(InputError, match="more than 200000 stops of gradients"):
+        drawn(f'<linearGradient id="g">{STOPS * 1000}</linearGradient>{shapes}')
+
+
 def pixels(text):
     png = resvg_py.svg_to_bytes(svg_string=text, width=100, height=100, background="white")
     return np.asarray(Image.open(io.BytesIO(bytes(png))).convert("RGB")).astype(int)
@@ -154,7 +168,7 @@ def pixels(text):
 def frames(a, b, *, at_least=3):
     drawings = [read(name, svg(markup)) for name, markup in (("a.svg", a), ("b.svg", b))]
     _, found = blend(*drawings, BlendSettings(frames=at_least, ends=True, place="asis"))
-    return [pixels(frame_svg(frame, Box(0, 0, 100, 100))) for frame in found]
+    return [pixels(frame_svg(frame._replace(view=Box(0, 0, 100, 100)), 3)) for frame in found]
 
 
 RECT = '<rect x="10" y="10" width="80" height="80" fill="url(#g)"/>'
@@ -214,7 +228,7 @@ def test_between_a_linear_and_a_radial_gradient_nothing_shines_through():
 def test_documents_define_each_gradient_once_under_names_that_do_not_change():
     drawing = read("a.svg", svg(PAINTED["linear"] + PAINTED["linear"].replace('x="10"', 'x="40"')))
     _, found = blend(drawing, drawing, BlendSettings(frames=1))
-    texts = [frame_svg(found[0], Box(0, 0, 100, 100)) for _ in range(2)]
+    texts = [frame_svg(found[0]._replace(view=Box(0, 0, 100, 100)), 3) for _ in range(2)]
     assert texts[0] == texts[1]
     assert texts[0].count("<linearGradient") == 2
     assert 'fill="url(#gradient-1)"' in texts[0]
