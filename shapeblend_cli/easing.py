@@ -6,6 +6,7 @@ https://www.w3.org/TR/css-easing-1/#cubic-bezier-easing-functions
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import NamedTuple
 
 NAMES = {
@@ -36,6 +37,12 @@ class Ease(NamedTuple):
         names = [name for name, numbers in NAMES.items() if self == numbers]
         return names[0] if names else f"cubic-bezier({','.join(f'{number:g}' for number in self)})"
 
+    def css(self) -> str:
+        """As CSS takes it, with numbers as short as can be seen."""
+        if self.is_linear:
+            return "linear"
+        return f"cubic-bezier({','.join(f'{round(value, 4):g}' for value in self)})"
+
     @property
     def is_linear(self) -> bool:
         """Whether progress is time."""
@@ -50,6 +57,24 @@ class Ease(NamedTuple):
         if self.is_linear or time in (0.0, 1.0):
             return time
         return _solved(self.x1, self.x2, self.y1, self.y2, time)
+
+    def piece(self, start: float, end: float) -> Ease:
+        """The part of the curve from one progress to another, stretched to go from (0, 0) to (1, 1)."""
+        if self.is_linear:
+            return self
+        s, t = (_parameter(self.y1, self.y2, progress) for progress in (start, end))
+        sides = []
+        for inner in ((self.x1, self.x2), (self.y1, self.y2)):
+            # The control points of a part are the blossoms of its two ends.
+            first, second, third, last = (
+                _blossom((0.0, *inner, 1.0), *arguments)
+                for arguments in ((s, s, s), (s, s, t), (s, t, t), (t, t, t))
+            )
+            length = last - first
+            ways = (second - first, third - first)
+            sides.append([min(max(way / length, 0.0), 1.0) if length > 0.0 else 0.0 for way in ways])
+        (x1, x2), (y1, y2) = sides
+        return Ease(x1, y1, x2, y2)
 
     def time_of(self, progress: float) -> float:
         """Time at which a progress is reached."""
@@ -88,12 +113,22 @@ def parse(text: str) -> Ease:
 
 def _solved(x1: float, x2: float, y1: float, y2: float, x: float) -> float:
     """The curve's y where its x, which never falls, has a value."""
+    s = _parameter(x1, x2, x)
+    return _blossom((0.0, y1, y2, 1.0), s, s, s)
 
-    def bezier(p1: float, p2: float, s: float) -> float:
-        return 3.0 * (1.0 - s) ** 2 * s * p1 + 3.0 * (1.0 - s) * s * s * p2 + s**3
 
+def _parameter(x1: float, x2: float, x: float) -> float:
+    """Where a coordinate that never falls has a value."""
     low, high = 0.0, 1.0
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        low, high = (middle, high) if bezier(x1, x2, middle) < x else (low, middle)
-    return bezier(y1, y2, high)
+        is_below = _blossom((0.0, x1, x2, 1.0), middle, middle, middle) < x
+        low, high = (middle, high) if is_below else (low, middle)
+    return high
+
+
+def _blossom(points: tuple[float, ...], *arguments: float) -> float:
+    """De Casteljau's scheme with another parameter in each step."""
+    for s in arguments:
+        points = tuple((1.0 - s) * p + s * q for p, q in pairwise(points))
+    return points[0]

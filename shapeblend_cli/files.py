@@ -12,6 +12,7 @@ from shapeblend_cli.emit.forms import file_names
 from shapeblend_cli.errors import InputError, MatchError, OutputError
 from shapeblend_cli.geometry.normalise import union
 from shapeblend_cli.interpolate.chains import tracks
+from shapeblend_cli.interpolate.colours import colour_stops
 from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.output import check_targets, write_files
 from shapeblend_cli.pipeline import make_frames, match_all, shapes_at
@@ -192,8 +193,8 @@ def _animation(job: Job, pairs: Sequence[Pair], views: Sequence[Box], decimals: 
         return stacked_svg(frames, job.timing, len(pairs), decimals)
     moving = tracks(pairs)
     if job.animate == "css":
-        return css_svg(moving, union(list(views)), job.timing, decimals)
-    return smil_svg(moving, views, job.timing, decimals)
+        return css_svg(moving, union(list(views)), job.timing, decimals, colour_stops)
+    return smil_svg(moving, views, job.timing, decimals, colour_stops)
 
 
 def _targets(job: Job) -> list[Path]:

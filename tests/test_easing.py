@@ -31,6 +31,15 @@ def test_progress_rises_from_0_to_1(ease, first, second):
     assert parse(str(ease)) == pytest.approx(ease, abs=1e-5)
 
 
+@given(st.builds(Ease, shares, shares, shares, shares), st.floats(0.1, 0.45), st.floats(0.55, 0.9), shares)
+def test_a_piece_is_a_part_of_the_curve(ease, start, end, time):
+    piece = ease.piece(start, end)
+    first, last = ease.time_of(start), ease.time_of(end)
+    whole = ease.at(first + time * (last - first))
+    if last - first > 1e-3:
+        assert start + (end - start) * piece.at(time) == pytest.approx(whole, abs=0.03)
+
+
 def test_time_of_a_progress():
     ease = parse("ease-in")
     assert ease.at(ease.time_of(0.3)) == pytest.approx(0.3)

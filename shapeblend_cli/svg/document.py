@@ -9,6 +9,8 @@ from shapeblend_cli.svg.attributes import number
 from shapeblend_cli.svg.foreign import svgwrite
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from shapeblend_cli.model import Box
 
 
@@ -24,14 +26,18 @@ def box_text(box: Box, decimals: int) -> str:
     return " ".join(number(value, decimals) for value in box)
 
 
-def text(drawing: Any, style: str | None = None) -> str:
-    """Serialise, with a style sheet or without.
+def text(drawing: Any, style: str | None = None, definitions: Sequence[ElementTree.Element] = ()) -> str:
+    """Serialise, with a style sheet, with definitions, or without.
 
     What svgwrite adds unasked goes: a size of 100 %, a profile, two unused namespaces.
     """
     root = drawing.get_xml()
     for name in ("width", "height", "version", "baseProfile", "xmlns:ev", "xmlns:xlink"):
         root.attrib.pop(name, None)
+    if definitions:
+        holder = ElementTree.Element("defs")
+        holder.extend(definitions)
+        root.insert(0, holder)
     if style is not None:
         sheet = ElementTree.Element("style")
         sheet.text = style

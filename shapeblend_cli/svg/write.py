@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
+from xml.etree.ElementTree import Element, SubElement
 
 from shapeblend_cli.model import LinearGradient
 from shapeblend_cli.svg import document
@@ -15,55 +16,61 @@ from shapeblend_cli.svg.attributes import (
 )
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import Frame, Gradient
+    from shapeblend_cli.model import Frame, Gradient, PaintedShape
 
 
 def frame_svg(frame: Frame, decimals: int) -> str:
     """One frame as an SVG document, coordinates with so many decimals."""
     drawing = document.empty(frame.view, decimals)
-    gradients = _Gradients(drawing, decimals)
+    gradients = Gradients(decimals)
     for shape in frame.shapes:
-        data = path_data(shape.outlines, decimals)
-        # At the end of time what is below is covered, and would only show at antialiased edges.
-        styles = [shape.style] if shape.below is None or frame.t == 1.0 else [shape.below, shape.style]
-        for style in map(plainest, styles):
-            paint = paint_attributes(style, decimals)
-            for name, gradient in (("fill", style.fill_gradient), ("stroke", style.stroke_gradient)):
-                if gradient is not None:
-                    paint[name] = gradients.link(gradient)
-            drawing.add(drawing.path(d=data, **without_defaults(paint)))
-    return document.text(drawing)
+        add_shape(drawing, drawing, gradients, shape, path_data(shape.outlines, decimals), frame.t)
+    return document.text(drawing, definitions=gradients.elements)
 
 
-class _Gradients:
+def add_shape(
+    parent: Any,
+    drawing: Any,
+    gradients: Gradients,
+    shape: PaintedShape,
+    data: str,
+    t: float,
+    **attributes: str,
+) -> None:
+    """Add a shape to a document or to a group in it: a path, or two where one paint dissolves into another."""
+    # At the end of time what is below is covered, and would only show at antialiased edges.
+    styles = [shape.style] if shape.below is None or t == 1.0 else [shape.below, shape.style]
+    for style in map(plainest, styles):
+        paint = paint_attributes(style, gradients.decimals)
+        for name, gradient in (("fill", style.fill_gradient), ("stroke", style.stroke_gradient)):
+            if gradient is not None:
+                paint[name] = gradients.link(gradient)
+        parent.add(drawing.path(d=data, **attributes, **without_defaults(paint)))
+
+
+class Gradients:
     """The gradients of a document, each written once.
 
-    Parameters
+    Attributes
     ----------
-    drawing : Drawing
-        Takes the definitions before anything is drawn.
     decimals : int
+        Of coordinates.
+    elements : list of Element
     """
 
-    def __init__(self, drawing: Any, decimals: int) -> None:
-        self._drawing = drawing
-        self._decimals = decimals
+    def __init__(self, decimals: int) -> None:
+        self.decimals = decimals
+        self.elements: list[Element] = []
         self._names: dict[Gradient, str] = {}
 
     def link(self, gradient: Gradient) -> str:
         """What a fill or a stroke says to be painted in a gradient."""
         if gradient not in self._names:
             self._names[gradient] = f"gradient-{len(self._names) + 1}"
-            self._define(gradient, self._names[gradient])
+            attributes, stops = gradient_attributes(gradient, self.decimals)
+            tag = "linearGradient" if isinstance(gradient, LinearGradient) else "radialGradient"
+            element = Element(tag, {"id": self._names[gradient], **attributes})
+            for stop in stops:
+                SubElement(element, "stop", {name.replace("_", "-"): value for name, value in stop.items()})
+            self.elements.append(element)
         return f"url(#{self._names[gradient]})"
-
-    def _define(self, gradient: Gradient, name: str) -> None:
-        drawing = self._drawing
-        if drawing.defs not in drawing.elements:
-            drawing.elements.insert(0, drawing.defs)
-        attributes, stops = gradient_attributes(gradient, self._decimals)
-        make = drawing.linearGradient if isinstance(gradient, LinearGradient) else drawing.radialGradient
-        element = make(id=name, **attributes)
-        for stop in stops:
-            element.add_stop_color(stop["offset"], stop["stop_color"], stop["stop_opacity"])
-        drawing.defs.add(element)

@@ -76,15 +76,15 @@ def screenshot(folder, cells, script=STOP, budget=1500):
 
 
 def own_ids(text, number):
-    """CSS of several drawings on one page: each with names of its own."""
-    return re.sub(r"(?<=[#\" ,:])([svm])(?=\d+[\"{ ])", rf"x{number}\1", text)
+    """Several drawings on one page: gradients of each with names of its own."""
+    return re.sub(r"gradient-(?=\d)", f"gradient-{number}-", text)
 
 
-def assert_alike(moving, still, number=None):
+def assert_alike(moving, still, number=None, most=0.004):
     """Two pictures differ in the rounding of edges alone."""
     seen, off = float(np.abs(still - 1.0).mean()), np.abs(moving - still)
     mean, share = float(off.mean()), float((off.max(axis=2) > 0.35).mean())
-    assert (seen > 0.01, mean < 0.004, share < 0.004) == (True, True, True), (seen, mean, share, number)
+    assert (seen > 0.01, mean < most, share < 0.004) == (True, True, True), (seen, mean, share, number)
 
 
 @pytest.fixture
@@ -102,7 +102,31 @@ OTHER_COLOURS = (
     '<circle cx="8" cy="10" r="4" fill="#7070d0" fill-opacity="0.9" stroke="#303030" stroke-width="0.5"/>'
     '<path d="M20 20h2v2h-2z" fill="#202020"/>'
 )
+RED, BLUE = ('<path d="M2 6H22V18H2Z" fill="#ff0000"/>', '<path d="M2 6H22V18H2Z" fill="#0000ff"/>')
+DASHED = '<path d="M2 12H22" fill="none" stroke="#000" stroke-width="3" stroke-dasharray="4 2"/>'
+SOLID = '<path d="M4 4L20 20" fill="none" stroke="#444" stroke-width="2"/>'
+
+
+def graded(kind, colours, *attributes):
+    stops = "".join(f'<stop offset="{k}" stop-color="{colour}"/>' for k, colour in enumerate(colours))
+    return (
+        f'<{kind} id="g" gradientUnits="userSpaceOnUse" {" ".join(attributes)}>{stops}</{kind}>'
+        '<path d="M2 2H22V22H2Z" fill="url(#g)"/>'
+    )
+
+
+ACROSS = graded("linearGradient", ("#ff0000", "#ffff00"), 'x1="2" x2="22" y1="2" y2="2"')
+DOWN = graded(
+    "linearGradient", ("#0000ff", "#00ff00"), 'x1="2" x2="2" y1="4" y2="20"', 'spreadMethod="reflect"'
+)
+ROUND = graded("radialGradient", ("#ffffff", "#000000"), 'cx="12" cy="12" r="10"')
+OVAL = graded(
+    "radialGradient", ("#ffff00", "#004000"), 'cx="6" cy="8" r="5"', 'gradientTransform="scale(2 1)"'
+)
+
 CASES = {
+    "colours": ([RED, BLUE], ["--ease", "ease"]),
+    "dashes": ([SOLID, DASHED], []),
     "holes": ([B, EIGHT], []),
     "an eye that shrinks": ([EYED, LEAF], []),
     "paint and strokes": ([COLOURS, OTHER_COLOURS], []),
@@ -122,10 +146,20 @@ def blended(here, paths, options):
     return names, [path.read_text() for path in sorted(folder.glob("*.svg"))]
 
 
+GRADIENTS = {
+    "linear": ([ACROSS, DOWN], []),
+    "radial": ([ROUND, OVAL], ["--ease", "ease-in"]),
+    "linear to radial": ([ACROSS, ROUND], []),
+    "plain to linear": ([RED, DOWN], []),
+    "through three": ([ACROSS, BLUE, OVAL], []),
+}
+
+
 @pytest.mark.parametrize("method", ["smil", "css"])
 def test_animations_show_what_the_frames_show(here, method):
     cells, pairs = [], []
-    for paths, options in CASES.values():
+    cases = CASES | (GRADIENTS if method == "smil" else {})
+    for name, (paths, options) in cases.items():
         names, frames = blended(here, paths, options)
         assert run([*names, "-o", "moving.svg", "-f", "-q", "--animate", method, *options]) == 0
         moving = (here / "moving.svg").read_text()
@@ -133,11 +167,14 @@ def test_animations_show_what_the_frames_show(here, method):
         for k in range(1, len(frames) - 1):
             if k % 4 == 0:
                 continue  # at a drawing itself what is a point elsewhere may be a dot
-            pairs.append((len(cells), len(cells) + 1))
-            cells += [(f'data-time="{0.5 * k}"', own_ids(moving, len(cells))), ("", frames[k])]
+            # Between two colours there are as few in between as the eye asks for.
+            most = 0.015 if name == "colours" or name in GRADIENTS else 0.004
+            pairs.append((len(cells), len(cells) + 1, most))
+            cells.append((f'data-time="{0.5 * k}"', own_ids(moving, len(cells))))
+            cells.append(("", own_ids(frames[k], len(cells))))
     pixels = screenshot(here, cells)
-    for moving, still in pairs:
-        assert_alike(pixels[moving], pixels[still], (moving, cells[moving][0]))
+    for moving, still, most in pairs:
+        assert_alike(pixels[moving], pixels[still], (moving, cells[moving][0]), most)
 
 
 def test_pingpong_comes_back_the_way_it_went(here):

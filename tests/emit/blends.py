@@ -24,7 +24,7 @@ BLENDS = {
     ),
     "lines": (
         svg("M2 2H20V14", attributes=f'fill="none" {ROUND}'),
-        svg("M4 20C4 4 20 4 20 20", attributes='fill="none" stroke="#c00" stroke-width="4"'),
+        svg("M4 20C4 4 20 4 20 20", attributes='fill="none" stroke="#204090" stroke-width="4"'),
     ),
     "paint on one side alone": (
         svg(BAR, attributes='fill="#c0c" fill-opacity=".5"'),
@@ -32,7 +32,7 @@ BLENDS = {
     ),
     "shapes on top of one another": (
         svg(f'<path d="{BAR}" fill="#e0a000"/>', f'<path d="{I_DOT}" fill="#0060a0"/>'),
-        svg(f'<path d="{LEAF}" fill="#a0e000"/>', f'<path d="{J_DOT}" fill="#a00060"/>'),
+        svg(f'<path d="{LEAF}" fill="#e0b000"/>', f'<path d="{J_DOT}" fill="#0070a0"/>'),
     ),
     "another viewBox": (
         svg("M-40 -10H-20V10H-40Z", viewbox="-50 -20 40 40", attributes='stroke="#f00" stroke-width="3"'),
