@@ -40,7 +40,8 @@ class Move(NamedTuple):
         """
         found = []
         for number, (start, end) in enumerate(zip(self.start, self.end, strict=True), 1):
-            start_style, end_style = start.style, end.style
+            # Where one paint dissolves into another, A's is below B's, and all there is to see at first.
+            start_style, end_style = start.below or start.style, end.style
             for paint, names in FIXED.items():
                 if not _shows(start_style, paint):
                     start_style = start_style._replace(**{name: getattr(end_style, name) for name in names})
@@ -60,8 +61,13 @@ class Move(NamedTuple):
         return union(list(self.views))
 
     def kept(self, program: str) -> list[str]:
-        """What changes on the way though a program cannot change it, a phrase for each."""
-        return [
+        """What a program cannot show, or cannot change on the way, a phrase for each."""
+        plain = [
+            f"{name}: its gradient is a plain colour in {program}"
+            for name, start, end in self.shapes()
+            if any(s.style.fill_gradient or s.style.stroke_gradient for s in (start, end))
+        ]
+        return plain + [
             f"{name}: {program} cannot change the {words} on the way; that of the first drawing stays"
             for name, start, end in self.shapes()
             for paint, names in FIXED.items()

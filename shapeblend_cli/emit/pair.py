@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.svg import document
 from shapeblend_cli.svg.attributes import paint_attributes, path_data, without_defaults
+from shapeblend_cli.svg.write import Gradients
 
 if TYPE_CHECKING:
     from shapeblend_cli.emit.move import Move
@@ -22,11 +23,19 @@ def svg_pair(move: Move, decimals: int) -> tuple[str, str]:
     file; paint without a partner is there with an opacity of 0, so that it can fade in.
     """
     drawings = [document.empty(view, decimals) for view in move.views]
+    gradients = [Gradients(decimals) for _ in drawings]
     for name, *shapes in move.shapes():
         paints = [paint_attributes(shape.style, decimals) for shape in shapes]
         shown = without_defaults(paints[0]).keys() | without_defaults(paints[1]).keys()
-        for drawing, shape, paint in zip(drawings, shapes, paints, strict=True):
+        for drawing, shape, paint, defined in zip(drawings, shapes, paints, gradients, strict=True):
             attributes = {key: value for key, value in paint.items() if key in shown}
+            for key in ("fill", "stroke"):
+                gradient = getattr(shape.style, f"{key}_gradient")
+                if gradient is not None:
+                    attributes[key] = defined.link(gradient)
             drawing.add(drawing.path(d=path_data(shape.outlines, decimals), id=name, **attributes))
-    a, b = (document.text(drawing) for drawing in drawings)
+    a, b = (
+        document.text(drawing, definitions=defined.elements)
+        for drawing, defined in zip(drawings, gradients, strict=True)
+    )
     return a, b

@@ -8,6 +8,7 @@ import pytest
 
 from shapeblend_cli.cli import run
 from tests.emit.blends import BLENDS, written
+from tests.support.drawings import svg
 from tests.support.pictures import difference, pixels
 
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
@@ -91,3 +92,22 @@ def test_paint_without_a_partner_is_there_and_not_seen(here):
 def test_polygons_have_lines_alone(here):
     for text in emit_pair(here, "holes", "--polygons"):
         assert "C" not in ElementTree.fromstring(text)[0].get("d")
+
+
+GRADIENTS = [
+    f'<{kind} id="g" gradientUnits="userSpaceOnUse" {box}><stop stop-color="#ff0000"/>'
+    f'<stop offset="1" stop-color="#0000ff"/></{kind}><path d="M2 2H22V22H2Z" fill="url(#g)"/>'
+    for kind, box in (("linearGradient", 'x1="2" x2="22"'), ("radialGradient", 'cx="12" cy="12" r="10"'))
+]
+
+
+@pytest.mark.parametrize("first", [0, 1])
+@pytest.mark.parametrize("second", [0, 1])
+def test_gradients_stay(tmp_path, monkeypatch, first, second):
+    monkeypatch.chdir(tmp_path)
+    for name, kind in (("from", first), ("to", second)):
+        (tmp_path / f"{name}.svg").write_text(svg(GRADIENTS[kind]))
+    assert run(["from.svg", "to.svg", "--emit", "pair"]) == 0
+    for name, source in (("a", "from"), ("b", "to")):
+        written, given = ((tmp_path / f).read_text() for f in (f"blend/{name}.svg", f"{source}.svg"))
+        assert difference(pixels(written), pixels(given)) < 0.001
