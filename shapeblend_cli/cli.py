@@ -102,7 +102,7 @@ def shapeblend() -> None:
     type=SELECTOR,
     help="Which shapes of A: #id, or a CSS selector.  [default: all painted ones]",
 )
-@click.option("--select-b", type=SELECTOR, help="Which shapes of B.")
+@click.option("--select-b", type=SELECTOR, help="Which shapes of B, and of further files.")
 @lenient_option
 @click.option(
     "--place",
@@ -270,9 +270,9 @@ def blend(
     verbose: bool,
     **given: float | None,
 ) -> None:
-    """Blend the outline of A.svg into that of B.svg with the least work of bending and stretching.
+    """Blend A.svg into B.svg, and on into further files, with the least work of bending and stretching.
 
-    Writes the in-betweens as SVG files, or one SVG that moves. One of the two may be -, standard input.
+    Writes the in-betweens as SVG files, or one SVG that moves. One of the files may be -, standard input.
     """
     if len(files) < 2:
         raise click.UsageError(f"two files or more are blended, A.svg and B.svg; {len(files)} given")
