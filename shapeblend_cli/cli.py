@@ -189,6 +189,13 @@ def shapeblend() -> None:
 )
 @constant_options
 @click.option(
+    "--motion",
+    type=click.Choice(["linear"]),
+    default="linear",
+    show_default=True,
+    help="How points travel: straight, as in the paper.",
+)
+@click.option(
     "--curves/--polygons",
     default=True,
     show_default=True,
@@ -259,6 +266,7 @@ def blend(
     band: float | str | None,
     effort: str,
     preset: str | None,
+    motion: str,
     curves: bool,
     precision: int | None,
     animate: str,
@@ -312,6 +320,7 @@ def blend(
         "effort": effort,
         "preset": preset,
         **constants,
+        "motion": motion,
         "curves": curves,
         "precision": precision,
         "animate": animate,

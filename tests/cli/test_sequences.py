@@ -118,6 +118,7 @@ def test_precision(here):
         (["--precision", "11"], "--precision"),
         (["c.svg", "--match", "0=0"], "are about two files; 3 given"),
         (["-", "-"], "one of the files"),
+        (["--motion", "curly"], "linear"),
     ],
 )
 def test_usage_errors(here, capsys, arguments, words):
