@@ -13,7 +13,7 @@ import numpy as np
 
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.normalise import Similarity, between_boxes, grown, lay_over, union
+from shapeblend_cli.geometry.normalise import Similarity, between_boxes, grown, holds, lay_over, union
 from shapeblend_cli.geometry.outline import self_crossings, signed_area
 from shapeblend_cli.interpolate.paths import between, moving
 from shapeblend_cli.interpolate.styles import blend_styles, painted_as
@@ -39,6 +39,9 @@ from shapeblend_cli.settings import BlendSettings
 
 MARGIN = 0.02
 """Room around what a drawing without a viewBox paints, as a share of its larger side."""
+
+SLACK = 1e-9
+"""What sticks out of a viewBox by less than this share of its size does so by rounding."""
 
 FLAT_PIECES = 12
 """Lines for which a curve is taken where crossings are counted and areas measured."""
@@ -154,11 +157,14 @@ def match_all(
     first = drawings[0]
     laid: list[_Laid] = []
     notes: list[str] = []
+    way = None
     for number, drawing in enumerate(drawings):
         over = place_over(first, drawing, settings.place) if number else Similarity()
-        way = main_way([part.polygon for part in laid[0].parts]) if laid else None
         parts, left_out = take_apart(drawing, over, settings.vertices, way)
-        laid.append(_Laid(drawing, over, parts))
+        way = way or main_way([part.polygon for part in parts])
+        drawn = as_drawn(drawing, over)
+        viewbox = first.viewbox if settings.place == "bbox" else over.box(drawing.viewbox)
+        laid.append(_Laid(drawing, over, parts, drawn, view_of(drawn, viewbox)))
         notes += left_out
     check_stiff([part.polygon for part in laid[0].parts], settings)
     clock.lap("flatten")
@@ -173,18 +179,19 @@ def match_all(
             )
             for shape in shapes
         )
-        views = view_of(a, first, settings.place), view_of(b, first, settings.place)
-        pairs.append(Pair(number, number + 1, shapes, moving_shapes, (as_drawn(a), as_drawn(b)), views))
+        pairs.append(Pair(number, number + 1, shapes, moving_shapes, (a.drawn, b.drawn), (a.view, b.view)))
         clock.lap("interpolate")
     return pairs, notes
 
 
 class _Laid(NamedTuple):
-    """A drawing, what lays it over the first, and its contours laid there."""
+    """A drawing, what lays it over the first, and laid there its contours, what it paints, and what to show of it."""
 
     drawing: Drawing
     over: Similarity
     parts: list[Part]
+    drawn: tuple[PaintedShape, ...]
+    view: Box
 
 
 def _match(
@@ -214,40 +221,31 @@ def _in_style(shape: MatchedShape, style: str) -> MatchedShape:
     return shape._replace(style_a=style_a, style_b=style_b)
 
 
-def as_drawn(laid: _Laid) -> tuple[PaintedShape, ...]:
+def as_drawn(drawing: Drawing, over: Similarity) -> tuple[PaintedShape, ...]:
     """What a drawing paints, laid over the first."""
     return tuple(
         PaintedShape(
-            tuple(Outline(laid.over.points(c.segments), c.straight, c.closed) for c in shape.contours),
-            shape.style.moved(*laid.over),
+            tuple(Outline(over.points(c.segments), c.straight, c.closed) for c in shape.contours),
+            shape.style.moved(*over),
         )
-        for shape in laid.drawing.shapes
+        for shape in drawing.shapes
     )
 
 
-def view_of(laid: _Laid, first: Drawing, place: str) -> Box:
-    """What part of the plane to show of a drawing: its viewBox, and what it paints outside.
+def view_of(drawn: Sequence[PaintedShape], viewbox: Box | None) -> Box:
+    """What part of the plane to show of a drawing: its viewBox and what it paints outside; without one, what it paints.
 
-    Where it is laid by its own box, its viewBox says nothing, and the first drawing's stands in.
+    Where drawings are laid by their own boxes, the viewBox of the first stands in for the others'.
     """
     boxes = []
-    for shape in as_drawn(laid):
+    for shape in drawn:
         reach = shape.style.stroke_width / 2.0 if shape.style.stroke else 0.0
         boxes += [grown(cubics.bounds(outline.segments), reach) for outline in shape.outlines]
-    drawn = union(boxes)
-    with_margin = grown(drawn, MARGIN * max(drawn.width, drawn.height))
-    viewbox = first.viewbox if place == "bbox" else laid.drawing.viewbox
+    painted = union(boxes)
+    with_margin = grown(painted, MARGIN * max(painted.width, painted.height))
     if viewbox is None:
         return with_margin
-    if place != "bbox":
-        corner = complex(laid.over.points(np.array(complex(viewbox.x, viewbox.y))))
-        viewbox = Box(
-            corner.real, corner.imag, laid.over.scale * viewbox.width, laid.over.scale * viewbox.height
-        )
-    slack = 1e-9 * max(viewbox.width, viewbox.height)
-    is_inside = union([viewbox, drawn]) == viewbox or union([grown(viewbox, slack), drawn]) == grown(
-        viewbox, slack
-    )
+    is_inside = holds(viewbox, painted, SLACK * max(viewbox.width, viewbox.height))
     return viewbox if is_inside else union([viewbox, with_margin])
 
 

@@ -23,6 +23,13 @@ class Similarity(NamedTuple):
         """Map points."""
         return self.scale * z + self.shift
 
+    def box(self, box: Box | None) -> Box | None:
+        """Map a box, if there is one."""
+        if box is None:
+            return None
+        corner = self.scale * complex(box.x, box.y) + self.shift
+        return Box(corner.real, corner.imag, self.scale * box.width, self.scale * box.height)
+
     def contour(self, contour: Contour) -> Contour:
         """Map a contour."""
         return replace(contour, segments=self.points(contour.segments))
@@ -43,6 +50,16 @@ def union(boxes: list[Box]) -> Box:
 def grown(box: Box, reach: float) -> Box:
     """The box moved outwards on all sides."""
     return Box(box.x - reach, box.y - reach, box.width + 2 * reach, box.height + 2 * reach)
+
+
+def holds(outer: Box, inner: Box, slack: float) -> bool:
+    """Whether a box lies inside another, or sticks out by no more than `slack`."""
+    return (
+        inner.x >= outer.x - slack
+        and inner.y >= outer.y - slack
+        and inner.x + inner.width <= outer.x + outer.width + slack
+        and inner.y + inner.height <= outer.y + outer.height + slack
+    )
 
 
 def between_boxes(a: Box, b: Box, t: float) -> Box:

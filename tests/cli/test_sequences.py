@@ -4,9 +4,16 @@ import json
 import re
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from shapeblend_cli.cli import run
+from shapeblend_cli.model import Box
+from shapeblend_cli.pipeline import blend
+from shapeblend_cli.settings import BlendSettings
+from tests.support.contours import drawing, polygon_contour
 from tests.support.drawings import BAR, EYED, LEAF, svg
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -126,3 +133,14 @@ def test_usage_errors(here, capsys, arguments, words):
     said = capsys.readouterr().err
     assert words in said
     assert said.count("\n") == 1
+
+
+@given(st.integers(-999, 999), st.integers(1, 999), st.integers(1, 99))
+def test_a_viewbox_that_holds_the_drawing_is_kept_whatever_its_decimals(x, size, inset):
+    viewbox = Box(x / 10, x / 10, size / 10, size / 10)
+    corner = complex(viewbox.x, viewbox.y)
+    square = np.array([0, 1, 1 + 1j, 1j]) * viewbox.width * (1 - inset / 100) + corner
+    a = drawing(polygon_contour(square), viewbox=viewbox)
+    pair, _ = blend(a, a, BlendSettings(vertices=0, frames=0))
+    for view in pair.views:
+        assert view == pytest.approx(viewbox)
