@@ -10,10 +10,10 @@ import zlib
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
-from xml.etree.ElementTree import Element, SubElement
+from xml.etree.ElementTree import Element
 
 from shapeblend_cli.easing import LINEAR, Ease
-from shapeblend_cli.model import LinearGradient, RadialGradient
+from shapeblend_cli.model import RadialGradient
 from shapeblend_cli.svg import document
 from shapeblend_cli.svg.attributes import (
     gradient_attributes,
@@ -22,7 +22,7 @@ from shapeblend_cli.svg.attributes import (
     short_path_data,
     without_defaults,
 )
-from shapeblend_cli.svg.write import Gradients, add_shape
+from shapeblend_cli.svg.write import Gradients, add_shape, gradient_element
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import Box, Frame, Gradient, Track
@@ -108,11 +108,11 @@ def _moving_gradient(
     drawing: Any, clock: _Clock, name: str, keys: Sequence[Gradient], decimals: int
 ) -> Element:
     """A gradient that changes as the shape does that is painted in it."""
-    is_linear = isinstance(keys[0], LinearGradient)
     as_ellipse = any(isinstance(key, RadialGradient) and key.radii[0] != key.radii[1] for key in keys)
     written = [gradient_attributes(key, decimals, as_ellipse=as_ellipse) for key in keys]
-    first, first_stops = written[0]
-    found = Element("linearGradient" if is_linear else "radialGradient", {"id": name, **first})
+    found = gradient_element(name, keys[0], *written[0])
+    stop_elements = list(found)
+    moving = []
     for attribute in sorted({key for attributes, _ in written for key in attributes}):
         values = [attributes.get(attribute, "pad") for attributes, _ in written]
         if len(set(values)) == 1:
@@ -123,12 +123,12 @@ def _moving_gradient(
                 kinds, numbers = zip(
                     *(step[number_of_step].rstrip(")").split("(") for step in steps), strict=True
                 )
-                found.append(clock.transform(kinds[0], numbers, is_first=number_of_step == 0))
+                moving.append(clock.transform(kinds[0], numbers, is_first=number_of_step == 0))
         else:
-            found.append(clock.animate(drawing, attribute, values).get_xml())
-    for k, stop in enumerate(first_stops):
-        element = SubElement(found, "stop", {key.replace("_", "-"): value for key, value in stop.items()})
-        for attribute in stop:
+            moving.append(clock.animate(drawing, attribute, values).get_xml())
+    found[:0] = moving
+    for k, element in enumerate(stop_elements):
+        for attribute in written[0][1][k]:
             values = [stops[k][attribute] for _, stops in written]
             if len(set(values)) > 1:
                 element.append(clock.animate(drawing, attribute, values).get_xml())

@@ -16,6 +16,8 @@ from shapeblend_cli.svg.attributes import (
 )
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from shapeblend_cli.model import Frame, Gradient, PaintedShape
 
 
@@ -29,13 +31,7 @@ def frame_svg(frame: Frame, decimals: int) -> str:
 
 
 def add_shape(
-    parent: Any,
-    drawing: Any,
-    gradients: Gradients,
-    shape: PaintedShape,
-    data: str,
-    t: float,
-    **attributes: str,
+    parent: Any, drawing: Any, gradients: Gradients, shape: PaintedShape, data: str, t: float
 ) -> None:
     """Add a shape to a document or to a group in it: a path, or two where one paint dissolves into another."""
     # At the end of time what is below is covered, and would only show at antialiased edges.
@@ -45,7 +41,7 @@ def add_shape(
         for name, gradient in (("fill", style.fill_gradient), ("stroke", style.stroke_gradient)):
             if gradient is not None:
                 paint[name] = gradients.link(gradient)
-        parent.add(drawing.path(d=data, **attributes, **without_defaults(paint)))
+        parent.add(drawing.path(d=data, **without_defaults(paint)))
 
 
 class Gradients:
@@ -67,10 +63,17 @@ class Gradients:
         """What a fill or a stroke says to be painted in a gradient."""
         if gradient not in self._names:
             self._names[gradient] = f"gradient-{len(self._names) + 1}"
-            attributes, stops = gradient_attributes(gradient, self.decimals)
-            tag = "linearGradient" if isinstance(gradient, LinearGradient) else "radialGradient"
-            element = Element(tag, {"id": self._names[gradient], **attributes})
-            for stop in stops:
-                SubElement(element, "stop", {name.replace("_", "-"): value for name, value in stop.items()})
-            self.elements.append(element)
+            written = gradient_attributes(gradient, self.decimals)
+            self.elements.append(gradient_element(self._names[gradient], gradient, *written))
         return f"url(#{self._names[gradient]})"
+
+
+def gradient_element(
+    name: str, gradient: Gradient, attributes: dict[str, str], stops: Sequence[dict[str, str]]
+) -> Element:
+    """The definition of a gradient, from what `gradient_attributes` says of it."""
+    tag = "linearGradient" if isinstance(gradient, LinearGradient) else "radialGradient"
+    element = Element(tag, {"id": name, **attributes})
+    for stop in stops:
+        SubElement(element, "stop", {key.replace("_", "-"): value for key, value in stop.items()})
+    return element
