@@ -9,10 +9,11 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.curves import common_segments
+from shapeblend_cli.interpolate.track import counted_on
 from shapeblend_cli.model import MovingContour, Outline
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import FloatArray, IntArray, MatchedContour
+    from shapeblend_cli.model import MatchedContour
 
 
 def moving(matched: MatchedContour, *, curves: bool) -> MovingContour:
@@ -41,7 +42,9 @@ def moving(matched: MatchedContour, *, curves: bool) -> MovingContour:
         segments_a = cubics.lines(matched.polygon_a.vertices[dots[:, 0]], closed)
         segments_b = cubics.lines(matched.polygon_b.vertices[dots[:, 1]], closed)
         straight = np.ones(len(segments_a), np.bool_)
-        places = _unrolled(dots, matched)
+        period = len(matched.polygon_a.vertices), len(matched.polygon_b.vertices)
+        along = counted_on(dots, period if closed else None)
+        places = along[:, 0], along[:, 1]
     return MovingContour(
         start=Outline(segments_a, straight, closed),
         end=Outline(segments_b, straight, closed),
@@ -49,16 +52,6 @@ def moving(matched: MatchedContour, *, curves: bool) -> MovingContour:
         grows=matched.a is None,
         shrinks=matched.b is None,
     )
-
-
-def _unrolled(dots: IntArray, matched: MatchedContour) -> tuple[FloatArray, FloatArray]:
-    """Vertex numbers along the path, counted on beyond a closed polygon's last vertex."""
-    if not matched.correspondence.closed:
-        return dots[:, 0].astype(np.float64), dots[:, 1].astype(np.float64)
-    counts = len(matched.polygon_a.vertices), len(matched.polygon_b.vertices)
-    steps = (np.roll(dots, -1, axis=0) - dots) % counts
-    along = dots[0] + np.concatenate([np.zeros((1, 2), np.intp), np.cumsum(steps, axis=0)])
-    return along[:, 0].astype(np.float64), along[:, 1].astype(np.float64)
 
 
 def between(contour: MovingContour, t: float) -> Outline:
