@@ -78,7 +78,8 @@ def pair_parts(
         refused |= {(p.number, q.number) for p, q in couples} - settled
         again = fixed | dict(settled)
         couples = [couple for kind in kinds for couple in _pairs(views, kind, constants, again, refused)]
-    couples = _without_swaps(couples, fixed, below)
+    else:
+        couples = _without_swaps(couples, fixed, below)
     if settings.unmatched == "split":
         couples = split_outlines(a, b, couples, settings.vertices)
     for outer_a, outer_b in list(couples):
