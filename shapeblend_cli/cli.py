@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from shapeblend_cli import __version__
-from shapeblend_cli.emit.forms import FORMS, problem
+from shapeblend_cli.emit.forms import FORMS, STANDARD_OUTPUT, problem
 from shapeblend_cli.errors import ShapeblendError
 from shapeblend_cli.options import (
     SELECTOR,
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.easing import Ease
 
 FAILED, USAGE = 1, 2
-STANDARD_INPUT = STANDARD_OUTPUT = "-"
+STANDARD_INPUT = "-"
 
 
 class DefaultGroup(click.Group):

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli import __version__
 from shapeblend_cli.clock import Clock
-from shapeblend_cli.emit.forms import file_names
+from shapeblend_cli.emit.forms import STANDARD_OUTPUT, file_names
 from shapeblend_cli.errors import InputError, MatchError, OutputError
 from shapeblend_cli.geometry.normalise import union
 from shapeblend_cli.interpolate.chains import tracks
@@ -28,8 +28,6 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Box, Frame, Pair
     from shapeblend_cli.settings import BlendSettings
     from shapeblend_cli.svg.animate import Timing
-
-STANDARD_OUTPUT = "-"
 
 SLOW = (
     "the solver was installed without a C compiler and runs uncompiled, far slower; "
