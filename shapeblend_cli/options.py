@@ -90,6 +90,10 @@ class EaseType(click.ParamType[Any]):
             self.fail(f"{error}.", param, ctx)
 
 
+MOST_RUNS = 1_000_000
+"""Runs of an animation that can be asked for; more is forever."""
+
+
 class RepeatType(click.ParamType[Any]):
     """How often an animation runs: a number, ``forever``, or ``pingpong``."""
 
@@ -106,9 +110,6 @@ class RepeatType(click.ParamType[Any]):
                 ctx,
             )
         return int(value)
-
-
-MOST_RUNS = 1_000_000
 
 
 class MatchType(click.ParamType[Any]):

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.normalise import union
-from shapeblend_cli.model import Box
+from shapeblend_cli.geometry.normalise import box_of, union
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -106,8 +105,7 @@ def _measured(shape: Shape) -> tuple[float, list[float]]:
     straight = np.concatenate([contour.straight for contour in shape.contours])
     curved = segments[~straight]
     ends = segments[:, ::3]
-    x, y = ends.real, ends.imag
-    box = Box(x.min(), y.min(), np.ptp(x), np.ptp(y))
+    box = box_of(ends)
     length = np.abs(ends[straight, 1] - ends[straight, 0]).sum()
     if len(curved):
         box = union([box, cubics.bounds(curved)])
