@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry.normalise import box_of
-from shapeblend_cli.geometry.outline import signed_area, winding_numbers
+from shapeblend_cli.geometry.outline import mean_value_weights, signed_area, winding_numbers
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from shapeblend_cli.model import ComplexArray, FloatArray
+    from shapeblend_cli.model import ComplexArray
 
 TIMES = np.arange(1, 10) / 10
 """When it is looked at whether a growing hole lies inside."""
@@ -85,10 +85,6 @@ def point_inside(hole: ComplexArray, outline: Bridge, others: Sequence[Bridge] =
     Returns
     -------
     complex
-
-    References
-    ----------
-    M. S. Floater, "Mean value coordinates", Computer Aided Geometric Design 20 (2003), eq (2.1).
     """
     watched = _watched(hole)
     best, share = 0j, -1.0
@@ -121,39 +117,6 @@ def _share_inside(watched: ComplexArray, point: complex, outline: Bridge, others
             inside &= winding_numbers(growing, (1.0 - t) * other.there + t * other.here) == 0
         found += int(inside.sum())
     return found / (len(TIMES) * len(watched))
-
-
-def mean_value_weights(point: complex, polygon: ComplexArray) -> FloatArray:
-    """Mean value coordinates of a point: weights of a closed polygon's vertices, with sum 1, whose mean it is.
-
-    Parameters
-    ----------
-    point : complex
-        Not on the polygon; on it, the weights are those of the nearest vertex.
-    polygon : (k,) complex
-        Neighbours may coincide.
-
-    Returns
-    -------
-    (k,) float
-        Negative ones are possible where the polygon is not convex.
-    """
-    spokes = polygon - point
-    lengths = np.abs(spokes)
-    following, beyond = np.roll(spokes, -1), np.roll(lengths, -1)
-    turned = spokes.conj() * following
-    # tan(alpha / 2) of the angle between neighbouring spokes.
-    below = lengths * beyond + turned.real
-    weights = np.zeros(len(polygon))
-    if lengths.min() > 0.0 and (below > 1e-12 * lengths * beyond).all():
-        tangents = turned.imag / below
-        weights = (np.roll(tangents, 1) + tangents) / lengths
-    total = weights.sum()
-    if abs(total) > 1e-12 * np.abs(weights).sum():
-        return weights / total
-    weights[:] = 0.0
-    weights[lengths.argmin()] = 1.0
-    return weights
 
 
 def _centroid(polygon: ComplexArray) -> complex:

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from shapely import LineString
 from shapely import Polygon as ShapelyPolygon
 
-from shapeblend_cli.geometry import crossings, cubics, outline
+from shapeblend_cli.geometry import cubics, outline
 from shapeblend_cli.geometry.flatten import flatten
 from tests.support.contours import circle_contour, polygon_contour
 from tests.support.shapes import random_polygon, star_polygon
@@ -79,13 +79,3 @@ def test_outlines_cross_each_other():
     a, b = (flatten(polygon_contour(np.array([0, 4, 4 + 4j, 4j]) + shift), 0) for shift in (0, 2 + 2j))
     assert outline.all_crossings([a]) == outline.all_crossings([a, a]) == 0
     assert outline.all_crossings([a, b]) == 2
-
-
-def test_compiled_and_uncompiled_kernels_agree(rng, load_uncompiled):
-    assert crossings.COMPILED
-    uncompiled = load_uncompiled("shapeblend_cli.geometry.crossings")
-    edges = rng.random((60, 4))
-    edges[:, [0, 2]] = np.sort(edges[:, [0, 2]], axis=1)
-    edges = np.ascontiguousarray(edges[np.argsort(edges[:, 0])])
-    count = crossings.count_crossings(edges, 1e-12)
-    assert count == uncompiled.count_crossings(edges, 1e-12) > 0
