@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -23,13 +24,16 @@ if TYPE_CHECKING:
     from shapeblend_cli.pairing.wishes import Wishes
     from shapeblend_cli.settings import BlendSettings
 
+    Pin = tuple[complex, complex]
     Watch = Callable[[float], None]
 
 OPENINGS = 24
 """Nodes of an outline at which it may be opened to become a line, at most."""
 
 
-def join(a: Part, b: Part, settings: BlendSettings, wishes: Wishes, watch: Watch | None) -> MatchedContour:
+def join(
+    a: Part, b: Part, settings: BlendSettings, wishes: Wishes, watch: Watch | None, turn: float = 0.0
+) -> MatchedContour:
     """Solve the correspondence of two contours.
 
     Parameters
@@ -40,6 +44,8 @@ def join(a: Part, b: Part, settings: BlendSettings, wishes: Wishes, watch: Watch
     wishes : Wishes
     watch : callable or None
         Told now and then which share of the work is done, from 0 to 1.
+    turn : float
+        By what angle B is turned back for that, in radians.
 
     Raises
     ------
@@ -48,7 +54,12 @@ def join(a: Part, b: Part, settings: BlendSettings, wishes: Wishes, watch: Watch
     """
     if (a.role == LINE) != (b.role == LINE):
         a, b = (a, _opened(b, a, settings)) if a.role == LINE else (_opened(a, b, settings), b)
-    backwards, found = least_work_either_way(a.polygon, b.polygon, settings, wishes, watch)
+    turned = b.polygon
+    if turn:
+        back = cmath.rect(1.0, -turn)
+        turned = replace(turned, vertices=back * turned.vertices)
+        wishes = wishes._replace(pins=[_turned(pin, back) for pin in wishes.pins])
+    backwards, found = least_work_either_way(a.polygon, turned, settings, wishes, watch)
     contour_b, polygon_b = b.contour, b.polygon
     if backwards:
         polygon_b = reversed_polygon(polygon_b, len(contour_b.segments))
@@ -61,10 +72,16 @@ def join(a: Part, b: Part, settings: BlendSettings, wishes: Wishes, watch: Watch
         polygon_a=a.polygon,
         polygon_b=polygon_b,
         scale_a=to_unit_box(a.polygon)[1],
-        scale_b=to_unit_box(polygon_b)[1],
+        scale_b=to_unit_box(turned)[1],
         correspondence=found,
         seconds=0.0,
+        turn=turn,
     )
+
+
+def _turned(pin: Pin, back: complex) -> Pin:
+    """A pin for B turned back; vertex numbers stay what they are."""
+    return pin if isinstance(pin[1], int) else (pin[0], back * pin[1])
 
 
 def grown(part: Part, point: complex, *, of_b: bool) -> MatchedContour:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import cmath
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -23,7 +25,7 @@ from shapeblend_cli.pairing.nesting import nest
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Box, Drawing, Polygon, Shape, Style
+    from shapeblend_cli.model import Box, ComplexArray, Drawing, Polygon, Shape, Style
 
 OUTLINE, HOLE, LINE = "outline", "hole", "line"
 
@@ -87,6 +89,21 @@ class Part(NamedTuple):
     def centre(self) -> complex:
         """Middle of the box."""
         return complex(self.box.x + self.box.width / 2, self.box.y + self.box.height / 2)
+
+
+def turned_parts(parts: Sequence[Part], turn: float, about: complex, onto: complex) -> list[Part]:
+    """Contours turned by an angle, in radians, about a point that is laid onto another one."""
+    rotation = cmath.rect(1.0, turn)
+
+    def moved(z: ComplexArray) -> ComplexArray:
+        return rotation * (z - about) + onto
+
+    found = []
+    for part in parts:
+        contour = replace(part.contour, segments=moved(part.contour.segments))
+        polygon = replace(part.polygon, vertices=moved(part.polygon.vertices))
+        found.append(part._replace(contour=contour, polygon=polygon, box=box_of(polygon.vertices)))
+    return found
 
 
 class _Usable(NamedTuple):

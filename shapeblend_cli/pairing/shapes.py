@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from shapeblend_cli.geometry.outline import winding_numbers
 from shapeblend_cli.model import MatchedContour, MatchedShape
 from shapeblend_cli.pairing.growth import Bridge, point_inside, point_on
 from shapeblend_cli.pairing.join import grown
@@ -103,8 +104,12 @@ def _unmatched(
             continue
         near = [k for k, joint in enumerate(tops) if joint.side(of_b=of_b).shape == part.shape]
         near = near or list(range(len(tops)))
-        number, point = point_on(part.polygon.vertices, [bridges[k] for k in near])
-        joint = tops[near[number]]
+        home = _hole_around(part, joints, of_b=of_b)
+        if home is not None:
+            joint, point = home, point_inside(part.polygon.vertices, home.bridge(to_b=of_b))
+        else:
+            number, point = point_on(part.polygon.vertices, [bridges[k] for k in near])
+            joint = tops[near[number]]
         own = (
             _Group(None, part.shape, bool(part.style.stroke))
             if of_b
@@ -127,3 +132,16 @@ def _unmatched(
         point = point_inside(part.polygon.vertices, joint.bridge(to_b=of_b), siblings)
         found.append((part, _Group(joint.a.shape, joint.b.shape), point))
     return found
+
+
+def _hole_around(part: Part, joints: Sequence[Joint], *, of_b: bool) -> Joint | None:
+    """The smallest paired hole of the same shape in which an outline is an island, if there is one."""
+    vertex = part.polygon.vertices[:1]
+    around = [
+        joint
+        for joint in joints
+        if (side := joint.side(of_b=of_b)).role == HOLE
+        and side.shape == part.shape
+        and winding_numbers(vertex, side.polygon.vertices)[0]
+    ]
+    return min(around, key=lambda joint: joint.side(of_b=of_b).size, default=None)
