@@ -8,11 +8,13 @@ the time to define, and the command starts that much sooner.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
     ComplexArray = NDArray[np.complex128]
@@ -297,6 +299,8 @@ class MatchedContour(NamedTuple):
     correspondence : Correspondence
     seconds : float
         Time it took to find.
+    turn : float
+        By what angle B was turned back while it was solved, in radians.
     """
 
     a: int | None
@@ -309,6 +313,7 @@ class MatchedContour(NamedTuple):
     scale_b: float
     correspondence: Correspondence
     seconds: float
+    turn: float = 0.0
 
 
 class MatchedShape(NamedTuple):
@@ -367,12 +372,32 @@ class MovingContour(NamedTuple):
     shrinks: bool = False
 
 
+class Motion(Protocol):
+    """How contours that are painted together go from their starts to their ends."""
+
+    @property
+    def name(self) -> str:
+        """As `--motion` has it."""
+
+    def segments(self, contours: Sequence[MovingContour], t: float) -> list[ComplexArray]:
+        """Control points of each contour at a time within (0, 1); towards 0 and 1 the start's and the end's."""
+
+
 class MovingShape(NamedTuple):
-    """Contours that move and are painted together."""
+    """Contours that move and are painted together.
+
+    Attributes
+    ----------
+    contours : tuple of MovingContour
+    style_a, style_b : Style
+    motion : Motion or None
+        None is straight paths, eq (2).
+    """
 
     contours: tuple[MovingContour, ...]
     style_a: Style
     style_b: Style
+    motion: Motion | None = None
 
 
 class PaintedShape(NamedTuple):
@@ -391,6 +416,19 @@ class PaintedShape(NamedTuple):
     below: Style | None = None
 
 
+class Waypoint(NamedTuple):
+    """Where outlines are on their way from one drawing to the next.
+
+    Attributes
+    ----------
+    t : float in (0, 1)
+    outlines : tuple of Outline
+    """
+
+    t: float
+    outlines: tuple[Outline, ...]
+
+
 class Track(NamedTuple):
     """A shape over several keys, the drawings that are blended one after the other.
 
@@ -400,10 +438,14 @@ class Track(NamedTuple):
         Alike but for coordinates and paint.
     first : int
         Number of the drawing it begins with.
+    ways : tuple of tuple of Waypoint
+        For each key but the last, where the outlines come by before the next one, in order of time and alike with
+        the keys: from one to the next they go straight, near enough. Empty where they go straight from key to key.
     """
 
     keys: tuple[PaintedShape, ...]
     first: int
+    ways: tuple[tuple[Waypoint, ...], ...]
 
 
 class Pair(NamedTuple):
@@ -417,6 +459,8 @@ class Pair(NamedTuple):
         In paint order.
     moving : tuple of MovingShape
         How they move, in the same order.
+    reasons : tuple of str
+        Why each moves so.
     drawn : (tuple of PaintedShape, tuple of PaintedShape)
         The two drawings as they are, laid over A.
     views : (Box, Box)
@@ -427,6 +471,7 @@ class Pair(NamedTuple):
     b: int
     shapes: tuple[MatchedShape, ...]
     moving: tuple[MovingShape, ...]
+    reasons: tuple[str, ...]
     drawn: tuple[tuple[PaintedShape, ...], tuple[PaintedShape, ...]]
     views: tuple[Box, Box]
 
@@ -449,7 +494,7 @@ class Frame(NamedTuple):
     view : Box
         What part of the plane to show.
     self_crossings : int
-        How often an outline crosses itself.
+        How often outlines that are painted together cross themselves and each other, on their curves.
     area : float
         Inside the outlines, in square units of A.
     """

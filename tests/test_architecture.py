@@ -25,10 +25,11 @@ ROOMS = {
     "geometry": {"model", "errors", "_cython"},
     "match": {"model", "errors", "_cython"},
     "interpolate": {"model", "errors", "geometry", "easing"},
+    "motion": {"model", "geometry", "interpolate", "_cython"},
     "report": {"model", "geometry"},
     "settings": {"match", "easing"},
     "pairing": {"model", "errors", "geometry", "match", "settings"},
-    "pipeline": {"model", "clock", "geometry", "interpolate", "pairing", "settings"},
+    "pipeline": {"model", "clock", "geometry", "interpolate", "motion", "pairing", "settings"},
     "files": {
         "pipeline",
         "interpolate",

@@ -33,3 +33,38 @@ def gear(teeth, turn=0.0):
     """A wheel that looks the same from as many starts as it has teeth."""
     k = np.arange(4 * teeth)
     return unit_box(np.where(k % 4 < 2, 1.0, 0.75) * np.exp(1j * (2.0 * np.pi * k / (4 * teeth) + turn)))
+
+
+def star_with(rng, m, teeth=5):
+    """A star that looks like itself from one start only, around the origin."""
+    k = np.arange(m)
+    radius = 1.0 + 0.35 * np.cos(2.0 * np.pi * teeth * k / m) + 0.25 * rng.random(m)
+    return radius * np.exp(2j * np.pi * k / m)
+
+
+def spiral(rounds, steps=60, width=0.3, inner=0.8):
+    """A strip rolled up, its inner end first: one long side, then back along the other; 2 steps vertices."""
+    angle = np.linspace(0.0, 2.0 * np.pi * rounds, steps)
+    radius, way = inner + angle / (2.0 * np.pi), np.exp(1j * angle)
+    return np.concatenate([(radius + width) * way, ((radius - width) * way)[::-1]])
+
+
+def bar(steps=60, length=6.0, width=1.0):
+    """A straight strip, its vertices those of `spiral`."""
+    x = np.linspace(0.0, length, steps)
+    return np.concatenate([x, (x + 1j * width)[::-1]])
+
+
+def comb(teeth, length=3.0):
+    """A beam with teeth on one side."""
+    points = [2.0 * k + z for k in range(teeth) for z in (0.0, -1j * length, 1.0 - 1j * length, 1.0)]
+    return np.array([*points, 2.0 * teeth - 1.0 + 1j, 1j])
+
+
+def arm(*angles, length=2.0, width=0.4):
+    """A body with an arm of several links at the given angles, in degrees."""
+    way = np.exp(1j * np.radians(angles))
+    bends = 3.0 + 1.5j + np.concatenate([[0.0], np.cumsum(length * way)])
+    around = np.concatenate([way[:1], way]) + np.concatenate([way, way[-1:]])
+    across = 0.5j * width * around / abs(around)
+    return np.concatenate([[0.0, 3.0], bends - across, (bends + across)[::-1], [3.0 + 3j, 3j]])

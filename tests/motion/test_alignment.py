@@ -1,0 +1,100 @@
+"""The best similarity between points that correspond."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from shapeblend_cli.motion.alignment import Matched, aligned, residual
+
+seeds = st.integers(0, 10**9)
+
+
+def matched(a, b, weight=None):
+    a, b = np.asarray(a, complex), np.asarray(b, complex)
+    weight = np.ones(len(a)) if weight is None else weight
+    return Matched(a, b, weight / weight.sum())
+
+
+def random_points(rng, k=12):
+    return rng.normal(size=k) + 1j * rng.normal(size=k)
+
+
+@given(
+    seeds,
+    st.floats(0.01, 100.0),
+    st.floats(-3.1, 3.1),
+    st.complex_numbers(max_magnitude=1e3),
+    st.integers(2, 40),
+)
+def test_a_similarity_is_found_whatever_the_weights(seed, scale, turn, shift, k):
+    rng = np.random.default_rng(seed)
+    a = random_points(rng, k)
+    points = matched(a, scale * np.exp(1j * turn) * a + shift, 0.01 + rng.random(k))
+    found = aligned(points)
+    assert found.scale == pytest.approx(scale)
+    assert found.turn == pytest.approx(turn, abs=1e-6)
+    assert residual(points, found) < 1e-6
+    np.testing.assert_allclose(
+        found.placed(a - found.centre_a, 1.0), points.b, atol=1e-6 * (scale + abs(shift))
+    )
+    np.testing.assert_allclose(found.taken_back(points.b), a - found.centre_a, atol=1e-6)
+
+
+@given(seeds)
+def test_no_similarity_leaves_less_but_for_its_scale(seed):
+    rng = np.random.default_rng(seed)
+    points = matched(random_points(rng), random_points(rng))
+    found = aligned(points)
+    for change in (
+        found._replace(turn=found.turn + 0.05),
+        found._replace(turn=found.turn - 0.05),
+        found._replace(centre_b=found.centre_b + 0.05),
+        found._replace(centre_b=found.centre_b - 0.05j),
+    ):
+        assert residual(points, found) < residual(points, change)
+
+
+@given(seeds)
+def test_from_b_to_a_it_is_the_inverse(seed):
+    rng = np.random.default_rng(seed)
+    points = matched(random_points(rng), random_points(rng), rng.random(12))
+    there, back = aligned(points), aligned(points._replace(a=points.b, b=points.a))
+    assert back.turn == pytest.approx(-there.turn)
+    assert back.scale == pytest.approx(1.0 / there.scale)
+    assert (back.centre_a, back.centre_b) == (there.centre_b, there.centre_a)
+
+
+def test_half_way_it_is_turned_by_half_and_scaled_by_the_root():
+    a = np.array([1, 1j, -1, -1j, 2 + 1j])
+    points = matched(a, 9.0 * np.exp(0.8j) * a + 10.0)
+    found = aligned(points)
+    placed = found.placed(a - found.centre_a, 0.5)
+    expected = 3.0 * np.exp(0.4j) * (a - a.mean()) + 0.5 * (a.mean() + points.b.mean())
+    np.testing.assert_allclose(placed, expected)
+
+
+@pytest.mark.parametrize(
+    ("a", "b"),
+    [
+        ([0, 1, 2, 3], [0, 1j, 2j, 3j]),
+        ([0, 1, 2, 3], [0, 1, 1 + 1j, 1j]),
+        ([0, 1, 0, 1], [0, 1, 1 + 1j, 1j]),
+        ([5, 5, 5, 5], [0, 1, 1 + 1j, 1j]),
+        ([0, 1, 1 + 1j, 1j], [5, 5, 5, 5]),
+        ([5, 5, 5, 5], [5, 5, 5, 5]),
+        ([1, 1j, -1, -1j], [1, -1j, -1, 1j]),  # a mirror: no turn is better than another
+    ],
+    ids=["lines", "line-square", "there-and-back", "point-square", "square-point", "points", "mirror"],
+)
+def test_lines_and_points_have_a_finite_one(a, b):
+    points = matched(a, b)
+    found = aligned(points)
+    assert np.isfinite(found).all()
+    assert found.scale > 0.0
+    assert np.isfinite(residual(points, found))
+
+
+def test_collinear_points_turn_with_their_line():
+    found = aligned(matched([0, 1, 2, 3], [0, 1j, 2j, 3j]))
+    assert found.turn == pytest.approx(np.pi / 2.0)

@@ -1,0 +1,59 @@
+"""Pairs that move otherwise than straight."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from shapeblend_cli.emit.move import Move
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.interpolate.paths import waypoints
+from shapeblend_cli.model import MovingContour, MovingShape, Outline, Style
+from shapeblend_cli.motion.alignment import Alignment, Matched, aligned
+from shapeblend_cli.motion.rigid import Rigid
+from shapeblend_cli.pipeline import match_all, shapes_at
+from shapeblend_cli.settings import BlendSettings
+from tests.support.drawings import drawing
+
+
+def turned(pair, degrees=120.0, centre=12 + 12j):
+    """A pair whose shapes turn around a point on their way, as if B's were A's turned so far."""
+    motion = Rigid(Alignment(centre, centre, 1.0, math.radians(degrees)))
+    return pair._replace(moving=tuple(shape._replace(motion=motion) for shape in pair.moving))
+
+
+def turned_move(*paths, degrees=120.0, **options):
+    """The move between two documents of such paths that turns, and the pair that it shows."""
+    pairs, _ = match_all([drawing(path, **options) for path in paths], BlendSettings())
+    (pair,) = (turned(pair, degrees) for pair in pairs)
+    ways = tuple(waypoints(shape) for shape in pair.moving)
+    return Move(shapes_at(pair, 0.0), shapes_at(pair, 1.0), pair.views, ways), pair
+
+
+def outline(vertices, closed=True):
+    """A polygon to draw."""
+    segments = cubics.lines(np.asarray(vertices, complex), closed)
+    return Outline(segments, np.ones(len(segments), bool), closed)
+
+
+def moving_polygons(*pairs, closed=True):
+    """A shape of which each contour goes from polygon to polygon, vertex by vertex; a number stands for a point."""
+    contours = []
+    for a, b in pairs:
+        count = max(np.size(a), np.size(b))
+        sides = [outline(np.broadcast_to(z, count), closed) for z in (a, b)]
+        places = np.arange(len(sides[0].segments) + 1.0)
+        contours.append(
+            MovingContour(*sides, (places, places), grows=np.size(a) == 1, shrinks=np.size(b) == 1)
+        )
+    return MovingShape(tuple(contours), Style(), Style())
+
+
+def similarity_of(shape):
+    """The best one between a shape's start and its end, by its nodes."""
+    a, b = (
+        np.concatenate([getattr(contour, side).segments[:, 0] for contour in shape.contours])
+        for side in ("start", "end")
+    )
+    return aligned(Matched(a, b, np.full(len(a), 1.0 / len(a))))
