@@ -6,15 +6,17 @@ AnimatedVectorDrawable and PathInterpolator in the reference of Android.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 from xml.etree import ElementTree  # svgwrite has imported it anyway
 from xml.etree.ElementTree import Element, SubElement
 
 from shapeblend_cli.svg.attributes import number, path_data
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from shapeblend_cli.easing import Ease
-    from shapeblend_cli.emit.move import Move
+    from shapeblend_cli.emit.move import Leg, Move
     from shapeblend_cli.model import PaintedShape
 
 NAMESPACES = {
@@ -68,18 +70,26 @@ def animated_vector(move: Move, seconds: float, ease: Ease, decimals: int) -> st
     shift = {"translateX": number(-view.x, decimals), "translateY": number(-view.y, decimals)}
     if set(shift.values()) != {"0"}:
         parent = SubElement(parent, "group", _android(shift))
-    for name, *shapes in move.shapes():
-        start, end = (_attributes(shape, decimals) for shape in shapes)
+    duration = max(1, round(1000 * seconds))
+    for shape in move.shapes():
+        name = shape.name
+        start, end = (_attributes(painted, decimals) for painted in (shape.start, shape.end))
         shown = {key: value for key, value in start.items() if DEFAULTS.get(key) != value}
         SubElement(parent, "path", _android({"name": name, **shown}))
-        moving = {key: (start[key], end[key]) for key in start if key not in FIXED and start[key] != end[key]}
+        moving = {
+            key: [_Step(start[key], end[key], duration, ease)]
+            for key in start
+            if key not in FIXED and start[key] != end[key]
+        }
+        if shape.ways:
+            moving["pathData"] = _path_steps(shape.legs(duration, ease, 0), decimals)
         if moving:
             target = SubElement(root, "target", _android({"name": name}))
             animators = _inline(target, "animation")
             if len(moving) > 1:
                 animators = SubElement(animators, "set")
-            for key, values in moving.items():
-                _animate(animators, key, values, seconds, ease)
+            for key, steps in moving.items():
+                _animate(animators, key, steps)
     ElementTree.indent(root)
     return '<?xml version="1.0" encoding="utf-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
 
@@ -87,8 +97,15 @@ def animated_vector(move: Move, seconds: float, ease: Ease, decimals: int) -> st
 def too_long(move: Move, decimals: int) -> list[str]:
     """A phrase for each shape whose path is longer than Android's build tools take."""
     lengths = {
-        name: max(len(path_data(shape.outlines, decimals)) for shape in shapes)
-        for name, *shapes in move.shapes()
+        shape.name: max(
+            len(path_data(outlines, decimals))
+            for outlines in (
+                shape.start.outlines,
+                *(waypoint.outlines for waypoint in shape.ways),
+                shape.end.outlines,
+            )
+        )
+        for shape in move.shapes()
     }
     return [
         f"{name}: its path has {length} characters, and Android takes {LONGEST}; fewer --vertices make it shorter"
@@ -97,18 +114,44 @@ def too_long(move: Move, decimals: int) -> list[str]:
     ]
 
 
-def _animate(parent: Element, key: str, values: tuple[str, str], seconds: float, ease: Ease) -> None:
-    said = {
-        "propertyName": key,
-        "duration": str(max(1, round(1000 * seconds))),
-        "valueFrom": values[0],
-        "valueTo": values[1],
-        "valueType": TYPES.get(key, "floatType"),
-    }
-    animator = SubElement(parent, "objectAnimator", _android(said))
-    names = ("controlX1", "controlY1", "controlX2", "controlY2")
-    curve = {name: number(value, 4) for name, value in zip(names, ease, strict=True)}
-    SubElement(_inline(animator, "interpolator"), "pathInterpolator", _android(curve))
+class _Step(NamedTuple):
+    """From one value of a property to another."""
+
+    start: str
+    end: str
+    milliseconds: int
+    ease: Ease
+
+
+def _path_steps(legs: Sequence[Leg], decimals: int) -> list[_Step]:
+    """A step for each leg of the way of a shape's outlines, which is in milliseconds."""
+    return [
+        _Step(
+            path_data(leg.start, decimals),
+            path_data(leg.end, decimals),
+            round(leg.times[1] - leg.times[0]),
+            leg.ease,
+        )
+        for leg in legs
+    ]
+
+
+def _animate(parent: Element, key: str, steps: Sequence[_Step]) -> None:
+    """Add the animators of a property, one after the other: keyframes of a single one cannot hold paths."""
+    if len(steps) > 1:
+        parent = SubElement(parent, "set", _android({"ordering": "sequentially"}))
+    for step in steps:
+        said = {
+            "propertyName": key,
+            "duration": str(step.milliseconds),
+            "valueFrom": step.start,
+            "valueTo": step.end,
+            "valueType": TYPES.get(key, "floatType"),
+        }
+        animator = SubElement(parent, "objectAnimator", _android(said))
+        names = ("controlX1", "controlY1", "controlX2", "controlY2")
+        curve = {name: number(value, 4) for name, value in zip(names, step.ease, strict=True)}
+        SubElement(_inline(animator, "interpolator"), "pathInterpolator", _android(curve))
 
 
 def _attributes(shape: PaintedShape, decimals: int) -> dict[str, str]:

@@ -1,6 +1,7 @@
 """A blend as a Lottie animation: JSON that lottie-web, lottie-ios, lottie-android, After Effects and others play.
 
-A layer for every shape, the topmost first, with two keyframes. The format: https://lottie.github.io/lottie-spec/
+A layer for every shape, the topmost first, with two keyframes, and more where its outlines go otherwise than straight.
+The format: https://lottie.github.io/lottie-spec/
 """
 
 from __future__ import annotations
@@ -17,8 +18,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.easing import Ease
-    from shapeblend_cli.emit.move import Move
-    from shapeblend_cli.model import Box, ComplexArray, Outline, PaintedShape
+    from shapeblend_cli.emit.move import Leg, Move, MovedShape
+    from shapeblend_cli.model import Box, ComplexArray, Outline
 
 VERSION = "5.7.4"
 """Of the format; players mend what older versions did otherwise."""
@@ -30,6 +31,9 @@ SIZE = 512
 
 OWN_SIZES = range(100, 4097)
 """Longer sides that do; both sides must be whole numbers."""
+
+TIME_DIGITS = 3
+"""Decimals of frames; those of waypoints need not be whole."""
 
 MITER_LIMIT = 4
 """SVG's."""
@@ -66,11 +70,11 @@ def lottie(moves: Sequence[Move], seconds: float, ease: Ease, decimals: int) -> 
     for k, move in enumerate(moves):
         keys = _Keys(frames * k, frames * (k + 1), ease)
         until = keys.end if k + 1 < len(moves) else last
-        for name, start, end in move.shapes():
-            shapes = _shapes(start, end, keys, decimals)
+        for shape in move.shapes():
+            shapes = _shapes(shape, keys, decimals)
             placed = {"ks": _placed(view, scale, (width, height), decimals), "ao": 0, "shapes": shapes}
             times = {"ip": keys.start, "op": until, "st": 0}
-            layers.append({"ddd": 0, "ty": 4, "nm": name, "sr": 1, **placed, **times, "bm": 0})
+            layers.append({"ddd": 0, "ty": 4, "nm": shape.name, "sr": 1, **placed, **times, "bm": 0})
     layers.reverse()  # in Lottie what comes first is on top
     found = {
         "v": VERSION,
@@ -88,31 +92,42 @@ def lottie(moves: Sequence[Move], seconds: float, ease: Ease, decimals: int) -> 
 
 
 class _Keys:
-    """The two keyframes of a move."""
+    """The keyframes of a move: two of them, unless it is said what lies in between."""
 
     def __init__(self, start: int, end: int, ease: Ease) -> None:
         self.start = start
         self.end = end
-        self.ease = [_plain(value, 4) for value in ease]
+        self.ease = ease
 
     def value(self, start: Any, end: Any) -> dict[str, Any]:
         """A number or a list of numbers that moves, or stays."""
         if start == end:
             return {"a": 0, "k": start}
-        x1, y1, x2, y2 = self.ease
+        x1, y1, x2, y2 = _curve(self.ease)
         speed = {"o": {"x": [x1], "y": [y1]}, "i": {"x": [x2], "y": [y2]}}
         first, last = (v if isinstance(v, list) else [v] for v in (start, end))
-        return self._moving(first, last, speed)
+        return {"a": 1, "k": [{"t": self.start, "s": first, **speed}, {"t": self.end, "s": last}]}
 
-    def path(self, start: dict[str, Any], end: dict[str, Any]) -> dict[str, Any]:
-        """A path that moves, or stays."""
-        if start == end:
-            return {"a": 0, "k": start}
-        x1, y1, x2, y2 = self.ease
-        return self._moving([start], [end], {"o": {"x": x1, "y": y1}, "i": {"x": x2, "y": y2}})
+    def legs(self, shape: MovedShape) -> list[Leg]:
+        """The way of a shape's outlines, in frames of the move."""
+        return shape.legs(self.end - self.start, self.ease, TIME_DIGITS)
 
-    def _moving(self, start: list[Any], end: list[Any], speed: dict[str, Any]) -> dict[str, Any]:
-        return {"a": 1, "k": [{"t": self.start, "s": start, **speed}, {"t": self.end, "s": end}]}
+    def path(self, legs: Sequence[Leg], contour: int, decimals: int) -> dict[str, Any]:
+        """A path that moves, or stays: one of the contours of a shape."""
+        end = _bezier(legs[-1].end[contour], decimals)
+        starts = [_bezier(leg.start[contour], decimals) for leg in legs]
+        if all(start == end for start in starts):
+            return {"a": 0, "k": end}
+        found: list[dict[str, Any]] = []
+        for leg, start in zip(legs, starts, strict=True):
+            x1, y1, x2, y2 = _curve(leg.ease)
+            time = _plain(self.start + leg.times[0], TIME_DIGITS)
+            found.append({"t": time, "s": [start], "o": {"x": x1, "y": y1}, "i": {"x": x2, "y": y2}})
+        return {"a": 1, "k": [*found, {"t": self.end, "s": [end]}]}
+
+
+def _curve(ease: Ease) -> list[float]:
+    return [_plain(value, 4) for value in ease]
 
 
 def _placed(view: Box, scale: float, size: tuple[int, int], decimals: int) -> dict[str, Any]:
@@ -125,13 +140,13 @@ def _placed(view: Box, scale: float, size: tuple[int, int], decimals: int) -> di
     return {name: {"a": 0, "k": v} for name, v in {**values, "s": [percent, percent, 100]}.items()}
 
 
-def _shapes(start: PaintedShape, end: PaintedShape, keys: _Keys, decimals: int) -> list[dict[str, Any]]:
+def _shapes(shape: MovedShape, keys: _Keys, decimals: int) -> list[dict[str, Any]]:
     """The one group of a layer: paths, and what paints them, the upper paint first."""
     items: list[dict[str, Any]] = []
-    for number_of_path, (a, b) in enumerate(zip(start.outlines, end.outlines, strict=True), 1):
-        path = keys.path(_bezier(a, decimals), _bezier(b, decimals))
-        items.append({"ty": "sh", "nm": f"contour-{number_of_path}", "ks": path})
-    s, e = start.style, end.style
+    legs = keys.legs(shape)
+    for k in range(len(shape.start.outlines)):
+        items.append({"ty": "sh", "nm": f"contour-{k + 1}", "ks": keys.path(legs, k, decimals)})
+    s, e = shape.start.style, shape.end.style
     if s.stroke is not None and e.stroke is not None:
         stroke = {
             "c": keys.value(_colour(s.stroke), _colour(e.stroke)),

@@ -2,18 +2,77 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.geometry.normalise import union
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import Box, Outline, PaintedShape, Style
+    from shapeblend_cli.easing import Ease
+    from shapeblend_cli.model import Box, Outline, PaintedShape, Style, Waypoint
 
 FIXED = {
     "fill": {"fill_rule": "fill rule"},
     "stroke": {"stroke_linecap": "line cap", "stroke_linejoin": "line join"},
 }
 """What of each paint has nothing in between, and what it is called."""
+
+
+class Leg(NamedTuple):
+    """What a shape goes through in one go: every number evenly, but for the ease.
+
+    Attributes
+    ----------
+    start, end : tuple of Outline
+    times : (float, float)
+        When it begins and ends.
+    ease : Ease
+    """
+
+    start: tuple[Outline, ...]
+    end: tuple[Outline, ...]
+    times: tuple[float, float]
+    ease: Ease
+
+
+class MovedShape(NamedTuple):
+    """A shape from one picture to another.
+
+    Attributes
+    ----------
+    name : str
+    start, end : PaintedShape
+    ways : tuple of Waypoint
+        Where the outlines come by; from one to the next they go straight.
+    """
+
+    name: str
+    start: PaintedShape
+    end: PaintedShape
+    ways: tuple[Waypoint, ...]
+
+    def legs(self, length: float, ease: Ease, decimals: int) -> list[Leg]:
+        """The way from waypoint to waypoint.
+
+        Parameters
+        ----------
+        length : float
+            Time the whole way takes.
+        ease : Ease
+            Of the whole way.
+        decimals : int
+            Of times. A waypoint that comes at the time of another one, or of an end, is left out.
+        """
+        stops = [(0.0, 0.0, self.start.outlines)]
+        for waypoint in self.ways:
+            time = round(length * ease.time_of(waypoint.t), decimals)
+            if stops[-1][1] < time < length:
+                stops.append((waypoint.t, time, waypoint.outlines))
+        stops.append((1.0, length, self.end.outlines))
+        return [
+            Leg(start, end, (begin, until), ease.piece(p, q) if len(stops) > 2 else ease)
+            for (p, begin, start), (q, until, end) in pairwise(stops)
+        ]
 
 
 class Move(NamedTuple):
@@ -25,21 +84,24 @@ class Move(NamedTuple):
         With the same outlines, segment for segment.
     views : (Box, Box)
         What part of the plane to show of each.
+    ways : tuple of tuple of Waypoint
+        For each shape, where its outlines come by; empty where they go straight.
     """
 
     start: tuple[PaintedShape, ...]
     end: tuple[PaintedShape, ...]
     views: tuple[Box, Box]
+    ways: tuple[tuple[Waypoint, ...], ...]
 
-    def shapes(self) -> list[tuple[str, PaintedShape, PaintedShape]]:
-        """Name, start and end of each shape, in paint order, their paint such that programs can move it.
+    def shapes(self) -> list[MovedShape]:
+        """The shapes in paint order, their paint such that programs can move it.
 
         Paint that only one side shows has its fill rule, line cap and line join from there. The point that a hole
         grows from would be painted as a dot by round or square line caps, which nothing else of closed outlines
         shows: they are left out there.
         """
         found = []
-        for number, (start, end) in enumerate(zip(self.start, self.end, strict=True), 1):
+        for number, (start, end, ways) in enumerate(zip(self.start, self.end, self.ways, strict=True), 1):
             # Where one paint dissolves into another, A's is below B's, and all there is to see at first.
             start_style, end_style = start.below or start.style, end.style
             for paint, names in FIXED.items():
@@ -51,9 +113,8 @@ class Move(NamedTuple):
             if all(outline.closed for outline in outlines) and any(_is_point(o) for o in outlines):
                 start_style = start_style._replace(stroke_linecap="butt")
                 end_style = end_style._replace(stroke_linecap="butt")
-            found.append(
-                (f"shape-{number}", start._replace(style=start_style), end._replace(style=end_style))
-            )
+            start, end = start._replace(style=start_style), end._replace(style=end_style)
+            found.append(MovedShape(f"shape-{number}", start, end, ways))
         return found
 
     def view(self) -> Box:
@@ -64,15 +125,23 @@ class Move(NamedTuple):
         """What a program cannot show, or cannot change on the way, a phrase for each."""
         plain = [
             f"{name}: its gradient is a plain colour in {program}"
-            for name, start, end in self.shapes()
+            for name, start, end, _ in self.shapes()
             if any(s.style.fill_gradient or s.style.stroke_gradient for s in (start, end))
         ]
         return plain + [
             f"{name}: {program} cannot change the {words} on the way; that of the first drawing stays"
-            for name, start, end in self.shapes()
+            for name, start, end, _ in self.shapes()
             for paint, names in FIXED.items()
             for key, words in names.items()
             if _shows(start.style, paint) and getattr(start.style, key) != getattr(end.style, key)
+        ]
+
+    def straightened(self) -> list[str]:
+        """A phrase for each shape whose way is lost where there are two pictures and no more."""
+        return [
+            f"{shape.name}: moves on curved paths, which two files cannot show: straight between them"
+            for shape in self.shapes()
+            if shape.ways
         ]
 
 

@@ -1,7 +1,7 @@
 """Two drawings with equal commands, for any program that moves one path into another.
 
 GSAP, CSS transitions, Figma and many more go evenly from number to number, and need the same commands in the same
-order for that. The in-betweens are then those of shapeblend.
+order for that. The in-betweens are then those of shapeblend, unless these move on curved paths.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ def svg_pair(move: Move, decimals: int) -> tuple[str, str]:
     """
     drawings = [document.empty(view, decimals) for view in move.views]
     gradients = [Gradients(decimals) for _ in drawings]
-    for name, *shapes in move.shapes():
+    for name, *shapes, _ in move.shapes():
         paints = [paint_attributes(shape.style, decimals) for shape in shapes]
         shown = without_defaults(paints[0]).keys() | without_defaults(paints[1]).keys()
         for drawing, shape, paint, defined in zip(drawings, shapes, paints, gradients, strict=True):

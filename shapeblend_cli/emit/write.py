@@ -39,7 +39,7 @@ def emitted(
     if emit == "pair":
         from shapeblend_cli.emit.pair import svg_pair
 
-        return list(svg_pair(moves[0], decimals)), []
+        return list(svg_pair(moves[0], decimals)), moves[0].straightened()
     if emit == "lottie":
         from shapeblend_cli.emit.lottie import lottie
 

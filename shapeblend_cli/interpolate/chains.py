@@ -1,7 +1,8 @@
 """Several pairs one after the other: what goes on from one to the next as one path.
 
 Each pair has cut its two outlines at places of its own. Where a drawing is the end of one pair and the start of
-the next, its outline is cut at the places of both, and each cut is carried on to the outlines before and after.
+the next, its outline is cut at the places of both, and each cut is carried on to the outlines before and after, those
+on the way from one drawing to the next among them.
 """
 
 from __future__ import annotations
@@ -12,13 +13,24 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.outline import reversed_polygon
+from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.interpolate.styles import keyed_styles
-from shapeblend_cli.model import MovingContour, Outline, PaintedShape, Track
+from shapeblend_cli.model import MovingContour, Outline, PaintedShape, Track, Waypoint
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, MatchedContour, Pair, Polygon, Style
+    from shapeblend_cli.model import (
+        BoolArray,
+        ComplexArray,
+        FloatArray,
+        MatchedContour,
+        MatchedShape,
+        MovingShape,
+        Pair,
+        Polygon,
+        Style,
+    )
 
 SAME = 1e-6
 """Places nearer than this share of an edge are one."""
@@ -35,8 +47,8 @@ class _Run(NamedTuple):
 
     Attributes
     ----------
-    keys : list of (s, 4) complex
-        As many as keys; segment for segment alike.
+    stations : list of (s, 4) complex
+        Control points at each key, and between two keys at each waypoint; segment for segment alike.
     straight : (s,) bool
     closed : bool
     places : (s + 1,) float
@@ -47,7 +59,7 @@ class _Run(NamedTuple):
         The contour of the drawing that it is.
     """
 
-    keys: list[ComplexArray]
+    stations: list[ComplexArray]
     straight: BoolArray
     closed: bool
     places: FloatArray
@@ -56,11 +68,39 @@ class _Run(NamedTuple):
 
 
 class _Shape(NamedTuple):
-    """A shape over several keys."""
+    """A shape over several keys.
+
+    Attributes
+    ----------
+    first : int
+        Number of the drawing it begins with.
+    runs : list of _Run
+    styles : list of Style
+        At each key.
+    times : list of tuple of float
+        For each key but the last, those of the waypoints before the next one.
+    """
 
     first: int
     runs: list[_Run]
     styles: list[Style]
+    times: list[tuple[float, ...]]
+
+
+class _Couple(NamedTuple):
+    """A contour that a pair moves.
+
+    Attributes
+    ----------
+    matched : MatchedContour
+    moving : MovingContour
+    ways : list of (s, 4) complex
+        Control points at the waypoints.
+    """
+
+    matched: MatchedContour
+    moving: MovingContour
+    ways: list[ComplexArray]
 
 
 def tracks(pairs: Sequence[Pair]) -> list[Track]:
@@ -83,19 +123,19 @@ def tracks(pairs: Sequence[Pair]) -> list[Track]:
         ended = {_ends(shape): shape for shape in going if _ends(shape)}
         begun: list[_Shape] = []
         for matched, moving in zip(pair.shapes, pair.moving, strict=True):
-            couples = list(zip(matched.contours, moving.contours, strict=True))
+            times, couples = _coupled(matched, moving)
             key = frozenset(contour.a for contour in matched.contours)
             old = ended.get(key) if len(key) == len(couples) else None
             if old is not None and keyed_styles([*old.styles, moving.style_b]) is None:
                 old = None
             runs = _gone_on(old, couples) if old else None
             if old is None or runs is None:
-                runs = [_run(contour, motion) for contour, motion in couples]
-                begun.append(_Shape(pair.a, runs, [moving.style_a, moving.style_b]))
+                runs = [_run(couple) for couple in couples]
+                begun.append(_Shape(pair.a, runs, [moving.style_a, moving.style_b], [times]))
             else:
                 del ended[key]
                 going = [shape for shape in going if shape is not old]
-                begun.append(_Shape(old.first, runs, [*old.styles, moving.style_b]))
+                begun.append(_Shape(old.first, runs, [*old.styles, moving.style_b], [*old.times, times]))
         done += going
         going = begun
     return [track for shape in [*done, *going] for track in _tracks(shape)]
@@ -107,41 +147,51 @@ def _ends(shape: _Shape) -> frozenset[int | None]:
     return frozenset() if None in numbers or len(numbers) < len(shape.runs) else numbers
 
 
-def _run(matched: MatchedContour, moving: MovingContour) -> _Run:
+def _coupled(matched: MatchedShape, moving: MovingShape) -> tuple[tuple[float, ...], list[_Couple]]:
+    """The contours of a shape that a pair moves, and the times of its waypoints."""
+    ways = waypoints(moving)
+    couples = [
+        _Couple(*contours, [waypoint.outlines[k].segments for waypoint in ways])
+        for k, contours in enumerate(zip(matched.contours, moving.contours, strict=True))
+    ]
+    return tuple(waypoint.t for waypoint in ways), couples
+
+
+def _run(couple: _Couple) -> _Run:
+    matched, moving, ways = couple
     start, end = moving.start, moving.end
-    keys = [start.segments, end.segments]
-    return _Run(keys, start.straight, start.closed, moving.places[1], matched.polygon_b, matched.b)
+    stations = [start.segments, *ways, end.segments]
+    return _Run(stations, start.straight, start.closed, moving.places[1], matched.polygon_b, matched.b)
 
 
 def _tracks(shape: _Shape) -> list[Track]:
     """A track for every coat of paint."""
     coats = keyed_styles(shape.styles)
     assert coats is not None, "shapes go on only as long as their paint does"
-    return [
-        Track(
-            tuple(
-                PaintedShape(
-                    tuple(Outline(run.keys[k], run.straight, run.closed) for run in shape.runs), style
-                )
-                for k, style in enumerate(styles)
-            ),
-            shape.first,
-        )
-        for styles in coats
-    ]
+    every = iter(
+        [
+            tuple(Outline(z, run.straight, run.closed) for z, run in zip(station, shape.runs, strict=True))
+            for station in zip(*(run.stations for run in shape.runs), strict=True)
+        ]
+    )
+    keys, ways = [next(every)], []
+    for times in shape.times:
+        ways.append(tuple(Waypoint(t, next(every)) for t in times))
+        keys.append(next(every))
+    return [Track(tuple(map(PaintedShape, keys, styles)), shape.first, tuple(ways)) for styles in coats]
 
 
-def _gone_on(shape: _Shape, couples: Sequence[tuple[MatchedContour, MovingContour]]) -> list[_Run] | None:
+def _gone_on(shape: _Shape, couples: Sequence[_Couple]) -> list[_Run] | None:
     """Every contour of a shape, gone on by a pair; None if one of them cannot."""
-    following = {matched.a: (matched, moving) for matched, moving in couples}
+    following = {couple.matched.a: couple for couple in couples}
     found = []
     for run in shape.runs:
-        matched, moving = following[run.number]
-        if not _is_same(run.polygon, matched.polygon_a):
-            matched, moving = _backwards(matched, moving)
-        if not _is_same(run.polygon, matched.polygon_a):
+        couple = following[run.number]
+        if not _is_same(run.polygon, couple.matched.polygon_a):
+            couple = _backwards(couple)
+        if not _is_same(run.polygon, couple.matched.polygon_a):
             return None  # cut open, or a piece
-        found.append(_longer(run, matched, moving))
+        found.append(_longer(run, couple))
     return found
 
 
@@ -149,8 +199,9 @@ def _is_same(p: Polygon, q: Polygon) -> bool:
     return p.closed == q.closed and np.array_equal(p.vertices, q.vertices)
 
 
-def _backwards(matched: MatchedContour, moving: MovingContour) -> tuple[MatchedContour, MovingContour]:
-    """A pair gone through the other way round, both sides."""
+def _backwards(couple: _Couple) -> _Couple:
+    """A contour gone through the other way round, both sides and all on the way."""
+    matched, moving, ways = couple
     polygons = [
         reversed_polygon(polygon, len(contour.segments))
         for polygon, contour in (
@@ -164,9 +215,10 @@ def _backwards(matched: MatchedContour, moving: MovingContour) -> tuple[MatchedC
     )
     ends = [len(polygon.vertices) - (0 if polygon.closed else 1) for polygon in polygons]
     places = [last - side[::-1] for last, side in zip(ends, moving.places, strict=True)]
-    return (
+    return _Couple(
         matched._replace(polygon_a=polygons[0], polygon_b=polygons[1]),
         moving._replace(start=start, end=end, places=(places[0], places[1])),
+        [segments[::-1, ::-1] for segments in ways],
     )
 
 
@@ -177,16 +229,20 @@ class _Part(NamedTuple):
     there: tuple[int, float, float]
 
 
-def _longer(run: _Run, matched: MatchedContour, moving: MovingContour) -> _Run:
-    """A contour gone on by a pair that begins with its last outline; all keys are cut alike."""
+def _longer(run: _Run, couple: _Couple) -> _Run:
+    """A contour gone on by a pair that begins with its last outline; all stations are cut alike."""
+    matched, moving, ways = couple
     places, end_places = moving.places
     if run.closed:
         run = _begun_at(run, float(places[0]))
-    parts = _parts(run.keys[-1], run.places, moving.start.segments, places)
+    parts = _parts(run.stations[-1], run.places, moving.start.segments, places)
     here, there = ([getattr(part, side) for part in parts] for side in ("here", "there"))
     numbers = np.array([k for k, _, _ in there])
     return _Run(
-        keys=[_cut(key, here) for key in run.keys] + [_cut(moving.end.segments, there)],
+        stations=[
+            *(_cut(station, here) for station in run.stations),
+            *(_cut(segments, there) for segments in (*ways, moving.end.segments)),
+        ],
         straight=run.straight[[k for k, _, _ in here]] & moving.start.straight[numbers],
         closed=run.closed,
         places=_places(end_places, there),
@@ -202,7 +258,7 @@ def _begun_at(run: _Run, place: float) -> _Run:
     first = int(away.argmin())
     rolled = np.concatenate([run.places[first:-1], run.places[: first + 1] + count])
     return run._replace(
-        keys=[np.roll(key, -first, axis=0) for key in run.keys],
+        stations=[np.roll(station, -first, axis=0) for station in run.stations],
         straight=np.roll(run.straight, -first),
         places=rolled - rolled[0] + place,
     )

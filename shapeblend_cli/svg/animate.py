@@ -1,7 +1,8 @@
 """Pictures to an SVG file that plays by itself: by SMIL, by CSS, or frame after frame.
 
 What goes on straight paths needs one keyframe a drawing and no more: in between a browser interpolates every number
-evenly, which is eq (2). All keyframes of a path have the same commands in the same order.
+evenly, which is eq (2). What does not has further keyframes on its way: outlines that move otherwise, and colours. All
+keyframes of a path have the same commands in the same order.
 """
 
 from __future__ import annotations
@@ -9,11 +10,11 @@ from __future__ import annotations
 import zlib
 from collections.abc import Callable, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple
 from xml.etree.ElementTree import Element
 
 from shapeblend_cli.easing import LINEAR, Ease
-from shapeblend_cli.model import RadialGradient
+from shapeblend_cli.model import RadialGradient, Track
 from shapeblend_cli.svg import document
 from shapeblend_cli.svg.attributes import (
     gradient_attributes,
@@ -25,14 +26,15 @@ from shapeblend_cli.svg.attributes import (
 from shapeblend_cli.svg.write import Gradients, add_shape, gradient_element
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import Box, Frame, Gradient, Track
+    from shapeblend_cli.model import Box, Frame, Gradient
 
 FOREVER, PINGPONG = "forever", "pingpong"
 
 Colours = Callable[[str, str], Sequence[str]]
 """Colours at even times from one to another, such that each channel may be interpolated by itself between them."""
 
-Key = TypeVar("Key")
+Way = Sequence[tuple[float, str]]
+"""Values between two keys: how far on the way each lies, within (0, 1). From one to the next numbers go evenly."""
 
 COLOURS = frozenset(("fill", "stroke", "stop_color"))
 
@@ -60,6 +62,34 @@ class Timing(NamedTuple):
     repeat: int | str = FOREVER
 
 
+class _Values(NamedTuple):
+    """The values of an attribute.
+
+    Attributes
+    ----------
+    keys : sequence of str
+        At each key.
+    ways : sequence of Way
+        For each key but the last, what is passed before the next one.
+    """
+
+    keys: Sequence[str]
+    ways: Sequence[Way]
+
+    @property
+    def is_still(self) -> bool:
+        """Whether all are the same."""
+        return len({*self.keys, *(value for way in self.ways for _, value in way)}) == 1
+
+
+class _Moment(NamedTuple):
+    """A value, when it is reached, counted in keys, and how fast it goes on to the next one."""
+
+    time: float
+    value: str
+    ease: Ease
+
+
 def smil_svg(
     tracks: Sequence[Track], views: Sequence[Box], timing: Timing, decimals: int, colours: Colours
 ) -> str:
@@ -77,25 +107,25 @@ def smil_svg(
     colours : callable
         Gives the colours on the way between two, see `Colours`.
     """
-    clock = _Clock(len(views) - 1, timing, colours)
+    clock = _Clock(len(views) - 1, timing)
     drawing = document.empty(views[0], decimals)
     gradients: list[Any] = []
     boxes = [document.box_text(view, decimals) for view in views]
     if len(set(boxes)) > 1:
-        drawing.add(clock.animate(drawing, "viewBox", boxes))
+        drawing.add(clock.animate(drawing, "viewBox", _keyed("viewBox", boxes, colours)))
     for track in tracks:
-        values = _values(track, decimals)
+        held = _held(track, len(views))
+        attributes = _attributes(held, decimals, colours)
         for paint in ("fill", "stroke"):
-            keys = [getattr(shape.style, f"{paint}_gradient") for shape in track.keys]
+            keys = [getattr(shape.style, f"{paint}_gradient") for shape in held.keys]
             if all(keys):
                 name = f"gradient-{len(gradients) + 1}"
-                held = clock.held(keys, track.first)
-                gradients.append(_moving_gradient(drawing, clock, name, held, decimals))
-                values[paint] = [f"url(#{name})"] * len(keys)
-        path = drawing.path(**{name: keys[0] for name, keys in values.items()})
-        for name, keys in values.items():
-            if len(set(keys)) > 1:
-                path.add(clock.animate(drawing, name, clock.held(keys, track.first)))
+                gradients.append(_moving_gradient(drawing, clock, name, keys, decimals, colours))
+                attributes[paint] = _keyed(paint, [f"url(#{name})"] * len(keys), colours)
+        path = drawing.path(**{name: values.keys[0] for name, values in attributes.items()})
+        for name, values in attributes.items():
+            if not values.is_still:
+                path.add(clock.animate(drawing, name, values))
         if len(track.keys) < len(views):
             if track.first:
                 path["visibility"] = "hidden"
@@ -105,7 +135,7 @@ def smil_svg(
 
 
 def _moving_gradient(
-    drawing: Any, clock: _Clock, name: str, keys: Sequence[Gradient], decimals: int
+    drawing: Any, clock: _Clock, name: str, keys: Sequence[Gradient], decimals: int, colours: Colours
 ) -> Element:
     """A gradient that changes as the shape does that is painted in it."""
     as_ellipse = any(isinstance(key, RadialGradient) and key.radii[0] != key.radii[1] for key in keys)
@@ -123,59 +153,50 @@ def _moving_gradient(
                 kinds, numbers = zip(
                     *(step[number_of_step].rstrip(")").split("(") for step in steps), strict=True
                 )
-                moving.append(clock.transform(kinds[0], numbers, is_first=number_of_step == 0))
+                step_values = _keyed(attribute, numbers, colours)
+                moving.append(clock.transform(kinds[0], step_values, is_first=number_of_step == 0))
         else:
-            moving.append(clock.animate(drawing, attribute, values).get_xml())
+            moving.append(clock.animate(drawing, attribute, _keyed(attribute, values, colours)).get_xml())
     found[:0] = moving
     for k, element in enumerate(stop_elements):
         for attribute in written[0][1][k]:
-            values = [stops[k][attribute] for _, stops in written]
-            if len(set(values)) > 1:
-                element.append(clock.animate(drawing, attribute, values).get_xml())
+            stop_values = _keyed(attribute, [stops[k][attribute] for _, stops in written], colours)
+            if not stop_values.is_still:
+                element.append(clock.animate(drawing, attribute, stop_values).get_xml())
     return found
 
 
 class _Clock:
     """The times of keys as shares of one run, there and perhaps back."""
 
-    def __init__(self, pairs: int, timing: Timing, colours: Colours = lambda p, q: [p, q]) -> None:
+    def __init__(self, pairs: int, timing: Timing) -> None:
         self.pairs = pairs
         self.timing = timing
-        self.colours = colours
         self.back = timing.repeat == PINGPONG
         self.total = pairs * (2 if self.back else 1)
 
-    def held(self, keys: Sequence[Key], first: int) -> list[Key]:
-        """The values of all keys: before and after a track its first and its last."""
-        found = [keys[0]] * first + list(keys)
-        return found + [keys[-1]] * (self.pairs + 1 - len(found))
-
-    def animate(self, drawing: Any, name: str, values: Sequence[str]) -> Any:
+    def animate(self, drawing: Any, name: str, values: _Values) -> Any:
         """An ``animate`` element through all keys."""
-        if name in DISCRETE or (name == "stroke_dasharray" and len({v.count(" ") for v in values}) > 1):
-            return self._discrete(drawing, name, values)
-        every, extra = self._timed(values, name in COLOURS)
+        if name in DISCRETE or (name == "stroke_dasharray" and len({v.count(" ") for v in values.keys}) > 1):
+            return self._discrete(drawing, name, values.keys)
+        every, extra = self._timed(values)
         return self._element(drawing, name, every, extra)
 
-    def transform(self, kind: str, values: Sequence[str], *, is_first: bool) -> Element:
+    def transform(self, kind: str, values: _Values, *, is_first: bool) -> Element:
         """An ``animateTransform`` element through all keys; further ones come on top of the first."""
-        every, extra = self._timed(values, is_colour=False)
+        every, extra = self._timed(values)
         if not is_first:
             extra["additive"] = "sum"
         said = {"attributeName": "gradientTransform", "type": kind, "values": ";".join(every)}
         return Element("animateTransform", {**said, **self._run(), **extra})
 
-    def _timed(self, values: Sequence[str], is_colour: bool) -> tuple[list[str], dict[str, str]]:
+    def _timed(self, values: _Values) -> tuple[list[str], dict[str, str]]:
         """Values there and perhaps back, and what says when each is reached if that is not self-evident."""
         ease = self.timing.ease
-        times, every, splines = [0.0], [values[0]], []
-        for k, (start, end) in enumerate(pairwise(values)):
-            stops = self.colours(start, end) if is_colour and start != end else [start, end]
-            steps = len(stops) - 1
-            for n in range(steps):
-                times.append(k + ease.time_of((n + 1) / steps))
-                every.append(stops[n + 1])
-                splines.append(ease if steps == 1 else ease.piece(n / steps, (n + 1) / steps))
+        moments = _moments(values, ease)
+        times = [moment.time for moment in moments]
+        every = [moment.value for moment in moments]
+        splines = [moment.ease for moment in moments[:-1]]
         if self.back:
             times += [self.total - time for time in times[-2::-1]]
             every += every[-2::-1]
@@ -239,14 +260,54 @@ class _Clock:
         }
 
 
-def _values(track: Track, decimals: int) -> dict[str, list[str]]:
-    """Every attribute of a path at each of its keys, but for what SVG takes for granted at all of them."""
+def _held(track: Track, drawings: int) -> Track:
+    """A track through all drawings: before it begins it is as at its first key, and after its end as at its last."""
+    before = track.first
+    after = drawings - before - len(track.keys)
+    return Track(
+        keys=(track.keys[0],) * before + track.keys + (track.keys[-1],) * after,
+        first=0,
+        ways=((),) * before + track.ways + ((),) * after,
+    )
+
+
+def _attributes(track: Track, decimals: int, colours: Colours) -> dict[str, _Values]:
+    """Every attribute of a path, but for those whose values SVG takes for granted at all keys."""
     keys = [
         {"d": short_path_data(shape.outlines, decimals), **paint_attributes(shape.style, decimals)}
         for shape in track.keys
     ]
     shown = {name for key in keys for name in without_defaults(key)}
-    return {name: [key[name] for key in keys] for name in keys[0] if name in shown}
+    found = {name: _keyed(name, [key[name] for key in keys], colours) for name in keys[0] if name in shown}
+    found["d"] = found["d"]._replace(
+        ways=[
+            [(waypoint.t, short_path_data(waypoint.outlines, decimals)) for waypoint in way]
+            for way in track.ways
+        ]
+    )
+    return found
+
+
+def _keyed(name: str, keys: Sequence[str], colours: Colours) -> _Values:
+    """The values of an attribute that goes evenly from key to key, unless it is a colour."""
+    ways: list[Way] = []
+    for start, end in pairwise(keys):
+        stops = colours(start, end) if name in COLOURS and start != end else [start, end]
+        ways.append([(n / (len(stops) - 1), stop) for n, stop in enumerate(stops)][1:-1])
+    return _Values(keys, ways)
+
+
+def _moments(values: _Values, ease: Ease, first: int = 0) -> list[_Moment]:
+    """What keys, counted on from a number, and what lies between them come to, in order of time."""
+    found = []
+    for k, (key, way) in enumerate(zip(values.keys[:-1], values.ways, strict=True), first):
+        starts = [(0.0, key), *way]
+        ends = [*(share for share, _ in way), 1.0]
+        found += [
+            _Moment(k + ease.time_of(start), value, ease.piece(start, end) if way else ease)
+            for (start, value), end in zip(starts, ends, strict=True)
+        ]
+    return [*found, _Moment(first + len(values.ways), values.keys[-1], ease)]
 
 
 def css_svg(tracks: Sequence[Track], view: Box, timing: Timing, decimals: int, colours: Colours) -> str:
@@ -264,32 +325,36 @@ def css_svg(tracks: Sequence[Track], view: Box, timing: Timing, decimals: int, c
     colours : callable
         Gives the colours on the way between two, see `Colours`.
     """
-    values = [_values(track, decimals) for track in tracks]
+    every = [_attributes(track, decimals, colours) for track in tracks]
     # Names of its own, so that several drawings can stand in one page.
-    prefix = f"b{zlib.crc32(repr((values, timing)).encode()):08x}"
+    seen = [{name: values.keys for name, values in attributes.items()} for attributes in every]
+    curved = [way for attributes in every for way in attributes["d"].ways if way]
+    prefix = f"b{zlib.crc32(repr((seen, timing, *curved)).encode()):08x}"
     last = max(track.first + len(track.keys) for track in tracks) - 1
     ways = {FOREVER: "infinite", PINGPONG: "infinite alternate"}
     run = f"{number(timing.seconds * last, 4)}s {ways.get(str(timing.repeat), f'{timing.repeat} forwards')}"
     drawing = document.empty(view, decimals)
     rules = []
-    for k, (track, keyed) in enumerate(zip(tracks, values, strict=True)):
+    for k, (track, attributes) in enumerate(zip(tracks, every, strict=True)):
         name, animations = f"{prefix}-{k}", []
         times = [(track.first + i) / last for i in range(len(track.keys))]
         even: dict[float, list[str]] = {time: [] for time in times}
-        for attribute, keys in keyed.items():
-            if len(set(keys)) == 1:
+        for attribute, values in attributes.items():
+            if values.is_still:
                 continue
-            if attribute in COLOURS:
-                steps = _colour_keyframes(attribute, keys, track.first, last, timing.ease, colours)
-                rules.append(_keyframes(f"{name}-{attribute}", steps))
+            if attribute in COLOURS or any(values.ways):
+                moments = _moments(values, timing.ease, track.first)
+                rules.append(_keyframes(f"{name}-{attribute}", _timed_keyframes(attribute, moments, last)))
                 animations.append(f"{name}-{attribute} {run} linear")
             else:
-                for time, value in zip(times, keys, strict=True):
+                for time, value in zip(times, values.keys, strict=True):
                     even[time].append(_declaration(attribute, value))
         if even[times[0]]:
             rules.append(_keyframes(name, even))
             animations.append(f"{name} {run} {timing.ease.css()}")
-        path = drawing.path(id=name, **{attribute: keys[0] for attribute, keys in keyed.items()})
+        path = drawing.path(
+            id=name, **{attribute: values.keys[0] for attribute, values in attributes.items()}
+        )
         if len(track.keys) <= last:
             shown = {0.0: ["visibility:hidden"], times[0]: ["visibility:visible"]}
             if times[-1] < 1.0:
@@ -318,21 +383,14 @@ def _keyframes(name: str, declarations: dict[float, list[str]]) -> str:
     return f"@keyframes {name}{{{''.join(rules)}}}"
 
 
-def _colour_keyframes(
-    name: str, keys: Sequence[str], first: int, last: int, ease: Ease, colours: Colours
-) -> dict[float, list[str]]:
-    """Declarations of a colour by time; each says how fast it goes on."""
+def _timed_keyframes(name: str, moments: Sequence[_Moment], last: int) -> dict[float, list[str]]:
+    """Declarations of an attribute by time, as a share of all up to the last key; each says how fast it goes on."""
     found = {}
-    for k, (start, end) in enumerate(pairwise(keys), first):
-        stops = colours(start, end) if start != end else [start, end]
-        steps = len(stops) - 1
-        for n, stop in enumerate(stops[:-1]):
-            said = [_declaration(name, stop)]
-            if not ease.is_linear:
-                speed = ease if steps == 1 else ease.piece(n / steps, (n + 1) / steps)
-                said.append(f"animation-timing-function:{speed.css()}")
-            found[(k + ease.time_of(n / steps)) / last] = said
-    found[(first + len(keys) - 1) / last] = [_declaration(name, keys[-1])]
+    for moment in moments:
+        said = [_declaration(name, moment.value)]
+        if not moment.ease.is_linear and moment is not moments[-1]:
+            said.append(f"animation-timing-function:{moment.ease.css()}")
+        found[moment.time / last] = said
     return found
 
 

@@ -1,17 +1,22 @@
 """The animated vector drawable: no Android is here, so it is held against Android's reference."""
 
 import re
+from itertools import pairwise
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.easing import Ease
+from shapeblend_cli.easing import LINEAR, Ease
 from shapeblend_cli.emit.avd import animated_vector
 from shapeblend_cli.emit.move import Move
 from shapeblend_cli.model import Box, Outline, PaintedShape, Style
+from shapeblend_cli.svg.attributes import path_data
 from tests.emit.blends import BLENDS, written
 from tests.support.contours import polygon_contour
+from tests.support.drawings import BAR, LEAF
+from tests.support.motions import turned_move
 from tests.support.pictures import difference, pixels
 
 ANDROID = "{http://schemas.android.com/apk/res/android}"
@@ -52,7 +57,7 @@ def here(tmp_path, monkeypatch):
 
 
 def emit_avd(here, blend):
-    assert run([*written(here, blend), "--emit", "avd"]) == 0
+    assert run([*written(here, blend), "--emit", "avd", "--motion", "linear"]) == 0
     return ElementTree.parse(here / "blend.xml").getroot()
 
 
@@ -155,7 +160,7 @@ def test_seconds_ease_and_size():
     contour = polygon_contour([0j, 1000 + 0j, 1000 + 500j])
     shape = PaintedShape((Outline(contour.segments, contour.straight, True),), Style("#000000"))
     view = Box(0.0, 0.0, 1000.0, 500.0)
-    move = Move((shape,), (shape._replace(style=Style("#ffffff")),), (view, view))
+    move = Move((shape,), (shape._replace(style=Style("#ffffff")),), (view, view), ((),))
     root = ElementTree.fromstring(animated_vector(move, 0.3, Ease(0.42, 0.0, 0.58, 1.0), 3))
     ((_, animator),) = animators(root)
     assert animator == {
@@ -169,6 +174,39 @@ def test_seconds_ease_and_size():
     assert android(curve) == {"controlX1": "0.42", "controlY1": "0", "controlX2": "0.58", "controlY2": "1"}
     size = android(inline(root, "drawable"))
     assert (size["width"], size["height"], size["viewportWidth"]) == ("200dp", "100dp", "1000")
+
+
+@pytest.mark.parametrize("ease", [LINEAR, Ease(0.42, 0.0, 0.58, 1.0)])
+@pytest.mark.parametrize(("colours", "seconds"), [(("#333333", "#999999"), 2.0), (("#333333",) * 2, 0.05)])
+def test_paths_go_from_waypoint_to_waypoint_one_after_the_other(ease, colours, seconds):
+    leaf, bar = (f'<path d="{d}" fill="{c}"/>' for d, c in zip((LEAF, BAR), colours, strict=True))
+    move, _ = turned_move(leaf, bar)
+    root = ElementTree.fromstring(animated_vector(move, seconds, ease, 3))
+    (shape,) = move.shapes()
+    animation = inline(root.find("target"), "animation")
+    assert animation.tag == "set"
+    if colours[0] == colours[1]:
+        sequence = animation
+    else:
+        assert android(animation) == {}
+        sequence, fill = animation
+        assert (android(fill)["propertyName"], android(fill)["duration"]) == ("fillColor", "2000")
+    assert android(sequence) == {"ordering": "sequentially"}
+    steps = [android(step) for step in sequence]
+    assert {(step["propertyName"], step["valueType"]) for step in steps} == {("pathData", "pathType")}
+    durations = [int(step["duration"]) for step in steps]
+    assert sum(durations) == 1000 * seconds
+    assert min(durations) > 0
+    if seconds == 2.0:
+        times = [2000 * ease.time_of(way.t) for way in shape.ways] + [2000]
+        assert np.cumsum(durations) == pytest.approx(times, abs=0.5)
+        assert [step["valueTo"] for step in steps[:-1]] == [path_data(way.outlines, 3) for way in shape.ways]
+    (path,) = inline(root, "drawable").iter("path")
+    assert android(path)["pathData"] == steps[0]["valueFrom"]
+    assert steps[-1]["valueTo"] == path_data(shape.end.outlines, 3)
+    for step, following in pairwise(steps):
+        assert step["valueTo"] == following["valueFrom"]
+    assert len({NUMBER.sub("0", step["valueTo"]) for step in steps}) == 1
 
 
 def test_drawings_that_are_the_same_have_nothing_to_move(here):

@@ -2,6 +2,7 @@
 
 import json
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -13,7 +14,8 @@ from shapeblend_cli.emit.move import Move
 from shapeblend_cli.model import Box, Outline, PaintedShape, Style
 from tests.emit.blends import BLENDS, written
 from tests.support.contours import circle_contour, polygon_contour
-from tests.support.drawings import BAR, LEAF, RING, svg
+from tests.support.drawings import BAR, EYED, LEAF, RING, svg
+from tests.support.motions import turned_move
 
 VIEW = Box(0.0, 0.0, 24.0, 24.0)
 
@@ -25,7 +27,7 @@ def here(tmp_path, monkeypatch):
 
 
 def emit_lottie(here, blend):
-    assert run([*written(here, blend), "--emit", "lottie"]) == 0
+    assert run([*written(here, blend), "--emit", "lottie", "--motion", "linear"]) == 0
     return json.loads((here / "blend.json").read_text(encoding="utf-8"))
 
 
@@ -38,7 +40,7 @@ def of(contour, target, style=None, target_style=None, view=VIEW, seconds=2.0, e
     start, end = (
         PaintedShape((outline(c),), s or Style()) for c, s in ((contour, style), (target, target_style))
     )
-    found = json.loads(lottie([Move((start,), (end,), (view, view))], seconds, ease, 4))
+    found = json.loads(lottie([Move((start,), (end,), (view, view), ((),))], seconds, ease, 4))
     return found, {item["ty"]: item for item in found["layers"][0]["shapes"][0]["it"]}
 
 
@@ -54,6 +56,7 @@ def properties(value):
             yield from properties(inner)
 
 
+EASE = Ease(0.42, 0.0, 0.58, 1.0)
 SQUARE = polygon_contour([2 + 2j, 10 + 2j, 10 + 10j, 2 + 10j])
 DIAMOND = polygon_contour([6 + 0j, 12 + 6j, 6 + 12j, 6j])
 
@@ -89,7 +92,7 @@ def test_properties_either_stay_or_have_two_keyframes(here, blend):
 def test_same_input_same_bytes_and_finite_short_numbers(here, blend):
     emit_lottie(here, blend)
     before = (here / "blend.json").read_text(encoding="utf-8")
-    assert run(["from.svg", "to.svg", "--emit", "lottie", "-f"]) == 0
+    assert run(["from.svg", "to.svg", "--emit", "lottie", "--motion", "linear", "-f"]) == 0
     assert (here / "blend.json").read_text(encoding="utf-8") == before
     seen = []
     json.loads(before, parse_float=seen.append, parse_constant=lambda text: pytest.fail(text))
@@ -172,6 +175,57 @@ def test_seconds_and_ease():
     assert last["t"] == 30
 
 
+@pytest.mark.parametrize("ease", [LINEAR, EASE])
+def test_paths_have_keyframes_at_their_waypoints(ease):
+    move, _ = turned_move(LEAF, EYED, attributes='fill="#333"')
+    (shape,) = move.shapes()
+    found = json.loads(lottie([move, move], 2.0, ease, 4))
+    for layer, begin in zip(found["layers"], (120, 0), strict=True):
+        items = layer["shapes"][0]["it"]
+        paths = [item["ks"] for item in items if item["ty"] == "sh"]
+        assert len(paths) == 2
+        for path in paths:
+            assert path["a"] == 1
+            *keys, last = path["k"]
+            times = [key["t"] for key in path["k"]]
+            expected = [0.0, *(120 * ease.time_of(way.t) for way in shape.ways), 120.0]
+            assert times == pytest.approx([begin + time for time in expected], abs=6e-4)
+            assert times == sorted(set(times))
+            assert set(last) == {"t", "s"}
+            assert {len(key["s"][0][name]) for key in path["k"] for name in "vio"} == {len(last["s"][0]["v"])}
+            for key in keys:
+                assert set(key) == {"t", "s", "o", "i"}
+                if ease.is_linear:
+                    assert (key["o"], key["i"]) == ({"x": 0, "y": 0}, {"x": 1, "y": 1})
+
+
+def test_pieces_of_an_ease_are_the_ease():
+    move, _ = turned_move(LEAF, BAR)
+    (shape,) = move.shapes()
+    legs = shape.legs(100.0, EASE, 3)
+    assert len(legs) == len(shape.ways) + 1
+    progress = [0.0, *(way.t for way in shape.ways), 1.0]
+    for leg, low, high in zip(legs, progress[:-1], progress[1:], strict=True):
+        begin, until = leg.times
+        for share in (0.2, 0.5, 0.9):
+            whole = EASE.at((begin + share * (until - begin)) / 100.0)
+            assert low + leg.ease.at(share) * (high - low) == pytest.approx(whole, abs=1e-4)
+    for leg, following in pairwise(legs):
+        assert leg.end is following.start
+        assert leg.times[1] == following.times[0]
+
+
+def test_waypoints_too_near_in_time_are_left_out():
+    move, _ = turned_move(LEAF, BAR)
+    (shape,) = move.shapes()
+    legs = shape.legs(3.0, LINEAR, 0)
+    assert [leg.times for leg in legs] == [(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)]
+    (leg,) = shape.legs(1.0, EASE, 0)
+    assert (leg.start, leg.end, leg.times, leg.ease) == (
+        shape.start.outlines, shape.end.outlines, (0.0, 1.0), EASE
+    )  # fmt: skip
+
+
 def test_what_is_painted_last_is_the_first_layer(here):
     found = emit_lottie(here, "shapes on top of one another")
     names = [layer["nm"] for layer in found["layers"]]
@@ -197,7 +251,7 @@ def test_standard_output(here, capfdbinary):
 def test_what_cannot_change_on_the_way_is_said():
     style = Style("#000000", stroke="#000000", stroke_linecap="round")
     shapes = [(PaintedShape((outline(SQUARE),), s),) for s in (style, style._replace(stroke_linecap="butt"))]
-    move = Move(*shapes, (VIEW, VIEW))
+    move = Move(*shapes, (VIEW, VIEW), ((),))
     assert move.kept("Lottie") == [
         "shape-1: Lottie cannot change the line cap on the way; that of the first drawing stays"
     ]

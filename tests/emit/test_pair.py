@@ -7,8 +7,11 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
+from shapeblend_cli.easing import LINEAR
+from shapeblend_cli.emit.write import emitted
 from tests.emit.blends import BLENDS, written
-from tests.support.drawings import svg
+from tests.support.drawings import BAR, LEAF, svg
+from tests.support.motions import turned_move
 from tests.support.pictures import difference, pixels
 
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
@@ -66,7 +69,7 @@ def test_each_file_shows_what_its_drawing_shows(here, blend):
 @pytest.mark.parametrize("blend", [name for name in BLENDS if name != "another viewBox"])
 def test_going_evenly_from_number_to_number_gives_the_frames(here, blend):
     a, b = emit_pair(here, blend)
-    assert run(["from.svg", "to.svg", "-n", "3", "-o", "frames", "-q"]) == 0
+    assert run(["from.svg", "to.svg", "-n", "3", "-o", "frames", "--motion", "linear", "-q"]) == 0
     for k, t in enumerate((0.25, 0.5, 0.75), 1):
         frame = (here / "frames" / f"frame-{k}.svg").read_text(encoding="utf-8")
         assert difference(pixels(mixed(a, b, t)), pixels(frame)) < 1e-3
@@ -87,6 +90,17 @@ def test_paint_without_a_partner_is_there_and_not_seen(here):
     assert (a.get("fill"), a.get("fill-opacity"), a.get("stroke-opacity")) == ("#cc00cc", "0.5", "0")
     assert (b.get("fill"), b.get("fill-opacity"), b.get("stroke-opacity")) == ("#cc00cc", "0", "1")
     assert a.get("stroke") == b.get("stroke") == "#204080"
+
+
+def test_curved_paths_are_said_to_be_lost():
+    move, _ = turned_move(LEAF, BAR)
+    texts, notes = emitted("pair", [move], 2.0, LINEAR, 3)
+    assert notes == ["shape-1: moves on curved paths, which two files cannot show: straight between them"]
+    straight = move._replace(ways=((),))
+    assert emitted("pair", [straight], 2.0, LINEAR, 3) == (texts, [])
+    for emit in ("lottie", "avd"):
+        _, notes = emitted(emit, [move], 2.0, LINEAR, 3)
+        assert notes == []
 
 
 def test_polygons_have_lines_alone(here):

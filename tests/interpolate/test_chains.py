@@ -1,5 +1,7 @@
 """Sequences: what goes on from pair to pair as one path."""
 
+from itertools import pairwise, product
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -8,13 +10,14 @@ from shapely import LineString
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.chains import tracks
-from shapeblend_cli.interpolate.paths import between
-from shapeblend_cli.model import MovingContour
+from shapeblend_cli.interpolate.paths import between, waypoints
+from shapeblend_cli.model import MovingContour, MovingShape, Style
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import BlendSettings
 from tests.support.contours import drawing as contour_drawing
 from tests.support.contours import polygon_contour
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing
+from tests.support.motions import turned
 from tests.support.shapes import star_polygon
 
 EVENODD = 'fill-rule="evenodd"'
@@ -28,7 +31,9 @@ LINES = [
 
 
 def pairs_of(*paths, curves=True):
-    pairs, _ = match_all([drawing(p, attributes=EVENODD) for p in paths], BlendSettings(curves=curves))
+    pairs, _ = match_all(
+        [drawing(p, attributes=EVENODD) for p in paths], BlendSettings(curves=curves, motion="linear")
+    )
     return pairs
 
 
@@ -37,43 +42,57 @@ def line(outline):
     return LineString(np.stack([points.real, points.imag], axis=1))
 
 
+SAME_CONTOURS = [
+    (CIRCLE, STAR, DROP),
+    (DROP, CIRCLE, DROP, LEAF, BAR),
+    (LEAF, LEAF, LEAF),
+    (STAR, BAR, STAR, BAR),
+    (B, EIGHT, B),
+    (RING, RING, RING),
+    tuple(LINES),
+    (LINES[0], LINES[1], LINES[2].replace("M2 9H12V20H20", "M20 20H12V9H2"), LINES[1]),
+]
+
 # Drawings are 20 large. A line between two curves is divided unevenly for the one, and so not quite for the other.
 NEAR = 0.15
 
 
-def assert_goes_the_same_way(pairs, found):
-    """Halfway through each pair every outline of the tracks is one of the pair's own."""
-    for pair in pairs:
-        own = [line(between(c, 0.5)) for shape in pair.moving for c in shape.contours]
+def outlines_at(track, k, t):
+    """The outlines of a track at a time after its key k, straight from waypoint to waypoint."""
+    stations = [
+        (0.0, track.keys[k].outlines),
+        *((waypoint.t, waypoint.outlines) for waypoint in track.ways[k]),
+        (1.0, track.keys[k + 1].outlines),
+    ]
+    for (low, before), (high, after) in pairwise(stations):
+        if low <= t <= high:
+            contours = tuple(
+                MovingContour(start, end, (np.zeros(1), np.zeros(1)))
+                for start, end in zip(before, after, strict=True)
+            )
+            return between(MovingShape(contours, Style(), Style()), (t - low) / (high - low))
+    raise AssertionError("waypoints out of order")
+
+
+def assert_goes_the_same_way(pairs, found, times=(0.5,)):
+    """Within each pair every outline of the tracks is one of the pair's own."""
+    for pair, t in product(pairs, times):
+        own = [line(outline) for shape in pair.moving for outline in between(shape, t)]
         here = [track for track in found if track.first <= pair.a < track.first + len(track.keys) - 1]
-        outlines = []
-        for track in here:
-            k = pair.a - track.first
-            for start, end in zip(track.keys[k].outlines, track.keys[k + 1].outlines, strict=True):
-                outlines.append(line(between(MovingContour(start, end, (np.zeros(1), np.zeros(1))), 0.5)))
+        outlines = [line(o) for track in here for o in outlines_at(track, pair.a - track.first, t)]
         assert len(outlines) == len(own)
         for outline in own:
             assert min(outline.hausdorff_distance(other) for other in outlines) < NEAR
 
 
 @pytest.mark.parametrize("curves", [True, False])
-@pytest.mark.parametrize(
-    "paths",
-    [
-        (CIRCLE, STAR, DROP),
-        (DROP, CIRCLE, DROP, LEAF, BAR),
-        (LEAF, LEAF, LEAF),
-        (STAR, BAR, STAR, BAR),
-        (B, EIGHT, B),
-        (RING, RING, RING),
-        tuple(LINES),
-    ],
-)
+@pytest.mark.parametrize("paths", SAME_CONTOURS)
 def test_equal_contours_make_one_path_of_equal_commands(paths, curves):
     pairs = pairs_of(*paths, curves=curves)
     found = tracks(pairs)
     (track,) = found
     assert (track.first, len(track.keys)) == (0, len(paths))
+    assert track.ways == ((),) * (len(paths) - 1)
     for outlines in zip(*(key.outlines for key in track.keys), strict=True):
         assert len({o.segments.shape for o in outlines}) == 1
         assert len({o.straight.tobytes() for o in outlines}) == 1
@@ -90,6 +109,52 @@ def test_equal_contours_make_one_path_of_equal_commands(paths, curves):
                 )
 
 
+# The last turns back, and the others turn by different angles, so each has waypoints of its own.
+TURNS = (120.0, 45.0, -75.0, 170.0)
+
+
+@pytest.mark.parametrize("curves", [True, False])
+@pytest.mark.parametrize("paths", SAME_CONTOURS)
+def test_waypoints_are_cut_as_the_keys_are(paths, curves):
+    pairs = [
+        turned(pair, degrees) for pair, degrees in zip(pairs_of(*paths, curves=curves), TURNS, strict=False)
+    ]
+    found = tracks(pairs)
+    (track,) = found
+    assert len(track.ways) == len(track.keys) - 1
+    for pair, ways in zip(pairs, track.ways, strict=True):
+        (shape,) = pair.moving
+        assert [waypoint.t for waypoint in ways] == [waypoint.t for waypoint in waypoints(shape)]
+        assert len(ways) > 3
+        for waypoint in ways:
+            for outline, key in zip(waypoint.outlines, track.keys[0].outlines, strict=True):
+                assert outline.segments.shape == key.segments.shape
+                assert (outline.closed, outline.straight.tobytes()) == (key.closed, key.straight.tobytes())
+                joints = np.abs(outline.segments[1:, 0] - outline.segments[:-1, 3])
+                assert joints.max(initial=0.0) < 1e-9
+    assert_goes_the_same_way(pairs, found, (0.01, 0.25, 0.5, 0.8, 0.99))
+
+
+def test_pairs_that_go_straight_have_no_waypoints_among_others_that_do_not():
+    pairs = pairs_of(STAR, DROP, CIRCLE, STAR)
+    pairs[1] = turned(pairs[1])
+    found = tracks(pairs)
+    (track,) = found
+    assert [len(ways) > 0 for ways in track.ways] == [False, True, False]
+    assert_goes_the_same_way(pairs, found, (0.01, 0.3, 0.99))
+
+
+def test_each_coat_of_paint_has_the_waypoints():
+    stops = '<stop stop-color="#f00"/><stop offset="1" stop-color="#00f"/>'
+    leaf = f'<path d="{LEAF}" fill="url(#g)"/>'
+    gradients = [f'<{kind}Gradient id="g">{stops}</{kind}Gradient>{leaf}' for kind in ("linear", "radial")]
+    (pair,) = pairs_of(*gradients)
+    below, above = tracks([turned(pair)])
+    assert below.keys[0].style != above.keys[0].style
+    assert below.ways == above.ways
+    assert len(above.ways[0]) > 3
+
+
 def test_a_shape_that_does_not_go_on_as_it_came_ends_there():
     pairs = pairs_of(EYED, LEAF, EYED)
     found = tracks(pairs)
@@ -97,6 +162,8 @@ def test_a_shape_that_does_not_go_on_as_it_came_ends_there():
     assert_goes_the_same_way(pairs, found)
     pairs = pairs_of(SQUARES, BAR, SQUARES)
     assert_goes_the_same_way(pairs, tracks(pairs))
+    pairs = [turned(pair) for pair in pairs]
+    assert_goes_the_same_way(pairs, tracks(pairs), (0.01, 0.2, 0.99))
 
 
 def test_some_shapes_go_on_and_others_do_not():
@@ -127,7 +194,9 @@ def test_any_polygons_in_any_direction(seed, counts, curves):
     for count in counts:
         z = star_polygon(rng, count) * 10
         drawings.append(contour_drawing(polygon_contour(z[::-1] if rng.random() < 0.5 else z)))
-    pairs, _ = match_all(drawings, BlendSettings(vertices=20, curves=curves, place="asis"))
+    pairs, _ = match_all(drawings, BlendSettings(vertices=20, curves=curves, place="asis", motion="linear"))
     found = tracks(pairs)
     assert [len(t.keys) for t in found] == [len(counts)]
     assert_goes_the_same_way(pairs, found)
+    pairs = [turned(pair, 100.0, 5 + 5j) for pair in pairs]
+    assert_goes_the_same_way(pairs, tracks(pairs), (0.01, 0.4))
