@@ -190,10 +190,11 @@ def shapeblend() -> None:
 @constant_options
 @click.option(
     "--motion",
-    type=click.Choice(["linear"]),
-    default="linear",
+    type=click.Choice(["auto", "linear", "rigid", "intrinsic", "safe"]),
+    default="auto",
     show_default=True,
-    help="How points travel: straight, as in the paper.",
+    help="How outlines travel: linear: on straight paths; rigid: turned as a whole; intrinsic: by lengths and angles; "
+    "safe: never crossing themselves; auto: straight, else the first of these without a fault.",
 )
 @click.option(
     "--curves/--polygons",
@@ -295,6 +296,8 @@ def blend(
         raise click.UsageError("--output and --report cannot both be standard output")
     if quiet and verbose:
         raise click.UsageError("--quiet and --verbose contradict each other")
+    if emit == "pair" and motion == "auto":
+        motion = "linear"  # what programs do between two files
     constants = constants_in_force(preset, given)
     band_here = band_in_force(preset, band)
     settings = {
@@ -362,6 +365,7 @@ def blend(
             solver=solver,
             band=band_here,
             effort=effort,
+            motion=motion,
             curves=curves,
             ease=ease,
             constants=WorkConstants(**{f"{name[0]}_{name[1]}": value for name, value in constants.items()}),

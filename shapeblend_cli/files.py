@@ -13,6 +13,7 @@ from shapeblend_cli.errors import InputError, MatchError, OutputError
 from shapeblend_cli.geometry.normalise import union
 from shapeblend_cli.interpolate.chains import tracks
 from shapeblend_cli.interpolate.colours import colour_stops
+from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.output import check_targets, write_files
 from shapeblend_cli.pipeline import make_frames, match_all, shapes_at
@@ -144,7 +145,10 @@ def blend_files(
         from shapeblend_cli.emit.move import Move
         from shapeblend_cli.emit.write import emitted
 
-        moves = [Move(shapes_at(pair, 0.0), shapes_at(pair, 1.0), pair.views) for pair in pairs]
+        moves = [
+            Move(shapes_at(pair, 0.0), shapes_at(pair, 1.0), pair.views, tuple(map(waypoints, pair.moving)))
+            for pair in pairs
+        ]
         written, lost = emitted(job.emit, moves, job.timing.seconds, job.timing.ease, decimals)
         for note in lost:
             say(note)
@@ -235,7 +239,26 @@ def _details(pairs: Sequence[Pair], frames: Sequence[Frame], clock: Clock) -> li
             f"{found.stretching:.6g} + bending {found.bending:.6g}, {_proof(found.lower_bound)}, "
             f"{found.zero_angles} angles reach zero, {found.sweeps} sweeps"
         )
-    crossed = sum(frame.self_crossings > 0 for frame in frames)
-    lines.append(f"{len(frames)} frames, {crossed} of them cross themselves")
+    for pair in pairs:
+        for number, (shape, because) in enumerate(zip(pair.moving, pair.reasons, strict=True), 1):
+            which = f"shape {number}: " if len(pair.shapes) > 1 else ""
+            if not all(contour.grows or contour.shrinks for contour in shape.contours):
+                lines.append(f"{which}motion {shape.motion.name if shape.motion else 'linear'}: {because}")
+    lines.append(f"{_counted(len(frames), 'frame')}: {_crossed(frames)}")
     lines.append(", ".join(f"{stage} {1000 * seconds:.1f} ms" for stage, seconds in clock.seconds.items()))
     return lines
+
+
+def _crossed(frames: Sequence[Frame]) -> str:
+    """Which frames cross themselves, and how often."""
+    crossed = [frame for frame in frames if frame.self_crossings]
+    if not crossed:
+        return "none crosses itself"
+    several = len({frame.pair for frame in frames}) > 1
+    times = ", ".join(f"{frame.t:.3g}" + f" of pair {frame.pair}" * several for frame in crossed)
+    total = sum(frame.self_crossings for frame in crossed)
+    return f"{_counted(total, 'crossing')} in {len(crossed)} of them, at t = {times}"
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"

@@ -14,8 +14,8 @@ import numpy as np
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.normalise import Similarity, between_boxes, grown, holds, lay_over, union
-from shapeblend_cli.geometry.outline import self_crossings, signed_area
-from shapeblend_cli.interpolate.paths import between, moving
+from shapeblend_cli.geometry.outline import curve_crossings
+from shapeblend_cli.interpolate.paths import between, waypoints
 from shapeblend_cli.interpolate.styles import blend_styles, painted_as
 from shapeblend_cli.interpolate.times import frame_times
 from shapeblend_cli.model import (
@@ -24,15 +24,17 @@ from shapeblend_cli.model import (
     Drawing,
     Frame,
     MatchedShape,
-    MovingShape,
     Outline,
     PaintedShape,
     Pair,
     Polygon,
 )
+from shapeblend_cli.motion.alignment import aligned, matched_points, residual
+from shapeblend_cli.motion.choose import Chooser, Chosen
+from shapeblend_cli.motion.turned import turn_between
 from shapeblend_cli.pairing.join import join, least_work_either_way, part_of
 from shapeblend_cli.pairing.pair import pair_parts
-from shapeblend_cli.pairing.parts import Part, main_way, take_apart
+from shapeblend_cli.pairing.parts import Part, main_way, take_apart, turned_parts
 from shapeblend_cli.pairing.shapes import Joint, matched_shapes
 from shapeblend_cli.pairing.wishes import Wishes, check_stiff, given_pairs, pinned, wishes_for
 from shapeblend_cli.settings import BlendSettings
@@ -43,8 +45,8 @@ MARGIN = 0.02
 SLACK = 1e-9
 """What sticks out of a viewBox by less than this share of its size does so by rounding."""
 
-FLAT_PIECES = 12
-"""Lines for which a curve is taken where crossings are counted and areas measured."""
+ALIKE = 0.03
+"""B is A turned if no more than this share of A's size is left, root mean square, once it is turned back."""
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -170,18 +172,48 @@ def match_all(
     clock.lap("flatten")
     pairs = []
     for number, (a, b) in enumerate(pairwise(laid)):
-        shapes = _match(a, b, settings, clock, part_of(watch, number, len(laid) - 1))
-        moving_shapes = tuple(
-            MovingShape(
-                tuple(moving(contour, curves=settings.curves) for contour in shape.contours),
-                shape.style_a,
-                shape.style_b,
+        chosen = _matched(a, b, settings, clock, part_of(watch, number, len(laid) - 1))
+        pairs.append(
+            Pair(
+                number,
+                number + 1,
+                shapes=tuple(one.matched for one in chosen),
+                moving=tuple(one.moving for one in chosen),
+                reasons=tuple(one.because for one in chosen),
+                drawn=(a.drawn, b.drawn),
+                views=(a.view, b.view),
             )
-            for shape in shapes
         )
-        pairs.append(Pair(number, number + 1, shapes, moving_shapes, (a.drawn, b.drawn), (a.view, b.view)))
         clock.lap("interpolate")
-    return pairs, notes
+    return _with_room(pairs), notes
+
+
+def _with_room(pairs: list[Pair]) -> list[Pair]:
+    """Pairs that show what leaves the views of both drawings on its way between them.
+
+    A drawing that ends one pair and begins the next has the same view in both.
+    """
+    views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
+    for pair in pairs:
+        reach = _reach(pair)
+        for k in (pair.a, pair.b):
+            if reach is not None and not holds(views[k], reach, 0.0):
+                views[k] = union([views[k], reach])
+    return [pair._replace(views=(views[pair.a], views[pair.b])) for pair in pairs]
+
+
+def _reach(pair: Pair) -> Box | None:
+    """The box around what does not go straight and leaves the views of both drawings, if any does."""
+    boxes = []
+    for shape in pair.moving:
+        width = max(style.stroke_width if style.stroke else 0.0 for style in (shape.style_a, shape.style_b))
+        for point in waypoints(shape):
+            view = between_boxes(*pair.views, point.t)
+            here = union([cubics.bounds(outline.segments) for outline in point.outlines])
+            painted = grown(here, width / 2.0)
+            if not holds(view, painted, SLACK * max(view.width, view.height)):
+                boxes.append(grown(painted, MARGIN * max(painted.width, painted.height)))
+    return union(boxes) if boxes else None
 
 
 class _Laid(NamedTuple):
@@ -194,23 +226,97 @@ class _Laid(NamedTuple):
     view: Box
 
 
-def _match(
+def _matched(
     a: _Laid, b: _Laid, settings: BlendSettings, clock: Clock, watch: Callable[[float], None] | None
-) -> tuple[MatchedShape, ...]:
-    """Pair the contours of two drawings and find the correspondence of each pair."""
+) -> list[Chosen]:
+    """Pair the contours of two drawings, find the correspondence of each pair, and choose how shapes move."""
+    turned = None if settings.motion == "linear" else _turn(a.parts, b.parts)
+    shapes, rematch = _match(a, b, settings, clock, watch, turned or 0.0)
+    if turned is not None and not _is_turned(shapes):
+        turned = None
+        shapes, rematch = _match(a, b, settings, clock, watch, 0.0)
+    times = frame_times(settings.frames, settings.ends, settings.ease)
+    chooser = Chooser(settings.motion, settings.curves, times, rematch, turned)
+    chosen = chooser.choose(shapes)
+    clock.lap("interpolate")
+    return chosen
+
+
+def _turn(a: Sequence[Part], b: Sequence[Part]) -> float | None:
+    """By what angle the largest contour of B is that of A turned, if it is."""
+    return turn_between(*(max(parts, key=lambda part: part.size).polygon for parts in (a, b)))
+
+
+def _is_turned(shapes: Sequence[MatchedShape]) -> bool:
+    """Whether B is A turned, as a whole."""
+    contours = [contour for shape in shapes for contour in shape.contours]
+    if any(contour.a is None or contour.b is None for contour in contours):
+        return False
+    points = matched_points(contours)
+    return residual(points, aligned(points)) < ALIKE
+
+
+def _match(
+    a: _Laid,
+    b: _Laid,
+    settings: BlendSettings,
+    clock: Clock,
+    watch: Callable[[float], None] | None,
+    turn: float,
+) -> tuple[tuple[MatchedShape, ...], Callable[[MatchedShape, float], MatchedShape]]:
+    """Pair the contours of two drawings and find the correspondence of each pair, with B turned back by an angle.
+
+    Returns
+    -------
+    shapes : tuple of MatchedShape
+    rematch : callable
+        Solves the correspondences of a shape anew for another angle.
+    """
     pins = pinned(a.parts, b.parts, settings, b.over)
     given = given_pairs((a.drawing, b.drawing), (a.parts, b.parts), settings)
-    couples = pair_parts(a.parts, b.parts, settings, given + [found.pair for found in pins])
+    couples = _couples(a.parts, b.parts, settings, given + [found.pair for found in pins], turn)
     clock.lap("match")
     largest = max(couples, key=lambda couple: couple[0].size)
+    wishes = [wishes_for(couple, settings, pins, is_largest=couple is largest) for couple in couples]
     joints = []
     for run, couple in enumerate(couples):
-        wishes = wishes_for(couple, settings, pins, is_largest=couple is largest)
-        matched = join(*couple, settings, wishes, part_of(watch, run, len(couples)))
+        matched = join(*couple, settings, wishes[run], part_of(watch, run, len(couples)), turn)
         joints.append(Joint(*couple, matched._replace(seconds=clock.lap("match"))))
     shapes = tuple(_in_style(shape, settings.style) for shape in matched_shapes(a.parts, b.parts, joints))
+    runs = {(joint.matched.a, joint.matched.b): run for run, joint in enumerate(joints)}
+
+    def rematch(shape: MatchedShape, other: float) -> MatchedShape:
+        clock.lap("interpolate")
+        contours = []
+        for contour in shape.contours:
+            run = runs.get((contour.a, contour.b))
+            if run is not None:
+                solved = join(*couples[run], settings, wishes[run], None, other)
+                contour = solved._replace(seconds=clock.lap("match"))
+            contours.append(contour)
+        return shape._replace(contours=tuple(contours))
+
     clock.lap("match")
-    return shapes
+    return shapes, rematch
+
+
+def _couples(
+    a: Sequence[Part],
+    b: Sequence[Part],
+    settings: BlendSettings,
+    given: Sequence[tuple[int, int]],
+    turn: float,
+) -> list[tuple[Part, Part]]:
+    """The pairs of contours, found with B turned back by an angle about its largest one, which is laid over A's."""
+    if not turn:
+        return pair_parts(a, b, settings, given)
+    onto, about = (max(parts, key=lambda part: part.size).polygon.vertices.mean() for parts in (a, b))
+    couples = pair_parts(a, turned_parts(b, -turn, about, onto), settings, given)
+    own = {part.number: part for part in b}
+    return [
+        (one, turned_parts([other], turn, onto, about)[0] if other.is_piece else own[other.number])
+        for one, other in couples
+    ]
 
 
 def _in_style(shape: MatchedShape, style: str) -> MatchedShape:
@@ -279,7 +385,7 @@ def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
     """The shapes of a pair at time t, command for command alike at all times; what has no partner ends as a point."""
     return tuple(
         PaintedShape(
-            tuple(between(contour, t) for contour in shape.contours),
+            between(shape, t),
             *blend_styles(shape.style_a, shape.style_b, t),
         )
         for shape in pair.moving
@@ -289,9 +395,8 @@ def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
 def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:
     """The frame at time t; at t = 0 and t = 1 it may be the drawing itself."""
     moved = shapes_at(pair, t)
-    flat = [
-        [(cubics.polyline(o.segments, o.straight, FLAT_PIECES), o) for o in shape.outlines] for shape in moved
-    ]
+    crossings = sum(curve_crossings(shape.outlines) for shape in moved)
+    area = sum(abs(sum(cubics.signed_area(o.segments) for o in shape.outlines)) for shape in moved)
     if t in (0.0, 1.0):
         moved = pair.drawn[int(t)] if as_drawn else _without_points(pair, moved, t)
     return Frame(
@@ -299,10 +404,8 @@ def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:
         pair=pair.a,
         shapes=moved,
         view=between_boxes(*pair.views, t),
-        self_crossings=sum(
-            self_crossings(np.append(z, o.segments[-1, 3]), closed=False) for shape in flat for z, o in shape
-        ),
-        area=sum(abs(sum(signed_area(z) for z, _ in shape)) for shape in flat),
+        self_crossings=crossings,
+        area=area,
     )
 
 

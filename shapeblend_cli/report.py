@@ -12,7 +12,7 @@ from shapeblend_cli.geometry.normalise import box_of, union
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, Drawing, Frame, MatchedContour, Pair, Shape
+    from shapeblend_cli.model import ComplexArray, Drawing, Frame, MatchedContour, Motion, Pair, Shape
 
 REPORT_FORMAT = 1
 
@@ -48,7 +48,16 @@ def report(
         "inputs": list(inputs),
         "settings": settings,
         "pairs": [
-            {"a": pair.a, "b": pair.b, "contours": [_contour(c) for c in pair.contours]} for pair in pairs
+            {
+                "a": pair.a,
+                "b": pair.b,
+                "contours": [
+                    _contour(contour, moving.motion, because)
+                    for shape, moving, because in zip(pair.shapes, pair.moving, pair.reasons, strict=True)
+                    for contour in shape.contours
+                ],
+            }
+            for pair in pairs
         ],
         "frames": [
             {"t": f.t, "pair": f.pair, "file": file, "self_crossings": f.self_crossings, "area": f.area}
@@ -58,7 +67,7 @@ def report(
     }
 
 
-def _contour(matched: MatchedContour) -> dict[str, Any]:
+def _contour(matched: MatchedContour, motion: Motion | None, because: str) -> dict[str, Any]:
     found = matched.correspondence
     return {
         "a": matched.a,
@@ -79,6 +88,9 @@ def _contour(matched: MatchedContour) -> dict[str, Any]:
         "zero_angles": found.zero_angles,
         "sweeps": found.sweeps,
         "seconds": matched.seconds,
+        "turned_back": float(np.degrees(matched.turn)),
+        "motion": motion.name if motion else "linear",
+        "motion_because": because,
     }
 
 

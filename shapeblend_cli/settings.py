@@ -36,6 +36,8 @@ class BlendSettings(NamedTuple):
         See `match.solve.least_work`.
     pairs : tuple of (str, str)
         Contours that must become one another: numbers, as in the report, or ids of shapes.
+    motion : {'auto', 'linear', 'rigid', 'intrinsic', 'safe'}
+        How outlines go from A to B, see `motion.choose`.
     curves : bool
         Frames of smooth curves, or of the solver's polygons.
     ease : Ease
@@ -61,6 +63,7 @@ class BlendSettings(NamedTuple):
     constants: WorkConstants = WorkConstants()
     pairs: tuple[tuple[str, str], ...] = ()
     unmatched: str = "point"
+    motion: str = "auto"
     curves: bool = True
     ease: Ease = LINEAR
     style: str = "blend"

@@ -15,7 +15,16 @@ import pytest
 from PIL import Image
 
 from shapeblend_cli.cli import run
-from tests.support.drawings import EIGHT, EYED, LEAF, RING, SQUARES, B, svg
+from shapeblend_cli.easing import Ease
+from shapeblend_cli.geometry.normalise import union
+from shapeblend_cli.interpolate.chains import tracks
+from shapeblend_cli.interpolate.colours import colour_stops
+from shapeblend_cli.pipeline import frame_at, match_all
+from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.svg.animate import PINGPONG, Timing, css_svg, smil_svg
+from shapeblend_cli.svg.write import frame_svg
+from tests.support.drawings import EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
+from tests.support.motions import turned
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 if CHROMIUM is None and os.environ.get("CI") == "true":
@@ -130,7 +139,8 @@ CASES = {
     "holes": ([B, EIGHT], []),
     "an eye that shrinks": ([EYED, LEAF], []),
     "paint and strokes": ([COLOURS, OTHER_COLOURS], []),
-    "three drawings": ([LEAF, RING, SQUARES], []),
+    # On its way something would leave the viewBox, which css and stacked frames show as large as it ever is.
+    "three drawings": ([LEAF, RING, SQUARES], ["--motion", "linear"]),
     "one path through four": ([B, EIGHT, B, EIGHT], ["--ease", "ease-in-out"]),
     "polygons, split": ([SQUARES, LEAF], ["--polygons", "--unmatched", "split"]),
 }
@@ -196,10 +206,48 @@ def test_pingpong_comes_back_the_way_it_went(here):
     assert np.abs(pixels[0] - screenshot(here, [("", frames[0])])[0]).mean() > 0.01
 
 
+TURNING = {
+    "a turn": ([EYED, LEAF], Timing()),
+    "an eased turn": ([EYED, LEAF], Timing(ease=Ease(0.42, 0.0, 0.58, 1.0))),
+    "paint and strokes": ([COLOURS, OTHER_COLOURS], Timing(ease=Ease(0.25, 0.1, 0.25, 1.0))),
+    "one path that turns and goes straight": ([B, EIGHT, B, EIGHT], Timing(ease=Ease(0.42, 0.0, 1.0, 1.0))),
+    "tracks that begin late and end early": ([LEAF, RING, SQUARES], Timing()),
+    "there and back": ([B, EIGHT, B], Timing(ease=Ease(0.3, 0.0, 0.1, 1.0), repeat=PINGPONG)),
+}
+
+
+@pytest.mark.parametrize("method", ["smil", "css"])
+def test_what_moves_on_curved_paths_is_shown_there(here, method):
+    cells, pairs = [], []
+    for name, (paths, timing) in TURNING.items():
+        straight, _ = match_all(
+            [drawing(p, attributes=EVENODD) for p in paths], BlendSettings(motion="linear")
+        )
+        moved = [turned(pair) if k % 2 == 0 else pair for k, pair in enumerate(straight)]
+        views = [moved[0].views[0], *(pair.views[1] for pair in moved)]
+        if method == "smil":
+            moving = smil_svg(tracks(moved), views, timing, 3, colour_stops)
+        else:
+            moving = css_svg(tracks(moved), union(views), timing, 3, colour_stops)
+        for k, pair in enumerate(moved):
+            for share in (0.05, 0.3, 0.5, 0.72):
+                times = [timing.seconds * (k + share)]
+                if timing.repeat == PINGPONG:
+                    times.append(2.0 * timing.seconds * len(moved) - times[0])
+                frame = frame_svg(frame_at(pair, timing.ease.at(share), as_drawn=False), 3)
+                for time in times:
+                    pairs.append((name, time))
+                    cells += [(f'data-time="{time}"', own_ids(moving, len(cells))), ("", frame)]
+    pixels = screenshot(here, cells)
+    for k, number in enumerate(pairs):
+        assert_alike(pixels[2 * k], pixels[2 * k + 1], number)
+
+
 def test_stacked_frames_are_shown_in_turn(here):
-    names, frames = blended(here, *CASES["three drawings"])
+    paths, options = CASES["three drawings"]
+    names, frames = blended(here, paths, options)
     cells = []
-    assert run([*names, "-n", "3", "-o", "moving.svg", "--animate", "frames"]) == 0
+    assert run([*names, "-n", "3", "-o", "moving.svg", "--animate", "frames", *options]) == 0
     text = (here / "moving.svg").read_text()
     for k, frame in enumerate(frames):
         cells += [(f'data-time="{4.0 * (k + 0.5) / len(frames)}"', text), ("", frame)]

@@ -16,8 +16,14 @@ import pytest
 from PIL import Image
 
 from shapeblend_cli.cli import run
+from shapeblend_cli.easing import LINEAR, Ease
+from shapeblend_cli.emit.lottie import lottie
+from shapeblend_cli.pipeline import frame_at
+from shapeblend_cli.svg.write import frame_svg
 from tests.browser.test_animation import CHROMIUM, FLAGS
 from tests.emit.blends import BLENDS, written
+from tests.support.drawings import EIGHT, B
+from tests.support.motions import turned_move
 from tests.support.pictures import difference
 
 pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium here: apt-get install chromium")
@@ -59,7 +65,9 @@ def player():
 def drawings_and_frames(blend):
     """Write the drawings of a blend, and its frames at `TIMES`, all with the viewBox of A."""
     written(Path(), blend)
-    assert run(["from.svg", "to.svg", "-n", str(len(TIMES) - 2), "--ends", "-o", "frames", "-q"]) == 0
+    count = str(len(TIMES) - 2)
+    options = ["--ends", "-o", "frames", "--motion", "linear", "-q"]
+    assert run(["from.svg", "to.svg", "-n", count, *options]) == 0
     viewbox = re.search(r'viewBox="[^"]*"', BLENDS[blend][0]).group()
     return [
         re.sub(r'viewBox="[^"]*"', viewbox, Path(f"frames/frame-{k + 1}.svg").read_text(encoding="utf-8"))
@@ -98,23 +106,40 @@ def two_rows(folder, frames, script, source=""):
     return [np.split(column, 2) for column in columns]
 
 
+def played(folder, player, text, frames, times):
+    """What lottie-web shows at times as shares of a Lottie, each with a frame."""
+    script = f"""
+        document.querySelectorAll(".cell").forEach((container, k) => lottie.loadAnimation({{
+            container, renderer: "svg", loop: false, autoplay: false, animationData: structuredClone({text}),
+        }}).goToAndStop({json.dumps([60 * SECONDS * t for t in times])}[k], true));
+    """
+    return two_rows(folder, frames, script, f'<script src="{player.as_uri()}"></script>')
+
+
 @pytest.mark.parametrize("blend", SMOOTH)
 def test_lottie_web_plays_the_frames(tmp_path, monkeypatch, player, blend):
     monkeypatch.chdir(tmp_path)
     frames = drawings_and_frames(blend)
-    assert run(["from.svg", "to.svg", "--emit", "lottie", "-q"]) == 0
-    lottie = (tmp_path / "blend.json").read_text(encoding="utf-8")
-    times = json.dumps([60 * SECONDS * t for t in TIMES])
-    script = f"""
-        document.querySelectorAll(".cell").forEach((container, k) => lottie.loadAnimation({{
-            container, renderer: "svg", loop: false, autoplay: false, animationData: structuredClone({lottie}),
-        }}).goToAndStop({times}[k], true));
-    """
-    pictures = two_rows(tmp_path, frames, script, f'<script src="{player.as_uri()}"></script>')
-    for played, frame in pictures:
+    assert run(["from.svg", "to.svg", "--emit", "lottie", "--motion", "linear", "-q"]) == 0
+    pictures = played(tmp_path, player, (tmp_path / "blend.json").read_text(encoding="utf-8"), frames, TIMES)
+    for shown, frame in pictures:
         assert (frame < 200).any()
-        assert difference(played, frame) < 2e-3
+        assert difference(shown, frame) < 2e-3
     assert difference(pictures[0][0], pictures[-1][0]) > 0.02
+
+
+@pytest.mark.parametrize("ease", [LINEAR, Ease(0.42, 0.0, 0.58, 1.0)])
+def test_lottie_web_plays_curved_paths(tmp_path, player, ease):
+    move, pair = turned_move(B, EIGHT, attributes='fill="#c04020" fill-rule="evenodd"')
+    times = (0.1, 0.3, 0.5, 0.62, 0.9)
+    frames = [frame_svg(frame_at(pair, ease.at(t), as_drawn=False), 3) for t in times]
+    pictures = played(tmp_path, player, lottie([move], SECONDS, ease, 3), frames, times)
+    for shown, frame in pictures:
+        assert (frame < 200).any()
+        assert difference(shown, frame) < 5e-3
+    straight = lottie([move._replace(ways=((),))], SECONDS, ease, 3)
+    (shown, frame), *_ = played(tmp_path, player, straight, frames[2:3], times[2:3])
+    assert difference(shown, frame) > 0.02
 
 
 @pytest.mark.parametrize("blend", SMOOTH)

@@ -148,6 +148,7 @@ def test_the_report_is_that_of_the_page(here, capfdbinary):
         "a", "b", "closed", "vertices_a", "vertices_b", "scale_a", "scale_b", "dots", "start",
         "work", "stretching", "bending", "lower_bound", "gap",
         "diagonal_deviation", "zero_angles", "sweeps", "seconds",
+        "turned_back", "motion", "motion_because",
     ]  # fmt: skip
     assert (contour["a"], contour["b"], contour["closed"], contour["scale_a"]) == (
         0,
@@ -255,6 +256,21 @@ def test_a_shape_that_is_only_filled_is_closed_by_its_fill(here, capfdbinary):
     (here / "a.svg").write_text(svg("M0 0H10V10H0"))
     assert run(["a.svg", "b.svg", "-n", "0", "--report", "-"]) == 0
     assert json.loads(capfdbinary.readouterr().out)["pairs"][0]["contours"][0]["closed"] is True
+
+
+@pytest.mark.parametrize(
+    ("d", "line"),
+    [
+        (SQUARE, "2 frames: none crosses itself"),
+        # A square ring whose hole leaves it.
+        (f"{SQUARE} M8 2V8H14V2Z", "2 frames: 4 crossings in 2 of them, at t = 0.333, 0.667"),
+    ],
+)
+def test_details_say_when_frames_cross_themselves(here, capsys, d, line):
+    for name in "ab":
+        (here / f"{name}.svg").write_text(svg(d))
+    assert run(["a.svg", "b.svg", "-n", "2", "-o", "out", "-v"]) == 0
+    assert f"shapeblend: {line}" in capsys.readouterr().err.splitlines()
 
 
 BAD = {

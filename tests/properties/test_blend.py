@@ -29,7 +29,7 @@ constants = st.builds(
 similarities = st.builds(
     Similarity, st.floats(0.01, 100), st.builds(complex, st.floats(-50, 50), st.floats(-50, 50))
 )
-ASIS = BlendSettings(place="asis", vertices=40)
+ASIS = BlendSettings(place="asis", vertices=40, motion="linear")
 
 
 def match(a, b, settings):
@@ -47,7 +47,7 @@ def test_a_shape_and_itself_moved_scaled_begun_elsewhere_cost_nothing(seed, m, s
     p = star(seed, m)
     a = drawing(polygon_contour(p))
     b = drawing(polygon_contour(similarity.points(np.roll(p, start))), file="b.svg")
-    pair = match(a, b, BlendSettings(place="asis", vertices=40, constants=constants))
+    pair = match(a, b, ASIS._replace(constants=constants))
     found = pair.contours[0].correspondence
     assert found.work < 1e-7
     p0, p1 = (polygon.vertices for polygon in (pair.contours[0].polygon_a, pair.contours[0].polygon_b))
@@ -134,7 +134,9 @@ def test_curves_and_lines_of_any_mixture_blend(seed, count):
     segments = np.column_stack([nodes, inner, np.roll(nodes, -1)])
     scribble = Contour(segments, np.zeros(count, bool), True)
     pair, frames = blend(
-        drawing(scribble), drawing(circle_contour(), file="b.svg"), BlendSettings(place="bbox")
+        drawing(scribble),
+        drawing(circle_contour(), file="b.svg"),
+        BlendSettings(place="bbox", motion="linear"),
     )
     assert len(frames) == 5
     assert all(np.isfinite(frame.shapes[0].outlines[0].segments).all() for frame in frames)

@@ -56,7 +56,7 @@ def blended(tmp_path_factory):
             )
             files.append(str(file))
         out = folder / str(number)
-        assert run([*files, "-n", "1", "--ends", "-q", "-o", str(out)]) == 0
+        assert run([*files, "-n", "1", "--ends", "--motion", "linear", "-q", "-o", str(out)]) == 0
         found.append([read(str(file)) for file in (*files, *sorted(out.glob("*.svg")))])
     return found
 

@@ -1,0 +1,196 @@
+"""`--motion`, as its users see it."""
+
+import json
+import re
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.cli import run
+from tests.support.drawings import BAR, LEAF, SQUARES, svg
+
+L = "M3 3H9V17H19V21H3Z"
+L_TURNED = "M21 3V9H7V19H3V3Z"
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name, d in (("l", L), ("turned", L_TURNED), ("bar", BAR), ("leaf", LEAF), ("squares", SQUARES)):
+        (tmp_path / f"{name}.svg").write_text(svg(d), encoding="utf-8")
+    return tmp_path
+
+
+def report(*arguments):
+    assert run([*arguments, "--report", "r.json", "-f"]) == 0
+    with open("r.json") as file:
+        return json.load(file)
+
+
+def contours(*arguments):
+    return [c for pair in report(*arguments)["pairs"] for c in pair["contours"]]
+
+
+def written(folder):
+    return [path.read_bytes() for path in sorted(folder.iterdir())]
+
+
+def views(folder):
+    return [
+        [float(v) for v in ElementTree.parse(path).getroot().get("viewBox").split()]
+        for path in sorted(folder.glob("*.svg"))
+    ]
+
+
+def points(path):
+    (d,) = re.findall(r' d="([^"]*)"', path.read_text())
+    return np.array([complex(*map(float, p.split(","))) for p in re.findall(r"-?[\d.]+,-?[\d.]+", d)])
+
+
+def test_the_report_says_how_each_contour_moves_and_why(here):
+    (contour,) = contours("l.svg", "turned.svg")
+    assert contour["motion"] == "rigid"
+    assert contour["turned_back"] == pytest.approx(90, abs=1.5)
+    assert contour["motion_because"] == "B is A turned by 90 degrees"
+    (contour,) = contours("bar.svg", "leaf.svg")
+    assert (contour["motion"], contour["motion_because"], contour["turned_back"]) == (
+        "linear",
+        "no fault",
+        0.0,
+    )
+    for motion in ("linear", "rigid", "intrinsic", "safe"):
+        (contour,) = contours("bar.svg", "leaf.svg", "--motion", motion)
+        assert (contour["motion"], contour["motion_because"]) == (motion, "asked for")
+
+
+@pytest.mark.parametrize("motion", ["auto", "linear", "rigid", "intrinsic", "safe"])
+def test_the_report_has_the_setting(here, motion):
+    assert report("l.svg", "turned.svg", "-n", "0", "--motion", motion)["settings"]["motion"] == motion
+    assert report("l.svg", "turned.svg", "-n", "0")["settings"]["motion"] == "auto"
+
+
+def test_verbose_says_the_motion_and_why(here, capsys):
+    assert run(["l.svg", "turned.svg", "-v"]) == 0
+    assert "shapeblend: motion rigid: B is A turned by 90 degrees\n" in capsys.readouterr().err
+    assert run(["bar.svg", "leaf.svg", "-v", "-f"]) == 0
+    assert "shapeblend: motion linear: no fault\n" in capsys.readouterr().err
+
+
+def test_verbose_names_the_shapes_where_there_are_several(here, capsys):
+    (here / "two.svg").write_text(svg(L, "M14 3H20V9Z"), encoding="utf-8")
+    assert run(["two.svg", "two.svg", "-v"]) == 0
+    said = capsys.readouterr().err
+    for number in (1, 2):
+        assert f"shapeblend: shape {number}: motion linear: no fault\n" in said
+
+
+@pytest.mark.parametrize("value", ["straight", "", "AUTO!"])
+def test_another_motion_is_exit_2(here, capsys, value):
+    assert run(["l.svg", "turned.svg", "--motion", value]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    for name in ("auto", "linear", "rigid", "intrinsic", "safe"):
+        assert name in line
+    assert not (here / "blend").exists()
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["-o", "out"],
+        ["-o", "out/x.svg"],
+        ["-o", "out/x.svg", "--animate", "css"],
+        ["-o", "out/x.svg", "--animate", "frames"],
+        ["-o", "out/x.json", "--emit", "lottie"],
+        ["-o", "out/x.xml", "--emit", "avd"],
+        ["-o", "out", "--polygons", "--ends"],
+    ],
+    ids=" ".join,
+)
+@pytest.mark.parametrize("names", [("bar", "leaf"), ("squares", "bar")], ids=" ".join)
+def test_without_a_fault_files_are_those_of_straight_paths(here, names, options):
+    files = [f"{name}.svg" for name in names]
+    if any(contour["motion"] != "linear" for contour in contours(*files, "-n", "5")):
+        pytest.fail("these have to be without a fault")
+    assert run([*files, *options]) == 0
+    auto = written(here / "out")
+    assert run([*files, *options, "--motion", "linear", "-f"]) == 0
+    assert written(here / "out") == auto
+
+
+def test_frames_turn_and_straight_ones_do_not(here):
+    assert run(["l.svg", "turned.svg", "-n", "1", "--polygons", "--vertices", "0"]) == 0
+    edges = abs(np.diff(points(here / "blend/frame-1.svg")))
+    np.testing.assert_allclose(edges, [6, 14, 10, 4, 16], atol=0.01)
+    straight = ["--motion", "linear", "-f"]
+    assert run(["l.svg", "turned.svg", "-n", "1", "--polygons", "--vertices", "0", *straight]) == 0
+    np.testing.assert_allclose(
+        abs(np.diff(points(here / "blend/frame-1.svg"))), edges / np.sqrt(2.0), atol=0.01
+    )
+
+
+@pytest.mark.parametrize("kind", [[], ["--polygons"]])
+def test_the_ends_are_the_drawings_whatever_the_motion(here, kind):
+    for motion in ("linear", "rigid", "intrinsic", "safe"):
+        assert run(["l.svg", "turned.svg", "-n", "1", "--ends", "--motion", motion, "-f", *kind]) == 0
+        for frame, vertices in ((1, 3 + 3j), (3, 21 + 3j)):
+            assert abs(points(here / f"blend/frame-{frame}.svg") - vertices).min() < 1e-3
+
+
+def test_no_frames(here):
+    found = report("l.svg", "turned.svg", "-n", "0")
+    assert found["frames"] == []
+    assert found["pairs"][0]["contours"][0]["motion"] == "rigid"
+    assert list((here / "blend").glob("*.svg")) == [] if (here / "blend").exists() else True
+
+
+@pytest.mark.parametrize("method", ["smil", "css", "frames"])
+def test_three_files_move_each_pair_in_its_way(here, method):
+    files = ["l.svg", "turned.svg", "turned.svg"]
+    assert [c["motion"] for c in contours(*files)] == ["rigid", "linear"]
+    assert run([*files, "-o", "x.svg", "--animate", method]) == 0
+    text = (here / "x.svg").read_text()
+    if method == "smil":
+        values = re.findall(r'attributeName="d"[^>]*values="([^"]*)"|values="(M[^"]*)"', text)
+        (steps,) = [(a or b).split(";") for a, b in values]
+        assert len(steps) > 4  # the turn is made of several, what is straight of one
+
+
+def test_a_pair_goes_straight_unless_asked(here, capsys):
+    assert run(["l.svg", "turned.svg", "--emit", "pair", "--report", "r.json"]) == 0
+    assert capsys.readouterr().err == ""
+    with open("r.json") as file:
+        assert json.load(file)["pairs"][0]["contours"][0]["motion"] == "linear"
+    assert run(["l.svg", "turned.svg", "--emit", "pair", "--motion", "rigid", "-f"]) == 0
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "moves on curved paths, which two files cannot show" in line
+
+
+@pytest.mark.parametrize("output", [["-n", "5", "--ends"], ["-n", "0", "--ends"]])
+def test_what_leaves_the_viewbox_on_its_way_is_shown(here, output):
+    for name, d in (("a", "M0 0H24V24H0V10H4V6H0Z"), ("b", "M24 0V24H0V0H14V4H18V0Z")):
+        (here / f"{name}.svg").write_text(svg(d), encoding="utf-8")
+    (contour,) = contours("a.svg", "b.svg", *output)
+    assert contour["motion"] == "rigid"
+    found = views(here / "blend")
+    assert all(view == found[0] for view in found)
+    x, y, width, height = found[0]
+    reach = 12 * 2**0.5  # the corners', half way
+    assert x < 12 - reach
+    assert y < 12 - reach
+    assert x + width > 12 + reach
+    assert y + height > 12 + reach
+    assert max(width, height) < 40
+    for path in (here / "blend").glob("*.svg"):
+        z = points(path)
+        assert x < z.real.min() < z.real.max() < x + width
+        assert y < z.imag.min() < z.imag.max() < y + height
+    assert run(["a.svg", "b.svg", "-o", "straight", "--motion", "linear"]) == 0
+    assert views(here / "straight") == [[0, 0, 24, 24]] * 5
+
+
+def test_what_stays_inside_leaves_the_viewbox_as_it_is(here):
+    for name, d in (("l", L), ("turned", L_TURNED)):
+        (here / f"{name}.svg").write_text(svg(d, viewbox="-4 -4 32 32"), encoding="utf-8")
+    assert run(["l.svg", "turned.svg", "-o", "out", "--ends"]) == 0
+    assert views(here / "out") == [[-4, -4, 32, 32]] * 7
