@@ -20,7 +20,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test lint type fmt golden fuzz bench bench-quality pictures tables install clean
+.PHONY: help demo test lint type fmt golden fuzz bench bench-quality worst pictures tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -71,6 +71,9 @@ tables: install ## measure the solver and write docs/solver.md
 
 bench-quality: install ## measure the results beside other tools and write docs/quality.md; flubber needs node and npm
 	$(BIN)/python -m tools.quality
+
+worst: install ## draw what straight paths do worst, beside the motion that is chosen: out/worst.png
+	$(BIN)/python -m tools.quality.worst
 
 clean: ## remove what the other targets made, except the README's pictures
 	rm -rf $(VENV) build dist out *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis .benchmarks

@@ -6,12 +6,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from tools.quality import __main__ as quality
-from tools.quality import crossings, data, scores, sizes, tables
+from tools.quality import crossings, data, motions, scores, sizes, tables, worst
 from tools.quality.data import Pair, icon_pairs, polygon, subpaths
+from tools.quality.motions import Choice, choice
 from tools.quality.peers import ALL, Tool, arc_length, flubber, shapeblend
-from tools.quality.scores import STEPS, Score, area, area_share, is_crossed, score
+from tools.quality.scores import STEPS, Score, area, area_share, is_crossed, is_overlapping, score
 
 SQUARE = np.array([0, 10, 10 + 10j, 10j])
 BOW_TIE = SQUARE[[0, 2, 1, 3]]
@@ -49,8 +51,33 @@ def test_a_frame_is_crossed_if_one_of_its_contours_is():
     assert score(frames(SQUARE, BOW_TIE + 50), (2, 2)).crossed
 
 
-def test_contours_that_cross_each_other_are_not_crossed():
-    assert not score(frames(SQUARE, SQUARE + 5 + 5j), (2, 2)).crossed
+def test_contours_that_cross_each_other_are_not_crossed_but_overlapping():
+    found = score(frames(SQUARE, SQUARE + 5 + 5j), (2, 2))
+    assert (found.crossed, found.overlapping) == (False, True)
+
+
+@pytest.mark.parametrize(
+    ("others", "overlapping"),
+    [
+        pytest.param([], False, id="none"),
+        pytest.param([SQUARE + 20], False, id="apart"),
+        pytest.param([SQUARE / 2 + 1], False, id="inside"),
+        pytest.param([SQUARE], False, id="the same"),
+        pytest.param([SQUARE + 10], False, id="side by side"),
+        pytest.param([SQUARE + 10 + 5j], False, id="sharing a part of a side"),
+        pytest.param([SQUARE / 2], False, id="inside, sharing two sides"),
+        pytest.param([SQUARE + 9.995], False, id="off by less than files are precise"),
+        pytest.param([SQUARE + 9.9], True, id="a little"),
+        pytest.param([SQUARE[::-1] + 5], True, id="the other way round"),
+        pytest.param([SQUARE + 50, SQUARE + 55], True, id="two others"),
+        pytest.param([BOW_TIE + 5], True, id="a bow tie"),
+        pytest.param([BOW_TIE / 4 + 3], False, id="a bow tie inside"),
+        pytest.param([POINT], False, id="point"),
+        pytest.param([np.array([-5 + 5j, 15 + 5j])], False, id="line"),
+    ],
+)
+def test_overlapping(others, overlapping):
+    assert is_overlapping([SQUARE, *others]) is overlapping
 
 
 def test_only_in_betweens_count():
@@ -59,6 +86,10 @@ def test_only_in_betweens_count():
     one = frames(SQUARE)
     one[7] = [BOW_TIE]
     assert score(one, (1, 1)).crossed
+    both = [SQUARE, SQUARE + 5]
+    assert not score([both, *frames(SQUARE)[1:-1], both], (2, 2)).overlapping
+    one[7] = both
+    assert score(one, (2, 2)).overlapping
 
 
 def test_area_share_of_a_shape_that_collapses_on_its_way():
@@ -116,10 +147,9 @@ def test_sets_of_icons(name, pairs, contours):
 
 
 def test_what_a_file_draws_is_read_whole():
-    drawn = shapeblend.contours(
-        "several.svg",
-        b"""<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">
-        <path d="M0 0H10V10H0Z M50 50H60V60H50Z"/><circle cx="50" cy="20" r="10"/></svg>""",
+    drawn = shapeblend.drawn(
+        """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">
+        <path d="M0 0H10V10H0Z M50 50H60V60H50Z"/><circle cx="50" cy="20" r="10"/></svg>"""
     )
     assert [len(contour) for contour in drawn][:2] == [4, 4]
     assert drawn[0].tolist() == SQUARE.tolist()
@@ -134,21 +164,36 @@ def test_shapeblend_gives_the_frames_of_its_files():
         [(10 + k) ** 2 for k in range(STEPS + 1)], rel=1e-3
     )
     assert score(blend, (1, 1)) == Score(
-        crossed=False, area_share=pytest.approx(1.69 / 1.9, rel=1e-3), left_out=False
+        crossed=False, overlapping=False, area_share=pytest.approx(1.69 / 1.9, rel=1e-3), left_out=False
     )
+
+
+def test_shapeblend_gives_the_motion_it_is_told():
+    # The paper's step turned by a quarter: straight paths shrink it to half its area.
+    step = np.array([0, 60, 60 + 20j, 20 + 20j, 20 + 60j, 60j])
+    turned = step[0] + 1j * (step - step[0]) + 60
+    sides = (f"M{'L'.join(f'{z.real:g},{z.imag:g}' for z in side)}Z" for side in (step, turned))
+    pair = Pair("", *sides)
+    shares = {motion: area_share(shapeblend.blends([pair], motion)[0]) for motion in shapeblend.MOTIONS}
+    assert shares.pop("linear") == pytest.approx(0.5, abs=0.02)
+    assert shares == {name: pytest.approx(1.0, abs=0.02) for name in ("rigid", "intrinsic", "safe")}
+    assert area_share(shapeblend.blends([pair])[0]) == pytest.approx(1.0, abs=0.02)
+    assert choice(shapeblend.report(pair)) == Choice("rigid", with_fault=False)
 
 
 def test_shapeblend_failing_is_no_answer(capsys):
     nothing = Pair("", "", "M0,0 L10,0 L10,10 Z")
     assert shapeblend.blends([nothing]) == [None]
     assert shapeblend.animation(nothing) is None
+    assert shapeblend.report(nothing) is None
+    assert worst.judged(nothing, "linear") is None
     assert "a.svg" in capsys.readouterr().err
 
 
 def test_arc_length_finds_start_and_direction():
     turned = np.roll(SQUARE, 1)[::-1] + 30
     for blend in (arc_length.frames([SQUARE], [turned]), arc_length.frames([turned], [SQUARE])):
-        assert score(blend, (1, 1)) == Score(crossed=False, area_share=pytest.approx(1.0), left_out=False)
+        assert score(blend, (1, 1)) == Score(False, False, area_share=pytest.approx(1.0), left_out=False)
         assert area(blend[5][0]) == pytest.approx(100.0)
 
 
@@ -166,15 +211,56 @@ def test_rounding_path_data_keeps_its_points_apart():
 def test_animated_holds_all_frames():
     text = sizes.animated(["M0,0L1,0L1,1Z", "M0,0L2,0L2,2Z"])
     assert 'values="M0,0L1,0L1,1Z;M0,0L2,0L2,2Z"' in text
-    assert shapeblend.contours("a.svg", text.replace("<path>", '<path d="M0,0L2,0L2,2Z">').encode())
+    assert shapeblend.drawn(text.replace("<path>", '<path d="M0,0L2,0L2,2Z">'))
 
 
 def test_no_answer_counts_as_crossed_and_as_shrunk():
-    good, bad = Score(False, 1.0, False), Score(True, 0.5, True)
+    good, bad = Score(False, False, 1.0, False), Score(True, False, 0.5, True)
     (row,) = crossings.section({("single", "a tool"): [good, good, bad, None]}).table.rows
-    assert row == ["one contour", "a tool", "4", "3", "50 %", "50 %", "100.0 %", "33.3 %"]
+    assert row == ["one contour", "a tool", "4", "3", "50 %", "25 %", "50 %", "100.0 %", "33.3 %"]
     (row,) = crossings.section({("single", "a tool"): [None]}).table.rows
-    assert row == ["one contour", "a tool", "1", "0", "100 %", "100 %", "–", "–"]
+    assert row == ["one contour", "a tool", "1", "0", "100 %", "100 %", "100 %", "–", "–"]
+
+
+def test_the_short_table_has_the_default_motion_and_how_safe_the_safe_one_is():
+    good, bad = Score(False, False, 1.0, False), Score(True, True, 0.5, False)
+    found = {("single", tool.name): [good] for tool in ALL}
+    found["single", shapeblend.NAME] = [good, bad]
+    told = dict(crossings.section(found).brief)
+    assert told[crossings.SAFE] == {shapeblend.NAME: "0 %"}
+    assert told[crossings.OVERLAPPING][shapeblend.NAME] == "50 %"
+    assert crossings.LEFT_OUT not in told
+    assert [tool.name for tool in ALL if tool.brief and "shapeblend" in tool.name] == [shapeblend.NAME]
+
+
+def test_choices_are_counted_and_faults_told_from_reasons():
+    def report(motion, because):
+        return {"pairs": [{"contours": [{"motion": motion, "motion_because": because}]}]}
+
+    assert choice(report("linear", "no fault")) == Choice("linear", False)
+    assert choice(report("rigid", "linear: a limb shrinks to 50 % at t = 0.5")) == Choice("rigid", False)
+    crossed = "linear: outlines cross each other at t = 0.5; rigid: an outline crosses itself at t = 0.5"
+    assert choice(report("linear", crossed)) == Choice("linear", True)
+    table = motions.table({"single": [Choice("safe", True)] * 2, "whole": [Choice("linear", False)]}).table
+    assert table.header[1::2] == ["one contour, 2 pairs", "two to five contours, 1 pairs"]
+    assert table.rows[0] == ["linear", "0", "0", "1", "0"]
+    assert table.rows[-1] == ["safe", "2", "2", "0", "0"]
+
+
+def test_the_sheet_of_the_worst_has_both_motions_of_each(monkeypatch, tmp_path, capsys):
+    pairs = icon_pairs("single")[:3]
+    monkeypatch.setattr(worst, "icon_pairs", lambda name: pairs if name == "single" else [])
+    monkeypatch.setattr(worst, "ROOT", tmp_path)
+    monkeypatch.setattr(worst, "SHEET", tmp_path / "out" / "worst.png")
+    monkeypatch.setattr(worst, "PAIRS", 2)
+    drawn = []
+    monkeypatch.setattr(worst, "sheet", lambda svgs, *size: drawn.extend(svgs) or Image.new("L", (1, 1)))
+    worst.main()
+    assert len(drawn) == 2 * 2 * (STEPS + 1)
+    ranks = sorted((worst.judged(pair, "linear").rank, pair.id) for pair in pairs)
+    told = capsys.readouterr().out.splitlines()
+    assert [line.split()[1] for line in told[:2]] == [name for _, name in ranks[:2]]
+    assert told[2] == "out/worst.png"
 
 
 def test_figures_are_replaced_and_nothing_else():
@@ -192,7 +278,7 @@ def test_figures_are_replaced_and_nothing_else():
 def test_without_node_the_rest_is_measured_and_the_document_says_so(monkeypatch, tmp_path, capsys):
     monkeypatch.setattr(shutil, "which", lambda name: None)
     few = {"single": icon_pairs("single")[:2], "whole": icon_pairs("whole")[:1]}
-    for module in (crossings, sizes):
+    for module in (crossings, motions, sizes):
         monkeypatch.setattr(module, "icon_pairs", few.get)
     without_cache = [
         tool._replace(ready=flubber.ready.__wrapped__) if tool.ready is flubber.ready else tool
@@ -211,6 +297,7 @@ def test_without_node_the_rest_is_measured_and_the_document_says_so(monkeypatch,
     assert f"Not measured: {flubber.NAME} (node and npm are not there)." in document
     assert f"| {flubber.NAME}" not in document
     assert "| one contour | shapeblend | 2 | 2 |" in document
+    assert "| one contour | shapeblend --motion safe | 2 | 2 |" in document
     assert readme[2:-1] in document
     assert files() == once
 

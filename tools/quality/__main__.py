@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from tools.quality import crossings, sizes, tables
+from tools.quality import crossings, motions, sizes, tables
 from tools.quality.data import ROOT
 from tools.quality.peers import ALL
 
@@ -17,9 +17,9 @@ def main() -> None:
         print(f"left out: {line}", file=sys.stderr)
 
     scores = crossings.scored(tools)
-    sections = [crossings.section(scores), sizes.section(scores)]
+    sections = [crossings.section(scores), motions.section(), sizes.section(scores)]
 
-    figures = tables.short(sections, [tool.name for tool in tools], missing)
+    figures = tables.short(sections, [tool.name for tool in tools if tool.brief], missing)
     readme, quality = ROOT / "README.md", ROOT / "docs" / "quality.md"
     text = tables.with_figures(readme.read_text(encoding="utf-8"), figures)
     quality.write_text(tables.document(figures, sections), encoding="utf-8")

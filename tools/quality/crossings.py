@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tools.quality.data import SETS, icon_pairs, subpaths
+from tools.quality.peers import shapeblend
 from tools.quality.scores import LITTLE, Score, score
 from tools.quality.tables import NONE, Section, Table, share
 
@@ -23,20 +24,26 @@ HEADER = (
     "pairs",
     "answered",
     "crossed",
+    "contours cross",
     "area below 70 %",
     "least area, median",
     "contours left out",
 )
 
+OVERLAPPING = "... contours cross each other"
 LEFT_OUT = "... contours are left out"
+SAFE = "... an in-between crosses itself, with `--motion safe`"
 
 TEXT = """\
 Pairs of icons: `tests/bench/data/pairs.json`. Nine in-betweens a pair, t = .1, .2, ... .9.
 
-- *answered*: pairs for which the tool gave frames. One without an answer counts as crossed and as below 70 %.
+- *answered*: pairs for which the tool gave frames. One without an answer counts as crossed, in both ways, and as
+  below 70 %.
 - *crossed*: pairs in which a contour of at least one in-between crosses or touches itself: shapely calls it
   invalid, after neighbours nearer than a millionth of a unit, in drawings 100 wide, are made one vertex.
-  Whether one contour crosses another is not asked. A contour shrunk to a point is not crossed.
+  A contour shrunk to a point is not crossed.
+- *contours cross*: pairs in which two contours of at least one in-between cross each other: each is partly inside
+  the other and partly outside, by more than a hundredth of a unit. Touching is none, nor is lying inside.
 - *area*: that of all contours of a frame added up, holes too, as a share of the straight line between the areas
   at t = 0 and t = 1 as the tool draws them; the least of the nine counts. *below 70 %*: share of the pairs.
 - *contours left out*: pairs in which the tool draws fewer contours at t = 0 or t = 1 than the icon has. Its other
@@ -44,8 +51,9 @@ Pairs of icons: `tests/bench/data/pairs.json`. Nine in-betweens a pair, t = .1, 
 
 The tools:
 
-- shapeblend: its command, told the number of frames and nothing else. Measured are the frame files it writes,
-  rounding included; a contour with curves in about 2000 pieces.
+- shapeblend: its command, told the number of frames and nothing else, so that it chooses how shapes move: by
+  looking for crossings itself, at these times among others. Below it are its motions, each for all pairs. Measured
+  are the frame files it writes, rounding included; a contour with curves in about 2000 pieces.
 - flubber, in node: `maxSegmentLength` is a 120th of the longest contour, or, as "sides of 10", what the library takes
   by itself, which is coarse in drawings 100 wide. Several contours go by `interpolateAll`, in the order of the
   drawing, `separate` and `combine`. For several to several in unequal number it has no call: the largest are
@@ -71,21 +79,25 @@ def section(scores: Scores) -> Section:
     for (name, tool), all_pairs in scores.items():
         answered = [one for one in all_pairs if one]
         crossed = share(one is None or one.crossed for one in all_pairs)
+        overlapping = share(one is None or one.overlapping for one in all_pairs)
         little = share(one is None or one.area_share < LITTLE for one in all_pairs)
         left_out = share(one.left_out for one in answered) if answered else NONE
         median = f"{100 * np.median([one.area_share for one in answered]):.1f} %" if answered else NONE
         counts = str(len(all_pairs)), str(len(answered))
-        rows.append([SETS[name], tool, *counts, crossed, little, median, left_out])
+        rows.append([SETS[name], tool, *counts, crossed, overlapping, little, median, left_out])
         head = f"{len(all_pairs)} pairs of icons of {SETS[name]}"
         for what, cell in (
             (f"{head}: an in-between crosses itself", crossed),
+            (OVERLAPPING, overlapping),
             ("... an in-between has less than 70 % of its area", little),
             (LEFT_OUT, left_out),
         ):
             brief.setdefault((name, what), {})[tool] = cell
+        if (name, tool) == ("single", shapeblend.named("safe")):
+            brief[name, SAFE] = {shapeblend.NAME: crossed}
     told = [
         (what, cells)
         for (_, what), cells in brief.items()
-        if what != LEFT_OUT or set(cells.values()) != {"0 %"}
+        if what not in (OVERLAPPING, LEFT_OUT) or set(cells.values()) != {"0 %"}
     ]
     return Section("Crossings and area", TEXT, Table(HEADER, rows), told)

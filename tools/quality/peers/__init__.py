@@ -25,15 +25,22 @@ class Tool(NamedTuple):
         Gives for each pair its frames at the times of `scores.STEPS`, or None where the tool fails.
     ready : callable
         Gives None, or else why the tool cannot run here.
+    brief : bool
+        Whether it has a column in the short table.
     """
 
     name: str
     blends: Callable[[list[Pair]], list[list[list[np.ndarray]] | None]]
     ready: Callable[[], str | None] = lambda: None
+    brief: bool = True
 
 
 ALL = (
     Tool(shapeblend.NAME, shapeblend.blends),
+    *(
+        Tool(shapeblend.named(motion), functools.partial(shapeblend.blends, motion=motion), brief=False)
+        for motion in shapeblend.MOTIONS
+    ),
     Tool(flubber.NAME, flubber.blends, flubber.ready),
     Tool(flubber.COARSE, functools.partial(flubber.blends, own_sides=True), flubber.ready),
     Tool(arc_length.NAME, arc_length.blends),

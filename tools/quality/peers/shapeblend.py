@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import tempfile
 from pathlib import Path
 
@@ -16,12 +17,43 @@ from tools.quality.scores import STEPS
 
 NAME = "shapeblend"
 
+DEFAULT = "auto"
+MOTIONS = ("linear", "rigid", "intrinsic", "safe")
+"""What else `--motion` takes."""
+
 FINE = 2000
 """A contour with curves is cut into about so many pieces. One of straight lines is taken as it is."""
 
 
-def blends(pairs: list[Pair]) -> list[list[list[np.ndarray]] | None]:
-    return [_frames(pair) for pair in pairs]
+def named(motion: str) -> str:
+    """What the command is called that blends with a motion."""
+    return NAME if motion == DEFAULT else f"{NAME} --motion {motion}"
+
+
+def blends(pairs: list[Pair], motion: str = DEFAULT) -> list[list[list[np.ndarray]] | None]:
+    files = (frames(pair, motion) for pair in pairs)
+    return [each and [drawn(text) for text in each] for each in files]
+
+
+def frames(pair: Pair, motion: str = DEFAULT) -> list[str] | None:
+    """The files at the times of `STEPS`, or None if the command fails."""
+    with tempfile.TemporaryDirectory() as folder:
+        target = Path(folder, "frames")
+        options = ["--frames", str(STEPS - 1), "--ends", "--motion", motion]
+        if not _blend(pair, Path(folder), target, *options):
+            return None
+        files = [file.read_text(encoding="utf-8") for file in sorted(target.iterdir())]
+        assert len(files) == STEPS + 1
+        return files
+
+
+def report(pair: Pair) -> dict | None:
+    """What the command reports, or None if it fails."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder, "report.json")
+        if not _blend(pair, Path(folder), Path(folder, "none"), "--frames", "0", "--report", str(file)):
+            return None
+        return json.loads(file.read_text(encoding="utf-8"))
 
 
 def animation(pair: Pair) -> str | None:
@@ -31,19 +63,10 @@ def animation(pair: Pair) -> str | None:
         return target.read_text(encoding="utf-8") if _blend(pair, Path(folder), target) else None
 
 
-def contours(file: str, data: bytes | None = None) -> list[np.ndarray]:
+def drawn(text: str) -> list[np.ndarray]:
     """The vertices of everything a file draws, a contour each."""
-    return [_vertices(contour) for shape in read(file, data).shapes for contour in shape.contours]
-
-
-def _frames(pair: Pair) -> list[list[np.ndarray]] | None:
-    with tempfile.TemporaryDirectory() as folder:
-        target = Path(folder, "frames")
-        if not _blend(pair, Path(folder), target, "--frames", str(STEPS - 1), "--ends"):
-            return None
-        files = sorted(target.iterdir())
-        assert len(files) == STEPS + 1
-        return [contours(str(file)) for file in files]
+    shapes = read("a file", text.encode()).shapes
+    return [_vertices(contour) for shape in shapes for contour in shape.contours]
 
 
 def _blend(pair: Pair, folder: Path, target: Path, *options: str) -> bool:

@@ -1,0 +1,59 @@
+"""Measure: which motion shapeblend chooses by itself, and whether that has a fault all the same."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from shapeblend_cli.motion.faults import CHECKED, LEAST_AREA, MOST_AREA, WITHERED
+from tools.quality.data import SETS, icon_pairs
+from tools.quality.peers import shapeblend
+from tools.quality.tables import Section, Table
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+LEAST, MOST, LIMB = (round(100 * share) for share in (LEAST_AREA, MOST_AREA, WITHERED))
+
+TEXT = f"""\
+How many pairs get which motion by `--motion auto`, as the report has it (`motion`, `motion_because`). *With a fault*:
+those for which no motion is without one, and the one with the least was taken. A fault is a crossing that neither
+end has, at one of {len(CHECKED)} even times or at those of the frames, of a contour with itself or with another; an
+area below {LEAST} % or above {MOST} % of the straight line between the ends'; a fifth of an outline that shrinks below
+{LIMB} % of its length; and of safe motion, nothing but round outlines half way."""
+
+
+class Choice(NamedTuple):
+    """What was chosen for a pair."""
+
+    motion: str
+    with_fault: bool
+
+
+def choice(report: dict) -> Choice:
+    """The motion of the one shape of an icon, from the report."""
+    contour = report["pairs"][0]["contours"][0]
+    motion, reasons = contour["motion"], contour["motion_because"].split("; ")
+    return Choice(motion, any(reason.startswith(f"{motion}: ") for reason in reasons))
+
+
+def section() -> Section:
+    return table({name: [choice(report) for report in _reports(name)] for name in SETS})
+
+
+def table(choices: dict[str, Sequence[Choice]]) -> Section:
+    header = ["motion"]
+    for name, found in choices.items():
+        header += [f"{SETS[name]}, {len(found)} pairs", "with a fault"]
+    rows = []
+    for motion in shapeblend.MOTIONS:
+        row = [motion]
+        for found in choices.values():
+            faults = [one.with_fault for one in found if one.motion == motion]
+            row += [str(len(faults)), str(sum(faults))]
+        rows.append(row)
+    return Section("Which motion", TEXT, Table(header, rows), [])
+
+
+def _reports(name: str) -> list[dict]:
+    reports = (shapeblend.report(pair) for pair in icon_pairs(name))
+    return [report for report in reports if report is not None]
