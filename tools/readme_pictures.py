@@ -11,26 +11,34 @@ from shapeblend_cli.cli import run
 
 ROOT = Path(__file__).resolve().parents[1]
 
-# Picture, the two drawings, and what else the README says was on the command line.
-SHEETS = [
-    ("letters", "e", "f", []),
-    ("triangle-square", "triangle", "square", []),
-    ("step", "step-1", "step-2", []),
-    ("bird", "bird-1", "bird-2", []),
-    ("animals", "cow", "deer", ["--preset", "fig27"]),
-    ("dancer", "dancer-1", "dancer-2", ["--preset", "fig27"]),
-]
+# For each picture its rows: the two drawings, and what else the README says was on the command line.
+SHEETS = {
+    "letters": ["e f"],
+    "triangle-square": ["triangle square"],
+    "bird": ["bird-1 bird-2"],
+    "animals": ["cow deer --preset fig27"],
+    "step": ["step-1 step-2 --motion linear", "step-1 step-2"],
+    "dancer": ["dancer-1 dancer-2 --preset fig28 --motion linear", "dancer-1 dancer-2 --preset fig28"],
+}
+
+
+def row(blend: str) -> list[str]:
+    """The frames of a blend, both ends among them."""
+    a, b, *options = blend.split()
+    files = [str(ROOT / "samples" / f"{sample}.svg") for sample in (a, b)]
+    with tempfile.TemporaryDirectory() as folder:
+        if run([*files, "--ends", "--output", f"{folder}/frames", *options]) != 0:
+            raise SystemExit(f"{blend} was not blended")
+        return [path.read_text(encoding="utf-8") for path in sorted(Path(folder, "frames").iterdir())]
 
 
 def main() -> None:
-    for name, a, b, options in SHEETS:
-        with tempfile.TemporaryDirectory() as folder:
-            files = [str(ROOT / "samples" / f"{sample}.svg") for sample in (a, b)]
-            if run([*files, "--ends", "--output", f"{folder}/frames", *options]) != 0:
-                raise SystemExit(f"{name} was not blended")
-            frames = [path.read_text(encoding="utf-8") for path in sorted(Path(folder, "frames").iterdir())]
+    for name, blends in SHEETS.items():
+        rows = [row(blend) for blend in blends]
         target = ROOT / "docs" / f"{name}.png"
-        sheet(frames, len(frames), 140).quantize(64).save(target, optimize=True)
+        sheet([frame for frames in rows for frame in frames], len(rows[0]), 140).quantize(64).save(
+            target, optimize=True
+        )
         print(target.relative_to(ROOT))
 
 
