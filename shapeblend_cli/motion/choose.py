@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cache
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -214,8 +215,8 @@ def _safe(straight: Chosen, turned_back: Callable[[], _Way]) -> Chosen:
     if here is not None and here.is_level:
         return Chosen(straight.matched, safe(here), ASKED)
     way = turned_back()
-    there = plan(way.moving, way.alignment)
-    if there is not None and (here is None or there.cost < here.cost):
+    there = plan(way.moving, way.alignment, math.inf if here is None else here.cost)
+    if there is not None:
         return Chosen(way.matched, safe(there), ASKED)
     if here is not None:
         return Chosen(straight.matched, safe(here), ASKED)

@@ -204,18 +204,21 @@ class Plan(NamedTuple):
         return not any(height for _, height in self.way)
 
 
-def plan(shape: MovingShape, alignment: Alignment) -> Plan | None:
+def plan(shape: MovingShape, alignment: Alignment, below: float = np.inf) -> Plan | None:
     """The way that smooths least.
 
     Parameters
     ----------
     shape : MovingShape
     alignment : Alignment
+    below : float
+        What the way may cost; a dearer one is of no use.
 
     Returns
     -------
     Plan or None
-        None if a way has been searched for long enough. One over what is not free has at least the cost `BLOCKED`.
+        None if a way has been searched for long enough, or would cost too much. One over what is not free has at
+        least the cost `BLOCKED`.
     """
     levels_a, levels_b = (
         smoothed([getattr(contour, side) for contour in shape.contours]) for side in ("start", "end")
@@ -230,9 +233,9 @@ def plan(shape: MovingShape, alignment: Alignment) -> Plan | None:
     )
     found = None
     for _ in range(MOST_PLANS):
-        way, cost = _cheapest(ground) or ([], np.inf)
+        way, cost = _cheapest(ground, below) or ([], np.inf)
         if not way:
-            break
+            return found if below == np.inf else None
         found = Plan(cost, way, ground, shape)
         if not ground.close_steps(way):
             break
@@ -337,8 +340,8 @@ def _on(start: Place, end: Place, share: float) -> Place:
     return start[0] + share * (end[0] - start[0]), start[1] + share * (end[1] - start[1])
 
 
-def _cheapest(ground: Ground) -> tuple[list[Place], float] | None:
-    """The cheapest way over free ground, by Dijkstra's algorithm, and its cost; None if there is none."""
+def _cheapest(ground: Ground, below: float) -> tuple[list[Place], float] | None:
+    """The cheapest way, by Dijkstra's algorithm, and its cost; None if there is none for less than `below`."""
     levels = ground.map.top + 1
     goal = (COLUMNS, 0)
     cost: dict[tuple[int, int], float] = {(0, 0): 0.0}
@@ -349,6 +352,8 @@ def _cheapest(ground: Ground) -> tuple[list[Place], float] | None:
         here = (column, level)
         if spent > cost[here]:
             continue
+        if spent >= below:
+            return None
         if here == goal:
             break
         for right, up in ((1, 0), (1, 1), (1, -1), (0, 1), (0, -1), (1, 2), (1, -2)):
