@@ -12,7 +12,7 @@ import numpy as np
 from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
 ARC_PIECES = 32
 """Pieces of equal parameter on which a segment's length is summed."""
@@ -143,20 +143,6 @@ def lines(vertices: ComplexArray, closed: bool) -> ComplexArray:
     """Straight segments from vertex to vertex, (k, 4) complex; of a closed polygon as many as it has vertices."""
     starts, ends = (vertices, np.roll(vertices, -1)) if closed else (vertices[:-1], vertices[1:])
     return starts[:, None] + (ends - starts)[:, None] * _THIRDS
-
-
-def polyline(segments: ComplexArray, straight: BoolArray, pieces: int) -> ComplexArray:
-    """Points along a chain of segments, each curve cut into pieces of equal parameter.
-
-    Returns
-    -------
-    (p,) complex
-        The end of the chain is left out.
-    """
-    counts = np.where(straight, 1, pieces)
-    segment = np.repeat(np.arange(len(segments)), counts)
-    number = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
-    return evaluate(segments[segment], number / counts[segment])
 
 
 def directions(segments: ComplexArray) -> tuple[ComplexArray, ComplexArray]:

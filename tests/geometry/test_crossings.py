@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.geometry import crossings, cubics, outline
 from shapeblend_cli.model import Outline
-from tests.support.contours import circle_contour, polygon_contour
+from tests.support.contours import circle_contour, polygon_contour, polyline
 from tests.support.shapes import random_polygon
 
 
@@ -58,7 +58,7 @@ def by_subdivision(outlines, pieces=400):
     """Cut every curve finely, and ask shapely for every pair of lines: how many cross, and the least sine there."""
     edges = []
     for one in outlines:
-        z = np.append(cubics.polyline(one.segments, one.straight, pieces), one.segments[-1, 3])
+        z = np.append(polyline(one, pieces), one.segments[-1, 3])
         edges.append(np.stack([z[:-1], z[1:]], axis=1))
     ends = np.concatenate(edges)
     found = shapely.linestrings(np.stack([ends.real, ends.imag], axis=-1))

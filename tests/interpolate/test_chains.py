@@ -8,14 +8,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from shapely import LineString
 
-from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.chains import tracks
 from shapeblend_cli.interpolate.paths import between, waypoints
 from shapeblend_cli.model import MovingContour, MovingShape, Style
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import BlendSettings
 from tests.support.contours import drawing as contour_drawing
-from tests.support.contours import polygon_contour
+from tests.support.contours import polygon_contour, polyline
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing
 from tests.support.motions import turned
 from tests.support.shapes import star_polygon
@@ -38,7 +37,7 @@ def pairs_of(*paths, curves=True):
 
 
 def line(outline):
-    points = np.append(cubics.polyline(outline.segments, outline.straight, 40), outline.segments[-1, 3])
+    points = np.append(polyline(outline, 40), outline.segments[-1, 3])
     return LineString(np.stack([points.real, points.imag], axis=1))
 
 

@@ -8,8 +8,8 @@ import pytest
 import shapely
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.geometry import cubics
 from shapeblend_cli.svg.read import read
+from tests.support.contours import polyline
 
 DATA = Path(__file__).parents[1] / "bench" / "data" / "pairs.json"
 PAIRS = json.loads(DATA.read_text(encoding="utf-8"))
@@ -17,16 +17,14 @@ CHOSEN = [("single", k) for k in range(0, 80, 4)] + [("whole", k) for k in range
 
 
 def points(drawing, pieces):
-    return np.concatenate(
-        [cubics.polyline(c.segments, c.straight, pieces) for shape in drawing.shapes for c in shape.contours]
-    )
+    return np.concatenate([polyline(c, pieces) for shape in drawing.shapes for c in shape.contours])
 
 
 def curve(drawing):
     lines = []
     for shape in drawing.shapes:
         for c in shape.contours:
-            z = np.append(cubics.polyline(c.segments, c.straight, 300), c.segments[-1, 3])
+            z = np.append(polyline(c, 300), c.segments[-1, 3])
             lines.append(np.stack([z.real, z.imag], axis=1))
     return shapely.MultiLineString(lines)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import Contour, Drawing, Shape, Style
 
 ARC = 4.0 / 3.0 * np.tan(np.pi / 16.0)  # inner points of a cubic for an eighth of a circle
@@ -30,3 +31,11 @@ def circle_contour(centre=0j, radius=1.0):
 def drawing(*contours, file="a.svg", viewbox=None, style=None):
     """A file with one shape."""
     return Drawing(file, viewbox, (Shape(0, None, "path", contours, style or Style()),))
+
+
+def polyline(one, pieces):
+    """Points along a contour or an outline, each curve cut into pieces of equal parameter, without its end."""
+    counts = np.where(one.straight, 1, pieces)
+    segment = np.repeat(np.arange(len(one.segments)), counts)
+    number = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+    return cubics.evaluate(one.segments[segment], number / counts[segment])
