@@ -86,12 +86,16 @@ def _crossings(shape: MovingShape, times: Sequence[float]) -> list[Fault]:
 
     ends = [seen(t) for t in (0.0, 1.0)]
     together = max(curve_crossings(outlines) for outlines in ends)
-    each = [max(curve_crossings([outline]) for outline in pair) for pair in zip(*ends, strict=True)]
+    each: list[int] = []
     found = []
     for t in sorted({*CHECKED, *times} - {0.0, 1.0}):
         outlines = seen(t)
         if curve_crossings(outlines, together + 1) <= together:
             continue
+        # Contour by contour only now: most shapes never come here.
+        each = each or [
+            max(curve_crossings([outline]) for outline in pair) for pair in zip(*ends, strict=True)
+        ]
         if any(
             curve_crossings([outline], most + 1) > most for outline, most in zip(outlines, each, strict=True)
         ):

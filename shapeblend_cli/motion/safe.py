@@ -415,9 +415,8 @@ def _timed(whole: Map, places: FloatArray, contours: Sequence[MovingContour]) ->
     shares, heights = places.T
     pictures = np.array([whole.at(share, height) for share, height in places.tolist()])
     closed = [k for k, contour in enumerate(contours) if contour.start.closed]
-    areas = np.array(
-        [abs(sum(cubics.signed_area(whole.split(picture)[k]) for k in closed)) for picture in pictures]
-    )
+    contour_by_contour = [whole.split(picture) for picture in pictures]
+    areas = np.array([abs(sum(cubics.signed_area(z[k]) for k in closed)) for z in contour_by_contour])
     line = (1.0 - shares) * areas[0] + shares * areas[-1]
     scales = np.ones(len(places))
     if min(areas[0], areas[-1]) > 0.0:
