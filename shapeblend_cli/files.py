@@ -243,7 +243,7 @@ def _details(pairs: Sequence[Pair], frames: Sequence[Frame], clock: Clock) -> li
         for number, (shape, because) in enumerate(zip(pair.moving, pair.reasons, strict=True), 1):
             which = f"shape {number}: " if len(pair.shapes) > 1 else ""
             if not all(contour.grows or contour.shrinks for contour in shape.contours):
-                lines.append(f"{which}motion {shape.motion.name if shape.motion else 'linear'}: {because}")
+                lines.append(f"{which}motion {shape.motion_name}: {because}")
     lines.append(f"{_counted(len(frames), 'frame')}: {_crossed(frames)}")
     lines.append(", ".join(f"{stage} {1000 * seconds:.1f} ms" for stage, seconds in clock.seconds.items()))
     return lines

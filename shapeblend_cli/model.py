@@ -352,6 +352,11 @@ class Outline:
         object.__setattr__(self, "segments", frozen(self.segments, np.complex128))
         object.__setattr__(self, "straight", frozen(self.straight, np.bool_))
 
+    @property
+    def is_point(self) -> bool:
+        """Whether all control points are one."""
+        return bool((self.segments == self.segments[0, 0]).all())
+
 
 class MovingContour(NamedTuple):
     """An outline and another one, segment for segment alike.
@@ -398,6 +403,11 @@ class MovingShape(NamedTuple):
     style_a: Style
     style_b: Style
     motion: Motion | None = None
+
+    @property
+    def motion_name(self) -> str:
+        """As `--motion` has it."""
+        return self.motion.name if self.motion else "linear"
 
 
 class PaintedShape(NamedTuple):

@@ -12,7 +12,7 @@ from shapeblend_cli.geometry.normalise import box_of, union
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, Drawing, Frame, MatchedContour, Motion, Pair, Shape
+    from shapeblend_cli.model import ComplexArray, Drawing, Frame, MatchedContour, Pair, Shape
 
 REPORT_FORMAT = 1
 
@@ -52,7 +52,7 @@ def report(
                 "a": pair.a,
                 "b": pair.b,
                 "contours": [
-                    _contour(contour, moving.motion, because)
+                    _contour(contour, moving.motion_name, because)
                     for shape, moving, because in zip(pair.shapes, pair.moving, pair.reasons, strict=True)
                     for contour in shape.contours
                 ],
@@ -67,7 +67,7 @@ def report(
     }
 
 
-def _contour(matched: MatchedContour, motion: Motion | None, because: str) -> dict[str, Any]:
+def _contour(matched: MatchedContour, motion: str, because: str) -> dict[str, Any]:
     found = matched.correspondence
     return {
         "a": matched.a,
@@ -89,7 +89,7 @@ def _contour(matched: MatchedContour, motion: Motion | None, because: str) -> di
         "sweeps": found.sweeps,
         "seconds": matched.seconds,
         "turned_back": float(np.degrees(matched.turn)),
-        "motion": motion.name if motion else "linear",
+        "motion": motion,
         "motion_because": because,
     }
 

@@ -110,7 +110,7 @@ class Move(NamedTuple):
                 elif not _shows(end_style, paint):
                     end_style = end_style._replace(**{name: getattr(start_style, name) for name in names})
             outlines = start.outlines + end.outlines
-            if all(outline.closed for outline in outlines) and any(_is_point(o) for o in outlines):
+            if all(outline.closed for outline in outlines) and any(o.is_point for o in outlines):
                 start_style = start_style._replace(stroke_linecap="butt")
                 end_style = end_style._replace(stroke_linecap="butt")
             start, end = start._replace(style=start_style), end._replace(style=end_style)
@@ -149,7 +149,3 @@ def _shows(style: Style, paint: str) -> bool:
     """Whether a style's ``fill`` or ``stroke`` is to be seen."""
     is_wide = paint == "fill" or style.stroke_width > 0.0
     return getattr(style, paint) is not None and getattr(style, f"{paint}_opacity") > 0.0 and is_wide
-
-
-def _is_point(outline: Outline) -> bool:
-    return bool((outline.segments == outline.segments[0, 0]).all())

@@ -124,7 +124,7 @@ class _Flowing:
         self._pieces = min(MOST_PIECES, max(LEAST_PIECES, VERTICES // self._count))
         self._closed = outline.closed
         self._as_lines = bool(outline.straight.all())
-        self.is_point = bool((segments == segments[0, 0]).all())
+        self.is_point = outline.is_point
         share = np.arange(self._pieces) / self._pieces
         z = cubics.evaluate(segments[:, None, :], share).ravel()
         if not outline.closed:
@@ -177,9 +177,9 @@ class _Flowing:
         z = centre + scale * (z - self.centre)
         whole = z.reshape(self._count, -1) if self._closed else z[:-1].reshape(self._count, -1)
         start = whole[:, 0]
-        end = np.append(start[1:], z[0] if self._closed else z[-1])
         if self._as_lines:
-            return start[:, None] + (end - start)[:, None] * np.array([0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0])
+            return cubics.lines(start if self._closed else np.append(start, z[-1]), self._closed)
+        end = np.append(start[1:], z[0] if self._closed else z[-1])
         ends, inner = _fitting(self._pieces)
         within = whole[:, 1:] - np.stack([start, end], axis=1) @ ends
         return np.column_stack([start, within @ inner, end])

@@ -26,7 +26,7 @@ def polygon(*outlines):
 
 
 def motions(pair):
-    return [shape.motion.name if shape.motion else "linear" for shape in pair.moving]
+    return [shape.motion_name for shape in pair.moving]
 
 
 @pytest.mark.parametrize("names", CLEAN)
