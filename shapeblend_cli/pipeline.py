@@ -28,10 +28,10 @@ from shapeblend_cli.model import (
     PaintedShape,
     Pair,
     Polygon,
+    Style,
 )
-from shapeblend_cli.motion.alignment import aligned, matched_points, residual
 from shapeblend_cli.motion.choose import Chooser, Chosen
-from shapeblend_cli.motion.turned import turn_between
+from shapeblend_cli.motion.turned import is_turned, turn_between
 from shapeblend_cli.pairing.join import join, least_work_either_way, part_of
 from shapeblend_cli.pairing.pair import pair_parts
 from shapeblend_cli.pairing.parts import Part, main_way, take_apart, turned_parts
@@ -44,9 +44,6 @@ MARGIN = 0.02
 
 SLACK = 1e-9
 """What sticks out of a viewBox by less than this share of its size does so by rounding."""
-
-ALIKE = 0.03
-"""B is A turned if no more than this share of A's size is left, root mean square, once it is turned back."""
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -206,13 +203,10 @@ def _reach(pair: Pair) -> Box | None:
     """The box around what does not go straight and leaves the views of both drawings, if any does."""
     boxes = []
     for shape in pair.moving:
-        width = max(style.stroke_width if style.stroke else 0.0 for style in (shape.style_a, shape.style_b))
         for point in waypoints(shape):
-            view = between_boxes(*pair.views, point.t)
-            here = union([cubics.bounds(outline.segments) for outline in point.outlines])
-            painted = grown(here, width / 2.0)
-            if not holds(view, painted, SLACK * max(view.width, view.height)):
-                boxes.append(grown(painted, MARGIN * max(painted.width, painted.height)))
+            painted = _painted(point.outlines, shape.style_a, shape.style_b)
+            if not _is_inside(painted, between_boxes(*pair.views, point.t)):
+                boxes.append(_with_margin(painted))
     return union(boxes) if boxes else None
 
 
@@ -232,7 +226,7 @@ def _matched(
     """Pair the contours of two drawings, find the correspondence of each pair, and choose how shapes move."""
     turned = None if settings.motion == "linear" else _turn(a.parts, b.parts)
     shapes, rematch = _match(a, b, settings, clock, watch, turned or 0.0)
-    if turned is not None and not _is_turned(shapes):
+    if turned is not None and not is_turned([contour for shape in shapes for contour in shape.contours]):
         turned = None
         shapes, rematch = _match(a, b, settings, clock, watch, 0.0)
     times = frame_times(settings.frames, settings.ends, settings.ease)
@@ -245,15 +239,6 @@ def _matched(
 def _turn(a: Sequence[Part], b: Sequence[Part]) -> float | None:
     """By what angle the largest contour of B is that of A turned, if it is."""
     return turn_between(*(max(parts, key=lambda part: part.size).polygon for parts in (a, b)))
-
-
-def _is_turned(shapes: Sequence[MatchedShape]) -> bool:
-    """Whether B is A turned, as a whole."""
-    contours = [contour for shape in shapes for contour in shape.contours]
-    if any(contour.a is None or contour.b is None for contour in contours):
-        return False
-    points = matched_points(contours)
-    return residual(points, aligned(points)) < ALIKE
 
 
 def _match(
@@ -343,16 +328,24 @@ def view_of(drawn: Sequence[PaintedShape], viewbox: Box | None) -> Box:
 
     Where drawings are laid by their own boxes, the viewBox of the first stands in for the others'.
     """
-    boxes = []
-    for shape in drawn:
-        reach = shape.style.stroke_width / 2.0 if shape.style.stroke else 0.0
-        boxes += [grown(cubics.bounds(outline.segments), reach) for outline in shape.outlines]
-    painted = union(boxes)
-    with_margin = grown(painted, MARGIN * max(painted.width, painted.height))
+    painted = union([_painted(shape.outlines, shape.style) for shape in drawn])
     if viewbox is None:
-        return with_margin
-    is_inside = holds(viewbox, painted, SLACK * max(viewbox.width, viewbox.height))
-    return viewbox if is_inside else union([viewbox, with_margin])
+        return _with_margin(painted)
+    return viewbox if _is_inside(painted, viewbox) else union([viewbox, _with_margin(painted)])
+
+
+def _painted(outlines: Sequence[Outline], *styles: Style) -> Box:
+    """The box around outlines, painted in the widest of some styles."""
+    reach = max(style.stroke_width / 2.0 if style.stroke else 0.0 for style in styles)
+    return union([grown(cubics.bounds(outline.segments), reach) for outline in outlines])
+
+
+def _with_margin(painted: Box) -> Box:
+    return grown(painted, MARGIN * max(painted.width, painted.height))
+
+
+def _is_inside(painted: Box, view: Box) -> bool:
+    return holds(view, painted, SLACK * max(view.width, view.height))
 
 
 def make_frames(pairs: Sequence[Pair], settings: BlendSettings) -> list[Frame]:

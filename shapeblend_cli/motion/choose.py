@@ -80,11 +80,10 @@ class Chooser(NamedTuple):
 
     def choose(self, shapes: Sequence[MatchedShape]) -> list[Chosen]:
         """The motion of each shape."""
-        chosen = [Chosen(shape, self._moving(shape), ASKED) for shape in shapes]
         paired = [any(c.a is not None and c.b is not None for c in shape.contours) for shape in shapes]
         chosen = [
-            one if pair else one._replace(because="a point at one end")
-            for one, pair in zip(chosen, paired, strict=True)
+            Chosen(shape, self._moving(shape), ASKED if pair else "a point at one end")
+            for shape, pair in zip(shapes, paired, strict=True)
         ]
         if self.motion == "linear":
             return chosen

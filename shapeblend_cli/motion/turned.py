@@ -1,4 +1,4 @@
-"""Whether one outline is another one turned."""
+"""Whether one outline is another one turned, or one drawing another one."""
 
 from __future__ import annotations
 
@@ -6,8 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.motion.alignment import aligned, matched_points, residual
+
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray, Polygon
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import ComplexArray, MatchedContour, Polygon
 
 SAMPLES = 256
 """Points, evenly spread, as which an outline is seen."""
@@ -20,6 +24,9 @@ NEARLY_BEST = 1e-3
 
 ROUNDING = 1e-6
 """Correlations that differ by less are the same."""
+
+LEFT = 0.03
+"""B is A turned if no more than this share of A's size is left, root mean square, once it is turned back."""
 
 LEAST_TURN = np.radians(1.0)
 """A lesser turn goes straight."""
@@ -41,9 +48,8 @@ def turn_between(a: Polygon, b: Polygon) -> float | None:
     p, q = (_even(polygon) for polygon in (a, b))
     if a.closed:
         starts = np.arange(SAMPLES)
-        common = (
-            q[(starts[:, None] + starts) % SAMPLES] @ p.conj() / SAMPLES
-        )  # numpy.fft takes longer to import
+        # Summed here, since numpy.fft takes longer to import.
+        common = q[(starts[:, None] + starts) % SAMPLES] @ p.conj() / SAMPLES
     else:
         common = np.stack([q, q[::-1]]) @ p.conj() / SAMPLES
     size = float(np.sqrt((np.abs(p) ** 2).mean() * (np.abs(q) ** 2).mean()))
@@ -61,6 +67,14 @@ def turn_between(a: Polygon, b: Polygon) -> float | None:
         best = beside
     turn = float(turns[best])
     return turn if abs(turn) > LEAST_TURN else None
+
+
+def is_turned(contours: Sequence[MatchedContour]) -> bool:
+    """Whether B is A turned, as a whole."""
+    if any(contour.a is None or contour.b is None for contour in contours):
+        return False
+    points = matched_points(contours)
+    return residual(points, aligned(points)) < LEFT
 
 
 def _even(polygon: Polygon) -> ComplexArray:
