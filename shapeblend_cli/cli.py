@@ -6,7 +6,7 @@ Nothing heavy is imported before it is needed: ``--help`` and usage errors come 
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -14,19 +14,14 @@ from shapeblend_cli import __version__
 from shapeblend_cli.emit.forms import FORMS, STANDARD_OUTPUT, problem
 from shapeblend_cli.errors import ShapeblendError
 from shapeblend_cli.options import (
-    SELECTOR,
-    START,
-    BandType,
-    EaseType,
-    MatchType,
-    PinType,
-    RepeatType,
-    StiffType,
-    band_in_force,
-    constant_options,
-    constants_in_force,
+    check_matching,
     lenient_option,
+    matching_in_force,
+    matching_options,
+    matching_settings,
+    selections,
 )
+from shapeblend_cli.parameters import SELECTOR, EaseType, RepeatType
 from shapeblend_cli.progress import Progress
 
 if TYPE_CHECKING:
@@ -35,7 +30,6 @@ if TYPE_CHECKING:
     from shapeblend_cli.easing import Ease
 
 FAILED, USAGE = 1, 2
-STANDARD_INPUT = "-"
 
 
 class DefaultGroup(click.Group):
@@ -97,104 +91,13 @@ def shapeblend() -> None:
     "lottie: an animation as JSON; avd: an animated vector drawable for Android.",
 )
 @click.option("-f", "--force", is_flag=True, help="Replace existing files.")
-@click.option(
-    "--select-a",
-    type=SELECTOR,
-    help="Which shapes of A: #id, or a CSS selector.  [default: all painted ones]",
-)
-@click.option("--select-b", type=SELECTOR, help="Which shapes of B, and of further files.")
-@lenient_option
-@click.option(
-    "--place",
-    type=click.Choice(["viewbox", "bbox", "asis"]),
-    default="viewbox",
-    show_default=True,
-    help="How B is laid over A: viewBox on viewBox, box on box, or file coordinates as they stand.",
-)
-@click.option(
-    "--vertices",
-    type=click.IntRange(0, 100_000),
-    default=200,
-    show_default=True,
-    metavar="N",
-    help="Vertices a contour, about. Nodes of the drawing always stay; 0 adds none but what a curve needs.",
-)
-@click.option(
-    "--start",
-    type=START,
-    default="auto",
-    show_default=True,
-    help="Starting correspondence: proven best over all, or vertex I of A with vertex J of B.",
-)
-@click.option(
-    "--pin",
-    "pins",
-    type=PinType(),
-    multiple=True,
-    help="Vertices that must correspond, by number, or the nearest to a point of A and a point of B. Repeatable.",
-)
-@click.option(
-    "--reverse",
-    type=click.Choice(["auto", "yes", "no"]),
-    default="auto",
-    show_default=True,
-    help="Go through B's outline backwards. auto: closed outlines in the same direction; both are tried where "
-    "that is not decided, and for open ones.",
-)
-@click.option(
-    "--stiff",
-    type=StiffType(),
-    multiple=True,
-    help="Make A's wire W times as stiff within r of a point. Repeatable.",
-)
-@click.option(
-    "--match",
-    "pairs",
-    type=MatchType(),
-    multiple=True,
-    help="Contours that become one another: a number or an id of A and one of B. Repeatable.",
-)
-@click.option(
-    "--unmatched",
-    type=click.Choice(["point", "split"]),
-    default="point",
-    show_default=True,
-    help="point: what has no partner grows from a point, or shrinks to one; split: an outline is cut for it.",
-)
+@matching_options
 @click.option(
     "--style",
     type=click.Choice(["blend", "a", "b"]),
     default="blend",
     show_default=True,
     help="Paint that blends too, or all frames painted as in A, or as in B.",
-)
-@click.option(
-    "--solver",
-    type=click.Choice(["exact", "simplified"]),
-    default="exact",
-    show_default=True,
-    help="The paper's section 4, or 4.1.",
-)
-@click.option(
-    "--band",
-    type=BandType(),
-    help="Diagonal deviation a path may have from its start (section 5.2), 0 to 1.  [default: none]",
-)
-@click.option(
-    "--effort",
-    type=click.Choice(["auto", "exact", "fast"]),
-    default="auto",
-    show_default=True,
-    help="exact: proven, however long it takes; auto: where that is quick; fast: coarse to fine early on.",
-)
-@constant_options
-@click.option(
-    "--motion",
-    type=click.Choice(["auto", "linear", "rigid", "intrinsic", "safe"]),
-    default="auto",
-    show_default=True,
-    help="How outlines travel: linear: on straight paths; rigid: turned as a whole; intrinsic: by lengths and angles; "
-    "safe: never crossing themselves; auto: straight, else the first of these without a fault.",
 )
 @click.option(
     "--curves/--polygons",
@@ -251,23 +154,7 @@ def blend(
     output: str | None,
     emit: str,
     force: bool,
-    select_a: str | None,
-    select_b: str | None,
-    lenient: bool,
-    place: str,
-    vertices: int,
-    start: tuple[int, int] | None,
-    pins: tuple[tuple[complex, complex], ...],
-    reverse: str,
-    stiff: tuple[tuple[complex, float, float], ...],
-    pairs: tuple[tuple[str, str], ...],
-    unmatched: str,
     style: str,
-    solver: str,
-    band: float | str | None,
-    effort: str,
-    preset: str | None,
-    motion: str,
     curves: bool,
     precision: int | None,
     animate: str,
@@ -277,18 +164,13 @@ def blend(
     report_file: str | None,
     quiet: bool,
     verbose: bool,
-    **given: float | None,
+    **matching: Any,
 ) -> None:
     """Blend A.svg into B.svg, and on into further files, with the least work of bending and stretching.
 
     Writes the in-betweens as SVG files, or one SVG that moves. One of the files may be -, standard input.
     """
-    if len(files) < 2:
-        raise click.UsageError(f"two files or more are blended, A.svg and B.svg; {len(files)} given")
-    if files.count(STANDARD_INPUT) > 1:
-        raise click.UsageError("standard input can be one of the files, not more")
-    if len(files) > 2 and (start or pins or pairs or stiff):
-        raise click.UsageError(f"--start, --pin, --match and --stiff are about two files; {len(files)} given")
+    check_matching(files, matching)
     output = FORMS[emit].output if output is None else output
     if found := problem(emit, output, len(files)):
         raise click.UsageError(found)
@@ -296,34 +178,16 @@ def blend(
         raise click.UsageError("--output and --report cannot both be standard output")
     if quiet and verbose:
         raise click.UsageError("--quiet and --verbose contradict each other")
-    if emit == "pair" and motion == "auto":
-        motion = "linear"  # what programs do between two files
-    constants = constants_in_force(preset, given)
-    band_here = band_in_force(preset, band)
+    if emit == "pair" and matching["motion"] == "auto":
+        matching["motion"] = "linear"  # what programs do between two files
     settings = {
         "frames": frames,
         "ends": ends,
         "output": output,
         "emit": emit,
         "force": force,
-        "select_a": select_a,
-        "select_b": select_b,
-        "lenient": lenient,
-        "place": place,
-        "vertices": vertices,
-        "start": list(start) if start else "auto",
-        "pins": [[_plain(side) for side in pin] for pin in pins],
-        "reverse": reverse,
-        "stiff": [[_plain(point), radius, weight] for point, radius, weight in stiff],
-        "match": [list(pair) for pair in pairs],
-        "unmatched": unmatched,
+        **matching_in_force(matching),
         "style": style,
-        "solver": solver,
-        "band": band_here,
-        "effort": effort,
-        "preset": preset,
-        **constants,
-        "motion": motion,
         "curves": curves,
         "precision": precision,
         "animate": animate,
@@ -334,8 +198,6 @@ def blend(
     }
 
     from shapeblend_cli.files import Job, blend_files
-    from shapeblend_cli.match.work import WorkConstants
-    from shapeblend_cli.settings import BlendSettings
     from shapeblend_cli.svg.animate import Timing
 
     job = Job(
@@ -344,31 +206,14 @@ def blend(
         force=force,
         report_file=report_file,
         reported_settings=settings,
-        select=(select_a, *[select_b] * (len(files) - 1)),
-        lenient=lenient,
+        select=selections(matching, len(files)),
+        lenient=matching["lenient"],
         animate=animate,
         timing=Timing(duration, ease, repeat),
         precision=precision,
         emit=emit,
-        blend=BlendSettings(
-            frames=frames,
-            ends=ends,
-            vertices=vertices,
-            place=place,
-            start=start,
-            pins=pins,
-            reverse=reverse,
-            stiff=stiff,
-            pairs=pairs,
-            unmatched=unmatched,
-            style=style,
-            solver=solver,
-            band=band_here,
-            effort=effort,
-            motion=motion,
-            curves=curves,
-            ease=ease,
-            constants=WorkConstants(**{f"{name[0]}_{name[1]}": value for name, value in constants.items()}),
+        blend=matching_settings(matching)._replace(
+            frames=frames, ends=ends, style=style, curves=curves, ease=ease
         ),
     )
     with Progress(quiet) as progress:
@@ -399,11 +244,6 @@ def inspect(file: str, select: str | None, lenient: bool, as_json: bool) -> None
     for note in drawing.notes:
         _note(f"{drawing.file}: {note}")
     show(found)
-
-
-def _plain(side: complex) -> int | list[float]:
-    """A vertex number or a point, for JSON."""
-    return side if isinstance(side, int) else [side.real, side.imag]
 
 
 def _note(text: str) -> None:

@@ -119,24 +119,11 @@ def blend_files(
     paths = _targets(job)
     check_targets(paths, [Path(file) for file in job.files if file != STANDARD_INPUT], job.force)
 
-    drawings = [
-        read(file, lenient=job.lenient, select=select)
-        for file, select in zip(job.files, job.select, strict=True)
-    ]
-    for drawing in drawings:
-        for note in drawing.notes:
-            say(f"{drawing.file}: {note}")
-    clock.lap("read")
-    try:
-        pairs, notes = match_all(drawings, job.blend, clock, watch)
-    except MatchError as error:
-        raise InputError(" and ".join(drawing.file for drawing in drawings), str(error)) from error
-    for note in notes:
-        say(note)
+    pairs = match_files(job.files, job.select, job.lenient, job.blend, clock, say, watch)
     frames = make_frames(pairs, job.blend)
     clock.lap("interpolate")
 
-    texts: dict[Path, str] = {}
+    texts: dict[Path, str | bytes] = {}
     standard_output = ""
     names: Sequence[str | None] = [None] * len(frames)
     views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
@@ -186,6 +173,32 @@ def blend_files(
     clock.lap("write")
     for line in _details(pairs, frames, clock):
         detail(line)
+
+
+def match_files(
+    files: Sequence[str],
+    select: Sequence[str | None],
+    lenient: bool,
+    settings: BlendSettings,
+    clock: Clock,
+    say: Callable[[str], None],
+    watch: Callable[[float], None],
+) -> list[Pair]:
+    """Read files and match each with the next; see `Job` and `blend_files` for the parameters."""
+    drawings = [
+        read(file, lenient=lenient, select=wanted) for file, wanted in zip(files, select, strict=True)
+    ]
+    for drawing in drawings:
+        for note in drawing.notes:
+            say(f"{drawing.file}: {note}")
+    clock.lap("read")
+    try:
+        pairs, notes = match_all(drawings, settings, clock, watch)
+    except MatchError as error:
+        raise InputError(" and ".join(drawing.file for drawing in drawings), str(error)) from error
+    for note in notes:
+        say(note)
+    return pairs
 
 
 def _animation(job: Job, pairs: Sequence[Pair], views: Sequence[Box], decimals: int) -> str:

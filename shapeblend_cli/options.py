@@ -1,4 +1,4 @@
-"""Options and parameter types of the command line."""
+"""Options that several commands take, and what is made of them."""
 
 from __future__ import annotations
 
@@ -7,11 +7,21 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from shapeblend_cli import easing
+from shapeblend_cli.parameters import (
+    SELECTOR,
+    START,
+    BandType,
+    ConstantType,
+    MatchType,
+    PinType,
+    StiffType,
+)
 from shapeblend_cli.presets import BANDS, PRESETS
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
+
+    from shapeblend_cli.settings import BlendSettings
 
 CONSTANTS = {
     "ks": (1.0, "Stiffness against stretching."),
@@ -24,184 +34,187 @@ CONSTANTS = {
 }
 """The paper's seven constants: default and help."""
 
+STANDARD_INPUT = "-"
 
-class StartType(click.ParamType[Any]):
-    """``auto``, or two vertex numbers ``I,J``."""
-
-    name = "auto|I,J"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Turn ``auto`` into None and ``I,J`` into two numbers."""
-        if value == "auto" or isinstance(value, tuple):
-            return None if value == "auto" else value
-        try:
-            i, j = (int(part) for part in value.split(","))
-        except ValueError:
-            self.fail(f"{value!r} is neither 'auto' nor two vertex numbers such as 0,3.", param, ctx)
-        if i < 0 or j < 0:
-            self.fail(f"{value!r}: vertex numbers begin at 0.", param, ctx)
-        return i, j
-
-
-class BandType(click.ParamType[Any]):
-    """A diagonal deviation from 0 to 1, or ``none``."""
-
-    name = "DD|none"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Read a share; ``none`` stays as it is."""
-        if value == "none" or isinstance(value, float):
-            return value
-        band = _number(self, value, param, ctx)
-        if not 0.0 <= band <= 1.0:
-            self.fail(f"{value}: a band lies between 0 and 1, or is 'none'.", param, ctx)
-        return band
-
-
-class PinType(click.ParamType[Any]):
-    """``I,J``: two vertex numbers; or ``x,y:x,y``: a point of A and a point of B."""
-
-    name = "I,J|x,y:x,y"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Turn numbers into a pair of int, points into a pair of complex."""
-        if isinstance(value, tuple):
-            return value
-        if ":" in value:
-            sides = [side.split(",") for side in value.split(":")]
-            if [len(side) for side in sides] != [2, 2]:
-                self.fail(f"{value!r} is not two points such as 1.5,2:3,4.", param, ctx)
-            return tuple(complex(*(_number(self, v, param, ctx) for v in side)) for side in sides)
-        return START.convert(value, param, ctx)
-
-
-class EaseType(click.ParamType[Any]):
-    """A CSS name of an easing, or ``cubic-bezier(x1,y1,x2,y2)``."""
-
-    name = "NAME"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Turn it into its four numbers."""
-        if isinstance(value, easing.Ease):
-            return value
-        try:
-            return easing.parse(value)
-        except ValueError as error:
-            self.fail(f"{error}.", param, ctx)
-
-
-MOST_RUNS = 1_000_000
-"""Runs of an animation that can be asked for; more is forever."""
-
-
-class RepeatType(click.ParamType[Any]):
-    """How often an animation runs: a number, ``forever``, or ``pingpong``."""
-
-    name = "N|forever|pingpong"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Read a number; the words stay as they are."""
-        if isinstance(value, int) or value in ("forever", "pingpong"):
-            return value
-        if not value.isdecimal() or not 1 <= int(value) <= MOST_RUNS:
-            self.fail(
-                f"{value!r} is neither 'forever' nor 'pingpong' nor a number from 1 to {MOST_RUNS}.",
-                param,
-                ctx,
-            )
-        return int(value)
-
-
-class MatchType(click.ParamType[Any]):
-    """``A=B``: a contour number or an id of each drawing."""
-
-    name = "A=B"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Turn it into the two names."""
-        if isinstance(value, tuple):
-            return value
-        a, equals, b = value.partition("=")
-        if not (a.strip() and equals and b.strip()):
-            self.fail(f"{value!r} is not of the form A=B, such as 0=1 or left=right.", param, ctx)
-        return a.strip(), b.strip()
-
-
-class StiffType(click.ParamType[Any]):
-    """``x,y,r=W``: around a point of A, within a radius, the wire is W times as stiff."""
-
-    name = "x,y,r=W"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Turn it into the point, the radius and the weight."""
-        if isinstance(value, tuple):
-            return value
-        region, equals, weight = value.partition("=")
-        parts = region.split(",")
-        if not equals or len(parts) != 3:
-            self.fail(f"{value!r} is not of the form x,y,r=W, such as 10,20,5=3.", param, ctx)
-        x, y, radius, factor = (_number(self, v, param, ctx) for v in (*parts, weight))
-        if radius <= 0.0 or factor <= 0.0:
-            self.fail(f"{value!r}: the radius and the weight must be greater than 0.", param, ctx)
-        return complex(x, y), radius, factor
-
-
-def _number(
-    kind: click.ParamType[Any], text: str, param: click.Parameter | None, ctx: click.Context | None
-) -> float:
-    try:
-        number = float(text)
-    except ValueError:
-        number = math.nan
-    if not math.isfinite(number):
-        kind.fail(f"{text!r} is not a number.", param, ctx)
-    return number
-
-
-START = StartType()
-
-
-class SelectorType(click.ParamType[str]):
-    """``#id``, or a CSS selector; whether an id is there only the file can tell."""
-
-    name = "SEL"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
-        """Look whether it can be one."""
-        from shapeblend_cli.svg.select import SelectorError, check
-
-        try:
-            check(value)
-        except SelectorError as error:
-            self.fail(str(error), param, ctx)
-        return str(value)
-
-
-SELECTOR = SelectorType()
 
 lenient_option = click.option(
     "--lenient", is_flag=True, help="Draw broken path data and points up to the error, as browsers do."
 )
 
 
-class ConstantType(click.ParamType[float]):
-    """A finite number, not negative; above zero where zero means nothing, and at most one for c_s."""
+MATCHING = (
+    click.option(
+        "--select-a",
+        type=SELECTOR,
+        help="Which shapes of A: #id, or a CSS selector.  [default: all painted ones]",
+    ),
+    click.option("--select-b", type=SELECTOR, help="Which shapes of B, and of further files."),
+    lenient_option,
+    click.option(
+        "--place",
+        type=click.Choice(["viewbox", "bbox", "asis"]),
+        default="viewbox",
+        show_default=True,
+        help="How B is laid over A: viewBox on viewBox, box on box, or file coordinates as they stand.",
+    ),
+    click.option(
+        "--vertices",
+        type=click.IntRange(0, 100_000),
+        default=200,
+        show_default=True,
+        metavar="N",
+        help="Vertices a contour, about. Nodes of the drawing always stay; 0 adds none but what a curve needs.",
+    ),
+    click.option(
+        "--start",
+        type=START,
+        default="auto",
+        show_default=True,
+        help="Starting correspondence: proven best over all, or vertex I of A with vertex J of B.",
+    ),
+    click.option(
+        "--pin",
+        "pins",
+        type=PinType(),
+        multiple=True,
+        help="Vertices that must correspond, by number, or the nearest to a point of A and a point of B. Repeatable.",
+    ),
+    click.option(
+        "--reverse",
+        type=click.Choice(["auto", "yes", "no"]),
+        default="auto",
+        show_default=True,
+        help="Go through B's outline backwards. auto: closed outlines in the same direction; both are tried where "
+        "that is not decided, and for open ones.",
+    ),
+    click.option(
+        "--stiff",
+        type=StiffType(),
+        multiple=True,
+        help="Make A's wire W times as stiff within r of a point. Repeatable.",
+    ),
+    click.option(
+        "--match",
+        "pairs",
+        type=MatchType(),
+        multiple=True,
+        help="Contours that become one another: a number or an id of A and one of B. Repeatable.",
+    ),
+    click.option(
+        "--unmatched",
+        type=click.Choice(["point", "split"]),
+        default="point",
+        show_default=True,
+        help="point: what has no partner grows from a point, or shrinks to one; split: an outline is cut for it.",
+    ),
+    click.option(
+        "--solver",
+        type=click.Choice(["exact", "simplified"]),
+        default="exact",
+        show_default=True,
+        help="The paper's section 4, or 4.1.",
+    ),
+    click.option(
+        "--band",
+        type=BandType(),
+        help="Diagonal deviation a path may have from its start (section 5.2), 0 to 1.  [default: none]",
+    ),
+    click.option(
+        "--effort",
+        type=click.Choice(["auto", "exact", "fast"]),
+        default="auto",
+        show_default=True,
+        help="exact: proven, however long it takes; auto: where that is quick; fast: coarse to fine early on.",
+    ),
+    click.option(
+        "--motion",
+        type=click.Choice(["auto", "linear", "rigid", "intrinsic", "safe"]),
+        default="auto",
+        show_default=True,
+        help="How outlines travel: linear: on straight paths; rigid: turned as a whole; intrinsic: by lengths and "
+        "angles; safe: never crossing themselves; auto: straight, else the first of these without a fault.",
+    ),
+)
 
-    name = "X"
 
-    def __init__(self, positive: bool, largest: float) -> None:
-        self.positive = positive
-        self.largest = largest
+def matching_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Everything that decides which place of A goes to which of B, and by which way."""
+    command = constant_options(command)
+    for option in reversed(MATCHING):
+        command = option(command)
+    return command
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        """Read a number and hold it against its range."""
-        number = _number(self, value, param, ctx)
-        least = "greater than 0" if self.positive else "0 or more"
-        if number < 0.0 or (self.positive and number == 0.0):
-            self.fail(f"{value} must be {least}.", param, ctx)
-        if number > self.largest:
-            self.fail(f"{value} must be at most {self.largest:g}.", param, ctx)
-        return number
+
+def check_matching(files: Sequence[str], matching: dict[str, Any]) -> None:
+    """Refuse files and options that do not go together.
+
+    Raises
+    ------
+    click.UsageError
+    """
+    if len(files) < 2:
+        raise click.UsageError(f"two files or more are blended, A.svg and B.svg; {len(files)} given")
+    if files.count(STANDARD_INPUT) > 1:
+        raise click.UsageError("standard input can be one of the files, not more")
+    if len(files) > 2 and any(matching[name] for name in ("start", "pins", "pairs", "stiff")):
+        raise click.UsageError(f"--start, --pin, --match and --stiff are about two files; {len(files)} given")
+
+
+def matching_in_force(matching: dict[str, Any]) -> dict[str, Any]:
+    """The values of `matching_options`, presets and defaults filled in, as the report has them."""
+    preset = matching["preset"]
+    start = matching["start"]
+    return {
+        **{name: matching[name] for name in ("select_a", "select_b", "lenient", "place", "vertices")},
+        "start": list(start) if start else "auto",
+        "pins": [[_plain(side) for side in pin] for pin in matching["pins"]],
+        "reverse": matching["reverse"],
+        "stiff": [[_plain(point), radius, weight] for point, radius, weight in matching["stiff"]],
+        "match": [list(pair) for pair in matching["pairs"]],
+        "unmatched": matching["unmatched"],
+        "solver": matching["solver"],
+        "band": band_in_force(preset, matching["band"]),
+        "effort": matching["effort"],
+        "preset": preset,
+        **constants_in_force(preset, matching),
+        "motion": matching["motion"],
+    }
+
+
+def _plain(side: complex) -> int | list[float]:
+    """A vertex number or a point, for JSON."""
+    return side if isinstance(side, int) else [side.real, side.imag]
+
+
+def matching_settings(matching: dict[str, Any]) -> BlendSettings:
+    """The settings that the values of `matching_options` make."""
+    from shapeblend_cli.match.work import WorkConstants
+    from shapeblend_cli.settings import BlendSettings
+
+    taken = (
+        "vertices",
+        "place",
+        "start",
+        "pins",
+        "reverse",
+        "stiff",
+        "pairs",
+        "unmatched",
+        "solver",
+        "effort",
+        "motion",
+    )
+    constants = constants_in_force(matching["preset"], matching)
+    return BlendSettings(
+        **{name: matching[name] for name in taken},
+        band=band_in_force(matching["preset"], matching["band"]),
+        constants=WorkConstants(**{f"{name[0]}_{name[1]}": value for name, value in constants.items()}),
+    )
+
+
+def selections(matching: dict[str, Any], files: int) -> tuple[str | None, ...]:
+    """Which shapes of each file are wanted."""
+    return matching["select_a"], *[matching["select_b"]] * (files - 1)
 
 
 def constant_options(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -218,10 +231,11 @@ def constant_options(command: Callable[..., Any]) -> Callable[..., Any]:
     return command
 
 
-def constants_in_force(preset: str | None, given: dict[str, float | None]) -> dict[str, float]:
+def constants_in_force(preset: str | None, given: dict[str, Any]) -> dict[str, float]:
     """The seven constants: what was given, else the preset's, else the default."""
     base = {name: default for name, (default, _) in CONSTANTS.items()}
-    return base | PRESETS.get(preset or "", {}) | {name: x for name, x in given.items() if x is not None}
+    named = {name: given[name] for name in CONSTANTS if given.get(name) is not None}
+    return base | PRESETS.get(preset or "", {}) | named
 
 
 def band_in_force(preset: str | None, given: float | str | None) -> float | None:

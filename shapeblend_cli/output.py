@@ -39,8 +39,8 @@ def check_targets(targets: Iterable[Path], inputs: Iterable[Path], force: bool) 
                 break
 
 
-def write_files(texts: Mapping[Path, str]) -> None:
-    """Write all files or none.
+def write_files(contents: Mapping[Path, str | bytes]) -> None:
+    """Write all files or none, texts as UTF-8.
 
     Each file is first written in full in a folder of our own beside its target; only then are they moved into
     place, one atomic step each.
@@ -56,7 +56,7 @@ def write_files(texts: Mapping[Path, str]) -> None:
     moved: list[Path] = []  # to names that were free
     target = Path()
     try:
-        for target, text in texts.items():
+        for target, content in contents.items():
             parent = target.parent
             if parent not in stages:
                 for folder in [*reversed(parent.parents), parent]:
@@ -67,7 +67,7 @@ def write_files(texts: Mapping[Path, str]) -> None:
                 stages[parent].mkdir()
             temporary = stages[parent] / target.name
             staged.append((temporary, target))
-            temporary.write_text(text, encoding="utf-8", newline="\n")
+            temporary.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
         for temporary, target in staged:
             is_new = not os.path.lexists(target)
             os.replace(temporary, target)
