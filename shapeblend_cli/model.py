@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     FloatArray = NDArray[np.float64]
     IntArray = NDArray[np.intp]
     BoolArray = NDArray[np.bool_]
+    UIntArray = NDArray[np.uint8]
 
 
 def frozen(values: object, dtype: object) -> NDArray:  # type: ignore[type-arg]

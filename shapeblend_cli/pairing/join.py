@@ -12,6 +12,7 @@ from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.normalise import to_unit_box
 from shapeblend_cli.geometry.outline import direction, reversed_contour, reversed_polygon
 from shapeblend_cli.match.solve import least_work
+from shapeblend_cli.match.work import Wires
 from shapeblend_cli.model import Contour, Correspondence, MatchedContour, Polygon
 from shapeblend_cli.pairing.costs import least_thinned_work
 from shapeblend_cli.pairing.parts import LINE
@@ -54,11 +55,9 @@ def join(
     """
     if (a.role == LINE) != (b.role == LINE):
         a, b = (a, _opened(b, a, settings)) if a.role == LINE else (_opened(a, b, settings), b)
-    turned = b.polygon
+    turned = _turned_back(b.polygon, turn)
     if turn:
-        back = cmath.rect(1.0, -turn)
-        turned = replace(turned, vertices=back * turned.vertices)
-        wishes = wishes._replace(pins=[_turned(pin, back) for pin in wishes.pins])
+        wishes = wishes._replace(pins=[_pin_turned_back(pin, turn) for pin in wishes.pins])
     backwards, found = least_work_either_way(a.polygon, turned, settings, wishes, watch)
     contour_b, polygon_b = b.contour, b.polygon
     if backwards:
@@ -79,9 +78,13 @@ def join(
     )
 
 
-def _turned(pin: Pin, back: complex) -> Pin:
+def _turned_back(polygon: Polygon, turn: float) -> Polygon:
+    return replace(polygon, vertices=cmath.rect(1.0, -turn) * polygon.vertices) if turn else polygon
+
+
+def _pin_turned_back(pin: Pin, turn: float) -> Pin:
     """A pin for B turned back; vertex numbers stay what they are."""
-    return pin if isinstance(pin[1], int) else (pin[0], back * pin[1])
+    return pin if isinstance(pin[1], int) else (pin[0], cmath.rect(1.0, -turn) * pin[1])
 
 
 def grown(part: Part, point: complex, *, of_b: bool) -> MatchedContour:
@@ -146,6 +149,18 @@ def least_work_either_way(
     if not solved:
         raise refused[0]
     return min(solved, key=lambda way: way[1].work)
+
+
+def solved_wires(contour: MatchedContour, settings: BlendSettings) -> Wires:
+    """The wires of a matched contour as they were solved: in the unit box, B turned back, A stiff where asked for."""
+    turned = _turned_back(contour.polygon_b, contour.turn)
+    return Wires(
+        to_unit_box(contour.polygon_a)[0],
+        to_unit_box(turned)[0],
+        contour.correspondence.closed,
+        settings.constants,
+        _weight(contour.polygon_a, settings.stiff),
+    )
 
 
 def part_of(watch: Watch | None, run: int, runs: int) -> Watch | None:

@@ -1,0 +1,23 @@
+"""The wires of a matched contour are those that were solved."""
+
+import pytest
+
+import shapeblend_cli as sb
+from shapeblend_cli.pairing.join import solved_wires
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "settings"),
+    [
+        ("e", "f", sb.BlendSettings()),
+        ("step-1", "step-2", sb.BlendSettings()),  # turned by a quarter
+        ("cow", "deer", sb.BlendSettings(stiff=((59.0 + 80.0j, 60.0, 5.0),), motion="linear")),
+    ],
+)
+def test_the_path_costs_on_them_what_was_found(a, b, settings):
+    pair, _ = sb.blend(sb.read(f"samples/{a}.svg"), sb.read(f"samples/{b}.svg"), settings)
+    for contour in pair.contours:
+        found = contour.correspondence
+        assert solved_wires(contour, settings).path_work(found.dots).total == pytest.approx(
+            found.work, rel=1e-9
+        )
