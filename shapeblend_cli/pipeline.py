@@ -104,7 +104,7 @@ def correspond(
     settings = settings or BlendSettings()
     wishes = Wishes(settings.start, settings.pins)
     check_stiff([a], settings)
-    backwards, found = least_work_either_way(a, b, settings, wishes, None)
+    backwards, found = least_work_either_way(a, b, settings, wishes, None, alone=True)
     if not backwards:
         return found
     # Backwards a closed polygon keeps its first vertex, and an open one begins at its last.
@@ -263,9 +263,11 @@ def _match(
     clock.lap("match")
     largest = max(couples, key=lambda couple: couple[0].size)
     wishes = [wishes_for(couple, settings, pins, is_largest=couple is largest) for couple in couples]
+    alone = len(couples) == 1
     joints = []
     for run, couple in enumerate(couples):
-        matched = join(*couple, settings, wishes[run], part_of(watch, run, len(couples)), turn)
+        watched = part_of(watch, run, len(couples))
+        matched = join(*couple, settings, wishes[run], watched, turn, alone=alone)
         joints.append(Joint(*couple, matched._replace(seconds=clock.lap("match"))))
     shapes = tuple(_in_style(shape, settings.style) for shape in matched_shapes(a.parts, b.parts, joints))
     runs = {(joint.matched.a, joint.matched.b): run for run, joint in enumerate(joints)}
@@ -276,7 +278,7 @@ def _match(
         for contour in shape.contours:
             run = runs.get((contour.a, contour.b))
             if run is not None:
-                solved = join(*couples[run], settings, wishes[run], None, other)
+                solved = join(*couples[run], settings, wishes[run], None, other, alone=alone)
                 contour = solved._replace(seconds=clock.lap("match"))
             contours.append(contour)
         return shape._replace(contours=tuple(contours))

@@ -64,7 +64,7 @@ LEAST_VERTICES = 100
 class Problem(NamedTuple):
     """Two polygons whose vertices 0 are column 0 and row 0, and what is asked of a path between them.
 
-    See `solve.least_work`.
+    See `solve.least_work`. Where any start is asked for, it lies in the first `start_rows` rows, if that is a number.
     """
 
     p0: ComplexArray
@@ -74,6 +74,7 @@ class Problem(NamedTuple):
     weight: FloatArray | None
     band: float | None
     solver: str
+    start_rows: int | None
     watch: Callable[[float], None]
 
     @property
@@ -118,7 +119,11 @@ def _region(problem: Problem, pins: list[Dot] | None) -> Window:
     m, n = len(problem.p0), len(problem.p1)
     columns = m + 1 if problem.closed else m
     if pins is None:
-        return Window.full(columns, 2 * n)
+        if problem.start_rows is None:
+            return Window.full(columns, 2 * n)
+        low, high = np.zeros(columns, np.intp), np.full(columns, problem.start_rows - 1 + n)
+        low[-1], high[0] = n, problem.start_rows - 1
+        return Window.between(low, high)
     region = Window.full(columns, n + 1 if problem.closed else n)
     for c, r in pins:
         region.low[c + 1 :] = np.maximum(region.low[c + 1 :], r)
@@ -152,6 +157,7 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Sear
         p0=thin0,
         p1=thin1,
         weight=None if problem.weight is None else problem.weight[kept0],
+        start_rows=None if problem.start_rows is None else int(np.searchsorted(kept1, problem.start_rows)),
         watch=lambda share: watch(share / FACTOR),
     )
     problem = problem._replace(watch=lambda share: watch((1.0 + (FACTOR - 1.0) * share) / FACTOR))

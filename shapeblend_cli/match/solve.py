@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.match import angles, coarse, starts
+from shapeblend_cli.match import angles, coarse
+from shapeblend_cli.match import starts as searches
 from shapeblend_cli.match.work import Wires, WorkConstants
 from shapeblend_cli.model import Correspondence
 
@@ -34,6 +35,7 @@ def least_work(
     *,
     start: Dot | None = None,
     pins: Sequence[Dot] = (),
+    starts: tuple[int, int, int] | None = None,
     band: float | None = None,
     weight: FloatArray | None = None,
     solver: str = "exact",
@@ -55,6 +57,9 @@ def least_work(
         start is considered, and the result is the least over all of them.
     pins : sequence of (int, int)
         Further vertices that must correspond.
+    starts : (int, int, int), optional
+        A vertex of `p0`, and the first and the last vertex of `p1` it may correspond to when a closed path comes to it;
+        the last may be counted on beyond n. Without it, and without `start` and pins, that may be any.
     band : float, optional
         Largest diagonal deviation, eq (30), of the path, measured from `start`, else from the first pin, else
         from where the path comes to vertex 0 of `p0` (section 5.2).
@@ -87,6 +92,8 @@ def least_work(
     first0, first1 = 0, 0
     if closed and pins:
         first0, first1 = pins[0]
+    elif closed and starts:
+        first0, first1 = starts[0], starts[1] % n
     elif closed and band is None:
         first0 = coarse.sharpest(p0)
     problem = coarse.Problem(
@@ -97,11 +104,12 @@ def least_work(
         weight=None if weight is None else np.roll(np.asarray(weight, np.float64), -first0),
         band=band,
         solver=solver,
+        start_rows=starts[2] - starts[1] + 1 if starts else None,
         watch=watch or (lambda share: None),
     )
     limit = EXACT_DOTS[effort]
     if solver == "simplified":  # it works on tables that are all there
-        limit = min(limit, starts.STORED_DOTS)
+        limit = min(limit, searches.STORED_DOTS)
     if closed and not pins:
         found, proven = coarse.solve(problem, None, limit)
     else:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,6 +17,7 @@ from shapeblend_cli.match.work import Wires
 from shapeblend_cli.model import Contour, Correspondence, MatchedContour, Polygon
 from shapeblend_cli.pairing.costs import least_thinned_work
 from shapeblend_cli.pairing.parts import LINE
+from shapeblend_cli.pairing.upright import upright
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -33,7 +35,14 @@ OPENINGS = 24
 
 
 def join(
-    a: Part, b: Part, settings: BlendSettings, wishes: Wishes, watch: Watch | None, turn: float = 0.0
+    a: Part,
+    b: Part,
+    settings: BlendSettings,
+    wishes: Wishes,
+    watch: Watch | None,
+    turn: float = 0.0,
+    *,
+    alone: bool = True,
 ) -> MatchedContour:
     """Solve the correspondence of two contours.
 
@@ -47,6 +56,8 @@ def join(
         Told now and then which share of the work is done, from 0 to 1.
     turn : float
         By what angle B is turned back for that, in radians.
+    alone : bool
+        Whether no other contours are matched beside these.
 
     Raises
     ------
@@ -58,7 +69,7 @@ def join(
     turned = _turned_back(b.polygon, turn)
     if turn:
         wishes = wishes._replace(pins=[_pin_turned_back(pin, turn) for pin in wishes.pins])
-    backwards, found = least_work_either_way(a.polygon, turned, settings, wishes, watch)
+    backwards, found = least_work_either_way(a.polygon, turned, settings, wishes, watch, alone=alone)
     contour_b, polygon_b = b.contour, b.polygon
     if backwards:
         polygon_b = reversed_polygon(polygon_b, len(contour_b.segments))
@@ -110,7 +121,13 @@ def grown(part: Part, point: complex, *, of_b: bool) -> MatchedContour:
 
 
 def least_work_either_way(
-    a: Polygon, b: Polygon, settings: BlendSettings, wishes: Wishes, watch: Watch | None
+    a: Polygon,
+    b: Polygon,
+    settings: BlendSettings,
+    wishes: Wishes,
+    watch: Watch | None,
+    *,
+    alone: bool,
 ) -> tuple[bool, Correspondence]:
     """Solve for the direction of B that agrees with A's; where none is decided, for the cheaper of both.
 
@@ -128,23 +145,29 @@ def least_work_either_way(
     for run, backwards in enumerate(ways):
         # Only the vertices count here, and they do not depend on the number of segments.
         candidate = reversed_polygon(b, 1) if backwards else b
+        unit_b = to_unit_box(candidate)[0]
+        solve = partial(
+            least_work,
+            unit_a,
+            unit_b,
+            a.closed,
+            settings.constants,
+            weight=weight,
+            solver=settings.solver,
+            effort=settings.effort,
+        )
         try:
-            found = least_work(
-                unit_a,
-                to_unit_box(candidate)[0],
-                a.closed,
-                settings.constants,
+            found = solve(
                 start=wishes.start,
                 pins=[_vertices(a, candidate, pin) for pin in wishes.pins],
                 band=settings.band,
-                weight=weight,
-                solver=settings.solver,
-                effort=settings.effort,
                 watch=part_of(watch, run, len(ways)),
             )
         except MatchError as error:  # pins that cross one way round need not cross the other way
             refused.append(error)
         else:
+            if a.closed and not wishes.start and not wishes.pins and settings.band is None:
+                found = upright(unit_a, unit_b, found, solve, settings.constants, alone=alone)
             solved.append((backwards, found))
     if not solved:
         raise refused[0]

@@ -80,7 +80,7 @@ def test_smooth_outlines_come_out_exact(small):
 def test_a_short_outline_and_a_very_long_one():
     p0, p1 = star_polygon(np.random.default_rng(1), 9), wavy(1200, 2)
     least = least_work(p0, p1, effort="exact")
-    problem = coarse.Problem(p0, p1, True, WorkConstants(), None, None, "exact", lambda share: None)
+    problem = coarse.Problem(p0, p1, True, WorkConstants(), None, None, "exact", None, lambda share: None)
     path, proven = coarse.solve(problem, None, 100)
     assert not proven
     assert least.work <= path.work * (1 + 1e-9)

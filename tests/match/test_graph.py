@@ -10,7 +10,7 @@ from shapeblend_cli.match.work import BEND_OF_STEPS, EAST, SOUTH, SOUTHEAST, Win
 from tests.support.oracle import EAST as E
 from tests.support.oracle import SOUTH as S
 from tests.support.oracle import SOUTHEAST as D
-from tests.support.oracle import Oracle
+from tests.support.oracle import Oracle, legal_turn, paths
 from tests.support.shapes import gear, random_polygon, regular_polygon, star_polygon
 
 CODE = {E: EAST, S: SOUTH, D: SOUTHEAST}
@@ -319,3 +319,34 @@ def test_arguments_are_left_as_they_were(rng):
     least_work(p0, p1, True)
     np.testing.assert_array_equal(p0, before[0])
     np.testing.assert_array_equal(p1, before[1])
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_starts_may_be_limited(seed):
+    rng = np.random.default_rng(seed)
+    m, n = (int(k) for k in rng.integers(3, 5, 2))
+    p0, p1 = star_polygon(rng, m), star_polygon(rng, n)
+    vertex, first = int(rng.integers(m)), int(rng.integers(n))
+    last = first + int(rng.integers(n))
+    wires = Wires(p0, p1, True, WorkConstants())
+    least = np.inf
+    for path in paths(m + 1, n + 1):
+        steps = np.diff(path, axis=0)
+        down = int((np.array(path)[:, 0] == 0).sum()) - 1  # rows it goes South at once
+        if tuple(steps[-1]) == S or not legal_turn(tuple(steps[-1]), tuple(steps[0])):
+            continue
+        for row in range(first, last + 1 - down):
+            dots = (np.array(path[:-1]) + (vertex, row)) % (m, n)
+            least = min(least, wires.path_work(dots).total)
+    assert least_work(p0, p1, starts=(vertex, first, last)).work == pytest.approx(least, rel=1e-9)
+
+
+def test_large_problems_keep_to_their_starts():
+    p0 = gear(30)
+    p1 = np.roll(gear(30), 7)
+    step = len(p1) // 30
+    anywhere = least_work(p0, p1, effort="fast")
+    found = least_work(p0, p1, starts=(0, 4 * step - 2, 4 * step + 2), effort="fast")
+    assert found.work == pytest.approx(anywhere.work, abs=1e-6)
+    goes = int(found.dots[found.dots[:, 0] == 0][0, 1])
+    assert abs(goes - 4 * step) <= step

@@ -8,29 +8,13 @@ import pytest
 from shapeblend_cli.match.landscape import MOVES, landscape
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.match.work import Wires, WorkConstants
-from tests.support.oracle import STEPS, legal_turn
+from tests.support.oracle import legal_turn, paths
 
 
 def polygon(seed, count):
     rng = np.random.default_rng(seed)
     angles = 2.0 * np.pi * (np.arange(count) + rng.uniform(0.0, 0.8, count)) / count
     return rng.uniform(0.3, 1.0, count) * np.exp(1j * angles)
-
-
-def paths(columns, rows):
-    """All paths from the first dot to the last, as lists of dots."""
-    end = (columns - 1, rows - 1)
-
-    def extended(path, last):
-        if path[-1] == end:
-            yield path
-            return
-        for step in STEPS:
-            dot = path[-1][0] + step[0], path[-1][1] + step[1]
-            if dot[0] < columns and dot[1] < rows and (last is None or legal_turn(last, step)):
-                yield from extended([*path, dot], step)
-
-    return extended([(0, 0)], None)
 
 
 def cheapest(wires, dots, band):

@@ -129,14 +129,12 @@ def test_a_regular_polygon_turned_onto_itself_stays(corners, degrees):
         np.testing.assert_allclose(points_at(pair, t), points_at(pair, 0.0), atol=1e-9)
 
 
-@pytest.mark.xfail(reason="corners of a square cost the same from every start, and the first is taken")
 def test_a_square_turned_onto_itself_stays():
     square = drawing(polygon_contour(regular_polygon(4)))
     pair = pair_of(square, placed(square, 1j, 1.0))
     assert [shape.motion for shape in pair.moving] == [None]
 
 
-@pytest.mark.xfail(reason="corners of a square cost the same from every start, and the first is taken")
 def test_a_square_turned_by_50_degrees_turns_back_by_40():
     square = drawing(polygon_contour([0, 4, 4 + 4j, 4j]))
     assert_only_moves(pair_of(square, placed(square, np.exp(1j * np.radians(50)), start=3)), -40)

@@ -54,6 +54,22 @@ def legal_turn(step_in, step_out):
     return {step_in, step_out} != {EAST, SOUTH}
 
 
+def paths(columns, rows):
+    """All legal paths from the first dot of a graph to the last, as lists of dots."""
+    end = (columns - 1, rows - 1)
+
+    def extended(path, last):
+        if path[-1] == end:
+            yield path
+            return
+        for step in STEPS:
+            dot = path[-1][0] + step[0], path[-1][1] + step[1]
+            if dot[0] < columns and dot[1] < rows and (last is None or legal_turn(last, step)):
+                yield from extended([*path, dot], step)
+
+    return extended([(0, 0)], None)
+
+
 class Oracle:
     """Prices paths between two polygons in the unit box."""
 

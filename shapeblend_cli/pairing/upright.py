@@ -1,0 +1,118 @@
+"""Contours that would turn for no good reason kept upright.
+
+To turn takes no work: a wire alone in space has no up and down. So where outlines have little to tell one start from
+another, an upright oval and one that lies flat for instance, the least path may turn one into the other by any angle,
+and of several contours each by its own. Here a contour among others has work to do for turning, and one that is alone
+turns only if that takes less work: not where two starts cost the same, as with the four corners of a square.
+"""
+
+from __future__ import annotations
+
+import cmath
+from contextlib import suppress
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.errors import MatchError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from shapeblend_cli.match.work import WorkConstants
+    from shapeblend_cli.model import ComplexArray, Correspondence, FloatArray, IntArray
+
+TURNED = np.radians(8.0)
+"""A contour that turns less is upright."""
+
+ANGLES = 5.0
+"""Turning a contour by an angle costs as much as bending so many angles by it. An oval that is up to twice as high as
+wide then stays upright on its way to one that lies flat, and what has corners turns if they say so."""
+
+SAME = 1e-9
+"""Works that differ by less are the same, and so are those that differ by a smaller share."""
+
+PLACES = 72
+"""At so many even places outlines are laid over each other."""
+
+REACH = 1.0 / 8.0
+"""How far from where they lie best over each other starts are looked for, as a share of B's outline."""
+
+RUNS = (-1.0, -0.5, -0.2, -0.05, 0.05, 0.2, 0.5, 1.0)
+"""In which runs of starts, within the reach: the least path of a run may well lie at its end, and turn that far."""
+
+
+def upright(
+    p0: ComplexArray,
+    p1: ComplexArray,
+    least: Correspondence,
+    solve: Callable[..., Correspondence],
+    constants: WorkConstants,
+    *,
+    alone: bool,
+) -> Correspondence:
+    """Choose between the least path and one that turns less.
+
+    Parameters
+    ----------
+    p0, p1 : (m,) and (n,) complex
+        Closed polygons, as solved.
+    least : Correspondence
+        Found over all starts.
+    solve : callable
+        `match.solve.least_work` of these polygons, to be told which `starts`.
+    constants : WorkConstants
+    alone : bool
+        Whether it is the only contour that is matched.
+    """
+    turned = abs(turn_along(p0, p1, least.dots))
+    if turned < TURNED:
+        return least
+    price = 0.0 if alone else ANGLES * constants.k_b
+    found = [(least.work, turned, least)]
+    for starts in starts_laid_over(p0, p1, (-1.0, 1.0) if alone else RUNS):
+        with suppress(MatchError):  # no path through these
+            other = solve(starts=starts)
+            found.append((other.work, abs(turn_along(p0, p1, other.dots)), other))
+    costs = [work + price * angle**constants.e_b for work, angle, _ in found]
+    limit = min(costs) * (1.0 + SAME) + SAME
+    cheapest = [one for one, cost in zip(found, costs, strict=True) if cost <= limit]
+    return min(cheapest, key=lambda one: one[1])[2]
+
+
+def turn_along(p0: ComplexArray, p1: ComplexArray, dots: IntArray) -> float:
+    """By what angle edges turn on the whole, those of the first polygon to those of the second."""
+    edges = [np.diff(p[dots[:, side]], append=p[dots[:1, side]]) for side, p in enumerate((p0, p1))]
+    return cmath.phase(complex(np.vdot(*edges)))
+
+
+def starts_laid_over(p0: ComplexArray, p1: ComplexArray, runs: Sequence[float]) -> list[tuple[int, int, int]]:
+    """Where a vertex of the first polygon may go on the second if both are to lie much as they do.
+
+    Parameters
+    ----------
+    p0, p1 : (m,) and (n,) complex
+    runs : sequence of float
+        Where runs of starts begin and end, from where both lie best over each other, in units of `REACH`.
+
+    Returns
+    -------
+    list of (int, int, int)
+        The vertex, and the first and the last one of a run of the second polygon's, which may go on beyond its end.
+    """
+    (q0, _), (q1, at1) = (_even(p, np.arange(PLACES) / PLACES) for p in (p0, p1))
+    overlap = [np.vdot(q0 - q0.mean(), np.roll(q1 - q1.mean(), -shift)).real for shift in range(PLACES)]
+    middle = float(np.argmax(overlap)) / PLACES  # where on the second the first one's vertex 0 goes
+    n = len(p1)
+    around = np.concatenate([at1 - 1.0, at1, at1 + 1.0])
+    first = np.searchsorted(around, middle + REACH * np.array(runs)).tolist()
+    return [(0, begin % n, begin % n + end - begin) for begin, end in pairwise(first)]
+
+
+def _even(p: ComplexArray, places: FloatArray) -> tuple[ComplexArray, FloatArray]:
+    """Points at shares of a closed polygon's length, and at which share each vertex is."""
+    around = np.append(p, p[0])
+    at = np.append(0.0, np.cumsum(np.abs(np.diff(around))))
+    at /= at[-1]
+    return np.interp(places, at, around.real) + 1j * np.interp(places, at, around.imag), at[:-1]
