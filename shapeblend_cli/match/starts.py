@@ -318,6 +318,36 @@ def least_of_all(search: Search) -> Path | None:
     return best._replace(sweeps=search.sweeps) if best else None
 
 
+def least_by_start(wires: Wires, vertex: int, band: float | None, watch: Callable[[float], None]) -> FloatArray:
+    """Least work of a closed path through a vertex of the first polygon and every vertex of the second.
+
+    Cost: O(m n) for each of n starts.
+
+    Parameters
+    ----------
+    wires : Wires
+    vertex : int
+        Of the first polygon.
+    band : float or None
+        Diagonal deviation, eq (30), that paths may have from there.
+    watch : callable
+        Told which share is done.
+
+    Returns
+    -------
+    (n,) float
+        Infinite where no path stays in the band.
+    """
+    columns, n = wires.m + 1, wires.n
+    search = Search(wires.beginning_at(vertex), Window.full(columns, 2 * n), band)
+    works = np.full(n, np.inf)
+    for row in range(n):
+        path = _branch_and_bound(search, [Starts(0.0, row, row, STEPS)], np.inf)
+        works[row] = path.work if path else np.inf
+        watch((row + 1) / n)
+    return works
+
+
 def simplified_from(search: Search) -> Path | None:
     """The simplified algorithm's best path from the first dot of the region."""
     row = int(search.region.low[0])

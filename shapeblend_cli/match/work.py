@@ -10,6 +10,7 @@ The paper's text calls eq (17) "equation 18".
 
 from __future__ import annotations
 
+from copy import copy
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -262,6 +263,13 @@ class Wires:
         self.len0, self.len1 = edge_lengths(p0, closed), edge_lengths(p1, closed)
         self.corners0, self.corners1 = corners(p0, closed), corners(p1, closed)
 
+    def beginning_at(self, vertex: int) -> Wires:
+        """The same wires, closed, with vertex 0 of the first elsewhere."""
+        other = copy(self)
+        other.weight, other.edge_weight = np.roll(self.weight, -vertex), np.roll(self.edge_weight, -vertex)
+        other.len0, other.corners0 = np.roll(self.len0, -vertex), np.roll(self.corners0, -vertex, axis=0)
+        return other
+
     def tables(self, window: Window | None = None, first_column: int = 0) -> Tables:
         """Price every step and every bend in a window, the whole graph without one.
 
@@ -328,6 +336,27 @@ class Wires:
         following = np.roll(dots, -1, axis=0) if self.closed else dots[1:]
         start = dots[: len(following)]
         moves = (following - start) % (self.m, self.n)
+        at, kinds, bending = self.bends_on(dots)
+        stiff = np.where(moves[:, 0] > 0, self.edge_weight[start[:, 0]], self.weight[start[:, 0]])
+        stretching = stiff * stretching_work(
+            self.len0[start[:, 0]] * moves[:, 0], self.len1[start[:, 1]] * moves[:, 1], self.constants
+        )
+        zeros = self._bends(at, kinds, 0.0, 0.0, 1.0, 1.0)  # the penalty alone
+        return PathWork(float(stretching.sum()), float(bending.sum()), int(zeros.sum()))
+
+    def bends_on(self, dots: IntArray) -> tuple[IntArray, IntArray, FloatArray]:
+        """The dots of a path that have an angle, their bends (see `BEND_OF_STEPS`), and the bending work of each.
+
+        The path is that of `path_work`; ends of open wires have no angle.
+
+        Raises
+        ------
+        ValueError
+            A step is not East, South or Southeast, or a turn of 90 degrees.
+        """
+        dots = np.array(dots, np.intp)
+        following = np.roll(dots, -1, axis=0) if self.closed else dots[1:]
+        moves = (following - dots[: len(following)]) % (self.m, self.n)
         steps = moves @ (1, 2) - 1  # EAST, SOUTH, SOUTHEAST
         at, steps_in, steps_out = dots[1:-1], steps[:-1], steps[1:]
         if self.closed:
@@ -338,13 +367,13 @@ class Wires:
             raise ValueError(
                 "a path goes one step East, South or Southeast at a time, without turns of 90 degrees"
             )
+        at = np.ascontiguousarray(at)
+        return at, kinds, self._bends(at, kinds, *self.constants.bending())
 
-        stiff = np.where(moves[:, 0] > 0, self.edge_weight[start[:, 0]], self.weight[start[:, 0]])
-        stretching = stiff * stretching_work(
-            self.len0[start[:, 0]] * moves[:, 0], self.len1[start[:, 1]] * moves[:, 1], self.constants
-        )
-        bending, zeros = np.empty(len(at)), np.empty(len(at))
-        corners_at = self.corners0, self.corners1, self.weight, np.ascontiguousarray(at), kinds
-        angles.bends_along(*corners_at, *self.constants.bending(), bending)
-        angles.bends_along(*corners_at, 0.0, 0.0, 1.0, 1.0, zeros)  # the penalty alone
-        return PathWork(float(stretching.sum()), float(bending.sum()), int(zeros.sum()))
+    def _bends(
+        self, at: IntArray, kinds: IntArray, k_b: float, m_b: float, e_b: float, p_b: float
+    ) -> FloatArray:
+        """Bending work at dots, by constants of eq (17)."""
+        work = np.empty(len(at))
+        angles.bends_along(self.corners0, self.corners1, self.weight, at, kinds, k_b, m_b, e_b, p_b, work)
+        return work

@@ -32,7 +32,10 @@ def text(drawing: Any, style: str | None = None, definitions: Sequence[ElementTr
     What svgwrite adds unasked goes: a size of 100 %, a profile, two unused namespaces.
     """
     root = drawing.get_xml()
-    for name in ("width", "height", "version", "baseProfile", "xmlns:ev", "xmlns:xlink"):
+    for name in ("width", "height"):
+        if root.get(name) == "100%":
+            del root.attrib[name]
+    for name in ("version", "baseProfile", "xmlns:ev", "xmlns:xlink"):
         root.attrib.pop(name, None)
     if definitions:
         holder = ElementTree.Element("defs")

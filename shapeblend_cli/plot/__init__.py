@@ -1,0 +1,1 @@
+"""Pictures of a correspondence, in the form of the paper's figures."""

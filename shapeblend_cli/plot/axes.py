@@ -1,0 +1,146 @@
+"""How all plots look: colours, letters, headings, and axes with their ticks."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+from shapeblend_cli.svg.figure import Figure, line_data
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.svg.figure import Point
+
+INK, SOFT, FAINT, GROUND = "#1d2733", "#5c6875", "#d5dae0", "#ffffff"
+COLOUR_A, COLOUR_B, PATH = "#2b6cb0", "#c05621", "#c81e4a"
+
+STYLE = f"""
+text{{font:13px system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue","DejaVu Sans",Arial,sans-serif;fill:{INK}}}
+path,circle{{fill:none;stroke-linejoin:round;stroke-linecap:round}}
+.ground{{fill:{GROUND}}}
+.title{{font-size:17px;font-weight:600}}
+.note,.tick-x,.tick-y,.right-note,.middle-note{{fill:{SOFT};font-size:12px}}
+.tick-x,.label,.middle-note,.name{{text-anchor:middle}}
+.tick-y,.right-note{{text-anchor:end}}
+.name{{font-weight:600}}
+.frame,.tick{{stroke:{SOFT};stroke-width:1}}
+.grid{{stroke:{FAINT};stroke-width:1}}
+.rule{{stroke:{SOFT};stroke-width:1;stroke-dasharray:5 4}}
+"""
+"""What every figure has; classes end where attributes of single pieces begin."""
+
+LEFT, TOP = 72.0, 96.0
+"""Where the axes begin: room for a heading of three lines, and for ticks and a label."""
+
+LINE = 18.0
+"""From one line of text to the next."""
+
+TICK = 5.0
+
+DIGITS = 4
+"""Digits of a work."""
+
+LONGEST = 36
+"""Characters of a name of a file that are shown."""
+
+
+class Axes(NamedTuple):
+    """A rectangle of the page and the values along its sides.
+
+    Attributes
+    ----------
+    figure : Figure
+    left, top, width, height : float
+        The rectangle.
+    x, y : (float, float)
+        The values at its left and right, and at its bottom and top.
+    """
+
+    figure: Figure
+    left: float
+    top: float
+    width: float
+    height: float
+    x: tuple[float, float]
+    y: tuple[float, float]
+
+    def at(self, x: float, y: float) -> Point:
+        """Where values are on the page."""
+        return (
+            self.left + self.width * (x - self.x[0]) / (self.x[1] - self.x[0]),
+            self.top + self.height * (self.y[1] - y) / (self.y[1] - self.y[0]),
+        )
+
+    def across(self, y: float, kind: str) -> None:
+        """A line from left to right."""
+        self.figure.line([self.at(self.x[0], y), self.at(self.x[1], y)], kind)
+
+    def frame(self) -> None:
+        """The sides."""
+        (x0, x1), (y0, y1) = self.x, self.y
+        self.figure.line([self.at(*p) for p in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))], "frame", closed=True)
+
+    def grid(self, xs: Sequence[float], ys: Sequence[float]) -> None:
+        """Lines at values, all in one path."""
+        upright = [line_data([self.at(x, self.y[0]), self.at(x, self.y[1])]) for x in xs]
+        level = [line_data([self.at(self.x[0], y), self.at(self.x[1], y)]) for y in ys]
+        self.figure.path("".join(upright + level), "grid")
+
+    def ticks_below(self, values: Sequence[float], names: Sequence[str], label: str) -> None:
+        """Ticks under the lower side, with their names, and what they count."""
+        bottom = self.top + self.height
+        marks = [line_data([(self.at(v, 0.0)[0], bottom), (self.at(v, 0.0)[0], bottom + TICK)]) for v in values]
+        self.figure.path("".join(marks), "tick")
+        for value, name in zip(values, names, strict=True):
+            self.figure.words(name, (self.at(value, 0.0)[0], bottom + TICK + 13.0), "tick-x")
+        self.figure.words(label, (self.left + self.width / 2.0, bottom + 40.0), "label")
+
+    def ticks_beside(self, values: Sequence[float], names: Sequence[str], label: str) -> None:
+        """Ticks along the left side, with their names, and what they count."""
+        marks = [line_data([(self.left - TICK, self.at(0.0, v)[1]), (self.left, self.at(0.0, v)[1])]) for v in values]
+        self.figure.path("".join(marks), "tick")
+        for value, name in zip(values, names, strict=True):
+            self.figure.words(name, (self.left - TICK - 4.0, self.at(0.0, value)[1] + 4.0), "tick-y")
+        self.figure.words(label, (self.left - 50.0, self.top + self.height / 2.0), "label", turn=-90.0)
+
+
+def heading(figure: Figure, title: str, notes: Sequence[str]) -> None:
+    """A title and lines of small print at the top."""
+    figure.words(title, (24.0, 34.0), "title")
+    for k, note in enumerate(notes):
+        figure.words(note, (24.0, 56.0 + LINE * k), "note")
+
+
+def short_name(file: str) -> str:
+    """A file's name as titles have it."""
+    name = "standard input" if file == "-" else file.replace("\\", "/").rpartition("/")[2]
+    return name if len(name) <= LONGEST else f"{name[: LONGEST - 1]}…"
+
+
+def ticks(low: float, high: float, most: int = 6, steps: Sequence[float] = ()) -> list[float]:
+    """Round values from low to high, at most so many, by one of the steps or by 1, 2 or 5 times a power of ten."""
+    if not steps:
+        power = 10.0 ** math.floor(math.log10((high - low) / most)) if high > low else 1.0
+        steps = [power, 2.0 * power, 5.0 * power, 10.0 * power]
+    step = next((s for s in steps if (high - low) / s <= most - 1), steps[-1])
+    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+    return [k * step for k in range(first, last + 1)]
+
+
+def value_text(value: float) -> str:
+    """A number as people write it, without noise of rounding."""
+    text = f"{value:.{DIGITS}g}"
+    if "e" in text:
+        mantissa, _, power = text.partition("e")
+        return f"{mantissa}·10{str(int(power)).translate(RAISED)}"
+    return "0" if text == "-0" else text.replace("-", "−")
+
+
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+"""Exponents."""
+
+
+def signed(value: float) -> str:
+    """A number with its sign."""
+    return f"+{value_text(value)}" if value > 0.0 else value_text(value)

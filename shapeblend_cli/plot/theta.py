@@ -1,0 +1,290 @@
+"""How the angle of one dot moves in time: theta(t) and its Q curve (sections 2.1 and 2.2), to be drawn.
+
+The kernel in `match.angles` needs only the turns between the extrema; this has every moment, and the same turns.
+Beside coincident vertices all but an infinitesimal part of Q is gone at an end of time. What the angle does until
+then takes all the time, and the rest happens at that end: a jump there.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from itertools import pairwise, product
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.match.work import DD, DE, ED, EE, SS
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from shapeblend_cli.match.work import Wires
+    from shapeblend_cli.model import ComplexArray, FloatArray
+
+    Control = tuple[complex, complex, complex]
+    Dot = tuple[int, int]
+
+TWO_PI = 2.0 * math.pi
+NOISE = 1e-9
+"""An angle this near to zero is zero, as in `match.angles`."""
+
+FLAT = 1e-12
+"""Cross products this small beside what they are made of are rounding."""
+
+MOMENTS = 96
+COARSE = math.radians(3.0)
+"""Moments are so many, and more where the angle moves by more than this from one to the next."""
+
+SHORTEST = 1e-5
+
+
+class Piece(NamedTuple):
+    """A part of the motion in which the angle goes one way.
+
+    Attributes
+    ----------
+    times, angles : (k,) float
+        In [0, 1], and in radians, unwrapped.
+    """
+
+    times: FloatArray
+    angles: FloatArray
+
+    @property
+    def turn(self) -> float:
+        """By what angle it turns, signed."""
+        return float(self.angles[-1] - self.angles[0])
+
+
+class Theta(NamedTuple):
+    """The motion of an angle.
+
+    Attributes
+    ----------
+    control : (complex, complex, complex)
+        Q0, Q1 and Q2 of eq (9); 0 for one that is infinitesimal.
+    directions : tuple of float or None
+        Towards which angle each control point lies that is infinitesimal, in radians; None for the others.
+    pieces : tuple of Piece
+        In order of time.
+    """
+
+    control: Control
+    directions: tuple[float | None, float | None, float | None]
+    pieces: tuple[Piece, ...]
+
+    @property
+    def first(self) -> float:
+        """theta(0), radians in [0, 2 pi)."""
+        return float(self.pieces[0].angles[0])
+
+    @property
+    def last(self) -> float:
+        """theta(1), unwrapped."""
+        return float(self.pieces[-1].angles[-1])
+
+    @property
+    def delta(self) -> float:
+        """Delta theta, eq (11), radians."""
+        return abs(self.last - self.first)
+
+    @property
+    def against(self) -> tuple[Piece, ...]:
+        """The pieces that go against the net direction."""
+        way = -1.0 if self.last < self.first else 1.0
+        return tuple(piece for piece in self.pieces if way * piece.turn < 0.0)
+
+    @property
+    def delta_star(self) -> float:
+        """Delta theta*, the way travelled against the net direction (figure 18), radians."""
+        return sum(abs(piece.turn) for piece in self.against)
+
+    @property
+    def reaches_zero(self) -> bool:
+        """Whether theta(t) = 0 at some time, eq (3)."""
+        ends = [end for piece in self.pieces for end in (piece.angles[0], piece.angles[-1])]
+        return min(ends) < NOISE or max(ends) > TWO_PI - NOISE
+
+    def bending(self, k_b: float, m_b: float, e_b: float, p_b: float) -> float:
+        """Work by eq (17)."""
+        work = k_b * (self.delta + m_b * self.delta_star) ** e_b
+        return work + p_b if self.reaches_zero else work
+
+
+def theta_of(wires: Wires, dot: Dot, kind: int) -> Theta:
+    """The motion of the angle at a dot.
+
+    Parameters
+    ----------
+    wires : Wires
+    dot : (int, int)
+    kind : int
+        The steps into and out of the dot, see `match.work.BEND_OF_STEPS`.
+    """
+    p, q = _corner(wires.corners0[dot[0]]), _corner(wires.corners1[dot[1]])
+    if kind == DD:
+        return _moving(p, q)
+    weight = float(wires.weight[dot[0]])
+    k_b, m_b, e_b, p_b = wires.constants.bending()
+
+    def price(theta: Theta) -> float:
+        return theta.bending(k_b * weight, m_b, e_b, p_b)
+
+    if kind in (EE, ED, DE):
+        return min(_into_a_point(p, q, kind), key=price)
+    # The second wire moves alone: the same, with the wires changed over, backwards in time.
+    return _backwards(min(_into_a_point(q, p, kind - SS + EE), key=price))
+
+
+class _Corner(NamedTuple):
+    theta: float
+    back: complex
+    fwd: complex
+    base: complex
+
+
+def _corner(row: FloatArray) -> _Corner:
+    theta, back_x, back_y, fwd_x, fwd_y, _, _, _, base_x, base_y = row.tolist()
+    return _Corner(theta, complex(back_x, back_y), complex(fwd_x, fwd_y), complex(base_x, base_y))
+
+
+def _moving(p: _Corner, q: _Corner) -> Theta:
+    """Both wires move on both sides: eqs (7)-(10)."""
+    control = (
+        p.fwd.conjugate() * p.back,
+        0.5 * (q.fwd.conjugate() * p.back + p.fwd.conjugate() * q.back),
+        q.fwd.conjugate() * q.back,
+    )
+    return Theta(control, (None, None, None), _pieces(control, p.theta, q.theta))
+
+
+def _pieces(control: Control, first: float, last: float) -> tuple[Piece, ...]:
+    """theta(t) along a Q curve whose ends are not 0, cut where eq (10) has its roots."""
+    curve = _bezier(control)
+    q0, q1, q2 = control
+    d0, d1, d2 = _cross(q0, q1), 0.5 * _cross(q0, q2), _cross(q1, q2)
+    size = abs(q0 * q1) + abs(q0 * q2) + abs(q1 * q2)
+    if max(abs(d0), abs(d1), abs(d2)) <= FLAT * size:  # all on one line through the origin
+        way = math.copysign(1.0, _short(last - first))
+        return (_sampled(lambda t: first + way * np.abs(_turned(curve, 0.0, t)), 0.0, 1.0),)
+    cuts = [0.0, *_roots(d0, d1, d2), 1.0]
+    pieces = []
+    angle = first
+    for begin, end in pairwise(cuts):
+        middle = 0.5 * (begin + end)
+        u = 1.0 - middle
+        way = math.copysign(1.0, d0 * u * u + 2.0 * d1 * u * middle + d2 * middle * middle)
+
+        def at(t: FloatArray, begin: float = begin, angle: float = angle, way: float = way) -> FloatArray:
+            gone = (way * _turned(curve, begin, t)) % TWO_PI
+            return angle + way * np.where(gone > TWO_PI - NOISE, 0.0, gone)
+
+        pieces.append(_sampled(at, begin, end))
+        angle = float(pieces[-1].angles[-1])
+    return tuple(pieces)
+
+
+def _roots(d0: float, d1: float, d2: float) -> list[float]:
+    """Where d(t), eq (10), changes its sign within (0, 1)."""
+    discriminant = d1 * d1 - d0 * d2
+    if discriminant <= FLAT * d1 * d1:
+        return []
+    a, b = d0 - 2.0 * d1 + d2, d1 - d0
+    root = math.sqrt(discriminant)
+    big = -b - root if b > 0.0 else -b + root  # the one whose terms cannot cancel
+    found = [d0 / big] if big else []
+    if a:
+        found.append(big / a)
+    return sorted(t for t in found if 0.0 < t < 1.0)
+
+
+def _into_a_point(p: _Corner, q: _Corner, kind: int) -> list[Theta]:
+    """The first wire moves and the second has coincident vertices there: one motion for each way a half turn can go."""
+    first = p.theta
+    start = p.fwd.conjugate() * p.back
+    if kind == EE:
+        q1 = q.base.conjugate() * p.back - p.fwd.conjugate() * q.base
+        if abs(q1) <= FLAT * (abs(p.back) + abs(p.fwd)):  # points nowhere
+            turns = [(0.0, math.pi - first)]
+            directions: tuple[float | None, float] = (None, math.pi)
+        else:
+            over = cmath.phase(q1) % TWO_PI
+            turns = _ways(_short(over - first), _short(math.pi - over))
+            directions = over, math.pi
+        control: Control = (start, 0j, 0j)
+        waits = Piece(np.array([0.0, 1.0]), np.array([first, first]))
+        return [
+            Theta(control, (None, *directions), (waits, _jump(first, s1), _jump(first + s1, s2)))
+            for s1, s2 in turns
+        ]
+    # One edge of the second wire is there at the end, and only the other one infinitesimal.
+    end = p.fwd.conjugate() * q.back if kind == DE else q.fwd.conjugate() * p.back
+    s1 = cmath.phase(end / start)
+    # Then the infinitesimal edge takes over from that of the first wire.
+    target = q.base.conjugate() * q.back if kind == DE else q.fwd.conjugate() * -q.base
+    s2 = cmath.phase(target / end)
+    line = _bezier((start, 0.5 * (start + end), end))
+    found = []
+    for one, other in _ways(s1, s2):
+        way = math.copysign(1.0, one)
+        moves = _sampled(lambda t, way=way: first + way * np.abs(_turned(line, 0.0, t)), 0.0, 1.0)  # type: ignore[misc]
+        found.append(
+            Theta(
+                (start, 0.5 * end, 0j),
+                (None, None, cmath.phase(target) % TWO_PI),
+                (moves, _jump(first + one, other)),
+            )
+        )
+    return found
+
+
+def _ways(s1: float, s2: float) -> list[tuple[float, float]]:
+    """Two turns, and the other way round where one is half a turn."""
+    choices = [
+        (s,) if abs(s) <= math.pi - NOISE else (s, s - math.copysign(TWO_PI, s)) for s in (s1, s2)
+    ]
+    return list(product(choices[0], choices[1]))
+
+
+def _jump(angle: float, turn: float) -> Piece:
+    return Piece(np.array([1.0, 1.0]), np.array([angle, angle + turn]))
+
+
+def _backwards(theta: Theta) -> Theta:
+    """The motion backwards in time, its first angle in [0, 2 pi)."""
+    back = TWO_PI * math.floor((theta.last + NOISE) / TWO_PI)
+    pieces = tuple(Piece(1.0 - p.times[::-1], p.angles[::-1] - back) for p in reversed(theta.pieces))
+    q0, q1, q2 = theta.control
+    d0, d1, d2 = theta.directions
+    return Theta((q2, q1, q0), (d2, d1, d0), pieces)
+
+
+def _sampled(at: Callable[[FloatArray], FloatArray], begin: float, end: float) -> Piece:
+    """An angle at times so near to each other that a line from one to the next will do."""
+    times = np.linspace(begin, end, MOMENTS)
+    while True:
+        values = at(times)
+        wide = (np.abs(np.diff(values)) > COARSE) & (np.diff(times) > SHORTEST)
+        if not wide.any():
+            return Piece(times, values)
+        times = np.sort(np.append(times, 0.5 * (times[:-1] + times[1:])[wide]))
+
+
+def _bezier(control: Sequence[complex]) -> Callable[[FloatArray], ComplexArray]:
+    q0, q1, q2 = control
+    return lambda t: q0 * (1.0 - t) ** 2 + q1 * 2.0 * t * (1.0 - t) + q2 * t * t
+
+
+def _turned(curve: Callable[[FloatArray], ComplexArray], begin: float, t: FloatArray) -> FloatArray:
+    """Angle from the curve's point at one time to its points at others, in (-pi, pi]."""
+    return np.angle(curve(t) * curve(np.array(begin)).conjugate())
+
+
+def _cross(a: complex, b: complex) -> float:
+    return (a.conjugate() * b).imag
+
+
+def _short(angle: float) -> float:
+    """An angle brought into [-pi, pi]."""
+    return math.remainder(angle, TWO_PI)
