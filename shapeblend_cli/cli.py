@@ -21,7 +21,8 @@ from shapeblend_cli.options import (
     matching_settings,
     selections,
 )
-from shapeblend_cli.parameters import SELECTOR, EaseType, RepeatType
+from shapeblend_cli.parameters import SELECTOR, START, EaseType, RepeatType
+from shapeblend_cli.plot.kinds import DOTTED, KINDS
 from shapeblend_cli.progress import Progress
 
 if TYPE_CHECKING:
@@ -244,6 +245,62 @@ def inspect(file: str, select: str | None, lenient: bool, as_json: bool) -> None
     for note in drawing.notes:
         _note(f"{drawing.file}: {note}")
     show(found)
+
+
+@shapeblend.command()
+@click.argument("kind", type=click.Choice(list(KINDS)), metavar="KIND")
+@click.argument("files", nargs=2, metavar="A.svg B.svg")
+@click.option("-o", "--output", metavar="FILE", help="- for standard output.  [default: KIND.svg]")
+@click.option("-f", "--force", is_flag=True, help="Replace an existing file.")
+@click.option(
+    "--contour",
+    type=click.IntRange(0),
+    metavar="K",
+    help="A contour of A, by its number in the report.  [default: the largest that is matched]",
+)
+@click.option(
+    "--dot",
+    type=START,
+    help="Vertices of A and B that correspond: of angle; of starts only I counts.  [default: most bending work; 0]",
+)
+@matching_options
+@click.option("-q", "--quiet", is_flag=True, help="Only errors.")
+def plot(
+    kind: str,
+    files: tuple[str, str],
+    output: str | None,
+    force: bool,
+    contour: int | None,
+    dot: tuple[int, int] | None,
+    quiet: bool,
+    **matching: Any,
+) -> None:
+    """Draw how two files correspond, in the form of the paper's figures.
+
+    KIND is graph (the least-work path among all correspondences), surface (the in-betweens over time), angle
+    (how the angle of a dot moves) or starts (the least work by starting correspondence).
+    """
+    check_matching(files, matching)
+    if dot is not None and kind not in DOTTED:
+        raise click.UsageError(f"--dot is of {' and '.join(DOTTED)}; {kind} shows all dots")
+    if kind == "starts" and (matching["start"] or matching["pins"]):
+        raise click.UsageError("starts compares all starts; --start and --pin would leave one")
+
+    from shapeblend_cli.plot.write import Plot, plot_files
+
+    wanted = Plot(
+        kind=kind,
+        files=files,
+        output=output or f"{kind}.svg",
+        force=force,
+        select=selections(matching, len(files)),
+        lenient=matching["lenient"],
+        blend=matching_settings(matching)._replace(curves=False),
+        contour=contour,
+        dot=dot,
+    )
+    with Progress(quiet) as progress:
+        plot_files(wanted, _nothing if quiet else _note, progress.show)
 
 
 def _note(text: str) -> None:

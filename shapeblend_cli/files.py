@@ -165,7 +165,7 @@ def blend_files(
         else:
             texts[Path(job.report_file)] = text
     write_files(texts)
-    _print(standard_output)
+    print_text(standard_output)
     if job.emit == "frames" and not job.animated and names:
         stale = {path.name for path in Path(job.output).glob("frame-*.svg")} - set(names)
         if stale:
@@ -226,7 +226,7 @@ def _targets(job: Job) -> list[Path]:
     return targets
 
 
-def _print(text: str) -> None:
+def print_text(text: str) -> None:
     """Write to standard output as UTF-8, whatever the locale."""
     if text:
         sys.stdout.buffer.write(text.encode("utf-8"))

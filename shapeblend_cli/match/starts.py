@@ -318,7 +318,9 @@ def least_of_all(search: Search) -> Path | None:
     return best._replace(sweeps=search.sweeps) if best else None
 
 
-def least_by_start(wires: Wires, vertex: int, band: float | None, watch: Callable[[float], None]) -> FloatArray:
+def least_by_start(
+    wires: Wires, vertex: int, band: float | None, watch: Callable[[float], None]
+) -> FloatArray:
     """Least work of a closed path through a vertex of the first polygon and every vertex of the second.
 
     Cost: O(m n) for each of n starts.

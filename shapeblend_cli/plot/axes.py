@@ -17,13 +17,13 @@ COLOUR_A, COLOUR_B, PATH = "#2b6cb0", "#c05621", "#c81e4a"
 
 STYLE = f"""
 text{{font:13px system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue","DejaVu Sans",Arial,sans-serif;fill:{INK}}}
-path,circle{{fill:none;stroke-linejoin:round;stroke-linecap:round}}
+svg{{fill:none;stroke-linejoin:round;stroke-linecap:round}}
 .ground{{fill:{GROUND}}}
 .title{{font-size:17px;font-weight:600}}
 .note,.tick-x,.tick-y,.right-note,.middle-note{{fill:{SOFT};font-size:12px}}
 .tick-x,.label,.middle-note,.name{{text-anchor:middle}}
 .tick-y,.right-note{{text-anchor:end}}
-.name{{font-weight:600}}
+.name{{font-weight:600;paint-order:stroke;stroke:#fff;stroke-width:3}}
 .frame,.tick{{stroke:{SOFT};stroke-width:1}}
 .grid{{stroke:{FAINT};stroke-width:1}}
 .rule{{stroke:{SOFT};stroke-width:1;stroke-dasharray:5 4}}
@@ -37,6 +37,9 @@ LINE = 18.0
 """From one line of text to the next."""
 
 TICK = 5.0
+
+WHOLE = tuple(float(f * 10**p) for p in range(6) for f in (1, 2, 5))
+"""Steps between vertex numbers."""
 
 DIGITS = 4
 """Digits of a work."""
@@ -79,7 +82,9 @@ class Axes(NamedTuple):
     def frame(self) -> None:
         """The sides."""
         (x0, x1), (y0, y1) = self.x, self.y
-        self.figure.line([self.at(*p) for p in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))], "frame", closed=True)
+        self.figure.line(
+            [self.at(*p) for p in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))], "frame", closed=True
+        )
 
     def grid(self, xs: Sequence[float], ys: Sequence[float]) -> None:
         """Lines at values, all in one path."""
@@ -90,7 +95,9 @@ class Axes(NamedTuple):
     def ticks_below(self, values: Sequence[float], names: Sequence[str], label: str) -> None:
         """Ticks under the lower side, with their names, and what they count."""
         bottom = self.top + self.height
-        marks = [line_data([(self.at(v, 0.0)[0], bottom), (self.at(v, 0.0)[0], bottom + TICK)]) for v in values]
+        marks = [
+            line_data([(self.at(v, 0.0)[0], bottom), (self.at(v, 0.0)[0], bottom + TICK)]) for v in values
+        ]
         self.figure.path("".join(marks), "tick")
         for value, name in zip(values, names, strict=True):
             self.figure.words(name, (self.at(value, 0.0)[0], bottom + TICK + 13.0), "tick-x")
@@ -98,7 +105,10 @@ class Axes(NamedTuple):
 
     def ticks_beside(self, values: Sequence[float], names: Sequence[str], label: str) -> None:
         """Ticks along the left side, with their names, and what they count."""
-        marks = [line_data([(self.left - TICK, self.at(0.0, v)[1]), (self.left, self.at(0.0, v)[1])]) for v in values]
+        marks = [
+            line_data([(self.left - TICK, self.at(0.0, v)[1]), (self.left, self.at(0.0, v)[1])])
+            for v in values
+        ]
         self.figure.path("".join(marks), "tick")
         for value, name in zip(values, names, strict=True):
             self.figure.words(name, (self.left - TICK - 4.0, self.at(0.0, value)[1] + 4.0), "tick-y")

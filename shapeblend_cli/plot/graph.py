@@ -2,16 +2,30 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from shapeblend_cli.match.landscape import landscape
-from shapeblend_cli.plot.axes import LEFT, PATH, SOFT, STYLE, TOP, Axes, heading, signed, ticks, value_text
+from shapeblend_cli.plot.axes import (
+    INK,
+    LEFT,
+    LINE,
+    PATH,
+    STYLE,
+    TOP,
+    WHOLE,
+    Axes,
+    heading,
+    signed,
+    ticks,
+    value_text,
+)
 from shapeblend_cli.svg.figure import Figure, line_data, rect_data
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import FloatArray, IntArray
+    from shapeblend_cli.model import BoolArray, FloatArray, IntArray
     from shapeblend_cli.plot.subject import Subject
 
 SIDE = 520.0
@@ -58,7 +72,7 @@ def draw(subject: Subject) -> str:
     """The figure as a document."""
     columns, rows = shape_of(subject)
     width, height = _sides(columns, rows)
-    figure = Figure(LEFT + width + 150.0, TOP + height + 64.0, STYLE + _STYLE)
+    figure = Figure(LEFT + width + 196.0, TOP + height + 64.0, STYLE + _STYLE)
     heading(figure, subject.title, [subject.contours, f"{subject.price}; {_deviation(subject)}"])
     axes = Axes(figure, LEFT, TOP, width, height, (-0.5, columns - 0.5), (rows - 0.5, -0.5))
     shading = shade_of(subject) if columns * rows <= SHADED_DOTS else None
@@ -72,16 +86,16 @@ def draw(subject: Subject) -> str:
     _diagonal(axes, columns, rows, subject.found.diagonal_deviation if subject.band is None else subject.band)
     _path(axes, unrolled(subject), small, max(columns, rows) <= BEADS)
     axes.frame()
-    across, beside = (_vertex_ticks(count, side) for count, side in ((columns, width), (rows, height)))
-    (first0, first1), (m, n) = subject.found.dots[0].tolist(), (subject.wires.m, subject.wires.n)
-    axes.ticks_below(across, [str((first0 + c) % m) for c in across], "vertex of A")
-    axes.ticks_beside(beside, [str((first1 + r) % n) for r in beside], "vertex of B")
-    _legend(figure, LEFT + width + 28.0, shading)
+    first0, first1 = subject.found.dots[0].tolist()
+    axes.ticks_below(*_vertex_ticks(first0, columns, subject.wires.m, width), "vertex of A")
+    axes.ticks_beside(*_vertex_ticks(first1, rows, subject.wires.n, height), "vertex of B")
+    _legend(figure, LEFT + width + 28.0, subject, shading)
     return figure.text()
 
 
 _STYLE = f"""
-.diagonal{{stroke:{SOFT};stroke-width:1}}
+.diagonal{{stroke:{INK};stroke-width:1}}
+.deviation{{stroke:{INK};stroke-width:1;stroke-dasharray:5 4}}
 .halo{{stroke:#fff;stroke-width:5;stroke-opacity:.85}}
 .path{{stroke:{PATH};stroke-width:2.2}}
 .dot{{fill:{PATH}}}
@@ -145,7 +159,7 @@ def cells(more: FloatArray) -> tuple[FloatArray, tuple[IntArray, IntArray]]:
     return more, (edges[0], edges[1])
 
 
-def rectangles(mask: FloatArray) -> list[tuple[int, int, int, int]]:
+def rectangles(mask: BoolArray) -> list[tuple[int, int, int, int]]:
     """Cover what is true in few rectangles ``(column, row, columns, rows)``: runs of a row, and equal ones joined."""
     found = []
     growing: dict[tuple[int, int], int] = {}
@@ -183,8 +197,8 @@ def _diagonal(axes: Axes, columns: int, rows: int, band: float) -> None:
     axes.figure.line([axes.at(0.0, 0.0), axes.at(x, y)], "diagonal")
     if not 0.0 < band < 1.0:
         return
-    axes.figure.line([axes.at(band * x, 0.0), axes.at(x, (1.0 - band) * y)], "rule")
-    axes.figure.line([axes.at(0.0, band * y), axes.at((1.0 - band) * x, y)], "rule")
+    axes.figure.line([axes.at(band * x, 0.0), axes.at(x, (1.0 - band) * y)], "deviation")
+    axes.figure.line([axes.at(0.0, band * y), axes.at((1.0 - band) * x, y)], "deviation")
 
 
 def _path(axes: Axes, dots: IntArray, arrows: bool, beads: bool) -> None:
@@ -193,7 +207,7 @@ def _path(axes: Axes, dots: IntArray, arrows: bool, beads: bool) -> None:
     figure.line(places, "halo")
     figure.line(places, "path")
     if arrows:
-        heads = [_head(p, q) for p, q in zip(places, places[1:], strict=False)]
+        heads = [_head(p, q) for p, q in pairwise(places)]
         figure.path("".join(heads), "head")
     if arrows or beads:
         for place in places:
@@ -209,19 +223,26 @@ def _head(p: tuple[float, float], q: tuple[float, float]) -> str:
     return line_data([(z.real, z.imag) for z in corners], closed=True)
 
 
-def _vertex_ticks(count: int, side: float) -> list[int]:
-    """Columns or rows to be numbered."""
-    most = max(int(side / 34.0), 2)
-    return [round(v) for v in ticks(0.0, count - 1.0, most, steps=[1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000])]
+def _vertex_ticks(first: int, count: int, period: int, side: float) -> tuple[list[int], list[str]]:
+    """Columns or rows of round vertex numbers, and these numbers."""
+    round_ones = [round(v) for v in ticks(0.0, period - 1.0, max(int(side / 34.0), 2), WHOLE)]
+    places = {(v - first) % period: str(v) for v in round_ones}
+    if count > period and 0 in places:  # the last is the first again
+        places[period] = places[0]
+    return list(places), list(places.values())
 
 
-def _legend(figure: Figure, left: float, shading: Shading | None) -> None:
+def _legend(figure: Figure, left: float, subject: Subject, shading: Shading | None) -> None:
     """What the lines and the shades are."""
     top = TOP + 8.0
-    for kind, name in (("path", "least-work path"), ("diagonal", "diagonal"), ("rule", "deviation")):
+    for kind, name in (
+        ("path", "least-work path"),
+        ("diagonal", "diagonal"),
+        ("deviation", "deviation" if subject.band is None else "band"),
+    ):
         figure.line([(left, top - 4.0), (left + 22.0, top - 4.0)], kind)
         figure.words(name, (left + 30.0, top), "note")
-        top += LINE_OF_LEGEND
+        top += LINE
     if shading is None:
         return
     top += 16.0
@@ -236,6 +257,3 @@ def _legend(figure: Figure, left: float, shading: Shading | None) -> None:
         below = top + 20.0 * len(shades) + 10.0
         figure.path(rect_data(left, below, 22.0, 14.0), "cells frame", fill=NO_PATH)
         figure.words("no path", (left + 30.0, below + 11.0), "note")
-
-
-LINE_OF_LEGEND = 20.0

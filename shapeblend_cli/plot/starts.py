@@ -10,7 +10,7 @@ import numpy as np
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.match.solve import EXACT_DOTS
 from shapeblend_cli.match.starts import least_by_start
-from shapeblend_cli.plot.axes import COLOUR_A, LEFT, PATH, STYLE, TOP, Axes, heading, ticks, value_text
+from shapeblend_cli.plot.axes import COLOUR_A, LEFT, PATH, STYLE, TOP, WHOLE, Axes, heading, ticks, value_text
 from shapeblend_cli.svg.figure import Figure
 
 if TYPE_CHECKING:
@@ -46,7 +46,9 @@ def draw(subject: Subject) -> str:
     levels = _decades(low, high) if log else ticks(low, high)
     axes.grid([], levels)
     places = [axes.at(j, y) for j, y in enumerate(shown.tolist())]
-    for finite, run in groupby(zip(places, np.isfinite(works).tolist(), strict=True), key=lambda place: place[1]):
+    for finite, run in groupby(
+        zip(places, np.isfinite(works).tolist(), strict=True), key=lambda place: place[1]
+    ):
         if finite:
             line = [place for place, _ in run]
             figure.line(line, "work")
@@ -56,9 +58,9 @@ def draw(subject: Subject) -> str:
     figure.circle(places[best], 6.0, "best")
     axes.frame()
     axes.ticks_below(
-        whole := ticks(0.0, len(works) - 1.0, 12, steps=[1, 2, 5, 10, 20, 50, 100, 200, 500, 1000]),
+        whole := ticks(0.0, len(works) - 1.0, 12, WHOLE),
         [f"{v:.0f}" for v in whole],
-        f"vertex of B that vertex {vertex} of A starts with",
+        f"vertex of B for vertex {vertex} of A",
     )
     axes.ticks_beside(levels, [value_text(10.0**v if log else v) for v in levels], "least work")
     return figure.text()
@@ -78,7 +80,9 @@ def works_of(subject: Subject) -> FloatArray:
         Open contours, graphs too large, a band that leaves nothing.
     """
     if not subject.found.closed:
-        raise MatchError("open contours start at their ends, so there are no starts to compare; closed ones would work")
+        raise MatchError(
+            "open contours start at their ends, so there are no starts to compare; closed ones would work"
+        )
     if subject.wires.m * subject.wires.n > EXACT_DOTS["auto"]:
         raise MatchError(
             f"{subject.wires.n} starts of {subject.wires.m} and {subject.wires.n} vertices would take very long; "

@@ -130,7 +130,8 @@ def on_path(subject: Subject, dots: Sequence[Dot]) -> int:
     # A dot of the same vertex of A is nearer than any other.
     i, j = dots[int((away @ (period.sum(), 1)).argmin())]
     raise MatchError(
-        f"vertices {subject.dot[0]} of A and {subject.dot[1]} of B do not correspond; {i},{j} is a dot of the path near by"
+        f"vertices {subject.dot[0]} of A and {subject.dot[1]} of B do not correspond; "
+        f"{i},{j} is a dot of the path near by"
     )
 
 

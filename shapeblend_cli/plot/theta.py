@@ -241,9 +241,7 @@ def _into_a_point(p: _Corner, q: _Corner, kind: int) -> list[Theta]:
 
 def _ways(s1: float, s2: float) -> list[tuple[float, float]]:
     """Two turns, and the other way round where one is half a turn."""
-    choices = [
-        (s,) if abs(s) <= math.pi - NOISE else (s, s - math.copysign(TWO_PI, s)) for s in (s1, s2)
-    ]
+    choices = [(s,) if abs(s) <= math.pi - NOISE else (s, s - math.copysign(TWO_PI, s)) for s in (s1, s2)]
     return list(product(choices[0], choices[1]))
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from shapeblend_cli.model import Box
@@ -86,7 +87,7 @@ def line_data(points: Iterable[Point], *, closed: bool = False) -> str:
         return ""
     parts = [f"M{_pair(*grid[0])}"]
     letter = "l"
-    for (x0, y0), (x1, y1) in zip(grid, grid[1:], strict=False):
+    for (x0, y0), (x1, y1) in pairwise(grid):
         way = _pair(x1 - x0, y1 - y0)
         parts.append(way if not letter and way.startswith("-") else (letter or " ") + way)
         letter = ""

@@ -1,0 +1,270 @@
+"""The angle of one dot and its Q curve: figures 14 to 18, and 20 to 22 beside coincident vertices."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.errors import MatchError
+from shapeblend_cli.geometry.normalise import box_of
+from shapeblend_cli.plot.axes import (
+    COLOUR_A,
+    COLOUR_B,
+    INK,
+    PATH,
+    SOFT,
+    STYLE,
+    TOP,
+    Axes,
+    heading,
+    ticks,
+    value_text,
+)
+from shapeblend_cli.plot.subject import on_path
+from shapeblend_cli.plot.theta import Theta, theta_of
+from shapeblend_cli.svg.figure import Figure, line_data
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import Polygon
+    from shapeblend_cli.plot.subject import Subject
+
+    Dot = tuple[int, int]
+
+SIDE = 320.0
+"""Both panels are squares."""
+
+Q_LEFT, THETA_LEFT, THUMBS_LEFT = 40.0, 448.0, 838.0
+THUMB = 132.0
+
+RAY = 0.34
+"""How long the direction to an infinitesimal control point is drawn, as a share of the panel."""
+
+STEPS_OF_DEGREES = (1, 2, 5, 10, 15, 30, 45, 60, 90)
+
+_STYLE = f"""
+.q{{stroke:{PATH};stroke-width:2.4}}
+.against{{stroke:{COLOUR_B};stroke-width:3.4}}
+.control{{stroke:{SOFT};stroke-width:1.2;stroke-dasharray:2 3}}
+.point{{fill:{PATH};stroke:#fff;stroke-width:1}}
+.zero{{stroke:{INK};stroke-width:2.6}}
+.axis{{stroke:{SOFT};stroke-width:1}}
+.first{{stroke:{COLOUR_A};stroke-width:1.6}}
+.last{{stroke:{COLOUR_B};stroke-width:1.6}}
+.word-a{{fill:{COLOUR_A};font-weight:600}}
+.word-b{{fill:{COLOUR_B};font-weight:600;}}
+.outline{{stroke:{SOFT};stroke-width:1.2;fill:#f3f5f7}}
+.open{{stroke:{SOFT};stroke-width:1.2}}
+.corner{{stroke:{PATH};stroke-width:2.4}}
+.span{{stroke:{INK};stroke-width:1.2}}
+.head{{fill:{INK};stroke:none}}
+.origin{{fill:{INK}}}
+"""
+
+
+class DotAngle(NamedTuple):
+    """The dot a figure is about.
+
+    Attributes
+    ----------
+    dot : (int, int)
+    theta : Theta
+    bending : float
+        Work, as the solver has it.
+    """
+
+    dot: Dot
+    theta: Theta
+    bending: float
+
+
+def angle_of(subject: Subject) -> DotAngle:
+    """The angle of the dot that is asked for, else of the one that takes most bending work.
+
+    Raises
+    ------
+    MatchError
+        A dot that is not on the path, or an end of an open contour, where there is no angle.
+    """
+    at, kinds, bending = subject.wires.bends_on(subject.found.dots)
+    dots: list[Dot] = [(i, j) for i, j in at.tolist()]
+    if not dots:
+        raise MatchError("a line of two ends has no angle; contours of more vertices would work")
+    if subject.dot is None:
+        place = int(bending.argmax())
+    else:
+        ends = [(i, j) for i, j in subject.found.dots[[0, -1]].tolist()]
+        if not subject.found.closed and subject.dot in ends:
+            raise MatchError(
+                f"dot {subject.dot[0]},{subject.dot[1]} is an end of an open contour and has no angle; "
+                f"{dots[0][0]},{dots[0][1]} has one"
+            )
+        place = on_path(subject, dots)
+    return DotAngle(
+        dots[place], theta_of(subject.wires, dots[place], int(kinds[place])), float(bending[place])
+    )
+
+
+def draw(subject: Subject) -> str:
+    """The figure as a document."""
+    found = angle_of(subject)
+    theta = found.theta
+    figure = Figure(THUMBS_LEFT + THUMB + 24.0, TOP + SIDE + 60.0, STYLE + _STYLE)
+    zero = "; θ reaches zero" if theta.reaches_zero else ""
+    i, j = found.dot
+    heading(
+        figure,
+        f"{subject.title}, vertex {i} of A and {j} of B",
+        [
+            subject.contours,
+            f"Δθ = {_degrees(theta.delta)}, Δθ* = {_degrees(theta.delta_star)}, "
+            f"bending work {value_text(found.bending)}{zero}",
+        ],
+    )
+    _q_panel(figure, theta)
+    _theta_panel(figure, theta)
+    for top, name, polygon, vertex in (
+        (TOP + 18.0, "A", subject.contour.polygon_a, i),
+        (TOP + SIDE - THUMB + 14.0, "B", subject.contour.polygon_b, j),
+    ):
+        _thumb(figure, top, f"vertex {vertex} of {name}", polygon, vertex)
+    return figure.text()
+
+
+def _degrees(angle: float) -> str:
+    return f"{round(math.degrees(angle), 1):g}°".replace("-", "−")
+
+
+def _q_panel(figure: Figure, theta: Theta) -> None:
+    """Q(t) and its control polygon about the origin; only directions from there matter, so there is no scale."""
+    control = theta.control
+    size = max(abs(q) for q in control)
+    shown = np.array([*control, 0j]) / size
+    box = box_of(shown)
+    side = 1.3 * max(box.width, box.height)
+    x0, y0 = box.x - (side - box.width) / 2.0, box.y - (side - box.height) / 2.0
+    axes = Axes(figure, Q_LEFT, TOP, SIDE, SIDE, (x0, x0 + side), (y0, y0 + side))
+    axes.frame()
+    figure.words("Q(t)", (Q_LEFT + SIDE / 2.0, TOP + SIDE + 40.0), "label")
+    figure.line([axes.at(x0, 0.0), axes.at(0.0, 0.0)], "axis")
+    figure.line([axes.at(0.0, y0), axes.at(0.0, y0 + side)], "axis")
+    figure.line([axes.at(0.0, 0.0), axes.at(x0 + side, 0.0)], "zero")
+    figure.words("θ = 0", (Q_LEFT + SIDE - 6.0, axes.at(0.0, 0.0)[1] + 16.0), "right-note")
+    for angle, radius, kind in ((theta.first, 0.075, "first"), (theta.last, 0.105, "last")):
+        turns = np.linspace(0.0, angle, max(int(abs(angle) / 0.05), 2)).tolist()
+        figure.line([axes.at(radius * side * math.cos(a), radius * side * math.sin(a)) for a in turns], kind)
+    figure.line([axes.at(q.real, q.imag) for q in shown[:3].tolist()], "control")
+    t = np.linspace(0.0, 1.0, 65)
+    curve = shown[0] * (1.0 - t) ** 2 + shown[1] * 2.0 * t * (1.0 - t) + shown[2] * t * t
+    figure.line([axes.at(q.real, q.imag) for q in curve.tolist()], "q")
+    for q, kind in ((shown[0], "first"), (shown[2], "last")):
+        figure.line([axes.at(0.0, 0.0), axes.at(q.real, q.imag)], kind)
+    middle = complex(shown[:3].mean())
+    tiny = []
+    for k, q in enumerate(shown[:3].tolist()):
+        direction = theta.directions[k]
+        kind = ("word-a", "label", "word-b")[k]
+        if q == 0 and direction is not None:
+            end = cmath.rect(RAY * side * (1.0 if k != 1 else 0.7), direction)
+            figure.line([axes.at(0.0, 0.0), axes.at(end.real, end.imag)], "rule")
+            _name(figure, axes, end, end, f"Q{'₀₁₂'[k]}", kind)
+            tiny.append(f"Q{'₀₁₂'[k]} → 0 at {_degrees(direction)}")
+        elif q != 0:
+            figure.circle(axes.at(q.real, q.imag), 4.0, "point")
+            _name(figure, axes, q, q - middle or q, f"Q{'₀₁₂'[k]}", kind)
+    figure.circle(axes.at(0.0, 0.0), 3.0, "origin")
+    if tiny:
+        figure.words(", ".join(tiny), (Q_LEFT + SIDE / 2.0, TOP + SIDE + 18.0), "middle-note")
+
+
+def _name(figure: Figure, axes: Axes, place: complex, away: complex, words: str, kind: str) -> None:
+    """A name beside a point, away from something, within the panel."""
+    x, y = axes.at(place.real, place.imag)
+    unit = away / abs(away) if away else 1j
+    half = 3.6 * len(words)
+    x = min(max(x + (half + 8.0) * unit.real, axes.left + half + 4.0), axes.left + axes.width - half - 4.0)
+    y = min(max(y - 15.0 * unit.imag + 4.5, axes.top + 16.0), axes.top + axes.height - 6.0)
+    figure.words(words, (x, y), f"{kind} name")
+
+
+def _theta_panel(figure: Figure, theta: Theta) -> None:
+    """theta(t), and how far it goes in all and against the net direction."""
+    values = np.degrees(np.concatenate([piece.angles for piece in theta.pieces]))
+    low, high = float(values.min()), float(values.max())
+    room = max(0.14 * (high - low), 4.0)
+    low, high = low - room, high + room
+    axes = Axes(figure, THETA_LEFT, TOP, SIDE, SIDE, (-0.06, 1.2), (low, high))
+    levels = ticks(low, high, 8, STEPS_OF_DEGREES)
+    axes.grid([0.0, 0.25, 0.5, 0.75, 1.0], levels)
+    for level in (0.0, 360.0):
+        if low < level < high:
+            axes.across(level, "zero")
+            figure.words("θ = 0", (THETA_LEFT + SIDE - 6.0, axes.at(0.0, level)[1] - 7.0), "right-note")
+    for angle in (theta.first, theta.last):
+        axes.across(math.degrees(angle), "rule")
+    whole = [
+        axes.at(t, a)
+        for piece in theta.pieces
+        for t, a in zip(piece.times.tolist(), np.degrees(piece.angles).tolist(), strict=True)
+    ]
+    figure.line(whole, "q")
+    for piece in theta.against:
+        places = zip(piece.times.tolist(), np.degrees(piece.angles).tolist(), strict=True)
+        figure.line([axes.at(*place) for place in places], "against")
+    figure.circle(whole[0], 4.0, "point")
+    figure.circle(whole[-1], 4.0, "point")
+    _span(axes, 1.07, math.degrees(theta.first), math.degrees(theta.last))
+    figure.words(
+        "Δθ", axes.at(1.135, math.degrees(theta.first + theta.last) / 2.0 - 0.012 * (high - low)), "name"
+    )
+    _stars(axes, theta)
+    axes.frame()
+    axes.ticks_below([0.0, 0.25, 0.5, 0.75, 1.0], ["0", "0.25", "0.5", "0.75", "1"], "t")
+    axes.ticks_beside(levels, [f"{v:g}°".replace("-", "−") for v in levels], "θ(t)")
+
+
+def _stars(axes: Axes, theta: Theta) -> None:
+    """The spans of what goes against the net direction, where it can be seen."""
+    for piece in theta.against:
+        begin, end = math.degrees(float(piece.angles[0])), math.degrees(float(piece.angles[-1]))
+        if abs(axes.at(0.0, begin)[1] - axes.at(0.0, end)[1]) < 14.0:
+            continue
+        late = float(piece.times.mean()) > 0.5
+        t = float(piece.times[0]) - 0.05 if late else float(piece.times[-1]) + 0.05
+        for level in (begin, end):
+            near = float(piece.times[0 if level == begin else -1])
+            axes.figure.line([axes.at(near, level), axes.at(t, level)], "axis")
+        _span(axes, t, begin, end)
+        x, y = axes.at(t, (begin + end) / 2.0)
+        axes.figure.words("Δθ*", (x - 18.0 if late else x + 18.0, y + 4.5), "word-b name")
+
+
+def _span(axes: Axes, t: float, begin: float, end: float) -> None:
+    """An upright arrow with two heads."""
+    top, bottom = axes.at(t, max(begin, end)), axes.at(t, min(begin, end))
+    if bottom[1] - top[1] < 4.0:
+        return
+    axes.figure.line([top, bottom], "span")
+    head = min(7.0, (bottom[1] - top[1]) / 2.5)
+    data = [
+        line_data([(x, y), (x - 3.2, y + way * head), (x + 3.2, y + way * head)], closed=True)
+        for (x, y), way in ((top, 1.0), (bottom, -1.0))
+    ]
+    axes.figure.path("".join(data), "head")
+
+
+def _thumb(figure: Figure, top: float, name: str, polygon: Polygon, vertex: int) -> None:
+    """The contour, small, with the vertex and what is beside it."""
+    box = box_of(polygon.vertices)
+    scale = (THUMB - 8.0) / max(box.width, box.height)
+    centre = complex(box.x + box.width / 2.0, box.y + box.height / 2.0)
+    onto = complex(THUMBS_LEFT + THUMB / 2.0, top + THUMB / 2.0)
+    places = [(z.real, z.imag) for z in ((polygon.vertices - centre) * scale + onto).tolist()]
+    figure.words(name, (THUMBS_LEFT + THUMB / 2.0, top - 8.0), "middle-note")
+    figure.line(places, "outline" if polygon.closed else "open", closed=polygon.closed)
+    count = len(places)
+    beside = [places[k % count] for k in (vertex - 1, vertex, vertex + 1) if polygon.closed or 0 <= k < count]
+    figure.line(beside, "corner")
+    figure.circle(places[vertex], 4.0, "point")
