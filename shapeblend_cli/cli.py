@@ -249,7 +249,7 @@ def inspect(file: str, select: str | None, lenient: bool, as_json: bool) -> None
 
 @shapeblend.command()
 @click.argument("kind", type=click.Choice(list(KINDS)), metavar="KIND")
-@click.argument("files", nargs=2, metavar="A.svg B.svg")
+@click.argument("files", nargs=-1, required=True, metavar="A.svg B.svg")
 @click.option("-o", "--output", metavar="FILE", help="- for standard output.  [default: KIND.svg]")
 @click.option("-f", "--force", is_flag=True, help="Replace an existing file.")
 @click.option(
@@ -267,7 +267,7 @@ def inspect(file: str, select: str | None, lenient: bool, as_json: bool) -> None
 @click.option("-q", "--quiet", is_flag=True, help="Only errors.")
 def plot(
     kind: str,
-    files: tuple[str, str],
+    files: tuple[str, ...],
     output: str | None,
     force: bool,
     contour: int | None,
@@ -280,6 +280,8 @@ def plot(
     KIND is graph (the least-work path among all correspondences), surface (the in-betweens over time), angle
     (how the angle of a dot moves) or starts (the least work by starting correspondence).
     """
+    if len(files) != 2:
+        raise click.UsageError(f"a plot is of two files, A.svg and B.svg; {len(files)} given")
     check_matching(files, matching)
     if dot is not None and kind not in DOTTED:
         raise click.UsageError(f"--dot is of {' and '.join(DOTTED)}; {kind} shows all dots")
@@ -290,7 +292,7 @@ def plot(
 
     wanted = Plot(
         kind=kind,
-        files=files,
+        files=(files[0], files[1]),
         output=output or f"{kind}.svg",
         force=force,
         select=selections(matching, len(files)),

@@ -24,12 +24,13 @@ from shapeblend_cli.plot.axes import (
     value_text,
 )
 from shapeblend_cli.plot.subject import on_path
-from shapeblend_cli.plot.theta import Theta, theta_of
+from shapeblend_cli.plot.theta import NOISE, TWO_PI, Theta, bezier, theta_of
 from shapeblend_cli.svg.figure import Figure, line_data
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import Polygon
+    from shapeblend_cli.model import ComplexArray, Polygon
     from shapeblend_cli.plot.subject import Subject
+    from shapeblend_cli.svg.figure import Point
 
     Dot = tuple[int, int]
 
@@ -39,8 +40,9 @@ SIDE = 320.0
 Q_LEFT, THETA_LEFT, THUMBS_LEFT = 40.0, 448.0, 838.0
 THUMB = 132.0
 
-RAY = 0.34
-"""How long the direction to an infinitesimal control point is drawn, as a share of the panel."""
+NAMES = "Q₀", "Q₁", "Q₂"
+RAY = 0.45, 0.3, 0.45
+"""How long the direction to an infinitesimal control point is drawn, as a share of the largest."""
 
 STEPS_OF_DEGREES = (1, 2, 5, 10, 15, 30, 45, 60, 90)
 
@@ -139,44 +141,47 @@ def _degrees(angle: float) -> str:
 
 def _q_panel(figure: Figure, theta: Theta) -> None:
     """Q(t) and its control polygon about the origin; only directions from there matter, so there is no scale."""
-    control = theta.control
-    size = max(abs(q) for q in control)
-    shown = np.array([*control, 0j]) / size
-    box = box_of(shown)
+    size = max(abs(q) for q in theta.control)
+    control = [q / size for q in theta.control]
+    rays = {
+        k: cmath.rect(RAY[k], direction)
+        for k, direction in enumerate(theta.directions)
+        if direction is not None
+    }
+    box = box_of(np.array([*control, 0j, *rays.values()]))
     side = 1.3 * max(box.width, box.height)
     x0, y0 = box.x - (side - box.width) / 2.0, box.y - (side - box.height) / 2.0
     axes = Axes(figure, Q_LEFT, TOP, SIDE, SIDE, (x0, x0 + side), (y0, y0 + side))
     axes.frame()
-    figure.words("Q(t)", (Q_LEFT + SIDE / 2.0, TOP + SIDE + 40.0), "label")
-    figure.line([axes.at(x0, 0.0), axes.at(0.0, 0.0)], "axis")
+    origin = axes.at(0.0, 0.0)
+    figure.line([axes.at(x0, 0.0), origin], "axis")
     figure.line([axes.at(0.0, y0), axes.at(0.0, y0 + side)], "axis")
-    figure.line([axes.at(0.0, 0.0), axes.at(x0 + side, 0.0)], "zero")
-    figure.words("θ = 0", (Q_LEFT + SIDE - 6.0, axes.at(0.0, 0.0)[1] + 16.0), "right-note")
+    figure.line([origin, axes.at(x0 + side, 0.0)], "zero")
+    figure.words("θ = 0", (Q_LEFT + SIDE - 6.0, origin[1] + 16.0), "right-note")
     for angle, radius, kind in ((theta.first, 0.075, "first"), (theta.last, 0.105, "last")):
-        turns = np.linspace(0.0, angle, max(int(abs(angle) / 0.05), 2)).tolist()
-        figure.line([axes.at(radius * side * math.cos(a), radius * side * math.sin(a)) for a in turns], kind)
-    figure.line([axes.at(q.real, q.imag) for q in shown[:3].tolist()], "control")
-    t = np.linspace(0.0, 1.0, 65)
-    curve = shown[0] * (1.0 - t) ** 2 + shown[1] * 2.0 * t * (1.0 - t) + shown[2] * t * t
-    figure.line([axes.at(q.real, q.imag) for q in curve.tolist()], "q")
-    for q, kind in ((shown[0], "first"), (shown[2], "last")):
-        figure.line([axes.at(0.0, 0.0), axes.at(q.real, q.imag)], kind)
-    middle = complex(shown[:3].mean())
-    tiny = []
-    for k, q in enumerate(shown[:3].tolist()):
-        direction = theta.directions[k]
-        kind = ("word-a", "label", "word-b")[k]
-        if q == 0 and direction is not None:
-            end = cmath.rect(RAY * side * (1.0 if k != 1 else 0.7), direction)
-            figure.line([axes.at(0.0, 0.0), axes.at(end.real, end.imag)], "rule")
-            _name(figure, axes, end, end, f"Q{'₀₁₂'[k]}", kind)
-            tiny.append(f"Q{'₀₁₂'[k]} → 0 at {_degrees(direction)}")
-        elif q != 0:
+        turns = np.linspace(0.0, angle, max(int(abs(angle) / 0.05), 2))
+        figure.line(_places(axes, radius * side * np.exp(1j * turns)), kind)
+    figure.line(_places(axes, np.array(control)), "control")
+    figure.line(_places(axes, bezier(control)(np.linspace(0.0, 1.0, 65))), "q")
+    for k, kind in ((0, "first"), (2, "last")):
+        figure.line(_places(axes, np.array([0j, control[k]])), kind)
+    middle = sum(control) / 3.0
+    for k, (q, kind) in enumerate(zip(control, ("word-a", "label", "word-b"), strict=True)):
+        if k in rays:
+            figure.line(_places(axes, np.array([0j, rays[k]])), "rule")
+            _name(figure, axes, rays[k], rays[k], NAMES[k], kind)
+        elif q:
             figure.circle(axes.at(q.real, q.imag), 4.0, "point")
-            _name(figure, axes, q, q - middle or q, f"Q{'₀₁₂'[k]}", kind)
-    figure.circle(axes.at(0.0, 0.0), 3.0, "origin")
+            _name(figure, axes, q, q - middle or q, NAMES[k], kind)
+    figure.circle(origin, 3.0, "origin")
+    tiny = ", ".join(f"{NAMES[k]} → 0 at {_degrees(cmath.phase(ray) % TWO_PI)}" for k, ray in rays.items())
     if tiny:
-        figure.words(", ".join(tiny), (Q_LEFT + SIDE / 2.0, TOP + SIDE + 18.0), "middle-note")
+        figure.words(tiny, (Q_LEFT + SIDE / 2.0, TOP + SIDE + 18.0), "middle-note")
+    figure.words("Q(t)", (Q_LEFT + SIDE / 2.0, TOP + SIDE + 40.0), "label")
+
+
+def _places(axes: Axes, points: ComplexArray) -> list[Point]:
+    return [axes.at(z.real, z.imag) for z in points.tolist()]
 
 
 def _name(figure: Figure, axes: Axes, place: complex, away: complex, words: str, kind: str) -> None:
@@ -216,9 +221,9 @@ def _theta_panel(figure: Figure, theta: Theta) -> None:
     figure.circle(whole[0], 4.0, "point")
     figure.circle(whole[-1], 4.0, "point")
     _span(axes, 1.07, math.degrees(theta.first), math.degrees(theta.last))
-    figure.words(
-        "Δθ", axes.at(1.135, math.degrees(theta.first + theta.last) / 2.0 - 0.012 * (high - low)), "name"
-    )
+    if theta.delta > NOISE:
+        x, y = axes.at(1.135, math.degrees(theta.first + theta.last) / 2.0)
+        figure.words("Δθ", (x, y + 4.5), "name")
     _stars(axes, theta)
     axes.frame()
     axes.ticks_below([0.0, 0.25, 0.5, 0.75, 1.0], ["0", "0.25", "0.5", "0.75", "1"], "t")

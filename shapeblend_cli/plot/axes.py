@@ -44,6 +44,9 @@ WHOLE = tuple(float(f * 10**p) for p in range(6) for f in (1, 2, 5))
 DIGITS = 4
 """Digits of a work."""
 
+NOTHING = 1e-9
+"""Work below this is the rounding of no work."""
+
 LONGEST = 36
 """Characters of a name of a file that are shown."""
 
@@ -140,11 +143,11 @@ def ticks(low: float, high: float, most: int = 6, steps: Sequence[float] = ()) -
 
 def value_text(value: float) -> str:
     """A number as people write it, without noise of rounding."""
-    text = f"{value:.{DIGITS}g}"
+    text = "0" if abs(value) < NOTHING else f"{value:.{DIGITS}g}"
     if "e" in text:
         mantissa, _, power = text.partition("e")
         return f"{mantissa}·10{str(int(power)).translate(RAISED)}"
-    return "0" if text == "-0" else text.replace("-", "−")
+    return text.replace("-", "−")
 
 
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")

@@ -3,14 +3,26 @@
 from __future__ import annotations
 
 from itertools import groupby
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.match.solve import EXACT_DOTS
 from shapeblend_cli.match.starts import least_by_start
-from shapeblend_cli.plot.axes import COLOUR_A, LEFT, PATH, STYLE, TOP, WHOLE, Axes, heading, ticks, value_text
+from shapeblend_cli.plot.axes import (
+    COLOUR_A,
+    LEFT,
+    NOTHING,
+    PATH,
+    STYLE,
+    TOP,
+    WHOLE,
+    Axes,
+    heading,
+    ticks,
+    value_text,
+)
 from shapeblend_cli.svg.figure import Figure
 
 if TYPE_CHECKING:
@@ -18,6 +30,9 @@ if TYPE_CHECKING:
     from shapeblend_cli.plot.subject import Subject
 
 WIDTH, HEIGHT = 600.0, 320.0
+
+MUCH = 30.0
+"""Works that differ by more than this factor are drawn by powers of ten."""
 
 BEADS = 80
 """Up to so many starts each has a bead."""
@@ -39,12 +54,10 @@ def draw(subject: Subject) -> str:
     band = "" if subject.band is None else f", in a band of {value_text(subject.band)}"
     heading(figure, subject.title, [subject.contours, least + band])
 
-    log = needs_decades(works)
-    shown = np.log10(works) if log else works
-    low, high = _range(shown, log)
-    axes = Axes(figure, LEFT, TOP, WIDTH, HEIGHT, (-0.5, len(works) - 0.5), (low, high))
-    levels = _decades(low, high) if log else ticks(low, high)
-    axes.grid([], levels)
+    scale = scale_for(works)
+    shown = scale.heights(works)
+    axes = Axes(figure, LEFT, TOP, WIDTH, HEIGHT, (-0.5, len(works) - 0.5), (scale.low, scale.high))
+    axes.grid([], [height for height, _ in scale.levels])
     places = [axes.at(j, y) for j, y in enumerate(shown.tolist())]
     for finite, run in groupby(
         zip(places, np.isfinite(works).tolist(), strict=True), key=lambda place: place[1]
@@ -62,7 +75,9 @@ def draw(subject: Subject) -> str:
         [f"{v:.0f}" for v in whole],
         f"vertex of B for vertex {vertex} of A",
     )
-    axes.ticks_beside(levels, [value_text(10.0**v if log else v) for v in levels], "least work")
+    axes.ticks_beside(
+        [h for h, _ in scale.levels], [value_text(work) for _, work in scale.levels], "least work"
+    )
     return figure.text()
 
 
@@ -94,22 +109,46 @@ def works_of(subject: Subject) -> FloatArray:
     return works
 
 
-def needs_decades(works: FloatArray) -> bool:
-    """Whether the works differ so much that powers of ten show more."""
+class Scale(NamedTuple):
+    """How high works are drawn.
+
+    Attributes
+    ----------
+    low, high : float
+        Heights of the bottom and the top.
+    levels : tuple of (float, float)
+        Heights and works of the ticks.
+    least : float or None
+        Works are drawn as their logarithms, smaller ones than this as nothing, at `low`; None draws them as they are.
+    """
+
+    low: float
+    high: float
+    levels: tuple[tuple[float, float], ...]
+    least: float | None
+
+    def heights(self, works: FloatArray) -> FloatArray:
+        """Where works are."""
+        if self.least is None:
+            return works
+        return np.where(works < self.least, self.low, np.log10(np.maximum(works, self.least)))
+
+
+def scale_for(works: FloatArray) -> Scale:
+    """As they are, or by powers of ten where they differ much."""
     finite = works[np.isfinite(works)]
-    return bool(finite.min() > 0.0 and finite.max() > 30.0 * finite.min())
-
-
-def _range(shown: FloatArray, log: bool) -> tuple[float, float]:
-    finite = shown[np.isfinite(shown)]
-    low, high = (float(finite.min()), float(finite.max())) if log else (0.0, float(finite.max()))
-    room = 0.06 * (high - low) or 1.0
-    return (low - room if log else 0.0), high + room
-
-
-def _decades(low: float, high: float) -> list[float]:
-    """Logarithms of round numbers: 1, 2, 5, 10 and so on, or only powers of ten."""
-    powers = range(int(np.floor(low)), int(np.ceil(high)) + 1)
+    some = finite[finite > NOTHING]
+    if not len(some) or some.max() <= MUCH * some.min():
+        high = 1.06 * float(some.max(initial=0.0)) or 1.0
+        return Scale(0.0, high, tuple((v, v) for v in ticks(0.0, high)), None)
+    least, most = float(some.min()), float(some.max())
+    low, high = np.log10(least), np.log10(most)
     factors = (1.0, 2.0, 5.0) if high - low < 3.0 else (1.0,)
-    levels = [float(p + np.log10(f)) for p in powers for f in factors]
-    return [level for level in levels if low <= level <= high]
+    steps = range(int(np.floor(low)), int(np.ceil(high)) + 1)
+    works_of_levels = [factor * 10.0**power for power in steps for factor in factors]
+    levels = [(float(np.log10(work)), work) for work in works_of_levels if least <= work <= most]
+    room = 0.06 * (high - low)
+    if len(some) == len(finite):
+        return Scale(float(low - room), float(high + room), tuple(levels), least)
+    bottom = float(low - 4.0 * room)
+    return Scale(bottom, float(high + room), ((bottom, 0.0), *levels), least)

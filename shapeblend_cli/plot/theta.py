@@ -161,7 +161,7 @@ def _moving(p: _Corner, q: _Corner) -> Theta:
 
 def _pieces(control: Control, first: float, last: float) -> tuple[Piece, ...]:
     """theta(t) along a Q curve whose ends are not 0, cut where eq (10) has its roots."""
-    curve = _bezier(control)
+    curve = bezier(control)
     q0, q1, q2 = control
     d0, d1, d2 = _cross(q0, q1), 0.5 * _cross(q0, q2), _cross(q1, q2)
     size = abs(q0 * q1) + abs(q0 * q2) + abs(q1 * q2)
@@ -224,7 +224,7 @@ def _into_a_point(p: _Corner, q: _Corner, kind: int) -> list[Theta]:
     # Then the infinitesimal edge takes over from that of the first wire.
     target = q.base.conjugate() * q.back if kind == DE else q.fwd.conjugate() * -q.base
     s2 = cmath.phase(target / end)
-    line = _bezier((start, 0.5 * (start + end), end))
+    line = bezier((start, 0.5 * (start + end), end))
     found = []
     for one, other in _ways(s1, s2):
         way = math.copysign(1.0, one)
@@ -269,7 +269,8 @@ def _sampled(at: Callable[[FloatArray], FloatArray], begin: float, end: float) -
         times = np.sort(np.append(times, 0.5 * (times[:-1] + times[1:])[wide]))
 
 
-def _bezier(control: Sequence[complex]) -> Callable[[FloatArray], ComplexArray]:
+def bezier(control: Sequence[complex]) -> Callable[[FloatArray], ComplexArray]:
+    """The curve with three control points, as a function of times."""
     q0, q1, q2 = control
     return lambda t: q0 * (1.0 - t) ** 2 + q1 * 2.0 * t * (1.0 - t) + q2 * t * t
 

@@ -34,10 +34,10 @@ class Figure:
     """
 
     def __init__(self, width: float, height: float, style: str) -> None:
-        self.width, self.height = width, height
+        width, height = round(width), round(height)
         self._style = style
         self._drawing = document.empty(Box(0.0, 0.0, width, height), DECIMALS)
-        self._drawing["width"], self._drawing["height"] = number(width, 0), number(height, 0)
+        self._drawing["width"], self._drawing["height"] = str(width), str(height)
         self._drawing.add(svgwrite.shapes.Rect((0, 0), ("100%", "100%"), class_="ground", debug=False))
 
     def text(self) -> str:
