@@ -20,7 +20,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test lint type fmt golden fuzz bench bench-quality worst pictures tables install clean
+.PHONY: help demo test lint type fmt golden fuzz bench bench-quality worst pictures plots tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -65,6 +65,9 @@ bench: install ## time the solver
 
 pictures: install ## draw the pictures of the README
 	$(BIN)/python tools/readme_pictures.py
+
+plots: install ## draw the plots of docs/plots.md
+	$(BIN)/python tools/plots.py
 
 tables: install ## measure the solver and write docs/solver.md
 	$(BIN)/python tools/solver_table.py

@@ -177,9 +177,12 @@ def _shade(axes: Axes, more: FloatArray, levels: tuple[float, ...]) -> None:
     least, (across, down) = cells(more)
     figure = axes.figure
     figure.path(rect_data(axes.left, axes.top, axes.width, axes.height), "cells", fill=NO_PATH)
-    for shade, limit in zip(_shades(levels), (np.inf, *reversed(levels)), strict=True):
+    masks = [least < limit for limit in (np.inf, *reversed(levels))]
+    for k, (shade, mask) in enumerate(zip(_shades(levels), masks, strict=True)):
+        if k + 1 < len(masks) and np.array_equal(mask, masks[k + 1]):
+            continue  # nothing of this shade will show
         data = []
-        for column, row, columns, rows in rectangles(least < limit):
+        for column, row, columns, rows in rectangles(mask):
             x0, y0 = axes.at(across[column] - 0.5, down[row] - 0.5)
             x1, y1 = axes.at(across[column + columns] - 0.5, down[row + rows] - 0.5)
             data.append(rect_data(x0, y0, x1 - x0, y1 - y0))

@@ -130,9 +130,9 @@ def imported_by(arguments, folder):
     return {line.rpartition("|")[2].strip() for line in done.stderr.splitlines()}
 
 
-@pytest.mark.parametrize("option", ["--help", "--version"])
-def test_command_starts_without_heavy_imports(option, tmp_path):
-    imported = imported_by([option], tmp_path)
+@pytest.mark.parametrize("arguments", [["--help"], ["--version"], ["plot", "--help"]], ids=" ".join)
+def test_command_starts_without_heavy_imports(arguments, tmp_path):
+    imported = imported_by(arguments, tmp_path)
     assert "click" in imported
     heavy = {"numpy", "scipy", "svgpathtools", "svgwrite", "tinycss2", "cssselect2"}
     assert imported & heavy == set()

@@ -1,0 +1,61 @@
+"""What plots are made of, and ways to read them."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from shapeblend_cli.pipeline import match_all
+from shapeblend_cli.plot.subject import subject
+from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.svg.read import read
+
+SVG = "{http://www.w3.org/2000/svg}"
+NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)")
+OPEN = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"><path fill="none" stroke="red" d="{}"/></svg>'
+
+
+def pieces(text, kind):
+    """The elements of a class."""
+    return [e for e in ElementTree.fromstring(text).iter() if kind in e.get("class", "").split()]
+
+
+def words(text):
+    """All lines of text."""
+    return [e.text for e in ElementTree.fromstring(text).iter(f"{SVG}text")]
+
+
+def points(data):
+    """The points of a line that is given by ways."""
+    values = [float(v) for v in NUMBER.findall(data)]
+    place, found = 0j, []
+    for x, y in zip(values[::2], values[1::2], strict=True):
+        place += complex(x, y)
+        found.append(place)
+    return found
+
+
+@pytest.fixture
+def two_lines(tmp_path):
+    """Give two files of open lines of 3 and 4 vertices."""
+    paths = []
+    for name, data in (("a.svg", "M0 0L5 5L9 1"), ("b.svg", "M0 9L3 2L8 8L9 0")):
+        paths.append(tmp_path / name)
+        paths[-1].write_text(OPEN.format(data))
+    return paths
+
+
+@pytest.fixture
+def subject_of(samples):
+    """Match two drawings, samples by name, and give what a plot gets of them."""
+
+    def match(a, b, contour=None, dot=None, **settings):
+        files = tuple(str(f if isinstance(f, Path) else samples / f"{f}.svg") for f in (a, b))
+        wanted = BlendSettings(curves=False, **settings)
+        (pair,), _ = match_all([read(file) for file in files], wanted)
+        return subject(files, pair, wanted, contour, dot, lambda share: None)
+
+    return match

@@ -1,0 +1,69 @@
+"""The figure of an angle."""
+
+import math
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.errors import MatchError
+from shapeblend_cli.plot import angle
+from tests.plot.conftest import pieces, points, words
+
+
+def test_the_dot_is_the_one_of_most_bending_work(subject_of):
+    subject = subject_of("cow", "deer")
+    found = angle.angle_of(subject)
+    _, _, bending = subject.wires.bends_on(subject.found.dots)
+    assert found.bending == bending.max()
+    assert bending.sum() == pytest.approx(subject.found.bending)
+    k_b, m_b, e_b, p_b = subject.wires.constants.bending()
+    assert found.theta.bending(k_b, m_b, e_b, p_b) == pytest.approx(found.bending)
+
+
+def test_a_dot_that_is_named_is_taken(subject_of):
+    dots = subject_of("e", "f").found.dots
+    i, j = (int(v) for v in dots[17])
+    assert angle.angle_of(subject_of("e", "f", dot=(i, j))).dot == (i, j)
+
+
+def test_a_dot_beside_the_path_is_told_of_one_near_by(subject_of):
+    with pytest.raises(
+        MatchError, match=r"vertices 3 of A and 100 of B do not correspond; 3,56 is a dot of the path"
+    ):
+        angle.angle_of(subject_of("e", "f", dot=(3, 100)))
+
+
+def test_ends_of_open_lines_have_no_angle(subject_of, two_lines):
+    with pytest.raises(MatchError, match="0,0 is an end of an open contour and has no angle; "):
+        angle.angle_of(subject_of(*two_lines, vertices=0, dot=(0, 0)))
+
+
+def test_a_line_of_two_ends_has_none_at_all(subject_of, tmp_path):
+    for name in ("a.svg", "b.svg"):
+        (tmp_path / name).write_text(
+            '<svg xmlns="http://www.w3.org/2000/svg"><path fill="none" stroke="red" d="M0 0L3 5"/></svg>'
+        )
+    with pytest.raises(MatchError, match="more vertices would work"):
+        angle.angle_of(subject_of(tmp_path / "a.svg", tmp_path / "b.svg", vertices=0))
+
+
+def test_the_curve_that_is_drawn_goes_through_theta(subject_of):
+    subject = subject_of("bird-1", "bird-2")
+    theta = angle.angle_of(subject).theta
+    text = angle.draw(subject)
+    line = np.array(points(pieces(text, "q")[1].get("d")))
+    values = np.degrees(np.concatenate([piece.angles for piece in theta.pieces]))
+    levels = [float(w.rstrip("°")) for w in words(text) if w.endswith("°") and w.rstrip("°").isdigit()]
+    places = [float(e.get("y")) - 4.0 for e in pieces(text, "tick-y")]
+    slope, offset = np.polyfit(places, levels, 1)
+    assert slope * line.imag + offset == pytest.approx(values, abs=0.3 * abs(slope))
+
+
+def test_a_control_point_that_is_infinitesimal_is_a_direction(subject_of):
+    # Figure 24: two vertices of the square at one of the triangle, at 90 degrees and half of 45.
+    subject = subject_of("triangle", "square", vertices=0)
+    found = angle.angle_of(subject)
+    assert 0 in found.theta.control
+    (direction,) = (d for d in found.theta.directions if d is not None)
+    assert math.degrees(direction) == pytest.approx(112.5)
+    assert "Q₀ → 0 at 112.5°" in words(angle.draw(subject))

@@ -1,0 +1,77 @@
+"""Least work by start."""
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.errors import MatchError
+from shapeblend_cli.match.solve import least_work
+from shapeblend_cli.plot import starts
+from tests.plot.conftest import pieces, words
+from tests.support.shapes import star_polygon, unit_box
+
+
+@pytest.mark.parametrize("vertex", [0, 11])
+def test_the_least_is_the_work_of_the_best_start(subject_of, vertex):
+    subject = subject_of("e", "f", vertices=60, dot=(vertex, 0))
+    works = starts.works_of(subject)
+    assert works.min() == pytest.approx(subject.found.work, rel=1e-12)
+    assert [vertex, int(works.argmin())] in subject.found.dots.tolist()
+
+
+def test_each_is_what_a_given_start_costs(subject_of):
+    subject = subject_of("bird-1", "bird-2", vertices=40, band=0.2, dot=(7, 0), motion="linear")
+    works = starts.works_of(subject)
+    a, b = (unit_box(p.vertices) for p in (subject.contour.polygon_a, subject.contour.polygon_b))
+    for j in range(0, len(b), 9):
+        assert works[j] == pytest.approx(least_work(a, b, start=(7, j), band=0.2).work, rel=1e-9)
+
+
+def test_starts_that_no_path_comes_back_to_are_gaps(subject_of, rng):
+    subject = subject_of("e", "f", vertices=60)
+    works = np.array([2.0, np.inf, 3.0, 4.0])
+    scale = starts.scale_for(works)
+    assert scale.least is None
+    assert scale.low == 0.0
+    assert scale.high > 4.0
+    with pytest.raises(MatchError, match="a wider band would work"):
+        starts.works_of(subject._replace(band=0.0))
+
+
+def test_works_that_differ_much_are_drawn_by_powers_of_ten():
+    scale = starts.scale_for(np.array([1e-13, 2.0, 500.0]))
+    low, two, most = scale.heights(np.array([1e-13, 2.0, 500.0]))
+    assert (low, two, most) == (scale.low, np.log10(2.0), np.log10(500.0))
+    assert scale.levels[0] == (scale.low, 0.0)
+    assert scale.low < two < most < scale.high
+
+
+def test_the_best_start_is_marked_and_named(subject_of):
+    text = starts.draw(subject_of("e", "f"))
+    (best,) = pieces(text, "best")
+    lines = [points for points in pieces(text, "work")]
+    assert len(lines) == 1
+    assert "least with vertex 0 of A at vertex 53 of B: work 5.333" in words(text)
+    assert float(best.get("cy")) > 300.0
+
+
+def test_open_contours_have_no_starts(subject_of, two_lines):
+    with pytest.raises(MatchError, match="closed ones would work"):
+        starts.works_of(subject_of(*two_lines))
+
+
+def test_too_much_is_refused(subject_of):
+    subject = subject_of("e", "f", vertices=1700)
+    with pytest.raises(MatchError, match="a smaller --vertices would work"):
+        starts.works_of(subject)
+
+
+def test_wires_that_begin_elsewhere_price_the_same(rng):
+    from shapeblend_cli.match.work import Wires, WorkConstants
+
+    p, q, weight = star_polygon(rng, 9), star_polygon(rng, 8), 0.5 + rng.random(9)
+    wires = Wires(p, q, True, WorkConstants(), weight)
+    rolled = wires.beginning_at(4)
+    again = Wires(np.roll(p, -4), q, True, WorkConstants(), np.roll(weight, -4))
+    dots = np.array([[k % 9, k % 8] for k in range(8)] + [[8, 7]])
+    assert rolled.path_work(dots).total == pytest.approx(again.path_work(dots).total, rel=1e-12)
+    assert wires.path_work(dots).total != pytest.approx(again.path_work(dots).total, rel=1e-3)
