@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from shapeblend_cli import __version__
-from shapeblend_cli.emit.forms import FORMS, STANDARD_OUTPUT, problem
+from shapeblend_cli.emit.forms import FORMS, STANDARD_OUTPUT, kind_of, problem
 from shapeblend_cli.errors import ShapeblendError
 from shapeblend_cli.options import (
     check_matching,
@@ -199,6 +199,7 @@ def blend(
     }
 
     from shapeblend_cli.files import Job, blend_files
+    from shapeblend_cli.products import Wanted
     from shapeblend_cli.svg.animate import Timing
 
     job = Job(
@@ -209,10 +210,7 @@ def blend(
         reported_settings=settings,
         select=selections(matching, len(files)),
         lenient=matching["lenient"],
-        animate=animate,
-        timing=Timing(duration, ease, repeat),
-        precision=precision,
-        emit=emit,
+        wanted=Wanted(kind_of(emit, output), animate, Timing(duration, ease, repeat), precision),
         blend=matching_settings(matching)._replace(
             frames=frames, ends=ends, style=style, curves=curves, ease=ease
         ),

@@ -8,27 +8,21 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli import __version__
 from shapeblend_cli.clock import Clock
-from shapeblend_cli.emit.forms import STANDARD_OUTPUT, file_names
+from shapeblend_cli.emit.forms import FRAME_KINDS, STANDARD_OUTPUT, file_names, frame_names
 from shapeblend_cli.errors import InputError, MatchError, OutputError
-from shapeblend_cli.geometry.normalise import union
-from shapeblend_cli.interpolate.chains import tracks
-from shapeblend_cli.interpolate.colours import colour_stops
-from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.output import check_targets, write_files
-from shapeblend_cli.pipeline import make_frames, match_all, shapes_at
+from shapeblend_cli.pipeline import make_frames, match_all
+from shapeblend_cli.products import produced
 from shapeblend_cli.report import report
-from shapeblend_cli.svg.animate import css_svg, smil_svg, stacked_svg
-from shapeblend_cli.svg.attributes import decimals_for
 from shapeblend_cli.svg.read import STANDARD_INPUT, read
-from shapeblend_cli.svg.write import frame_svg
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.model import Box, Frame, Pair
+    from shapeblend_cli.model import Frame, Pair
+    from shapeblend_cli.products import Wanted
     from shapeblend_cli.settings import BlendSettings
-    from shapeblend_cli.svg.animate import Timing
 
 SLOW = (
     "the solver was installed without a C compiler and runs uncompiled, far slower; "
@@ -55,14 +49,7 @@ class Job(NamedTuple):
         Which shapes of each file; None is all it paints.
     lenient : bool
         Draw broken path data up to the error.
-    animate : {'smil', 'css', 'frames'}
-        How an animated SVG moves.
-    timing : Timing
-        Of an animated SVG.
-    precision : int or None
-        Decimals of coordinates; None for as many as the drawings' size asks for.
-    emit : str
-        A name of `emit.forms.FORMS`.
+    wanted : Wanted
     """
 
     files: tuple[str, ...]
@@ -73,21 +60,17 @@ class Job(NamedTuple):
     reported_settings: dict[str, Any]
     select: tuple[str | None, ...]
     lenient: bool
-    animate: str
-    timing: Timing
-    precision: int | None
-    emit: str
+    wanted: Wanted
 
     @property
-    def animated(self) -> bool:
-        """Whether one animated SVG is wanted instead of a file a frame."""
-        return self.output == STANDARD_OUTPUT or self.output.lower().endswith(".svg")
-
-    def frame_files(self) -> list[str]:
-        """Names of the frame files in order of time, padded with zeros to one width."""
+    def frame_count(self) -> int:
+        """How many frames there are of all pairs."""
         pairs = len(self.files) - 1
-        count = pairs * self.blend.frames + (pairs + 1 if self.blend.ends else 0)
-        return [f"frame-{k + 1:0{len(str(count))}d}.svg" for k in range(count)]
+        return pairs * self.blend.frames + (pairs + 1 if self.blend.ends else 0)
+
+    def targets(self) -> list[Path]:
+        """The files of the blend, in order; none for standard output."""
+        return [Path(name) for name in file_names(self.wanted.kind, self.output, self.frame_count)]
 
 
 def blend_files(
@@ -123,38 +106,16 @@ def blend_files(
     frames = make_frames(pairs, job.blend)
     clock.lap("interpolate")
 
-    texts: dict[Path, str | bytes] = {}
-    standard_output = ""
-    names: Sequence[str | None] = [None] * len(frames)
-    views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
-    decimals = decimals_for(views) if job.precision is None else job.precision
-    if job.emit != "frames":
-        from shapeblend_cli.emit.move import Move
-        from shapeblend_cli.emit.write import emitted
-
-        moves = [
-            Move(shapes_at(pair, 0.0), shapes_at(pair, 1.0), pair.views, tuple(map(waypoints, pair.moving)))
-            for pair in pairs
-        ]
-        written, lost = emitted(job.emit, moves, job.timing.seconds, job.timing.ease, decimals)
-        for note in lost:
-            say(note)
-        if job.output == STANDARD_OUTPUT:
-            (standard_output,) = written
-        else:
-            texts.update(zip(map(Path, file_names(job.emit, job.output)), written, strict=True))
-    elif job.animated:
-        animation = _animation(job, pairs, views, decimals)
-        if job.output == STANDARD_OUTPUT:
-            standard_output = animation
-        else:
-            texts[Path(job.output)] = animation
+    products, notes = produced(job.wanted, pairs, frames, job.blend)
+    for note in notes:
+        say(note)
+    contents: dict[Path, str | bytes] = {}
+    standard_output: str | bytes = ""
+    if job.output == STANDARD_OUTPUT:
+        (standard_output,) = products
     else:
-        names = job.frame_files()
-        texts.update(
-            (Path(job.output, name), frame_svg(frame, decimals))
-            for name, frame in zip(job.frame_files(), frames, strict=True)
-        )
+        contents.update(zip(job.targets(), products, strict=True))
+    names = _frame_files(job)
     if job.report_file is not None:
         import json  # most runs write no report
 
@@ -163,13 +124,12 @@ def blend_files(
         if job.report_file == STANDARD_OUTPUT:
             standard_output = text
         else:
-            texts[Path(job.report_file)] = text
-    write_files(texts)
+            contents[Path(job.report_file)] = text
+    write_files(contents)
     print_text(standard_output)
-    if job.emit == "frames" and not job.animated and names:
-        stale = {path.name for path in Path(job.output).glob("frame-*.svg")} - set(names)
-        if stale:
-            say(f"{job.output}: {len(stale)} frame files of another run are left, {min(stale)} among them")
+    stale = _stale(job.output, names)
+    if stale:
+        say(f"{job.output}: {len(stale)} frame files of another run are left, {min(stale)} among them")
     clock.lap("write")
     for line in _details(pairs, frames, clock):
         detail(line)
@@ -201,24 +161,22 @@ def match_files(
     return pairs
 
 
-def _animation(job: Job, pairs: Sequence[Pair], views: Sequence[Box], decimals: int) -> str:
-    """The animated SVG that is wanted."""
-    if job.animate == "frames":
-        frames = make_frames(pairs, job.blend._replace(ends=True))
-        return stacked_svg(frames, job.timing, len(pairs), decimals)
-    moving = tracks(pairs)
-    if job.animate == "css":
-        return css_svg(moving, union(list(views)), job.timing, decimals, colour_stops)
-    return smil_svg(moving, views, job.timing, decimals, colour_stops)
+def _frame_files(job: Job) -> Sequence[str | None]:
+    """For each frame the name of the file that shows it alone, if there is one."""
+    if job.wanted.kind in FRAME_KINDS:
+        return frame_names(job.wanted.kind, job.frame_count)
+    return [None] * job.frame_count
+
+
+def _stale(folder: str, names: Sequence[str | None]) -> set[str]:
+    """The names of frame files in a folder that are none of a run's own."""
+    kinds = {name.rpartition(".")[2] for name in names if name}
+    return {path.name for kind in kinds for path in Path(folder).glob(f"frame-*.{kind}")} - {*names}
 
 
 def _targets(job: Job) -> list[Path]:
     """Every file the job will write."""
-    targets: list[Path] = []
-    if job.emit != "frames":
-        targets += map(Path, file_names(job.emit, job.output))
-    elif job.output != STANDARD_OUTPUT:
-        targets += [Path(job.output)] if job.animated else [Path(job.output, n) for n in job.frame_files()]
+    targets = job.targets()
     if job.report_file not in (None, STANDARD_OUTPUT):
         targets.append(Path(str(job.report_file)))
     if len(set(targets)) < len(targets):
@@ -226,10 +184,10 @@ def _targets(job: Job) -> list[Path]:
     return targets
 
 
-def print_text(text: str) -> None:
+def print_text(text: str | bytes) -> None:
     """Write to standard output as UTF-8, whatever the locale."""
     if text:
-        sys.stdout.buffer.write(text.encode("utf-8"))
+        sys.stdout.buffer.write(text.encode("utf-8") if isinstance(text, str) else text)
         sys.stdout.buffer.flush()
 
 

@@ -1,10 +1,11 @@
 """The forms a blend is written in: what is asked for, and the files that come of it.
 
-The command line looks here before anything else is imported, so this imports nothing.
+The command line looks here before anything else is imported, so this imports nothing heavy.
 """
 
 from __future__ import annotations
 
+from os.path import join
 from typing import NamedTuple
 
 STANDARD_OUTPUT = "-"
@@ -40,6 +41,33 @@ FORMS = {
 """By their names on the command line."""
 
 
+FRAME_KINDS = ("svg",)
+"""What is written as a file a frame; the names of the files end in it."""
+
+SUFFIXES = {".svg": "animation"}
+"""What a file is that frames go into, by what its name ends in."""
+
+
+def kind_of(emit: str, output: str) -> str:
+    """Say what is made.
+
+    Parameters
+    ----------
+    emit : str
+        A name of `FORMS`.
+    output : str
+        A folder, the name of a file, or ``-``.
+
+    Returns
+    -------
+    str
+        ``pair``, ``lottie`` or ``avd``; ``svg``: a file a frame; ``animation``: an SVG that moves.
+    """
+    if emit != "frames":
+        return emit
+    return "animation" if output == STANDARD_OUTPUT else SUFFIXES.get(_suffix(output), "svg")
+
+
 def problem(emit: str, output: str, files: int) -> str | None:
     """Say why a form cannot be written so, if it cannot.
 
@@ -55,7 +83,7 @@ def problem(emit: str, output: str, files: int) -> str | None:
     form = FORMS[emit]
     if files > 2 and not form.sequence:
         return f"--emit {emit} takes two files; {files} given"
-    suffix = next((s for s in (".svg", ".json", ".xml") if output.lower().endswith(s)), None)
+    suffix = _suffix(output)
     if form.suffix and suffix != form.suffix and output != STANDARD_OUTPUT:
         return f"--emit {emit} writes one file, so --output takes a name ending in {form.suffix}, or -; {output} given"
     if emit == "pair" and (suffix or output == STANDARD_OUTPUT):
@@ -66,8 +94,31 @@ def problem(emit: str, output: str, files: int) -> str | None:
     return None
 
 
-def file_names(emit: str, output: str) -> list[str]:
-    """The files of any form but frames, in order; none for standard output."""
+def _suffix(output: str) -> str:
+    """What the name of a file ends in; empty for a folder and for standard output."""
+    known = (*SUFFIXES, *(form.suffix for form in FORMS.values() if form.suffix))
+    return next((suffix for suffix in known if output.lower().endswith(suffix)), "")
+
+
+def frame_names(kind: str, frames: int) -> list[str]:
+    """The names of frame files in order of time, padded with zeros to one width."""
+    return [f"frame-{k + 1:0{len(str(frames))}d}.{kind}" for k in range(frames)]
+
+
+def file_names(kind: str, output: str, frames: int) -> list[str]:
+    """The files that are written, in order; none for standard output.
+
+    Parameters
+    ----------
+    kind : str
+        See `kind_of`.
+    output : str
+        A folder, the name of a file, or ``-``.
+    frames : int
+        How many there are.
+    """
     if output == STANDARD_OUTPUT:
         return []
-    return [output] if FORMS[emit].suffix else [f"{output}/{name}" for name in PAIR_FILES]
+    if kind in FRAME_KINDS:
+        return [join(output, name) for name in frame_names(kind, frames)]
+    return [join(output, name) for name in PAIR_FILES] if kind == "pair" else [output]

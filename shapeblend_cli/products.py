@@ -1,0 +1,97 @@
+"""What is made of a blend: from frames and pairs to the contents of files."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from shapeblend_cli.geometry.normalise import union
+from shapeblend_cli.interpolate.chains import tracks
+from shapeblend_cli.interpolate.colours import colour_stops
+from shapeblend_cli.interpolate.paths import waypoints
+from shapeblend_cli.pipeline import make_frames, shapes_at
+from shapeblend_cli.svg.animate import css_svg, smil_svg, stacked_svg
+from shapeblend_cli.svg.attributes import decimals_for
+from shapeblend_cli.svg.write import frame_svg
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import Box, Frame, Pair
+    from shapeblend_cli.settings import BlendSettings
+    from shapeblend_cli.svg.animate import Timing
+
+
+class Wanted(NamedTuple):
+    """What is to be made of a blend.
+
+    Attributes
+    ----------
+    kind : str
+        See `emit.forms.kind_of`.
+    animate : {'smil', 'css', 'frames'}
+        How an animated SVG moves.
+    timing : Timing
+        Of what moves.
+    precision : int or None
+        Decimals of coordinates; None for as many as the drawings' size asks for.
+    """
+
+    kind: str
+    animate: str
+    timing: Timing
+    precision: int | None
+
+
+def produced(
+    wanted: Wanted, pairs: Sequence[Pair], frames: Sequence[Frame], settings: BlendSettings
+) -> tuple[list[str | bytes], list[str]]:
+    """Make what is wanted.
+
+    Parameters
+    ----------
+    wanted : Wanted
+    pairs : sequence of Pair
+    frames : sequence of Frame
+        Of these pairs, by these settings.
+    settings : BlendSettings
+
+    Returns
+    -------
+    contents : list of str or bytes
+        In the order of `emit.forms.file_names`.
+    notes : list of str
+        What the form cannot say, a phrase each.
+    """
+    views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
+    decimals = decimals_for(views) if wanted.precision is None else wanted.precision
+    if wanted.kind == "svg":
+        return [frame_svg(frame, decimals) for frame in frames], []
+    if wanted.kind == "animation":
+        return [_animation(wanted, pairs, views, settings, decimals)], []
+    return _emitted(wanted, pairs, decimals)
+
+
+def _animation(
+    wanted: Wanted, pairs: Sequence[Pair], views: Sequence[Box], settings: BlendSettings, decimals: int
+) -> str:
+    """An animated SVG."""
+    if wanted.animate == "frames":
+        frames = make_frames(pairs, settings._replace(ends=True))
+        return stacked_svg(frames, wanted.timing, len(pairs), decimals)
+    moving = tracks(pairs)
+    if wanted.animate == "css":
+        return css_svg(moving, union(list(views)), wanted.timing, decimals, colour_stops)
+    return smil_svg(moving, views, wanted.timing, decimals, colour_stops)
+
+
+def _emitted(wanted: Wanted, pairs: Sequence[Pair], decimals: int) -> tuple[list[str | bytes], list[str]]:
+    """A form for other programs."""
+    from shapeblend_cli.emit.move import Move
+    from shapeblend_cli.emit.write import emitted
+
+    moves = [
+        Move(shapes_at(pair, 0.0), shapes_at(pair, 1.0), pair.views, tuple(map(waypoints, pair.moving)))
+        for pair in pairs
+    ]
+    texts, notes = emitted(wanted.kind, moves, wanted.timing.seconds, wanted.timing.ease, decimals)
+    return [*texts], notes
