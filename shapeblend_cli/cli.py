@@ -11,14 +11,17 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from shapeblend_cli import __version__
-from shapeblend_cli.emit.forms import FORMS, STANDARD_OUTPUT, kind_of, problem
+from shapeblend_cli.emit.forms import FORMS, FRAME_KINDS, STANDARD_OUTPUT, kind_of, problem
 from shapeblend_cli.errors import ShapeblendError
 from shapeblend_cli.options import (
     check_matching,
+    check_pictures,
     lenient_option,
     matching_in_force,
     matching_options,
     matching_settings,
+    picture_choice,
+    picture_options,
     selections,
 )
 from shapeblend_cli.parameters import SELECTOR, START, EaseType, RepeatType
@@ -31,6 +34,9 @@ if TYPE_CHECKING:
     from shapeblend_cli.easing import Ease
 
 FAILED, USAGE = 1, 2
+
+FRAMES = 5
+"""In-betweens, unless something is said."""
 
 
 class DefaultGroup(click.Group):
@@ -70,17 +76,16 @@ def shapeblend() -> None:
     "-n",
     "--frames",
     type=click.IntRange(0, 10_000),
-    default=5,
-    show_default=True,
     metavar="N",
-    help="In-betweens.",
+    help="In-betweens.  [default: 5; in .gif, .webp and .apng by --fps]",
 )
 @click.option("--ends", is_flag=True, help="Write t = 0 and t = 1 too.")
 @click.option(
     "-o",
     "--output",
     metavar="PATH",
-    help="A folder: one file a frame. A name ending in .svg: one animated SVG. -: that on standard output.  "
+    help="A folder: one file a frame. A name ending in .svg: one animated SVG; in .gif, .webp or .apng: an animation "
+    "of pixels; in .png: a contact sheet of all frames. -: an animated SVG on standard output.  "
     "[default: blend; with --emit lottie blend.json, with avd blend.xml]",
 )
 @click.option(
@@ -126,7 +131,7 @@ def shapeblend() -> None:
     default=2.0,
     show_default=True,
     metavar="S",
-    help="Seconds an animated SVG takes from one drawing to the next.",
+    help="Seconds an animation takes from one drawing to the next.",
 )
 @click.option(
     "--ease",
@@ -141,8 +146,9 @@ def shapeblend() -> None:
     type=RepeatType(),
     default="forever",
     show_default=True,
-    help="How often an animated SVG runs; pingpong: there and back.",
+    help="How often an animation runs; pingpong: there and back.",
 )
+@picture_options
 @click.option(
     "--report", "report_file", metavar="FILE", help="Write what was found as JSON; - for standard output."
 )
@@ -150,7 +156,7 @@ def shapeblend() -> None:
 @click.option("-v", "--verbose", is_flag=True, help="Say what was done, and how long it took.")
 def blend(
     files: tuple[str, ...],
-    frames: int,
+    frames: int | None,
     ends: bool,
     output: str | None,
     emit: str,
@@ -162,6 +168,11 @@ def blend(
     duration: float,
     ease: Ease,
     repeat: int | str,
+    frame_format: str | None,
+    width: int | None,
+    columns: int | None,
+    fps: int | None,
+    background: str | None,
     report_file: str | None,
     quiet: bool,
     verbose: bool,
@@ -169,12 +180,17 @@ def blend(
 ) -> None:
     """Blend A.svg into B.svg, and on into further files, with the least work of bending and stretching.
 
-    Writes the in-betweens as SVG files, or one SVG that moves. One of the files may be -, standard input.
+    Writes the in-betweens as SVG files, one SVG that moves, or pictures. One of the files may be -, standard input.
     """
     check_matching(files, matching)
     output = FORMS[emit].output if output is None else output
     if found := problem(emit, output, len(files)):
         raise click.UsageError(found)
+    kind = kind_of(emit, output, frame_format)
+    said = {"format": frame_format, "width": width, "columns": columns, "fps": fps, "background": background}
+    choice = picture_choice(kind, output, frames, said)
+    frames = FRAMES if frames is None else frames
+    check_pictures(kind, choice, frames, ends, len(files) - 1, duration, repeat)
     if output == report_file == STANDARD_OUTPUT:
         raise click.UsageError("--output and --report cannot both be standard output")
     if quiet and verbose:
@@ -195,6 +211,8 @@ def blend(
         "duration": duration,
         "ease": str(ease),
         "repeat": repeat,
+        "format": kind if kind in FRAME_KINDS else None,
+        **choice._asdict(),
         "report": report_file,
     }
 
@@ -210,7 +228,7 @@ def blend(
         reported_settings=settings,
         select=selections(matching, len(files)),
         lenient=matching["lenient"],
-        wanted=Wanted(kind_of(emit, output), animate, Timing(duration, ease, repeat), precision),
+        wanted=Wanted(kind, animate, Timing(duration, ease, repeat), precision, choice),
         blend=matching_settings(matching)._replace(
             frames=frames, ends=ends, style=style, curves=curves, ease=ease
         ),

@@ -38,3 +38,7 @@ class OutputError(ShapeblendError, OSError):
 
 class MatchError(ShapeblendError, ValueError):
     """Two shapes, or a request about them, for which no correspondence exists."""
+
+
+class PictureError(ShapeblendError, ValueError):
+    """Pictures that cannot be drawn, or not so large."""

@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 import sys
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli import __version__
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.emit.forms import FRAME_KINDS, STANDARD_OUTPUT, file_names, frame_names
-from shapeblend_cli.errors import InputError, MatchError, OutputError
+from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
 from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.output import check_targets, write_files
+from shapeblend_cli.pictures.choice import PICTURES
+from shapeblend_cli.pictures.libraries import check_libraries
 from shapeblend_cli.pipeline import make_frames, match_all
 from shapeblend_cli.products import produced
 from shapeblend_cli.report import report
 from shapeblend_cli.svg.read import STANDARD_INPUT, read
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
     from shapeblend_cli.model import Frame, Pair
     from shapeblend_cli.products import Wanted
@@ -99,6 +102,9 @@ def blend_files(
     clock = Clock()
     if not COMPILED:
         say(SLOW)
+    if job.wanted.kind in PICTURES:
+        with _named(job.output):
+            check_libraries(job.wanted.kind)
     paths = _targets(job)
     check_targets(paths, [Path(file) for file in job.files if file != STANDARD_INPUT], job.force)
 
@@ -106,7 +112,8 @@ def blend_files(
     frames = make_frames(pairs, job.blend)
     clock.lap("interpolate")
 
-    products, notes = produced(job.wanted, pairs, frames, job.blend)
+    with _named(job.output):
+        products, notes = produced(job.wanted, pairs, frames, job.blend)
     for note in notes:
         say(note)
     contents: dict[Path, str | bytes] = {}
@@ -159,6 +166,15 @@ def match_files(
     for note in notes:
         say(note)
     return pairs
+
+
+@contextmanager
+def _named(output: str) -> Iterator[None]:
+    """Say which output it is that pictures cannot be drawn for."""
+    try:
+        yield
+    except PictureError as error:
+        raise OutputError(output, str(error)) from error
 
 
 def _frame_files(job: Job) -> Sequence[str | None]:

@@ -11,16 +11,20 @@ from shapeblend_cli.parameters import (
     SELECTOR,
     START,
     BandType,
+    ColourType,
     ConstantType,
     MatchType,
     PinType,
     StiffType,
 )
+from shapeblend_cli.pictures import choice
+from shapeblend_cli.pictures.times import run_for
 from shapeblend_cli.presets import BANDS, PRESETS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from shapeblend_cli.pictures.choice import Choice
     from shapeblend_cli.settings import BlendSettings
 
 CONSTANTS = {
@@ -135,6 +139,91 @@ MATCHING = (
         "angles; safe: never crossing themselves; auto: straight, else the first of these without a fault.",
     ),
 )
+
+
+PICTURES = (
+    click.option(
+        "--format",
+        "frame_format",
+        type=click.Choice(["svg", "png"]),
+        help="What a folder of frames is filled with.  [default: svg]",
+    ),
+    click.option(
+        "--width",
+        type=click.IntRange(1, 16_383),
+        metavar="PX",
+        help="Pixels of pictures; of a contact sheet, those of a cell.  [default: 400 of .gif, .webp and .apng, 512 "
+        "of frames, 200 of a cell]",
+    ),
+    click.option(
+        "--columns",
+        type=click.IntRange(1, 10_000),
+        metavar="N",
+        help="Of a contact sheet.  [default: by count]",
+    ),
+    click.option(
+        "--fps",
+        type=click.IntRange(1, 50),
+        metavar="N",
+        help="Pictures a second of .gif, .webp and .apng.  [default: 25, unless --frames is given]",
+    ),
+    click.option(
+        "--background",
+        type=ColourType(),
+        help="Colour behind pictures, or transparent.  [default: transparent; white in a .gif and a contact sheet]",
+    ),
+)
+
+
+def picture_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Everything that is about pictures of pixels."""
+    for option in reversed(PICTURES):
+        command = option(command)
+    return command
+
+
+def picture_choice(kind: str, output: str, frames: int | None, said: dict[str, Any]) -> Choice:
+    """How pictures are drawn: the values of `picture_options` with the defaults filled in, all None without pictures.
+
+    Parameters
+    ----------
+    kind, output
+        See `pictures.choice.problem`.
+    frames : int or None
+        In-betweens, where something is said of them.
+    said : dict
+        The values of the options by their names.
+
+    Raises
+    ------
+    click.UsageError
+        Options that do not fit what is made, or contradict each other.
+    """
+    if found := choice.problem(kind, output, said):
+        raise click.UsageError(found)
+    if frames is not None and said["fps"] is not None:
+        raise click.UsageError("--frames and --fps both say how many pictures there are; one will do")
+    usual = choice.usual(kind, by_fps=frames is None)
+    return usual._replace(**{n: said[n] for n in usual._fields if said[n] is not None})
+
+
+def check_pictures(
+    kind: str, drawn: Choice, frames: int, ends: bool, pairs: int, duration: float, repeat: int | str
+) -> None:
+    """Refuse animations of pixels that cannot run so, and contact sheets of nothing.
+
+    Raises
+    ------
+    click.UsageError
+    """
+    if kind == "sheet" and not (frames or ends):
+        raise click.UsageError(
+            "--frames 0 leaves nothing for a contact sheet; --frames 1 or --ends would work"
+        )
+    if kind in choice.ANIMATED:
+        run = run_for(drawn.fps, frames, pairs, duration, repeat == "pingpong")
+        if found := choice.timing_problem(run, repeat):
+            raise click.UsageError(found)
 
 
 def matching_options(command: Callable[..., Any]) -> Callable[..., Any]:

@@ -97,6 +97,27 @@ class RepeatType(click.ParamType[Any]):
         return int(value)
 
 
+class ColourType(click.ParamType[str]):
+    """An opaque CSS colour, or ``transparent``."""
+
+    name = "COLOUR"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """Turn a colour into ``#rrggbb``."""
+        from shapeblend_cli.svg.paint import parse_colour
+
+        colour = parse_colour(value.strip())
+        if colour is not None and colour.alpha == 0.0:
+            return "transparent"
+        if colour is None or colour.alpha < 1.0:
+            self.fail(
+                f"{value!r} is neither 'transparent' nor an opaque CSS colour such as white or #f4f4f0.",
+                param,
+                ctx,
+            )
+        return colour.rgb
+
+
 class MatchType(click.ParamType[Any]):
     """``A=B``: a contour number or an id of each drawing."""
 

@@ -8,8 +8,10 @@ from shapeblend_cli.geometry.normalise import union
 from shapeblend_cli.interpolate.chains import tracks
 from shapeblend_cli.interpolate.colours import colour_stops
 from shapeblend_cli.interpolate.paths import waypoints
+from shapeblend_cli.pictures.choice import ANIMATED, PICTURES, WIDTHS
+from shapeblend_cli.pictures.times import run_for
 from shapeblend_cli.pipeline import make_frames, shapes_at
-from shapeblend_cli.svg.animate import css_svg, smil_svg, stacked_svg
+from shapeblend_cli.svg.animate import PINGPONG, css_svg, smil_svg, stacked_svg
 from shapeblend_cli.svg.attributes import decimals_for
 from shapeblend_cli.svg.write import frame_svg
 
@@ -17,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import Box, Frame, Pair
+    from shapeblend_cli.pictures.choice import Choice
     from shapeblend_cli.settings import BlendSettings
     from shapeblend_cli.svg.animate import Timing
 
@@ -34,12 +37,15 @@ class Wanted(NamedTuple):
         Of what moves.
     precision : int or None
         Decimals of coordinates; None for as many as the drawings' size asks for.
+    choice : Choice
+        How pictures are drawn.
     """
 
     kind: str
     animate: str
     timing: Timing
     precision: int | None
+    choice: Choice
 
 
 def produced(
@@ -61,6 +67,11 @@ def produced(
         In the order of `emit.forms.file_names`.
     notes : list of str
         What the form cannot say, a phrase each.
+
+    Raises
+    ------
+    PictureError
+        Pictures without a height, or of too many pixels.
     """
     views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
     decimals = decimals_for(views) if wanted.precision is None else wanted.precision
@@ -68,6 +79,8 @@ def produced(
         return [frame_svg(frame, decimals) for frame in frames], []
     if wanted.kind == "animation":
         return [_animation(wanted, pairs, views, settings, decimals)], []
+    if wanted.kind in PICTURES:
+        return _pictures(wanted, pairs, frames, settings, decimals), []
     return _emitted(wanted, pairs, decimals)
 
 
@@ -82,6 +95,33 @@ def _animation(
     if wanted.animate == "css":
         return css_svg(moving, union(list(views)), wanted.timing, decimals, colour_stops)
     return smil_svg(moving, views, wanted.timing, decimals, colour_stops)
+
+
+def _pictures(
+    wanted: Wanted, pairs: Sequence[Pair], frames: Sequence[Frame], settings: BlendSettings, decimals: int
+) -> list[str | bytes]:
+    """Pictures of pixels, as high as what is shown of the first drawing makes them."""
+    from shapeblend_cli.pictures.animation import animation
+    from shapeblend_cli.pictures.draw import check_pixels, drawn, size_for
+    from shapeblend_cli.pictures.sheet import PAGE, as_png, sheet
+
+    kind, choice = wanted.kind, wanted.choice
+    view = pairs[0].views[0]
+    ground = choice.ground
+    size = size_for(choice.width or WIDTHS[kind], (view.width, view.height))
+    if kind in ANIMATED:
+        timing = wanted.timing
+        run = run_for(choice.fps, settings.frames, len(pairs), timing.seconds, timing.repeat == PINGPONG)
+        check_pixels(run.pictures, size)
+        frames = make_frames(pairs, settings._replace(frames=run.steps - 1, ends=True))
+        svgs = [frame_svg(frame, decimals) for frame in frames]
+        runs = timing.repeat if isinstance(timing.repeat, int) else None
+        return [animation(kind, svgs, size, run, runs, ground)]
+    check_pixels(len(frames), size)
+    svgs = [frame_svg(frame, decimals) for frame in frames]
+    if kind == "png":
+        return [drawn(svg, size, ground) for svg in svgs]
+    return [as_png(sheet(svgs, size, choice.columns, ground, PAGE if ground else None))]
 
 
 def _emitted(wanted: Wanted, pairs: Sequence[Pair], decimals: int) -> tuple[list[str | bytes], list[str]]:

@@ -30,10 +30,12 @@ ROOMS = {
     "settings": {"match", "easing"},
     "pairing": {"model", "errors", "geometry", "match", "settings"},
     "pipeline": {"model", "clock", "geometry", "interpolate", "motion", "pairing", "settings"},
-    "products": {"pipeline", "interpolate", "svg", "emit", "geometry", "model", "settings"},
+    "pictures": {"errors"},
+    "products": {"pipeline", "interpolate", "svg", "emit", "pictures", "geometry", "model", "settings"},
     "files": {
         "pipeline",
         "products",
+        "pictures",
         "clock",
         "svg",
         "emit",
@@ -60,7 +62,7 @@ ROOMS = {
         "errors",
     },
     "parameters": {"svg", "easing"},
-    "options": {"parameters", "presets", "match", "settings"},
+    "options": {"parameters", "presets", "pictures", "match", "settings"},
     "listing": set(),
     "cli": {
         "easing",

@@ -41,14 +41,34 @@ FORMS = {
 """By their names on the command line."""
 
 
-FRAME_KINDS = ("svg",)
+FRAME_KINDS = ("svg", "png")
 """What is written as a file a frame; the names of the files end in it."""
 
-SUFFIXES = {".svg": "animation"}
+SUFFIXES = {".svg": "animation", ".png": "sheet", ".gif": "gif", ".webp": "webp", ".apng": "apng"}
 """What a file is that frames go into, by what its name ends in."""
 
+NOT_WRITTEN = (
+    *(
+        ".avi",
+        ".avif",
+        ".bmp",
+        ".eps",
+        ".heic",
+        ".htm",
+        ".html",
+        ".ico",
+        ".jpeg",
+        ".jpg",
+        ".jxl",
+        ".m4v",
+        ".mkv",
+    ),
+    *(".mov", ".mp4", ".mpeg", ".mpg", ".ogv", ".pdf", ".ps", ".svgz", ".tif", ".tiff", ".webm", ".zip"),
+)
+"""What names end in that nobody gives a folder."""
 
-def kind_of(emit: str, output: str) -> str:
+
+def kind_of(emit: str, output: str, frame_format: str | None) -> str:
     """Say what is made.
 
     Parameters
@@ -57,15 +77,20 @@ def kind_of(emit: str, output: str) -> str:
         A name of `FORMS`.
     output : str
         A folder, the name of a file, or ``-``.
+    frame_format : str or None
+        Of the files in a folder.
 
     Returns
     -------
     str
-        ``pair``, ``lottie`` or ``avd``; ``svg``: a file a frame; ``animation``: an SVG that moves.
+        ``pair``, ``lottie`` or ``avd``; ``svg`` or ``png``: a file a frame; ``animation``: an SVG that moves;
+        ``sheet``: a PNG with all frames; ``gif``, ``webp`` or ``apng``.
     """
     if emit != "frames":
         return emit
-    return "animation" if output == STANDARD_OUTPUT else SUFFIXES.get(_suffix(output), "svg")
+    if output == STANDARD_OUTPUT:
+        return "animation"
+    return SUFFIXES.get(_suffix(output)) or frame_format or "svg"
 
 
 def problem(emit: str, output: str, files: int) -> str | None:
@@ -91,12 +116,16 @@ def problem(emit: str, output: str, files: int) -> str | None:
     if emit == "frames" and suffix in (".json", ".xml"):
         other = next(name for name, known in FORMS.items() if known.suffix == suffix)
         return f"--output {output}: with --emit {other} such a file is written"
+    if suffix in NOT_WRITTEN:
+        return (
+            f"--output {output}: {suffix} is not written; {', '.join(SUFFIXES)} are, and frames into a folder"
+        )
     return None
 
 
 def _suffix(output: str) -> str:
     """What the name of a file ends in; empty for a folder and for standard output."""
-    known = (*SUFFIXES, *(form.suffix for form in FORMS.values() if form.suffix))
+    known = (*SUFFIXES, *(form.suffix for form in FORMS.values() if form.suffix), *NOT_WRITTEN)
     return next((suffix for suffix in known if output.lower().endswith(suffix)), "")
 
 

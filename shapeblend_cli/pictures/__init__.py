@@ -1,0 +1,1 @@
+"""SVG documents of ours to pictures of pixels: contact sheets, animations, and frames."""
