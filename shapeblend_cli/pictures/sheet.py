@@ -28,7 +28,7 @@ def columns_for(count: int) -> int:
     Examples
     --------
     >>> [columns_for(count) for count in (1, 7, 9, 10, 11, 24, 100)]
-    [1, 7, 3, 5, 6, 6, 10]
+    [1, 7, 3, 5, 6, 8, 10]
     """
     if count <= ONE_ROW:
         return count

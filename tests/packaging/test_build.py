@@ -142,7 +142,7 @@ def test_a_blend_imports_nothing_heavy_that_it_does_not_need(samples, tmp_path):
     imported = imported_by([samples / "bird-1.svg", samples / "bird-2.svg"], tmp_path)
     assert "numpy" in imported
     # numpy.ma comes with the first call of numpy.unique and its kin.
-    assert imported & {"scipy", "numpy.ma", "rich", "lap", "json", "difflib"} == set()
+    assert imported & {"scipy", "numpy.ma", "rich", "lap", "json", "difflib", "PIL", "resvg_py"} == set()
 
 
 @pytest.mark.parametrize("name", MODULES)

@@ -1,0 +1,82 @@
+"""Contact sheets: where cells are, and what colour they have."""
+
+import pytest
+
+from shapeblend_cli.errors import PictureError
+from shapeblend_cli.pictures.draw import MOST_SIDE, Size, drawn, opened, size_for
+from shapeblend_cli.pictures.sheet import CELL, PAGE, columns_for, sheet
+from tests.support.drawings import svg
+
+RED = svg("M0 0H24V24H0Z", attributes='fill="#ff0000"')
+WIDE = svg("M0 0H24V12H0Z", attributes='fill="#0000ff"', viewbox="0 0 24 12")
+
+
+def colour(text):
+    return tuple(bytes.fromhex(text[1:]))
+
+
+def test_cells_stand_in_rows_with_gaps_around():
+    found = sheet([RED] * 5, Size(40, 40), columns=3)
+    assert (found.mode, found.size) == ("RGB", (3 * 42 + 2, 2 * 42 + 2))
+    for column, row, wanted in ((0, 0, "#ff0000"), (2, 0, "#ff0000"), (1, 1, "#ff0000"), (2, 1, PAGE)):
+        assert found.getpixel((2 + 42 * column + 20, 2 + 42 * row + 20)) == colour(wanted)
+    for corner in ((0, 0), (127, 85), (42, 20), (20, 42)):
+        assert found.getpixel(corner) == colour(PAGE)
+
+
+def test_a_drawing_keeps_its_proportions_in_its_cell():
+    found = sheet([WIDE], Size(40, 40))
+    assert found.getpixel((22, 22)) == (0, 0, 255)
+    assert found.getpixel((3, 22)) == (0, 0, 255)
+    assert found.getpixel((22, 5)) == found.getpixel((22, 38)) == colour(CELL)
+
+
+def test_colours_of_page_and_cells():
+    found = sheet([WIDE], Size(40, 40), ground="#123456", page="#654321")
+    assert (found.getpixel((0, 0)), found.getpixel((22, 5))) == (colour("#654321"), colour("#123456"))
+    clear = sheet([WIDE], Size(40, 40), ground=None, page=None)
+    assert clear.mode == "RGBA"
+    assert (clear.getpixel((0, 0))[3], clear.getpixel((22, 5))[3], clear.getpixel((22, 22))[3]) == (0, 0, 255)
+
+
+def test_columns_leave_little_empty_and_make_rather_wide_sheets():
+    assert [columns_for(count) for count in (1, 8, 12, 24, 25)] == [1, 8, 6, 8, 5]
+    for count in range(9, 500):
+        columns = columns_for(count)
+        rows = -(-count // columns)
+        assert rows <= columns <= 3 * rows
+        assert rows * columns - count <= columns / 3
+
+
+def test_no_more_columns_than_drawings():
+    assert sheet([RED] * 2, Size(20, 20), columns=9).size == (2 * 21 + 1, 22)
+
+
+def test_a_drawing_is_fitted_centre_on_centre():
+    found = opened(drawn(WIDE, Size(30, 60)))
+    assert found.size == (30, 60)
+    assert found.getbbox() == (0, 22, 30, 38) or found.getbbox() == (0, 23, 30, 38)
+    assert found.getpixel((15, 30)) == (0, 0, 255, 255)
+
+
+def test_a_background_leaves_nothing_transparent():
+    found = opened(drawn(WIDE, Size(30, 60), "#00ff00"))
+    assert found.getpixel((0, 0)) == (0, 255, 0, 255)
+    assert found.getextrema()[3] == (255, 255)
+
+
+def test_sizes():
+    assert size_for(300, (48.0, 24.0)) == (300, 150)
+    assert size_for(1, (24.0, 24.0)) == (1, 1)
+    assert size_for(10, (10.0, 10.0 * MOST_SIDE / 10.0)) == (10, MOST_SIDE)
+
+
+@pytest.mark.parametrize(("shape", "words"), [((10000.0, 1.0), "larger"), ((1.0, 10000.0), "smaller")])
+def test_no_height_and_too_much_of_it_are_refused(shape, words):
+    with pytest.raises(PictureError, match=f"a {words} --width"):
+        size_for(400, shape)
+
+
+def test_too_many_pixels_are_refused():
+    with pytest.raises(PictureError, match="80 million"):
+        sheet([RED] * 5, Size(10_000, 10_000))
