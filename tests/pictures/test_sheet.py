@@ -45,7 +45,7 @@ def test_columns_leave_little_empty_and_make_rather_wide_sheets():
         columns = columns_for(count)
         rows = -(-count // columns)
         assert rows <= columns <= 3 * rows
-        assert rows * columns - count <= columns / 3
+        assert rows * columns - count <= columns / 2
 
 
 def test_no_more_columns_than_drawings():
