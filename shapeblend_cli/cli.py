@@ -93,7 +93,7 @@ def shapeblend() -> None:
     type=click.Choice(list(FORMS)),
     default="frames",
     show_default=True,
-    help="frames: SVG, as --output says; pair: A and B with equal commands, for other programs to move between; "
+    help="frames: as --output says; pair: A and B with equal commands, for other programs to move between; "
     "lottie: an animation as JSON; avd: an animated vector drawable for Android.",
 )
 @click.option("-f", "--force", is_flag=True, help="Replace existing files.")

@@ -18,7 +18,7 @@ from shapeblend_cli.parameters import (
     StiffType,
 )
 from shapeblend_cli.pictures import choice
-from shapeblend_cli.pictures.times import run_for
+from shapeblend_cli.pictures.times import FASTEST, run_for
 from shapeblend_cli.presets import BANDS, PRESETS
 
 if TYPE_CHECKING:
@@ -150,7 +150,7 @@ PICTURES = (
     ),
     click.option(
         "--width",
-        type=click.IntRange(1, 16_383),
+        type=click.IntRange(1, choice.MOST_SIDE),
         metavar="PX",
         help="Pixels of pictures; of a contact sheet, those of a cell.  [default: 400 of .gif, .webp and .apng, 512 "
         "of frames, 200 of a cell]",
@@ -163,7 +163,7 @@ PICTURES = (
     ),
     click.option(
         "--fps",
-        type=click.IntRange(1, 50),
+        type=click.IntRange(1, FASTEST),
         metavar="N",
         help="Pictures a second of .gif, .webp and .apng.  [default: 25, unless --frames is given]",
     ),

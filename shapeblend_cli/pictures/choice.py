@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.pictures.times import LEAST_DELAY, Run
+from shapeblend_cli.pictures.times import FASTEST, Run
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -22,6 +22,9 @@ WIDTHS = {"png": 512, "sheet": 200, **dict.fromkeys(ANIMATED, 400)}
 FRAMES_A_SECOND = 25
 
 TRANSPARENT, WHITE = "transparent", "#ffffff"
+
+MOST_SIDE = 16_383
+"""Pixels; WebP has no more."""
 
 MOST_RUNS = 65_535
 """As often can the file of an animation say that it runs."""
@@ -115,10 +118,10 @@ def timing_problem(run: Run, repeat: int | str) -> str | None:
     repeat : int or str
         See `svg.animate.Timing`.
     """
-    if run.seconds < LEAST_DELAY * run.pictures * (1.0 - 1e-9):
+    if run.pictures > FASTEST * run.seconds * (1.0 + 1e-9):
         return (
-            f"{run.pictures} pictures in {run.seconds:g} seconds: browsers slow down what is faster than 50 a second; "
-            "a longer --duration, or fewer pictures, would work"
+            f"{run.pictures} pictures in {run.seconds:g} seconds: browsers slow down what is faster than "
+            f"{FASTEST} a second; a longer --duration, or fewer pictures, would work"
         )
     if isinstance(repeat, int) and repeat > MOST_RUNS:
         return f"--repeat {repeat}: animations of pixels run {MOST_RUNS} times at most, or forever"

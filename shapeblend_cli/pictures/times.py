@@ -6,8 +6,8 @@ import math
 from itertools import pairwise
 from typing import NamedTuple
 
-LEAST_DELAY = 0.02
-"""Seconds; browsers take their own time for pictures that follow faster."""
+FASTEST = 50
+"""Pictures a second; browsers take their own time for what is faster."""
 
 
 class Run(NamedTuple):

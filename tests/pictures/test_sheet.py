@@ -3,7 +3,8 @@
 import pytest
 
 from shapeblend_cli.errors import PictureError
-from shapeblend_cli.pictures.draw import MOST_SIDE, Size, drawn, opened, size_for
+from shapeblend_cli.pictures.choice import MOST_SIDE
+from shapeblend_cli.pictures.draw import Size, drawn, opened, size_for
 from shapeblend_cli.pictures.sheet import CELL, PAGE, columns_for, sheet
 from tests.support.drawings import svg
 
