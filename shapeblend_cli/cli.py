@@ -11,9 +11,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from shapeblend_cli import __version__
+from shapeblend_cli.commands import DefaultGroup, SectionedCommand
 from shapeblend_cli.emit.forms import FORMS, FRAME_KINDS, STANDARD_OUTPUT, kind_of, problem
 from shapeblend_cli.errors import ShapeblendError
 from shapeblend_cli.options import (
+    CONSTANTS,
     check_matching,
     check_pictures,
     lenient_option,
@@ -39,26 +41,34 @@ FRAMES = 5
 """In-betweens, unless something is said."""
 
 
-class DefaultGroup(click.Group):
-    """A group that blends when no command is named, and whose help is that of blending."""
+MATCHING = {
+    "Which shapes": ("select_a", "select_b", "lenient", "place", "pairs", "unmatched"),
+    "What goes where": ("vertices", "start", "pins", "reverse", "stiff", "solver", "band", "effort"),
+    "The wire, by the paper's seven constants": ("preset", *CONSTANTS),
+}
+"""Sections of the help that `blend` and `plot` have in common."""
 
-    default = "blend"
+SECTIONS = {
+    "What is made": ("frames", "ends", "output", "emit", "force", "report_file", "preview_file"),
+    **MATCHING,
+    "On the way": ("motion", "style", "curves", "precision"),
+    "Animations": ("duration", "ease", "repeat", "animate"),
+    "Pictures, with the extra shapeblend[preview]": ("frame_format", "width", "columns", "fps", "background"),
+}
+"""The help of blending."""
 
-    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Put the default command in front of arguments that name none."""
-        if not args or args[0] not in (*self.commands, "-h", "--help", "--version"):
-            args = [self.default, *args]
-        return super().parse_args(ctx, args)
+PLOT_SECTIONS = {
+    "What is drawn": ("output", "force", "contour", "dot"),
+    **MATCHING,
+    "On the way": ("motion",),
+}
 
-    def format_help(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the default command's help, and what else there is."""
-        default = self.commands[self.default]
-        formatter.write_usage(ctx.command_path, "A.svg B.svg [C.svg ...] [OPTIONS]")
-        default.format_help_text(ctx, formatter)
-        default.format_options(ctx, formatter)
-        others = [(n, c.get_short_help_str(80)) for n, c in self.commands.items() if n != self.default]
-        with formatter.section("Commands"):
-            formatter.write_dl(others)
+EXAMPLES = (
+    ("shapeblend a.svg b.svg", "five in-betweens: blend/frame-1.svg ... blend/frame-5.svg"),
+    ("shapeblend a.svg b.svg -o moving.svg", "one SVG that moves by itself, in any browser"),
+    ("shapeblend a.svg b.svg --preview look.html", "a page to look at the blend, and at what goes where"),
+    ("shapeblend a.svg b.svg c.svg -n 9 --ends", "frames through three drawings, these among them"),
+)
 
 
 @click.group(
@@ -70,8 +80,8 @@ def shapeblend() -> None:
     """Blend one SVG shape into another."""
 
 
-@shapeblend.command()
-@click.argument("files", nargs=-1, required=True, metavar="A.svg B.svg [C.svg ...]")
+@shapeblend.command(cls=SectionedCommand, sections=SECTIONS, examples=EXAMPLES)
+@click.argument("files", type=click.Path(), nargs=-1, required=True, metavar="A.svg B.svg [C.svg ...]")
 @click.option(
     "-n",
     "--frames",
@@ -83,6 +93,7 @@ def shapeblend() -> None:
 @click.option(
     "-o",
     "--output",
+    type=click.Path(),
     metavar="PATH",
     help="A folder: one file a frame. A name ending in .svg: one animated SVG; in .gif, .webp or .apng: an animation "
     "of pixels; in .png: a contact sheet of all frames. -: an animated SVG on standard output.  "
@@ -144,13 +155,18 @@ def shapeblend() -> None:
 @click.option(
     "--repeat",
     type=RepeatType(),
+    metavar="N|forever|pingpong",
     default="forever",
     show_default=True,
     help="How often an animation runs; pingpong: there and back.",
 )
 @picture_options
 @click.option(
-    "--report", "report_file", metavar="FILE", help="Write what was found as JSON; - for standard output."
+    "--report",
+    "report_file",
+    type=click.Path(),
+    metavar="FILE",
+    help="Write what was found as JSON; - for standard output.",
 )
 @click.option("-q", "--quiet", is_flag=True, help="Only errors.")
 @click.option("-v", "--verbose", is_flag=True, help="Say what was done, and how long it took.")
@@ -238,7 +254,7 @@ def blend(
 
 
 @shapeblend.command()
-@click.argument("file", metavar="FILE")
+@click.argument("file", type=click.Path(), metavar="FILE")
 @click.option(
     "--select", type=SELECTOR, help="Which shapes: #id, or a CSS selector.  [default: all painted ones]"
 )
@@ -263,10 +279,12 @@ def inspect(file: str, select: str | None, lenient: bool, as_json: bool) -> None
     show(found)
 
 
-@shapeblend.command()
+@shapeblend.command(cls=SectionedCommand, sections=PLOT_SECTIONS)
 @click.argument("kind", type=click.Choice(list(KINDS)), metavar="KIND")
-@click.argument("files", nargs=-1, required=True, metavar="A.svg B.svg")
-@click.option("-o", "--output", metavar="FILE", help="- for standard output.  [default: KIND.svg]")
+@click.argument("files", type=click.Path(), nargs=-1, required=True, metavar="A.svg B.svg")
+@click.option(
+    "-o", "--output", type=click.Path(), metavar="FILE", help="- for standard output.  [default: KIND.svg]"
+)
 @click.option("-f", "--force", is_flag=True, help="Replace an existing file.")
 @click.option(
     "--contour",
@@ -277,6 +295,7 @@ def inspect(file: str, select: str | None, lenient: bool, as_json: bool) -> None
 @click.option(
     "--dot",
     type=START,
+    metavar="I,J",
     help="Vertices of A and B that correspond: of angle; of starts only I counts.  [default: most bending work; 0]",
 )
 @matching_options
@@ -319,6 +338,23 @@ def plot(
     )
     with Progress(quiet) as progress:
         plot_files(wanted, _nothing if quiet else _note, progress.show)
+
+
+@shapeblend.command()
+@click.argument("shell", type=click.Choice(["bash", "zsh", "fish"]))
+def completion(shell: str) -> None:
+    """Print what makes a shell complete this command.
+
+    \b
+    bash, in ~/.bashrc:                         eval "$(shapeblend completion bash)"
+    zsh, in ~/.zshrc:                           eval "$(shapeblend completion zsh)"
+    fish, in ~/.config/fish/config.fish:        shapeblend completion fish | source
+    """  # noqa: D301  # click knows \\b
+    from click.shell_completion import get_completion_class
+
+    script = get_completion_class(shell)
+    assert script is not None
+    click.echo(script(shapeblend, {}, "shapeblend", "_SHAPEBLEND_COMPLETE").source())
 
 
 def _note(text: str) -> None:

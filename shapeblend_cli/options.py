@@ -72,6 +72,7 @@ MATCHING = (
     click.option(
         "--start",
         type=START,
+        metavar="auto|I,J",
         default="auto",
         show_default=True,
         help="Starting correspondence: proven best over all, or vertex I of A with vertex J of B.",
@@ -80,6 +81,7 @@ MATCHING = (
         "--pin",
         "pins",
         type=PinType(),
+        metavar="I,J|x,y:x,y",
         multiple=True,
         help="Vertices that must correspond, by number, or the nearest to a point of A and a point of B. Repeatable.",
     ),
@@ -94,6 +96,7 @@ MATCHING = (
     click.option(
         "--stiff",
         type=StiffType(),
+        metavar="x,y,r=W",
         multiple=True,
         help="Make A's wire W times as stiff within r of a point. Repeatable.",
     ),
@@ -121,6 +124,7 @@ MATCHING = (
     click.option(
         "--band",
         type=BandType(),
+        metavar="DD|none",
         help="Diagonal deviation a path may have from its start (section 5.2), 0 to 1.  [default: none]",
     ),
     click.option(

@@ -1,0 +1,83 @@
+"""The help, and what a shell is told to complete a command line with."""
+
+import os
+import subprocess
+import sys
+from collections import Counter
+
+import click
+import pytest
+
+from shapeblend_cli.cli import EXAMPLES, run, shapeblend
+from shapeblend_cli.commands import SectionedCommand
+
+SECTIONED = {
+    name: command for name, command in shapeblend.commands.items() if isinstance(command, SectionedCommand)
+}
+OTHERS = {"quiet", "verbose"}
+
+
+@pytest.mark.parametrize("name", SECTIONED)
+def test_every_option_stands_in_one_section(name):
+    command = SECTIONED[name]
+    told = Counter(option for options in command.sections.values() for option in options)
+    options = {param.name for param in command.params if isinstance(param, click.Option)}
+    assert set(told.values()) == {1}
+    assert options - set(told) <= OTHERS
+    assert set(told) <= options
+
+
+def test_the_help_says_every_option_once(capsys):
+    assert run(["--help"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    said = Counter(line.split()[0].strip(",") for line in lines if line.startswith("  -"))
+    assert said["--motion"] == said["--ks"] == said["--output"] + said["-o"] == said["-h"] == 1
+    assert max(said.values()) == 1
+    assert "Examples:" in lines
+
+
+@pytest.mark.parametrize("line", [line for line, _ in EXAMPLES])
+def test_the_examples_work(line, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name in ("a.svg", "b.svg", "c.svg"):
+        svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M0 0H{len(name)}L1 7Z"/></svg>'
+        (tmp_path / name).write_text(svg, encoding="utf-8")
+    assert run(line.split()[1:]) == 0
+
+
+def completions(line):
+    """What bash is offered for the last word of a line."""
+    words = line.split(" ")
+    environment = os.environ | {
+        "_SHAPEBLEND_COMPLETE": "bash_complete",
+        "COMP_WORDS": line,
+        "COMP_CWORD": str(len(words) - 1),
+    }
+    command = [sys.executable, "-c", "from shapeblend_cli.cli import run; run([])"]
+    return subprocess.run(command, env=environment, capture_output=True, text=True).stdout.split()
+
+
+@pytest.mark.parametrize(
+    ("line", "offered"),
+    [
+        ("shapeblend ins", ["plain,inspect", "file,ins"]),
+        ("shapeblend --mot", ["plain,--motion"]),
+        ("shapeblend a.svg b", ["file,b"]),
+        (
+            "shapeblend a.svg b.svg --motion ",
+            [f"plain,{m}" for m in "auto linear rigid intrinsic safe".split()],
+        ),
+        ("shapeblend plot ", [f"plain,{kind}" for kind in "graph surface angle starts".split()]),
+        ("shapeblend plot graph a", ["file,a"]),
+        ("shapeblend inspect a", ["file,a"]),
+        ("shapeblend a.svg b.svg -o m", ["file,m"]),
+    ],
+)
+def test_a_shell_completes(line, offered):
+    assert completions(line) == offered
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_scripts_for_shells(shell, capsys):
+    assert run(["completion", shell]) == 0
+    assert "_SHAPEBLEND_COMPLETE" in capsys.readouterr().out
