@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from shapeblend_cli import __version__
-from shapeblend_cli.commands import DefaultGroup, SectionedCommand
+from shapeblend_cli.commands import TYPED, DefaultGroup, SectionedCommand
 from shapeblend_cli.emit.forms import FORMS, FRAME_KINDS, STANDARD_OUTPUT, kind_of, problem
 from shapeblend_cli.errors import ShapeblendError
 from shapeblend_cli.options import (
@@ -26,7 +26,7 @@ from shapeblend_cli.options import (
     picture_options,
     selections,
 )
-from shapeblend_cli.parameters import SELECTOR, START, EaseType, RepeatType
+from shapeblend_cli.parameters import SELECTOR, START, EaseType, PageType, RepeatType
 from shapeblend_cli.plot.kinds import DOTTED, KINDS
 from shapeblend_cli.progress import Progress
 
@@ -168,6 +168,13 @@ def shapeblend() -> None:
     metavar="FILE",
     help="Write what was found as JSON; - for standard output.",
 )
+@click.option(
+    "--preview",
+    "preview_file",
+    type=PageType(),
+    metavar="FILE.html",
+    help="Write a page that shows the blend, its correspondence and its graph, for any browser.",
+)
 @click.option("-q", "--quiet", is_flag=True, help="Only errors.")
 @click.option("-v", "--verbose", is_flag=True, help="Say what was done, and how long it took.")
 def blend(
@@ -190,6 +197,7 @@ def blend(
     fps: int | None,
     background: str | None,
     report_file: str | None,
+    preview_file: str | None,
     quiet: bool,
     verbose: bool,
     **matching: Any,
@@ -230,6 +238,7 @@ def blend(
         "format": kind if kind in FRAME_KINDS else None,
         **choice._asdict(),
         "report": report_file,
+        "preview": preview_file,
     }
 
     from shapeblend_cli.files import Job, blend_files
@@ -241,6 +250,8 @@ def blend(
         output=output,
         force=force,
         report_file=report_file,
+        preview_file=preview_file,
+        typed=("shapeblend", *_typed()),
         reported_settings=settings,
         select=selections(matching, len(files)),
         lenient=matching["lenient"],
@@ -355,6 +366,12 @@ def completion(shell: str) -> None:
     script = get_completion_class(shell)
     assert script is not None
     click.echo(script(shapeblend, {}, "shapeblend", "_SHAPEBLEND_COMPLETE").source())
+
+
+def _typed() -> list[str]:
+    """The arguments of a blend as they were typed."""
+    arguments: list[str] = click.get_current_context().meta[TYPED]
+    return arguments[1:]
 
 
 def _note(text: str) -> None:

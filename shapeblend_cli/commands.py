@@ -11,6 +11,9 @@ if TYPE_CHECKING:
 
     from click.shell_completion import CompletionItem
 
+TYPED = "shapeblend_cli.typed"
+"""Where a context has the arguments as they were typed, the name of the default command put in front."""
+
 NAMES = 30
 """Characters for the names of options, the same in every section."""
 
@@ -63,6 +66,7 @@ class DefaultGroup(click.Group):
         first_word = ctx.resilient_parsing and not args  # a shell asks how it may go on
         if not first_word and (not args or args[0] not in (*self.commands, "-h", "--help", "--version")):
             args = [self.default, *args]
+        ctx.meta[TYPED] = args
         return super().parse_args(ctx, args)
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:

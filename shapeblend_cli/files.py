@@ -44,7 +44,9 @@ class Job(NamedTuple):
         A folder, the name of a file, or ``-``.
     force : bool
         Replace existing files.
-    report_file : str or None
+    report_file, preview_file : str or None
+    typed : tuple of str
+        The command line.
     blend : BlendSettings
     reported_settings : dict
         Every option's value in force, for the report.
@@ -59,6 +61,8 @@ class Job(NamedTuple):
     output: str
     force: bool
     report_file: str | None
+    preview_file: str | None
+    typed: tuple[str, ...]
     blend: BlendSettings
     reported_settings: dict[str, Any]
     select: tuple[str | None, ...]
@@ -100,22 +104,28 @@ def blend_files(
         With one line that names the file, what was found and what would work.
     """
     clock = Clock()
+    said: list[str] = []
+
+    def tell(note: str) -> None:
+        said.append(note)
+        say(note)
+
     if not COMPILED:
-        say(SLOW)
+        tell(SLOW)
     if job.wanted.kind in PICTURES:
         with _named(job.output):
             check_libraries(job.wanted.kind)
     paths = _targets(job)
     check_targets(paths, [Path(file) for file in job.files if file != STANDARD_INPUT], job.force)
 
-    pairs = match_files(job.files, job.select, job.lenient, job.blend, clock, say, watch)
+    pairs = match_files(job.files, job.select, job.lenient, job.blend, clock, tell, watch)
     frames = make_frames(pairs, job.blend)
     clock.lap("interpolate")
 
     with _named(job.output):
         products, notes = produced(job.wanted, pairs, frames, job.blend)
     for note in notes:
-        say(note)
+        tell(note)
     contents: dict[Path, str | bytes] = {}
     standard_output: str | bytes = ""
     if job.output == STANDARD_OUTPUT:
@@ -123,15 +133,19 @@ def blend_files(
     else:
         contents.update(zip(job.targets(), products, strict=True))
     names = _frame_files(job)
-    if job.report_file is not None:
-        import json  # most runs write no report
-
+    if job.report_file is not None or job.preview_file is not None:
         found = report(__version__, job.files, job.reported_settings, pairs, frames, names, clock.seconds)
-        text = json.dumps(found, allow_nan=False) + "\n"
-        if job.report_file == STANDARD_OUTPUT:
-            standard_output = text
-        else:
-            contents[Path(job.report_file)] = text
+        if job.report_file is not None:
+            import json  # most runs write no report
+
+            text = json.dumps(found, allow_nan=False) + "\n"
+            if job.report_file == STANDARD_OUTPUT:
+                standard_output = text
+            else:
+                contents[Path(job.report_file)] = text
+        if job.preview_file is not None:
+            contents[Path(job.preview_file)] = _preview(job, found, pairs, said)
+            clock.lap("preview")
     write_files(contents)
     print_text(standard_output)
     stale = _stale(job.output, names)
@@ -190,13 +204,24 @@ def _stale(folder: str, names: Sequence[str | None]) -> set[str]:
     return {path.name for kind in kinds for path in Path(folder).glob(f"frame-*.{kind}")} - {*names}
 
 
+def _preview(job: Job, found: dict[str, Any], pairs: Sequence[Pair], notes: Sequence[str]) -> str:
+    """The page that shows a run."""
+    from shapeblend_cli.preview.page import preview  # most runs write none
+
+    ends = make_frames(pairs, job.blend._replace(frames=0, ends=True))
+    return preview(found, pairs, ends, job.blend, job.wanted.timing, job.typed, notes)
+
+
 def _targets(job: Job) -> list[Path]:
     """Every file the job will write."""
     targets = job.targets()
     if job.report_file not in (None, STANDARD_OUTPUT):
         targets.append(Path(str(job.report_file)))
-    if len(set(targets)) < len(targets):
-        raise OutputError(str(job.report_file), "is named for two different outputs; another name would work")
+    if job.preview_file is not None:
+        targets.append(Path(job.preview_file))
+    twice = [target for k, target in enumerate(targets) if target in targets[:k]]
+    if twice:
+        raise OutputError(str(twice[0]), "is named for two different outputs; another name would work")
     return targets
 
 

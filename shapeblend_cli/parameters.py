@@ -60,6 +60,18 @@ class PinType(click.ParamType[Any]):
         return START.convert(value, param, ctx)
 
 
+class PageType(click.ParamType[str]):
+    """The name of an HTML file."""
+
+    name = "FILE.html"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """Refuse what no browser would take for a page."""
+        if not value.lower().endswith((".html", ".htm")):
+            self.fail(f"{value!r} is no file name of a page; one that ends in .html would work.", param, ctx)
+        return str(value)
+
+
 class EaseType(click.ParamType[Any]):
     """A CSS name of an easing, or ``cubic-bezier(x1,y1,x2,y2)``."""
 

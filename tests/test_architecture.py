@@ -40,6 +40,7 @@ ROOMS = {
         "svg",
         "emit",
         "report",
+        "preview",
         "output",
         "match",
         "model",
@@ -47,6 +48,7 @@ ROOMS = {
         "settings",
         "__init__",
     },
+    "preview": {"geometry", "interpolate", "match", "model", "pairing", "report", "settings", "svg"},
     "plot": {
         "files",
         "output",

@@ -1,0 +1,583 @@
+// The page itself: what is shown, and what users do.
+
+const data = JSON.parse(at("data").textContent);
+const letterOf = (k) => (k < 26 ? String.fromCharCode(65 + k) : `drawing ${k + 1}`);
+
+// ---- state
+
+const { at: eased, timeOf } = easing(data.timing.ease);
+const prefersStill = matchMedia("(prefers-reduced-motion: reduce)");
+const state = {
+  from: 0, // what is shown: from this drawing
+  to: data.pairs.length, // to this one
+  now: 0, // the drawing that was left last, and the share of the way to the next
+  playing: false,
+  forwards: true,
+  speed: 1,
+  repeat: String(data.timing.repeat), // a number of runs, or forever, or pingpong
+  left: Infinity, // runs
+  contour: 0,
+  dot: null,
+  chosen: null, // { column, row, path, extra }
+};
+const pairOf = (now) => Math.min(Math.floor(now), state.to - 1);
+const scenes = [];
+let matching = null;
+let graph = null;
+let seen = { pair: -1 };
+
+const names = () => [letterOf(data.pairs[seen.pair].a), letterOf(data.pairs[seen.pair].b)];
+const contours = () => data.pairs[seen.pair].contours;
+
+// ---- the player
+
+function seek(now) {
+  state.now = Math.min(Math.max(now, state.from), state.to);
+  show();
+}
+
+function play(playing) {
+  if (playing && state.repeat !== "pingpong" && state.now >= state.to) state.now = state.from;
+  if (playing && !state.playing) {
+    state.left = Number(state.repeat) || Infinity;
+    before = null;
+    requestAnimationFrame(tick);
+  }
+  state.playing = playing;
+  at("play").setAttribute("aria-label", playing ? "Pause" : "Play");
+  at("play-icon").setAttribute("d", playing ? "M7 5h4v14H7zM13 5h4v14h-4z" : "M8 5l12 7-12 7z");
+}
+
+let before = null;
+
+function tick(time) {
+  if (!state.playing) return;
+  const passed = before === null ? 0 : Math.min((time - before) / 1000, 0.25);
+  before = time;
+  const pair = pairOf(state.now);
+  const way = (state.forwards ? 1 : -1) * (passed * state.speed) / data.timing.seconds;
+  let moved = pair + timeOf(state.now - pair) + way;
+  if (moved > state.to || moved < state.from) {
+    if (state.repeat === "pingpong") {
+      state.forwards = moved < state.from;
+      moved = state.forwards ? 2 * state.from - moved : 2 * state.to - moved;
+    } else if (--state.left > 0) {
+      moved = state.from + (moved - state.to) % (state.to - state.from);
+    } else {
+      moved = state.to;
+    }
+  }
+  moved = Math.min(Math.max(moved, state.from), state.to);
+  const next = pairOf(moved);
+  state.now = next + eased(moved - next);
+  show();
+  if (state.left === 0) play(false);
+  else requestAnimationFrame(tick);
+}
+
+function show() {
+  const pair = pairOf(state.now);
+  const t = state.now - pair;
+  if (pair !== seen.pair) enter(pair);
+  const scene = scenes[pair];
+  seen = { pair, t, points: scene.show(t) };
+  at("drawing").setAttribute("viewBox", scene.view(t).join(" "));
+  at("time").value = state.now;
+  const [a, b] = names();
+  at("clock").textContent = (data.pairs.length > 1 ? `${a} → ${b} ` : "") + t.toFixed(2);
+  at("time").setAttribute("aria-valuetext", `${t.toFixed(2)} of the way from ${a} to ${b}`);
+  overlay();
+}
+
+function enter(pair) {
+  seen = { pair };
+  state.chosen = null;
+  state.dot = null;
+  const order = data.pairs[pair].order;
+  at("contour").replaceChildren(
+    ...order.map((k) => {
+      const { a, b, counts, work } = contours()[k];
+      const solved = `${a} → ${b}: ${counts[0]} × ${counts[1]}, work ${figures(work, 3)}`;
+      const what = a === null ? `${b}: grows from a point` : b === null ? `${a}: shrinks to a point` : solved;
+      return made("option", { value: k }, what);
+    }),
+  );
+  at("contour-row").hidden = order.length < 2;
+  fillOnion();
+  choose(order[0]);
+}
+
+function scope(value) {
+  [state.from, state.to] = value === "all" ? [0, data.pairs.length] : [Number(value), Number(value) + 1];
+  at("time").min = state.from;
+  at("time").max = state.to;
+  strip();
+  seek(state.from);
+}
+
+function framesShown() {
+  return data.frames.filter(({ pair }) => pair >= state.from && pair < state.to);
+}
+
+function strip() {
+  const frames = framesShown();
+  const most = Math.max(...frames.map(({ area }) => area), Number.MIN_VALUE);
+  const bars = (some) =>
+    some
+      .map(({ pair, t, area }) => [(1000 * (pair + t - state.from)) / (state.to - state.from), -4 - (14 * area) / most])
+      .map(([x, height]) => `M${x} 20v${height}`)
+      .join("");
+  const crossed = frames.filter((frame) => frame.self_crossings);
+  at("whole").setAttribute("d", bars(frames.filter((frame) => !frame.self_crossings)));
+  at("crossed").setAttribute("d", bars(crossed));
+  at("strip").toggleAttribute("hidden", !frames.length);
+  at("strip-says").textContent = !frames.length
+    ? "No frames were asked for, so nothing is said of crossings and areas."
+    : `${counted(frames.length, "frame")}; a bar is its area. ` +
+      (crossed.length === 0
+        ? "None crosses itself."
+        : crossed.length === 1 ? "One of them crosses itself: the red one." : `${crossed.length} of them cross themselves: the red ones.`);
+}
+
+// ---- over the picture
+
+const MOST_SKINS = 40;
+
+function fillOnion() {
+  const group = at("onion");
+  group.replaceChildren();
+  if (!at("show-onion").checked) return;
+  const scene = scenes[seen.pair];
+  const frames = data.frames.filter(({ pair }) => pair === seen.pair);
+  const times = frames.length ? frames.map(({ t }) => t) : [0.25, 0.5, 0.75];
+  const step = Math.ceil(times.length / MOST_SKINS);
+  const all = [0, ...times.filter((_, k) => k % step === 0), 1];
+  for (const t of new Set(all)) {
+    group.append(drawn("path", { d: scene.outlines(t), stroke: mixed("#1f5fbf", "#c2410c", t) }));
+  }
+}
+
+const dotsText = (points) => points.map(([x, y]) => `M${x} ${y}h0`).join("");
+const lineText = (points) => `M${points.map(([x, y]) => `${x} ${y}`).join("L")}`;
+
+// What of the overlay does not move.
+function fillOverlay() {
+  const [points, paths] = [at("show-points").checked, at("show-paths").checked];
+  const parts = [];
+  if (paths) parts.push(drawn("path", { class: "paths", d: matching.ways.map(lineText).join("") }));
+  if (points) {
+    parts.push(drawn("path", { class: "points of-a", d: dotsText(matching.vertices_a) }));
+    parts.push(drawn("path", { class: "points of-b", d: dotsText(matching.vertices_b) }));
+    parts.push(drawn("path", { class: "points now" }));
+  }
+  if (state.dot !== null) {
+    const [a, b] = matching.ends[state.dot];
+    parts.push(drawn("path", { class: "halo", d: dotsText([a, b]) }));
+    parts.push(drawn("path", { class: "way", d: lineText(matching.ways[state.dot]) }));
+    parts.push(drawn("path", { class: "point of-a", d: dotsText([a]) }), drawn("path", { class: "point of-b", d: dotsText([b]) }));
+    parts.push(drawn("path", { class: "point now" }));
+  }
+  if (state.chosen) {
+    parts.push(drawn("path", { class: "through" }), drawn("path", { class: "through other" }));
+    const [a, b] = [matching.vertices_a[state.chosen.i], matching.vertices_b[state.chosen.j]];
+    parts.push(drawn("path", { class: "halo", d: dotsText([a, b]) }), drawn("path", { class: "way", d: lineText([a, b]) }));
+    parts.push(drawn("path", { class: "point of-a", d: dotsText([a]) }), drawn("path", { class: "point of-b", d: dotsText([b]) }));
+  }
+  at("overlay").replaceChildren(...parts);
+  at("dot-row").hidden = !points && !paths;
+  overlay();
+}
+
+// What moves.
+function overlay() {
+  const find = (selector) => at("overlay").querySelectorAll(selector);
+  const { t, points } = seen;
+  if (!points || !matching) return;
+  const moving = [...find(".points.now"), ...find(".point.now")];
+  if (moving.length) {
+    const now = matching.at(t, points[matching.contour.shape]);
+    find(".points.now").forEach((element) => element.setAttribute("d", dotsText(now)));
+    find(".point.now").forEach((element) => element.setAttribute("d", dotsText([now[state.dot]])));
+  }
+  if (state.chosen) {
+    // Eq (2) of the paper by the other path.
+    const text = lineText(
+      state.chosen.dots.map(([i, j]) => [0, 1].map((k) => (1 - t) * matching.vertices_a[i][k] + t * matching.vertices_b[j][k])),
+    ) + (matching.contour.closed ? "Z" : "");
+    find(".through").forEach((element) => element.setAttribute("d", text));
+  }
+}
+
+function pick(dot) {
+  state.dot = dot;
+  const says = at("dot-says");
+  if (dot === null) {
+    says.textContent = "Point at a dot, or move the slider, to see which vertex goes where.";
+  } else {
+    const [i, j] = matching.dots[dot];
+    const [a, b] = matching.ends[dot];
+    const [letterA, letterB] = names();
+    says.replaceChildren(
+      made("span", { class: "a-name" }, `${letterA} ${i}`), ` at ${place(a)} goes to `,
+      made("span", { class: "b-name" }, `${letterB} ${j}`), ` at ${place(b)}`,
+      made("span", { class: "quiet" }, ` · pair ${dot + 1} of ${matching.dots.length}`),
+    );
+    at("dot").value = dot;
+  }
+  changed();
+}
+
+function nearest(event) {
+  if (!at("show-points").checked && !at("show-paths").checked) return null;
+  const matrix = at("drawing").getScreenCTM();
+  const now = matching.at(seen.t, seen.points[matching.contour.shape]);
+  const reach = event.pointerType === "mouse" ? 12 : 28;
+  let [best, least] = [null, reach * reach];
+  matching.ends.forEach(([a, b], k) => {
+    for (const [x, y] of [a, b, now[k]]) {
+      const dx = matrix.a * x + matrix.e - event.clientX;
+      const dy = matrix.d * y + matrix.f - event.clientY;
+      const off = dx * dx + dy * dy;
+      if (off < least) [best, least] = [k, off];
+    }
+  });
+  return best;
+}
+
+// ---- the graph
+
+function more(extra, contour) {
+  if (extra < 1e-9 * (graph.landscape.unit || 1)) return "no more than the least";
+  const relative = contour.work > 0 ? ` (+${share(extra / contour.work)})` : "";
+  return `${figures(extra, 3)} more${relative}`;
+}
+
+function sayCell(cell) {
+  const shown = cell ?? (state.chosen ? [state.chosen.column, state.chosen.row] : null);
+  const says = at("cell");
+  if (!shown) {
+    says.textContent = graph.landscape ? "Click a dot of the graph to see the least path through it." : "";
+    return;
+  }
+  const [i, j] = graph.vertices(...shown);
+  const [a, b] = names();
+  const parts = [made("span", { class: "a-name" }, `${a} ${i}`), " with ", made("span", { class: "b-name" }, `${b} ${j}`)];
+  if (graph.landscape) {
+    const extra = graph.landscape.extra(...shown);
+    const contour = contours()[state.contour];
+    const costs = `: least work ${figures(contour.work + extra)}, ${more(extra, contour)}`;
+    parts.push(extra === null ? ": no path goes through this dot" : costs);
+  }
+  says.replaceChildren(...parts);
+}
+
+function through(cell) {
+  const { landscape } = graph;
+  if (!landscape || !cell) return;
+  const extra = landscape.extra(...cell);
+  sayCell(cell);
+  if (extra === null) return;
+  const path = landscape.path(...cell);
+  const open = contours()[state.contour].closed ? path.slice(0, -1) : path;
+  const [i, j] = graph.vertices(...cell);
+  state.chosen = { column: cell[0], row: cell[1], i, j, path, extra, dots: open.map((dot) => graph.vertices(...dot)) };
+  changed();
+}
+
+function back() {
+  if (!state.chosen) return;
+  state.chosen = null;
+  graph.cursor = null;
+  sayCell(null);
+  changed();
+}
+
+// What is picked or chosen has changed.
+function changed() {
+  at("back").hidden = at("other-key").hidden = !state.chosen;
+  fillOverlay();
+  if (graph) graph.show(state.dot, state.chosen);
+}
+
+function legend(landscape) {
+  at("legend").hidden = !landscape;
+  if (!landscape) return;
+  const canvas = at("ramp");
+  [canvas.width, canvas.height] = [256, 1];
+  const pen = canvas.getContext("2d");
+  for (let k = 0; k < 256; k++) {
+    pen.fillStyle = shade(k / 255, palette().ramp);
+    pen.fillRect(k, 0, 1, 1);
+  }
+  const relative = contours()[state.contour].work > 0;
+  const labels = [0, 0.01, 0.1, 1, 10, 100].map((extra) => {
+    const text = relative ? `+${100 * extra} %` : `+${figures(extra * landscape.unit, 2)}`;
+    const mark = made("span", {}, extra === 0 ? "least" : extra === LAST ? "more" : text);
+    mark.style.left = `${100 * height(extra)}%`;
+    return mark;
+  });
+  at("ticks").replaceChildren(...labels);
+}
+
+const ABSENT = {
+  large: (m, n) => `${m} × ${n} dots are too many for this page to hold what other paths cost: here is the path alone.`,
+  full: () => "The page holds what other paths cost for the largest contours only: here is the path alone.",
+};
+const help = (a, b) =>
+  `Columns are vertices of ${a}, rows vertices of ${b}, in the order of the wires; ` +
+  "a path from corner to corner is a correspondence. ";
+const HELP_HEAT = "The darker the dot, the less its best path costs more than the least. ";
+const HELP_HEAT_DARK = "The brighter the dot, the less its best path costs more than the least. ";
+const HELP_KEYS = "Wheel, pinch, + and − zoom, drag moves; arrow keys and Enter choose a dot.";
+
+async function choose(number) {
+  state.contour = number;
+  state.chosen = null;
+  state.dot = null;
+  at("contour").value = number;
+  const contour = contours()[number];
+  const pair = seen.pair;
+  matching = new Matching(scenes[pair], contour, scenes[pair].lists[number]);
+  at("dot").max = matching.dots.length - 1;
+  at("dot").value = 0;
+  graph = null;
+  showNumbers(contour);
+  const solved = contour.a !== null && contour.b !== null;
+  at("graph-present").hidden = !solved;
+  at("graph-absent").hidden = solved;
+  pick(null);
+  if (!solved) {
+    const [a, b] = names();
+    at("graph-absent").textContent = contour.a === null
+      ? `Contour ${contour.b} of ${b} has no partner and grows from a point: nothing was solved, so there is no graph.`
+      : `Contour ${contour.a} of ${a} has no partner and shrinks to a point: nothing was solved, so there is no graph.`;
+    return;
+  }
+  const [a, b] = names();
+  const drawing = new Graph(at("graph"), contour, matching.dots, { letters: [a, b], band: data.settings.band, pointed: sayCell });
+  graph = drawing;
+  const told = contour.graph;
+  at("graph").setAttribute("aria-label", `Graph of ${contour.counts[0]} vertices of ${a} and ${contour.counts[1]} of ${b}`);
+  describe();
+  sayCell(null);
+  graph.draw();
+  if (typeof told === "string") return;
+  contour.landscape ??= await Landscape.from(told);
+  if (graph !== drawing) return; // another contour was chosen meanwhile
+  graph.paint(contour.landscape);
+  describe();
+  sayCell(null);
+}
+
+function describe() {
+  const contour = contours()[state.contour];
+  const [a, b] = names();
+  const absent = typeof contour.graph === "string" ? `${ABSENT[contour.graph](...contour.counts)} ` : "";
+  const heat = absent ? absent : isDark() ? HELP_HEAT_DARK : HELP_HEAT;
+  at("graph-help").textContent = help(a, b) + heat + HELP_KEYS;
+  legend(graph && graph.landscape);
+}
+
+// ---- what users do
+
+function theme(dark) {
+  document.documentElement.dataset.theme = dark ? "dark" : "light";
+  repaint();
+}
+
+function repaint() {
+  at("theme").textContent = isDark() ? "Light" : "Dark";
+  at("theme").setAttribute("aria-label", isDark() ? "Change to light colours" : "Change to dark colours");
+  if (!graph) return;
+  describe();
+  graph.repaint();
+}
+
+function listen() {
+  at("play").addEventListener("click", () => play(!state.playing));
+  at("time").addEventListener("input", () => {
+    play(false);
+    seek(Number(at("time").value));
+  });
+  at("speed").addEventListener("change", () => (state.speed = Number(at("speed").value)));
+  at("repeat").addEventListener("change", () => {
+    state.repeat = at("repeat").value;
+    state.left = Number(state.repeat) || Infinity;
+    state.forwards = true;
+  });
+  at("scope").addEventListener("change", () => scope(at("scope").value));
+  at("contour").addEventListener("change", () => choose(Number(at("contour").value)));
+  at("show-onion").addEventListener("change", fillOnion);
+  for (const name of ["show-points", "show-paths"]) {
+    at(name).addEventListener("change", () => (at("show-points").checked || at("show-paths").checked ? fillOverlay() : pick(null)));
+  }
+  at("dot").addEventListener("input", () => pick(Number(at("dot").value)));
+  for (const kind of ["pointermove", "pointerdown"]) {
+    at("stage").addEventListener(kind, (event) => {
+      const dot = nearest(event);
+      if (dot !== null && dot !== state.dot) pick(dot);
+    });
+  }
+  at("theme").addEventListener("click", () => theme(!isDark()));
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", repaint);
+  at("back").addEventListener("click", back);
+  at("copy").addEventListener("click", async () => {
+    getSelection().selectAllChildren(at("command"));
+    try {
+      await navigator.clipboard.writeText(data.command.join(" "));
+    } catch {
+      document.execCommand("copy"); // where pages may not write to the clipboard by themselves
+    }
+    at("copy").textContent = "Copied";
+    setTimeout(() => (at("copy").textContent = "Copy"), 1500);
+  });
+  at("zoom-in").addEventListener("click", () => graph.zoomBy(1.6));
+  at("zoom-out").addEventListener("click", () => graph.zoomBy(1 / 1.6));
+  at("zoom-fit").addEventListener("click", () => graph.fit());
+  new ResizeObserver(() => graph && graph.draw()).observe(at("graph"));
+  listenToGraph(at("graph"));
+  addEventListener("keydown", key);
+}
+
+function listenToGraph(canvas) {
+  const fingers = new Map();
+  let moved = 0;
+  canvas.addEventListener("pointerdown", (event) => {
+    canvas.setPointerCapture(event.pointerId);
+    if (!fingers.size) moved = 0;
+    fingers.set(event.pointerId, event);
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    const last = fingers.get(event.pointerId);
+    if (!last) {
+      graph.point(graph.cellAt(event.clientX, event.clientY));
+      return;
+    }
+    const [dx, dy] = [event.clientX - last.clientX, event.clientY - last.clientY];
+    moved += Math.hypot(dx, dy);
+    const apart = () => {
+      const [p, q] = [...fingers.values()];
+      const middle = [(p.clientX + q.clientX) / 2, (p.clientY + q.clientY) / 2];
+      return { far: Math.hypot(p.clientX - q.clientX, p.clientY - q.clientY), middle };
+    };
+    const was = fingers.size === 2 ? apart() : null;
+    fingers.set(event.pointerId, event);
+    if (was) {
+      moved = Infinity;
+      const now = apart();
+      graph.zoomBy(now.far / Math.max(was.far, 1), ...now.middle);
+      graph.pan(now.middle[0] - was.middle[0], now.middle[1] - was.middle[1]);
+    } else if (graph.zoom > 1 && moved > 5) {
+      graph.pan(dx, dy);
+    }
+  });
+  canvas.addEventListener("pointerup", (event) => {
+    fingers.delete(event.pointerId);
+    if (moved > 5) return;
+    const cell = graph.cellAt(event.clientX, event.clientY);
+    through(cell);
+  });
+  canvas.addEventListener("pointercancel", (event) => {
+    fingers.delete(event.pointerId);
+    moved = Infinity;
+  });
+  canvas.addEventListener("pointerleave", () => graph && graph.point(null));
+  canvas.addEventListener("blur", () => graph && graph.point(null));
+  canvas.addEventListener("wheel", (event) => {
+    if (event.deltaY > 0 && graph.zoom === 1) return; // all is shown: the page scrolls
+    event.preventDefault();
+    graph.zoomBy(Math.exp(-event.deltaY / 400), event.clientX, event.clientY);
+  }, { passive: false });
+  canvas.addEventListener("keydown", (event) => {
+    const far = event.shiftKey ? 10 : 1;
+    const moves = { ArrowLeft: [-far, 0], ArrowRight: [far, 0], ArrowUp: [0, -far], ArrowDown: [0, far] };
+    const acts = {
+      "+": () => graph.zoomBy(1.6),
+      "=": () => graph.zoomBy(1.6), // the same key without shift
+      "-": () => graph.zoomBy(1 / 1.6),
+      0: () => graph.fit(),
+      Enter: () => through(graph.cursor),
+    };
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (moves[event.key]) graph.step(...moves[event.key]);
+    else if (acts[event.key]) acts[event.key]();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  });
+}
+
+const STEP = 0.02;
+
+// The time of the frame or drawing before, or after, what is shown.
+function neighbour(forwards) {
+  const times = framesShown().map(({ pair, t }) => pair + t);
+  for (let k = state.from; k <= state.to; k++) times.push(k);
+  times.sort((p, q) => p - q);
+  const beyond = forwards ? times.find((t) => t > state.now + 1e-9) : times.findLast((t) => t < state.now - 1e-9);
+  return beyond ?? state.now;
+}
+
+function key(event) {
+  const tag = event.target.tagName;
+  if (event.ctrlKey || event.metaKey || event.altKey || tag === "SELECT" || event.target.id === "dot") {
+    if (event.key !== "Escape") return;
+  }
+  const move = (now) => {
+    play(false);
+    seek(now);
+  };
+  const round = (now) => Math.round(now / STEP) * STEP;
+  const acts = {
+    Escape: back,
+    ArrowLeft: () => move(event.shiftKey ? neighbour(false) : round(state.now - STEP)),
+    ArrowRight: () => move(event.shiftKey ? neighbour(true) : round(state.now + STEP)),
+    Home: () => move(state.from),
+    End: () => move(state.to),
+  };
+  const clicks = tag === "BUTTON" || tag === "SUMMARY" || event.target.type === "checkbox";
+  if (!clicks) acts[" "] = () => play(!state.playing);
+  if (!acts[event.key]) return;
+  acts[event.key]();
+  event.preventDefault();
+}
+
+// ---- beginning
+
+async function begin() {
+  for (const [k, pair] of data.pairs.entries()) {
+    scenes[k] = new Scene(JSON.parse(new TextDecoder().decode(await unpacked(pair.packed))), pair.views, data.decimals);
+  }
+  at("scope").append(made("option", { value: "all" }, "all, one after the other"));
+  data.pairs.forEach(({ a, b }, k) => {
+    const name = `${letterOf(a)} → ${letterOf(b)}: ${data.names[a]} to ${data.names[b]}`;
+    at("scope").append(made("option", { value: k }, name));
+  });
+  at("scope-row").hidden = data.pairs.length < 2;
+  for (const speed of [0.25, 0.5, 1, 2, 4]) at("speed").append(made("option", { value: speed }, `${speed} ×`));
+  at("speed").value = 1;
+  const repeats = new Map([["1", "once"], ["forever", "forever"], ["pingpong", "ping-pong"]]);
+  if (!repeats.has(state.repeat)) repeats.set(state.repeat, `${state.repeat} times`);
+  for (const [value, name] of repeats) at("repeat").append(made("option", { value }, name));
+  at("repeat").value = state.repeat;
+  showRun(data);
+  listFrames(data, (pair, t) => {
+    play(false);
+    if (pair < state.from || pair >= state.to) {
+      at("scope").value = "all";
+      scope("all");
+    }
+    seek(pair + t);
+  });
+  repaint();
+  play(false);
+  listen();
+  scope("all");
+  document.documentElement.dataset.ready = "yes";
+  if (!prefersStill.matches) play(true);
+}
+
+begin().catch((error) => {
+  at("broken").textContent = `This page could not be shown: ${error.message}. A browser of 2024 or later would show it.`;
+  at("broken").hidden = false;
+});

@@ -1,0 +1,176 @@
+// What is drawn: shapes that move, the drawings at the ends of time, and the correspondence over them.
+
+class MovingShape {
+  constructor({ outlines, times, points, coats }, scale) {
+    this.times = times;
+    this.coats = coats;
+    let row = new Array(points[0].length).fill(0);
+    this.keys = points.map((steps) => {
+      row = row.map((value, k) => value + steps[k]);
+      const found = new Float64Array(row.length);
+      for (let k = 0; k < row.length; k++) found[k] = row[k] / scale + (k < 2 ? 0 : found[k - 2]);
+      return found;
+    });
+    let offset = 0;
+    this.outlines = outlines.map(({ closed, lines }) => {
+      const outline = { closed, lines, start: offset, ends: [] };
+      offset += 2;
+      for (const kind of lines) {
+        outline.ends.push(offset);
+        offset += kind === "L" ? 2 : 6;
+      }
+      return outline;
+    });
+  }
+
+  at(t) {
+    const { times, keys } = this;
+    let k = 0;
+    while (k < times.length - 2 && t > times[k + 1]) k++;
+    const u = (t - times[k]) / (times[k + 1] - times[k]);
+    const [first, second] = [keys[k], keys[k + 1]];
+    return first.map((value, n) => (1 - u) * value + u * second[n]);
+  }
+
+  path(points, digits) {
+    const text = [];
+    const point = (k) => `${Number(points[k].toFixed(digits))},${Number(points[k + 1].toFixed(digits))}`;
+    for (const { closed, lines, start, ends } of this.outlines) {
+      text.push(`M${point(start)}`);
+      const last = closed && lines.endsWith("L") ? lines.length - 1 : lines.length; // Z draws it
+      for (let n = 0; n < last; n++) {
+        const k = ends[n];
+        text.push(lines[n] === "L" ? `L${point(k)}` : `C${point(k)} ${point(k + 2)} ${point(k + 4)}`);
+      }
+      if (closed) text.push("Z");
+    }
+    return text.join("");
+  }
+
+  // Where on an outline a place is: the number of a segment and its parameter.
+  spot(points, number, along) {
+    const { start, lines, ends } = this.outlines[number];
+    const n = Math.min(Math.floor(along), lines.length - 1);
+    const u = along - n;
+    const from = n ? ends[n - 1] + (lines[n - 1] === "L" ? 0 : 4) : start;
+    const k = ends[n];
+    return [0, 1].map((axis) => {
+      if (lines[n] === "L") return (1 - u) * points[from + axis] + u * points[k + axis];
+      const v = 1 - u;
+      return (
+        v * v * v * points[from + axis] + 3 * v * v * u * points[k + axis] +
+        3 * v * u * u * points[k + 2 + axis] + u * u * u * points[k + 4 + axis]
+      );
+    });
+  }
+}
+
+let gradients = 0;
+
+function gradientOf({ tag, attributes, stops }) {
+  const element = drawn(tag, { id: `gradient-${++gradients}`, ...attributes });
+  for (const stop of stops) element.append(drawn("stop", stop));
+  at("gradients").append(element);
+  return element;
+}
+
+function still(paths) {
+  const group = drawn("g");
+  for (const { path, ...paints } of paths) {
+    const element = drawn("path", path);
+    for (const [name, gradient] of Object.entries(paints)) element.setAttribute(name, `url(#${gradientOf(gradient).id})`);
+    group.append(element);
+  }
+  return group;
+}
+
+// A path for each coat of a shape. `update` draws it at a time.
+function painted(shape, digits) {
+  const changes = [];
+  const vary = (target, name, values) => {
+    target.setAttribute(name, values[0]);
+    if (values.length > 1) changes.push((t) => target.setAttribute(name, mixed(...sampled(values, t))));
+  };
+  const elements = shape.coats.map(({ path, ...paints }) => {
+    const element = drawn("path");
+    // Where there is a gradient, the plain colour that stands for it is not painted.
+    for (const [name, values] of Object.entries(path)) if (!(name in paints)) vary(element, name, values);
+    for (const [name, values] of Object.entries(paints)) {
+      const gradient = gradientOf(values[0]);
+      element.setAttribute(name, `url(#${gradient.id})`);
+      const keys = new Set(values.flatMap(({ attributes }) => Object.keys(attributes)));
+      for (const key of keys) vary(gradient, key, values.map(({ attributes }) => attributes[key] ?? "pad"));
+      [...gradient.children].forEach((stop, k) => {
+        for (const key of Object.keys(values[0].stops[k])) vary(stop, key, values.map(({ stops }) => stops[k][key]));
+      });
+    }
+    return element;
+  });
+  return {
+    elements,
+    update(t, points) {
+      const text = shape.path(points, digits);
+      for (const element of elements) element.setAttribute("d", text);
+      for (const change of changes) change(t);
+    },
+  };
+}
+
+class Scene {
+  constructor({ shapes, ends, lists }, views, decimals) {
+    Object.assign(this, { views, lists, decimals });
+    this.shapes = shapes.map((shape) => new MovingShape(shape, 10 ** decimals));
+    this.paints = this.shapes.map((shape) => painted(shape, decimals + 1));
+    this.between = drawn("g");
+    this.between.append(...this.paints.flatMap(({ elements }) => elements));
+    this.ends = ends.map(still);
+  }
+
+  view(t) {
+    return this.views[0].map((start, k) => (1 - t) * start + t * this.views[1][k]);
+  }
+
+  // At the ends of time the drawings themselves.
+  show(t) {
+    const points = this.shapes.map((shape) => shape.at(t));
+    const group = t === 0 ? this.ends[0] : t === 1 ? this.ends[1] : this.between;
+    if (group === this.between) this.paints.forEach((paint, k) => paint.update(t, points[k]));
+    if (at("picture").firstChild !== group) at("picture").replaceChildren(group);
+    return points;
+  }
+
+  outlines(t) {
+    return this.shapes.map((shape) => shape.path(shape.at(t), this.decimals)).join("");
+  }
+}
+
+class Matching {
+  constructor(scene, contour, lists) {
+    Object.assign(this, { contour, ...lists });
+    const shape = scene.shapes[contour.shape];
+    this.shape = shape;
+    this.spots = (points) => this.places.map((along) => shape.spot(points, contour.outline, along));
+    this.ends = this.dots.map(([i, j]) => [this.vertices_a[i], this.vertices_b[j]]);
+    // Outlines are cut where both have nodes, not at these vertices: what is off at the ends fades out.
+    const [first, last] = [shape.keys[0], shape.keys[shape.keys.length - 1]].map(this.spots);
+    this.off = this.ends.map(([a, b], k) => [
+      [a[0] - first[k][0], a[1] - first[k][1]],
+      [b[0] - last[k][0], b[1] - last[k][1]],
+    ]);
+  }
+
+  at(t, points) {
+    return this.spots(points).map(([x, y], k) => {
+      const [start, end] = this.off[k];
+      return [x + (1 - t) * start[0] + t * end[0], y + (1 - t) * start[1] + t * end[1]];
+    });
+  }
+
+  // The way of each dot.
+  get ways() {
+    const steps = this.shape.times.map((t, k) => this.at(t, this.shape.keys[k]));
+    const ways = this.dots.map((_, k) => steps.map((points) => points[k]));
+    Object.defineProperty(this, "ways", { value: ways });
+    return ways;
+  }
+}
