@@ -96,6 +96,9 @@ def test_wheel_carries_the_package_only_with_the_source_of_its_kernels(wheel):
     modules = {path.relative_to(ROOT).as_posix() for path in (ROOT / "shapeblend_cli").rglob("*.py")}
     assert modules == {name for name in names if name.endswith(".py")}
     assert set(KERNELS) <= modules
+    page = {p for p in (ROOT / "shapeblend_cli/preview").iterdir() if p.suffix in (".html", ".css", ".js")}
+    assert {path.relative_to(ROOT).as_posix() for path in page} <= set(names)
+    assert {path.suffix for path in page} == {".html", ".css", ".js"}
 
 
 def test_pure_build_fits_every_platform(source, tmp_path):
@@ -143,6 +146,7 @@ def test_a_blend_imports_nothing_heavy_that_it_does_not_need(samples, tmp_path):
     assert "numpy" in imported
     # numpy.ma comes with the first call of numpy.unique and its kin.
     assert imported & {"scipy", "numpy.ma", "rich", "lap", "json", "difflib", "PIL", "resvg_py"} == set()
+    assert [name for name in imported if name.startswith("shapeblend_cli.preview")] == []
 
 
 @pytest.mark.parametrize("name", MODULES)

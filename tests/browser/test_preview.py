@@ -1,0 +1,499 @@
+"""The page of `--preview` in a real browser, used by mouse, by finger and by keyboard."""
+
+import itertools
+import re
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.cli import run
+from shapeblend_cli.match.landscape import landscape
+from shapeblend_cli.pairing.join import solved_wires
+from shapeblend_cli.pipeline import blend
+from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.svg.read import read
+from tests.browser.test_animation import CHROMIUM
+from tests.support.drawings import BAR, EIGHT, EYED, LEAF, SQUARES, B, svg
+
+pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium here: apt-get install chromium")
+
+VERTICES = 40
+EVENODD = 'fill-rule="evenodd" fill="{}"'
+COLOURS = ("#804000", "#206080", "#308030")
+DRAWINGS = {
+    "one": [LEAF, BAR],
+    "several": [EYED, LEAF],
+    "more": [BAR, SQUARES],
+    "three": [B, EIGHT, LEAF],
+    "large": [LEAF, BAR],
+}
+OPTIONS = {"large": ["--vertices", "420", "--repeat", "3", "-n", "0"]}
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory):
+    """Pages by name, and the drawings they are of."""
+    folder = tmp_path_factory.mktemp("pages")
+    found = {}
+    for name, paths in DRAWINGS.items():
+        files = [folder / f"{name}-{letter}.svg" for letter in "abc"[: len(paths)]]
+        for file, path, colour in zip(files, paths, COLOURS, strict=False):
+            file.write_text(svg(path, attributes=EVENODD.format(colour)))
+        page = folder / f"{name}.html"
+        arguments = [*map(str, files), "-n", "3", "-o", str(folder / name), "--vertices", str(VERTICES), "-q"]
+        arguments += OPTIONS.get(name, [])
+        assert run([*arguments, "--motion", "linear", "--preview", str(page)]) == 0
+        found[name] = (page, files)
+    return found
+
+
+@pytest.fixture(scope="module")
+def browser():
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        started = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
+        yield started
+        started.close()
+
+
+@pytest.fixture
+def opened(browser, pages):
+    """Open a page. Nothing may go wrong in it, and nothing may be fetched, as long as the test runs."""
+    contexts, wrong, asked = [], [], []
+
+    def open_(name, *, moving=False, width=1280, height=900, scheme="light", touch=False):
+        context = browser.new_context(
+            viewport={"width": width, "height": height},
+            color_scheme=scheme,
+            reduced_motion="no-preference" if moving else "reduce",
+            has_touch=touch,
+        )
+        contexts.append(context)
+        page = context.new_page()
+        page.on("console", lambda message: wrong.append(f"{message.type}: {message.text}"))
+        page.on("pageerror", lambda error: wrong.append(str(error)))
+        page.on("request", lambda request: asked.append(request.url))
+        address = pages[name][0].as_uri()
+        page.goto(address)
+        page.wait_for_selector("html[data-ready]")
+        return page
+
+    yield open_
+    addresses = {path.as_uri() for path, _ in pages.values()}
+    assert [url for url in asked if url not in addresses and not url.startswith("data:,")] == []
+    for context in contexts:
+        context.close()
+    assert wrong == []
+
+
+def time_of(page):
+    return float(page.input_value("#time"))
+
+
+def shape(page):
+    return page.get_attribute("#picture path", "d")
+
+
+def seek(page, time):
+    page.evaluate(
+        "time => { const e = document.getElementById('time'); e.value = time; e.dispatchEvent(new Event('input')) }",
+        time,
+    )
+
+
+def numbers(text):
+    return np.array([float(v) for v in re.findall(r"-?[\d.]+(?:e-?\d+)?", text)])
+
+
+def test_it_plays_by_itself_and_stops_on_request(opened):
+    page = opened("one", moving=True)
+    first = shape(page)
+    page.wait_for_function(
+        "before => document.querySelector('#picture path').getAttribute('d') !== before", arg=first
+    )
+    assert page.get_attribute("#play", "aria-label") == "Pause"
+    page.click("#play")
+    assert page.get_attribute("#play", "aria-label") == "Play"
+    still, time = shape(page), time_of(page)
+    page.wait_for_timeout(120)
+    assert (shape(page), time_of(page)) == (still, time)
+    page.locator("body").press(" ")
+    page.wait_for_function("before => Number(document.getElementById('time').value) !== before", arg=time)
+
+
+def test_it_does_not_start_for_who_prefers_reduced_motion(opened):
+    page = opened("one")
+    page.wait_for_timeout(120)
+    assert (time_of(page), page.get_attribute("#play", "aria-label")) == (0.0, "Play")
+    page.click("#play")
+    page.wait_for_function("() => Number(document.getElementById('time').value) > 0")
+
+
+# Times as they are shown, from now until some after it first went back.
+WATCHED = """() => new Promise(done => {
+  const seen = [];
+  const look = () => {
+    seen.push(Number(document.getElementById("time").value));
+    const back = seen.findIndex((time, k) => k && time < seen[k - 1]);
+    if (back > 0 && seen.length > back + 3) done(seen);
+    else requestAnimationFrame(look);
+  };
+  look();
+})"""
+
+
+@pytest.mark.parametrize("repeat", ["once", "forever", "ping-pong"])
+def test_at_its_end_it_does_what_was_chosen(opened, repeat):
+    page = opened("one")
+    page.select_option("#repeat", label=repeat)
+    seek(page, 0.8)
+    page.click("#play")
+    if repeat == "once":
+        page.wait_for_function("() => document.getElementById('play').getAttribute('aria-label') === 'Play'")
+        assert time_of(page) == 1.0
+        page.click("#play")  # again, from the beginning
+        page.wait_for_function("() => Number(document.getElementById('time').value) < 0.9")
+    else:
+        steps = np.diff(page.evaluate(WATCHED))
+        assert steps.min() < 0
+        assert (steps.min() < -0.5) == (repeat == "forever")
+
+
+def test_the_slider_shows_what_frames_show(opened, pages):
+    page = opened("one")
+    folder = pages["one"][0].with_suffix("")
+    for k, time in ((1, 0.25), (2, 0.5), (3, 0.75)):
+        seek(page, time)
+        frame = (folder / f"frame-{k}.svg").read_text()
+        (data,) = re.findall(r' d="([^"]*)"', frame)
+        np.testing.assert_allclose(numbers(shape(page)), numbers(data), rtol=0, atol=2e-3)
+        (fill,) = re.findall(r'fill="([^"]*)"', frame)
+        # Between two of the even times at which paint is told, channels go evenly.
+        ours, theirs = (
+            np.array(list(bytes.fromhex(c[1:])), int)
+            for c in (page.get_attribute("#picture path", "fill"), fill)
+        )
+        assert np.abs(ours - theirs).max() <= 1
+    assert page.inner_text("#clock") == "0.75"
+
+
+def test_keys_move_in_time(opened):
+    page = opened("one")
+    body = page.locator("body")
+    body.press("ArrowRight")
+    assert time_of(page) == pytest.approx(0.02)
+    seen = shape(page)
+    body.press("Shift+ArrowRight")
+    assert time_of(page) == pytest.approx(0.25)
+    body.press("Shift+ArrowLeft")
+    assert time_of(page) == 0.0
+    body.press("End")
+    assert time_of(page) == 1.0
+    body.press("ArrowLeft")
+    assert time_of(page) == pytest.approx(0.98)
+    body.press("Home")
+    assert time_of(page) == 0.0
+    page.focus("#time")
+    page.keyboard.press("ArrowRight")
+    assert time_of(page) == pytest.approx(0.02)
+    assert shape(page) == seen
+
+
+def test_all_that_is_operated_can_be_reached_by_keyboard_and_has_a_name(opened):
+    page = opened("several")
+    page.check("#show-points")
+    reached = []
+    for _ in range(30):
+        page.keyboard.press("Tab")
+        reached.append(page.evaluate("document.activeElement.id"))
+        outline = page.evaluate("getComputedStyle(document.activeElement).outlineStyle")
+        assert outline != "none" or reached[-1] == ""
+    wanted = "theme play time speed repeat show-onion show-points show-paths dot copy contour graph zoom-in zoom-out"
+    assert set(wanted.split()) <= set(reached)
+    nameless = page.evaluate(
+        """[...document.querySelectorAll("button, select, input, canvas[tabindex]")].filter(e =>
+        !(e.getAttribute("aria-label") || e.labels?.length || e.textContent.trim())).map(e => e.id)"""
+    )
+    assert nameless == []
+
+
+def test_toggles_show_and_hide(opened):
+    page = opened("one")
+    seek(page, 0.5)
+    assert page.locator("#onion path").count() == 0
+    page.check("#show-onion")
+    assert page.locator("#onion path").count() == 5  # three frames and two drawings
+    page.uncheck("#show-onion")
+    assert page.locator("#onion path").count() == 0
+    page.check("#show-points")
+    assert (page.locator("#overlay .points").count(), page.locator("#overlay .paths").count()) == (3, 0)
+    page.check("#show-paths")
+    page.uncheck("#show-points")
+    assert (page.locator("#overlay .points").count(), page.locator("#overlay .paths").count()) == (0, 1)
+    page.uncheck("#show-paths")
+    assert page.locator("#overlay path").count() == 0
+
+
+def contour_of(pages, name):
+    a, b = (read(str(file)) for file in pages[name][1])
+    settings = BlendSettings(vertices=VERTICES, motion="linear")
+    pair, _ = blend(a, b, settings)
+    return max(pair.contours, key=lambda contour: contour.scale_a), settings
+
+
+def screen(page, point):
+    """Where a point of the drawing is on the screen."""
+    m = page.evaluate(
+        "(() => { const m = document.getElementById('drawing').getScreenCTM(); return [m.a, m.d, m.e, m.f] })()"
+    )
+    return m[0] * point.real + m[2], m[1] * point.imag + m[3]
+
+
+@pytest.mark.parametrize("way", ["mouse", "finger", "keyboard"])
+def test_a_dot_shows_its_pair(opened, pages, way):
+    contour, _ = contour_of(pages, "one")
+    page = opened("one", touch=way == "finger")
+    page.check("#show-points")
+    found = contour.correspondence.dots
+    number = next(k for k, (_, j) in enumerate(found) if np.count_nonzero(found[:, 1] == j) == 1 and k > 4)
+    i, j = found[number]
+    a, b = contour.polygon_a.vertices[i], contour.polygon_b.vertices[j]
+    if way == "keyboard":
+        page.focus("#dot")
+        for _ in range(number):
+            page.keyboard.press("ArrowRight")
+        assert time_of(page) == 0.0
+    else:
+        (page.mouse.move if way == "mouse" else page.touchscreen.tap)(*screen(page, b))
+    said = page.inner_text("#dot-says")
+    assert re.findall(r"[AB] (\d+) at", said)[1] == str(j)
+    first, second = re.findall(r"at (-?[\d.]+), (-?[\d.]+)", said)
+    at_a, at_b = (complex(*map(float, pair)) for pair in (first, second))
+    assert abs(at_b - b) < 1e-2
+    assert abs(at_a - contour.polygon_a.vertices[int(re.findall(r"A (\d+) at", said)[0])]) < 1e-2
+    line = numbers(page.get_attribute("#overlay .way", "d"))
+    np.testing.assert_allclose(line[[-2, -1]], [b.real, b.imag], atol=1e-2)
+    if way == "keyboard":
+        assert abs(at_a - a) < 1e-2
+
+
+def cell_of(page, column, row, columns, rows):
+    """Where a dot of the graph is on the screen, all of it shown."""
+    box = page.locator("#graph").bounding_box()
+    left, top, width, height = box["x"] + 44, box["y"] + 28, box["width"] - 54, box["height"] - 36
+    return (
+        left + width / 2 + (column - (columns - 1) / 2) * (width - 14) / columns,
+        top + height / 2 + (row - (rows - 1) / 2) * (height - 14) / rows,
+    )
+
+
+def assert_other_path_is_shown(page, contour, expected, column, row, time):
+    """The polygon of eq (2) by the least path through a dot, over the picture."""
+    m, n = len(contour.polygon_a.vertices), len(contour.polygon_b.vertices)
+    path = expected.path_through(column, row)[:-1] + np.array(expected.start)
+    polygon = (1 - time) * contour.polygon_a.vertices[path[:, 0] % m] + time * contour.polygon_b.vertices[
+        path[:, 1] % n
+    ]
+    data = page.get_attribute("#overlay .other", "d")
+    np.testing.assert_allclose(numbers(data).reshape(-1, 2) @ [1, 1j], polygon, atol=1e-2)
+    work = float(re.search(r"least work ([\d.]+)", page.inner_text("#cell")).group(1))
+    assert work == pytest.approx(expected.works[column, row], rel=2e-3)
+
+
+def test_a_click_on_the_graph_shows_the_other_correspondence_and_escape_goes_back(opened, pages):
+    contour, settings = contour_of(pages, "one")
+    expected = landscape(solved_wires(contour, settings), contour.correspondence.dots, None)
+    columns, rows = expected.works.shape
+    page = opened("one")
+    seek(page, 0.25)
+    before = shape(page)
+    for column, row in ((columns // 2, rows // 3), (columns // 3, rows // 2), (columns - 4, rows // 2)):
+        assert np.isfinite(expected.works[column, row])
+        page.mouse.click(*cell_of(page, column, row, columns, rows))
+        assert_other_path_is_shown(page, contour, expected, column, row, 0.25)
+    seek(page, 0.5)
+    assert_other_path_is_shown(page, contour, expected, columns - 4, rows // 2, 0.5)
+    seek(page, 0.25)
+    page.keyboard.press("Escape")
+    assert page.locator("#overlay path").count() == 0
+    assert shape(page) == before
+    # The button does the same.
+    page.mouse.click(*cell_of(page, columns // 2, rows // 3, columns, rows))
+    page.click("#back")
+    assert page.locator("#overlay path").count() == 0
+
+
+def test_the_graph_is_used_by_keyboard(opened, pages):
+    contour, settings = contour_of(pages, "one")
+    expected = landscape(solved_wires(contour, settings), contour.correspondence.dots, None)
+    page = opened("one")
+    page.focus("#graph")
+    for press in ["Shift+ArrowRight", *["ArrowRight"] * 2, *["ArrowDown"] * 7, "+", "-", "Enter"]:
+        page.keyboard.press(press)
+    assert_other_path_is_shown(page, contour, expected, 12, 7, 0.0)
+    assert time_of(page) == 0.0  # arrows stay in the graph
+    page.keyboard.press("Escape")
+    assert page.locator("#overlay path").count() == 0
+
+
+def pixels(page):
+    return page.evaluate("document.getElementById('graph').toDataURL()")
+
+
+def test_the_graph_is_zoomed_and_moved(opened):
+    page = opened("one")
+    seen = [pixels(page)]
+    page.locator("#graph").hover()
+    page.mouse.wheel(0, -400)
+    page.wait_for_timeout(100)
+    seen.append(pixels(page))
+    box = page.locator("#graph").bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.down()
+    page.mouse.move(x - 60, y - 40, steps=4)
+    page.mouse.up()
+    seen.append(pixels(page))
+    assert page.locator("#overlay path").count() == 0  # that was no click
+    page.click("#zoom-in")
+    seen.append(pixels(page))
+    assert all(p != q for p, q in itertools.pairwise(seen))
+    page.click("#zoom-fit")
+    page.mouse.move(0, 0)
+    assert pixels(page) == seen[0]
+
+
+def test_two_fingers_zoom(opened):
+    page = opened("one", width=390, height=844, touch=True)
+    page.locator("#graph").scroll_into_view_if_needed()
+    before = pixels(page)
+    box = page.locator("#graph").bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    fingers = page.context.new_cdp_session(page)
+    for kind, apart in (("touchStart", 20), *(("touchMove", 20 + 8 * k) for k in range(1, 8))):
+        points = [{"x": x + way * apart, "y": y + way * apart / 2, "id": way + 1} for way in (-1, 1)]
+        fingers.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+    fingers.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    assert "zoomed" in page.get_attribute("#graph", "class")
+    assert pixels(page) != before
+    assert page.locator("#overlay path").count() == 0
+
+
+def test_a_graph_that_is_too_large_is_its_path_alone(opened):
+    page = opened("large")
+    assert "are too many for this page" in page.inner_text("#graph-help")
+    assert not page.is_visible("#legend")
+    before = pixels(page)
+    page.locator("#graph").click()
+    page.mouse.move(0, 0)
+    assert page.locator("#overlay path").count() == 0
+    assert pixels(page) == before
+    assert "No frames were asked for" in page.inner_text("#strip-says")
+    assert page.locator("#repeat option:checked").inner_text() == "3 times"
+
+
+def test_contours_are_chosen_the_largest_first(opened):
+    page = opened("several")
+    options = page.locator("#contour option").all_inner_texts()
+    assert len(options) == 2
+    assert "shrinks to a point" in options[1]
+    assert page.is_visible("#graph")
+    page.select_option("#contour", index=1)
+    assert not page.is_visible("#graph")
+    assert "no graph" in page.inner_text("#graph-absent")
+    page.check("#show-points")
+    seek(page, 0.5)
+    page.focus("#dot")
+    page.keyboard.press("End")
+    assert "pair" in page.inner_text("#dot-says")
+    page.select_option("#contour", index=0)
+    assert page.is_visible("#graph")
+
+
+def test_three_drawings_run_through_or_one_pair_at_a_time(opened):
+    page = opened("three")
+    assert (page.get_attribute("#time", "max"), page.locator("#scope option").count()) == ("2", 3)
+    ends = []
+    for time in (0.0, 1.0, 2.0):
+        seek(page, time)
+        ends.append(page.get_attribute("#picture path", "fill"))
+    assert ends == list(COLOURS)
+    page.select_option("#scope", "1")
+    assert (page.get_attribute("#time", "min"), page.get_attribute("#time", "max"), time_of(page)) == (
+        "1",
+        "2",
+        1.0,
+    )
+    assert page.inner_text("#clock") == "B → C 0.00"
+    page.select_option("#scope", "all")
+    page.click("summary:has-text('Frames')")
+    page.locator("#frames tr").last.wait_for()
+    assert page.locator("#frames tr").count() == 6
+    page.locator("#frames button").nth(4).click()
+    assert time_of(page) == pytest.approx(1.5)
+
+
+@pytest.mark.parametrize("name", list(DRAWINGS))
+def test_on_a_phone_nothing_is_wider_than_the_screen(opened, name):
+    page = opened(name, width=390, height=844, touch=True)
+    page.check("#show-points")
+    for title in ("Frames", "All settings"):
+        page.click(f"summary:has-text('{title}')")
+    assert page.evaluate("document.documentElement.scrollWidth") == 390
+    small = page.evaluate(
+        """[...document.querySelectorAll("button, select, input[type=range], label.check")]
+        .map(e => [e.id || e.textContent, e.getBoundingClientRect()])
+        .filter(([_, box]) => box.width && (box.height < 44 || box.width < 44)).map(([name]) => name)"""
+    )
+    assert small == []
+
+
+# The contrast of WCAG 2 of every piece of text with what is behind it.
+CONTRASTS = """(() => {
+  const channels = text => text.match(/[\\d.]+/g).map(Number);
+  const light = ([r, g, b]) => {
+    const [x, y, z] = [r, g, b].map(c => c / 255).map(c => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
+    return 0.2126 * x + 0.7152 * y + 0.0722 * z;
+  };
+  const found = [];
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (walker.nextNode()) {
+    const element = walker.currentNode.parentElement;
+    if (!walker.currentNode.data.trim() || !element.checkVisibility() || element.closest("script")) continue;
+    let behind = element;
+    const ground = () => getComputedStyle(behind).backgroundColor;
+    while (/rgba\\(.*, 0\\)|transparent/.test(ground())) behind = behind.parentElement;
+    const [p, q] = [getComputedStyle(element).color, ground()].map(channels).map(light);
+    found.push([(Math.max(p, q) + 0.05) / (Math.min(p, q) + 0.05), walker.currentNode.data]);
+  }
+  return found;
+})()"""
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("is_toggled", [False, True])
+def test_text_is_readable_in_light_and_dark(opened, scheme, is_toggled):
+    page = opened("several", scheme=scheme)
+    page.check("#show-points")
+    before = pixels(page)
+    page.focus("#dot")
+    page.keyboard.press("ArrowRight")
+    if is_toggled:
+        page.click("#theme")
+        assert pixels(page) != before
+    ground = page.evaluate("getComputedStyle(document.body).backgroundColor")
+    brightness = np.mean([int(v) for v in re.findall(r"\d+", ground)[:3]])
+    assert (brightness < 128) == ((scheme == "dark") != is_toggled)
+    contrasts = page.evaluate(CONTRASTS)
+    assert len(contrasts) > 50
+    assert [pair for pair in contrasts if pair[0] < 4.5] == []
+
+
+def test_the_command_is_copied(opened, browser, pages):
+    page = opened("one")
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page.click("#copy")
+    assert page.inner_text("#copy") == "Copied"
+    copied = page.evaluate("navigator.clipboard.readText()")
+    assert copied.startswith("shapeblend ")
+    assert copied.endswith(f"--preview {pages['one'][0]}")

@@ -1,0 +1,317 @@
+"""What a page is told, and that nothing in it can do harm."""
+
+import base64
+import hashlib
+import json
+import re
+import zlib
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.cli import run
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.interpolate.paths import between, waypoints
+from shapeblend_cli.match.landscape import landscape
+from shapeblend_cli.pairing.join import solved_wires
+from shapeblend_cli.pipeline import blend, frame_at, match_all
+from shapeblend_cli.preview import graphs as graphs_module
+from shapeblend_cli.preview.graphs import graphs
+from shapeblend_cli.preview.pictures import picture, places
+from shapeblend_cli.settings import BlendSettings
+from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
+from tests.support.motions import turned
+
+LINES = '<path id="{}" d="M2 2L22 20" fill="none" stroke="#000"/>'
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name, path in {"a": EYED, "b": LEAF, "c": B}.items():
+        (tmp_path / f"{name}.svg").write_text(svg(path, attributes='fill-rule="evenodd" fill="#804000"'))
+    return tmp_path
+
+
+def data_of(text):
+    (found,) = re.findall(r'<script id="data" type="application/json">(.*?)</script>', text, re.DOTALL)
+    return json.loads(found)
+
+
+def unpacked(text):
+    return zlib.decompress(base64.b64decode(text))
+
+
+def previewed(*arguments):
+    assert run([*arguments, "-n", "3", "-o", "frames", "-q", "--preview", "x.html"]) == 0
+    with open("x.html", encoding="utf-8") as file:
+        return file.read()
+
+
+def points_at(shape, t, decimals):
+    """The numbers of a shape at a time, as the page finds them."""
+    steps = np.array(shape["points"])
+    keys = np.cumsum(np.cumsum(steps.reshape(len(steps), -1, 2), axis=0), axis=1) / 10.0**decimals
+    return np.array([np.interp(t, shape["times"], column) for column in keys.reshape(len(keys), -1).T])
+
+
+def numbers_of(outlines):
+    """The same from the outlines of a frame."""
+    found = []
+    for outline in outlines:
+        found.append(outline.segments[0, 0])
+        for segment, is_line in zip(outline.segments, outline.straight, strict=True):
+            found += list(segment[3:] if is_line else segment[1:])
+    return np.stack([np.real(found), np.imag(found)], axis=1).ravel()
+
+
+@pytest.mark.parametrize("is_turned", [False, True])
+def test_between_its_keys_the_picture_is_that_of_the_frames(is_turned):
+    (pair,), _ = match_all([drawing(B), drawing(EIGHT)], BlendSettings(motion="linear"))
+    pair = turned(pair) if is_turned else pair
+    own = (0.21, 0.64)
+    ends = (frame_at(pair, 0.0, as_drawn=True), frame_at(pair, 1.0, as_drawn=True))
+    found = picture(pair, ends, own, 4)
+    for shape, moving in zip(found["shapes"], pair.moving, strict=True):
+        for t in (0.0, *own, 1.0):
+            np.testing.assert_allclose(
+                points_at(shape, t, 4), numbers_of(between(moving, t)), rtol=0, atol=1e-4
+            )
+        off = np.abs(points_at(shape, 0.43, 4) - numbers_of(between(moving, 0.43))).max()
+        assert off < (24 * 2e-3 if is_turned else 1e-4)
+        assert set(shape["times"]) == {
+            0.0,
+            1.0,
+            *(w.t for w in waypoints(moving)),
+            *(own if is_turned else ()),
+        }
+
+
+def test_the_ends_are_what_frames_have_there(here):
+    text = previewed("a.svg", "b.svg", "--ends")
+    scene = json.loads(unpacked(data_of(text)["pairs"][0]["packed"]))
+    for end, name in zip(scene["ends"], ("frame-1", "frame-5"), strict=True):
+        frame = (here / "frames" / f"{name}.svg").read_text()
+        assert [path["path"]["d"] for path in end] == re.findall(r' d="([^"]*)"', frame)
+        assert all(f'fill="{path["path"]["fill"]}"' in frame for path in end)
+
+
+def test_paint_is_told_once_where_it_stays_and_at_even_times_where_it_does_not():
+    (pair,), _ = match_all([drawing(BAR, attributes='fill="#ff0000"'), drawing(LEAF)], BlendSettings())
+    ends = (frame_at(pair, 0.0, as_drawn=True), frame_at(pair, 1.0, as_drawn=True))
+    (coat,) = picture(pair, ends, (), 3)["shapes"][0]["coats"]
+    assert coat["path"]["fill-opacity"] == ["1"]
+    fills = coat["path"]["fill"]
+    assert (len(fills), fills[0], fills[-1]) == (31, "#ff0000", "#000000")
+    assert fills[15] == frame_at(pair, 0.5, as_drawn=True).shapes[0].style.fill
+
+
+@pytest.mark.parametrize("curves", [False, True])
+def test_dots_lie_on_the_outline_that_moves(curves):
+    settings = BlendSettings(motion="linear", curves=curves)
+    pair, _ = blend(drawing(EYED), drawing(LEAF), settings)
+    for shape, moved in zip(pair.shapes, pair.moving, strict=True):
+        for matched, moving in zip(shape.contours, moved.contours, strict=True):
+            along = places(matched, moving)
+            number = np.minimum(along.astype(int), len(moving.start.segments) - 1)
+            for outline, polygon, side in (
+                (moving.start, matched.polygon_a, 0),
+                (moving.end, matched.polygon_b, 1),
+            ):
+                spots = [
+                    cubics.evaluate(outline.segments[n], np.array([place - n]))[0]
+                    for n, place in zip(number, along, strict=True)
+                ]
+                vertices = polygon.vertices[matched.correspondence.dots[:, side]]
+                # Polygons are cut at their dots; curves near by.
+                np.testing.assert_allclose(spots, vertices, rtol=0, atol=0.8 if curves else 1e-9)
+
+
+def levels_of(graph):
+    planes = np.frombuffer(unpacked(graph["works"]), np.uint8).astype(int).reshape(2, -1)
+    steps = (planes[0] + 256 * planes[1]).reshape(graph["columns"], graph["rows"])
+    return np.cumsum(steps, axis=1) % 65536
+
+
+@pytest.mark.parametrize("band", [None, 0.2])
+def test_the_graph_is_the_landscape(band):
+    settings = BlendSettings(vertices=40, band=band)
+    pair, _ = blend(drawing(BAR), drawing(LEAF), settings)
+    (contour,) = pair.contours
+    (graph,) = graphs(pair.contours, settings)
+    expected = landscape(solved_wires(contour, settings), contour.correspondence.dots, band)
+    levels = levels_of(graph)
+    there = np.isfinite(expected.works)
+    np.testing.assert_array_equal(levels <= graph["levels"], there)
+    assert (there.mean() > 0.9) == (band is None)
+    extra = graph["unit"] * graph["finest"] * np.expm1(levels / graph["levels"] * graph["top"])
+    least = contour.correspondence.work
+    np.testing.assert_allclose(
+        extra[there], expected.works[there] - least, rtol=1e-3, atol=1e-5 * graph["unit"]
+    )
+    for name in ("step", "before", "after"):
+        assert unpacked(graph[name]) == getattr(expected, name).tobytes()
+
+
+def test_where_nothing_costs_anything_there_is_a_graph_all_the_same():
+    settings = BlendSettings(vertices=20)
+    pair, _ = blend(drawing(BAR), drawing(BAR), settings)
+    (graph,) = graphs(pair.contours, settings)
+    assert levels_of(graph)[0, 0] == 0
+    assert graph["unit"] > 0.0
+
+
+def test_graphs_beyond_the_room_are_left_out_the_largest_kept(monkeypatch):
+    settings = BlendSettings(vertices=40)
+    pair, _ = blend(drawing(RING, BAR), drawing(RING, LEAF), settings)
+    dots = [len(c.polygon_a.vertices) * len(c.polygon_b.vertices) for c in pair.contours]
+    largest = max(range(len(dots)), key=lambda k: pair.contours[k].scale_a)
+    monkeypatch.setattr(graphs_module, "MOST_DOTS", dots[largest])
+    found = graphs(pair.contours, settings)
+    assert isinstance(found[largest], dict)
+    assert {g if isinstance(g, str) else "graph" for g in found} == {"graph", "full"}
+    monkeypatch.setattr(graphs_module, "MOST_DOTS", 100)
+    assert graphs(pair.contours, settings) == ["large"] * len(dots)
+
+
+def test_what_grows_from_a_point_has_no_graph():
+    settings = BlendSettings(vertices=20)
+    pair, _ = blend(drawing(BAR), drawing(SQUARES), settings)
+    found = graphs(pair.contours, settings)
+    assert [g is None for g in found] == [c.a is None for c in pair.contours]
+    assert found.count(None) == 3
+
+
+def test_numbers_are_those_of_the_report(here):
+    text = previewed("a.svg", "b.svg", "c.svg", "--report", "r.json", "--preset", "fig27")
+    report, data = json.loads((here / "r.json").read_text()), data_of(text)
+    for name in ("settings", "frames", "version"):
+        assert data[name] == report[name]
+    assert data["settings"]["preview"] == "x.html"
+    assert set(report["seconds"]) <= set(data["seconds"])
+    for pair, told in zip(data["pairs"], report["pairs"], strict=True):
+        lists = json.loads(unpacked(pair["packed"]))["lists"]
+        for contour, one, long in zip(pair["contours"], told["contours"], lists, strict=True):
+            assert {name: contour[name] for name in one if name in contour} == {
+                name: value for name, value in one.items() if name not in ("vertices_a", "vertices_b", "dots")
+            }
+            assert long["dots"] == one["dots"]
+            np.testing.assert_allclose(long["vertices_a"], one["vertices_a"], atol=1e-3)
+            assert len(long["places"]) == len(one["dots"])
+        assert sorted(pair["order"]) == list(range(len(told["contours"])))
+
+
+def test_the_command_is_what_was_typed_quoted_for_a_shell(here):
+    (here / "it's a.svg").write_text((here / "a.svg").read_text())
+    data = data_of(previewed("it's a.svg", "b.svg"))
+    assert data["command"][:3] == ["shapeblend", "'it'\"'\"'s a.svg'", "b.svg"]
+    assert data["names"] == ["it's a.svg", "b.svg"]
+
+
+class Elements(HTMLParser):
+    """What elements a page has."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.found = []
+        self.texts = {"script": [], "style": [], "h1": []}
+        self.open = None
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.found.append((tag, dict(attributes)))
+        self.open = tag
+        if tag in self.texts:
+            self.texts[tag].append("")
+
+    def handle_endtag(self, tag):
+        self.open = None
+
+    def handle_data(self, data):
+        if self.open in self.texts:
+            self.texts[self.open][-1] += data
+
+
+def test_what_files_say_does_no_harm(here):
+    evil = "</script><script>alert(1)</script><!--"
+    name = evil.replace("/", "_") + "&.svg"
+    (here / name).write_text(svg(f'<path id="{evil.replace("<", "&lt;")}" d="M2 2H22V18H2Z junk"/>'))
+    text = previewed(name, "b.svg", "--lenient")
+    data = data_of(text)
+    assert evil in data["notes"][0]
+    assert data["names"][0] == name
+    page = Elements(text)
+    assert [tag for tag, _ in page.found].count("script") == 2
+    assert "<!--" not in text
+    assert page.texts["h1"] == [f"{name} → b.svg"]
+    assert all(not key.startswith("on") for _, attributes in page.found for key in attributes)
+
+
+def test_nothing_is_fetched_and_no_other_script_runs(here):
+    text = previewed("a.svg", "b.svg")
+    page = Elements(text)
+    (policy,) = (a["content"] for _, a in page.found if a.get("http-equiv") == "Content-Security-Policy")
+    rules = dict(rule.split(" ", 1) for rule in policy.split("; "))
+    assert rules["default-src"] == "'none'"
+    for kind, rule in (("script", "script-src"), ("style", "style-src")):
+        digest = hashlib.sha256(page.texts[kind][-1].encode()).digest()
+        assert rules[rule] == f"'sha256-{base64.b64encode(digest).decode()}'"
+    addresses = set(re.findall(r"https?://[^\"']*", text))
+    assert addresses == {"http://www.w3.org/2000/svg"}  # a name, which is not fetched
+    assert [
+        a for _, a in page.found if {"src", "href"} & set(a) and a != {"rel": "icon", "href": "data:,"}
+    ] == []
+
+
+def test_same_input_same_bytes_but_for_how_long_it_took(here):
+    timeless = re.compile(r'"seconds":(\{[^}]*\}|[-\d.e]+)')
+    first, second = (timeless.sub("", previewed("a.svg", "c.svg", "--force")) for _ in range(2))
+    assert first == second
+
+
+def test_a_pair_of_two_hundred_vertices_each_stays_small(here, samples):
+    for name in ("e", "f"):
+        (here / f"{name}.svg").write_text((samples / f"{name}.svg").read_text())
+    text = previewed("e.svg", "f.svg")
+    assert data_of(text)["pairs"][0]["contours"][0]["counts"] == [200, 197]
+    assert len(text.encode()) < 150_000
+    # Outlines of all kinds of bends pack worse.
+    assert len(previewed(str(samples / "bird-1.svg"), str(samples / "bird-2.svg"), "-f").encode()) < 300_000
+
+
+@pytest.mark.parametrize(
+    ("arguments", "status", "said"),
+    [
+        (["--preview", "x.txt"], 2, "one that ends in .html would work"),
+        (["--preview", "-"], 2, "one that ends in .html would work"),
+        (["--preview", "old.html"], 1, "old.html: "),
+        (["--preview", "r.html", "--report", "r.html"], 1, "r.html: is named for two different outputs"),
+        (["--preview", "sub.html/x.html"], 1, "sub.html"),
+    ],
+)
+def test_a_page_that_cannot_be_written_is_refused_in_one_line(here, capsys, arguments, status, said):
+    (here / "old.html").write_text("mine")
+    (here / "sub.html").write_text("mine")
+    before = sorted(path.name for path in here.iterdir())
+    assert run(["a.svg", "b.svg", *arguments]) == status
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith("shapeblend: ")
+    assert said in line
+    assert sorted(path.name for path in here.iterdir()) == before
+    assert (here / "old.html").read_text() == "mine"
+
+
+def test_names_of_pages_may_be_written_in_capitals_and_replaced_on_request(here):
+    for _ in range(2):
+        assert run(["a.svg", "b.svg", "-n", "0", "-q", "--preview", "X.HTM", "--force"]) == 0
+    data = data_of((here / "X.HTM").read_text())
+    assert (data["frames"], len(data["pairs"])) == ([], 1)
+
+
+def test_open_lines_and_empty_works_are_shown_too(here):
+    for name in ("l", "m"):
+        (here / f"{name}.svg").write_text(svg(LINES.format(name)))
+    data = data_of(previewed("l.svg", "m.svg"))
+    (contour,) = data["pairs"][0]["contours"]
+    assert (contour["closed"], contour["work"]) == (False, pytest.approx(0.0, abs=1e-12))
