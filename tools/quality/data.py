@@ -23,12 +23,12 @@ CHORDS = 16
 """A curve is measured as so many straight pieces."""
 
 SUBPATH = re.compile(r"M[^M]*")
-COMMAND = re.compile(r"([MLCZ])([^MLCZ]*)")
+COMMAND = re.compile(r"([MLQCZ])([^MLQCZ]*)")
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 
 
 class Pair(NamedTuple):
-    """Path data of two shapes: absolute M, L, C and Z, every contour closed."""
+    """Path data of two shapes: absolute M, L, Q, C and Z, every contour closed."""
 
     id: str
     a: str
@@ -62,6 +62,10 @@ def _points(subpath: str) -> Iterator[complex]:
             for k in range(0, len(ends), 3):
                 c, d, q = ends[k : k + 3]
                 yield from v**3 * point + 3 * v * v * u * c + 3 * v * u * u * d + u**3 * q
+                point = q
+        elif letter == "Q":
+            for c, q in zip(ends[::2], ends[1::2], strict=True):
+                yield from v * v * point + 2 * v * u * c + u * u * q
                 point = q
         else:
             yield from ends

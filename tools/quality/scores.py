@@ -51,7 +51,12 @@ class Score(NamedTuple):
 
 def area(contour: np.ndarray) -> float:
     """The area inside, whichever way round."""
-    return abs(float((contour.conj() * np.roll(contour, -1)).imag.sum())) / 2
+    return abs(signed_area(contour))
+
+
+def signed_area(contour: np.ndarray) -> float:
+    """The area inside, less than 0 the one way round."""
+    return float((contour.conj() * np.roll(contour, -1)).imag.sum()) / 2
 
 
 def is_crossed(contour: np.ndarray) -> bool:
@@ -62,7 +67,7 @@ def is_crossed(contour: np.ndarray) -> bool:
 
 def is_overlapping(frame: Frame) -> bool:
     """Whether two contours cross each other: each is partly in the other and partly outside, by more than `DEPTH`."""
-    insides = [_inside(polygon) for contour in frame if (polygon := _polygon(contour)) is not None]
+    insides = [inside(contour) for contour in frame if _polygon(contour) is not None]
     return any(
         p.overlaps(q) and all(_is_thick(part) for part in (p & q, p - q, q - p))
         for p, q in combinations(insides, 2)
@@ -75,8 +80,9 @@ def _polygon(contour: np.ndarray) -> Polygon | None:
     return Polygon(np.column_stack([kept.real, kept.imag])) if len(kept) > 2 else None
 
 
-def _inside(polygon: Polygon) -> BaseGeometry:
+def inside(contour: np.ndarray) -> BaseGeometry:
     """What a contour encloses, by the even-odd rule where it crosses itself."""
+    polygon = _polygon(contour) or Polygon()
     return polygon if polygon.is_valid else make_valid(polygon).buffer(0.0)
 
 

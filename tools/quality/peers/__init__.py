@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     from tools.quality.data import Pair
+    from tools.quality.truth.form import Linked, Truth
 
 
 class Tool(NamedTuple):
@@ -23,6 +24,8 @@ class Tool(NamedTuple):
     name : str
     blends : callable
         Gives for each pair its frames at the times of `scores.STEPS`, or None where the tool fails.
+    linked : callable or None
+        Gives for each pair of known truth its in-betweens and what goes where, or None where the tool fails.
     ready : callable
         Gives None, or else why the tool cannot run here.
     brief : bool
@@ -31,17 +34,23 @@ class Tool(NamedTuple):
 
     name: str
     blends: Callable[[list[Pair]], list[list[list[np.ndarray]] | None]]
+    linked: Callable[[list[Truth]], list[Linked | None]] | None = None
     ready: Callable[[], str | None] = lambda: None
     brief: bool = True
 
 
 ALL = (
-    Tool(shapeblend.NAME, shapeblend.blends),
+    Tool(shapeblend.NAME, shapeblend.blends, shapeblend.linked),
     *(
         Tool(shapeblend.named(motion), functools.partial(shapeblend.blends, motion=motion), brief=False)
         for motion in shapeblend.MOTIONS
     ),
-    Tool(flubber.NAME, flubber.blends, flubber.ready),
-    Tool(flubber.COARSE, functools.partial(flubber.blends, own_sides=True), flubber.ready),
-    Tool(arc_length.NAME, arc_length.blends),
+    Tool(flubber.NAME, flubber.blends, flubber.linked, flubber.ready),
+    Tool(
+        flubber.COARSE,
+        functools.partial(flubber.blends, own_sides=True),
+        functools.partial(flubber.linked, own_sides=True),
+        flubber.ready,
+    ),
+    Tool(arc_length.NAME, arc_length.blends, arc_length.linked),
 )

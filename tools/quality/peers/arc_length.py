@@ -8,23 +8,48 @@ from __future__ import annotations
 import numpy as np
 
 from tools.quality.data import Pair, polygon, subpaths
-from tools.quality.scores import STEPS, area
+from tools.quality.scores import STEPS, area, signed_area
+from tools.quality.truth.form import TIMES, Linked, Truth
 
 NAME = "even arc length"
 VERTICES = 120
 
 
 def blends(pairs: list[Pair]) -> list[list[list[np.ndarray]] | None]:
-    return [frames([polygon(d) for d in subpaths(a)], [polygon(d) for d in subpaths(b)]) for _, a, b in pairs]
+    return [frames(contours(a), contours(b)) for _, a, b in pairs]
+
+
+def linked(truths: list[Truth]) -> list[Linked | None]:
+    """In-betweens beside what goes where."""
+    return [_linked(contours(truth.pair.a), contours(truth.pair.b)) for truth in truths]
+
+
+def _linked(a: list[np.ndarray], b: list[np.ndarray]) -> Linked:
+    matched = links(a, b)
+    return Linked([between(matched, t) for t in TIMES], matched, VERTICES * len(matched))
+
+
+def contours(data: str) -> list[np.ndarray]:
+    return [polygon(subpath) for subpath in subpaths(data)]
 
 
 def frames(a: list[np.ndarray], b: list[np.ndarray]) -> list[list[np.ndarray]]:
     """All frames between two drawings, given as their contours."""
+    matched = links(a, b)
+    return [between(matched, k / STEPS) for k in range(STEPS + 1)]
+
+
+def between(matched: list[tuple[np.ndarray, np.ndarray]], t: float) -> list[np.ndarray]:
+    return [p + (q - p) * t for p, q in matched]
+
+
+def links(a: list[np.ndarray], b: list[np.ndarray]) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Which vertices go where, for each contour that the in-betweens have."""
     a, b = (sorted(contours, key=area, reverse=True) for contours in (a, b))
     matched = [matching(even(p), even(q)) for p, q in zip(a, b, strict=False)]
     matched += [(even(p), np.full(VERTICES, centroid(p))) for p in a[len(b) :]]
     matched += [(np.full(VERTICES, centroid(q)), even(q)) for q in b[len(a) :]]
-    return [[p + (q - p) * k / STEPS for p, q in matched] for k in range(STEPS + 1)]
+    return matched
 
 
 def matching(p: np.ndarray, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -40,10 +65,6 @@ def even(contour: np.ndarray) -> np.ndarray:
     around = np.append(contour, contour[0])
     reached = np.append(0.0, np.cumsum(np.abs(np.diff(around))))
     return np.interp(reached[-1] * np.arange(VERTICES) / VERTICES, reached, around)
-
-
-def signed_area(contour: np.ndarray) -> float:
-    return float((contour.conj() * np.roll(contour, -1)).imag.sum()) / 2
 
 
 def centroid(contour: np.ndarray) -> complex:

@@ -7,20 +7,20 @@ There is none for, say, two to four: the largest are paired, in order of size, a
 
 from __future__ import annotations
 
-import functools
 import json
-import shutil
 import subprocess
 from pathlib import Path
 
 import numpy as np
 
 from tools.quality.data import ROOT, Pair, polygon, subpaths
+from tools.quality.npm import install
 from tools.quality.scores import STEPS, area
+from tools.quality.truth.form import TIMES, Linked, Truth
 
 HERE = Path(__file__).parent
 INSTALLED = ROOT / "out" / "quality" / "peers"
-FILES = ("package.json", "package-lock.json", "flubber.mjs")
+SCRIPT = "flubber.mjs"
 VERSION = json.loads((HERE / "package.json").read_text(encoding="utf-8"))["dependencies"]["flubber"]
 NAME = f"flubber {VERSION}"
 
@@ -31,25 +31,28 @@ COARSE = f"{NAME}, sides of 10"
 """What it is called where it is left its default, a longest side of 10 units whatever the drawing's size."""
 
 
-@functools.cache
 def ready() -> str | None:
     """Install it, or say why it cannot run here."""
-    if not (shutil.which("node") and shutil.which("npm")):
-        return "node and npm are not there"
-    INSTALLED.mkdir(parents=True, exist_ok=True)
-    for name in FILES:
-        shutil.copyfile(HERE / name, INSTALLED / name)
-    done = subprocess.run(
-        ["npm", "ci", "--loglevel=error", "--no-audit", "--no-fund", "--ignore-scripts"],
-        cwd=INSTALLED,
-        stdout=subprocess.DEVNULL,
-        check=False,
-    )
-    return "npm could not install it" if done.returncode else None
+    return install(HERE, INSTALLED, SCRIPT)
 
 
 def blends(pairs: list[Pair], own_sides: bool = False) -> list[list[list[np.ndarray]] | None]:
-    times = [k / STEPS for k in range(STEPS + 1)]
+    return _points(pairs, [k / STEPS for k in range(STEPS + 1)], own_sides)
+
+
+def linked(truths: list[Truth], own_sides: bool = False) -> list[Linked | None]:
+    """In-betweens beside what goes where, which its first and last frame say: both have the same vertices."""
+    blends = _points([truth.pair for truth in truths], [0.0, *TIMES, 1.0], own_sides)
+    return [frames and _linked(frames) for frames in blends]
+
+
+def _linked(frames: list[list[np.ndarray]]) -> Linked:
+    first, *between, last = frames
+    middle = between[TIMES.index(0.5)]
+    return Linked(between, list(zip(first, last, strict=True)), sum(len(ring) for ring in middle))
+
+
+def _points(pairs: list[Pair], times: list[float], own_sides: bool) -> list[list[list[np.ndarray]] | None]:
     return [
         frames and [[np.array(ring) @ [1, 1j] for ring in frame] for frame in frames]
         for frames in _run(pairs, times, strings=False, own_sides=own_sides)
@@ -69,14 +72,15 @@ def path_data(pairs: list[Pair], times: list[float], own_sides: bool) -> list[li
 
 
 def _run(pairs: list[Pair], times: list[float], strings: bool, own_sides: bool) -> list:
-    jobs = "".join(f"{json.dumps(_job(pair, times, strings, own_sides))}\n" for pair in pairs)
+    jobs = "".join(f"{json.dumps(job(pair, times, strings, own_sides))}\n" for pair in pairs)
     done = subprocess.run(
-        ["node", FILES[-1]], cwd=INSTALLED, input=jobs, stdout=subprocess.PIPE, text=True, check=True
+        ["node", SCRIPT], cwd=INSTALLED, input=jobs, stdout=subprocess.PIPE, text=True, check=True
     )
     return [json.loads(line).get("frames") for line in done.stdout.splitlines()]
 
 
-def _job(pair: Pair, times: list[float], strings: bool, own_sides: bool) -> dict:
+def job(pair: Pair, times: list[float], strings: bool, own_sides: bool) -> dict:
+    """What the script is told of a pair."""
     a, b = subpaths(pair.a), subpaths(pair.b)
     longest = max(perimeter(polygon(contour)) for contour in a + b)
     if 1 < min(len(a), len(b)) < max(len(a), len(b)):

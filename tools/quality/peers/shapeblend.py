@@ -14,6 +14,7 @@ from shapeblend_cli.model import Contour
 from shapeblend_cli.svg.read import read
 from tools.quality.data import Pair, svg
 from tools.quality.scores import STEPS
+from tools.quality.truth.form import TIMES, Linked, Truth
 
 NAME = "shapeblend"
 
@@ -35,23 +36,45 @@ def blends(pairs: list[Pair], motion: str = DEFAULT) -> list[list[list[np.ndarra
     return [each and [drawn(text) for text in each] for each in files]
 
 
+def linked(truths: list[Truth]) -> list[Linked | None]:
+    """In-betweens as they come, of files that lie as they are, beside what the report says goes where."""
+    return [_linked(truth) for truth in truths]
+
+
+def _linked(truth: Truth) -> Linked | None:
+    with tempfile.TemporaryDirectory() as folder:
+        target, file = Path(folder, "frames"), Path(folder, "report.json")
+        options = ["--place", "asis", "--frames", str(len(TIMES)), "--report", str(file)]
+        if not _blend((truth.a, truth.b), Path(folder), target, *options):
+            return None
+        files = _files(target)
+        pairs = json.loads(file.read_text(encoding="utf-8"))["pairs"]
+    links = [
+        links_of(contour) for pair in pairs for contour in pair["contours"] if None not in contour.values()
+    ]
+    return Linked([drawn(text) for text in files], links, segments(files[TIMES.index(0.5)]))
+
+
+def links_of(contour: dict) -> tuple[np.ndarray, np.ndarray]:
+    """What the report says of a contour: points of A, and the points of B they go to."""
+    a, b = np.array(contour["dots"]).T
+    return (np.array(contour["vertices_a"]) @ [1, 1j])[a], (np.array(contour["vertices_b"]) @ [1, 1j])[b]
+
+
 def frames(pair: Pair, motion: str = DEFAULT) -> list[str] | None:
     """The files at the times of `STEPS`, or None if the command fails."""
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder, "frames")
         options = ["--frames", str(STEPS - 1), "--ends", "--motion", motion]
-        if not _blend(pair, Path(folder), target, *options):
-            return None
-        files = [file.read_text(encoding="utf-8") for file in sorted(target.iterdir())]
-        assert len(files) == STEPS + 1
-        return files
+        return _files(target) if _blend(_svgs(pair), Path(folder), target, *options) else None
 
 
 def report(pair: Pair) -> dict | None:
     """What the command reports, or None if it fails."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, "report.json")
-        if not _blend(pair, Path(folder), Path(folder, "none"), "--frames", "0", "--report", str(file)):
+        options = ["--frames", "0", "--report", str(file)]
+        if not _blend(_svgs(pair), Path(folder), Path(folder, "none"), *options):
             return None
         return json.loads(file.read_text(encoding="utf-8"))
 
@@ -60,7 +83,13 @@ def animation(pair: Pair) -> str | None:
     """The animated SVG, or None if the command fails."""
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder, "moving.svg")
-        return target.read_text(encoding="utf-8") if _blend(pair, Path(folder), target) else None
+        return target.read_text(encoding="utf-8") if _blend(_svgs(pair), Path(folder), target) else None
+
+
+def segments(text: str) -> int:
+    """How many segments the contours of a file have."""
+    shapes = read("a file", text.encode()).shapes
+    return sum(len(contour.segments) for shape in shapes for contour in shape.contours)
 
 
 def drawn(text: str) -> list[np.ndarray]:
@@ -69,13 +98,20 @@ def drawn(text: str) -> list[np.ndarray]:
     return [_vertices(contour) for shape in shapes for contour in shape.contours]
 
 
-def _blend(pair: Pair, folder: Path, target: Path, *options: str) -> bool:
-    files = []
-    for side, data in (("a", pair.a), ("b", pair.b)):
-        file = folder / f"{side}.svg"
-        file.write_text(svg(data), encoding="utf-8")
-        files.append(str(file))
-    return run([*files, "--quiet", "--output", str(target), *options]) == 0
+def _svgs(pair: Pair) -> tuple[str, str]:
+    return svg(pair.a), svg(pair.b)
+
+
+def _files(folder: Path) -> list[str]:
+    """The frames in it, in order."""
+    return [file.read_text(encoding="utf-8") for file in sorted(folder.iterdir())]
+
+
+def _blend(svgs: tuple[str, str], folder: Path, target: Path, *options: str) -> bool:
+    files = [folder / "a.svg", folder / "b.svg"]
+    for file, text in zip(files, svgs, strict=True):
+        file.write_text(text, encoding="utf-8")
+    return run([*map(str, files), "--quiet", "--output", str(target), *options]) == 0
 
 
 def _vertices(contour: Contour) -> np.ndarray:

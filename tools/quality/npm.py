@@ -1,0 +1,37 @@
+"""What npm installs from a lock file of ours, into `out/`."""
+
+from __future__ import annotations
+
+import functools
+import shutil
+import subprocess
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+@functools.cache
+def install(source: Path, target: Path, *others: str) -> str | None:
+    """Install what a folder's package.json asks for, or say why that cannot be.
+
+    Parameters
+    ----------
+    source, target : Path
+        Where package.json and package-lock.json are, and where things go.
+    *others : str
+        Files that belong beside it.
+    """
+    if not (shutil.which("node") and shutil.which("npm")):
+        return "node and npm are not there"
+    known = target / "node_modules" / ".package-lock.json"
+    lock = target / "package-lock.json"
+    there = known.exists() and lock.read_bytes() == (source / lock.name).read_bytes()
+    target.mkdir(parents=True, exist_ok=True)
+    for name in ("package.json", lock.name, *others):
+        shutil.copyfile(source / name, target / name)
+    if there:
+        return None
+    command = ["npm", "ci", "--loglevel=error", "--no-audit", "--no-fund", "--ignore-scripts"]
+    done = subprocess.run(command, cwd=target, stdout=subprocess.DEVNULL, check=False)
+    return "npm could not install it" if done.returncode else None

@@ -1,0 +1,200 @@
+"""How near a blend is to the designer's: in its in-betweens, in what goes where, and in its corners."""
+
+from __future__ import annotations
+
+import functools
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+import shapely
+
+from tools.quality.scores import inside, is_crossed
+from tools.quality.truth.form import TIMES
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapely.geometry.base import BaseGeometry
+
+    from tools.quality.scores import Frame
+    from tools.quality.truth.form import Linked, Truth
+
+WRONG = 0.5
+"""What a contour counts that goes to another one than it should. A random start gives half of that."""
+
+GROSS = 0.05
+"""A correspondence that is off by more than this has missed the shape somewhere."""
+
+PLACES = 2000
+"""At so many places of a contour the correspondence is compared."""
+
+SHARP, STILL_SHARP = 30.0, 20.0
+"""Degrees by which an outline turns at a corner at both ends, and in between."""
+
+NEAR, REACH = 0.01, 0.005
+"""Shares of the size: how near a corner is to its true place, and how far around a vertex the outline counts."""
+
+
+class Nearness(NamedTuple):
+    """One blend beside the truth.
+
+    Attributes
+    ----------
+    strict : float
+        1 - what two regions share of what they cover, mean over `TIMES`.
+    corr : float
+        How far along B's contours points of A's arrive from where they should, mean, as a share of the contour.
+    crossed : bool
+        Whether a contour of an in-between crosses or touches itself.
+    corners : float or None
+        The share of true corners that the middle one has; None if there are none.
+    segments : int
+        With how many the middle one is written.
+    """
+
+    strict: float
+    corr: float
+    crossed: bool
+    corners: float | None
+    segments: int
+
+
+NO_ANSWER = Nearness(1.0, WRONG, True, 0.0, 0)
+
+
+def nearness(truth: Truth, found: Linked | None) -> Nearness:
+    """Judge a blend; one that is none is as far off as can be."""
+    if found is None:
+        return NO_ANSWER
+    return Nearness(
+        strict(truth, found.frames),
+        corr(truth, found.links),
+        any(is_crossed(contour) for frame in found.frames for contour in frame),
+        corners(truth, found.frames[TIMES.index(0.5)]),
+        found.segments,
+    )
+
+
+def strict(truth: Truth, frames: Sequence[Frame]) -> float:
+    """How little in-betweens cover what they should, mean over the times."""
+    each = zip(TIMES, frames, strict=True)
+    return float(np.mean([apart(truth.laid_back(frame, t), truth.at(t)) for t, frame in each]))
+
+
+def apart(p: Frame, q: Frame) -> float:
+    """How much of the area that either covers is not covered by both."""
+    p, q = region(p), region(q)
+    both = p.intersection(q).area
+    either = p.area + q.area - both
+    return 1.0 - both / either if either else 1.0
+
+
+def region(frame: Frame) -> BaseGeometry:
+    """What a frame fills by the even-odd rule."""
+    insides = (inside(contour) for contour in frame)
+    return functools.reduce(shapely.symmetric_difference, insides, shapely.Polygon())
+
+
+def corr(truth: Truth, links: Sequence[tuple[np.ndarray, np.ndarray]]) -> float:
+    """The mean error of a correspondence, contours weighted by their length in A."""
+    true = truth.true_links()
+    errors: list[list[float]] = [[] for _ in true]
+    for p, q in links:
+        here, there = _nearest(p, [a for a, _ in true]), _nearest(q, [b for _, b in true])
+        errors[here].append(_error(p, q, *true[here]) if here == there else WRONG)
+    means = [np.mean(found) if found else WRONG for found in errors]
+    return float(np.average(means, weights=[_ring(a).length for a, _ in true]))
+
+
+def _nearest(points: np.ndarray, contours: Sequence[np.ndarray]) -> int:
+    """The contour that points lie on."""
+    places = shapely.points(points.real, points.imag)
+    return int(np.argmin([shapely.distance(_ring(contour), places).mean() for contour in contours]))
+
+
+def _error(p: np.ndarray, q: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
+    """How far along b the points of a arrive from where they should, when p goes to q; as a share of b."""
+    ring_a, ring_b = _ring(a), _ring(b)
+    u, v = (_along(ring, points) for ring, points in ((ring_a, p), (ring_b, q)))
+    true_u, true_v = _reached(a), _reached(b)
+    places = (np.arange(PLACES) + 0.5) / PLACES
+    off = _arrival(u, v, places) - _arrival(true_u, true_v, places)
+    return float(np.abs(off - np.round(off)).mean())
+
+
+def _along(ring: shapely.LineString, points: np.ndarray) -> np.ndarray:
+    """How far round a ring the places nearest to points are, once round being 1; the first again at the end."""
+    found = shapely.line_locate_point(ring, shapely.points(points.real, points.imag), normalized=True)
+    return np.unwrap(np.append(found, found[0]), period=1.0)
+
+
+def _reached(contour: np.ndarray) -> np.ndarray:
+    """How far round a contour its own vertices are."""
+    lengths = np.abs(np.diff(contour, append=contour[0]))
+    return np.append(0.0, np.cumsum(lengths)) / lengths.sum()
+
+
+def _arrival(u: np.ndarray, v: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """Where places go when each u goes to its v and what lies between goes evenly."""
+    if u[-1] < u[0]:
+        u, v = u[::-1], v[::-1]
+    u = np.maximum.accumulate(u)
+    return np.interp(u[0] + (places - u[0]) % 1.0, u, v)
+
+
+def _ring(contour: np.ndarray) -> shapely.LineString:
+    around = np.append(contour, contour[0])
+    return shapely.LineString(np.column_stack([around.real, around.imag]))
+
+
+def corners(truth: Truth, middle: Frame) -> float | None:
+    """The share of the true corners that an in-between half way has near their true places."""
+    true = truth.at(0.5)
+    size = extent(true)
+    reach = REACH * size
+    places = np.concatenate(
+        [
+            m[_is_corner(p, reach) & _is_corner(q, reach) & (turns(m, reach) > STILL_SHARP)]
+            for p, m, q in zip(truth.frames[0], true, truth.frames[-1], strict=True)
+        ]
+    )
+    if not len(places):
+        return None
+    drawn = [_fine(contour, size) for contour in truth.laid_back(middle, 0.5)]
+    sharp = [contour[turns(contour, reach) > STILL_SHARP] for contour in drawn]
+    kept = np.abs(np.subtract.outer(places, np.concatenate(sharp))) <= NEAR * size
+    return float(kept.any(axis=1).mean())
+
+
+def _is_corner(contour: np.ndarray, reach: float) -> np.ndarray:
+    """Whether the outline turns sharply at vertices, and not only in a detail too small to see."""
+    return (turns(contour) > SHARP) & (turns(contour, reach) > SHARP)
+
+
+def extent(frame: Frame) -> float:
+    """The diagonal of the box around it."""
+    points = np.concatenate(frame)
+    return float(np.hypot(np.ptp(points.real), np.ptp(points.imag)))
+
+
+def turns(contour: np.ndarray, reach: float = 0.0) -> np.ndarray:
+    """By how many degrees a contour turns at each vertex: from the point `reach` before it to the one after it.
+
+    Parameters
+    ----------
+    contour : array
+    reach : float
+        Way along the contour; 0 takes the vertices before and after.
+    """
+    before, after = np.roll(contour, 1), np.roll(contour, -1)
+    if reach:
+        lengths = np.abs(after - contour)
+        reached = np.concatenate([[0.0], np.cumsum(lengths)])
+        places, around = reached[:-1], np.append(contour, contour[0])
+        before, after = (np.interp((places + way) % reached[-1], reached, around) for way in (-reach, reach))
+    return np.abs(np.degrees(np.angle((after - contour) * (contour - before).conj())))
+
+
+def _fine(contour: np.ndarray, size: float) -> np.ndarray:
+    """A contour without vertices that are one."""
+    return contour[np.abs(contour - np.roll(contour, 1)) > 1e-9 * size]
