@@ -20,7 +20,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test lint type fmt golden fuzz bench bench-quality worst pictures plots tables install clean
+.PHONY: help demo test lint type fmt golden fuzz bench bench-quality bench-truth sweep worst pictures gallery plots tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -64,7 +64,10 @@ bench: install ## time the solver
 	$(BIN)/python -m pytest tests/bench -o addopts= --benchmark-only
 
 pictures: install ## draw the pictures of the README
-	$(BIN)/python tools/readme_pictures.py
+	$(BIN)/python -m tools.readme_pictures
+
+gallery: install ## draw pairs beside flubber for docs/gallery.md; needs node and npm
+	$(BIN)/python -m tools.gallery
 
 plots: install ## draw the plots of docs/plots.md
 	$(BIN)/python tools/plots.py
@@ -72,13 +75,19 @@ plots: install ## draw the plots of docs/plots.md
 tables: install ## measure the solver and write docs/solver.md
 	$(BIN)/python tools/solver_table.py
 
-bench-quality: install ## measure the results beside other tools and write docs/quality.md; flubber needs node and npm
+bench-quality: install ## measure the results beside other tools and write docs/quality.json and .md; much needs node and npm
 	$(BIN)/python -m tools.quality
+
+TRUTH ?= out/truth
+
+bench-truth: install ## measure by letters whose in-betweens are known, in the folder TRUTH (out/truth)
+	$(if $(filter out/truth,$(TRUTH)),$(BIN)/python -m tools.quality.truth.letters)
+	$(BIN)/python -m tools.quality.truth $(TRUTH)
 
 worst: install ## draw what straight paths do worst, beside the motion that is chosen: out/worst.png
 	$(BIN)/python -m tools.quality.worst
 
-clean: ## remove what the other targets made, except the README's pictures
+clean: ## remove what the other targets made, except the pictures in docs
 	rm -rf $(VENV) build dist out *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis .benchmarks
 	find shapeblend_cli \( -name '*.so' -o -name '*.pyd' \) -type f -exec rm -f {} +
 	find shapeblend_cli tests tools -name __pycache__ -type d -prune -exec rm -rf {} +

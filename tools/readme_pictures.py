@@ -1,15 +1,19 @@
-"""Draw the contact sheets of the README with the tool itself: readme_pictures.py, no arguments."""
+"""Draw the contact sheets of the README with the tool itself: python -m tools.readme_pictures, no arguments."""
 
 from __future__ import annotations
 
 import tempfile
 from pathlib import Path
-
-from contact_sheet import sheet
+from typing import TYPE_CHECKING
 
 from shapeblend_cli.cli import run
+from tools.contact_sheet import sheet
+
+if TYPE_CHECKING:
+    from PIL import Image
 
 ROOT = Path(__file__).resolve().parents[1]
+DOCS = ROOT / "docs"
 
 # For each picture its rows: the two drawings, and what else the README says was on the command line.
 SHEETS = {
@@ -32,13 +36,16 @@ def row(blend: str) -> list[str]:
         return [path.read_text(encoding="utf-8") for path in sorted(Path(folder, "frames").iterdir())]
 
 
+def drawn(name: str) -> Image.Image:
+    """One of the pictures."""
+    rows = [row(blend) for blend in SHEETS[name]]
+    return sheet([frame for frames in rows for frame in frames], len(rows[0]), 140).quantize(64)
+
+
 def main() -> None:
-    for name, blends in SHEETS.items():
-        rows = [row(blend) for blend in blends]
-        target = ROOT / "docs" / f"{name}.png"
-        sheet([frame for frames in rows for frame in frames], len(rows[0]), 140).quantize(64).save(
-            target, optimize=True
-        )
+    for name in SHEETS:
+        target = DOCS / f"{name}.png"
+        drawn(name).save(target, optimize=True)
         print(target.relative_to(ROOT))
 
 

@@ -2,18 +2,18 @@
 
 import json
 import shutil
-from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
 from tools.quality import __main__ as quality
-from tools.quality import crossings, data, motions, scores, sizes, tables, worst
+from tools.quality import crossings, data, motions, npm, raw, sizes, tables, times, worst
 from tools.quality.data import Pair, icon_pairs, polygon, subpaths
 from tools.quality.motions import Choice, choice
 from tools.quality.peers import ALL, Tool, arc_length, flubber, shapeblend
 from tools.quality.scores import STEPS, Score, area, area_share, is_crossed, is_overlapping, score
+from tools.quality.truth import letters
 
 SQUARE = np.array([0, 10, 10 + 10j, 10j])
 BOW_TIE = SQUARE[[0, 2, 1, 3]]
@@ -214,21 +214,29 @@ def test_animated_holds_all_frames():
     assert shapeblend.drawn(text.replace("<path>", '<path d="M0,0L2,0L2,2Z">'))
 
 
+def icons(scores, tool="a tool"):
+    """What `crossings.measured` gives for one set and one tool."""
+    return {
+        "single": {"pairs": [""] * len(scores), "scores": {tool: raw.columns(Score, scores)}},
+        "whole": NOTHING,
+    }
+
+
+NOTHING = {"pairs": [], "scores": {}}
+
+
 def test_no_answer_counts_as_crossed_and_as_shrunk():
     good, bad = Score(False, False, 1.0, False), Score(True, False, 0.5, True)
-    (row,) = crossings.section({("single", "a tool"): [good, good, bad, None]}).table.rows
+    (row,) = crossings.section(icons([good, good, bad, None])).table.rows
     assert row == ["one contour", "a tool", "4", "3", "50 %", "25 %", "50 %", "100.0 %", "33.3 %"]
-    (row,) = crossings.section({("single", "a tool"): [None]}).table.rows
+    (row,) = crossings.section(icons([None])).table.rows
     assert row == ["one contour", "a tool", "1", "0", "100 %", "100 %", "100 %", "–", "–"]
 
 
-def test_the_short_table_has_the_default_motion_and_how_safe_the_safe_one_is():
+def test_the_short_table_has_no_rows_in_which_all_is_well():
     good, bad = Score(False, False, 1.0, False), Score(True, True, 0.5, False)
-    found = {("single", tool.name): [good] for tool in ALL}
-    found["single", shapeblend.NAME] = [good, bad]
-    told = dict(crossings.section(found).brief)
-    assert told[crossings.SAFE] == {shapeblend.NAME: "0 %"}
-    assert told[crossings.OVERLAPPING][shapeblend.NAME] == "50 %"
+    told = dict(crossings.section(icons([good, bad])).brief)
+    assert told[crossings.OVERLAPPING] == told[crossings.LITTLE_AREA] == {"a tool": "50 %"}
     assert crossings.LEFT_OUT not in told
     assert [tool.name for tool in ALL if tool.brief and "shapeblend" in tool.name] == [shapeblend.NAME]
 
@@ -241,7 +249,11 @@ def test_choices_are_counted_and_faults_told_from_reasons():
     assert choice(report("rigid", "linear: a limb shrinks to 50 % at t = 0.5")) == Choice("rigid", False)
     crossed = "linear: outlines cross each other at t = 0.5; rigid: an outline crosses itself at t = 0.5"
     assert choice(report("linear", crossed)) == Choice("linear", True)
-    table = motions.table({"single": [Choice("safe", True)] * 2, "whole": [Choice("linear", False)]}).table
+    chosen = {
+        "single": [Choice("safe", True), None, Choice("safe", True)],
+        "whole": [Choice("linear", False)],
+    }
+    table = motions.section({name: raw.columns(Choice, found) for name, found in chosen.items()}).table
     assert table.header[1::2] == ["one contour, 2 pairs", "two to five contours, 1 pairs"]
     assert table.rows[0] == ["linear", "0", "0", "1", "0"]
     assert table.rows[-1] == ["safe", "2", "2", "0", "0"]
@@ -276,44 +288,78 @@ def test_figures_are_replaced_and_nothing_else():
 
 
 def test_without_node_the_rest_is_measured_and_the_document_says_so(monkeypatch, tmp_path, capsys):
-    monkeypatch.setattr(shutil, "which", lambda name: None)
+    for module in (flubber, letters):
+        monkeypatch.setattr(module, "install", lambda *what: "node and npm are not there")
     few = {"single": icon_pairs("single")[:2], "whole": icon_pairs("whole")[:1]}
     for module in (crossings, motions, sizes):
         monkeypatch.setattr(module, "icon_pairs", few.get)
-    without_cache = [
-        tool._replace(ready=flubber.ready.__wrapped__) if tool.ready is flubber.ready else tool
-        for tool in ALL
-    ]
-    monkeypatch.setattr(quality, "ALL", without_cache)
     monkeypatch.setattr(quality, "ROOT", tmp_path)
     (tmp_path / "docs").mkdir()
     (tmp_path / "README.md").write_text(f"x\n{tables.BEGIN}{tables.END}\n", encoding="utf-8")
 
     def files():
-        quality.main()
+        quality.main([])
         return [(tmp_path / name).read_text(encoding="utf-8") for name in ("README.md", "docs/quality.md")]
 
     readme, document = once = files()
     assert f"Not measured: {flubber.NAME} (node and npm are not there)." in document
+    assert "Not measured: letters (node and npm are not there)." in document
     assert f"| {flubber.NAME}" not in document
     assert "| one contour | shapeblend | 2 | 2 |" in document
     assert "| one contour | shapeblend --motion safe | 2 | 2 |" in document
     assert readme[2:-1] in document
     assert files() == once
+    monkeypatch.setattr(quality, "measured", None)
+    quality.main(["--again"])
+    assert (tmp_path / "docs" / "quality.md").read_text(encoding="utf-8") == document
 
 
 def test_a_measure_takes_any_tool(monkeypatch):
-    monkeypatch.setattr(crossings, "icon_pairs", lambda name: [Pair("", "M0,0 Z", "M0,0 Z")])
-    found = crossings.scored(
+    monkeypatch.setattr(crossings, "icon_pairs", lambda name: [Pair("one", "M0,0 Z", "M0,0 Z")])
+    found = crossings.measured(
         [Tool("none", lambda pairs: [None]), Tool("bow", lambda pairs: [frames(BOW_TIE)])]
-    )
-    assert found["single", "none"] == [None]
-    assert found["single", "bow"][0].crossed
+    )["single"]
+    assert found["pairs"] == ["one"]
+    assert found["scores"]["none"]["crossed"] == [None]
+    assert found["scores"]["bow"]["crossed"] == [1]
 
 
-def test_other_tools_are_locked_by_their_contents_alone():
-    lock = json.loads(Path(flubber.HERE, "package-lock.json").read_text(encoding="utf-8"))
+def test_scores_come_back_from_their_columns():
+    scores = [Score(True, False, 0.123456789, False), None, Score(False, True, np.float64(1.0), True)]
+    found = json.loads(raw.text({"one": raw.columns(Score, scores), "two": {"three": []}}))
+    assert raw.records(Score, found["one"]) == [Score(1, 0, 0.12346, 0), None, Score(0, 1, 1.0, 1)]
+    assert raw.text({"a": [1, None], "b": {}}) == '{\n "a": [1,null],\n "b": {\n }\n}'
+
+
+def test_times_are_told_as_multiples():
+    found = {
+        "pairs": ["a", "b", "c"],
+        "seconds": {shapeblend.NAME: [1.0, 2.0, 9.0], flubber.NAME: [0.5, 0.5, 3.0]},
+    }
+    section = times.section({"single": found, "whole": found})
+    assert section.table.rows[0] == ["one contour", "3", "2.00 s", "0.50 s", "3.0"]
+    assert section.brief[0][1] == {shapeblend.NAME: "3.0", flubber.NAME: "1"}
+
+
+def test_segments_of_a_file_count_the_closing_lines():
+    assert shapeblend.segments(data.svg("M0,0 L10,0 L10,10 Z M20,20 L30,20 L30,30 L20,20 Z")) == 6
+    assert shapeblend.segments(shapeblend.middle(Pair("", "M0,0 H10 V10 Z", "M0,0 H20 V20 Z"))) == 3
+    assert sizes.segments([Pair("", "M0,0 L10,0 L10,10 Z", "M0,0 L20,0 L20,20 Z")], False) == {
+        shapeblend.NAME: [3],
+        arc_length.NAME: [arc_length.VERTICES],
+    }
+
+
+def test_npm_is_not_asked_where_it_is_not(monkeypatch, tmp_path):
+    monkeypatch.setattr(shutil, "which", lambda name: None)
+    assert npm.install.__wrapped__(flubber.HERE, tmp_path / "out") == "node and npm are not there"
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("folder", [flubber.HERE, letters.HERE], ids=lambda folder: folder.name)
+def test_what_npm_installs_is_locked_by_its_contents_alone(folder):
+    lock = json.loads((folder / "package-lock.json").read_text(encoding="utf-8"))
+    asked = json.loads((folder / "package.json").read_text(encoding="utf-8"))["dependencies"]
     packages = {name: package for name, package in lock["packages"].items() if name}
-    assert packages["node_modules/flubber"]["version"] == flubber.VERSION
+    assert {name: packages[f"node_modules/{name}"]["version"] for name in asked} == asked
     assert all("integrity" in package and "resolved" not in package for package in packages.values())
-    assert scores.STEPS == 10

@@ -1,30 +1,63 @@
-"""Measure shapeblend beside other tools, write docs/quality.md and the README's figures: no arguments."""
+"""Measure shapeblend beside other tools, write docs/quality.json, and docs/quality.md and the README's figures from it.
+
+No arguments; with `--again` nothing is measured, and the documents are made from what docs/quality.json has.
+"""
 
 from __future__ import annotations
 
+import argparse
+import json
 import sys
 
-from tools.quality import crossings, motions, sizes, tables
+from tools.quality import crossings, letters, motions, raw, sizes, tables, times
 from tools.quality.data import ROOT
-from tools.quality.peers import ALL
+from tools.quality.peers import ALL, flubber
+from tools.quality.truth import letters as fonts
+
+README, QUALITY, RAW = "README.md", "docs/quality.md", "docs/quality.json"
 
 
-def main() -> None:
-    problems = {tool: tool.ready() for tool in ALL}
-    tools = [tool for tool in ALL if problems[tool] is None]
-    missing = [f"{tool.name} ({problem})" for tool, problem in problems.items() if problem is not None]
+def measured() -> dict:
+    """All scores, and what could not be measured."""
+    problems = {tool.name: tool.ready() for tool in ALL}
+    tools = [tool for tool in ALL if problems[tool.name] is None]
+    with_flubber = problems[flubber.NAME] is None
+    problems["letters"] = fonts.ready()
+    missing = [f"{what} ({problem})" for what, problem in problems.items() if problem is not None]
     for line in missing:
         print(f"left out: {line}", file=sys.stderr)
 
-    scores = crossings.scored(tools)
-    sections = [crossings.section(scores), motions.section(), sizes.section(scores)]
+    if problems["letters"] is None:
+        fonts.make(fonts.FOLDER)
+    icons = crossings.measured(tools)
+    return {
+        "tools": [tool.name for tool in tools if tool.brief],
+        "missing": missing,
+        "letters": {} if problems["letters"] else letters.measured(tools),
+        "icons": icons,
+        "motions": motions.measured(),
+        "sizes": sizes.measured(icons, with_flubber),
+        "times": times.measured() if with_flubber else {},
+    }
 
-    figures = tables.short(sections, [tool.name for tool in tools if tool.brief], missing)
-    readme, quality = ROOT / "README.md", ROOT / "docs" / "quality.md"
-    text = tables.with_figures(readme.read_text(encoding="utf-8"), figures)
-    quality.write_text(tables.document(figures, sections), encoding="utf-8")
-    readme.write_text(text, encoding="utf-8")
-    print(quality.read_text(encoding="utf-8"))
+
+def documents(found: dict, readme: str) -> dict[str, str]:
+    """What the scores make of the README, and docs/quality.md."""
+    measures = {"letters": letters, "icons": crossings, "motions": motions, "sizes": sizes, "times": times}
+    sections = [measure.section(found[name]) for name, measure in measures.items() if found[name]]
+    figures = tables.short(sections, found["tools"], found["missing"])
+    return {README: tables.with_figures(readme, figures), QUALITY: tables.document(figures, sections)}
+
+
+def main(arguments: list[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--again", action="store_true", help="make the documents anew, without measuring")
+    if not parser.parse_args(arguments).again:
+        (ROOT / RAW).write_text(f"{raw.text(measured())}\n", encoding="utf-8")
+    found = json.loads((ROOT / RAW).read_text(encoding="utf-8"))
+    for name, text in documents(found, (ROOT / README).read_text(encoding="utf-8")).items():
+        (ROOT / name).write_text(text, encoding="utf-8")
+    print((ROOT / QUALITY).read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":

@@ -6,17 +6,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tools.quality import raw
 from tools.quality.data import SETS, icon_pairs, subpaths
-from tools.quality.peers import shapeblend
 from tools.quality.scores import LITTLE, Score, score
 from tools.quality.tables import NONE, Section, Table, share
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from tools.quality.data import Pair
     from tools.quality.peers import Tool
-
-    Scores = dict[tuple[str, str], list[Score | None]]
 
 HEADER = (
     "pairs of icons",
@@ -32,7 +31,7 @@ HEADER = (
 
 OVERLAPPING = "... contours cross each other"
 LEFT_OUT = "... contours are left out"
-SAFE = "... an in-between crosses itself, with `--motion safe`"
+LITTLE_AREA = "... an in-between has less than 70 % of its area"
 
 TEXT = """\
 Pairs of icons: `tests/bench/data/pairs.json`. Nine in-betweens a pair, t = .1, .2, ... .9.
@@ -62,42 +61,54 @@ The tools:
   order of size; what is left over grows from a point or shrinks to one."""
 
 
-def scored(tools: Sequence[Tool]) -> Scores:
-    """Every pair of every set with every tool; None where there was no answer."""
-    found: Scores = {}
+def measured(tools: Sequence[Tool]) -> dict:
+    """Every pair of every set with every tool."""
+    found = {}
     for name in SETS:
         pairs = icon_pairs(name)
-        contours = [(len(subpaths(pair.a)), len(subpaths(pair.b))) for pair in pairs]
-        for tool in tools:
-            blends = zip(tool.blends(pairs), contours, strict=True)
-            found[name, tool.name] = [frames and score(frames, counts) for frames, counts in blends]
+        scores = {tool.name: raw.columns(Score, scored(tool, pairs)) for tool in tools}
+        found[name] = {"pairs": [pair.id for pair in pairs], "scores": scores}
     return found
 
 
-def section(scores: Scores) -> Section:
+def scored(tool: Tool, pairs: list[Pair]) -> list[Score | None]:
+    """What is said of the pairs; None where the tool has no answer."""
+    contours = [(len(subpaths(pair.a)), len(subpaths(pair.b))) for pair in pairs]
+    blends = zip(tool.blends(pairs), contours, strict=True)
+    return [frames and score(frames, counts) for frames, counts in blends]
+
+
+def section(found: dict) -> Section:
     rows, brief = [], {}
-    for (name, tool), all_pairs in scores.items():
-        answered = [one for one in all_pairs if one]
-        crossed = share(one is None or one.crossed for one in all_pairs)
-        overlapping = share(one is None or one.overlapping for one in all_pairs)
-        little = share(one is None or one.area_share < LITTLE for one in all_pairs)
-        left_out = share(one.left_out for one in answered) if answered else NONE
-        median = f"{100 * np.median([one.area_share for one in answered]):.1f} %" if answered else NONE
-        counts = str(len(all_pairs)), str(len(answered))
-        rows.append([SETS[name], tool, *counts, crossed, overlapping, little, median, left_out])
-        head = f"{len(all_pairs)} pairs of icons of {SETS[name]}"
-        for what, cell in (
-            (f"{head}: an in-between crosses itself", crossed),
-            (OVERLAPPING, overlapping),
-            ("... an in-between has less than 70 % of its area", little),
-            (LEFT_OUT, left_out),
-        ):
-            brief.setdefault((name, what), {})[tool] = cell
-        if (name, tool) == ("single", shapeblend.named("safe")):
-            brief[name, SAFE] = {shapeblend.NAME: crossed}
-    told = [
-        (what, cells)
-        for (_, what), cells in brief.items()
-        if what not in (OVERLAPPING, LEFT_OUT) or set(cells.values()) != {"0 %"}
+    for name, what in SETS.items():
+        for tool, scores in found[name]["scores"].items():
+            cells = _cells(raw.records(Score, scores))
+            rows.append([what, tool, *cells])
+            count, _, crossed, overlapping, little, _, left_out = cells
+            for told, cell in (
+                (f"{count} pairs of icons of {what}: an in-between crosses itself", crossed),
+                (OVERLAPPING, overlapping),
+                (LITTLE_AREA, little),
+                (LEFT_OUT, left_out),
+            ):
+                brief.setdefault((name, told), {})[tool] = cell
+    short = [
+        (told, cells)
+        for (_, told), cells in brief.items()
+        if told not in (OVERLAPPING, LITTLE_AREA, LEFT_OUT) or set(cells.values()) != {"0 %"}
     ]
-    return Section("Crossings and area", TEXT, Table(HEADER, rows), told)
+    return Section("Crossings and area", TEXT, Table(HEADER, rows), short)
+
+
+def _cells(scores: list[Score | None]) -> list[str]:
+    """What the table says of one tool."""
+    answered = [one for one in scores if one]
+    return [
+        str(len(scores)),
+        str(len(answered)),
+        share(one is None or one.crossed for one in scores),
+        share(one is None or one.overlapping for one in scores),
+        share(one is None or one.area_share < LITTLE for one in scores),
+        f"{100 * np.median([one.area_share for one in answered]):.1f} %" if answered else NONE,
+        share(one.left_out for one in answered) if answered else NONE,
+    ]

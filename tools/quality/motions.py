@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from shapeblend_cli.motion.faults import CHECKED, LEAST_AREA, MOST_AREA, WITHERED
+from tools.quality import raw
 from tools.quality.data import SETS, icon_pairs
 from tools.quality.peers import shapeblend
 from tools.quality.tables import Section, Table
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 LEAST, MOST, LIMB = (round(100 * share) for share in (LEAST_AREA, MOST_AREA, WITHERED))
 
@@ -36,24 +34,27 @@ def choice(report: dict) -> Choice:
     return Choice(motion, any(reason.startswith(f"{motion}: ") for reason in reasons))
 
 
-def section() -> Section:
-    return table({name: [choice(report) for report in _reports(name)] for name in SETS})
+def measured() -> dict:
+    """What is chosen for every pair of every set."""
+    found = {}
+    for name in SETS:
+        pairs = icon_pairs(name)
+        reports = [shapeblend.report(pair) for pair in pairs]
+        choices = raw.columns(Choice, [report and choice(report) for report in reports])
+        found[name] = {"pairs": [pair.id for pair in pairs], **choices}
+    return found
 
 
-def table(choices: dict[str, Sequence[Choice]]) -> Section:
+def section(found: dict) -> Section:
+    choices = {name: [one for one in raw.records(Choice, found[name]) if one] for name in SETS}
     header = ["motion"]
-    for name, found in choices.items():
-        header += [f"{SETS[name]}, {len(found)} pairs", "with a fault"]
+    for name, chosen in choices.items():
+        header += [f"{SETS[name]}, {len(chosen)} pairs", "with a fault"]
     rows = []
     for motion in shapeblend.MOTIONS:
         row = [motion]
-        for found in choices.values():
-            faults = [one.with_fault for one in found if one.motion == motion]
+        for chosen in choices.values():
+            faults = [one.with_fault for one in chosen if one.motion == motion]
             row += [str(len(faults)), str(sum(faults))]
         rows.append(row)
     return Section("Which motion", TEXT, Table(header, rows), [])
-
-
-def _reports(name: str) -> list[dict]:
-    reports = (shapeblend.report(pair) for pair in icon_pairs(name))
-    return [report for report in reports if report is not None]

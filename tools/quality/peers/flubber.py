@@ -37,12 +37,12 @@ def ready() -> str | None:
 
 
 def blends(pairs: list[Pair], own_sides: bool = False) -> list[list[list[np.ndarray]] | None]:
-    return _points(pairs, [k / STEPS for k in range(STEPS + 1)], own_sides)
+    return points(pairs, [k / STEPS for k in range(STEPS + 1)], own_sides)
 
 
 def linked(truths: list[Truth], own_sides: bool = False) -> list[Linked | None]:
     """In-betweens beside what goes where, which its first and last frame say: both have the same vertices."""
-    blends = _points([truth.pair for truth in truths], [0.0, *TIMES, 1.0], own_sides)
+    blends = points([truth.pair for truth in truths], [0.0, *TIMES, 1.0], own_sides)
     return [frames and _linked(frames) for frames in blends]
 
 
@@ -52,7 +52,8 @@ def _linked(frames: list[list[np.ndarray]]) -> Linked:
     return Linked(between, list(zip(first, last, strict=True)), sum(len(ring) for ring in middle))
 
 
-def _points(pairs: list[Pair], times: list[float], own_sides: bool) -> list[list[list[np.ndarray]] | None]:
+def points(pairs: list[Pair], times: list[float], own_sides: bool) -> list[list[list[np.ndarray]] | None]:
+    """For each pair, the frames as polygons."""
     return [
         frames and [[np.array(ring) @ [1, 1j] for ring in frame] for frame in frames]
         for frames in _run(pairs, times, strings=False, own_sides=own_sides)

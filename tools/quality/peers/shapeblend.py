@@ -61,11 +61,11 @@ def links_of(contour: dict) -> tuple[np.ndarray, np.ndarray]:
     return (np.array(contour["vertices_a"]) @ [1, 1j])[a], (np.array(contour["vertices_b"]) @ [1, 1j])[b]
 
 
-def frames(pair: Pair, motion: str = DEFAULT) -> list[str] | None:
-    """The files at the times of `STEPS`, or None if the command fails."""
+def frames(pair: Pair, motion: str = DEFAULT, steps: int = STEPS) -> list[str] | None:
+    """The files at even times, both ends among them, or None if the command fails."""
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder, "frames")
-        options = ["--frames", str(STEPS - 1), "--ends", "--motion", motion]
+        options = ["--frames", str(steps - 1), "--ends", "--motion", motion]
         return _files(target) if _blend(_svgs(pair), Path(folder), target, *options) else None
 
 
@@ -84,6 +84,14 @@ def animation(pair: Pair) -> str | None:
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder, "moving.svg")
         return target.read_text(encoding="utf-8") if _blend(_svgs(pair), Path(folder), target) else None
+
+
+def middle(pair: Pair) -> str | None:
+    """The one file half way, or None if the command fails."""
+    with tempfile.TemporaryDirectory() as folder:
+        target = Path(folder, "frames")
+        done = _blend(_svgs(pair), Path(folder), target, "--frames", "1")
+        return _files(target)[0] if done else None
 
 
 def segments(text: str) -> int:

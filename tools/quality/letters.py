@@ -1,0 +1,116 @@
+"""Measure: how near a blend of two letters is to what their designer drew in between."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tools.quality import raw
+from tools.quality.tables import NONE, Section, Table, share
+from tools.quality.truth.form import SETS, load
+from tools.quality.truth.letters import DIFFERENT, EVEN, FAMILIES, FOLDER
+from tools.quality.truth.measures import GROSS, NEAR, REACH, SHARP, STILL_SHARP, Nearness, nearness
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from tools.quality.peers import Tool
+    from tools.quality.truth.form import Truth
+
+HEADER = (
+    "letters",
+    "tool",
+    "pairs",
+    "in-between, median",
+    "mean",
+    "correspondence, median",
+    "mean",
+    f"above {100 * GROSS:g} %",
+    "crossed",
+    "corners kept",
+    "segments, median",
+)
+
+TEXT = f"""\
+Letters of variable fonts. In such a font a letter has the same points wherever its axes stand, so the designer has
+said what becomes what, and how the letter looks in between. Each pair is a letter at two places of one axis. The
+families are {", ".join(FAMILIES)}, all under the SIL Open Font License, installed by npm from a lock file. Letters
+are taken by a fixed seed, of those that both fill rules fill the same, whose ends differ (more than
+{100 * DIFFERENT:g} % of what either covers is not covered by both) and that change evenly: moved straight, the
+designer's own points stay within {100 * EVEN:g} % of the truth by the same measure. How fast a font changes is
+nothing that two drawings show. The second file gives nothing away: it begins at another point, goes the other way
+round in about half of the pairs, has its contours in another order, and is scaled and shifted. The em is 100 units.
+
+- *in-between*: how much of what the in-between or the true one covers is not covered by both, mean of t = .25, .5
+  and .75. The scale and the shift of the second file are taken out: what goes straight from p to s q + d is, at
+  time t, a blend of p and q at time t s / (1 - t + t s), scaled and shifted.
+- *correspondence*: how far along the second outline a point of the first arrives from where the designer has it, as
+  a share of that outline's length, mean over the first. A contour that becomes a wrong one counts as 50 %. *above
+  {100 * GROSS:g} %*: share of the pairs.
+- *crossed*: pairs in which a contour of an in-between crosses or touches itself.
+- *corners kept*: corners of the true outline half way that the in-between has within {100 * NEAR:g} % of its size, mean
+  over the pairs that have some. A true corner turns by more than {SHARP:g} degrees at both ends, and by
+  {STILL_SHARP:g} half way; the corner of an in-between by {STILL_SHARP:g}. A turn is measured from {100 * REACH:g} %
+  of the size before the corner to as much behind it. The size is the diagonal of the box around the true outline.
+- *segments*: how many lines and curves the in-between half way is written with.
+
+A pair without an answer counts as 100 %, as 50 %, as crossed, and as without corners. shapeblend is told
+`--place asis` and the number of frames. `make bench-truth TRUTH=DIR` measures the same on other pairs."""
+
+
+def measured(tools: Sequence[Tool]) -> dict:
+    """Every pair of every set with every tool that says what goes where."""
+    found = {}
+    for name in SETS:
+        truths = list(load(FOLDER, name))
+        scores = {tool.name: raw.columns(Nearness, scored(tool, truths)) for tool in tools if tool.linked}
+        found[name] = {"pairs": [truth.id for truth in truths], "scores": scores}
+    return found
+
+
+def scored(tool: Tool, truths: list[Truth]) -> list[Nearness]:
+    """What is said of the pairs."""
+    return [nearness(truth, found) for truth, found in zip(truths, tool.linked(truths), strict=True)]
+
+
+def section(found: dict) -> Section:
+    rows, brief = [], {}
+    for name, what in SETS.items():
+        for tool, scores in found[name]["scores"].items():
+            cells = _cells(raw.records(Nearness, scores))
+            rows.append([what, tool, *cells])
+            count, between, _, along, _, gross, _, corners, _ = cells
+            for told, cell in (
+                (f"{count} letters of {what} beside their designers' in-betweens: error, median", between),
+                ("... error of the correspondence, median", along),
+                ("... correspondence off by more than 5 %", gross),
+                ("... corners kept", corners),
+            ):
+                brief.setdefault((name, told), {})[tool] = cell
+    return Section(
+        "Letters", TEXT, Table(HEADER, rows), [(told, cells) for (_, told), cells in brief.items()]
+    )
+
+
+def _cells(scores: list[Nearness]) -> list[str]:
+    """What the table says of one tool."""
+    columns = Nearness(*zip(*scores, strict=True))
+    corners = [kept for kept in columns.corners if kept is not None]
+    return [
+        str(len(scores)),
+        *(
+            percent(take(column))
+            for column in (columns.strict, columns.corr)
+            for take in (np.median, np.mean)
+        ),
+        share(off > GROSS for off in columns.corr),
+        share(columns.crossed),
+        percent(np.mean(corners)) if corners else NONE,
+        f"{np.median(columns.segments):.0f}",
+    ]
+
+
+def percent(part: float) -> str:
+    """To two decimals below ten, else to one."""
+    return f"{100 * part:.{2 if part < 0.1 else 1}f} %"

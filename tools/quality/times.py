@@ -1,0 +1,106 @@
+"""Measure: how long a whole command takes, beside flubber run by node."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tools.quality.data import SETS, icon_pairs, svg
+from tools.quality.peers import flubber, shapeblend
+from tools.quality.scores import STEPS
+from tools.quality.tables import Section, Table
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tools.quality.data import Pair
+
+EVERY = {"single": 8, "whole": 8}
+"""One pair in so many is measured."""
+
+RUNS = 3
+
+TEXT = f"""\
+Whole commands, start-up included, one after the other for every eighth pair of icons: the best of {RUNS} runs each,
+and of that the median over the pairs. shapeblend: `shapeblend a.svg b.svg -n {STEPS - 1}`, which writes {STEPS - 1}
+files. flubber: `node` with a script that reads path data and writes {STEPS - 1} in-betweens as path data. Only the
+ratio says much on other machines."""
+
+
+def measured() -> dict:
+    """Seconds of both, pair by pair."""
+    found = {}
+    for name, every in EVERY.items():
+        pairs = icon_pairs(name)[::every]
+        found[name] = {
+            "pairs": [pair.id for pair in pairs],
+            "seconds": {
+                shapeblend.NAME: [_best(ours, pair) for pair in pairs],
+                flubber.NAME: [_best(theirs, pair) for pair in pairs],
+            },
+        }
+    return found
+
+
+def _best(run: Callable[[Pair, str], None], pair: Pair) -> float:
+    seconds = []
+    for _ in range(RUNS):
+        with tempfile.TemporaryDirectory() as folder:
+            began = time.perf_counter()
+            run(pair, folder)
+            seconds.append(time.perf_counter() - began)
+    return round(min(seconds), 3)
+
+
+def ours(pair: Pair, folder: str) -> None:
+    files = [Path(folder, "a.svg"), Path(folder, "b.svg")]
+    for file, data in zip(files, (pair.a, pair.b), strict=True):
+        file.write_text(svg(data), encoding="utf-8")
+    command = [
+        sys.executable,
+        "-m",
+        "shapeblend_cli",
+        *map(str, files),
+        "--quiet",
+        "--frames",
+        str(STEPS - 1),
+    ]
+    subprocess.run([*command, "--output", f"{folder}/frames"], check=True)
+
+
+def theirs(pair: Pair, folder: str) -> None:
+    times = [k / STEPS for k in range(1, STEPS)]
+    job = json.dumps(flubber.job(pair, times, strings=True, own_sides=False))
+    with Path(folder, "frames").open("w", encoding="utf-8") as out:
+        subprocess.run(
+            ["node", flubber.SCRIPT],
+            cwd=flubber.INSTALLED,
+            input=f"{job}\n",
+            stdout=out,
+            text=True,
+            check=True,
+        )
+
+
+def section(found: dict) -> Section:
+    rows, ratios = [], {}
+    for name, timed in found.items():
+        own, other = (np.array(timed["seconds"][tool]) for tool in (shapeblend.NAME, flubber.NAME))
+        ratios[name] = f"{np.median(own / other):.1f}"
+        count = str(len(own))
+        rows.append([SETS[name], count, f"{np.median(own):.2f} s", f"{np.median(other):.2f} s", ratios[name]])
+    header = ["pairs of icons", "pairs", shapeblend.NAME, flubber.NAME, "ratio, median"]
+    brief = [
+        (
+            "time of the whole command, icons of one contour, as a multiple of flubber's, median",
+            {shapeblend.NAME: ratios["single"], flubber.NAME: "1"},
+        )
+    ]
+    return Section("Time", TEXT, Table(header, rows), brief)
