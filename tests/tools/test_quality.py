@@ -233,11 +233,14 @@ def test_no_answer_counts_as_crossed_and_as_shrunk():
     assert row == ["one contour", "a tool", "1", "0", "100 %", "100 %", "100 %", "–", "–"]
 
 
-def test_the_short_table_has_no_rows_in_which_all_is_well():
+def test_the_short_table_has_no_further_rows_in_which_all_is_well():
     good, bad = Score(False, False, 1.0, False), Score(True, True, 0.5, False)
-    told = dict(crossings.section(icons([good, bad])).brief)
-    assert told[crossings.OVERLAPPING] == told[crossings.LITTLE_AREA] == {"a tool": "50 %"}
-    assert crossings.LEFT_OUT not in told
+    section = crossings.section(icons([good, bad]))
+    assert dict(section.brief)[crossings.LEFT_OUT] == {"a tool": "0 %"}
+    table = tables.short([section], ["a tool"], [])
+    assert f"| {crossings.OVERLAPPING} | 50 % |" in table
+    assert f"| {crossings.LITTLE_AREA} | 50 % |" in table
+    assert crossings.LEFT_OUT not in table
     assert [tool.name for tool in ALL if tool.brief and "shapeblend" in tool.name] == [shapeblend.NAME]
 
 

@@ -92,12 +92,9 @@ def section(found: dict) -> Section:
                 (LEFT_OUT, left_out),
             ):
                 brief.setdefault((name, told), {})[tool] = cell
-    short = [
-        (told, cells)
-        for (_, told), cells in brief.items()
-        if told not in (OVERLAPPING, LITTLE_AREA, LEFT_OUT) or set(cells.values()) != {"0 %"}
-    ]
-    return Section("Crossings and area", TEXT, Table(HEADER, rows), short)
+    return Section(
+        "Crossings and area", TEXT, Table(HEADER, rows), [(told, cells) for (_, told), cells in brief.items()]
+    )
 
 
 def _cells(scores: list[Score | None]) -> list[str]:

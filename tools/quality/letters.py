@@ -32,15 +32,19 @@ HEADER = (
     "segments, median",
 )
 
+ALONG = "... how far along the outline its points are off, median"
+GROSSLY = f"... pairs whose points are off by more than {100 * GROSS:g} %, or on wrong contours"
+
 TEXT = f"""\
 Letters of variable fonts. In such a font a letter has the same points wherever its axes stand, so the designer has
 said what becomes what, and how the letter looks in between. Each pair is a letter at two places of one axis. The
-families are {", ".join(FAMILIES)}, all under the SIL Open Font License, installed by npm from a lock file. Letters
-are taken by a fixed seed, of those that both fill rules fill the same, whose ends differ (more than
+families, all under the SIL Open Font License and installed by npm from a lock file, are
+{", ".join(FAMILIES)}.
+Letters are taken by a fixed seed, of those that both fill rules fill the same, whose ends differ (more than
 {100 * DIFFERENT:g} % of what either covers is not covered by both) and that change evenly: moved straight, the
-designer's own points stay within {100 * EVEN:g} % of the truth by the same measure. How fast a font changes is
-nothing that two drawings show. The second file gives nothing away: it begins at another point, goes the other way
-round in about half of the pairs, has its contours in another order, and is scaled and shifted. The em is 100 units.
+designer's own points stay within {100 * EVEN:g} % of the truth by the same measure. How fast a font changes is nothing
+that two drawings show. The second file gives nothing away: it begins at another point, goes the other way round in
+about half of the pairs, has its contours in another order, and is scaled and shifted. The em is 100 units.
 
 - *in-between*: how much of what the in-between or the true one covers is not covered by both, mean of t = .25, .5
   and .75. The scale and the shift of the second file are taken out: what goes straight from p to s q + d is, at
@@ -82,12 +86,13 @@ def section(found: dict) -> Section:
             rows.append([what, tool, *cells])
             count, between, _, along, _, gross, _, corners, _ = cells
             for told, cell in (
-                (f"{count} letters of {what} beside their designers' in-betweens: error, median", between),
-                ("... error of the correspondence, median", along),
-                ("... correspondence off by more than 5 %", gross),
+                (f"{count} letters of {what}: what an in-between misses of the designer's, median", between),
+                (ALONG, along),
+                (GROSSLY, gross),
                 ("... corners kept", corners),
             ):
                 brief.setdefault((name, told), {})[tool] = cell
+    del brief["multi", ALONG]
     return Section(
         "Letters", TEXT, Table(HEADER, rows), [(told, cells) for (_, told), cells in brief.items()]
     )
@@ -112,5 +117,5 @@ def _cells(scores: list[Nearness]) -> list[str]:
 
 
 def percent(part: float) -> str:
-    """To two decimals below ten, else to one."""
-    return f"{100 * part:.{2 if part < 0.1 else 1}f} %"
+    """To two decimals, or three digits."""
+    return f"{100 * part:.2f} %" if part < 0.1 else f"{100 * part:.3g} %"

@@ -53,19 +53,23 @@ def share(conditions: Iterable[bool]) -> str:
 
 
 def short(sections: Sequence[Section], tools: Sequence[str], missing: Sequence[str]) -> str:
-    """What the README repeats, with the lines around it."""
+    """What the README repeats, with the lines around it; further lines in which no tool does wrong are left out."""
     rows = [
         [name, *(cells.get(tool, NONE) for tool in tools)]
         for section in sections
         for name, cells in section.brief
     ]
+    told = [row for row in rows if not row[0].startswith("...") or set(row[1:]) - {"0 %", NONE}]
     lines = "".join(f"\nNot measured: {line}.\n" for line in missing)
-    return f"{BEGIN}\n\n{Table(['', *tools], rows).markdown()}{lines}\n{END}"
+    return f"{BEGIN}\n\n{Table(['', *tools], told).markdown()}{lines}\n{END}"
 
 
 def document(short_table: str, sections: Sequence[Section]) -> str:
     """The text of docs/quality.md."""
-    parts = ["# shapeblend beside other tools\n", "Written by `make bench-quality`.\n", f"{short_table}\n"]
+    written = (
+        "Written by `make bench-quality`, from the scores of all pairs in [quality.json](quality.json).\n"
+    )
+    parts = ["# shapeblend beside other tools\n", written, f"{short_table}\n"]
     return "\n".join([*parts, *(section.markdown() for section in sections)])
 
 

@@ -99,7 +99,7 @@ def section(found: dict) -> Section:
     header = ["pairs of icons", "pairs", shapeblend.NAME, flubber.NAME, "ratio, median"]
     brief = [
         (
-            "time of the whole command, icons of one contour, as a multiple of flubber's, median",
+            "time of a whole command, icons of one contour, as a multiple of flubber's, median",
             {shapeblend.NAME: ratios["single"], flubber.NAME: "1"},
         )
     ]

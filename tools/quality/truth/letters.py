@@ -37,14 +37,14 @@ INSTALLED = ROOT / "out" / "quality" / "fonts"
 FOLDER = ROOT / "out" / "truth"
 
 FAMILIES = {
-    "archivo": "latin-standard-normal",
-    "big-shoulders-display": "latin-wght-normal",
-    "bodoni-moda": "latin-standard-normal",
-    "dancing-script": "latin-wght-normal",
-    "fraunces": "latin-full-normal",
-    "hepta-slab": "latin-wght-normal",
-    "jetbrains-mono": "latin-wght-normal",
-    "newsreader": "latin-standard-normal",
+    "Archivo": "latin-standard-normal",
+    "Big Shoulders Display": "latin-wght-normal",
+    "Bodoni Moda": "latin-standard-normal",
+    "Dancing Script": "latin-wght-normal",
+    "Fraunces": "latin-full-normal",
+    "Hepta Slab": "latin-wght-normal",
+    "JetBrains Mono": "latin-wght-normal",
+    "Newsreader": "latin-standard-normal",
 }
 """A sans, a condensed display face, a didone, a script, a soft serif, a slab, a mono and a text serif: their files."""
 
@@ -130,13 +130,10 @@ def ready() -> str | None:
 
 def letters(name: str) -> Iterator[Letter]:
     """The letters of a set: of each family as many as there shall be, axis after axis."""
-    for family, file in FAMILIES.items():
-        path = (
-            INSTALLED / "node_modules" / "@fontsource-variable" / family / "files" / f"{family}-{file}.woff2"
-        )
-        font = TTFont(path)
+    for family in FAMILIES:
+        font = opened(family)
         characters = list(CHARACTERS[name])
-        random.Random(f"{SEED} {family} {name}").shuffle(characters)
+        random.Random(f"{SEED} {package(family)} {name}").shuffle(characters)
         found: list[Letter] = []
         for character in characters:
             tried = (letter(font, family, character, *way) for way in _ways(font, len(found)))
@@ -144,6 +141,18 @@ def letters(name: str) -> Iterator[Letter]:
             if len(found) == COUNTS[name]:
                 break
         yield from found
+
+
+def opened(family: str) -> TTFont:
+    """The font of a family."""
+    name = package(family)
+    files = INSTALLED / "node_modules" / "@fontsource-variable" / name / "files"
+    return TTFont(files / f"{name}-{FAMILIES[family]}.woff2")
+
+
+def package(family: str) -> str:
+    """What npm calls it."""
+    return family.lower().replace(" ", "-")
 
 
 def _ways(font: TTFont, turn: int) -> Iterator[tuple[str, float, float]]:
