@@ -5,11 +5,11 @@ import json
 import pytest
 
 from tools.quality import __main__ as quality
-from tools.quality import crossings, letters, motions, raw, sizes
+from tools.quality import crossings, letters, motions, raw, sizes, times
 from tools.quality.data import ROOT, SETS, icon_pairs
 from tools.quality.motions import Choice
 from tools.quality.peers import ALL, arc_length, flubber, shapeblend
-from tools.quality.scores import Score
+from tools.quality.scores import STEPS, Score
 from tools.quality.truth import form
 from tools.quality.truth.measures import Nearness
 
@@ -106,3 +106,13 @@ def test_letters_measured_anew(name, tool, fonts):
 @pytest.mark.parametrize("tool", WITH_NODE)
 def test_letters_measured_anew_with_flubber(name, tool, fonts, node):
     letters_anew(fonts, name, tool)
+
+
+def test_times_are_of_commands_that_write_what_they_should(node, tmp_path):
+    pair = icon_pairs("single")[0]
+    times.ours(pair, str(tmp_path))
+    assert len(list((tmp_path / "frames").iterdir())) == STEPS - 1
+    (tmp_path / "other").mkdir()
+    times.theirs(pair, str(tmp_path / "other"))
+    (line,) = (tmp_path / "other" / "frames").read_text(encoding="utf-8").splitlines()
+    assert [frame[0] for frame in json.loads(line)["frames"]] == ["M"] * (STEPS - 1)

@@ -341,7 +341,7 @@ def test_times_are_told_as_multiples():
     }
     section = times.section({"single": found, "whole": found})
     assert section.table.rows[0] == ["one contour", "3", "2.00 s", "0.50 s", "3.0"]
-    assert section.brief[0][1] == {shapeblend.NAME: "3.0", flubber.NAME: "1"}
+    assert section.brief[0][1] == {shapeblend.NAME: "about 3", flubber.NAME: "1"}
 
 
 def test_segments_of_a_file_count_the_closing_lines():

@@ -54,9 +54,9 @@ The tools:
   looking for crossings itself, at these times among others. Below it are its motions, each for all pairs. Measured
   are the frame files it writes, rounding included; a contour with curves in about 2000 pieces.
 - flubber, in node: `maxSegmentLength` is a 120th of the longest contour, or, as "sides of 10", what the library takes
-  by itself, which is coarse in drawings 100 wide. Several contours go by `interpolateAll`, in the order of the
-  drawing, `separate` and `combine`. For several to several in unequal number it has no call: the largest are
-  paired, in order of size. It knows no holes and turns every contour the same way round.
+  by itself, which is coarse in drawings 100 wide. Several contours go by `interpolateAll`, which pairs them as they
+  come and gets them in order of size, `separate` and `combine`. For several to several in unequal number it has no
+  call: the largest are taken. It knows no holes and turns every contour the same way round.
 - even arc length: 120 vertices a contour, from the start with the least squared distances. Contours are paired in
   order of size; what is left over grows from a point or shrinks to one."""
 

@@ -25,13 +25,13 @@ if TYPE_CHECKING:
 EVERY = {"single": 8, "whole": 8}
 """One pair in so many is measured."""
 
-RUNS = 3
+RUNS = 5
 
 TEXT = f"""\
-Whole commands, start-up included, one after the other for every eighth pair of icons: the best of {RUNS} runs each,
+Whole commands, start-up included, by turns for every eighth pair of icons: the best of {RUNS} runs each,
 and of that the median over the pairs. shapeblend: `shapeblend a.svg b.svg -n {STEPS - 1}`, which writes {STEPS - 1}
 files. flubber: `node` with a script that reads path data and writes {STEPS - 1} in-betweens as path data. Only the
-ratio says much on other machines."""
+ratio says much, and that roughly: it depends on the machine and on what else it does."""
 
 
 def measured() -> dict:
@@ -41,22 +41,24 @@ def measured() -> dict:
         pairs = icon_pairs(name)[::every]
         found[name] = {
             "pairs": [pair.id for pair in pairs],
-            "seconds": {
-                shapeblend.NAME: [_best(ours, pair) for pair in pairs],
-                flubber.NAME: [_best(theirs, pair) for pair in pairs],
-            },
+            "seconds": dict(
+                zip((shapeblend.NAME, flubber.NAME), zip(*map(_seconds, pairs), strict=True), strict=True)
+            ),
         }
     return found
 
 
-def _best(run: Callable[[Pair, str], None], pair: Pair) -> float:
-    seconds = []
-    for _ in range(RUNS):
-        with tempfile.TemporaryDirectory() as folder:
-            began = time.perf_counter()
-            run(pair, folder)
-            seconds.append(time.perf_counter() - began)
-    return round(min(seconds), 3)
+def _seconds(pair: Pair) -> list[float]:
+    """The best of both, run by turns, so that what else the machine does falls on both."""
+    seconds = [[_timed(run, pair) for run in (ours, theirs)] for _ in range(RUNS)]
+    return [round(min(each), 3) for each in zip(*seconds, strict=True)]
+
+
+def _timed(run: Callable[[Pair, str], None], pair: Pair) -> float:
+    with tempfile.TemporaryDirectory() as folder:
+        began = time.perf_counter()
+        run(pair, folder)
+        return time.perf_counter() - began
 
 
 def ours(pair: Pair, folder: str) -> None:
@@ -100,7 +102,7 @@ def section(found: dict) -> Section:
     brief = [
         (
             "time of a whole command, icons of one contour, as a multiple of flubber's, median",
-            {shapeblend.NAME: ratios["single"], flubber.NAME: "1"},
+            {shapeblend.NAME: f"about {float(ratios['single']):.0f}", flubber.NAME: "1"},
         )
     ]
     return Section("Time", TEXT, Table(header, rows), brief)

@@ -1,8 +1,9 @@
 """flubber, the library most used to morph paths in web pages, run by node.
 
 It is installed from the lock file beside this one into `out/`. For several contours its calls are
-`interpolateAll` (as many on both sides), `separate` (one to several) and `combine` (several to one).
-There is none for, say, two to four: the largest are paired, in order of size, and the rest is left out.
+`interpolateAll` (as many on both sides), `separate` (one to several) and `combine` (several to one). The first takes
+contours as they come, so they are given in order of size. There is no call for, say, two to four: the largest are
+taken, and the rest is left out.
 """
 
 from __future__ import annotations
@@ -84,7 +85,7 @@ def job(pair: Pair, times: list[float], strings: bool, own_sides: bool) -> dict:
     """What the script is told of a pair."""
     a, b = subpaths(pair.a), subpaths(pair.b)
     longest = max(perimeter(polygon(contour)) for contour in a + b)
-    if 1 < min(len(a), len(b)) < max(len(a), len(b)):
+    if min(len(a), len(b)) > 1:
         a, b = (
             sorted(c, key=lambda d: area(polygon(d)), reverse=True)[: min(len(a), len(b))] for c in (a, b)
         )
