@@ -33,7 +33,7 @@ CONSTANTS = {
     "es": (2.0, "Exponent of stretching."),
     "eb": (1.0, "Exponent of bending."),
     "pb": (1000.0, "Penalty for an angle that closes to zero."),
-    "mb": (10.0, "Penalty for an angle that goes back and forth."),
+    "mb": (3.0, "Penalty for an angle that goes back and forth."),
     "cs": (0.5, "Edges collapse to points: near 0 hardly ever, 1 easily."),
 }
 """The paper's seven constants: default and help."""

@@ -61,7 +61,7 @@ class WorkConstants:
     e_s: float = 2.0
     e_b: float = 1.0
     p_b: float = 1000.0
-    m_b: float = 10.0
+    m_b: float = 3.0
     c_s: float = 0.5
 
     def __post_init__(self) -> None:

@@ -50,7 +50,7 @@ def test_the_best_start_is_marked_and_named(subject_of):
     (best,) = pieces(text, "best")
     lines = [points for points in pieces(text, "work")]
     assert len(lines) == 1
-    assert "least with vertex 0 of A at vertex 53 of B: work 5.333" in words(text)
+    assert "least with vertex 0 of A at vertex 53 of B: work 5.228" in words(text)
     assert float(best.get("cy")) > 300.0
 
 
