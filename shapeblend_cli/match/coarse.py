@@ -46,7 +46,7 @@ FOLLOWED = (
 """Which coarse paths are followed: how much more work than the best one they may take, and how far from its
 start they may start, both as shares. The first for which there is room."""
 
-CORRIDOR_DOTS, CORRIDOR_ROWS = 1_000_000, 120
+CORRIDOR_DOTS, CORRIDOR_ROWS = 1_500_000, 120
 """Room for a corridor: so many dots, or so many rows a column if that is more."""
 
 MOST_WIDENINGS = 6
