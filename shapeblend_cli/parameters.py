@@ -8,6 +8,7 @@ from typing import Any
 import click
 
 from shapeblend_cli import easing
+from shapeblend_cli.emit.forms import PAGES
 
 
 class StartType(click.ParamType[Any]):
@@ -67,7 +68,7 @@ class PageType(click.ParamType[str]):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
         """Refuse what no browser would take for a page."""
-        if not value.lower().endswith((".html", ".htm")):
+        if not value.lower().endswith(PAGES):
             self.fail(f"{value!r} is no file name of a page; one that ends in .html would work.", param, ctx)
         return str(value)
 

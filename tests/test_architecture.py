@@ -64,7 +64,7 @@ ROOMS = {
         "errors",
     },
     "commands": set(),
-    "parameters": {"svg", "easing"},
+    "parameters": {"svg", "easing", "emit"},
     "options": {"parameters", "presets", "pictures", "match", "settings"},
     "listing": set(),
     "cli": {

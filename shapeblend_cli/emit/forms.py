@@ -47,6 +47,9 @@ FRAME_KINDS = ("svg", "png")
 SUFFIXES = {".svg": "animation", ".png": "sheet", ".gif": "gif", ".webp": "webp", ".apng": "apng"}
 """What a file is that frames go into, by what its name ends in."""
 
+PAGES = (".htm", ".html")
+"""What names of pages end in."""
+
 NOT_WRITTEN = (
     *(
         ".avi",
@@ -54,8 +57,6 @@ NOT_WRITTEN = (
         ".bmp",
         ".eps",
         ".heic",
-        ".htm",
-        ".html",
         ".ico",
         ".jpeg",
         ".jpg",
@@ -116,6 +117,8 @@ def problem(emit: str, output: str, files: int) -> str | None:
     if emit == "frames" and suffix in (".json", ".xml"):
         other = next(name for name, known in FORMS.items() if known.suffix == suffix)
         return f"--output {output}: with --emit {other} such a file is written"
+    if suffix in PAGES:
+        return f"--output {output}: such a page is written with --preview {output}"
     if suffix in NOT_WRITTEN:
         return (
             f"--output {output}: {suffix} is not written; {', '.join(SUFFIXES)} are, and frames into a folder"
@@ -125,7 +128,8 @@ def problem(emit: str, output: str, files: int) -> str | None:
 
 def _suffix(output: str) -> str:
     """What the name of a file ends in; empty for a folder and for standard output."""
-    known = (*SUFFIXES, *(form.suffix for form in FORMS.values() if form.suffix), *NOT_WRITTEN)
+    forms = (form.suffix for form in FORMS.values() if form.suffix)
+    known = (*SUFFIXES, *forms, *PAGES, *NOT_WRITTEN)
     return next((suffix for suffix in known if output.lower().endswith(suffix)), "")
 
 

@@ -198,6 +198,7 @@ def test_svg_needs_no_extra(here, monkeypatch):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
+        (["-o", "x.html"], "x.html: such a page is written with --preview x.html"),
         (["-o", "x.jpg"], "x.jpg: .jpg is not written; .svg, .png, .gif, .webp, .apng are"),
         (["-o", "X.MP4"], "X.MP4: .mp4 is not written"),
         (

@@ -104,4 +104,4 @@ def test_errors_are_one_line_and_nothing_is_written(here, capsys, arguments, sta
 
 def test_help_lists_it(capsys):
     assert run(["--help"]) == 0
-    assert "  plot     Draw how two files correspond" in capsys.readouterr().out
+    assert re.search(r"^  plot +Draw how two files correspond", capsys.readouterr().out, re.MULTILINE)
