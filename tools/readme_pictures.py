@@ -15,14 +15,33 @@ if TYPE_CHECKING:
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
 
-# For each picture its rows: the two drawings, and what else the README says was on the command line.
+CELL, SMALL = 140, 90
+"""Pixels of a drawing, and of one in the pictures of constants."""
+
 SHEETS = {
     "letters": ["e f"],
     "triangle-square": ["triangle square"],
     "bird": ["bird-1 bird-2"],
-    "animals": ["cow deer --preset fig27"],
+    "animals": ["cow deer"],
     "step": ["step-1 step-2 --motion linear", "step-1 step-2"],
     "dancer": ["dancer-1 dancer-2 --preset fig28 --motion linear", "dancer-1 dancer-2 --preset fig28"],
+}
+"""For each picture its rows: the two drawings, and what else the README says was on the command line."""
+
+CONSTANTS = {
+    "ks": ("e f", (0, 1, 10)),
+    "kb": ("cow deer", (0, 1, 10)),
+    "es": ("f cow", (1, 2, 4)),
+    "eb": ("cow deer", (0.5, 1, 2)),
+    "mb": ("cow deer", (0, 3, 100)),
+    "pb": ("dancer-1 dancer-2", (0, 1000)),
+    "cs": ("e f", (0.05, 0.5, 1)),
+}
+"""For each of the paper's constants two drawings, and its values from above to below; the shapes go straight."""
+
+SHEETS |= {
+    f"constant-{name}": [f"{drawings} --motion linear --{name} {value}" for value in values]
+    for name, (drawings, values) in CONSTANTS.items()
 }
 
 
@@ -39,7 +58,11 @@ def row(blend: str) -> list[str]:
 def drawn(name: str) -> Image.Image:
     """One of the pictures."""
     rows = [row(blend) for blend in SHEETS[name]]
-    return sheet([frame for frames in rows for frame in frames], len(rows[0]), 140).quantize(64)
+    return sheet(
+        [frame for frames in rows for frame in frames],
+        len(rows[0]),
+        SMALL if name.startswith("constant-") else CELL,
+    ).quantize(64)
 
 
 def main() -> None:

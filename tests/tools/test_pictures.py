@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tools import gallery, readme_pictures
+from tools import gallery, plots, readme_pictures
 from tools.quality.data import Pair, polygon
 from tools.quality.peers import flubber
 from tools.quality.truth import letters
@@ -81,7 +81,8 @@ def test_every_picture_is_made_by_a_target_and_every_link_has_one():
     gallery_pages = {link.removeprefix("gallery/") for link in LINK.findall(gallery.PAGE.read_text("utf-8"))}
     made = {DOCS / f"{name}.png" for name in readme_pictures.SHEETS}
     made |= {gallery.GALLERY / name for name in gallery_pages}
-    assert linked == made == set(DOCS.rglob("*.png"))
+    made |= {DOCS / f"plot-{kind}.svg" for kind in plots.PLOTS}
+    assert linked == made == {*DOCS.rglob("*.png"), *DOCS.rglob("*.svg")}
     names = {shown.name for shown in ICONS}
     names |= {
         f"letters-{name}-{k + 1}"
