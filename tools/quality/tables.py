@@ -73,10 +73,10 @@ def document(short_table: str, sections: Sequence[Section]) -> str:
     return "\n".join([*parts, *(section.markdown() for section in sections)])
 
 
-def with_figures(text: str, short_table: str) -> str:
-    """A text with the figures between the two marks replaced."""
-    before, begin, rest = text.partition(BEGIN)
-    _, end, after = rest.partition(END)
+def with_figures(text: str, short_table: str, first: str = BEGIN, last: str = END) -> str:
+    """A text with the figures between two marks replaced."""
+    before, begin, rest = text.partition(first)
+    _, end, after = rest.partition(last)
     if not (begin and end):
-        raise ValueError(f"no place for figures: it begins with {BEGIN} and ends with {END}")
+        raise ValueError(f"no place for figures: it begins with {first} and ends with {last}")
     return before + short_table + after

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import tempfile
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,6 +16,9 @@ from shapeblend_cli.svg.read import read
 from tools.quality.data import Pair, svg
 from tools.quality.scores import STEPS
 from tools.quality.truth.form import TIMES, Linked, Truth
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 NAME = "shapeblend"
 
@@ -36,15 +40,15 @@ def blends(pairs: list[Pair], motion: str = DEFAULT) -> list[list[list[np.ndarra
     return [each and [drawn(text) for text in each] for each in files]
 
 
-def linked(truths: list[Truth]) -> list[Linked | None]:
+def linked(truths: list[Truth], also: Sequence[str] = ()) -> list[Linked | None]:
     """In-betweens as they come, of files that lie as they are, beside what the report says goes where."""
-    return [_linked(truth) for truth in truths]
+    return [_linked(truth, also) for truth in truths]
 
 
-def _linked(truth: Truth) -> Linked | None:
+def _linked(truth: Truth, also: Sequence[str]) -> Linked | None:
     with tempfile.TemporaryDirectory() as folder:
         target, file = Path(folder, "frames"), Path(folder, "report.json")
-        options = ["--place", "asis", "--frames", str(len(TIMES)), "--report", str(file)]
+        options = ["--place", "asis", "--frames", str(len(TIMES)), "--report", str(file), *also]
         if not _blend((truth.a, truth.b), Path(folder), target, *options):
             return None
         files = _files(target)
@@ -61,11 +65,13 @@ def links_of(contour: dict) -> tuple[np.ndarray, np.ndarray]:
     return (np.array(contour["vertices_a"]) @ [1, 1j])[a], (np.array(contour["vertices_b"]) @ [1, 1j])[b]
 
 
-def frames(pair: Pair, motion: str = DEFAULT, steps: int = STEPS) -> list[str] | None:
+def frames(
+    pair: Pair, motion: str = DEFAULT, steps: int = STEPS, also: Sequence[str] = ()
+) -> list[str] | None:
     """The files at even times, both ends among them, or None if the command fails."""
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder, "frames")
-        options = ["--frames", str(steps - 1), "--ends", "--motion", motion]
+        options = ["--frames", str(steps - 1), "--ends", "--motion", motion, *also]
         return _files(target) if _blend(_svgs(pair), Path(folder), target, *options) else None
 
 
