@@ -41,13 +41,6 @@ def test_what_the_readme_links_to_is_there(link):
     assert (ROOT / link).exists()
 
 
-def test_figures_in_the_readme_are_those_of_the_table():
-    table = (ROOT / "docs" / "solver.md").read_text(encoding="utf-8")
-    for figure in ("1.3 times", "5.1 %", "28 %", "64 %", "95 %"):
-        assert f"| {figure} |" in table
-        assert figure in README
-
-
 def test_figures_beside_other_tools_are_those_of_the_document():
     document = (ROOT / "docs" / "quality.md").read_text(encoding="utf-8")
     for text in (README, document):

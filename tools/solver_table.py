@@ -1,12 +1,16 @@
-"""Measure the solver and write docs/solver.md: solver_table.py, no arguments. Takes about a minute."""
+"""Measure the solver and write docs/solver.json, and docs/solver.md and the README's figures from it.
+
+python -m tools.solver_table, a few minutes; with `--again` nothing is measured, and the documents are made from what
+docs/solver.json has.
+"""
 
 from __future__ import annotations
 
+import argparse
 import json
 import subprocess
 import sys
 import time
-from pathlib import Path
 
 import numpy as np
 
@@ -17,20 +21,27 @@ from shapeblend_cli.match import starts
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.match.work import Window, Wires, WorkConstants
 from shapeblend_cli.svg.read import read
+from tools.quality.data import ROOT, icon_pairs
+from tools.quality.raw import text
+from tools.quality.tables import Table, with_figures
 
-ROOT = Path(__file__).resolve().parents[1]
-PAIRS = ROOT / "tests" / "bench" / "data" / "pairs.json"
+RAW, DOCUMENT, README = ROOT / "docs" / "solver.json", ROOT / "docs" / "solver.md", ROOT / "README.md"
+BEGIN, END = "<!-- solver: written by make tables -->", "<!-- end of solver -->"
+DIGITS = 9
+VERTICES, FINE = 200, 2000
+EVERY = 2
+"""Of the icons one in so many is solved with `FINE` vertices."""
+
 SVG = '<svg xmlns="http://www.w3.org/2000/svg"><path d="{}"/></svg>'
 
 
-def icon_pairs(vertices):
-    """The icon outlines in unit boxes, both in one direction."""
-    for pair in json.loads(PAIRS.read_text(encoding="utf-8"))["single"]:
-        contours = [read("icon", SVG.format(pair[side]).encode()).shapes[0].contours[0] for side in "ab"]
-        a, b = (flatten(contour, vertices) for contour in contours)
-        if direction(a) != direction(b):
-            b = reversed_polygon(b)
-        yield to_unit_box(a)[0], to_unit_box(b)[0]
+def outlines(pair, vertices):
+    """Both outlines of a pair of icons in unit boxes, in one direction."""
+    contours = [read("icon", SVG.format(data).encode()).shapes[0].contours[0] for data in (pair.a, pair.b)]
+    a, b = (flatten(contour, vertices) for contour in contours)
+    if direction(a) != direction(b):
+        b = reversed_polygon(b, len(contours[1].segments))
+    return to_unit_box(a)[0], to_unit_box(b)[0]
 
 
 def divide_and_conquer(p0, p1):
@@ -76,57 +87,38 @@ def percent(values, at):
     return f"{value:.0f} %" if value >= 10 else f"{value:.2g} %"
 
 
-def on_icons():
-    """Rows on icon pairs at 200 vertices: the simplified solver, divide and conquer, time against one start."""
-    above, missed, ratios = [], [], []
-    for p0, p1 in icon_pairs(200):
-        seconds = {}
-        for start in (None, (0, 0)):
-            runs = []
-            for _ in range(3):
-                before = time.perf_counter()
-                found = least_work(p0, p1, start=start)
-                runs.append(time.perf_counter() - before)
-                if start is None:
-                    exact = found.work
-            seconds[start] = min(runs)
-        ratios.append(seconds[None] / seconds[0, 0])
-        above.append(least_work(p0, p1, solver="simplified").work / exact - 1.0)
-        missed.append(divide_and_conquer(p0, p1) / exact - 1.0)
-    above, missed = np.array(above), np.array(missed)
-    return [
-        ("pairs", str(len(above))),
-        ("simplified solver (4.1): work above the least, median", percent(above, 50)),
-        ("... 95th percentile", percent(above, 95)),
-        ("... at most", percent(above, 100)),
-        ("... the least after all", share(above < 1e-9)),
-        ("divide and conquer of [8]: missed the least work", share(missed > 1e-9)),
-        ("... by at most", percent(missed, 100)),
-        ("time of all starts, proven, beside one given start, median", f"{np.median(ratios):.1f} times"),
-        ("... at most", f"{max(ratios):.1f} times"),
-    ]
-
-
-def on_fine_icons():
-    """Rows on icon pairs at 2000 vertices: coarse to fine against the exact answer."""
-    above, seconds = [], {"auto": 0.0, "exact": 0.0}
-    for p0, p1 in list(icon_pairs(2000))[::2]:
-        work = {}
-        for effort in seconds:
+def on_icon(p0, p1):
+    """What is measured on a pair: work above the least of the simplified solver, of divide and conquer; time."""
+    seconds = {}
+    for start in (None, (0, 0)):
+        runs = []
+        for _ in range(3):
             before = time.perf_counter()
-            work[effort] = least_work(p0, p1, effort=effort).work
-            seconds[effort] += time.perf_counter() - before
-        above.append(work["auto"] / work["exact"] - 1.0)
-    above = np.array(above)
-    return [
-        (
-            f"coarse to fine, 2000 vertices, {len(above)} pairs: within 1 % of the least work",
-            share(above <= 0.01),
-        ),
-        ("... the least after all", share(above < 1e-9)),
-        ("... worst", percent(above, 100)),
-        ("... time beside the exact search", f"{seconds['auto'] / seconds['exact']:.1f} times"),
-    ]
+            found = least_work(p0, p1, start=start)
+            runs.append(time.perf_counter() - before)
+            if start is None:
+                exact = found.work
+        seconds[start] = min(runs)
+    return {
+        "simplified": least_work(p0, p1, solver="simplified").work / exact - 1.0,
+        "divided": divide_and_conquer(p0, p1) / exact - 1.0,
+        "times": seconds[None] / seconds[0, 0],
+    }
+
+
+def on_fine_icon(p0, p1):
+    """Coarse to fine beside the exact answer: work above the least, and the seconds of both."""
+    work, seconds = {}, {}
+    for effort in ("auto", "exact"):
+        before = time.perf_counter()
+        work[effort] = least_work(p0, p1, effort=effort).work
+        seconds[effort] = time.perf_counter() - before
+    return {"coarse": work["auto"] / work["exact"] - 1.0, **seconds}
+
+
+def columns(records):
+    """A list for each name."""
+    return {name: [round(record[name], DIGITS) for record in records] for name in records[0]}
 
 
 def unit(z):
@@ -175,27 +167,19 @@ def family():
 
 
 def on_family():
-    """Rows on the family, every shape with every other and itself."""
+    """Every shape of the family with every other and itself."""
     shapes = family()
-    worst, sweeps, unproven, ratios = ("", 0), [], 0, []
-    for name0, p0 in shapes.items():
-        for name1, p1 in shapes.items():
+    records = []
+    for p0 in shapes.values():
+        for p1 in shapes.values():
             before = time.perf_counter()
             found = least_work(p0, p1)
             between = time.perf_counter()
             least_work(p0, p1, start=(0, 0))
-            ratios.append((between - before) / (time.perf_counter() - between))
-            sweeps.append(found.sweeps)
-            unproven += found.gap != 0.0
-            if found.sweeps > worst[1]:
-                worst = f"{name0} to {name1}", found.sweeps
-    return [
-        ("symmetric and degenerate shapes: pairs", str(len(sweeps))),
-        ("... not proven", str(unproven)),
-        ("... sweeps through the graph, median", f"{np.median(sweeps):.0f}"),
-        ("... at most", f"{worst[1]} ({worst[0]})"),
-        ("... time beside one given start, at most", f"{max(ratios):.1f} times"),
-    ]
+            ratio = (between - before) / (time.perf_counter() - between)
+            records.append({"sweeps": found.sweeps, "proven": int(found.gap == 0.0), "times": ratio})
+    names = [f"{name0} to {name1}" for name0 in shapes for name1 in shapes]
+    return {"pairs": names, **columns(records)}
 
 
 LARGE = """
@@ -220,31 +204,109 @@ print(time.perf_counter() - before, resource.getrusage(resource.RUSAGE_SELF).ru_
 
 
 def on_coastlines():
-    """Rows on rough outlines of many vertices, each in a process of its own: time and memory."""
-    rows, first = [], None
+    """Time and memory on rough outlines of many vertices, each in a process of its own."""
+    records = []
     for m in (1000, 5000, 10_000, 20_000):
         done = subprocess.run(
             [sys.executable, "-c", LARGE, str(m)], capture_output=True, text=True, check=True
         )
         seconds, megabytes = map(float, done.stdout.split())
-        first = first or seconds
-        rows.append((f"coastlines, {m} by {m}: time beside 1000 by 1000", f"{seconds / first:.1f} times"))
-        rows.append(("... most memory of the whole process", f"{megabytes:.0f} MB"))
-    return rows
+        records.append({"vertices": m, "seconds": seconds, "megabytes": megabytes})
+    return columns(records)
+
+
+def measured():
+    # First, because Linux counts what this process has used by then as used by those it starts.
+    coastlines = on_coastlines()
+    pairs = icon_pairs("single")
+    return {
+        "icons": columns([on_icon(*outlines(pair, VERTICES)) for pair in pairs]),
+        "fine": columns([on_fine_icon(*outlines(pair, FINE)) for pair in pairs[::EVERY]]),
+        "coastlines": coastlines,
+        "family": on_family(),
+    }
+
+
+def rows(found):
+    """The lines of docs/solver.md."""
+    simplified, divided, times = (
+        np.array(found["icons"][name]) for name in ("simplified", "divided", "times")
+    )
+    coarse = np.array(found["fine"]["coarse"])
+    family, coast = found["family"], found["coastlines"]
+    most = int(np.argmax(family["sweeps"]))
+    first = coast["seconds"][0]
+    return {
+        "pairs": str(len(simplified)),
+        "simplified solver (4.1): work above the least, median": percent(simplified, 50),
+        "... 95th percentile": percent(simplified, 95),
+        "... at most": percent(simplified, 100),
+        "... the least after all": share(simplified < 1e-9),
+        "divide and conquer of [8]: missed the least work": share(divided > 1e-9),
+        "... by at most": percent(divided, 100),
+        "time of all starts, proven, beside one given start, median": f"{np.median(times):.1f} times",
+        "... the longest": f"{times.max():.1f} times",
+        f"coarse to fine, {FINE} vertices, {len(coarse)} pairs: within 1 % of the least work": share(
+            coarse <= 0.01
+        ),
+        "... also the least": share(coarse < 1e-9),
+        "... worst": percent(coarse, 100),
+        "... time beside the exact search": f"{sum(found['fine']['auto']) / sum(found['fine']['exact']):.1f} times",
+        **{
+            f"coastlines, {m} by {m}: time beside {coast['vertices'][0]} by {coast['vertices'][0]}; memory of the "
+            "whole process": f"{seconds / first:.1f} times; {megabytes:.0f} MB"
+            for m, seconds, megabytes in zip(*coast.values(), strict=True)
+        },
+        "symmetric and degenerate shapes: pairs": str(len(family["pairs"])),
+        "... not proven": str(family["proven"].count(0)),
+        "... sweeps through the graph, median": f"{np.median(family['sweeps']):.0f}",
+        "... most sweeps": f"{family['sweeps'][most]} ({family['pairs'][most]})",
+        "... time beside one given start, the longest": f"{max(family['times']):.1f} times",
+    }
+
+
+def document(found):
+    """The text of docs/solver.md."""
+    return (
+        "# The solver, measured\n\nWritten by `make tables`, from [solver.json](solver.json). Icon pairs: "
+        f"`tests/bench/data/pairs.json`, {VERTICES} vertices unless it says otherwise.\n\n"
+        + Table(["what", "measured"], list(rows(found).items())).markdown()
+    )
+
+
+def figures(found):
+    """What the README says, with the marks around it."""
+    icons, coast = found["icons"], found["coastlines"]
+    large = coast["megabytes"][coast["vertices"].index(10_000)]
+    told = {
+        "all starts, with proof, beside the solve of one given start: time, median": (
+            f"{np.median(icons['times']):.1f} times"
+        ),
+        'the simplified algorithm of section 4.1 ("virtually identical results"): work above the least': (
+            f"{percent(icons['simplified'], 50)}, median"
+        ),
+        "... in one case of twenty": f"{percent(icons['simplified'], 95)} or more",
+        "divide and conquer over starts, as the paper does it: misses the least work": (
+            f"in {share(np.array(icons['divided']) > 1e-9)} of the pairs"
+        ),
+        f"from coarse to fine, {FINE} vertices: within 1 % of the least work": (
+            f"in {share(np.array(found['fine']['coarse']) <= 0.01)} of {len(found['fine']['coarse'])} pairs"
+        ),
+        "memory of the whole process, 10,000 by 10,000 vertices": f"{large:.0f} MB",
+    }
+    return f"{BEGIN}\n\n{Table(['what', 'measured'], list(told.items())).markdown()}\n{END}"
 
 
 def main() -> None:
-    # First, because Linux counts what this process has used by then as used by those it starts.
-    coastlines = on_coastlines()
-    rows = [*on_icons(), *on_fine_icons(), *coastlines, *on_family()]
-    table = "\n".join(f"| {what} | {value} |" for what, value in rows)
-    target = ROOT / "docs" / "solver.md"
-    target.write_text(
-        "# The solver, measured\n\nWritten by `make tables`. Icon pairs: `tests/bench/data/pairs.json`, "
-        f"200 vertices unless it says otherwise.\n\n| what | measured |\n| --- | --- |\n{table}\n",
-        encoding="utf-8",
-    )
-    print(target.read_text(encoding="utf-8"))
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--again", action="store_true", help="make the documents anew, without measuring")
+    if not parser.parse_args().again:
+        RAW.write_text(f"{text(measured())}\n", encoding="utf-8")
+    found = json.loads(RAW.read_text(encoding="utf-8"))
+    DOCUMENT.write_text(document(found), encoding="utf-8")
+    readme = README.read_text(encoding="utf-8")
+    README.write_text(with_figures(readme, figures(found), BEGIN, END), encoding="utf-8")
+    print(document(found))
 
 
 if __name__ == "__main__":
