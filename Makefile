@@ -25,15 +25,16 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
 
-demo: install ## blend samples/e.svg into samples/f.svg: frames, an animated SVG, a contact sheet
+demo: install ## blend samples/e.svg into samples/f.svg: frames, an animated SVG, a contact sheet, a page to look at them
 	@mkdir -p $(DEMO)
 	@rm -f $(DEMO)/frames/*.svg
 	$(BIN)/shapeblend samples/e.svg samples/f.svg --frames 7 --ends --force --output $(DEMO)/frames
-	$(BIN)/shapeblend samples/e.svg samples/f.svg --frames 7 --force --output $(DEMO)/e-f.svg
-	$(BIN)/python tools/contact_sheet.py $(DEMO)/contact-sheet.png $(DEMO)/frames/*.svg
+	$(BIN)/shapeblend samples/e.svg samples/f.svg --force --output $(DEMO)/e-f.svg --preview $(DEMO)/look.html
+	$(BIN)/shapeblend samples/e.svg samples/f.svg --frames 7 --ends --force --output $(DEMO)/contact-sheet.png
 	@echo
 	@echo "frames         $(DEMO)/frames/"
 	@echo "animated SVG   $(DEMO)/e-f.svg  (open it in a browser)"
+	@echo "preview        $(DEMO)/look.html  (this one too)"
 	@echo "contact sheet  $(DEMO)/contact-sheet.png"
 
 test: install chromium npm ## run every test
@@ -72,8 +73,8 @@ gallery: install ## draw pairs beside flubber for docs/gallery.md; needs node an
 plots: install ## draw the plots of docs/plots.md
 	$(BIN)/python tools/plots.py
 
-tables: install ## measure the solver and write docs/solver.md
-	$(BIN)/python tools/solver_table.py
+tables: install ## measure the solver and write docs/solver.json, docs/solver.md and the README's figures of it
+	$(BIN)/python -m tools.solver_table
 
 bench-quality: install ## measure the results beside other tools and write docs/quality.json and .md; much needs node and npm
 	$(BIN)/python -m tools.quality
@@ -83,6 +84,9 @@ TRUTH ?= out/truth
 bench-truth: install ## measure by letters whose in-betweens are known, in the folder TRUTH (out/truth)
 	$(if $(filter out/truth,$(TRUTH)),$(BIN)/python -m tools.quality.truth.letters)
 	$(BIN)/python -m tools.quality.truth $(TRUTH)
+
+sweep: install ## measure what each constant does and write docs/defaults.json and .md; needs npm
+	$(BIN)/python -m tools.quality.sweep
 
 worst: install ## draw what straight paths do worst, beside the motion that is chosen: out/worst.png
 	$(BIN)/python -m tools.quality.worst
