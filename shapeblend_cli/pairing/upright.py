@@ -36,6 +36,12 @@ SAME = 1e-9
 PLACES = 72
 """At so many even places outlines are laid over each other."""
 
+FOLDS = 12
+"""What looks the same turned by less than this part of a full turn is as good as round, and its turn no matter."""
+
+ALIKE = 0.9995
+"""Correlation of an outline with itself turned, from which on it is the same: places need not fall on corners."""
+
 REACH = 1.0 / 8.0
 """How far from where they lie best over each other starts are looked for, as a share of B's outline."""
 
@@ -67,7 +73,7 @@ def upright(
         Whether it is the only contour that is matched.
     """
     turned = abs(turn_along(p0, p1, least.dots))
-    if turned < TURNED:
+    if turned < TURNED or (alone and not (may_turn_onto_itself(p0) or may_turn_onto_itself(p1))):
         return least
     price = 0.0 if alone else ANGLES * constants.k_b
     found = [(least.work, turned, least)]
@@ -79,6 +85,17 @@ def upright(
     limit = min(costs) * (1.0 + SAME) + SAME
     cheapest = [one for one, cost in zip(found, costs, strict=True) if cost <= limit]
     return min(cheapest, key=lambda one: one[1])[2]
+
+
+def may_turn_onto_itself(p: ComplexArray) -> bool:
+    """Whether a closed polygon looks much like itself when it is turned by a part of a full turn.
+
+    Where neither of two does, no two starts cost the same.
+    """
+    q, _ = _even(p, PLACES)
+    q = q - q.mean()
+    alike = [abs(np.vdot(q, np.roll(q, -shift))) for shift in range(PLACES // FOLDS, PLACES // 2 + 1)]
+    return max(alike) > ALIKE * abs(np.vdot(q, q))
 
 
 def turn_along(p0: ComplexArray, p1: ComplexArray, dots: IntArray) -> float:
@@ -101,7 +118,7 @@ def starts_laid_over(p0: ComplexArray, p1: ComplexArray, runs: Sequence[float]) 
     list of (int, int, int)
         The vertex, and the first and the last one of a run of the second polygon's, which may go on beyond its end.
     """
-    (q0, _), (q1, at1) = (_even(p, np.arange(PLACES) / PLACES) for p in (p0, p1))
+    (q0, _), (q1, at1) = (_even(p, PLACES) for p in (p0, p1))
     overlap = [np.vdot(q0 - q0.mean(), np.roll(q1 - q1.mean(), -shift)).real for shift in range(PLACES)]
     middle = float(np.argmax(overlap)) / PLACES  # where on the second the first one's vertex 0 goes
     n = len(p1)
@@ -110,9 +127,10 @@ def starts_laid_over(p0: ComplexArray, p1: ComplexArray, runs: Sequence[float]) 
     return [(0, begin % n, begin % n + end - begin) for begin, end in pairwise(first)]
 
 
-def _even(p: ComplexArray, places: FloatArray) -> tuple[ComplexArray, FloatArray]:
-    """Points at shares of a closed polygon's length, and at which share each vertex is."""
+def _even(p: ComplexArray, count: int) -> tuple[ComplexArray, FloatArray]:
+    """Points evenly along a closed polygon, and at which share of its length each vertex is."""
     around = np.append(p, p[0])
     at = np.append(0.0, np.cumsum(np.abs(np.diff(around))))
     at /= at[-1]
+    places = np.arange(count) / count
     return np.interp(places, at, around.real) + 1j * np.interp(places, at, around.imag), at[:-1]

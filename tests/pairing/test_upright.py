@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.match.solve import least_work
-from shapeblend_cli.pairing.upright import RUNS, TURNED, starts_laid_over, turn_along
+from shapeblend_cli.pairing.upright import RUNS, TURNED, may_turn_onto_itself, starts_laid_over, turn_along
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import BlendSettings
 from tests.support.drawings import drawing
+from tests.support.shapes import regular_polygon, star_with
 
 SETTINGS = BlendSettings(motion="linear")
 
@@ -67,6 +68,20 @@ def test_what_has_a_shape_turns_all_the_same():
     hook, turned = "M6 8H18V10H8V16H6Z", "M16 6V18H14V8H8V6Z"
     _, found = turns(frame + hook, frame + turned)
     assert sorted(np.degrees(found)) == pytest.approx([0.0, 0.0, 90.0], abs=1.0)
+
+
+@pytest.mark.parametrize("corners", range(2, 13))
+def test_what_looks_the_same_turned_is_known(corners):
+    star = np.where(np.arange(2 * corners) % 2, 0.5, 1.0) * np.exp(
+        1j * np.pi * np.arange(2 * corners) / corners
+    )
+    assert may_turn_onto_itself(star)
+    assert may_turn_onto_itself(regular_polygon(max(corners, 3)))
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_what_does_not_is_known(seed):
+    assert not may_turn_onto_itself(star_with(np.random.default_rng(seed), 60, teeth=5))
 
 
 @pytest.mark.parametrize("runs", [(-1.0, 1.0), RUNS])
