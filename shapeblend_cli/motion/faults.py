@@ -1,4 +1,4 @@
-"""What is wrong with a motion: in-betweens that cross themselves, lose area, or in which a limb withers."""
+"""What is wrong with a motion: in-betweens that cross themselves, stray, lose area, or in which a limb withers."""
 
 from __future__ import annotations
 
@@ -38,6 +38,10 @@ WITHERED = 0.65
 """A limb withers if it has less than this share of the length of its shorter end. On straight paths one does that is
 turned by 100 degrees against the rest."""
 
+ASTRAY = 1.3
+"""In-betweens keep within so many times the distance that both ends have from their middle. What turns in its place
+keeps within that distance."""
+
 PIECES = 4
 """Lines for which a segment is taken when it is measured."""
 
@@ -48,7 +52,7 @@ class Fault(NamedTuple):
     Attributes
     ----------
     rank : int
-        How bad that is: `LOSS`, `OVERLAP`, `COLLAPSE` or `CROSSING`.
+        How bad that is: `LOSS`, `OVERLAP`, `COLLAPSE`, `STRAY` or `CROSSING`.
     says : str
         A phrase.
     """
@@ -57,9 +61,9 @@ class Fault(NamedTuple):
     says: str
 
 
-LOSS, OVERLAP, COLLAPSE, CROSSING = range(4)
-"""Some area is lost or won too much, or a limb withers; contours get in each other's way; a shape nearly vanishes; a
-contour crosses itself."""
+LOSS, OVERLAP, COLLAPSE, STRAY, CROSSING = range(5)
+"""Some area is lost or won too much, or a limb withers; contours get in each other's way; a shape nearly vanishes; some
+of it swings far out; a contour crosses itself."""
 
 
 def fault(shape: MovingShape, times: Sequence[float]) -> Fault | None:
@@ -72,7 +76,7 @@ def fault(shape: MovingShape, times: Sequence[float]) -> Fault | None:
     times : sequence of float
         At which crossings are looked for besides `CHECKED`.
     """
-    found = [*_crossings(shape, times), *_losses(shape)]
+    found = [*_crossings(shape, times), *_strays(shape), *_losses(shape)]
     return max(found, key=lambda one: one.rank, default=None)
 
 
@@ -120,6 +124,23 @@ def counted(contours: Sequence[MovingContour]) -> list[int]:
         for k, (contour, area) in enumerate(zip(contours, areas, strict=True))
         if not ((contour.grows or contour.shrinks) and area * way > 0.0)
     ]
+
+
+def _strays(shape: MovingShape) -> list[Fault]:
+    """The in-between that goes furthest from where both ends are, if that is too far; straight paths never do."""
+    if shape.motion is None:
+        return []
+
+    def far(t: float) -> float:
+        return max(float(np.abs(outline.segments - middle).max()) for outline in between(shape, t))
+
+    ends = np.concatenate([outline.segments.ravel() for t in (0.0, 1.0) for outline in between(shape, t)])
+    middle = 0.5 * complex(ends.real.min() + ends.real.max(), ends.imag.min() + ends.imag.max())
+    reach, t = max((far(t), t) for t in MEASURED)
+    share = reach / float(np.abs(ends - middle).max())
+    return (
+        [Fault(STRAY, f"swings out to {share:.2g} times its size at t = {t:.3g}")] if share > ASTRAY else []
+    )
 
 
 def _losses(shape: MovingShape) -> list[Fault]:

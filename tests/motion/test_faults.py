@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.motion.faults import COLLAPSE, CROSSING, LOSS, OVERLAP, fault
+from shapeblend_cli.motion.alignment import Alignment
+from shapeblend_cli.motion.faults import COLLAPSE, CROSSING, LOSS, OVERLAP, STRAY, fault
 from shapeblend_cli.motion.rigid import Rigid
 from tests.support.motions import moving_polygons, similarity_of
 from tests.support.shapes import arm, comb, star_polygon
@@ -27,7 +28,7 @@ def rank(shape, times=()):
 
 
 def test_ranks_rise():
-    assert LOSS < OVERLAP < COLLAPSE < CROSSING
+    assert LOSS < OVERLAP < COLLAPSE < STRAY < CROSSING
 
 
 @pytest.mark.parametrize("scale", [1.0, 0.3, 2.0, 5.0, 20.0])
@@ -61,7 +62,7 @@ def test_straight_paths_of_a_turned_square_lose_area(degrees, expected):
 def test_too_much_area_is_a_loss_too():
     shape = moving_polygons((SQUARE, SQUARE))
     assert rank(shape._replace(motion=Blown(1.2))) is None
-    assert rank(shape._replace(motion=Blown(3.0))) == LOSS
+    assert rank(shape._replace(motion=Blown(1.28))) == LOSS
 
 
 class Blown:
@@ -73,9 +74,8 @@ class Blown:
         self.factor = factor
 
     def segments(self, contours, t):
-        return [
-            contour.start.segments * (1.0 + 4.0 * t * (1.0 - t) * (self.factor - 1.0)) for contour in contours
-        ]
+        scale = 1.0 + 4.0 * t * (1.0 - t) * (self.factor - 1.0)
+        return [SQUARE.mean() + scale * (contour.start.segments - SQUARE.mean()) for contour in contours]
 
 
 def test_a_limb_that_withers():
@@ -142,3 +142,23 @@ def test_what_grows_from_a_point_is_no_limb_and_no_loss():
 def test_outlines_without_area_have_none_to_lose():
     line = [0, 4, 2, 1]
     assert fault(moving_polygons((line, np.array(line) + 1j)), ()) is None
+
+
+@pytest.mark.parametrize(("arm_length", "expected"), [(0.0, None), (12.0, STRAY)])
+def test_what_swings_far_out_strays(arm_length, expected):
+    # A square that stays, gone round a point as far away as the arm is long.
+    shape = moving_polygons((SQUARE, SQUARE))
+    middle = complex(SQUARE.mean()) + arm_length
+    shape = shape._replace(motion=Rigid(Alignment(middle, middle, 1.0, np.pi)))
+    found = [one for one in (fault(shape, ()),) if one and one.rank == STRAY]
+    assert [one.rank for one in found] == ([] if expected is None else [expected])
+    if found:
+        # Half way it is where the middle is: what B has on its far side, A has on the near one.
+        says = re.fullmatch(r"swings out to ([\d.]+) times its size at t = 0.5", found[0].says)
+        assert float(says[1]) == pytest.approx(arm_length / abs(SQUARE[0] - SQUARE.mean()), abs=0.06)
+
+
+def test_a_bar_that_turns_in_its_place_does_not_stray():
+    bar = np.array([0, 1, 1 + 20j, 20j])
+    shape = moving_polygons((bar, turned(bar, 180)))
+    assert fault(shape._replace(motion=Rigid(similarity_of(shape))), ()) is None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from shapeblend_cli.motion.faults import CHECKED, LEAST_AREA, MOST_AREA, WITHERED
+from shapeblend_cli.motion.faults import ASTRAY, CHECKED, LEAST_AREA, MOST_AREA, WITHERED
 from tools.quality import raw
 from tools.quality.data import SETS, icon_pairs
 from tools.quality.peers import shapeblend
@@ -17,7 +17,8 @@ How many pairs get which motion by `--motion auto`, as the report has it (`motio
 those for which no motion is without one, and the one with the least was taken. A fault is a crossing that neither
 end has, at one of {len(CHECKED)} even times or at those of the frames, of a contour with itself or with another; an
 area below {LEAST} % or above {MOST} % of the straight line between the ends'; a fifth of an outline that shrinks below
-{LIMB} % of its length; and of safe motion, nothing but round outlines half way."""
+{LIMB} % of its length; a part that swings out to {ASTRAY:g} times the distance that both ends have from their middle;
+and of safe motion, nothing but round outlines half way."""
 
 
 class Choice(NamedTuple):
