@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from functools import partial
 
 import numpy as np
 import pytest
@@ -30,7 +31,9 @@ COMMAND = [sys.executable, "-m", "shapeblend_cli", "a.svg", "b.svg", "--effort",
 
 
 def test_ctrl_c_leaves_nothing_behind(large):
-    run = subprocess.Popen(COMMAND, cwd=large, stderr=subprocess.PIPE, text=True)
+    # Shells have what runs in the background ignore the signal, and this one too if the tests do.
+    heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
+    run = subprocess.Popen(COMMAND, cwd=large, stderr=subprocess.PIPE, text=True, preexec_fn=heard)
     time.sleep(0.8)
     run.send_signal(signal.SIGINT)
     said = run.communicate(timeout=60)[1]
