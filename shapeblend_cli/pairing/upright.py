@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import cmath
 from contextlib import suppress
+from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -46,7 +47,8 @@ REACH = 1.0 / 8.0
 """How far from where they lie best over each other starts are looked for, as a share of B's outline."""
 
 RUNS = (-1.0, -0.5, -0.2, -0.05, 0.05, 0.2, 0.5, 1.0)
-"""In which runs of starts, within the reach: the least path of a run may well lie at its end, and turn that far."""
+"""In which runs of starts, within the reach: the least path of a run may well lie at its end, and turn that far. One
+run after the other is tried, from the middle on."""
 
 
 def upright(
@@ -76,15 +78,35 @@ def upright(
     if turned < TURNED or (alone and not (may_turn_onto_itself(p0) or may_turn_onto_itself(p1))):
         return least
     price = 0.0 if alone else ANGLES * constants.k_b
-    found = [(least.work, turned, least)]
-    for starts in starts_laid_over(p0, p1, (-1.0, 1.0) if alone else RUNS):
-        with suppress(MatchError):  # no path through these
-            other = solve(starts=starts)
-            found.append((other.work, abs(turn_along(p0, p1, other.dots)), other))
-    costs = [work + price * angle**constants.e_b for work, angle, _ in found]
-    limit = min(costs) * (1.0 + SAME) + SAME
-    cheapest = [one for one, cost in zip(found, costs, strict=True) if cost <= limit]
-    return min(cheapest, key=lambda one: one[1])[2]
+
+    def cost(one: Correspondence) -> float:
+        return one.work + price * abs(turn_along(p0, p1, one.dots)) ** constants.e_b
+
+    runs = starts_laid_over(p0, p1, (-1.0, 1.0) if alone else RUNS)
+    found = [least]
+    with suppress(MatchError):  # no path through these
+        found.append(_downhill([partial(solve, starts=run) for run in runs], cost))
+    limit = min(map(cost, found)) * (1.0 + SAME) + SAME
+    return min(
+        (one for one in found if cost(one) <= limit), key=lambda one: abs(turn_along(p0, p1, one.dots))
+    )
+
+
+def _downhill(
+    tries: Sequence[Callable[[], Correspondence]], cost: Callable[[Correspondence], float]
+) -> Correspondence:
+    """What the middle one of some tries gives, or those beside it as long as they cost less."""
+    middle = len(tries) // 2
+    best = first = tries[middle]()
+    for onwards in (tries[middle + 1 :], tries[:middle][::-1]):
+        for attempt in onwards:
+            other = attempt()
+            if cost(other) >= cost(best):
+                break
+            best = other
+        if best is not first:
+            break
+    return best
 
 
 def may_turn_onto_itself(p: ComplexArray) -> bool:
