@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.svg.figure import Figure, line_data
+from shapeblend_cli.svg.read import title_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -127,7 +128,7 @@ def heading(figure: Figure, title: str, notes: Sequence[str]) -> None:
 
 def short_name(file: str) -> str:
     """A file's name as titles have it."""
-    name = "standard input" if file == "-" else file.replace("\\", "/").rpartition("/")[2]
+    name = title_of(file)
     return name if len(name) <= LONGEST else f"{name[: LONGEST - 1]}…"
 
 

@@ -12,7 +12,6 @@ import html
 import json
 import shlex
 from importlib.resources import files
-from pathlib import Path
 from string import Template
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +19,7 @@ from shapeblend_cli.preview.graphs import by_size, graphs
 from shapeblend_cli.preview.packed import packed_json
 from shapeblend_cli.preview.pictures import picture, places
 from shapeblend_cli.svg.attributes import decimals_for, number
+from shapeblend_cli.svg.read import title_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -69,7 +69,7 @@ def preview(
     decimals = decimals_for([frame.view for frame in ends])
     data = {
         **{name: found[name] for name in ("version", "settings", "frames", "seconds")},
-        "names": [_short(file) for file in found["inputs"]],
+        "names": [title_of(file) for file in found["inputs"]],
         "command": [shlex.quote(word) for word in command],
         "notes": list(notes),
         "timing": {"seconds": timing.seconds, "ease": list(timing.ease), "repeat": timing.repeat},
@@ -150,11 +150,6 @@ def _lists(contour: dict[str, Any], decimals: int) -> dict[str, Any]:
         for name in ("vertices_a", "vertices_b")
     }
     return {**vertices, "dots": contour["dots"]}
-
-
-def _short(file: str) -> str:
-    """A file's name without its folder."""
-    return "standard input" if file == "-" else Path(file).name
 
 
 def _part(name: str) -> str:

@@ -14,6 +14,11 @@ from shapeblend_cli.svg.walk import Walk
 STANDARD_INPUT = "-"
 
 
+def title_of(file: str) -> str:
+    """What a file is called in titles: its name without its folder."""
+    return "standard input" if file == STANDARD_INPUT else file.replace("\\", "/").rpartition("/")[2]
+
+
 def read(
     file: str, data: bytes | None = None, *, lenient: bool = False, select: str | None = None
 ) -> Drawing:
