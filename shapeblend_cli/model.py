@@ -333,7 +333,7 @@ class MatchedShape(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Outline:
+class CubicPath:
     """A chain of cubics and lines to draw, some of them perhaps without extent.
 
     Attributes
@@ -364,15 +364,15 @@ class MovingContour(NamedTuple):
 
     Attributes
     ----------
-    start, end : Outline
+    start, end : CubicPath
     places : pair of (s + 1,) float
         Where the matched contours are cut for that, in vertices of their polygons, rising, once round if closed.
     grows, shrinks : bool
         Whether it is a point at the start, or at the end.
     """
 
-    start: Outline
-    end: Outline
+    start: CubicPath
+    end: CubicPath
     places: tuple[FloatArray, FloatArray]
     grows: bool = False
     shrinks: bool = False
@@ -416,13 +416,13 @@ class PaintedShape(NamedTuple):
 
     Attributes
     ----------
-    outlines : tuple of Outline
+    paths : tuple of CubicPath
     style : Style
     below : Style or None
         What is painted first, under `style`, where one paint has to dissolve into another.
     """
 
-    outlines: tuple[Outline, ...]
+    paths: tuple[CubicPath, ...]
     style: Style
     below: Style | None = None
 
@@ -433,11 +433,11 @@ class Waypoint(NamedTuple):
     Attributes
     ----------
     t : float in (0, 1)
-    outlines : tuple of Outline
+    paths : tuple of CubicPath
     """
 
     t: float
-    outlines: tuple[Outline, ...]
+    paths: tuple[CubicPath, ...]
 
 
 class Track(NamedTuple):

@@ -21,10 +21,10 @@ from shapeblend_cli.interpolate.times import frame_times
 from shapeblend_cli.model import (
     Box,
     Correspondence,
+    CubicPath,
     Drawing,
     Frame,
     MatchedShape,
-    Outline,
     PaintedShape,
     Pair,
     Polygon,
@@ -204,7 +204,7 @@ def _reach(pair: Pair) -> Box | None:
     boxes = []
     for shape in pair.moving:
         for point in waypoints(shape):
-            painted = _painted(point.outlines, shape.style_a, shape.style_b)
+            painted = _painted(point.paths, shape.style_a, shape.style_b)
             if not _is_inside(painted, between_boxes(*pair.views, point.t)):
                 boxes.append(_with_margin(painted))
     return union(boxes) if boxes else None
@@ -318,7 +318,7 @@ def as_drawn(drawing: Drawing, over: Similarity) -> tuple[PaintedShape, ...]:
     """What a drawing paints, laid over the first."""
     return tuple(
         PaintedShape(
-            tuple(Outline(over.points(c.segments), c.straight, c.closed) for c in shape.contours),
+            tuple(CubicPath(over.points(c.segments), c.straight, c.closed) for c in shape.contours),
             shape.style.moved(*over),
         )
         for shape in drawing.shapes
@@ -330,13 +330,13 @@ def view_of(drawn: Sequence[PaintedShape], viewbox: Box | None) -> Box:
 
     Where drawings are laid by their own boxes, the viewBox of the first stands in for the others'.
     """
-    painted = union([_painted(shape.outlines, shape.style) for shape in drawn])
+    painted = union([_painted(shape.paths, shape.style) for shape in drawn])
     if viewbox is None:
         return _with_margin(painted)
     return viewbox if _is_inside(painted, viewbox) else union([viewbox, _with_margin(painted)])
 
 
-def _painted(outlines: Sequence[Outline], *styles: Style) -> Box:
+def _painted(outlines: Sequence[CubicPath], *styles: Style) -> Box:
     """The box around outlines, painted in the widest of some styles."""
     reach = max(style.stroke_width / 2.0 if style.stroke else 0.0 for style in styles)
     return union([grown(cubics.bounds(outline.segments), reach) for outline in outlines])
@@ -390,8 +390,8 @@ def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
 def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:
     """The frame at time t; at t = 0 and t = 1 it may be the drawing itself."""
     moved = shapes_at(pair, t)
-    crossings = sum(curve_crossings(shape.outlines) for shape in moved)
-    area = sum(abs(sum(cubics.signed_area(o.segments) for o in shape.outlines)) for shape in moved)
+    crossings = sum(curve_crossings(shape.paths) for shape in moved)
+    area = sum(abs(sum(cubics.signed_area(o.segments) for o in shape.paths)) for shape in moved)
     if t in (0.0, 1.0):
         moved = pair.drawn[int(t)] if as_drawn else _without_points(pair, moved, t)
     return Frame(
@@ -410,9 +410,9 @@ def _without_points(pair: Pair, shapes: tuple[PaintedShape, ...], t: float) -> t
     for moving_shape, shape in zip(pair.moving, shapes, strict=True):
         outlines = tuple(
             outline
-            for contour, outline in zip(moving_shape.contours, shape.outlines, strict=True)
+            for contour, outline in zip(moving_shape.contours, shape.paths, strict=True)
             if not (contour.shrinks if t else contour.grows)
         )
         if outlines:
-            found.append(shape._replace(outlines=outlines))
+            found.append(shape._replace(paths=outlines))
     return tuple(found)

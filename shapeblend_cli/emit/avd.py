@@ -100,9 +100,9 @@ def too_long(move: Move, decimals: int) -> list[str]:
         shape.name: max(
             len(path_data(outlines, decimals))
             for outlines in (
-                shape.start.outlines,
-                *(waypoint.outlines for waypoint in shape.ways),
-                shape.end.outlines,
+                shape.start.paths,
+                *(waypoint.paths for waypoint in shape.ways),
+                shape.end.paths,
             )
         )
         for shape in move.shapes()
@@ -156,7 +156,7 @@ def _animate(parent: Element, key: str, steps: Sequence[_Step]) -> None:
 
 def _attributes(shape: PaintedShape, decimals: int) -> dict[str, str]:
     style = shape.style
-    found = {"pathData": path_data(shape.outlines, decimals)}
+    found = {"pathData": path_data(shape.paths, decimals)}
     if style.fill is not None:
         found["fillColor"] = style.fill
         found["fillAlpha"] = number(style.fill_opacity, 4)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.easing import Ease
     from shapeblend_cli.emit.move import Leg, Move, MovedShape
-    from shapeblend_cli.model import Box, ComplexArray, Outline
+    from shapeblend_cli.model import Box, ComplexArray, CubicPath
 
 VERSION = "5.7.4"
 """Of the format; players mend what older versions did otherwise."""
@@ -144,7 +144,7 @@ def _shapes(shape: MovedShape, keys: _Keys, decimals: int) -> list[dict[str, Any
     """The one group of a layer: paths, and what paints them, the upper paint first."""
     items: list[dict[str, Any]] = []
     legs = keys.legs(shape)
-    for k in range(len(shape.start.outlines)):
+    for k in range(len(shape.start.paths)):
         items.append({"ty": "sh", "nm": f"contour-{k + 1}", "ks": keys.path(legs, k, decimals)})
     s, e = shape.start.style, shape.end.style
     if s.stroke is not None and e.stroke is not None:
@@ -169,7 +169,7 @@ def _shapes(shape: MovedShape, keys: _Keys, decimals: int) -> list[dict[str, Any
     return [{"ty": "gr", "nm": "paths", "it": items}]
 
 
-def _bezier(outline: Outline, decimals: int) -> dict[str, Any]:
+def _bezier(outline: CubicPath, decimals: int) -> dict[str, Any]:
     """Vertices with the tangents that come in and go out, relative to them; a closed path has its first vertex once."""
     first, second, third, fourth = outline.segments.T
     leaving = np.where(outline.straight, 0.0, second - first)

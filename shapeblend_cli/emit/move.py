@@ -9,7 +9,7 @@ from shapeblend_cli.geometry.normalise import union
 
 if TYPE_CHECKING:
     from shapeblend_cli.easing import Ease
-    from shapeblend_cli.model import Box, Outline, PaintedShape, Style, Waypoint
+    from shapeblend_cli.model import Box, CubicPath, PaintedShape, Style, Waypoint
 
 FIXED = {
     "fill": {"fill_rule": "fill rule"},
@@ -23,14 +23,14 @@ class Leg(NamedTuple):
 
     Attributes
     ----------
-    start, end : tuple of Outline
+    start, end : tuple of CubicPath
     times : (float, float)
         When it begins and ends.
     ease : Ease
     """
 
-    start: tuple[Outline, ...]
-    end: tuple[Outline, ...]
+    start: tuple[CubicPath, ...]
+    end: tuple[CubicPath, ...]
     times: tuple[float, float]
     ease: Ease
 
@@ -63,12 +63,12 @@ class MovedShape(NamedTuple):
         decimals : int
             Of times. A waypoint that comes at the time of another one, or of an end, is left out.
         """
-        stops = [(0.0, 0.0, self.start.outlines)]
+        stops = [(0.0, 0.0, self.start.paths)]
         for waypoint in self.ways:
             time = round(length * ease.time_of(waypoint.t), decimals)
             if stops[-1][1] < time < length:
-                stops.append((waypoint.t, time, waypoint.outlines))
-        stops.append((1.0, length, self.end.outlines))
+                stops.append((waypoint.t, time, waypoint.paths))
+        stops.append((1.0, length, self.end.paths))
         return [
             Leg(start, end, (begin, until), ease.piece(p, q) if len(stops) > 2 else ease)
             for (p, begin, start), (q, until, end) in pairwise(stops)
@@ -109,7 +109,7 @@ class Move(NamedTuple):
                     start_style = start_style._replace(**{name: getattr(end_style, name) for name in names})
                 elif not _shows(end_style, paint):
                     end_style = end_style._replace(**{name: getattr(start_style, name) for name in names})
-            outlines = start.outlines + end.outlines
+            outlines = start.paths + end.paths
             if all(outline.closed for outline in outlines) and any(o.is_point for o in outlines):
                 start_style = start_style._replace(stroke_linecap="butt")
                 end_style = end_style._replace(stroke_linecap="butt")

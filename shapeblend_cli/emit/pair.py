@@ -33,7 +33,7 @@ def svg_pair(move: Move, decimals: int) -> tuple[str, str]:
                 gradient = getattr(shape.style, f"{key}_gradient")
                 if gradient is not None:
                     attributes[key] = defined.link(gradient)
-            drawing.add(drawing.path(d=path_data(shape.outlines, decimals), id=name, **attributes))
+            drawing.add(drawing.path(d=path_data(shape.paths, decimals), id=name, **attributes))
     a, b = (
         document.text(drawing, definitions=defined.elements)
         for drawing, defined in zip(drawings, gradients, strict=True)

@@ -18,7 +18,7 @@ GRID = 24
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray, Outline
+    from shapeblend_cli.model import BoolArray, ComplexArray, CubicPath, FloatArray, IntArray
 
 CHORD_ERROR = 1e-6
 """How far curves may stray from their chords where crossings are counted; like what follows, a share of the size."""
@@ -172,7 +172,7 @@ def all_crossings(polygons: Sequence[Polygon]) -> int:
     return _polygon_crossings([(polygon.vertices, polygon.closed) for polygon in polygons])
 
 
-def curve_crossings(outlines: Sequence[Outline], most: int | None = None) -> int:
+def curve_crossings(outlines: Sequence[CubicPath], most: int | None = None) -> int:
     """How often outlines cross themselves and each other, on their curves.
 
     Touching is no crossing, nor is running along each other, also if the strands part to other sides than they met.
@@ -180,7 +180,7 @@ def curve_crossings(outlines: Sequence[Outline], most: int | None = None) -> int
 
     Parameters
     ----------
-    outlines : sequence of Outline
+    outlines : sequence of CubicPath
         Closed ones end where they begin.
     most : int, optional
         Stop counting there: 1 asks whether anything crosses.

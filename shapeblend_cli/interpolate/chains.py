@@ -15,7 +15,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.outline import reversed_polygon
 from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.interpolate.styles import keyed_styles
-from shapeblend_cli.model import MovingContour, Outline, PaintedShape, Track, Waypoint
+from shapeblend_cli.model import CubicPath, MovingContour, PaintedShape, Track, Waypoint
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -151,7 +151,7 @@ def _coupled(matched: MatchedShape, moving: MovingShape) -> tuple[tuple[float, .
     """The contours of a shape that a pair moves, and the times of its waypoints."""
     ways = waypoints(moving)
     couples = [
-        _Couple(*contours, [waypoint.outlines[k].segments for waypoint in ways])
+        _Couple(*contours, [waypoint.paths[k].segments for waypoint in ways])
         for k, contours in enumerate(zip(matched.contours, moving.contours, strict=True))
     ]
     return tuple(waypoint.t for waypoint in ways), couples
@@ -170,7 +170,7 @@ def _tracks(shape: _Shape) -> list[Track]:
     assert coats is not None, "shapes go on only as long as their paint does"
     every = iter(
         [
-            tuple(Outline(z, run.straight, run.closed) for z, run in zip(station, shape.runs, strict=True))
+            tuple(CubicPath(z, run.straight, run.closed) for z, run in zip(station, shape.runs, strict=True))
             for station in zip(*(run.stations for run in shape.runs), strict=True)
         ]
     )
@@ -210,7 +210,7 @@ def _backwards(couple: _Couple) -> _Couple:
         )
     ]
     start, end = (
-        Outline(outline.segments[::-1, ::-1], outline.straight[::-1], outline.closed)
+        CubicPath(outline.segments[::-1, ::-1], outline.straight[::-1], outline.closed)
         for outline in (moving.start, moving.end)
     )
     ends = [len(polygon.vertices) - (0 if polygon.closed else 1) for polygon in polygons]

@@ -11,7 +11,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.normalise import box_of
 from shapeblend_cli.interpolate.curves import common_segments
 from shapeblend_cli.interpolate.track import counted_on
-from shapeblend_cli.model import MovingContour, Outline, Waypoint
+from shapeblend_cli.model import CubicPath, MovingContour, Waypoint
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, MatchedContour, MovingShape
@@ -53,15 +53,15 @@ def moving(matched: MatchedContour, *, curves: bool) -> MovingContour:
         along = counted_on(dots, period if closed else None)
         places = along[:, 0], along[:, 1]
     return MovingContour(
-        start=Outline(segments_a, straight, closed),
-        end=Outline(segments_b, straight, closed),
+        start=CubicPath(segments_a, straight, closed),
+        end=CubicPath(segments_b, straight, closed),
         places=places,
         grows=matched.a is None,
         shrinks=matched.b is None,
     )
 
 
-def between(shape: MovingShape, t: float) -> tuple[Outline, ...]:
+def between(shape: MovingShape, t: float) -> tuple[CubicPath, ...]:
     """The outlines of a shape at time t; at 0 and 1 exactly its start and its end.
 
     Without a motion every point goes straight, eq (2).

@@ -13,7 +13,7 @@ from shapeblend_cli.interpolate.paths import between
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, FloatArray, MovingContour, MovingShape, Outline
+    from shapeblend_cli.model import ComplexArray, CubicPath, FloatArray, MovingContour, MovingShape
 
 CHECKED = tuple(k / 20 for k in range(1, 20))
 """Times at which in-betweens are looked at, besides those of the frames."""
@@ -84,7 +84,7 @@ def _crossings(shape: MovingShape, times: Sequence[float]) -> list[Fault]:
     """The first in-between that is crossed, and the first of which a contour crosses itself."""
     numbers = counted(shape.contours)
 
-    def seen(t: float) -> list[Outline]:
+    def seen(t: float) -> list[CubicPath]:
         outlines = between(shape, t)
         return [outlines[k] for k in numbers]
 
@@ -175,7 +175,7 @@ def _losses(shape: MovingShape) -> list[Fault]:
     return found
 
 
-def _area(outlines: Sequence[Outline]) -> float:
+def _area(outlines: Sequence[CubicPath]) -> float:
     """Inside the closed outlines."""
     return abs(sum(cubics.signed_area(outline.segments) for outline in outlines if outline.closed))
 

@@ -16,7 +16,7 @@ from shapeblend_cli.motion.turns import ROUND, directions
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray, MovingContour, Outline
+    from shapeblend_cli.model import BoolArray, ComplexArray, CubicPath, FloatArray, IntArray, MovingContour
     from shapeblend_cli.motion.alignment import Alignment
 
 WAITS = 1e-9
@@ -182,7 +182,7 @@ class _Path(NamedTuple):
         How much of the contour each leg is, of both lengths; together 1.
     """
 
-    outline: Outline
+    outline: CubicPath
     points: tuple[ComplexArray, ComplexArray]
     corners: IntArray
     moves: BoolArray

@@ -13,7 +13,7 @@ from shapeblend_cli.motion.flow import shorten
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, FloatArray, Outline
+    from shapeblend_cli.model import ComplexArray, CubicPath, FloatArray
 
 TIMES = np.geomspace(2e-5, 2.0, 28)
 """Of the flow, at which outlines are kept; in units of a contour's area, which scaling keeps as it is.
@@ -50,7 +50,7 @@ FLAT = 1e-3
 """A contour with less area, with its size as 1, has as good as none: a figure of eight, or a line there and back."""
 
 
-def smoothed(outlines: Sequence[Outline]) -> list[list[ComplexArray]]:
+def smoothed(outlines: Sequence[CubicPath]) -> list[list[ComplexArray]]:
     """Smooth the contours of a shape.
 
     Each keeps its area, and what is inside another is carried along with it, by its mean value coordinates, so that
@@ -60,7 +60,7 @@ def smoothed(outlines: Sequence[Outline]) -> list[list[ComplexArray]]:
 
     Parameters
     ----------
-    outlines : sequence of Outline
+    outlines : sequence of CubicPath
 
     Returns
     -------
@@ -118,7 +118,7 @@ class _Flowing:
     points : (n, 2) float
     """
 
-    def __init__(self, outline: Outline) -> None:
+    def __init__(self, outline: CubicPath) -> None:
         segments = outline.segments
         self._count = len(segments)
         self._pieces = min(MOST_PIECES, max(LEAST_PIECES, VERTICES // self._count))

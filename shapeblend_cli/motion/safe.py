@@ -38,7 +38,7 @@ from shapeblend_cli.motion.levels import smoothed
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, FloatArray, MovingContour, MovingShape, Outline
+    from shapeblend_cli.model import ComplexArray, CubicPath, FloatArray, MovingContour, MovingShape
 
     Place = tuple[float, float]
     """How far from A to B, and at which level."""
@@ -430,7 +430,7 @@ def _timed(whole: Map, places: FloatArray, contours: Sequence[MovingContour]) ->
     return Safe(whole, times, shares, heights, scales)
 
 
-def _bent(outline: Outline) -> Outline:
+def _bent(outline: CubicPath) -> CubicPath:
     if outline.straight.all():
         return outline
     return replace(outline, straight=np.zeros(len(outline.straight), np.bool_))

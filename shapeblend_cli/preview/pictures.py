@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import (
+        CubicPath,
         FloatArray,
         Frame,
         Gradient,
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
         MatchedContour,
         MovingContour,
         MovingShape,
-        Outline,
         Pair,
         Style,
     )
@@ -86,7 +86,7 @@ def _moving(shape: MovingShape, times: Sequence[float], decimals: int) -> dict[s
     }
 
 
-def _on_grid(outlines: Sequence[Outline], decimals: int) -> IntArray:
+def _on_grid(outlines: Sequence[CubicPath], decimals: int) -> IntArray:
     """Where each outline begins and the control points of its segments, of lines the end alone, as x, y, x, y ..."""
     found = []
     for outline in outlines:
@@ -147,7 +147,7 @@ def _still(frame: Frame, decimals: int) -> list[dict[str, Any]]:
     """The paths of a frame at an end of time, as its file has them."""
     found = []
     for shape in frame.shapes:
-        data = path_data(shape.outlines, decimals)
+        data = path_data(shape.paths, decimals)
         styles = [shape.style] if shape.below is None or frame.t == 1.0 else [shape.below, shape.style]
         for style in map(plainest, styles):
             painted = _painted(style, decimals, as_ellipse=False)

@@ -274,14 +274,14 @@ def _held(track: Track, drawings: int) -> Track:
 def _attributes(track: Track, decimals: int, colours: Colours) -> dict[str, _Values]:
     """Every attribute of a path, but for those whose values SVG takes for granted at all keys."""
     keys = [
-        {"d": short_path_data(shape.outlines, decimals), **paint_attributes(shape.style, decimals)}
+        {"d": short_path_data(shape.paths, decimals), **paint_attributes(shape.style, decimals)}
         for shape in track.keys
     ]
     shown = {name for key in keys for name in without_defaults(key)}
     found = {name: _keyed(name, [key[name] for key in keys], colours) for name in keys[0] if name in shown}
     found["d"] = found["d"]._replace(
         ways=[
-            [(waypoint.t, short_path_data(waypoint.outlines, decimals)) for waypoint in way]
+            [(waypoint.t, short_path_data(waypoint.paths, decimals)) for waypoint in way]
             for way in track.ways
         ]
     )
@@ -434,6 +434,6 @@ def stacked_svg(frames: Sequence[Frame], timing: Timing, pairs: int, decimals: i
         picture["visibility"] = "hidden" if k else "visible"
         picture.add(clock.steps(drawing, "visibility", ["visible" if k == n else "hidden" for n in order]))
         for shape in frame.shapes:
-            add_shape(picture, drawing, gradients, shape, short_path_data(shape.outlines, decimals), frame.t)
+            add_shape(picture, drawing, gradients, shape, short_path_data(shape.paths, decimals), frame.t)
         drawing.add(picture)
     return document.text(drawing, definitions=gradients.elements)

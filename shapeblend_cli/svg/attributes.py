@@ -11,7 +11,7 @@ from shapeblend_cli.model import LinearGradient
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Box, Gradient, Outline, RadialGradient, Style
+    from shapeblend_cli.model import Box, CubicPath, Gradient, RadialGradient, Style
 
 ROUNDING = 4e-5
 """How far a coordinate may be off by rounding, as a share of what is shown."""
@@ -39,7 +39,7 @@ def decimals_for(boxes: Sequence[Box]) -> int:
     return max(0, math.ceil(-math.log10(math.sqrt(2.0) * ROUNDING * size))) if size > 0.0 else 5
 
 
-def path_data(outlines: Sequence[Outline], decimals: int) -> str:
+def path_data(outlines: Sequence[CubicPath], decimals: int) -> str:
     """Outlines as path data: lines and cubics, the letter of a command left out where SVG repeats it by itself.
 
     Which commands there are depends on the outlines' `straight` and `closed` alone, so that outlines alike in these
@@ -48,7 +48,7 @@ def path_data(outlines: Sequence[Outline], decimals: int) -> str:
     return "".join(_subpath(outline, decimals) for outline in outlines)
 
 
-def _subpath(outline: Outline, decimals: int) -> str:
+def _subpath(outline: CubicPath, decimals: int) -> str:
     segments, straight = outline.segments.tolist(), outline.straight.tolist()
     if outline.closed and straight[-1]:
         segments.pop()  # Z draws it
@@ -66,7 +66,7 @@ def _point(z: complex, decimals: int) -> str:
     return f"{number(z.real, decimals)},{number(z.imag, decimals)}"
 
 
-def short_path_data(outlines: Sequence[Outline], decimals: int) -> str:
+def short_path_data(outlines: Sequence[CubicPath], decimals: int) -> str:
     """The same as `path_data`, about a fifth shorter: every point is given by its way from the one before.
 
     Each is rounded by itself before, so that no errors add up. A browser that goes evenly from one such list of
@@ -75,7 +75,7 @@ def short_path_data(outlines: Sequence[Outline], decimals: int) -> str:
     return "".join(_short_subpath(outline, decimals) for outline in outlines)
 
 
-def _short_subpath(outline: Outline, decimals: int) -> str:
+def _short_subpath(outline: CubicPath, decimals: int) -> str:
     segments, straight = outline.segments.tolist(), outline.straight.tolist()
     if outline.closed and straight[-1]:
         segments.pop()

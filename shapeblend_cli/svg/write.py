@@ -26,7 +26,7 @@ def frame_svg(frame: Frame, decimals: int) -> str:
     drawing = document.empty(frame.view, decimals)
     gradients = Gradients(decimals)
     for shape in frame.shapes:
-        add_shape(drawing, drawing, gradients, shape, path_data(shape.outlines, decimals), frame.t)
+        add_shape(drawing, drawing, gradients, shape, path_data(shape.paths, decimals), frame.t)
     return document.text(drawing, definitions=gradients.elements)
 
 

@@ -11,7 +11,7 @@ from shapeblend_cli.cli import run
 from shapeblend_cli.easing import LINEAR, Ease
 from shapeblend_cli.emit.avd import animated_vector
 from shapeblend_cli.emit.move import Move
-from shapeblend_cli.model import Box, Outline, PaintedShape, Style
+from shapeblend_cli.model import Box, CubicPath, PaintedShape, Style
 from shapeblend_cli.svg.attributes import path_data
 from tests.emit.blends import BLENDS, written
 from tests.support.contours import polygon_contour
@@ -158,7 +158,7 @@ def test_the_corner_of_the_view_is_moved_to_the_origin(here):
 
 def test_seconds_ease_and_size():
     contour = polygon_contour([0j, 1000 + 0j, 1000 + 500j])
-    shape = PaintedShape((Outline(contour.segments, contour.straight, True),), Style("#000000"))
+    shape = PaintedShape((CubicPath(contour.segments, contour.straight, True),), Style("#000000"))
     view = Box(0.0, 0.0, 1000.0, 500.0)
     move = Move((shape,), (shape._replace(style=Style("#ffffff")),), (view, view), ((),))
     root = ElementTree.fromstring(animated_vector(move, 0.3, Ease(0.42, 0.0, 0.58, 1.0), 3))
@@ -200,10 +200,10 @@ def test_paths_go_from_waypoint_to_waypoint_one_after_the_other(ease, colours, s
     if seconds == 2.0:
         times = [2000 * ease.time_of(way.t) for way in shape.ways] + [2000]
         assert np.cumsum(durations) == pytest.approx(times, abs=0.5)
-        assert [step["valueTo"] for step in steps[:-1]] == [path_data(way.outlines, 3) for way in shape.ways]
+        assert [step["valueTo"] for step in steps[:-1]] == [path_data(way.paths, 3) for way in shape.ways]
     (path,) = inline(root, "drawable").iter("path")
     assert android(path)["pathData"] == steps[0]["valueFrom"]
-    assert steps[-1]["valueTo"] == path_data(shape.end.outlines, 3)
+    assert steps[-1]["valueTo"] == path_data(shape.end.paths, 3)
     for step, following in pairwise(steps):
         assert step["valueTo"] == following["valueFrom"]
     assert len({NUMBER.sub("0", step["valueTo"]) for step in steps}) == 1

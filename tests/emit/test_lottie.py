@@ -11,7 +11,7 @@ from shapeblend_cli.cli import run
 from shapeblend_cli.easing import LINEAR, Ease
 from shapeblend_cli.emit.lottie import lottie
 from shapeblend_cli.emit.move import Move
-from shapeblend_cli.model import Box, Outline, PaintedShape, Style
+from shapeblend_cli.model import Box, CubicPath, PaintedShape, Style
 from tests.emit.blends import BLENDS, written
 from tests.support.contours import circle_contour, polygon_contour
 from tests.support.drawings import BAR, EYED, LEAF, RING, svg
@@ -32,7 +32,7 @@ def emit_lottie(here, blend):
 
 
 def outline(contour):
-    return Outline(contour.segments, contour.straight, contour.closed)
+    return CubicPath(contour.segments, contour.straight, contour.closed)
 
 
 def of(contour, target, style=None, target_style=None, view=VIEW, seconds=2.0, ease=LINEAR):
@@ -222,7 +222,7 @@ def test_waypoints_too_near_in_time_are_left_out():
     assert [leg.times for leg in legs] == [(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)]
     (leg,) = shape.legs(1.0, EASE, 0)
     assert (leg.start, leg.end, leg.times, leg.ease) == (
-        shape.start.outlines, shape.end.outlines, (0.0, 1.0), EASE
+        shape.start.paths, shape.end.paths, (0.0, 1.0), EASE
     )  # fmt: skip
 
 

@@ -7,13 +7,13 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from shapeblend_cli.geometry import crossings, cubics, outline
-from shapeblend_cli.model import Outline
+from shapeblend_cli.model import CubicPath
 from tests.support.contours import circle_contour, polygon_contour, polyline
 from tests.support.shapes import random_polygon
 
 
 def drawn(contour):
-    return Outline(contour.segments, contour.straight, contour.closed)
+    return CubicPath(contour.segments, contour.straight, contour.closed)
 
 
 def lines(points, closed=True):
@@ -29,7 +29,7 @@ def chain(nodes, handles, closed=True):
     ends = np.roll(nodes, -1) if closed else nodes[1:]
     k = len(ends)
     segments = np.stack([nodes[:k], handles[:k, 0], handles[:k, 1], ends], axis=1)
-    return Outline(segments, np.zeros(k, bool), closed)
+    return CubicPath(segments, np.zeros(k, bool), closed)
 
 
 def random_chain(rng, k, closed=True):
@@ -38,20 +38,20 @@ def random_chain(rng, k, closed=True):
 
 
 def backwards(one):
-    return Outline(one.segments[::-1, ::-1], one.straight[::-1], one.closed)
+    return CubicPath(one.segments[::-1, ::-1], one.straight[::-1], one.closed)
 
 
 def from_node(one, k):
-    return Outline(np.roll(one.segments, -k, axis=0), np.roll(one.straight, -k), one.closed)
+    return CubicPath(np.roll(one.segments, -k, axis=0), np.roll(one.straight, -k), one.closed)
 
 
 def moved(one, by):
-    return Outline(by(one.segments), one.straight, one.closed)
+    return CubicPath(by(one.segments), one.straight, one.closed)
 
 
 def as_curves(one):
     """The same lines, said to be curves."""
-    return Outline(one.segments, np.zeros(len(one.segments), bool), one.closed)
+    return CubicPath(one.segments, np.zeros(len(one.segments), bool), one.closed)
 
 
 def by_subdivision(outlines, pieces=400):
@@ -210,7 +210,9 @@ def test_a_node_more_changes_nothing(seed, at):
     first = cubics.pieces(one.segments, np.zeros(4), parameter)
     second = cubics.pieces(one.segments, parameter, np.ones(4))
     both = np.stack([first, second], axis=1).reshape(8, 4)
-    assert outline.curve_crossings([Outline(both, np.zeros(8, bool), True)]) == outline.curve_crossings([one])
+    assert outline.curve_crossings([CubicPath(both, np.zeros(8, bool), True)]) == outline.curve_crossings(
+        [one]
+    )
 
 
 @given(st.integers(0, 10**6))

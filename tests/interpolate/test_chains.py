@@ -59,9 +59,9 @@ NEAR = 0.15
 def outlines_at(track, k, t):
     """The outlines of a track at a time after its key k, straight from waypoint to waypoint."""
     stations = [
-        (0.0, track.keys[k].outlines),
-        *((waypoint.t, waypoint.outlines) for waypoint in track.ways[k]),
-        (1.0, track.keys[k + 1].outlines),
+        (0.0, track.keys[k].paths),
+        *((waypoint.t, waypoint.paths) for waypoint in track.ways[k]),
+        (1.0, track.keys[k + 1].paths),
     ]
     for (low, before), (high, after) in pairwise(stations):
         if low <= t <= high:
@@ -92,7 +92,7 @@ def test_equal_contours_make_one_path_of_equal_commands(paths, curves):
     (track,) = found
     assert (track.first, len(track.keys)) == (0, len(paths))
     assert track.ways == ((),) * (len(paths) - 1)
-    for outlines in zip(*(key.outlines for key in track.keys), strict=True):
+    for outlines in zip(*(key.paths for key in track.keys), strict=True):
         assert len({o.segments.shape for o in outlines}) == 1
         assert len({o.straight.tobytes() for o in outlines}) == 1
         for o in outlines:
@@ -101,8 +101,8 @@ def test_equal_contours_make_one_path_of_equal_commands(paths, curves):
     assert_goes_the_same_way(pairs, found)
     for k, pair in enumerate(pairs):
         for shapes, key in ((pair.drawn[0], track.keys[k]), (pair.drawn[1], track.keys[k + 1])):
-            drawn = [line(o) for shape in shapes for o in shape.outlines]
-            for outline in key.outlines:
+            drawn = [line(o) for shape in shapes for o in shape.paths]
+            for outline in key.paths:
                 assert min(line(outline).hausdorff_distance(other) for other in drawn) < (
                     0.01 if curves else 0.05
                 )
@@ -126,7 +126,7 @@ def test_waypoints_are_cut_as_the_keys_are(paths, curves):
         assert [waypoint.t for waypoint in ways] == [waypoint.t for waypoint in waypoints(shape)]
         assert len(ways) > 3
         for waypoint in ways:
-            for outline, key in zip(waypoint.outlines, track.keys[0].outlines, strict=True):
+            for outline, key in zip(waypoint.paths, track.keys[0].paths, strict=True):
                 assert outline.segments.shape == key.segments.shape
                 assert (outline.closed, outline.straight.tobytes()) == (key.closed, key.straight.tobytes())
                 joints = np.abs(outline.segments[1:, 0] - outline.segments[:-1, 3])

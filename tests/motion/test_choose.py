@@ -39,7 +39,7 @@ def test_without_a_fault_paths_are_straight_and_all_is_as_if_asked_for(samples, 
     assert pair.views == asked.views
     for frame, other in zip(frames, same, strict=True):
         for shape, alike in zip(frame.shapes, other.shapes, strict=True):
-            for one, straight in zip(shape.outlines, alike.outlines, strict=True):
+            for one, straight in zip(shape.paths, alike.paths, strict=True):
                 np.testing.assert_array_equal(one.segments, straight.segments)
 
 

@@ -9,7 +9,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.outline import signed_area
 from shapeblend_cli.interpolate.paths import between
 from shapeblend_cli.match.work import WorkConstants
-from shapeblend_cli.model import MovingContour, Outline
+from shapeblend_cli.model import CubicPath, MovingContour
 from shapeblend_cli.motion.alignment import Matched, aligned, matched_points
 from shapeblend_cli.motion.intrinsic import closing, intrinsic
 from shapeblend_cli.motion.rigid import Rigid
@@ -28,7 +28,7 @@ def outlines(a, b, straight=None, closed=True, **more):
     """A moving contour of control points."""
     straight = np.zeros(len(a), bool) if straight is None else straight
     places = np.arange(len(a) + 1.0), np.arange(len(a) + 1.0)
-    return MovingContour(Outline(a, straight, closed), Outline(b, straight, closed), places, **more)
+    return MovingContour(CubicPath(a, straight, closed), CubicPath(b, straight, closed), places, **more)
 
 
 def polygons(a, b, closed=True, **more):

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.outline import curve_crossings, signed_area, winding_numbers
-from shapeblend_cli.model import Outline
+from shapeblend_cli.model import CubicPath
 from shapeblend_cli.motion.levels import TIMES, smoothed
 from tests.support.contours import circle_contour
 from tests.support.motions import outline
@@ -45,7 +45,7 @@ def test_outlines_by_hand_keep_their_area_without_crossing_and_become_round(name
     m = len(BY_HAND[name])
     straight = np.ones(len(levels[0]), bool)
     for segments in levels:
-        assert curve_crossings([Outline(segments, straight, True)]) == 0
+        assert curve_crossings([CubicPath(segments, straight, True)]) == 0
     # The last is nearly the regular polygon of as many vertices in a circle of that area.
     assert roundness(levels[-1][:, 0]) > 0.99 * np.pi / m / np.tan(np.pi / m)
     share = cubics.signed_area(levels[-1]) / area
@@ -55,7 +55,7 @@ def test_outlines_by_hand_keep_their_area_without_crossing_and_become_round(name
 @pytest.mark.parametrize("name", BY_HAND)
 def test_at_every_level_the_area_is_kept(name):
     corners = outline(BY_HAND[name])
-    as_curves = Outline(corners.segments, np.zeros(len(corners.segments), bool), True)
+    as_curves = CubicPath(corners.segments, np.zeros(len(corners.segments), bool), True)
     for (level,) in smoothed([as_curves]):
         assert cubics.signed_area(level) == pytest.approx(signed_area(BY_HAND[name]), rel=0.04)
 
@@ -76,7 +76,7 @@ def test_curves_stay_curves_through_the_same_area():
     circle = circle_contour(3 + 1j, 2.0)
     bent = circle.segments + 0.5 * (circle.segments - 3).real ** 2
     for segments in (circle.segments, bent):
-        one = Outline(segments, np.zeros(8, bool), True)
+        one = CubicPath(segments, np.zeros(8, bool), True)
         levels = [contours[0] for contours in smoothed([one])]
         for level in levels:
             assert cubics.signed_area(level) == pytest.approx(cubics.signed_area(segments), rel=2e-3)
@@ -86,7 +86,7 @@ def test_curves_stay_curves_through_the_same_area():
 
 def test_a_circle_stays_where_it_is():
     circle = circle_contour(3 + 1j, 2.0)
-    for (level,) in smoothed([Outline(circle.segments, circle.straight, True)]):
+    for (level,) in smoothed([CubicPath(circle.segments, circle.straight, True)]):
         np.testing.assert_allclose(abs(as_polygon(level) - 3 - 1j), 2.0, rtol=2e-3)
 
 
@@ -138,7 +138,7 @@ def test_outlines_beside_each_other_make_room():
     apart = [2.2 * k + star_polygon(np.random.default_rng(k), 14) for k in range(3)]
     levels = smoothed([outline(z) for z in apart])
     straight = np.ones(14, bool)
-    assert curve_crossings([Outline(z, straight, True) for z in levels[-1]]) == 0
+    assert curve_crossings([CubicPath(z, straight, True) for z in levels[-1]]) == 0
     for z, last in zip(apart, levels[-1], strict=True):
         assert abs(signed_area(last[:, 0])) < 0.5 * signed_area(z)
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from shapeblend_cli.geometry.outline import curve_crossings
 from shapeblend_cli.interpolate.paths import between
 from shapeblend_cli.match.work import WorkConstants
-from shapeblend_cli.model import Outline
+from shapeblend_cli.model import CubicPath
 from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.motion.safe import plan, safe
 from shapeblend_cli.pipeline import frame_at, match_all
@@ -106,7 +106,7 @@ def test_curves_and_lines_together_become_curves():
     shape = moving_polygons(BY_HAND["a bar and a spiral"])
     (contour,) = shape.contours
     straight = np.arange(len(contour.start.segments)) % 7 > 0
-    start, end = (Outline(one.segments, straight, True) for one in (contour.start, contour.end))
+    start, end = (CubicPath(one.segments, straight, True) for one in (contour.start, contour.end))
     shape = shape._replace(contours=(contour._replace(start=start, end=end),))
     found = made_safe(shape)
     assert crossed(found) == 0
@@ -122,7 +122,9 @@ def test_a_hole_stays_in_its_outline():
     base = moving_polygons((ring[0][:, 0], far[0][:, 0]), (ring[1][:, 0], far[1][:, 0]))
     contours = tuple(
         c._replace(
-            start=Outline(a, curved, True), end=Outline(np.roll(b, 4, axis=0), curved, True), places=places
+            start=CubicPath(a, curved, True),
+            end=CubicPath(np.roll(b, 4, axis=0), curved, True),
+            places=places,
         )
         for c, a, b in zip(base.contours, ring, far, strict=True)
     )

@@ -118,7 +118,7 @@ def test_frames_at_both_ends_are_the_drawings(seed, m, n, curves):
     for frame, side, polygon, shape in zip(
         frames, dots.T, (contour.polygon_a, contour.polygon_b), (a, b), strict=True
     ):
-        (outline,) = frame.shapes[0].outlines
+        (outline,) = frame.shapes[0].paths
         drawn = shape.shapes[0].contours[0].segments if curves else None
         np.testing.assert_array_equal(
             outline.segments if curves else outline.segments[:, 0],
@@ -139,7 +139,7 @@ def test_curves_and_lines_of_any_mixture_blend(seed, count):
         BlendSettings(place="bbox", motion="linear"),
     )
     assert len(frames) == 5
-    assert all(np.isfinite(frame.shapes[0].outlines[0].segments).all() for frame in frames)
+    assert all(np.isfinite(frame.shapes[0].paths[0].segments).all() for frame in frames)
     assert pair.contours[0].correspondence.gap == 0.0
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from shapeblend_cli.emit.move import Move
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.paths import waypoints
-from shapeblend_cli.model import MovingContour, MovingShape, Outline, Style
+from shapeblend_cli.model import CubicPath, MovingContour, MovingShape, Style
 from shapeblend_cli.motion.alignment import Alignment, Matched, aligned
 from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.pipeline import match_all, shapes_at
@@ -34,7 +34,7 @@ def turned_move(*paths, degrees=120.0, **options):
 def outline(vertices, closed=True):
     """A polygon to draw."""
     segments = cubics.lines(np.asarray(vertices, complex), closed)
-    return Outline(segments, np.ones(len(segments), bool), closed)
+    return CubicPath(segments, np.ones(len(segments), bool), closed)
 
 
 def moving_polygons(*pairs, closed=True):

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.model import Box, Outline
+from shapeblend_cli.model import Box, CubicPath
 from shapeblend_cli.svg import pathdata
 from shapeblend_cli.svg.attributes import decimals_for, number, path_data, short_path_data
 from tests.support.contours import circle_contour, polygon_contour
@@ -22,7 +22,7 @@ def outlines(draw):
     closed = draw(st.booleans())
     if closed:
         segments[-1, 3] = segments[0, 0]
-    return Outline(segments, draw(st.lists(st.booleans(), min_size=count, max_size=count)), closed)
+    return CubicPath(segments, draw(st.lists(st.booleans(), min_size=count, max_size=count)), closed)
 
 
 def kinds(text):
@@ -48,24 +48,24 @@ def test_what_is_written_is_read_again(write, given, decimals):
 
 @given(outlines())
 def test_letters_depend_on_the_kinds_of_segments_alone(outline):
-    moved = Outline(outline.segments * 1j + 3, outline.straight, outline.closed)
+    moved = CubicPath(outline.segments * 1j + 3, outline.straight, outline.closed)
     for write in (path_data, short_path_data):
         assert kinds(write([outline], 3)) == kinds(write([moved], 3))
 
 
 def test_short_data_is_short():
     square = polygon_contour([0, 0.5, 0.5 + 0.25j, 10 - 3j])
-    outline = Outline(square.segments, square.straight, True)
+    outline = CubicPath(square.segments, square.straight, True)
     assert path_data([outline], 2) == "M0,0 0.5,0 0.5,0.25 10,-3Z"
     assert short_path_data([outline], 2) == "M0 0l.5 0 0 .25 9.5-3.25z"
     circle = circle_contour(500 + 500j, 3)
-    small = Outline(circle.segments, circle.straight, True)
+    small = CubicPath(circle.segments, circle.straight, True)
     assert len(short_path_data([small], 3)) < 0.8 * len(path_data([small], 3))
 
 
 def test_what_is_not_finite_is_not_written():
     segments = polygon_contour([0, 1, np.nan]).segments
-    outline = Outline(segments, np.ones(3, bool), True)
+    outline = CubicPath(segments, np.ones(3, bool), True)
     for write in (path_data, short_path_data):
         with pytest.raises(ValueError, match="cannot be written"):
             write([outline], 3)
