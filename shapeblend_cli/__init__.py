@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.match.work import WorkConstants
     from shapeblend_cli.pipeline import blend, correspond
     from shapeblend_cli.settings import BlendSettings
-    from shapeblend_cli.svg.read import read
+    from shapeblend_cli.svg.reading.read import read
 
 __version__ = "0.1.0"
 __all__ = ["BlendSettings", "ShapeblendError", "WorkConstants", "__version__", "blend", "correspond", "read"]
@@ -20,7 +20,7 @@ _HOMES = {
     "WorkConstants": "match.work",
     "blend": "pipeline",
     "correspond": "pipeline",
-    "read": "svg.read",
+    "read": "svg.reading.read",
 }
 
 

@@ -243,7 +243,7 @@ def blend(
 
     from shapeblend_cli.files import Job, blend_files
     from shapeblend_cli.products import Wanted
-    from shapeblend_cli.svg.animate import Timing
+    from shapeblend_cli.svg.writing.animate import Timing
 
     job = Job(
         files=files,
@@ -274,7 +274,7 @@ def blend(
 def inspect(file: str, select: str | None, lenient: bool, as_json: bool) -> None:
     """List the shapes a file draws; - is standard input."""
     from shapeblend_cli.report import inspection
-    from shapeblend_cli.svg.read import read
+    from shapeblend_cli.svg.reading.read import read
 
     drawing = read(file, lenient=lenient, select=select)
     found = inspection(drawing) | {"file": file}

@@ -18,7 +18,7 @@ from shapeblend_cli.pictures.libraries import check_libraries
 from shapeblend_cli.pipeline import make_frames, match_all
 from shapeblend_cli.products import produced
 from shapeblend_cli.report import report
-from shapeblend_cli.svg.read import STANDARD_INPUT, read
+from shapeblend_cli.svg.reading.read import STANDARD_INPUT, read
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence

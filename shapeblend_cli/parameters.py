@@ -117,7 +117,7 @@ class ColourType(click.ParamType[str]):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
         """Turn a colour into ``#rrggbb``."""
-        from shapeblend_cli.svg.paint import parse_colour
+        from shapeblend_cli.svg.reading.colours import parse_colour
 
         colour = parse_colour(value.strip())
         if colour is not None and colour.alpha == 0.0:
@@ -187,7 +187,7 @@ class SelectorType(click.ParamType[str]):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
         """Look whether it can be one."""
-        from shapeblend_cli.svg.select import SelectorError, check
+        from shapeblend_cli.svg.reading.select import SelectorError, check
 
         try:
             check(value)

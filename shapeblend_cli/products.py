@@ -11,9 +11,9 @@ from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.pictures.choice import ANIMATED, PICTURES, WIDTHS
 from shapeblend_cli.pictures.times import run_for
 from shapeblend_cli.pipeline import make_frames, shapes_at
-from shapeblend_cli.svg.animate import PINGPONG, css_svg, smil_svg, stacked_svg
-from shapeblend_cli.svg.attributes import decimals_for
-from shapeblend_cli.svg.write import frame_svg
+from shapeblend_cli.svg.writing.animate import PINGPONG, css_svg, smil_svg, stacked_svg
+from shapeblend_cli.svg.writing.attributes import decimals_for
+from shapeblend_cli.svg.writing.write import frame_svg
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Box, Frame, Pair
     from shapeblend_cli.pictures.choice import Choice
     from shapeblend_cli.settings import BlendSettings
-    from shapeblend_cli.svg.animate import Timing
+    from shapeblend_cli.svg.writing.animate import Timing
 
 
 class Wanted(NamedTuple):

@@ -26,11 +26,11 @@ import numpy as np
 
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.report import inspection
-from shapeblend_cli.svg.read import read
+from shapeblend_cli.svg.reading.read import read
 
 ROOT = Path(__file__).parents[1]
 FAILED = ROOT / "out" / "fuzz"
-SEEDS = [ROOT / "tests" / "svg" / "files", ROOT / "samples"]
+SEEDS = [ROOT / "tests" / "svg" / "reading" / "files", ROOT / "samples"]
 
 MOST_SECONDS = 2.0
 MOST_BYTES = 300 * 2**20

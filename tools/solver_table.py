@@ -20,7 +20,7 @@ from shapeblend_cli.geometry.outline import direction, reversed_polygon
 from shapeblend_cli.match import starts
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.match.work import Window, Wires, WorkConstants
-from shapeblend_cli.svg.read import read
+from shapeblend_cli.svg.reading.read import read
 from tools.quality.data import ROOT, icon_pairs
 from tools.quality.raw import text
 from tools.quality.tables import Table, with_figures

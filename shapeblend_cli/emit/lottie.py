@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shapeblend_cli.geometry.normalise import union
-from shapeblend_cli.svg.attributes import number
+from shapeblend_cli.svg.writing.attributes import number
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

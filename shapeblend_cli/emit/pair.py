@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.svg import document
-from shapeblend_cli.svg.attributes import paint_attributes, path_data, without_defaults
-from shapeblend_cli.svg.write import Gradients
+from shapeblend_cli.svg.writing import document
+from shapeblend_cli.svg.writing.attributes import paint_attributes, path_data, without_defaults
+from shapeblend_cli.svg.writing.write import Gradients
 
 if TYPE_CHECKING:
     from shapeblend_cli.emit.move import Move

@@ -25,12 +25,12 @@ from shapeblend_cli.plot.axes import (
 )
 from shapeblend_cli.plot.subject import on_path
 from shapeblend_cli.plot.theta import NOISE, TWO_PI, Theta, bezier, theta_of
-from shapeblend_cli.svg.figure import Figure, line_data
+from shapeblend_cli.svg.writing.figure import Figure, line_data
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, Polygon
     from shapeblend_cli.plot.subject import Subject
-    from shapeblend_cli.svg.figure import Point
+    from shapeblend_cli.svg.writing.figure import Point
 
     Dot = tuple[int, int]
 

@@ -22,7 +22,7 @@ from shapeblend_cli.plot.axes import (
     ticks,
     value_text,
 )
-from shapeblend_cli.svg.figure import Figure, line_data, rect_data
+from shapeblend_cli.svg.writing.figure import Figure, line_data, rect_data
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, FloatArray, IntArray

@@ -23,7 +23,7 @@ from shapeblend_cli.plot.axes import (
     ticks,
     value_text,
 )
-from shapeblend_cli.svg.figure import Figure
+from shapeblend_cli.svg.writing.figure import Figure
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import FloatArray

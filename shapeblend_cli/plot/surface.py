@@ -10,7 +10,7 @@ import numpy as np
 
 from shapeblend_cli.interpolate.paths import between
 from shapeblend_cli.plot.axes import COLOUR_A, COLOUR_B, INK, SOFT, STYLE, TOP, heading
-from shapeblend_cli.svg.figure import Figure, line_data
+from shapeblend_cli.svg.writing.figure import Figure, line_data
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray

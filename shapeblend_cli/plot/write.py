@@ -13,7 +13,7 @@ from shapeblend_cli.files import SLOW, match_files, print_text
 from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.output import check_targets, write_files
 from shapeblend_cli.plot.subject import subject
-from shapeblend_cli.svg.read import STANDARD_INPUT
+from shapeblend_cli.svg.reading.read import STANDARD_INPUT
 
 if TYPE_CHECKING:
     from collections.abc import Callable

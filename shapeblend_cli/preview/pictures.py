@@ -10,7 +10,7 @@ from shapeblend_cli.interpolate.paths import between, waypoints
 from shapeblend_cli.interpolate.styles import blend_styles
 from shapeblend_cli.interpolate.track import counted_on
 from shapeblend_cli.model import LinearGradient, RadialGradient
-from shapeblend_cli.svg.attributes import (
+from shapeblend_cli.svg.writing.attributes import (
     gradient_attributes,
     paint_attributes,
     path_data,

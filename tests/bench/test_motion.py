@@ -6,7 +6,7 @@ import pytest
 from shapeblend_cli.model import Contour, Drawing, Shape, Style
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import BlendSettings
-from shapeblend_cli.svg.read import read
+from shapeblend_cli.svg.reading.read import read
 from tests.support.shapes import bar, spiral
 
 

@@ -21,8 +21,8 @@ from shapeblend_cli.interpolate.chains import tracks
 from shapeblend_cli.interpolate.colours import colour_stops
 from shapeblend_cli.pipeline import frame_at, match_all
 from shapeblend_cli.settings import BlendSettings
-from shapeblend_cli.svg.animate import PINGPONG, Timing, css_svg, smil_svg
-from shapeblend_cli.svg.write import frame_svg
+from shapeblend_cli.svg.writing.animate import PINGPONG, Timing, css_svg, smil_svg
+from shapeblend_cli.svg.writing.write import frame_svg
 from tests.support.drawings import EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
 from tests.support.motions import turned
 

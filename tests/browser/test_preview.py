@@ -11,7 +11,7 @@ from shapeblend_cli.match.landscape import landscape
 from shapeblend_cli.pairing.join import solved_wires
 from shapeblend_cli.pipeline import blend
 from shapeblend_cli.settings import BlendSettings
-from shapeblend_cli.svg.read import read
+from shapeblend_cli.svg.reading.read import read
 from tests.browser.test_animation import CHROMIUM
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, SQUARES, B, svg
 

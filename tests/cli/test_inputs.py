@@ -11,7 +11,7 @@ import sys
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.svg import xmltree
+from shapeblend_cli.svg.reading import xmltree
 
 SQUARE = "M0 0H10V10H0Z"
 TRIANGLE = "M0 0H10L0 10Z"

@@ -15,7 +15,7 @@ from shapeblend_cli.interpolate.track import slack_track
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.match.work import WorkConstants
 from shapeblend_cli.model import Contour, Polygon
-from shapeblend_cli.svg.read import read
+from shapeblend_cli.svg.reading.read import read
 from tests.support.contours import circle_contour, polygon_contour
 
 TIMES = (0.25, 0.5, 0.75)

@@ -7,7 +7,7 @@ from shapeblend_cli.geometry.outline import curve_crossings
 from shapeblend_cli.interpolate.paths import between
 from shapeblend_cli.pipeline import blend, match_all
 from shapeblend_cli.settings import BlendSettings
-from shapeblend_cli.svg.read import read
+from shapeblend_cli.svg.reading.read import read
 from tests.support import drawings
 from tests.support.contours import drawing, polygon_contour
 from tests.support.shapes import arm, bar, comb, spiral

@@ -16,7 +16,7 @@ from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.presets import PRESETS
 from shapeblend_cli.settings import BlendSettings
-from shapeblend_cli.svg.read import read
+from shapeblend_cli.svg.reading.read import read
 from tests.support.shapes import random_polygon, star_polygon
 
 TIMES = (0.1, 0.25, 0.5, 0.75, 0.9)

@@ -11,7 +11,7 @@ from shapeblend_cli.motion.alignment import Matched, aligned, residual
 from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import BlendSettings
-from shapeblend_cli.svg.read import read
+from shapeblend_cli.svg.reading.read import read
 from tests.support import drawings
 from tests.support.contours import drawing, polygon_contour
 from tests.support.motions import moving_polygons, similarity_of

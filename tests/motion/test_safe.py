@@ -13,7 +13,7 @@ from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.motion.safe import plan, safe
 from shapeblend_cli.pipeline import frame_at, match_all
 from shapeblend_cli.settings import BlendSettings
-from shapeblend_cli.svg.read import read
+from shapeblend_cli.svg.reading.read import read
 from tests.conftest import SAMPLES
 from tests.support.contours import circle_contour
 from tests.support.motions import moving_polygons, outline, similarity_of

@@ -11,7 +11,7 @@ import pytest
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.plot.subject import subject
 from shapeblend_cli.settings import BlendSettings
-from shapeblend_cli.svg.read import read
+from shapeblend_cli.svg.reading.read import read
 
 SVG = "{http://www.w3.org/2000/svg}"
 NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)")

@@ -3,7 +3,7 @@
 import pytest
 
 from shapeblend_cli.plot.axes import WHOLE, short_name, signed, ticks, value_text
-from shapeblend_cli.svg.figure import Figure, line_data
+from shapeblend_cli.svg.writing.figure import Figure, line_data
 
 
 @pytest.mark.parametrize(

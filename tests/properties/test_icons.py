@@ -8,7 +8,7 @@ import pytest
 import shapely
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.svg.read import read
+from shapeblend_cli.svg.reading.read import read
 from tests.support.contours import polyline
 
 DATA = Path(__file__).parents[1] / "bench" / "data" / "pairs.json"

@@ -27,6 +27,6 @@ def svg(*paths, attributes="", viewbox="0 0 24 24"):
 
 def drawing(*paths, file="a.svg", **options):
     """What such a document paints."""
-    from shapeblend_cli.svg.read import read
+    from shapeblend_cli.svg.reading.read import read
 
     return read(file, svg(*paths, **options).encode())

@@ -12,7 +12,7 @@ import numpy as np
 from shapeblend_cli.cli import run
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.model import Contour
-from shapeblend_cli.svg.read import read
+from shapeblend_cli.svg.reading.read import read
 from tools.quality.data import Pair, svg
 from tools.quality.scores import STEPS
 from tools.quality.truth.form import TIMES, Linked, Truth

@@ -1,0 +1,1 @@
+"""An SVG file into a `Drawing`."""

@@ -1,0 +1,140 @@
+"""Segments into contours: chained, closed, rid of what has no length; and arcs into cubics."""
+
+from __future__ import annotations
+
+import cmath
+import itertools
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.model import Contour
+from shapeblend_cli.svg.reading import transforms
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import ComplexArray
+
+    Segment = tuple[complex, complex, complex, complex]
+
+_CLOSE = 1e-9
+"""Ends this near, in parts of the largest coordinate, coincide."""
+
+_NO_LENGTH = 1e-12
+"""A segment this small, in parts of the largest coordinate, is rounding."""
+
+_MAX_ARC = math.radians(45)
+"""A cubic over this angle is off its circle by 4e-6 of the radius."""
+
+
+def line(start: complex, end: complex) -> Segment:
+    """Return a straight line as a cubic with its inner points at thirds."""
+    third = (end - start) / 3
+    return (start, start + third, end - third, end)
+
+
+def chain(segments: list[Segment], straight: list[bool], closed: bool) -> Contour | None:
+    """Return the contour of one subpath, or None when nothing of it has a length.
+
+    Parameters
+    ----------
+    segments : list of four complex points each
+        Each begins where the one before it ends.
+    straight : list of bool
+    closed : bool
+        Whether the subpath ends in ``Z``; its ends need not coincide.
+    """
+    if not segments:
+        return None
+    first, last = segments[0][0], segments[-1][3]
+    points = np.array(segments, dtype=np.complex128)
+    flags = np.array(straight, dtype=np.bool_)
+    size = float(np.abs(points.view(np.float64)).max())
+    gap = abs(last - first)
+    if closed and gap > _CLOSE * size:
+        points = np.concatenate([points, [line(last, first)]])
+        flags = np.append(flags, True)
+    kept = np.abs(points[:, 1:] - points[:, :1]).max(axis=1) > _NO_LENGTH * size
+    if not kept.all():
+        points, flags = points[kept], flags[kept]
+    if not len(points):
+        return None
+    closed = closed or gap <= _CLOSE * size
+    return Contour(_joined(points, closed), flags, closed)
+
+
+def transformed(contour: Contour, matrix: transforms.Matrix) -> Contour:
+    """Return `contour` with `matrix` applied to its control points."""
+    if matrix == transforms.IDENTITY:
+        return contour
+    moved = transforms.apply(matrix, contour.segments)
+    return Contour(_joined(moved, contour.closed), contour.straight, contour.closed)
+
+
+def _joined(points: ComplexArray, closed: bool) -> ComplexArray:
+    """Return `points` with each segment beginning exactly where the one before it ends."""
+    joined = points.copy()
+    joined[1:, 0] = joined[:-1, 3]
+    if closed:
+        joined[-1, 3] = joined[0, 0]
+    return joined
+
+
+def arc(
+    start: complex, end: complex, radii: tuple[float, float], rotation: float, large: bool, sweep: bool
+) -> list[Segment]:
+    """Return an elliptical arc between two points as cubics; none when the points coincide.
+
+    https://www.w3.org/TR/SVG2/implnote.html#ArcConversionEndpointToCenter
+
+    Parameters
+    ----------
+    start, end : complex
+    radii : pair of float
+        Scaled up when the ellipse does not reach both points.
+    rotation : float
+        Of the ellipse's x axis, in degrees.
+    large, sweep : bool
+        Whether the arc is the longer one, and whether its angle grows.
+    """
+    rx, ry = abs(radii[0]), abs(radii[1])
+    turn = cmath.rect(1.0, math.radians(rotation))
+    # Half of the chord, seen from the unit circle that the ellipse is an image of.
+    half = (start - end) / 2 / turn
+    chord = complex(half.real / rx, half.imag / ry)
+    if abs(chord) > 1:
+        rx, ry = rx * abs(chord), ry * abs(chord)
+        chord /= abs(chord)
+    # Nearer than this the two ends cannot be told apart on the unit circle.
+    if abs(chord) < 1e-15:
+        return []
+    offset = math.sqrt(max(0.0, 1 / abs(chord) ** 2 - 1))
+    centre = -1j * chord * (offset if large != sweep else -offset)
+    begin = cmath.phase(chord - centre)
+    angle = cmath.phase((-chord - centre) / (chord - centre))
+    if sweep and angle < 0:
+        angle += 2 * math.pi
+    elif not sweep and angle > 0:
+        angle -= 2 * math.pi
+    middle = (start + end) / 2 + complex(centre.real * rx, centre.imag * ry) * turn
+    along, across = rx * turn, 1j * ry * turn
+    placed = [
+        (
+            middle + p.real * along + p.imag * across,
+            middle + q.real * along + q.imag * across,
+            middle + r.real * along + r.imag * across,
+            middle + s.real * along + s.imag * across,
+        )
+        for p, q, r, s in circular(begin, angle)
+    ]
+    placed[0] = (start, *placed[0][1:])
+    placed[-1] = (*placed[-1][:3], end)
+    return placed
+
+
+def circular(begin: float, angle: float) -> list[Segment]:
+    """Return an arc of the unit circle as cubics of at most 45 degrees each."""
+    count = max(1, math.ceil(abs(angle) / _MAX_ARC - 1e-9))
+    handle = 1j * 4 / 3 * math.tan(angle / count / 4)
+    ends = [cmath.rect(1.0, begin + angle * k / count) for k in range(count + 1)]
+    return [(p, p * (1 + handle), q * (1 - handle), q) for p, q in itertools.pairwise(ends)]

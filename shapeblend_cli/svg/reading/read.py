@@ -1,0 +1,70 @@
+"""An SVG file into a `Drawing`: what it paints, in the root's user units."""
+
+from __future__ import annotations
+
+import sys
+
+from shapeblend_cli.errors import InputError
+from shapeblend_cli.model import Drawing
+from shapeblend_cli.svg.reading import viewports, xmltree
+from shapeblend_cli.svg.reading.notes import Notes
+from shapeblend_cli.svg.reading.problem import Problem, shown
+from shapeblend_cli.svg.reading.walk import Walk
+
+STANDARD_INPUT = "-"
+
+
+def title_of(file: str) -> str:
+    """What a file is called in titles: its name without its folder."""
+    return "standard input" if file == STANDARD_INPUT else file.replace("\\", "/").rpartition("/")[2]
+
+
+def read(
+    file: str, data: bytes | None = None, *, lenient: bool = False, select: str | None = None
+) -> Drawing:
+    """Return what an SVG file paints.
+
+    Parameters
+    ----------
+    file : str
+        Its name, as the user gave it; ``-`` is standard input, called ``<stdin>`` in the drawing and in messages.
+    data : bytes, optional
+        Its contents; without them the file is opened.
+    lenient : bool
+        Draw path data and points that break the grammar up to the error, and note that.
+    select : str, optional
+        ``#id`` or a CSS selector: only the shapes it matches, those in groups it matches, and those drawn through a
+        ``use`` it matches. `Shape.index` still counts all the file paints.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be opened, is not SVG, exceeds a limit, or paints no shape, or none that was selected.
+    """
+    notes = Notes()
+    name = "<stdin>" if file == STANDARD_INPUT else file
+    try:
+        root = xmltree.parse(_contents(file) if data is None else data)
+        if root.tag != "svg":
+            tag = shown(root.tag.lstrip(":"))
+            raise Problem(f"its root element is <{tag}>, not <svg>; an SVG file would work")
+        box = viewports.root_box(root, notes)
+        shapes = Walk(root, notes, lenient).shapes(viewports.root_size(box), select)
+    except Problem as problem:
+        raise InputError(name, str(problem)) from None
+    return Drawing(name, box, shapes, notes.phrases())
+
+
+def _contents(file: str) -> bytes:
+    try:
+        if file == STANDARD_INPUT:
+            if sys.stdin is None:
+                raise Problem("standard input is closed; an SVG file would work")
+            return sys.stdin.buffer.read(xmltree.MAX_BYTES + 1)
+        with open(file, "rb") as stream:
+            return stream.read(xmltree.MAX_BYTES + 1)
+    except OSError as error:
+        raise Problem(f"cannot be read ({error.strerror}); a readable SVG file would work") from None
+    except ValueError:
+        # Names with a null character.
+        raise Problem("not the name of a file") from None

@@ -1,0 +1,248 @@
+"""Which elements of a document a selector means, and what to say when that is nothing.
+
+A text that begins with ``#`` is first of all an id, whatever its characters: editors write ``layer 1`` and ``1st``,
+which no CSS selector can spell without escapes. Anything else, and an id that is not there, is a CSS selector.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+from shapeblend_cli.svg.reading.elements import GROUPS, LEFT_OUT, SHAPES
+from shapeblend_cli.svg.reading.problem import Problem, shown
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from shapeblend_cli.svg.reading.xmltree import Node
+
+_MAX_SELECTOR = 2_000
+
+_NEAR, _FEW = 3, 5
+_MAX_COMPARED = 2_000
+_MAX_WORD = 100
+_MAX_WORDS = 8
+# What of a selector is neither a type nor a class nor an id.
+_OTHER_PARTS = re.compile(r"""\[[^\]]*+\]|"[^"]*+"|'[^']*+'|::?[\w-]++""")
+_WORD = re.compile(r"[#.]?[\w-]++")
+
+
+class SelectorError(ValueError):
+    """A text that is no selector; says what is wrong with it, and what would work."""
+
+
+def check(text: str) -> None:
+    """Look whether `text` can be a selector, as far as that can be told without a file.
+
+    Raises
+    ------
+    SelectorError
+        If it cannot.
+    """
+    if not _is_id(text):
+        _compiled(text)
+
+
+def chosen(root: Node, text: str) -> list[Node]:
+    """Return the elements that a selector matches, in document order.
+
+    Parameters
+    ----------
+    root : Node
+    text : str
+        ``#`` and an id, or a CSS selector.
+
+    Raises
+    ------
+    Problem
+        If that is none, or takes too long to find.
+    """
+    found = []
+    if _is_id(text):
+        found = [node for node in root.walk() if node.get("id") == text[1:]]
+    if not found:
+        try:
+            found = _matched(root, text, _compiled(text))
+        except SelectorError as error:
+            if not _is_id(text):
+                raise Problem(str(error)) from None
+    if not found:
+        raise Problem(f"nothing in it matches '{shown(text, 60)}'; {_what_would(root, text)}")
+    return found
+
+
+def _is_id(text: str) -> bool:
+    return text.startswith("#") and text != "#"
+
+
+def _compiled(text: str) -> list[Any]:
+    """Return the tests of a CSS selector that an element can pass at all."""
+    from shapeblend_cli.svg.reading import stylesheets
+
+    if len(text) > _MAX_SELECTOR:
+        raise SelectorError(f"a selector of more than {_MAX_SELECTOR} characters; a shorter one would work")
+    try:
+        compiled = stylesheets.compiled(text)
+    except stylesheets.UNREADABLE as error:
+        raise SelectorError(
+            f"'{shown(text)}' is no CSS selector ({_place(error)}); '#id', '.class' or 'g > path' would work"
+        ) from None
+    return [one.test for one in compiled if one.pseudo_element is None and not one.never_matches]
+
+
+def _place(error: Exception) -> str:
+    """Return where a selector breaks, or why it cannot be read."""
+    if isinstance(error, (SyntaxError, MemoryError, RecursionError)):
+        return "nested too deep"
+    if isinstance(error, NotImplementedError):
+        return "a part of CSS that is not supported"
+    # cssselect2 gives a token and what it expected there; no token is the end of the text.
+    place = error.args[0] if error.args else ""
+    if place is None:
+        return "it ends too early"
+    if hasattr(place, "source_column"):
+        return f"at character {place.source_column}"
+    return "an unknown pseudo-class" if "pseudo-class" in str(place) else "it cannot be read"
+
+
+def _matched(root: Node, text: str, tests: list[Any]) -> list[Node]:
+    from shapeblend_cli.svg.reading import stylesheets
+
+    if not tests:
+        return []
+    budget = stylesheets.Budget(
+        f"the selector '{shown(text)}' takes too long to match; a simpler one would work"
+    )
+    found = []
+    try:
+        for element in stylesheets.elements(root, budget):
+            budget.pay(len(tests))
+            if any(test(element) for test in tests):
+                found.append(element.etree_element)
+    except RecursionError:
+        raise Problem("its elements are nested too deep for that selector; an id would work") from None
+    return found
+
+
+def around(root: Node, node: Node) -> list[Node]:
+    """Return the elements that `node` stands in, from the root inwards."""
+    path: list[Node] = []
+    stack = [(root, 0)]
+    while stack:
+        here, depth = stack.pop()
+        del path[depth:]
+        if here is node:
+            break
+        path.append(here)
+        stack.extend((child, depth + 1) for child in reversed(here.children))
+    return path
+
+
+def unpainted(
+    root: Node, text: str, nodes: Sequence[Node], reason: str | None, painted: Sequence[str]
+) -> Problem:
+    """Return what to say of a selector whose elements paint nothing.
+
+    Parameters
+    ----------
+    root : Node
+    text : str
+    nodes : sequence of Node
+        What it matches.
+    reason : str or None
+        Why the first shape among them is not painted, if the drawing came so far.
+    painted : sequence of str
+        Ids that would work.
+    """
+    first = nodes[0]
+    others = f" and {len(nodes) - 1} more" if len(nodes) > 1 else ""
+    why = f"it is {reason}" if reason else _why(root, first)
+    advice = (
+        f"{_listed([f'#{name}' for name in painted])} would work"
+        if painted
+        else "inspect lists what is painted"
+    )
+    return Problem(f"'{shown(text, 60)}' is there ({first}{others}) but paints nothing: {why}; {advice}")
+
+
+def _why(root: Node, node: Node) -> str:
+    if node.tag in LEFT_OUT:
+        return f"{node.tag} is not read"
+    for outer in reversed(around(root, node)):
+        if outer.tag not in GROUPS:
+            return f"it stands in <{shown(outer.tag)}> and no use draws it"
+    if node.tag == "use":
+        return "what it refers to is not drawn"
+    if node.tag in GROUPS:
+        return "no shape stands in it"
+    if node.tag in SHAPES:
+        return "it is not drawn"
+    return f"<{shown(node.tag)}> is no shape"
+
+
+def _what_would(root: Node, text: str) -> str:
+    """Return names out of the document that may have been meant; else a few that are there."""
+    names = _names(root)
+    near = _near(text, names)
+    if near:
+        return f"{_listed(near)} would"
+    ids = [name for name in names if name.startswith("#")]
+    if ids:
+        more = f" and {len(ids) - _FEW} more" if len(ids) > _FEW else ""
+        return f"its ids are {', '.join(shown(name) for name in ids[:_FEW])}{more}"
+    return f"it has no ids, but {_listed(names[:_NEAR])} would"
+
+
+def _names(root: Node) -> list[str]:
+    """Return the ids, the classes and the types of what can be drawn."""
+    ids: dict[str, None] = {}
+    classes: dict[str, None] = {}
+    types: dict[str, None] = {}
+    for node in root.walk():
+        if node.tag in SHAPES or node.tag in GROUPS or node.tag == "symbol":
+            name = node.get("id")
+            if name:
+                ids[f"#{name}"] = None
+            for word in (node.get("class") or "")[:_MAX_WORD].split():
+                classes[f".{word}"] = None
+            types[node.tag] = None
+    return [*ids, *classes, *sorted(types, key=lambda tag: tag not in SHAPES)]
+
+
+def _near(text: str, names: list[str]) -> list[str]:
+    """Return the names most like those in a selector."""
+    import difflib
+
+    known = set(names)
+    words = [text] if _is_id(text) else []
+    words += [word for word in _WORD.findall(_OTHER_PARTS.sub(" ", text)) if word not in known]
+    found: dict[str, None] = {}
+    for word in words[:_MAX_WORDS]:
+        wanted = word[:_MAX_WORD].casefold()
+        likely = [name for name in names if abs(len(name) - len(wanted)) <= 3 + len(wanted) // 4]
+        # Comparing is slow and a file can have a hundred thousand ids.
+        likely.sort(key=lambda name: -_shared(wanted, name))
+        folded = {
+            name.casefold(): name for name in reversed(likely[:_MAX_COMPARED]) if len(name) <= _MAX_WORD
+        }
+        for name in difflib.get_close_matches(wanted, folded, n=_NEAR, cutoff=0.65):
+            found[folded[name]] = None
+        if found and word is text:
+            break
+    return list(found)[:_NEAR]
+
+
+def _shared(a: str, b: str) -> int:
+    """Return how many characters two names begin with alike."""
+    count = 0
+    for x, y in zip(a, b.casefold(), strict=False):
+        if x != y:
+            break
+        count += 1
+    return count
+
+
+def _listed(names: Iterable[str]) -> str:
+    *others, last = (shown(name) for name in names)
+    return f"{', '.join(others)} or {last}" if others else last

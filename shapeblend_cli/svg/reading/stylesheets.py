@@ -1,0 +1,251 @@
+"""Style sheets, by tinycss2 and cssselect2; imported only when a file needs them.
+
+Selector matching can be made to take exponential time (``g g g g path`` in a deep tree), so every
+element looked at on the way is paid for out of a budget.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import cssselect2
+import tinycss2
+
+from shapeblend_cli.svg.reading.declarations import put
+from shapeblend_cli.svg.reading.problem import Problem
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from shapeblend_cli.svg.reading.declarations import Declarations
+    from shapeblend_cli.svg.reading.xmltree import Node
+
+_MAX_TEXT = 500_000
+_BUDGET = 4_000_000
+_NEW = 3
+"""What an element costs that is made, not only looked at."""
+
+_MAX_SELECTOR = 2_000
+_MAX_CLASSES = 10_000
+
+_MEDIA = frozenset(("", "all", "screen", "only screen"))
+
+UNREADABLE = (
+    cssselect2.SelectorError,
+    NotImplementedError,
+    ValueError,
+    SyntaxError,
+    MemoryError,
+    RecursionError,
+    # cssselect2 stumbles over ':nth-child(2n+)'.
+    AttributeError,
+    TypeError,
+)
+"""What cssselect2 raises on what is no selector, or none it knows."""
+
+_Rules = list[tuple[Any, "Declarations", "Declarations"]]
+
+
+def declarations(source: object) -> tuple[Declarations, Declarations]:
+    """Return the declarations in `source`, text or tokens: the normal and the important ones."""
+    normal: Declarations = {}
+    important: Declarations = {}
+    try:
+        for item in tinycss2.parse_blocks_contents(source, skip_comments=True, skip_whitespace=True):
+            if item.type == "declaration":
+                value = tinycss2.serialize(item.value).strip()
+                put(important if item.important else normal, item.name, value)
+    except RecursionError:
+        raise Problem("a style nested too deep; without it the file would work") from None
+    return normal, important
+
+
+def match(root: Node, texts: list[str]) -> dict[int, tuple[Declarations, Declarations]]:
+    """Return what style sheets declare for each element below `root` that a rule selects.
+
+    Parameters
+    ----------
+    root : Node
+    texts : list of str
+        The sheets, in document order.
+
+    Returns
+    -------
+    dict
+        From the identity of a node to its normal and its important declarations.
+
+    Raises
+    ------
+    Problem
+        If the sheets are too long, or take too long to match.
+    """
+    matcher = cssselect2.Matcher()
+    count = 0
+    try:
+        for selector, normal, important in _rules(texts):
+            matcher.add_selector(selector, (normal, important))
+            count += 1
+        return _matched(root, matcher) if count else {}
+    except RecursionError:
+        raise Problem("its style sheet is nested too deep; without it the file would work") from None
+
+
+def _matched(root: Node, matcher: Any) -> dict[int, tuple[Declarations, Declarations]]:
+    budget = Budget("its style sheet takes too long to match; without it the file would work")
+    # Each selector is tried on the elements of its class, id or type: those without one, on all.
+    matcher.add_relevant_selectors = _paid(matcher.add_relevant_selectors, budget)
+    found = {}
+    for element in elements(root, budget):
+        normal: Declarations = {}
+        important: Declarations = {}
+        rules = matcher.match(element)
+        budget.pay(4 * len(rules))
+        for _, _, pseudo_element, payload in rules:
+            if pseudo_element is None:
+                normal.update(payload[0])
+                important.update(payload[1])
+        if normal or important:
+            found[id(element.etree_element)] = (normal, important)
+    return found
+
+
+def _rules(texts: list[str]) -> _Rules:
+    """Return the selectors of all sheets, each with its declarations, in order."""
+    rules: _Rules = []
+    sheet = _without_fonts("\n".join(texts))
+    if len(sheet) > _MAX_TEXT:
+        raise Problem(f"a style sheet longer than {_MAX_TEXT} characters, the most that is read")
+    waiting = list(reversed(tinycss2.parse_stylesheet(sheet, skip_comments=True, skip_whitespace=True)))
+    while waiting:
+        rule = waiting.pop()
+        if rule.type == "at-rule" and rule.lower_at_keyword == "media" and rule.content is not None:
+            if tinycss2.serialize(rule.prelude).strip().lower() in _MEDIA:
+                inner = tinycss2.parse_rule_list(rule.content, skip_comments=True, skip_whitespace=True)
+                waiting.extend(reversed(inner))
+        elif rule.type == "qualified-rule":
+            normal, important = declarations(rule.content)
+            rules.extend((selector, normal, important) for selector in _selectors(rule.prelude))
+    return rules
+
+
+def _without_fonts(sheet: str) -> str:
+    """Return `sheet` without ``@font-face`` rules: embedded fonts can be most of a file."""
+    first, *rest = sheet.split("@font-face")
+    # What follows a rule's closing brace; all of it where there is none.
+    return first + "".join(text[text.find("}") + 1 :] for text in rest)
+
+
+def _selectors(prelude: list[Any]) -> list[Any]:
+    """Return a rule's selectors; none when one of them cannot be read, as in browsers."""
+    if len(prelude) > _MAX_SELECTOR:
+        return []
+    try:
+        return compiled(prelude)
+    except RecursionError:
+        raise
+    except UNREADABLE:
+        return []
+
+
+def compiled(source: object) -> list[Any]:
+    """Return the selectors of a list, text or tokens; raises one of `UNREADABLE`."""
+    return list(cssselect2.compile_selector_list(source))
+
+
+class Budget:
+    """How many more elements may be looked at.
+
+    Parameters
+    ----------
+    problem : str
+        What is said when they are used up.
+    """
+
+    def __init__(self, problem: str) -> None:
+        self._left = _BUDGET
+        self._problem = problem
+
+    def pay(self, count: int) -> None:
+        """Take `count` off, and raise a Problem when that is more than there was."""
+        self._left -= count
+        if self._left < 0:
+            raise Problem(self._problem)
+
+
+def _paid(add: Callable[..., None], budget: Budget) -> Callable[..., None]:
+    def paid(element: object, selectors: list[object], relevant: list[object]) -> None:
+        budget.pay(len(selectors))
+        add(element, selectors, relevant)
+
+    return paid
+
+
+class _Element(cssselect2.ElementWrapper):  # type: ignore[misc]
+    """What cssselect2 sees of a node.
+
+    Its own wrapper recurses over ancestors and siblings, and keeps all siblings alive.
+    """
+
+    def __init__(self, node: Node, parent: _Element | None, index: int, budget: Budget) -> None:
+        budget.pay(_NEW)
+        self.etree_element = node
+        self.parent = parent
+        self.index = index
+        self.in_html_document = False
+        self.transport_content_language = None
+        self.local_name = node.tag
+        self.namespace_url = ""
+        self.etree_children = node.children
+        self._budget = budget
+
+    @property
+    def etree_siblings(self) -> list[Node]:
+        siblings = [self.etree_element] if self.parent is None else self.parent.etree_children
+        self._budget.pay(len(siblings))
+        return siblings
+
+    @cached_property
+    def classes(self) -> set[str]:
+        text = self.etree_element.get("class")
+        return set(text[:_MAX_CLASSES].split()) if text else set()
+
+    @property
+    def previous(self) -> _Element | None:
+        if self.parent is None or self.index == 0:
+            return None
+        before = self.index - 1
+        return _Element(self.parent.etree_children[before], self.parent, before, self._budget)
+
+    @property
+    def ancestors(self) -> Iterator[_Element]:
+        element = self.parent
+        while element is not None:
+            self._budget.pay(1)
+            yield element
+            element = element.parent
+
+    @property
+    def previous_siblings(self) -> Iterator[_Element]:
+        element = self.previous
+        while element is not None:
+            yield element
+            element = element.previous
+
+    def iter_children(self) -> Iterator[_Element]:
+        for index, node in enumerate(self.etree_element.children):
+            yield _Element(node, self, index, self._budget)
+
+
+def elements(root: Node, budget: Budget) -> Iterator[_Element]:
+    """Yield what selectors are matched against for `root` and each node below it, in document order."""
+    first = _Element(root, None, 0, budget)
+    yield first
+    stack = [first.iter_children()]
+    while stack:
+        element = next(stack[-1], None)
+        if element is None:
+            stack.pop()
+        else:
+            yield element
+            stack.append(element.iter_children())

@@ -1,0 +1,143 @@
+"""Numbers, lengths and percentages as SVG writes them.
+
+All patterns here are atomic or possessive, and long runs of blanks are cut short before they are
+searched: no text takes more than linear time.
+"""
+
+from __future__ import annotations
+
+import re
+
+from shapeblend_cli.svg.reading.problem import shown
+
+NUMBER = r"(?>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
+
+BLANK = r"[ \t\r\n\f]"
+GAP = rf"{BLANK}*+(?:,{BLANK}*+)?+"
+"""What may stand between two numbers."""
+
+LIMIT = 1e9
+"""Numbers of this size or more are refused: products of a few of them must stay finite."""
+
+PIXELS = {
+    "": 1.0,
+    "px": 1.0,
+    "in": 96.0,
+    "cm": 96.0 / 2.54,
+    "mm": 96.0 / 25.4,
+    "q": 96.0 / 101.6,
+    "pt": 96.0 / 72.0,
+    "pc": 16.0,
+}
+"""CSS pixels in one absolute unit: https://www.w3.org/TR/css-values-3/#absolute-lengths."""
+
+_FONT_UNITS = {"em": 1.0, "ex": 0.5, "ch": 0.5}
+_ROOT_FONT_SIZE = 16.0
+_MAX_LENGTH = 1000
+
+_LENGTH = re.compile(rf"({NUMBER})\s*+(%|[a-zA-Z]*+)")
+_RUN = re.compile(rf"{BLANK}{{2,}}")
+_NUMBER = re.compile(NUMBER)
+_NEXT_NUMBER = re.compile(GAP + NUMBER)
+_NUMBERS = re.compile(rf"{BLANK}*+(?:{NUMBER}(?:{GAP}{NUMBER})*+)?+{BLANK}*+,?{BLANK}*+")
+# A comma after the last number is against the grammar, and all browsers forgive it.
+_END = re.compile(rf"{BLANK}*+,?{BLANK}*+")
+
+
+class NumberError(ValueError):
+    """Something else than a number in a list of numbers.
+
+    Parameters
+    ----------
+    offset : int
+        Where, counted from 0.
+    found : str
+        What it is.
+    before : list of float
+        The numbers that stand before it.
+    """
+
+    def __init__(self, offset: int, found: str, before: list[float]) -> None:
+        super().__init__(f"at character {offset + 1}: found {found}")
+        self.offset = offset
+        self.found = found
+        self.before = before
+
+
+def length(text: str, whole: float | None = None, font_size: float = _ROOT_FONT_SIZE) -> float | None:
+    """Return a length in user units, or None when `text` is no length.
+
+    Parameters
+    ----------
+    text : str
+        A number with or without a unit, or a percentage.
+    whole : float, optional
+        What 100 % is; without it a percentage is not a length.
+    font_size : float
+        What 1em is.
+    """
+    match = _LENGTH.fullmatch(text.strip()) if len(text) <= _MAX_LENGTH else None
+    if match is None:
+        return None
+    unit = match[2].lower()
+    if unit == "%":
+        factor = None if whole is None else whole / 100.0
+    elif unit in _FONT_UNITS:
+        factor = font_size * _FONT_UNITS[unit]
+    elif unit == "rem":
+        factor = _ROOT_FONT_SIZE
+    else:
+        factor = PIXELS.get(unit)
+    if factor is None:
+        return None
+    value = float(match[1]) * factor
+    return value if abs(value) < LIMIT else None
+
+
+def one_blank(text: str) -> str:
+    """Return `text` with every run of blanks replaced by one."""
+    return _RUN.sub(" ", text) if _RUN.search(text) else text
+
+
+def is_end(text: str, start: int) -> bool:
+    """Return whether nothing stands from `start` on, but for blanks and one comma."""
+    return _END.fullmatch(text, start) is not None
+
+
+def numbers(text: str, expected: str = "a number") -> list[float]:
+    """Read numbers separated by blanks, single commas, or nothing where that is clear.
+
+    Parameters
+    ----------
+    text : str
+    expected : str
+        What an error says belongs there.
+
+    Raises
+    ------
+    NumberError
+        If something else is there, or a number beyond the limit.
+    """
+    if not _NUMBERS.fullmatch(text):
+        raise _error(text, expected)
+    values = list(map(float, _NUMBER.findall(text)))
+    if values and not -LIMIT < min(values) <= max(values) < LIMIT:
+        raise _error(text, expected)
+    return values
+
+
+def _error(text: str, expected: str) -> NumberError:
+    """Return the first error of a list of numbers that has one."""
+    end = 0
+    before: list[float] = []
+    while match := _NEXT_NUMBER.match(text, end):
+        number = match[0].strip(", \t\r\n\f")
+        start = match.end() - len(number)
+        if end == 0 and "," in match[0]:
+            break
+        if not abs(float(number)) < LIMIT:
+            return NumberError(start, f"{shown(number, 20)}, which is beyond {LIMIT:g}", before)
+        before.append(float(number))
+        end = match.end()
+    rest = text[end:].lstrip(" \t\r\n\f")
+    return NumberError(len(text) - len(rest), f"'{shown(rest[:12])}' where {expected} belongs", before)

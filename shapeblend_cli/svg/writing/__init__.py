@@ -1,0 +1,1 @@
+"""Values into the text of SVG documents."""

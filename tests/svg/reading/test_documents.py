@@ -1,0 +1,195 @@
+"""Documents: encodings, namespaces, entities, and files that are something else."""
+
+from __future__ import annotations
+
+import gzip
+import re
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from shapeblend_cli.errors import InputError
+from shapeblend_cli.svg.reading.read import read
+from tests.svg.reading.drawings import boxes, svg
+
+RECT = '<rect width="1" height="2"/>'
+BYTES = RECT.encode()
+NAMESPACE = b"http://www.w3.org/2000/svg"
+PLAIN = svg(RECT)
+
+DOCUMENTS = {
+    "plain": PLAIN,
+    "without a namespace": b'<svg><rect width="1" height="2"/></svg>',
+    "with an unknown namespace": b'<svg xmlns="http://www.w3.org/2000/SVG-1">' + BYTES + b"</svg>",
+    "with prefixes": b'<s:svg xmlns:s="%b"><s:rect width="1" height="2"/><rect/></s:svg>' % NAMESPACE,
+    "with an undeclared prefix": b'<svg:svg><svg:rect width="1" height="2"/></svg:svg>',
+    "with an undeclared attribute prefix": b'<svg xlink:href="#">' + BYTES + b"</svg>",
+    "of a draft": b'<svg xmlns="%b-20000303-stylable">%b</svg>' % (NAMESPACE, BYTES),
+    "compressed": gzip.compress(PLAIN),
+    "byte order mark": b"\xef\xbb\xbf" + PLAIN,
+    "UTF-16": PLAIN.decode().encode("utf-16"),
+    "UTF-16 without a mark": PLAIN.decode().encode("utf-16-be"),
+    "UTF-16, declared": ('<?xml version="1.0" encoding="UTF-16"?>' + PLAIN.decode()).encode("utf-16"),
+    "Latin-1": b'<?xml version="1.0" encoding="ISO-8859-1"?><!-- \xe9 -->' + PLAIN,
+    "Windows-1252": b'<?xml version="1.0" encoding="windows-1252"?><!-- \x80 -->' + PLAIN,
+    "Shift JIS": b'<?xml version="1.0" encoding="Shift_JIS"?><!-- \x82\xa0 -->' + PLAIN,
+    "metadata": svg(
+        '<metadata><rdf:RDF xmlns:rdf="urn:r"><rect width="9" height="9"/></rdf:RDF></metadata>' + RECT
+    ),
+    "doctype": b'<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "http://www.w3.org/svg11.dtd">' + PLAIN,
+    "entities": b'<!DOCTYPE svg [<!ENTITY ns "%b"><!ENTITY st "width:1px;height:2px">]>'
+    b'<svg xmlns="&ns;"><rect style="&st;"/></svg>' % NAMESPACE,
+}
+
+
+@pytest.mark.parametrize("data", DOCUMENTS.values(), ids=DOCUMENTS)
+def test_document_is_read(data):
+    assert boxes(read("a.svg", data)) == [[0, 0, 1, 2]]
+
+
+def test_file_is_opened(tmp_path):
+    (tmp_path / "a.svg").write_bytes(PLAIN)
+    drawing = read(str(tmp_path / "a.svg"))
+    assert drawing.file == str(tmp_path / "a.svg")
+    assert boxes(drawing) == [[0, 0, 1, 2]]
+
+
+REFUSED = {
+    "empty": (b"", "the file is empty; an SVG file would work"),
+    "blank": (b" \n ", "the file is empty"),
+    "image": (b"\x89PNG\r\n\x1a\n\0\0", "this is a PNG image; an SVG file would work"),
+    "binary": (b"\0\1\2\3", "line 1: not well-formed XML"),
+    "text": (b"hello", "line 1: not well-formed XML (syntax error)"),
+    "truncated": (PLAIN[:-9], "line 1: not well-formed XML"),
+    "mismatched": (
+        b"<svg>\n<g></svg>",
+        "line 2: not well-formed XML (mismatched tag); a file saved as SVG would work",
+    ),
+    "web page": (b"<html><svg/></html>", "its root element is <html>, not <svg>"),
+    "no shapes": (b"<svg/>", "no painted shape: it has no shape elements"),
+    "only text": (b"<svg><text>a</text></svg>", "no painted shape: text left out"),
+    "only definitions": (b"<svg><defs><path/></defs></svg>", "1 shape in defs, symbols, clip paths"),
+    "damaged gzip": (gzip.compress(PLAIN)[:-20], "compressed data is damaged or cut short"),
+    "not gzip": (b"\x1f\x8b nothing", "compressed data is damaged"),
+    "unknown encoding": (
+        b'<?xml version="1.0" encoding="klingon"?><svg/>',
+        "its encoding is not supported; saved in UTF-8 it would work",
+    ),
+    "wrong encoding": (
+        b'<?xml version="1.0" encoding="gb2312"?><svg>\xff\xff</svg>',
+        "not valid gb2312 text",
+    ),
+    "undefined entity": (b"<svg>&foo;</svg>", "undefined entity"),
+}
+
+
+@pytest.mark.parametrize(("data", "message"), REFUSED.values(), ids=REFUSED)
+def test_other_data_is_refused_in_one_line(data, message):
+    with pytest.raises(InputError, match=re.escape(message)) as caught:
+        read("a.svg", data)
+    assert str(caught.value).startswith("a.svg: ")
+    assert str(caught.value).isprintable()
+
+
+def test_missing_file():
+    with pytest.raises(InputError, match=r"^/nowhere/a.svg: cannot be read \(No such file or directory\)"):
+        read("/nowhere/a.svg")
+
+
+def test_directory(tmp_path):
+    with pytest.raises(InputError, match=r"cannot be read \(Is a directory\)"):
+        read(str(tmp_path))
+
+
+def test_name_with_a_null_character():
+    with pytest.raises(InputError, match="not the name of a file"):
+        read("a\0.svg")
+
+
+PIECES = st.sampled_from(
+    [
+        b"<svg>",
+        b"</svg>",
+        b"<g ",
+        b">",
+        b"/>",
+        b"<path d='",
+        b"M0 0",
+        b"l1 1",
+        b"z",
+        b"'",
+        b'"',
+        b"<rect width='5' height='3'",
+        b" style='",
+        b" transform='",
+        b"scale(2)",
+        b"fill:",
+        b"red",
+        b"url(#a)",
+        b";",
+        b"<use href='#a'",
+        b" id='a'",
+        b"<style>",
+        b"</style>",
+        b"rect{",
+        b"}",
+        b"&#10;",
+        b"<!--",
+        b"-->",
+        b"<![CDATA[",
+        b"]]>",
+        b"\xff",
+        b"<symbol viewBox='0 0 1 1'>",
+        b"<!DOCTYPE svg [",
+        b"]>",
+    ]
+)
+
+
+def assert_read_or_refused(data):
+    try:
+        drawing = read("a.svg", data)
+    except InputError as error:
+        message = str(error)
+    else:
+        message = " ".join(drawing.notes)
+        assert drawing.shapes
+    assert message.isprintable()
+
+
+@given(st.binary(max_size=200))
+def test_any_bytes_are_read_or_refused(data):
+    assert_read_or_refused(data)
+
+
+@given(st.lists(PIECES, max_size=20).map(b"".join))
+def test_any_markup_is_read_or_refused(data):
+    assert_read_or_refused(b"<svg>" + data + b"</svg>")
+
+
+@given(st.integers(0, len(PLAIN)), st.binary(max_size=3))
+def test_a_damaged_drawing_is_read_or_refused(place, bytes_there):
+    assert_read_or_refused(PLAIN[:place] + bytes_there + PLAIN[place + len(bytes_there) :])
+
+
+VALUES = st.text(
+    st.characters(exclude_characters="<>&'\"", min_codepoint=32, exclude_categories=["Cs"]), max_size=25
+)
+
+
+@given(
+    st.dictionaries(
+        st.sampled_from(
+            "d points x y width height r rx viewBox transform style fill stroke stroke-width opacity".split()
+        ),
+        VALUES
+        | st.sampled_from(
+            ["1", "1e5", "50%", "rotate(5)", "fill:red", "0 0 5 5", "M0 0h5", "url(#x)", "var(--x)"]
+        ),
+    ),
+    st.sampled_from(["path", "rect", "circle", "ellipse", "line", "polygon", "svg", "g"]),
+)
+def test_any_attributes_are_read_or_refused(attributes, tag):
+    text = " ".join(f'{name}="{value}"' for name, value in attributes.items())
+    assert_read_or_refused(svg(f"<{tag} {text}>{RECT}</{tag}>"))

@@ -1,0 +1,276 @@
+"""What is painted, in which style, and in which order."""
+
+from __future__ import annotations
+
+import pytest
+
+from shapeblend_cli.errors import InputError
+from shapeblend_cli.model import Stop
+from tests.svg.reading.drawings import boxes, drawn
+
+RECT = '<rect width="1" height="2"/>'
+
+
+def style(markup, root='viewBox="0 0 100 100"'):
+    (shape,) = drawn(markup, root).shapes
+    return shape.style
+
+
+def test_without_a_style_a_shape_is_filled_black():
+    painted = style(RECT)
+    assert (painted.fill, painted.fill_rule, painted.fill_opacity, painted.stroke) == (
+        "#000000",
+        "nonzero",
+        1,
+        None,
+    )
+
+
+NOT_PAINTED = {
+    "defs": "<defs>{}</defs>",
+    "symbol": "<symbol>{}</symbol>",
+    "clipPath": "<clipPath>{}</clipPath>",
+    "mask": "<mask>{}</mask>",
+    "marker": "<marker>{}</marker>",
+    "pattern": "<pattern>{}</pattern>",
+    "unknown element": "<foo>{}</foo>",
+    "other namespace": '<x:g xmlns:x="urn:x">{}</x:g>',
+    "fill is none on a group": '<g fill="none">{}</g>',
+    "not displayed": '<g display="none">{}</g>',
+    "not displayed, in a style": '<g style="display: none !important">{}</g>',
+    "hidden": '<g visibility="hidden">{}</g>',
+    "collapsed": '<g visibility="collapse">{}</g>',
+    "opacity 0": '<g opacity="0">{}</g>',
+    "other language": '<g systemLanguage="de">{}</g>',
+    "extension": '<g requiredExtensions="urn:x">{}</g>',
+}
+
+
+@pytest.mark.parametrize("around", NOT_PAINTED.values(), ids=NOT_PAINTED)
+def test_not_painted_is_not_a_shape(around):
+    inner = '<rect width="99" height="99"/>'
+    assert boxes(drawn(around.format(inner) + RECT)) == [[0, 0, 1, 2]]
+    with pytest.raises(InputError, match="no painted shape"):
+        drawn(around.format(inner))
+
+
+def test_a_frame_with_neither_fill_nor_stroke_is_not_a_shape():
+    frame = '<rect width="24" height="24" fill="none"/>'
+    with pytest.raises(
+        InputError, match=r"1 shape with neither fill nor stroke.* a filled or stroked path would work"
+    ):
+        drawn(frame)
+
+
+def test_a_stroke_of_no_width_is_none():
+    assert style('<rect width="1" height="2" stroke="red" stroke-width="0"/>').stroke is None
+
+
+def test_shapes_come_in_paint_order_with_their_ids():
+    drawing = drawn(
+        '<circle r="1" id="a"/><g><path d="M0 0h1" id="b"/><use href="#a" id="c"/></g><use href="#d" id="e"/>'
+        '<defs><g id="d"><rect width="1" height="1"/></g></defs>'
+    )
+    assert [(s.index, s.id, s.element) for s in drawing.shapes] == [
+        (0, "a", "circle"),
+        (1, "b", "path"),
+        (2, "a", "circle"),
+        (3, "e", "rect"),
+    ]
+
+
+def test_control_characters_do_not_get_into_ids():
+    drawing = drawn('<rect id="a&#10;&#x9b;31m&#x202e;b" width="1" height="1"/>')
+    assert drawing.shapes[0].id == "a31mb"
+
+
+def test_switch_draws_its_first_child_that_fits():
+    illustrator = (
+        '<switch><foreignObject requiredExtensions="http://ns.adobe.com/" width="1" height="1"/>'
+        '<x:g xmlns:x="urn:x"/><g>{}</g><g><rect width="9" height="9"/></g></switch>'
+    )
+    assert boxes(drawn(illustrator.format(RECT))) == [[0, 0, 1, 2]]
+
+
+STYLES = {
+    "attribute": ('<rect width="1" height="2" fill="red"/>', "", "#ff0000"),
+    "inherited": ('<g fill="red"><g>{}</g></g>', "", "#ff0000"),
+    "inherited from the root": ("{}", 'fill="red"', "#ff0000"),
+    "style beats attribute": ('<g fill="blue" style="fill:red">{}</g>', "", "#ff0000"),
+    "unreadable colour in a style": ('<g fill="red" style="fill:oops">{}</g>', "", "#ff0000"),
+    "unreadable colour": ('<g fill="red"><g fill="oops">{}</g></g>', "", "#ff0000"),
+    "later colour unreadable": ('<g style="fill:red;fill:oops(1)">{}</g>', "", "#ff0000"),
+    "later colour better": ('<g style="fill:#00f;fill:color(display-p3 1 0 0)">{}</g>', "", "#ff0000"),
+    "current colour": ('<g color="red" fill="currentColor">{}</g>', "", "#ff0000"),
+    "current colour of the shape": (
+        '<g color="blue" fill="currentColor"><g style="color:red">{}</g></g>',
+        "",
+        "#ff0000",
+    ),
+    "variable": ('<g style="--c:red"><g fill="var(--c, blue)">{}</g></g>', "", "#ff0000"),
+    "variable's fallback": ('<g fill="var(--c, var(--d, red))">{}</g>', "", "#ff0000"),
+    "variable without a value": ('<g fill="red"><g style="fill:var(--c)">{}</g></g>', "", "#ff0000"),
+    "through use": ('<defs><g id="r">{}</g></defs><use href="#r" fill="red"/>', "", "#ff0000"),
+    "comment in a style": ('<g style="/* fill:blue; */ fill:red">{}</g>', "", "#ff0000"),
+}
+
+
+@pytest.mark.parametrize(("markup", "root", "fill"), STYLES.values(), ids=STYLES)
+def test_fill_is_what_the_cascade_and_inheritance_make_it(markup, root, fill):
+    assert style(markup.format(RECT), root).fill == fill
+
+
+SHEETS = {
+    "type": "rect { fill: red }",
+    "class": ".a { fill: red } rect { fill: blue }",
+    "one of several classes": ".b { fill: red }",
+    "id": "#i { fill: red } .a.b { fill: blue }",
+    "later of two": ".b { fill: blue } .a { fill: red }",
+    "list": "circle, .a { fill: red }",
+    "descendant": "svg .a { fill: red } .a { fill: blue }",
+    "child": "g > rect { fill: red } svg > rect { fill: blue }",
+    "sibling": "circle + rect { fill: red } circle ~ circle { fill: blue }",
+    "n-th child": "rect:nth-child(2) { fill: red }",
+    "not": "rect:not(.c) { fill: red }",
+    "attribute": "[width='1'] { fill: red }",
+    "important": "rect { fill: red !important } #i { fill: blue }",
+    "media": "@media screen { rect { fill: red } } @media print { rect { fill: blue } }",
+    "after an embedded font": "@font-face{src:url(data:font/woff;base64,AA)} rect { fill: red }",
+    "after nonsense": "} ] !! rect::: {} .a { fill: red } rect { ",
+    "cdata": "<![CDATA[ g > .a { fill: red } ]]>",
+    "unquoted url before": ".a { background: url(x{}) ; fill: red }",
+}
+
+
+@pytest.mark.parametrize("sheet", SHEETS.values(), ids=SHEETS)
+def test_style_sheet_selects(sheet):
+    sheet = sheet if "CDATA" in sheet else sheet.replace(">", "&gt;")
+    shape = '<rect class="a b" id="i" width="1" height="1"/>'
+    drawing = drawn(f"<style>{sheet}</style><g><circle/>{shape}</g>")
+    assert drawing.shapes[-1].style.fill == "#ff0000"
+
+
+def test_a_long_sheet_is_read_to_its_end():
+    # Expat hands text over in pieces.
+    sheet = "circle { fill: blue }\n" * 5000 + "rect { fill: red }"
+    assert style(f"<style>{sheet}</style>{RECT}").fill == "#ff0000"
+
+
+def test_order_of_the_cascade():
+    sheet = "<style>.a { fill: #000001; stroke: #000002 !important; color: #000003 }</style>"
+    painted = style(
+        sheet + '<rect class="a" width="1" height="1" fill="#fff" color="#fff" stroke="#fff" '
+        'style="fill:#000004; stroke: #000005; stroke-width: 2 !important" stroke-width="9"/>'
+    )
+    assert (painted.fill, painted.stroke, painted.stroke_width) == ("#000004", "#000002", 2)
+
+
+def test_sheets_for_other_media_are_left_out():
+    assert style(f'<style media="print">rect {{ fill: red }}</style>{RECT}').fill == "#000000"
+
+
+def test_all_style_properties_are_read():
+    painted = style(
+        '<g fill-rule="evenodd" fill-opacity=".5" stroke="#0f0" stroke-opacity="50%" opacity=".5" '
+        'stroke-linecap="round" stroke-linejoin="bevel">'
+        '<path d="M0 0h1" style="stroke-width:10%;opacity:.5"/></g>',
+        'viewBox="0 0 70 10"',
+    )
+    assert painted.fill_rule == "evenodd"
+    assert painted.fill_opacity == 0.125
+    assert painted.stroke == "#00ff00"
+    assert painted.stroke_opacity == 0.125
+    assert (painted.stroke_linecap, painted.stroke_linejoin) == ("round", "bevel")
+    assert painted.stroke_width == pytest.approx(5)
+
+
+GRADIENT = (
+    '<linearGradient id="g" href="#h"/>'
+    '<linearGradient id="h"><stop stop-color="#0a0"/><stop/></linearGradient>'
+)
+
+
+@pytest.mark.parametrize(
+    ("fill", "colour"),
+    [
+        ("url(#p)", "#000000"),
+        ("url(#p) none", "#000000"),
+        ("url(#p) red", "#ff0000"),
+        ("url(#missing)", "#000000"),
+        ("url(other.svg#g) #123", "#112233"),
+    ],
+)
+def test_a_pattern_or_what_is_not_there_is_read_as_a_plain_colour(fill, colour):
+    painted = style(f'<defs><pattern id="p"/></defs><g fill="{fill}">{RECT}</g>')
+    assert (painted.fill, painted.fill_gradient) == (colour, None)
+
+
+def test_a_plain_colour_for_a_pattern_is_noted():
+    notes = drawn(f'<defs><pattern id="p"/></defs><g fill="url(#p)">{RECT}</g>').notes
+    assert notes == ("a gradient or pattern read as a plain colour",)
+
+
+@pytest.mark.parametrize("fill", ["url(#g)", "url('#g') none", "url(#g) red"])
+def test_a_gradient_is_read_with_a_colour_that_stands_for_it(fill):
+    drawing = drawn(f'<defs>{GRADIENT}</defs><g fill="{fill}">{RECT}</g>')
+    painted = drawing.shapes[0].style
+    assert painted.fill == "#00aa00"
+    assert painted.fill_gradient.stops == (Stop(0, "#00aa00"), Stop(0, "#000000"))
+    assert drawing.notes == ()
+
+
+def test_what_is_left_out_is_noted():
+    notes = drawn(
+        f'<text>a</text><text>b</text><image/><g clip-path="url(#c)" filter="none">{RECT}</g>'
+        f'<use href="#x"/><use href="http://example.org/a.svg#b"/>'
+    ).notes
+    assert notes == (
+        "text left out (2 times)",
+        "image left out",
+        "clip-path not applied",
+        "use of '#x', which is not in the file, left out",
+        "use of 'http://example.org/a.svg#b', which is not in the file, left out",
+    )
+
+
+def dashes(value, more="", root='viewBox="0 0 30 40"'):
+    painted = style(f'<g stroke="red" font-size="10" stroke-dasharray="{value}" {more}>{RECT}</g>', root)
+    return painted.stroke_dasharray, painted.stroke_dashoffset
+
+
+@pytest.mark.parametrize(
+    ("value", "expected"),
+    [
+        ("none", ()),
+        ("5", (5,)),
+        ("1 2,3 , 4", (1, 2, 3, 4)),
+        ("1px 1pt 1em", (1, 4 / 3, 10)),
+        # A share of the viewport's diagonal, by its root mean square: 35.36.
+        ("10% 1", (pytest.approx(1250**0.5 / 10), 1)),
+        ("0 0", ()),
+        ("0 4", (0, 4)),
+    ],
+)
+def test_dashes_are_read_in_user_units(value, expected):
+    assert dashes(value)[0] == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("value", ["1 -2", "1;2", "1 " * 2000, "calc(1px)"])
+def test_dashes_that_cannot_be_read_are_noted_and_the_line_is_solid(value):
+    drawing = drawn(f'<g stroke="red" stroke-dasharray="{value}">{RECT}</g>')
+    assert drawing.shapes[0].style.stroke_dasharray == ()
+    assert drawing.notes == ("stroke-dasharray cannot be read",)
+
+
+def test_dashes_grow_with_the_stroke():
+    assert dashes("1 2", 'stroke-dashoffset="-3" transform="scale(2)"') == ((2, 4), -6)
+    assert dashes("1 2", 'style="stroke-dashoffset:1em"') == ((1, 2), 10)
+
+
+def test_the_miter_limit_is_read_and_pathlength_noted():
+    assert style(f'<g stroke="red" stroke-miterlimit="2.5">{RECT}</g>').stroke_miterlimit == 2.5
+    drawing = drawn(
+        '<path d="M0 0H9" pathLength="3" stroke="red" stroke-dasharray="1" stroke-miterlimit=".5"/>'
+    )
+    assert drawing.shapes[0].style.stroke_miterlimit == 4
+    assert drawing.notes == ("stroke-miterlimit cannot be read", "pathLength not applied to dashes")

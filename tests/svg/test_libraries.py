@@ -1,0 +1,62 @@
+"""What is imported, and when."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+from tests.svg.reading.drawings import svg
+
+
+def run(code):
+    """Run `code` in a new interpreter, warnings being errors, and return what it prints."""
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, check=True
+    )
+    assert done.stderr == ""
+    return done.stdout.split()
+
+
+MODULES = "import sys; print(*(name for name in {names!r} if name in sys.modules))"
+EXPENSIVE = ["scipy", "scipy.integrate", "urllib.request", "svgwrite.data.svgparser", "webbrowser"]
+ON_DEMAND = ["tinycss2", "cssselect2", "gzip"]
+
+
+def test_expensive_modules_are_not_imported():
+    names = EXPENSIVE + ON_DEMAND
+    assert run("import shapeblend_cli.svg.reading.read;" + MODULES.format(names=names)) == []
+
+
+def test_a_plain_file_needs_no_css_library():
+    data = svg('<g style="fill:#123;stroke:none"><path d="M0 0h5v5z"/></g>')
+    code = f"from shapeblend_cli.svg.reading.read import read; read('a', {data!r});"
+    assert run(code + MODULES.format(names=ON_DEMAND)) == []
+
+
+def test_stand_ins_leave_no_trace_and_call_through():
+    code = (
+        "import shapeblend_cli.svg.libraries as foreign, sys, webbrowser, tempfile;"
+        "called = foreign.svgpathtools.paths2svg.gettempdir();"
+        "print(hasattr(webbrowser, 'open_new_tab'), called == tempfile.gettempdir())"
+    )
+    assert run(code) == ["True", "True"]
+
+
+def test_arc_lengths_still_work():
+    # svgpathtools takes the length of an arc by scipy, which has to be there by then.
+    pytest.importorskip("scipy")
+    code = (
+        "from shapeblend_cli.svg.libraries import parse_path;"
+        "print(round(parse_path('M10 0A10 5 0 0 1 0 5').length(), 3))"
+    )
+    assert run(code) == ["12.111"]
+
+
+def test_a_module_imported_before_stays_as_it_is():
+    code = (
+        "import webbrowser; before = webbrowser; import shapeblend_cli.svg.libraries as foreign;"
+        "import webbrowser; print(webbrowser is before, foreign.svgpathtools.misctools.webbrowser is before)"
+    )
+    assert run(code) == ["True", "True"]
