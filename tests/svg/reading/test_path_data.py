@@ -204,4 +204,9 @@ def test_numbers_round_trip_however_they_are_written(numbers, separator):
     assert subpaths[0].move == points[0]
     expected = [p for p, q in zip(points[1:], points, strict=False) if abs(p - q) > 1e-3]
     found = [point for line in corners("M" + text) for point in line[1:]]
+    # A line that ends this near its start is closed there.
+    near = 1e-9 * max(map(abs, values))
+    expected, found = (
+        [points[0] if abs(p - points[0]) <= near else p for p in ps] for ps in (expected, found)
+    )
     assert set(expected) <= set(found)
