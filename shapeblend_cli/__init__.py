@@ -8,14 +8,14 @@ if TYPE_CHECKING:
     from shapeblend_cli.errors import ShapeblendError
     from shapeblend_cli.match.work import WorkConstants
     from shapeblend_cli.pipeline import blend, correspond
-    from shapeblend_cli.settings import BlendSettings
+    from shapeblend_cli.settings import Settings
     from shapeblend_cli.svg.reading.read import read
 
 __version__ = "0.1.0"
-__all__ = ["BlendSettings", "ShapeblendError", "WorkConstants", "__version__", "blend", "correspond", "read"]
+__all__ = ["Settings", "ShapeblendError", "WorkConstants", "__version__", "blend", "correspond", "read"]
 
 _HOMES = {
-    "BlendSettings": "settings",
+    "Settings": "settings",
     "ShapeblendError": "errors",
     "WorkConstants": "match.work",
     "blend": "pipeline",

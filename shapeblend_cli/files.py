@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import Frame, Pair
     from shapeblend_cli.products import Wanted
-    from shapeblend_cli.settings import BlendSettings
+    from shapeblend_cli.settings import Settings
 
 SLOW = (
     "the solver was installed without a C compiler and runs uncompiled, far slower; "
@@ -47,7 +47,7 @@ class Job(NamedTuple):
     report_file, preview_file : str or None
     typed : tuple of str
         The command line.
-    blend : BlendSettings
+    blend : Settings
     reported_settings : dict
         Every option's value in force, for the report.
     select : tuple of str or None
@@ -63,7 +63,7 @@ class Job(NamedTuple):
     report_file: str | None
     preview_file: str | None
     typed: tuple[str, ...]
-    blend: BlendSettings
+    blend: Settings
     reported_settings: dict[str, Any]
     select: tuple[str | None, ...]
     lenient: bool
@@ -160,7 +160,7 @@ def match_files(
     files: Sequence[str],
     select: Sequence[str | None],
     lenient: bool,
-    settings: BlendSettings,
+    settings: Settings,
     clock: Clock,
     say: Callable[[str], None],
     watch: Callable[[float], None],

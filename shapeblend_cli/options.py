@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from shapeblend_cli.pictures.choice import Choice
-    from shapeblend_cli.settings import BlendSettings
+    from shapeblend_cli.settings import Settings
 
 CONSTANTS = {
     "ks": (1.0, "Stiffness against stretching."),
@@ -279,10 +279,10 @@ def _plain(side: complex) -> int | list[float]:
     return side if isinstance(side, int) else [side.real, side.imag]
 
 
-def matching_settings(matching: dict[str, Any]) -> BlendSettings:
+def matching_settings(matching: dict[str, Any]) -> Settings:
     """The settings that the values of `matching_options` make."""
     from shapeblend_cli.match.work import WorkConstants
-    from shapeblend_cli.settings import BlendSettings
+    from shapeblend_cli.settings import Settings
 
     taken = (
         "vertices",
@@ -298,7 +298,7 @@ def matching_settings(matching: dict[str, Any]) -> BlendSettings:
         "motion",
     )
     constants = constants_in_force(matching["preset"], matching)
-    return BlendSettings(
+    return Settings(
         **{name: matching[name] for name in taken},
         band=band_in_force(matching["preset"], matching["band"]),
         constants=WorkConstants(**{f"{name[0]}_{name[1]}": value for name, value in constants.items()}),

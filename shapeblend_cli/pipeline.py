@@ -37,7 +37,7 @@ from shapeblend_cli.pairing.pair import pair_parts
 from shapeblend_cli.pairing.parts import Part, main_way, take_apart, turned_parts
 from shapeblend_cli.pairing.shapes import Joint, matched_shapes
 from shapeblend_cli.pairing.wishes import Wishes, check_stiff, given_pairs, pinned, wishes_for
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 
 MARGIN = 0.02
 """Room around what a drawing without a viewBox paints, as a share of its larger side."""
@@ -51,7 +51,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
-def blend(a: Drawing, b: Drawing, settings: BlendSettings) -> tuple[Pair, list[Frame]]:
+def blend(a: Drawing, b: Drawing, settings: Settings) -> tuple[Pair, list[Frame]]:
     """Match two drawings and make the frames between them.
 
     Raises
@@ -66,7 +66,7 @@ def blend(a: Drawing, b: Drawing, settings: BlendSettings) -> tuple[Pair, list[F
 
 
 def correspond(
-    p0: ArrayLike, p1: ArrayLike, closed: bool = True, settings: BlendSettings | None = None
+    p0: ArrayLike, p1: ArrayLike, closed: bool = True, settings: Settings | None = None
 ) -> Correspondence:
     """Find the least-work correspondence of two polygons, without any SVG.
 
@@ -77,7 +77,7 @@ def correspond(
         unit box (section 3.3).
     closed : bool
         Open polygons correspond end to end.
-    settings : BlendSettings, optional
+    settings : Settings, optional
         Its start, pins, reverse, stiff, solver, band, effort and constants count; points are those of `p0` and `p1`.
 
     Returns
@@ -101,7 +101,7 @@ def correspond(
     (4, 2.1421, 0.0)
     """
     a, b = _given_polygon(p0, closed), _given_polygon(p1, closed)
-    settings = settings or BlendSettings()
+    settings = settings or Settings()
     wishes = Wishes(settings.start, settings.pins)
     check_stiff([a], settings)
     backwards, found = least_work_either_way(a, b, settings, wishes, None, alone=True)
@@ -130,7 +130,7 @@ def _given_polygon(points: ArrayLike, closed: bool) -> Polygon:
 
 def match_all(
     drawings: Sequence[Drawing],
-    settings: BlendSettings,
+    settings: Settings,
     clock: Clock | None = None,
     watch: Callable[[float], None] | None = None,
 ) -> tuple[list[Pair], list[str]]:
@@ -140,7 +140,7 @@ def match_all(
     ----------
     drawings : sequence of Drawing
         Two or more; all are laid over the first.
-    settings : BlendSettings
+    settings : Settings
     clock : Clock, optional
         Told of the stages `flatten`, `match` and `interpolate`.
     watch : callable, optional
@@ -221,7 +221,7 @@ class _Laid(NamedTuple):
 
 
 def _matched(
-    a: _Laid, b: _Laid, settings: BlendSettings, clock: Clock, watch: Callable[[float], None] | None
+    a: _Laid, b: _Laid, settings: Settings, clock: Clock, watch: Callable[[float], None] | None
 ) -> list[Chosen]:
     """Pair the contours of two drawings, find the correspondence of each pair, and choose how shapes move."""
     turned = None if settings.motion == "linear" else _turn(a.parts, b.parts)
@@ -244,7 +244,7 @@ def _turn(a: Sequence[Part], b: Sequence[Part]) -> float | None:
 def _match(
     a: _Laid,
     b: _Laid,
-    settings: BlendSettings,
+    settings: Settings,
     clock: Clock,
     watch: Callable[[float], None] | None,
     turn: float,
@@ -290,7 +290,7 @@ def _match(
 def _couples(
     a: Sequence[Part],
     b: Sequence[Part],
-    settings: BlendSettings,
+    settings: Settings,
     given: Sequence[tuple[int, int]],
     turn: float,
 ) -> list[tuple[Part, Part]]:
@@ -350,7 +350,7 @@ def _is_inside(painted: Box, view: Box) -> bool:
     return holds(view, painted, SLACK * max(view.width, view.height))
 
 
-def make_frames(pairs: Sequence[Pair], settings: BlendSettings) -> list[Frame]:
+def make_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
     """Make the in-betweens of all pairs, and with `settings.ends` the drawings, in order of time."""
     frames = []
     for pair in pairs:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import Box, Frame, Pair
     from shapeblend_cli.pictures.choice import Choice
-    from shapeblend_cli.settings import BlendSettings
+    from shapeblend_cli.settings import Settings
     from shapeblend_cli.svg.writing.animate import Timing
 
 
@@ -49,7 +49,7 @@ class Wanted(NamedTuple):
 
 
 def produced(
-    wanted: Wanted, pairs: Sequence[Pair], frames: Sequence[Frame], settings: BlendSettings
+    wanted: Wanted, pairs: Sequence[Pair], frames: Sequence[Frame], settings: Settings
 ) -> tuple[list[str | bytes], list[str]]:
     """Make what is wanted.
 
@@ -59,7 +59,7 @@ def produced(
     pairs : sequence of Pair
     frames : sequence of Frame
         Of these pairs, by these settings.
-    settings : BlendSettings
+    settings : Settings
 
     Returns
     -------
@@ -85,7 +85,7 @@ def produced(
 
 
 def _animation(
-    wanted: Wanted, pairs: Sequence[Pair], views: Sequence[Box], settings: BlendSettings, decimals: int
+    wanted: Wanted, pairs: Sequence[Pair], views: Sequence[Box], settings: Settings, decimals: int
 ) -> str:
     """An animated SVG."""
     if wanted.animate == "frames":
@@ -98,7 +98,7 @@ def _animation(
 
 
 def _pictures(
-    wanted: Wanted, pairs: Sequence[Pair], frames: Sequence[Frame], settings: BlendSettings, decimals: int
+    wanted: Wanted, pairs: Sequence[Pair], frames: Sequence[Frame], settings: Settings, decimals: int
 ) -> list[str | bytes]:
     """Pictures of pixels, as high as what is shown of the first drawing makes them."""
     from shapeblend_cli.pictures.animation import animation

@@ -8,7 +8,7 @@ from shapeblend_cli.easing import LINEAR, Ease
 from shapeblend_cli.match.work import WorkConstants
 
 
-class BlendSettings(NamedTuple):
+class Settings(NamedTuple):
     """How two drawings are to be blended.
 
     Attributes

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import FloatArray
     from shapeblend_cli.pairing.parts import Part
     from shapeblend_cli.pairing.wishes import Wishes
-    from shapeblend_cli.settings import BlendSettings
+    from shapeblend_cli.settings import Settings
 
     Pin = tuple[complex, complex]
     Watch = Callable[[float], None]
@@ -37,7 +37,7 @@ OPENINGS = 24
 def join(
     a: Part,
     b: Part,
-    settings: BlendSettings,
+    settings: Settings,
     wishes: Wishes,
     watch: Watch | None,
     turn: float = 0.0,
@@ -50,7 +50,7 @@ def join(
     ----------
     a, b : Part
         B's is reversed where that agrees better with A's direction. An outline that is to become a line is opened.
-    settings : BlendSettings
+    settings : Settings
     wishes : Wishes
     watch : callable or None
         Told now and then which share of the work is done, from 0 to 1.
@@ -123,7 +123,7 @@ def grown(part: Part, point: complex, *, of_b: bool) -> MatchedContour:
 def least_work_either_way(
     a: Polygon,
     b: Polygon,
-    settings: BlendSettings,
+    settings: Settings,
     wishes: Wishes,
     watch: Watch | None,
     *,
@@ -174,7 +174,7 @@ def least_work_either_way(
     return min(solved, key=lambda way: way[1].work)
 
 
-def solved_wires(contour: MatchedContour, settings: BlendSettings) -> Wires:
+def solved_wires(contour: MatchedContour, settings: Settings) -> Wires:
     """The wires of a matched contour as they were solved: in the unit box, B turned back, A stiff where asked for."""
     turned = _turned_back(contour.polygon_b, contour.turn)
     return Wires(
@@ -216,7 +216,7 @@ def _weight(a: Polygon, stiff: tuple[tuple[complex, float, float], ...]) -> Floa
     return weight
 
 
-def _opened(outline: Part, line: Part, settings: BlendSettings) -> Part:
+def _opened(outline: Part, line: Part, settings: Settings) -> Part:
     """An outline cut at the node from which it becomes the line, or comes of it, with the least work."""
     nodes = np.flatnonzero(outline.polygon.parameter == 0.0)
     nodes = nodes[:: -(-len(nodes) // OPENINGS)] if len(nodes) else np.zeros(1, np.intp)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.match.work import WorkConstants
     from shapeblend_cli.model import FloatArray
-    from shapeblend_cli.settings import BlendSettings
+    from shapeblend_cli.settings import Settings
 
     Numbers = tuple[int, int]
     Couple = tuple[Part, Part]
@@ -32,7 +32,7 @@ NEVER = 1e6
 
 
 def pair_parts(
-    a: Sequence[Part], b: Sequence[Part], settings: BlendSettings, given: Sequence[Numbers] = ()
+    a: Sequence[Part], b: Sequence[Part], settings: Settings, given: Sequence[Numbers] = ()
 ) -> list[Couple]:
     """Pair the contours of two drawings.
 
@@ -45,7 +45,7 @@ def pair_parts(
     ----------
     a, b : sequence of Part
         The contours of each drawing, at least one, B's laid over A.
-    settings : BlendSettings
+    settings : Settings
     given : sequence of (int, int)
         Numbers of contours that are pairs whatever they cost; the outlines of paired holes are, too.
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.geometry.normalise import Similarity
     from shapeblend_cli.model import Drawing, Polygon
     from shapeblend_cli.pairing.parts import Part
-    from shapeblend_cli.settings import BlendSettings
+    from shapeblend_cli.settings import Settings
 
     Numbers = tuple[int, int]
     Pin = tuple[complex, complex]
@@ -45,7 +45,7 @@ class Pinned(NamedTuple):
     pin: Pin
 
 
-def pinned(a: Sequence[Part], b: Sequence[Part], settings: BlendSettings, over: Similarity) -> list[Pinned]:
+def pinned(a: Sequence[Part], b: Sequence[Part], settings: Settings, over: Similarity) -> list[Pinned]:
     """Find the contours that pins between points join: those nearest to the points."""
     found = []
     for pin in settings.pins:
@@ -58,7 +58,7 @@ def pinned(a: Sequence[Part], b: Sequence[Part], settings: BlendSettings, over: 
 
 
 def wishes_for(
-    couple: tuple[Part, Part], settings: BlendSettings, pins: Sequence[Pinned], *, is_largest: bool
+    couple: tuple[Part, Part], settings: Settings, pins: Sequence[Pinned], *, is_largest: bool
 ) -> Wishes:
     """What is wanted of a pair of contours; vertex numbers are those of the largest pair."""
     pair = couple[0].number, couple[1].number
@@ -68,7 +68,7 @@ def wishes_for(
 
 
 def given_pairs(
-    drawings: tuple[Drawing, Drawing], parts: tuple[Sequence[Part], Sequence[Part]], settings: BlendSettings
+    drawings: tuple[Drawing, Drawing], parts: tuple[Sequence[Part], Sequence[Part]], settings: Settings
 ) -> list[Numbers]:
     """The pairs of contours that are given: by numbers, or by the ids of shapes whose contours are then paired.
 
@@ -97,7 +97,7 @@ def given_pairs(
     return found
 
 
-def check_stiff(polygons: Sequence[Polygon], settings: BlendSettings) -> None:
+def check_stiff(polygons: Sequence[Polygon], settings: Settings) -> None:
     """See that every stiff region has a vertex of A in it."""
     for point, radius, _ in settings.stiff:
         vertices = np.concatenate([polygon.vertices for polygon in polygons])

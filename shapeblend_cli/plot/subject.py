@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.match.work import Wires
     from shapeblend_cli.model import Correspondence, MatchedContour, MovingShape, Pair
-    from shapeblend_cli.settings import BlendSettings
+    from shapeblend_cli.settings import Settings
 
     Dot = tuple[int, int]
 
@@ -78,7 +78,7 @@ class Subject(NamedTuple):
 def subject(
     names: tuple[str, str],
     pair: Pair,
-    settings: BlendSettings,
+    settings: Settings,
     number: int | None,
     dot: Dot | None,
     watch: Callable[[float], None],

@@ -18,7 +18,7 @@ from shapeblend_cli.svg.reading.read import STANDARD_INPUT
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from shapeblend_cli.settings import BlendSettings
+    from shapeblend_cli.settings import Settings
 
 
 class Plot(NamedTuple):
@@ -37,7 +37,7 @@ class Plot(NamedTuple):
         Which shapes of each file; None is all it paints.
     lenient : bool
         Draw broken path data up to the error.
-    blend : BlendSettings
+    blend : Settings
     contour : int or None
         The number of a contour of A; None is the largest that is matched.
     dot : (int, int) or None
@@ -50,7 +50,7 @@ class Plot(NamedTuple):
     force: bool
     select: tuple[str | None, ...]
     lenient: bool
-    blend: BlendSettings
+    blend: Settings
     contour: int | None
     dot: tuple[int, int] | None
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.match.landscape import Landscape
     from shapeblend_cli.model import MatchedContour
-    from shapeblend_cli.settings import BlendSettings
+    from shapeblend_cli.settings import Settings
 
 MOST_DOTS = 160_000
 """Dots of the landscapes in a page, all of them together: about two bytes each."""
@@ -30,7 +30,7 @@ LARGE = "large"
 FULL = "full"
 
 
-def graphs(contours: Sequence[MatchedContour], settings: BlendSettings) -> list[dict[str, Any] | str | None]:
+def graphs(contours: Sequence[MatchedContour], settings: Settings) -> list[dict[str, Any] | str | None]:
     """For each contour its landscape, a word for why it has none, or None where nothing was solved.
 
     The largest contours come first, as long as there is room.

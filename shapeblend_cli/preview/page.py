@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import Frame, Pair
-    from shapeblend_cli.settings import BlendSettings
+    from shapeblend_cli.settings import Settings
     from shapeblend_cli.svg.writing.animate import Timing
 
 POLICY = (
@@ -45,7 +45,7 @@ def preview(
     found: dict[str, Any],
     pairs: Sequence[Pair],
     ends: Sequence[Frame],
-    settings: BlendSettings,
+    settings: Settings,
     timing: Timing,
     command: Sequence[str],
     notes: Sequence[str],
@@ -59,7 +59,7 @@ def preview(
     pairs : sequence of Pair
     ends : sequence of Frame
         The drawings, as frames show them.
-    settings : BlendSettings
+    settings : Settings
     timing : Timing
     command : sequence of str
         What was typed, word by word.
@@ -93,7 +93,7 @@ def _pairs(
     found: dict[str, Any],
     pairs: Sequence[Pair],
     ends: Sequence[Frame],
-    settings: BlendSettings,
+    settings: Settings,
     decimals: int,
 ) -> list[dict[str, Any]]:
     """The pairs of the report, with what is drawn of them."""

@@ -5,7 +5,7 @@ import pytest
 
 from shapeblend_cli.model import Contour, Drawing, Shape, Style
 from shapeblend_cli.pipeline import match_all
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support.shapes import bar, spiral
 
@@ -23,7 +23,7 @@ def test_without_a_fault(benchmark, samples, motion):
     benchmark.group = "two sample drawings without a fault"
     drawings = [read(str(samples / f"bird-{k}.svg")) for k in (1, 2)]
     (pair,), _ = benchmark.pedantic(
-        match_all, (drawings, BlendSettings(motion=motion)), rounds=15, warmup_rounds=1
+        match_all, (drawings, Settings(motion=motion)), rounds=15, warmup_rounds=1
     )
     assert [shape.motion for shape in pair.moving] == [None] * len(pair.moving)
 
@@ -32,6 +32,6 @@ def test_without_a_fault(benchmark, samples, motion):
 def test_a_spiral_unrolled(benchmark, motion):
     benchmark.group = "200 vertices that cross on straight paths"
     drawings = [polygon(spiral(2.0, 100)), polygon(bar(100))]
-    settings = BlendSettings(motion=motion, place="bbox")
+    settings = Settings(motion=motion, place="bbox")
     (pair,), _ = benchmark.pedantic(match_all, (drawings, settings), rounds=5, warmup_rounds=1)
     assert [shape.motion is None for shape in pair.moving] == [motion == "linear"]

@@ -20,7 +20,7 @@ from shapeblend_cli.geometry.normalise import union
 from shapeblend_cli.interpolate.chains import tracks
 from shapeblend_cli.interpolate.colours import colour_stops
 from shapeblend_cli.pipeline import frame_at, match_all
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.writing.animate import PINGPONG, Timing, css_svg, smil_svg
 from shapeblend_cli.svg.writing.write import frame_svg
 from tests.support.drawings import EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
@@ -220,9 +220,7 @@ TURNING = {
 def test_what_moves_on_curved_paths_is_shown_there(here, method):
     cells, pairs = [], []
     for name, (paths, timing) in TURNING.items():
-        straight, _ = match_all(
-            [drawing(p, attributes=EVENODD) for p in paths], BlendSettings(motion="linear")
-        )
+        straight, _ = match_all([drawing(p, attributes=EVENODD) for p in paths], Settings(motion="linear"))
         moved = [turned(pair) if k % 2 == 0 else pair for k, pair in enumerate(straight)]
         views = [moved[0].views[0], *(pair.views[1] for pair in moved)]
         if method == "smil":

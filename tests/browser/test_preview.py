@@ -10,7 +10,7 @@ from shapeblend_cli.cli import run
 from shapeblend_cli.match.landscape import landscape
 from shapeblend_cli.pairing.join import solved_wires
 from shapeblend_cli.pipeline import blend
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.browser.test_animation import CHROMIUM
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, SQUARES, B, svg
@@ -237,7 +237,7 @@ def test_toggles_show_and_hide(opened):
 
 def contour_of(pages, name):
     a, b = (read(str(file)) for file in pages[name][1])
-    settings = BlendSettings(vertices=VERTICES, motion="linear")
+    settings = Settings(vertices=VERTICES, motion="linear")
     pair, _ = blend(a, b, settings)
     return max(pair.contours, key=lambda contour: contour.scale_a), settings
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from shapeblend_cli.cli import run
 from shapeblend_cli.model import Box
 from shapeblend_cli.pipeline import blend
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from tests.support.contours import drawing, polygon_contour
 from tests.support.drawings import BAR, EYED, LEAF, svg
 
@@ -141,6 +141,6 @@ def test_a_viewbox_that_holds_the_drawing_is_kept_whatever_its_decimals(x, size,
     corner = complex(viewbox.x, viewbox.y)
     square = np.array([0, 1, 1 + 1j, 1j]) * viewbox.width * (1 - inset / 100) + corner
     a = drawing(polygon_contour(square), viewbox=viewbox)
-    pair, _ = blend(a, a, BlendSettings(vertices=0, frames=0))
+    pair, _ = blend(a, a, Settings(vertices=0, frames=0))
     for view in pair.views:
         assert view == pytest.approx(viewbox)

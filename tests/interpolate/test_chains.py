@@ -12,7 +12,7 @@ from shapeblend_cli.interpolate.chains import tracks
 from shapeblend_cli.interpolate.paths import between, waypoints
 from shapeblend_cli.model import MovingContour, MovingShape, Style
 from shapeblend_cli.pipeline import match_all
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from tests.support.contours import drawing as contour_drawing
 from tests.support.contours import polygon_contour, polyline
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing
@@ -31,7 +31,7 @@ LINES = [
 
 def pairs_of(*paths, curves=True):
     pairs, _ = match_all(
-        [drawing(p, attributes=EVENODD) for p in paths], BlendSettings(curves=curves, motion="linear")
+        [drawing(p, attributes=EVENODD) for p in paths], Settings(curves=curves, motion="linear")
     )
     return pairs
 
@@ -193,7 +193,7 @@ def test_any_polygons_in_any_direction(seed, counts, curves):
     for count in counts:
         z = star_polygon(rng, count) * 10
         drawings.append(contour_drawing(polygon_contour(z[::-1] if rng.random() < 0.5 else z)))
-    pairs, _ = match_all(drawings, BlendSettings(vertices=20, curves=curves, place="asis", motion="linear"))
+    pairs, _ = match_all(drawings, Settings(vertices=20, curves=curves, place="asis", motion="linear"))
     found = tracks(pairs)
     assert [len(t.keys) for t in found] == [len(counts)]
     assert_goes_the_same_way(pairs, found)

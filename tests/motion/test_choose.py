@@ -6,13 +6,13 @@ import pytest
 from shapeblend_cli.geometry.outline import curve_crossings
 from shapeblend_cli.interpolate.paths import between
 from shapeblend_cli.pipeline import blend, match_all
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support import drawings
 from tests.support.contours import drawing, polygon_contour
 from tests.support.shapes import arm, bar, comb, spiral
 
-SETTINGS = BlendSettings(place="asis")
+SETTINGS = Settings(place="asis")
 CLEAN = [("e", "f"), ("triangle", "square"), ("bird-1", "bird-2")]
 
 
@@ -32,7 +32,7 @@ def motions(pair):
 @pytest.mark.parametrize("names", CLEAN)
 def test_without_a_fault_paths_are_straight_and_all_is_as_if_asked_for(samples, names):
     a, b = (read(str(samples / f"{name}.svg")) for name in names)
-    settings = BlendSettings(ends=True)
+    settings = Settings(ends=True)
     pair, frames = blend(a, b, settings)
     asked, same = blend(a, b, settings._replace(motion="linear"))
     assert (pair.reasons, asked.reasons) == (("no fault",), ("asked for",))

@@ -15,7 +15,7 @@ from shapeblend_cli.motion.intrinsic import closing, intrinsic
 from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.presets import PRESETS
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support.shapes import random_polygon, star_polygon
 
@@ -77,7 +77,7 @@ def size(z):
 
 def pair_of_samples(samples, a, b, settings=None):
     drawings = [read(str(samples / f"{name}.svg")) for name in (a, b)]
-    (pair,), _ = match_all(drawings, settings or BlendSettings())
+    (pair,), _ = match_all(drawings, settings or Settings())
     found = []
     for matched, shape in zip(pair.shapes, pair.moving, strict=True):
         alignment = aligned(matched_points(matched.contours))
@@ -184,7 +184,7 @@ def test_the_body_hardly_moves_while_the_arm_swings():
 
 
 def test_figure_28_the_dancers_arm_does_not_wither(samples):
-    settings = BlendSettings(constants=WorkConstants(*PRESETS["fig28"].values()))
+    settings = Settings(constants=WorkConstants(*PRESETS["fig28"].values()))
     (shape,) = pair_of_samples(samples, "dancer-1", "dancer-2", settings)
     (contour,) = shape.contours
     nodes = contour.start.segments[:, 0]

@@ -10,7 +10,7 @@ from shapeblend_cli.model import Contour, Shape
 from shapeblend_cli.motion.alignment import Matched, aligned, residual
 from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.pipeline import match_all
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support import drawings
 from tests.support.contours import drawing, polygon_contour
@@ -22,7 +22,7 @@ ANGLES = (10, 90, -90, 170, 180)
 SLIGHT = 4e-3
 """Curves may be flattened to a vertex more or less when they are turned."""
 
-SETTINGS = BlendSettings(place="asis")
+SETTINGS = Settings(place="asis")
 
 
 def placed(one, factor, shift=0j, start=0):

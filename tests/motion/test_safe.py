@@ -12,7 +12,7 @@ from shapeblend_cli.model import CubicPath
 from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.motion.safe import plan, safe
 from shapeblend_cli.pipeline import frame_at, match_all
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.conftest import SAMPLES
 from tests.support.contours import circle_contour
@@ -152,7 +152,7 @@ def test_the_antlers_of_figure_27_do_not_cross():
     cow, deer = (read(str(SAMPLES / f"{name}.svg")) for name in ("cow", "deer"))
     crossings = {}
     for motion in ("linear", "auto"):
-        (pair,), _ = match_all([cow, deer], BlendSettings(motion=motion, constants=WorkConstants(m_b=10.0)))
+        (pair,), _ = match_all([cow, deer], Settings(motion=motion, constants=WorkConstants(m_b=10.0)))
         crossings[motion] = [frame_at(pair, t / 20, as_drawn=False).self_crossings for t in range(21)]
     assert max(crossings["linear"]) > 0
     assert max(crossings["auto"]) == 0

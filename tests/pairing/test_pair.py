@@ -4,7 +4,7 @@ from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.normalise import Similarity
 from shapeblend_cli.pairing.pair import pair_parts
 from shapeblend_cli.pairing.parts import take_apart
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from tests.support.drawings import EIGHT, EYED, I_DOT, J_DOT, LEAF, RING, SQUARES, B, drawing
 
 EVENODD = 'fill-rule="evenodd"'
@@ -15,7 +15,7 @@ STROKED = '<path d="M2 12L9 20L20 18Z" fill="none" stroke="#000"/>'
 def pairs(a, b, given=(), **options):
     a, b = ((d,) if isinstance(d, str) else d for d in (a, b))
     parts = [take_apart(drawing(*d, attributes=EVENODD), Similarity(), 100)[0] for d in (a, b)]
-    found = pair_parts(*parts, BlendSettings(**options), given)
+    found = pair_parts(*parts, Settings(**options), given)
     return [(p.number, q.number) for p, q in found]
 
 
@@ -110,4 +110,4 @@ def test_lines_there_and_back_and_specks_are_paired():
     parts = [
         take_apart(drawing(d, attributes=stroke), Similarity(), 200)[0] for d in (there_and_back, SQUARES)
     ]
-    assert len(pair_parts(*parts, BlendSettings())) == 3
+    assert len(pair_parts(*parts, Settings())) == 3

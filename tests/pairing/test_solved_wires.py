@@ -9,9 +9,9 @@ from shapeblend_cli.pairing.join import solved_wires
 @pytest.mark.parametrize(
     ("a", "b", "settings"),
     [
-        ("e", "f", sb.BlendSettings()),
-        ("step-1", "step-2", sb.BlendSettings()),  # turned by a quarter
-        ("cow", "deer", sb.BlendSettings(stiff=((59.0 + 80.0j, 60.0, 5.0),), motion="linear")),
+        ("e", "f", sb.Settings()),
+        ("step-1", "step-2", sb.Settings()),  # turned by a quarter
+        ("cow", "deer", sb.Settings(stiff=((59.0 + 80.0j, 60.0, 5.0),), motion="linear")),
     ],
 )
 def test_the_path_costs_on_them_what_was_found(a, b, settings):

@@ -6,10 +6,10 @@ from shapeblend_cli.geometry.normalise import Similarity
 from shapeblend_cli.geometry.outline import winding_numbers
 from shapeblend_cli.pairing.pair import pair_parts
 from shapeblend_cli.pairing.parts import OUTLINE, take_apart
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from tests.support.drawings import BAR, EYED, LEAF, RING, SQUARES, drawing
 
-SPLIT = BlendSettings(unmatched="split")
+SPLIT = Settings(unmatched="split")
 DISCS = "".join(f"M{x} 9A3 3 0 1 0 {x} 15A3 3 0 1 0 {x} 9Z" for x in (4, 12, 20))
 CIRCLE = "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2Z"
 
@@ -63,6 +63,6 @@ def test_holes_go_with_the_piece_they_are_in():
 
 
 def test_without_splitting_nothing_is_cut():
-    found, _ = couples(BAR, SQUARES, BlendSettings())
+    found, _ = couples(BAR, SQUARES, Settings())
     assert len(found) == 1
     assert not found[0][0].is_piece

@@ -6,11 +6,11 @@ import pytest
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.pairing.upright import RUNS, TURNED, may_turn_onto_itself, starts_laid_over, turn_along
 from shapeblend_cli.pipeline import match_all
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from tests.support.drawings import drawing
 from tests.support.shapes import regular_polygon, star_with
 
-SETTINGS = BlendSettings(motion="linear")
+SETTINGS = Settings(motion="linear")
 
 
 def oval(x, y, rx, ry, way=1):

@@ -10,7 +10,7 @@ import pytest
 
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.plot.subject import subject
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -54,7 +54,7 @@ def subject_of(samples):
 
     def match(a, b, contour=None, dot=None, **settings):
         files = tuple(str(f if isinstance(f, Path) else samples / f"{f}.svg") for f in (a, b))
-        wanted = BlendSettings(curves=False, **settings)
+        wanted = Settings(curves=False, **settings)
         (pair,), _ = match_all([read(file) for file in files], wanted)
         return subject(files, pair, wanted, contour, dot, lambda share: None)
 

@@ -19,7 +19,7 @@ from shapeblend_cli.pipeline import blend, frame_at, match_all
 from shapeblend_cli.preview import graphs as graphs_module
 from shapeblend_cli.preview.graphs import graphs
 from shapeblend_cli.preview.pictures import picture, places
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
 from tests.support.motions import turned
 
@@ -68,7 +68,7 @@ def numbers_of(outlines):
 
 @pytest.mark.parametrize("is_turned", [False, True])
 def test_between_its_keys_the_picture_is_that_of_the_frames(is_turned):
-    (pair,), _ = match_all([drawing(B), drawing(EIGHT)], BlendSettings(motion="linear"))
+    (pair,), _ = match_all([drawing(B), drawing(EIGHT)], Settings(motion="linear"))
     pair = turned(pair) if is_turned else pair
     own = (0.21, 0.64)
     ends = (frame_at(pair, 0.0, as_drawn=True), frame_at(pair, 1.0, as_drawn=True))
@@ -98,7 +98,7 @@ def test_the_ends_are_what_frames_have_there(here):
 
 
 def test_paint_is_told_once_where_it_stays_and_at_even_times_where_it_does_not():
-    (pair,), _ = match_all([drawing(BAR, attributes='fill="#ff0000"'), drawing(LEAF)], BlendSettings())
+    (pair,), _ = match_all([drawing(BAR, attributes='fill="#ff0000"'), drawing(LEAF)], Settings())
     ends = (frame_at(pair, 0.0, as_drawn=True), frame_at(pair, 1.0, as_drawn=True))
     (coat,) = picture(pair, ends, (), 3)["shapes"][0]["coats"]
     assert coat["path"]["fill-opacity"] == ["1"]
@@ -109,7 +109,7 @@ def test_paint_is_told_once_where_it_stays_and_at_even_times_where_it_does_not()
 
 @pytest.mark.parametrize("curves", [False, True])
 def test_dots_lie_on_the_outline_that_moves(curves):
-    settings = BlendSettings(motion="linear", curves=curves)
+    settings = Settings(motion="linear", curves=curves)
     pair, _ = blend(drawing(EYED), drawing(LEAF), settings)
     for shape, moved in zip(pair.shapes, pair.moving, strict=True):
         for matched, moving in zip(shape.contours, moved.contours, strict=True):
@@ -136,7 +136,7 @@ def levels_of(graph):
 
 @pytest.mark.parametrize("band", [None, 0.2])
 def test_the_graph_is_the_landscape(band):
-    settings = BlendSettings(vertices=40, band=band)
+    settings = Settings(vertices=40, band=band)
     pair, _ = blend(drawing(BAR), drawing(LEAF), settings)
     (contour,) = pair.contours
     (graph,) = graphs(pair.contours, settings)
@@ -155,7 +155,7 @@ def test_the_graph_is_the_landscape(band):
 
 
 def test_where_nothing_costs_anything_there_is_a_graph_all_the_same():
-    settings = BlendSettings(vertices=20)
+    settings = Settings(vertices=20)
     pair, _ = blend(drawing(BAR), drawing(BAR), settings)
     (graph,) = graphs(pair.contours, settings)
     assert levels_of(graph)[0, 0] == 0
@@ -163,7 +163,7 @@ def test_where_nothing_costs_anything_there_is_a_graph_all_the_same():
 
 
 def test_graphs_beyond_the_room_are_left_out_the_largest_kept(monkeypatch):
-    settings = BlendSettings(vertices=40)
+    settings = Settings(vertices=40)
     pair, _ = blend(drawing(RING, BAR), drawing(RING, LEAF), settings)
     dots = [len(c.polygon_a.vertices) * len(c.polygon_b.vertices) for c in pair.contours]
     largest = max(range(len(dots)), key=lambda k: pair.contours[k].scale_a)
@@ -176,7 +176,7 @@ def test_graphs_beyond_the_room_are_left_out_the_largest_kept(monkeypatch):
 
 
 def test_what_grows_from_a_point_has_no_graph():
-    settings = BlendSettings(vertices=20)
+    settings = Settings(vertices=20)
     pair, _ = blend(drawing(BAR), drawing(SQUARES), settings)
     found = graphs(pair.contours, settings)
     assert [g is None for g in found] == [c.a is None for c in pair.contours]

@@ -10,7 +10,7 @@ from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.match.work import WorkConstants
 from shapeblend_cli.model import Contour, Style
 from shapeblend_cli.pipeline import blend
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from tests.support.contours import circle_contour, drawing, polygon_contour
 from tests.support.shapes import random_polygon, regular_polygon, star_polygon
 
@@ -29,7 +29,7 @@ constants = st.builds(
 similarities = st.builds(
     Similarity, st.floats(0.01, 100), st.builds(complex, st.floats(-50, 50), st.floats(-50, 50))
 )
-ASIS = BlendSettings(place="asis", vertices=40, motion="linear")
+ASIS = Settings(place="asis", vertices=40, motion="linear")
 
 
 def match(a, b, settings):
@@ -136,7 +136,7 @@ def test_curves_and_lines_of_any_mixture_blend(seed, count):
     pair, frames = blend(
         drawing(scribble),
         drawing(circle_contour(), file="b.svg"),
-        BlendSettings(place="bbox", motion="linear"),
+        Settings(place="bbox", motion="linear"),
     )
     assert len(frames) == 5
     assert all(np.isfinite(frame.shapes[0].paths[0].segments).all() for frame in frames)
@@ -155,7 +155,7 @@ def test_paint_goes_from_one_to_the_other():
     square, triangle = polygon_contour([0, 1, 1 + 1j, 1j]), polygon_contour([0, 1, 1j])
     a = drawing(square, style=Style(fill="#000000", stroke=None))
     b = drawing(triangle, style=Style(fill=None, stroke="#ff8000", stroke_width=3.0))
-    _, frames = blend(a, b, BlendSettings(frames=1, ends=True, curves=False))
+    _, frames = blend(a, b, Settings(frames=1, ends=True, curves=False))
     styles = [frame.shapes[0].style for frame in frames]
     assert [s.fill for s in styles] == ["#000000"] * 3
     assert [s.fill_opacity for s in styles] == [1.0, 0.5, 0.0]

@@ -35,7 +35,7 @@ def test_an_open_line_backwards_costs_nothing():
     found = sb.correspond(line, 10 * line[::-1] + 7, closed=False)
     assert found.work == pytest.approx(0.0, abs=1e-9)
     assert found.dots.tolist() == [[k, 4 - k] for k in range(5)]
-    forced = sb.correspond(line, 10 * line[::-1] + 7, closed=False, settings=sb.BlendSettings(reverse="no"))
+    forced = sb.correspond(line, 10 * line[::-1] + 7, closed=False, settings=sb.Settings(reverse="no"))
     assert forced.work > 0.1
 
 
@@ -43,10 +43,10 @@ def test_pins_that_cross_one_way_round_decide_for_the_other():
     line = np.array([0, 2, 2 + 1j, 3 + 1j, 5 + 4j])
     other = 3 * line[::-1] + 1
     pins = ((complex(line[1]), complex(other[3])), (complex(line[3]), complex(other[1])))
-    found = sb.correspond(line, other, closed=False, settings=sb.BlendSettings(pins=pins))
+    found = sb.correspond(line, other, closed=False, settings=sb.Settings(pins=pins))
     assert found.dots.tolist() == [[k, 4 - k] for k in range(5)]
     with pytest.raises(sb.ShapeblendError, match=r"cross each other"):
-        sb.correspond(line, other, closed=False, settings=sb.BlendSettings(pins=pins, reverse="no"))
+        sb.correspond(line, other, closed=False, settings=sb.Settings(pins=pins, reverse="no"))
 
 
 @given(seeds, st.sampled_from(["yes", "no"]))
@@ -54,7 +54,7 @@ def test_a_given_direction_is_solved_as_exhaustively(seed, reverse):
     rng = np.random.default_rng(seed)
     p0, p1 = random_polygon(rng, 5), random_polygon(rng, 4)
     way = p1[::-1] if reverse == "yes" else p1
-    found = sb.correspond(p0, p1, settings=sb.BlendSettings(reverse=reverse))
+    found = sb.correspond(p0, p1, settings=sb.Settings(reverse=reverse))
     priced = Wires(p0, way, True, sb.WorkConstants()).tables().bends.reshape(5, 4, 7)
     code = {EAST: 0, SOUTH: 1, SOUTHEAST: 2}
 
@@ -77,7 +77,7 @@ def test_a_figure_of_eight_is_tried_both_ways():
 def test_pins_and_stiff_points_are_those_of_the_polygons():
     p0, p1 = polygons(5)
     pin = (complex(p0[3]) + 1e-6, complex(p1[9]) + 1e-6)
-    settings = sb.BlendSettings(pins=(pin,), stiff=((complex(p0[3]), 0.2, 4.0),))
+    settings = sb.Settings(pins=(pin,), stiff=((complex(p0[3]), 0.2, 4.0),))
     assert [3, 9] in sb.correspond(p0, p1, settings=settings).dots.tolist()
 
 

@@ -13,7 +13,7 @@ from shapeblend_cli.model import CubicPath, MovingContour, MovingShape, Style
 from shapeblend_cli.motion.alignment import Alignment, Matched, aligned
 from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.pipeline import match_all, shapes_at
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from tests.support.drawings import drawing
 
 
@@ -25,7 +25,7 @@ def turned(pair, degrees=120.0, centre=12 + 12j):
 
 def turned_move(*paths, degrees=120.0, **options):
     """The move between two documents of such paths that turns, and the pair that it shows."""
-    pairs, _ = match_all([drawing(path, **options) for path in paths], BlendSettings())
+    pairs, _ = match_all([drawing(path, **options) for path in paths], Settings())
     (pair,) = (turned(pair, degrees) for pair in pairs)
     ways = tuple(waypoints(shape) for shape in pair.moving)
     return Move(shapes_at(pair, 0.0), shapes_at(pair, 1.0), pair.views, ways), pair

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.options import CONSTANTS
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from tools.quality.data import ROOT, icon_pairs, subpaths
 from tools.quality.peers import shapeblend
 from tools.quality.raw import DIGITS, text
@@ -145,7 +145,7 @@ def default_of(option: str) -> str:
     """The default as it is written here."""
     if option in CONSTANTS:
         return f"{CONSTANTS[option][0]:g}"
-    return str(BlendSettings()._asdict()[option])
+    return str(Settings()._asdict()[option])
 
 
 def main() -> None:

@@ -10,7 +10,7 @@ from PIL import Image
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.model import Box, LinearGradient, RadialGradient, Stop
 from shapeblend_cli.pipeline import blend
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from shapeblend_cli.svg.writing.write import frame_svg
 from tests.svg.reading.drawings import drawn, svg
@@ -167,7 +167,7 @@ def pixels(text):
 
 def frames(a, b, *, at_least=3):
     drawings = [read(name, svg(markup)) for name, markup in (("a.svg", a), ("b.svg", b))]
-    _, found = blend(*drawings, BlendSettings(frames=at_least, ends=True, place="asis"))
+    _, found = blend(*drawings, Settings(frames=at_least, ends=True, place="asis"))
     return [pixels(frame_svg(frame._replace(view=Box(0, 0, 100, 100)), 3)) for frame in found]
 
 
@@ -227,7 +227,7 @@ def test_between_a_linear_and_a_radial_gradient_nothing_shines_through():
 
 def test_documents_define_each_gradient_once_under_names_that_do_not_change():
     drawing = read("a.svg", svg(PAINTED["linear"] + PAINTED["linear"].replace('x="10"', 'x="40"')))
-    _, found = blend(drawing, drawing, BlendSettings(frames=1))
+    _, found = blend(drawing, drawing, Settings(frames=1))
     texts = [frame_svg(found[0]._replace(view=Box(0, 0, 100, 100)), 3) for _ in range(2)]
     assert texts[0] == texts[1]
     assert texts[0].count("<linearGradient") == 2

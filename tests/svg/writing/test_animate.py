@@ -10,7 +10,7 @@ from shapeblend_cli.geometry.normalise import union
 from shapeblend_cli.interpolate.chains import tracks
 from shapeblend_cli.interpolate.colours import colour_stops
 from shapeblend_cli.pipeline import match_all
-from shapeblend_cli.settings import BlendSettings
+from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.writing.animate import PINGPONG, Timing, css_svg, smil_svg
 from tests.support.drawings import BAR, LEAF, RING, drawing
 from tests.support.motions import turned
@@ -20,7 +20,7 @@ SLOW_START = Ease(0.42, 0.0, 1.0, 1.0)
 
 
 def pairs_of(*paths):
-    pairs, _ = match_all([drawing(p, attributes='fill="#333"') for p in paths], BlendSettings())
+    pairs, _ = match_all([drawing(p, attributes='fill="#333"') for p in paths], Settings())
     return pairs
 
 
@@ -68,7 +68,7 @@ def test_without_waypoints_there_is_a_value_for_each_drawing_and_no_word_of_time
 def test_only_the_path_has_keyframes_at_waypoints():
     pairs, _ = match_all(
         [drawing(f'<path d="{d}" fill="{c}"/>') for d, c in ((LEAF, "#333333"), (BAR, "#343434"))],
-        BlendSettings(),
+        Settings(),
     )
     root = smil([turned(pair) for pair in pairs], Timing())
     (data,), (fill,) = animations(root, "d"), animations(root, "fill")
