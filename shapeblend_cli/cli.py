@@ -12,7 +12,6 @@ import click
 
 from shapeblend_cli import __version__
 from shapeblend_cli.commands import TYPED, DefaultGroup, SectionedCommand
-from shapeblend_cli.emit.forms import FORMS, FRAME_KINDS, STANDARD_OUTPUT, kind_of, problem
 from shapeblend_cli.errors import ShapeblendError
 from shapeblend_cli.options import (
     CONSTANTS,
@@ -26,6 +25,7 @@ from shapeblend_cli.options import (
     picture_options,
     selections,
 )
+from shapeblend_cli.outputs.formats import FORMS, FRAME_KINDS, STANDARD_OUTPUT, kind_of, problem
 from shapeblend_cli.parameters import SELECTOR, START, EaseType, PageType, RepeatType
 from shapeblend_cli.plot.kinds import DOTTED, KINDS
 from shapeblend_cli.progress import Progress
@@ -242,7 +242,7 @@ def blend(
     }
 
     from shapeblend_cli.files import Job, blend_files
-    from shapeblend_cli.products import Wanted
+    from shapeblend_cli.outputs.render import OutputSpec
     from shapeblend_cli.svg.writing.animate import Timing
 
     job = Job(
@@ -255,7 +255,7 @@ def blend(
         reported_settings=settings,
         select=selections(matching, len(files)),
         lenient=matching["lenient"],
-        wanted=Wanted(kind, animate, Timing(duration, ease, repeat), precision, choice),
+        wanted=OutputSpec(kind, animate, Timing(duration, ease, repeat), precision, choice),
         blend=matching_settings(matching)._replace(
             frames=frames, ends=ends, style=style, curves=curves, ease=ease
         ),

@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli import __version__
 from shapeblend_cli.clock import Clock
-from shapeblend_cli.emit.forms import FRAME_KINDS, STANDARD_OUTPUT, file_names, frame_names
 from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
 from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.output import check_targets, write_files
-from shapeblend_cli.pictures.choice import PICTURES
-from shapeblend_cli.pictures.libraries import check_libraries
+from shapeblend_cli.outputs.formats import FRAME_KINDS, STANDARD_OUTPUT, file_names, frame_names
+from shapeblend_cli.outputs.libraries import check_libraries
+from shapeblend_cli.outputs.raster_options import PICTURES
+from shapeblend_cli.outputs.render import render
 from shapeblend_cli.pipeline import make_frames, match_all
-from shapeblend_cli.products import produced
 from shapeblend_cli.report import report
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, read
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
     from shapeblend_cli.model import Frame, Pair
-    from shapeblend_cli.products import Wanted
+    from shapeblend_cli.outputs.render import OutputSpec
     from shapeblend_cli.settings import Settings
 
 SLOW = (
@@ -54,7 +54,7 @@ class Job(NamedTuple):
         Which shapes of each file; None is all it paints.
     lenient : bool
         Draw broken path data up to the error.
-    wanted : Wanted
+    wanted : OutputSpec
     """
 
     files: tuple[str, ...]
@@ -67,7 +67,7 @@ class Job(NamedTuple):
     reported_settings: dict[str, Any]
     select: tuple[str | None, ...]
     lenient: bool
-    wanted: Wanted
+    wanted: OutputSpec
 
     @property
     def frame_count(self) -> int:
@@ -123,7 +123,7 @@ def blend_files(
     clock.lap("interpolate")
 
     with _named(job.output):
-        products, notes = produced(job.wanted, pairs, frames, job.blend)
+        products, notes = render(job.wanted, pairs, frames, job.blend)
     for note in notes:
         tell(note)
     contents: dict[Path, str | bytes] = {}

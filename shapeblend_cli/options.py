@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from shapeblend_cli.outputs import raster_options
+from shapeblend_cli.outputs.times import FASTEST, run_for
 from shapeblend_cli.parameters import (
     SELECTOR,
     START,
@@ -17,14 +19,12 @@ from shapeblend_cli.parameters import (
     PinType,
     StiffType,
 )
-from shapeblend_cli.pictures import choice
-from shapeblend_cli.pictures.times import FASTEST, run_for
 from shapeblend_cli.presets import BANDS, PRESETS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.pictures.choice import Choice
+    from shapeblend_cli.outputs.raster_options import RasterOptions
     from shapeblend_cli.settings import Settings
 
 CONSTANTS = {
@@ -154,7 +154,7 @@ PICTURES = (
     ),
     click.option(
         "--width",
-        type=click.IntRange(1, choice.MOST_SIDE),
+        type=click.IntRange(1, raster_options.MOST_SIDE),
         metavar="PX",
         help="Pixels of pictures; of a contact sheet, those of a cell.  [default: 400 of .gif, .webp and .apng, 512 "
         "of frames, 200 of a cell]",
@@ -186,13 +186,13 @@ def picture_options(command: Callable[..., Any]) -> Callable[..., Any]:
     return command
 
 
-def picture_choice(kind: str, output: str, frames: int | None, said: dict[str, Any]) -> Choice:
+def picture_choice(kind: str, output: str, frames: int | None, said: dict[str, Any]) -> RasterOptions:
     """How pictures are drawn: the values of `picture_options` with the defaults filled in, all None without pictures.
 
     Parameters
     ----------
     kind, output
-        See `pictures.choice.problem`.
+        See `outputs.raster_options.problem`.
     frames : int or None
         In-betweens, where something is said of them.
     said : dict
@@ -203,16 +203,16 @@ def picture_choice(kind: str, output: str, frames: int | None, said: dict[str, A
     click.UsageError
         Options that do not fit what is made, or contradict each other.
     """
-    if found := choice.problem(kind, output, said):
+    if found := raster_options.problem(kind, output, said):
         raise click.UsageError(found)
     if frames is not None and said["fps"] is not None:
         raise click.UsageError("--frames and --fps both say how many pictures there are; one will do")
-    usual = choice.usual(kind, by_fps=frames is None)
-    return usual._replace(**{n: said[n] for n in usual._fields if said[n] is not None})
+    defaults = raster_options.defaults(kind, by_fps=frames is None)
+    return defaults._replace(**{n: said[n] for n in defaults._fields if said[n] is not None})
 
 
 def check_pictures(
-    kind: str, drawn: Choice, frames: int, ends: bool, pairs: int, duration: float, repeat: int | str
+    kind: str, drawn: RasterOptions, frames: int, ends: bool, pairs: int, duration: float, repeat: int | str
 ) -> None:
     """Refuse animations of pixels that cannot run so, and contact sheets of nothing.
 
@@ -224,9 +224,9 @@ def check_pictures(
         raise click.UsageError(
             "--frames 0 leaves nothing for a contact sheet; --frames 1 or --ends would work"
         )
-    if kind in choice.ANIMATED:
+    if kind in raster_options.ANIMATED:
         run = run_for(drawn.fps, frames, pairs, duration, repeat == "pingpong")
-        if found := choice.timing_problem(run, repeat):
+        if found := raster_options.timing_problem(run, repeat):
             raise click.UsageError(found)
 
 

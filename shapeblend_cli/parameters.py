@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from shapeblend_cli import easing
-from shapeblend_cli.emit.forms import PAGES
+from shapeblend_cli.outputs.formats import PAGES
 
 
 class StartType(click.ParamType[Any]):

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.pictures.draw import Size
-from shapeblend_cli.pictures.sheet import sheet as sheet_of
+from shapeblend_cli.outputs.contact_sheet import sheet as sheet_of
+from shapeblend_cli.outputs.raster import Size
 
 if TYPE_CHECKING:
     from PIL import Image

@@ -7,11 +7,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.clock import Clock
-from shapeblend_cli.emit.forms import STANDARD_OUTPUT
 from shapeblend_cli.errors import InputError, MatchError
 from shapeblend_cli.files import SLOW, match_files, print_text
 from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.output import check_targets, write_files
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.plot.subject import subject
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT
 

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.emit.forms import FORMS
+from shapeblend_cli.outputs.formats import FORMS
 from tests.support.drawings import BAR, LEAF, RING, svg
 
 FORMS_OF_FILES = [

@@ -6,12 +6,12 @@ import math
 
 import numpy as np
 
-from shapeblend_cli.emit.move import Move
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import CubicPath, MovingContour, MovingShape, Style
 from shapeblend_cli.motion.alignment import Alignment, Matched, aligned
 from shapeblend_cli.motion.rigid import Rigid
+from shapeblend_cli.outputs.move import Move
 from shapeblend_cli.pipeline import match_all, shapes_at
 from shapeblend_cli.settings import Settings
 from tests.support.drawings import drawing

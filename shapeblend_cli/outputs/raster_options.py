@@ -7,14 +7,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.pictures.times import FASTEST, Run
+from shapeblend_cli.outputs.times import FASTEST, Run
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
 ANIMATED = ("gif", "webp", "apng")
 PICTURES = ("png", "sheet", *ANIMATED)
-"""The kinds of `emit.forms.kind_of` that are made of pixels."""
+"""The kinds of `outputs.formats.kind_of` that are made of pixels."""
 
 WIDTHS = {"png": 512, "sheet": 200, **dict.fromkeys(ANIMATED, 400)}
 """Pixels of a frame, of a cell of a sheet, or of an animation, unless something is said."""
@@ -45,7 +45,7 @@ TAKEN_BY = {
 """For each option the kinds that take it, and how to ask for one of them."""
 
 
-class Choice(NamedTuple):
+class RasterOptions(NamedTuple):
     """How pictures are drawn; all is None where none are.
 
     Attributes
@@ -71,21 +71,21 @@ class Choice(NamedTuple):
         return None if self.background == TRANSPARENT else self.background
 
 
-def usual(kind: str, *, by_fps: bool) -> Choice:
+def defaults(kind: str, *, by_fps: bool) -> RasterOptions:
     """How pictures are drawn unless something is said.
 
     Parameters
     ----------
     kind : str
-        See `emit.forms.kind_of`.
+        See `outputs.formats.kind_of`.
     by_fps : bool
         Whether nothing else says how many pictures an animation has.
     """
     if kind not in PICTURES:
-        return Choice()
+        return RasterOptions()
     background = WHITE if kind in ("gif", "sheet") else TRANSPARENT
     fps = FRAMES_A_SECOND if by_fps and kind in ANIMATED else None
-    return Choice(WIDTHS[kind], None, background, fps)
+    return RasterOptions(WIDTHS[kind], None, background, fps)
 
 
 def problem(kind: str, output: str, given: Mapping[str, object]) -> str | None:
@@ -94,7 +94,7 @@ def problem(kind: str, output: str, given: Mapping[str, object]) -> str | None:
     Parameters
     ----------
     kind : str
-        See `emit.forms.kind_of`.
+        See `outputs.formats.kind_of`.
     output : str
         A folder, the name of a file, or ``-``.
     given : mapping

@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any
 
 from PIL import Image
 
-from shapeblend_cli.pictures.draw import drawn, opened
+from shapeblend_cli.outputs.raster import drawn, opened
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from shapeblend_cli.pictures.draw import Size
-    from shapeblend_cli.pictures.times import Run
+    from shapeblend_cli.outputs.raster import Size
+    from shapeblend_cli.outputs.times import Run
 
 COLOURS = 256
 """Of a picture in a GIF."""

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.easing import Ease
-    from shapeblend_cli.emit.move import Leg, Move, MovedShape
     from shapeblend_cli.model import Box, ComplexArray, CubicPath
+    from shapeblend_cli.outputs.move import Leg, Move, MovedShape
 
 VERSION = "5.7.4"
 """Of the format; players mend what older versions did otherwise."""

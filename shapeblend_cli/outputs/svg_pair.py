@@ -13,7 +13,7 @@ from shapeblend_cli.svg.writing.attributes import paint_attributes, path_data, w
 from shapeblend_cli.svg.writing.write import Gradients
 
 if TYPE_CHECKING:
-    from shapeblend_cli.emit.move import Move
+    from shapeblend_cli.outputs.move import Move
 
 
 def svg_pair(move: Move, decimals: int) -> tuple[str, str]:

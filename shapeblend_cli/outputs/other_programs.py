@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.easing import Ease
-    from shapeblend_cli.emit.move import Move
+    from shapeblend_cli.outputs.move import Move
 
 
 def emitted(
@@ -32,21 +32,21 @@ def emitted(
     Returns
     -------
     texts : list of str
-        In the order of `forms.file_names`.
+        In the order of `formats.file_names`.
     notes : list of str
         What the form cannot say, a phrase each.
     """
     if emit == "pair":
-        from shapeblend_cli.emit.pair import svg_pair
+        from shapeblend_cli.outputs.svg_pair import svg_pair
 
         return list(svg_pair(moves[0], decimals)), moves[0].straightened()
     if emit == "lottie":
-        from shapeblend_cli.emit.lottie import lottie
+        from shapeblend_cli.outputs.lottie import lottie
 
         return [lottie(moves, seconds, ease, decimals)], [
             note for move in moves for note in move.kept("Lottie")
         ]
-    from shapeblend_cli.emit.avd import animated_vector, too_long
+    from shapeblend_cli.outputs.avd import animated_vector, too_long
 
     (move,) = moves
     return [animated_vector(move, seconds, ease, decimals)], [

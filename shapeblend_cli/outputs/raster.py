@@ -9,7 +9,7 @@ import resvg_py
 from PIL import Image
 
 from shapeblend_cli.errors import PictureError
-from shapeblend_cli.pictures.choice import MOST_SIDE
+from shapeblend_cli.outputs.raster_options import MOST_SIDE
 
 MOST_PIXELS = 80_000_000
 """Of all pictures of a run together. They take four bytes each, and Pillow warns of pictures somewhat larger."""

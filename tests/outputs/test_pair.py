@@ -8,8 +8,8 @@ import pytest
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.easing import LINEAR
-from shapeblend_cli.emit.write import emitted
-from tests.emit.blends import BLENDS, written
+from shapeblend_cli.outputs.other_programs import emitted
+from tests.outputs.blends import BLENDS, written
 from tests.support.drawings import BAR, LEAF, svg
 from tests.support.motions import turned_move
 from tests.support.pictures import difference, pixels

@@ -8,8 +8,8 @@ from shapeblend_cli.geometry.normalise import union
 from shapeblend_cli.interpolate.chains import tracks
 from shapeblend_cli.interpolate.colours import colour_stops
 from shapeblend_cli.interpolate.paths import waypoints
-from shapeblend_cli.pictures.choice import ANIMATED, PICTURES, WIDTHS
-from shapeblend_cli.pictures.times import run_for
+from shapeblend_cli.outputs.raster_options import ANIMATED, PICTURES, WIDTHS
+from shapeblend_cli.outputs.times import run_for
 from shapeblend_cli.pipeline import make_frames, shapes_at
 from shapeblend_cli.svg.writing.animate import PINGPONG, css_svg, smil_svg, stacked_svg
 from shapeblend_cli.svg.writing.attributes import decimals_for
@@ -19,25 +19,25 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import Box, Frame, Pair
-    from shapeblend_cli.pictures.choice import Choice
+    from shapeblend_cli.outputs.raster_options import RasterOptions
     from shapeblend_cli.settings import Settings
     from shapeblend_cli.svg.writing.animate import Timing
 
 
-class Wanted(NamedTuple):
+class OutputSpec(NamedTuple):
     """What is to be made of a blend.
 
     Attributes
     ----------
     kind : str
-        See `emit.forms.kind_of`.
+        See `outputs.formats.kind_of`.
     animate : {'smil', 'css', 'frames'}
         How an animated SVG moves.
     timing : Timing
         Of what moves.
     precision : int or None
         Decimals of coordinates; None for as many as the drawings' size asks for.
-    choice : Choice
+    choice : RasterOptions
         How pictures are drawn.
     """
 
@@ -45,17 +45,17 @@ class Wanted(NamedTuple):
     animate: str
     timing: Timing
     precision: int | None
-    choice: Choice
+    choice: RasterOptions
 
 
-def produced(
-    wanted: Wanted, pairs: Sequence[Pair], frames: Sequence[Frame], settings: Settings
+def render(
+    spec: OutputSpec, pairs: Sequence[Pair], frames: Sequence[Frame], settings: Settings
 ) -> tuple[list[str | bytes], list[str]]:
     """Make what is wanted.
 
     Parameters
     ----------
-    wanted : Wanted
+    spec : OutputSpec
     pairs : sequence of Pair
     frames : sequence of Frame
         Of these pairs, by these settings.
@@ -64,7 +64,7 @@ def produced(
     Returns
     -------
     contents : list of str or bytes
-        In the order of `emit.forms.file_names`.
+        In the order of `outputs.formats.file_names`.
     notes : list of str
         What the form cannot say, a phrase each.
 
@@ -74,43 +74,43 @@ def produced(
         Pictures without a height, or of too many pixels.
     """
     views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
-    decimals = decimals_for(views) if wanted.precision is None else wanted.precision
-    if wanted.kind == "svg":
+    decimals = decimals_for(views) if spec.precision is None else spec.precision
+    if spec.kind == "svg":
         return [frame_svg(frame, decimals) for frame in frames], []
-    if wanted.kind == "animation":
-        return [_animation(wanted, pairs, views, settings, decimals)], []
-    if wanted.kind in PICTURES:
-        return _pictures(wanted, pairs, frames, settings, decimals), []
-    return _emitted(wanted, pairs, decimals)
+    if spec.kind == "animation":
+        return [_animation(spec, pairs, views, settings, decimals)], []
+    if spec.kind in PICTURES:
+        return _pictures(spec, pairs, frames, settings, decimals), []
+    return _emitted(spec, pairs, decimals)
 
 
 def _animation(
-    wanted: Wanted, pairs: Sequence[Pair], views: Sequence[Box], settings: Settings, decimals: int
+    spec: OutputSpec, pairs: Sequence[Pair], views: Sequence[Box], settings: Settings, decimals: int
 ) -> str:
     """An animated SVG."""
-    if wanted.animate == "frames":
+    if spec.animate == "frames":
         frames = make_frames(pairs, settings._replace(ends=True))
-        return stacked_svg(frames, wanted.timing, len(pairs), decimals)
+        return stacked_svg(frames, spec.timing, len(pairs), decimals)
     moving = tracks(pairs)
-    if wanted.animate == "css":
-        return css_svg(moving, union(list(views)), wanted.timing, decimals, colour_stops)
-    return smil_svg(moving, views, wanted.timing, decimals, colour_stops)
+    if spec.animate == "css":
+        return css_svg(moving, union(list(views)), spec.timing, decimals, colour_stops)
+    return smil_svg(moving, views, spec.timing, decimals, colour_stops)
 
 
 def _pictures(
-    wanted: Wanted, pairs: Sequence[Pair], frames: Sequence[Frame], settings: Settings, decimals: int
+    spec: OutputSpec, pairs: Sequence[Pair], frames: Sequence[Frame], settings: Settings, decimals: int
 ) -> list[str | bytes]:
     """Pictures of pixels, as high as what is shown of the first drawing makes them."""
-    from shapeblend_cli.pictures.animation import animation
-    from shapeblend_cli.pictures.draw import check_pixels, drawn, size_for
-    from shapeblend_cli.pictures.sheet import PAGE, as_png, sheet
+    from shapeblend_cli.outputs.contact_sheet import PAGE, as_png, sheet
+    from shapeblend_cli.outputs.raster import check_pixels, drawn, size_for
+    from shapeblend_cli.outputs.raster_animations import animation
 
-    kind, choice = wanted.kind, wanted.choice
+    kind, choice = spec.kind, spec.choice
     view = pairs[0].views[0]
     ground = choice.ground
     size = size_for(choice.width or WIDTHS[kind], (view.width, view.height))
     if kind in ANIMATED:
-        timing = wanted.timing
+        timing = spec.timing
         run = run_for(choice.fps, settings.frames, len(pairs), timing.seconds, timing.repeat == PINGPONG)
         check_pixels(run.pictures, size)
         frames = make_frames(pairs, settings._replace(frames=run.steps - 1, ends=True))
@@ -124,14 +124,14 @@ def _pictures(
     return [as_png(sheet(svgs, size, choice.columns, ground, PAGE if ground else None))]
 
 
-def _emitted(wanted: Wanted, pairs: Sequence[Pair], decimals: int) -> tuple[list[str | bytes], list[str]]:
+def _emitted(spec: OutputSpec, pairs: Sequence[Pair], decimals: int) -> tuple[list[str | bytes], list[str]]:
     """A form for other programs."""
-    from shapeblend_cli.emit.move import Move
-    from shapeblend_cli.emit.write import emitted
+    from shapeblend_cli.outputs.move import Move
+    from shapeblend_cli.outputs.other_programs import emitted
 
     moves = [
         Move(shapes_at(pair, 0.0), shapes_at(pair, 1.0), pair.views, tuple(map(waypoints, pair.moving)))
         for pair in pairs
     ]
-    texts, notes = emitted(wanted.kind, moves, wanted.timing.seconds, wanted.timing.ease, decimals)
+    texts, notes = emitted(spec.kind, moves, spec.timing.seconds, spec.timing.ease, decimals)
     return [*texts], notes

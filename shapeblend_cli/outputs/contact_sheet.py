@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PIL import Image, ImageColor
 
-from shapeblend_cli.pictures.draw import Size, check_pixels, drawn, opened
+from shapeblend_cli.outputs.raster import Size, check_pixels, drawn, opened
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

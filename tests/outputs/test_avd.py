@@ -9,11 +9,11 @@ import pytest
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.easing import LINEAR, Ease
-from shapeblend_cli.emit.avd import animated_vector
-from shapeblend_cli.emit.move import Move
 from shapeblend_cli.model import Box, CubicPath, PaintedShape, Style
+from shapeblend_cli.outputs.avd import animated_vector
+from shapeblend_cli.outputs.move import Move
 from shapeblend_cli.svg.writing.attributes import path_data
-from tests.emit.blends import BLENDS, written
+from tests.outputs.blends import BLENDS, written
 from tests.support.contours import polygon_contour
 from tests.support.drawings import BAR, LEAF
 from tests.support.motions import turned_move

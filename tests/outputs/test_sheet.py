@@ -3,9 +3,9 @@
 import pytest
 
 from shapeblend_cli.errors import PictureError
-from shapeblend_cli.pictures.choice import MOST_SIDE
-from shapeblend_cli.pictures.draw import Size, drawn, opened, size_for
-from shapeblend_cli.pictures.sheet import CELL, PAGE, columns_for, sheet
+from shapeblend_cli.outputs.contact_sheet import CELL, PAGE, columns_for, sheet
+from shapeblend_cli.outputs.raster import Size, drawn, opened, size_for
+from shapeblend_cli.outputs.raster_options import MOST_SIDE
 from tests.support.drawings import svg
 
 RED = svg("M0 0H24V24H0Z", attributes='fill="#ff0000"')

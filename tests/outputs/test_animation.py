@@ -5,9 +5,9 @@ import io
 import pytest
 from PIL import Image, ImageChops
 
-from shapeblend_cli.pictures.animation import animation
-from shapeblend_cli.pictures.draw import Size, drawn, opened
-from shapeblend_cli.pictures.times import Run
+from shapeblend_cli.outputs.raster import Size, drawn, opened
+from shapeblend_cli.outputs.raster_animations import animation
+from shapeblend_cli.outputs.times import Run
 from tests.support.drawings import svg
 
 FORMS = {"gif": "GIF", "webp": "WEBP", "apng": "PNG"}

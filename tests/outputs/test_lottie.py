@@ -9,10 +9,10 @@ import pytest
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.easing import LINEAR, Ease
-from shapeblend_cli.emit.lottie import lottie
-from shapeblend_cli.emit.move import Move
 from shapeblend_cli.model import Box, CubicPath, PaintedShape, Style
-from tests.emit.blends import BLENDS, written
+from shapeblend_cli.outputs.lottie import lottie
+from shapeblend_cli.outputs.move import Move
+from tests.outputs.blends import BLENDS, written
 from tests.support.contours import circle_contour, polygon_contour
 from tests.support.drawings import BAR, EYED, LEAF, RING, svg
 from tests.support.motions import turned_move

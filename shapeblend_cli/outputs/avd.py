@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.easing import Ease
-    from shapeblend_cli.emit.move import Leg, Move
     from shapeblend_cli.model import PaintedShape
+    from shapeblend_cli.outputs.move import Leg, Move
 
 NAMESPACES = {
     "xmlns:android": "http://schemas.android.com/apk/res/android",

@@ -1,1 +1,0 @@
-"""Blends for other programs to play, and what each of these takes."""

@@ -1,1 +1,0 @@
-"""SVG documents of ours to pictures of pixels: contact sheets, animations, and frames."""
