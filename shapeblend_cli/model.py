@@ -39,6 +39,63 @@ class Box(NamedTuple):
     width: float
     height: float
 
+    @classmethod
+    def around(cls, points: ComplexArray) -> Box:
+        """Return the smallest box around points."""
+        x, y = points.real, points.imag
+        return cls(float(x.min()), float(y.min()), float(np.ptp(x)), float(np.ptp(y)))
+
+    @classmethod
+    def union(cls, boxes: Sequence[Box]) -> Box:
+        """Return the smallest box around one or more boxes."""
+        x, y = min(b.x for b in boxes), min(b.y for b in boxes)
+        return cls(x, y, max(b.x + b.width for b in boxes) - x, max(b.y + b.height for b in boxes) - y)
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Left, top, right and bottom."""
+        return self.x, self.y, self.x + self.width, self.y + self.height
+
+    @property
+    def centre(self) -> complex:
+        """The point in the middle."""
+        return complex(self.x + self.width / 2, self.y + self.height / 2)
+
+    @property
+    def larger_side(self) -> float:
+        """The larger one of width and height."""
+        return max(self.width, self.height)
+
+    @property
+    def diagonal(self) -> float:
+        """Distance between opposite corners."""
+        return abs(complex(self.width, self.height))
+
+    @property
+    def area(self) -> float:
+        """Width times height."""
+        return self.width * self.height
+
+    def expanded(self, margin: float) -> Box:
+        """Return the box with each side moved outwards."""
+        return Box(self.x - margin, self.y - margin, self.width + 2 * margin, self.height + 2 * margin)
+
+    def contains(self, other: Box, slack: float = 0.0) -> bool:
+        """Return whether another box lies inside, or sticks out by at most `slack`."""
+        left, top, right, bottom = self.bounds
+        x0, y0, x1, y1 = other.bounds
+        return x0 >= left - slack and y0 >= top - slack and x1 <= right + slack and y1 <= bottom + slack
+
+    def overlaps(self, other: Box) -> bool:
+        """Return whether two boxes have inner points in common."""
+        left, top, right, bottom = self.bounds
+        x0, y0, x1, y1 = other.bounds
+        return left < x1 and x0 < right and top < y1 and y0 < bottom
+
+    def interpolate(self, other: Box, t: float) -> Box:
+        """Return the box at time t between this one and another."""
+        return Box(*((1.0 - t) * p + t * q for p, q in zip(self, other, strict=True)))
+
 
 class Stop(NamedTuple):
     """A colour ``#rrggbb`` of a gradient, and where: 0 at its beginning, 1 at its end."""

@@ -13,7 +13,7 @@ import numpy as np
 
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.normalise import Similarity, between_boxes, grown, holds, lay_over, union
+from shapeblend_cli.geometry.normalise import Similarity, lay_over
 from shapeblend_cli.geometry.outline import curve_crossings
 from shapeblend_cli.interpolate.paths import between, waypoints
 from shapeblend_cli.interpolate.styles import blend_styles, painted_as
@@ -194,8 +194,8 @@ def _with_room(pairs: list[Pair]) -> list[Pair]:
     for pair in pairs:
         reach = _reach(pair)
         for k in (pair.a, pair.b):
-            if reach is not None and not holds(views[k], reach, 0.0):
-                views[k] = union([views[k], reach])
+            if reach is not None and not views[k].contains(reach):
+                views[k] = Box.union([views[k], reach])
     return [pair._replace(views=(views[pair.a], views[pair.b])) for pair in pairs]
 
 
@@ -205,9 +205,9 @@ def _reach(pair: Pair) -> Box | None:
     for shape in pair.moving:
         for point in waypoints(shape):
             painted = _painted(point.paths, shape.style_a, shape.style_b)
-            if not _is_inside(painted, between_boxes(*pair.views, point.t)):
+            if not _is_inside(painted, pair.views[0].interpolate(pair.views[1], point.t)):
                 boxes.append(_with_margin(painted))
-    return union(boxes) if boxes else None
+    return Box.union(boxes) if boxes else None
 
 
 class _Laid(NamedTuple):
@@ -330,24 +330,24 @@ def view_of(drawn: Sequence[PaintedShape], viewbox: Box | None) -> Box:
 
     Where drawings are laid by their own boxes, the viewBox of the first stands in for the others'.
     """
-    painted = union([_painted(shape.paths, shape.style) for shape in drawn])
+    painted = Box.union([_painted(shape.paths, shape.style) for shape in drawn])
     if viewbox is None:
         return _with_margin(painted)
-    return viewbox if _is_inside(painted, viewbox) else union([viewbox, _with_margin(painted)])
+    return viewbox if _is_inside(painted, viewbox) else Box.union([viewbox, _with_margin(painted)])
 
 
 def _painted(outlines: Sequence[CubicPath], *styles: Style) -> Box:
     """The box around outlines, painted in the widest of some styles."""
     reach = max(style.stroke_width / 2.0 if style.stroke else 0.0 for style in styles)
-    return union([grown(cubics.bounds(outline.segments), reach) for outline in outlines])
+    return Box.union([cubics.bounds(outline.segments).expanded(reach) for outline in outlines])
 
 
 def _with_margin(painted: Box) -> Box:
-    return grown(painted, MARGIN * max(painted.width, painted.height))
+    return painted.expanded(MARGIN * painted.larger_side)
 
 
 def _is_inside(painted: Box, view: Box) -> bool:
-    return holds(view, painted, SLACK * max(view.width, view.height))
+    return view.contains(painted, SLACK * view.larger_side)
 
 
 def make_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
@@ -373,7 +373,9 @@ def place_over(a: Drawing, b: Drawing, place: str) -> Similarity:
 
 def drawn_box(drawing: Drawing) -> Box:
     """The box around everything a drawing paints, without the width of strokes."""
-    return union([cubics.bounds(contour.segments) for shape in drawing.shapes for contour in shape.contours])
+    return Box.union(
+        [cubics.bounds(contour.segments) for shape in drawing.shapes for contour in shape.contours]
+    )
 
 
 def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
@@ -398,7 +400,7 @@ def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:
         t=t,
         pair=pair.a,
         shapes=moved,
-        view=between_boxes(*pair.views, t),
+        view=pair.views[0].interpolate(pair.views[1], t),
         self_crossings=crossings,
         area=area,
     )

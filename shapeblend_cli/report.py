@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.normalise import box_of, union
+from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -117,13 +117,13 @@ def _measured(shape: Shape) -> tuple[float, list[float]]:
     straight = np.concatenate([contour.straight for contour in shape.contours])
     curved = segments[~straight]
     ends = segments[:, ::3]
-    box = box_of(ends)
+    box = Box.around(ends)
     length = np.abs(ends[straight, 1] - ends[straight, 0]).sum()
     if len(curved):
-        box = union([box, cubics.bounds(curved)])
+        box = Box.union([box, cubics.bounds(curved)])
         slices = (curved[k : k + _SLICE] for k in range(0, len(curved), _SLICE))
         length += sum(cubics.lengths(part).sum() for part in slices)
-    return float(length), [float(v) for v in (box.x, box.y, box.x + box.width, box.y + box.height)]
+    return float(length), [float(v) for v in box.bounds]
 
 
 def _shape(shape: Shape) -> dict[str, Any]:

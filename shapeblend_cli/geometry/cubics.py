@@ -120,9 +120,7 @@ def bounds(segments: ComplexArray) -> Box:
     """The smallest box around the curves, from their ends and extrema."""
     which, t = extremal_parameters(segments)
     points = np.concatenate([segments[:, 0], segments[:, 3], evaluate(segments[which], t)])
-    low = complex(points.real.min(), points.imag.min())
-    high = complex(points.real.max(), points.imag.max())
-    return Box(low.real, low.imag, high.real - low.real, high.imag - low.imag)
+    return Box.around(points)
 
 
 def signed_area(segments: ComplexArray) -> float:

@@ -42,8 +42,7 @@ def flatten(contour: Contour, vertices: int) -> Polygon:
         left out, so it may be degenerate: fewer than three vertices when closed, fewer than two when open.
     """
     segments = contour.segments
-    box = cubics.bounds(segments)
-    size = max(box.width, box.height)
+    size = cubics.bounds(segments).larger_side
     tolerance = TOLERANCE * size
     ladders = _length_ladders(segments)
     counts = _share_out(ladders[:, -1], vertices - (0 if contour.closed else 1))

@@ -13,12 +13,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.normalise import box_of
 from shapeblend_cli.interpolate.joins import divide_lines, slides
 from shapeblend_cli.interpolate.rails import is_among, rail
 from shapeblend_cli.interpolate.strays import along, strays
 from shapeblend_cli.interpolate.track import slack_track, unrolled
-from shapeblend_cli.model import frozen
+from shapeblend_cli.model import Box, frozen
 
 if TYPE_CHECKING:
     from shapeblend_cli.interpolate.rails import Rail
@@ -119,8 +118,7 @@ def common_segments(
     if all(one.straight.all() and one.node.all() for one in (a, b)):
         # Polygons from the outset: nothing is rounded, and the solver's own paths are the best.
         return _common(a, b, unrolled(a, b, dots))
-    boxes = box_of(a.vertices), box_of(b.vertices)
-    distance = tolerance * max(max(box.width, box.height) for box in boxes)
+    distance = tolerance * max(Box.around(polygon.vertices).larger_side for polygon in (a, b))
     track = slack_track(a, b, dots)
     cuts = _cuts(a, b, track, distance)
     return _common(a, b, _slid(a, b, track, cuts, distance))

@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.normalise import box_of
 from shapeblend_cli.interpolate.curves import common_segments
 from shapeblend_cli.interpolate.track import counted_on
-from shapeblend_cli.model import CubicPath, MovingContour, Waypoint
+from shapeblend_cli.model import Box, CubicPath, MovingContour, Waypoint
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, MatchedContour, MovingShape
@@ -87,8 +86,7 @@ def waypoints(shape: MovingShape) -> tuple[Waypoint, ...]:
     points = np.concatenate(
         [outline.segments.ravel() for contour in shape.contours for outline in (contour.start, contour.end)]
     )
-    box = box_of(points)
-    distance = WAY_TOLERANCE * max(box.width, box.height)
+    distance = WAY_TOLERANCE * Box.around(points).larger_side
     seen: dict[float, ComplexArray] = {}
 
     def at(t: float) -> ComplexArray:

@@ -59,7 +59,7 @@ def animated_vector(move: Move, seconds: float, ease: Ease, decimals: int) -> st
     """
     view = move.view()
     root = Element("animated-vector", NAMESPACES)
-    small = min(1.0, LARGEST / max(view.width, view.height))
+    small = min(1.0, LARGEST / view.larger_side)
     size = {
         "width": f"{number(small * view.width, 2)}dp",
         "height": f"{number(small * view.height, 2)}dp",

@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from shapeblend_cli.geometry.normalise import union
+from shapeblend_cli.model import Box
 from shapeblend_cli.svg.writing.attributes import number
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.easing import Ease
-    from shapeblend_cli.model import Box, ComplexArray, CubicPath
+    from shapeblend_cli.model import ComplexArray, CubicPath
     from shapeblend_cli.outputs.move import Leg, Move, MovedShape
 
 VERSION = "5.7.4"
@@ -59,9 +59,9 @@ def lottie(moves: Sequence[Move], seconds: float, ease: Ease, decimals: int) -> 
     decimals : int
         Of coordinates.
     """
-    view = union([box for move in moves for box in move.views])
+    view = Box.union([box for move in moves for box in move.views])
     is_whole = view.width.is_integer() and view.height.is_integer()
-    longer = max(view.width, view.height)
+    longer = view.larger_side
     scale = 1.0 if is_whole and longer in OWN_SIZES else SIZE / longer
     width, height = (max(1, round(scale * side)) for side in (view.width, view.height))
     frames = max(1, round(FRAME_RATE * seconds))
@@ -132,7 +132,7 @@ def _curve(ease: Ease) -> list[float]:
 
 def _placed(view: Box, scale: float, size: tuple[int, int], decimals: int) -> dict[str, Any]:
     """The transform that lays the centre of the view on the centre of the picture."""
-    middle = view.x + view.width / 2, view.y + view.height / 2
+    middle = view.centre.real, view.centre.imag
     centre = [*(_plain(value, decimals + 1) for value in middle), 0]  # half of a side has one decimal more
     percent = float(f"{100 * scale:.9g}")
     percent = int(percent) if percent.is_integer() else percent

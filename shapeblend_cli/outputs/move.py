@@ -5,11 +5,11 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.geometry.normalise import union
+from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
     from shapeblend_cli.easing import Ease
-    from shapeblend_cli.model import Box, CubicPath, PaintedShape, Style, Waypoint
+    from shapeblend_cli.model import CubicPath, PaintedShape, Style, Waypoint
 
 FIXED = {
     "fill": {"fill_rule": "fill rule"},
@@ -119,7 +119,7 @@ class Move(NamedTuple):
 
     def view(self) -> Box:
         """What part of the plane to show all the way."""
-        return union(list(self.views))
+        return Box.union(self.views)
 
     def kept(self, program: str) -> list[str]:
         """What a program cannot show, or cannot change on the way, a phrase for each."""

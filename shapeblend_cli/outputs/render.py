@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.geometry.normalise import union
 from shapeblend_cli.interpolate.chains import tracks
 from shapeblend_cli.interpolate.colours import colour_stops
 from shapeblend_cli.interpolate.paths import waypoints
+from shapeblend_cli.model import Box
 from shapeblend_cli.outputs.raster_options import ANIMATED, PICTURES, WIDTHS
 from shapeblend_cli.outputs.times import run_for
 from shapeblend_cli.pipeline import make_frames, shapes_at
@@ -18,7 +18,7 @@ from shapeblend_cli.svg.writing.write import frame_svg
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Box, Frame, Pair
+    from shapeblend_cli.model import Frame, Pair
     from shapeblend_cli.outputs.raster_options import RasterOptions
     from shapeblend_cli.settings import Settings
     from shapeblend_cli.svg.writing.animate import Timing
@@ -93,7 +93,7 @@ def _animation(
         return stacked_svg(frames, spec.timing, len(pairs), decimals)
     moving = tracks(pairs)
     if spec.animate == "css":
-        return css_svg(moving, union(list(views)), spec.timing, decimals, colour_stops)
+        return css_svg(moving, Box.union(views), spec.timing, decimals, colour_stops)
     return smil_svg(moving, views, spec.timing, decimals, colour_stops)
 
 

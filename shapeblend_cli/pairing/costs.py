@@ -56,13 +56,11 @@ class View(NamedTuple):
     @property
     def size(self) -> float:
         """Diagonal of the frame."""
-        return abs(complex(self.frame.width, self.frame.height))
+        return self.frame.diagonal
 
     def centres(self) -> ComplexArray:
         """Where the middle of each contour lies, the frame's middle being 0 and its diagonal 1."""
-        x, y, width, height = self.frame
-        middle = complex(x + width / 2, y + height / 2)
-        return (np.array([part.centre for part in self.parts]) - middle) / self.size
+        return (np.array([part.centre for part in self.parts]) - self.frame.centre) / self.size
 
     def sizes(self) -> FloatArray:
         """Diagonal of each contour's box as a share of the frame's."""

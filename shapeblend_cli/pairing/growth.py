@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.normalise import box_of
 from shapeblend_cli.geometry.outline import mean_value_weights, signed_area, winding_numbers
+from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -100,7 +100,7 @@ def point_inside(hole: ComplexArray, outline: Bridge, others: Sequence[Bridge] =
 def _candidates(hole: ComplexArray, outline: Bridge) -> Iterator[complex]:
     wanted = complex(mean_value_weights(_centroid(hole), outline.here) @ outline.there)
     yield wanted
-    box = box_of(outline.there)
+    box = Box.around(outline.there)
     steps = (np.arange(GRID) + 0.5) / GRID
     grid = (box.x + box.width * steps[:, None] + 1j * (box.y + box.height * steps)).ravel()
     inside = grid[winding_numbers(grid, outline.there) != 0]

@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.normalise import box_of
 from shapeblend_cli.geometry.outline import all_crossings, direction, winding_numbers
+from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, Box, ComplexArray, IntArray, Polygon
+    from shapeblend_cli.model import BoolArray, ComplexArray, IntArray, Polygon
 
 SAMPLES = 32
 """Places of a contour on whose two sides the paint is looked at."""
@@ -68,7 +68,7 @@ def nest(polygons: Sequence[Polygon], rule: str, way: int = 1) -> Nesting:
     if len(polygons) == 1:
         return Nesting((None,), (ways[0] == -way,), "nonzero" if is_simple else rule, is_simple)
 
-    boxes = [box_of(polygon.vertices) for polygon in polygons]
+    boxes = [Box.around(polygon.vertices) for polygon in polygons]
     sides = [
         tuple(_windings(points, polygons, boxes) for points in _both_sides(polygon, box, own))
         for polygon, box, own in zip(polygons, boxes, ways, strict=True)
@@ -92,7 +92,7 @@ def nest(polygons: Sequence[Polygon], rule: str, way: int = 1) -> Nesting:
     if is_simple and stays["nonzero"]:
         return Nesting(tuple(outline), tuple(turned), "nonzero", stays["evenodd"])
     if rule == "nonzero":
-        largest = max(range(len(boxes)), key=lambda k: boxes[k].width * boxes[k].height)
+        largest = max(range(len(boxes)), key=lambda k: boxes[k].area)
         turned = [turned[largest]] * len(polygons)
     return Nesting(tuple(outline), tuple(turned), rule, False)
 
@@ -111,7 +111,7 @@ def _both_sides(polygon: Polygon, box: Box, way: int) -> tuple[ComplexArray, Com
     along = edges[edge] / np.abs(edges[edge])
     points = vertices[edge] + (at - ladder[edge]) * along
     # A contour that goes from x towards y has its inside where its edges, turned from x to y, point.
-    step = 1j * along * STEP * max(box.width, box.height) * (way or 1)
+    step = 1j * along * STEP * box.larger_side * (way or 1)
     return points + step, points - step
 
 
@@ -131,4 +131,4 @@ def _innermost(windings: IntArray, is_hole: Sequence[bool], boxes: Sequence[Box]
     """The smallest outline around most of a hole."""
     around = (windings != 0).sum(axis=1) * 2 > SAMPLES
     homes = [k for k in range(len(boxes)) if around[k] and not is_hole[k]]
-    return min(homes, key=lambda k: boxes[k].width * boxes[k].height, default=None)
+    return min(homes, key=lambda k: boxes[k].area, default=None)

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.geometry.normalise import grown, union
+from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Box, Style
+    from shapeblend_cli.model import Style
     from shapeblend_cli.pairing.parts import Part
 
     Shapes = tuple[int | None, int | None]
@@ -76,15 +76,15 @@ def overlaps(parts: Sequence[Part]) -> list[tuple[int, int]]:
     looks: dict[int, object] = {}
     for part in parts:
         reach = part.style.stroke_width if part.style.stroke else 0.0
-        boxes[part.shape].append(grown(part.box, reach / 2))
+        boxes[part.shape].append(part.box.expanded(reach / 2))
         looks.setdefault(part.shape, _look(part.style))
-    x, y, width, height = np.array([union(boxes[shape]) for shape in shapes]).T
+    x, y, width, height = np.array([Box.union(boxes[shape]) for shape in shapes]).T
     meet = (x[:, None] < x + width) & (y[:, None] < y + height)
     return [
         (shapes[low], shapes[high])
         for low, high in np.argwhere(np.triu(meet & meet.T, 1)).tolist()
         if looks[shapes[low]] != looks[shapes[high]]
-        and any(_meet(p, q) for p in boxes[shapes[low]] for q in boxes[shapes[high]])
+        and any(p.overlaps(q) for p in boxes[shapes[low]] for q in boxes[shapes[high]])
     ]
 
 
@@ -96,7 +96,3 @@ def _look(style: Style) -> object:
         if colour is not None
     }
     return paints if len(paints) == 1 else object()
-
-
-def _meet(p: Box, q: Box) -> bool:
-    return p.x < q.x + q.width and q.x < p.x + p.width and p.y < q.y + q.height and q.y < p.y + p.height

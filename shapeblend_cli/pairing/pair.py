@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.geometry.normalise import union
+from shapeblend_cli.model import Box
 from shapeblend_cli.pairing.assign import assign
 from shapeblend_cli.pairing.costs import ALONE, View, costs
 from shapeblend_cli.pairing.order import order, overlaps
@@ -65,7 +65,7 @@ def pair_parts(
     kinds: list[tuple[str, ...]] = [(OUTLINE,), (LINE,)]
     if {part.role for part in tops_a}.isdisjoint(part.role for part in tops_b):
         kinds = [(OUTLINE, LINE)]
-    frames = [union([part.box for part in parts]) for parts in (tops_a, tops_b)]
+    frames = [Box.union([part.box for part in parts]) for parts in (tops_a, tops_b)]
     views = View(tops_a, frames[0]), View(tops_b, frames[1])
     couples = [couple for kind in kinds for couple in _pairs(views, kind, constants, fixed)]
     below = overlaps(a), overlaps(b)

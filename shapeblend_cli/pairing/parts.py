@@ -11,7 +11,7 @@ import numpy as np
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.normalise import Similarity, box_of
+from shapeblend_cli.geometry.normalise import Similarity
 from shapeblend_cli.geometry.outline import (
     direction,
     reversed_contour,
@@ -19,13 +19,13 @@ from shapeblend_cli.geometry.outline import (
     signed_area,
     winding_numbers,
 )
-from shapeblend_cli.model import Contour
+from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.pairing.nesting import nest
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Box, ComplexArray, Drawing, Polygon, Shape, Style
+    from shapeblend_cli.model import ComplexArray, Drawing, Polygon, Shape, Style
 
 OUTLINE, HOLE, LINE = "outline", "hole", "line"
 
@@ -77,7 +77,7 @@ class Part(NamedTuple):
     @property
     def size(self) -> float:
         """Diagonal of the box."""
-        return abs(complex(self.box.width, self.box.height))
+        return self.box.diagonal
 
     def has(self, hole: Part) -> bool:
         """Whether a contour is a hole in this one."""
@@ -88,7 +88,7 @@ class Part(NamedTuple):
     @property
     def centre(self) -> complex:
         """Middle of the box."""
-        return complex(self.box.x + self.box.width / 2, self.box.y + self.box.height / 2)
+        return self.box.centre
 
 
 def turned_parts(parts: Sequence[Part], turn: float, about: complex, onto: complex) -> list[Part]:
@@ -102,7 +102,7 @@ def turned_parts(parts: Sequence[Part], turn: float, about: complex, onto: compl
     for part in parts:
         contour = replace(part.contour, segments=moved(part.contour.segments))
         polygon = replace(part.polygon, vertices=moved(part.polygon.vertices))
-        found.append(part._replace(contour=contour, polygon=polygon, box=box_of(polygon.vertices)))
+        found.append(part._replace(contour=contour, polygon=polygon, box=Box.around(polygon.vertices)))
     return found
 
 
@@ -232,6 +232,6 @@ def _parts_of(index: int, shape: Shape, usable: list[_Usable], over: Similarity,
             polygon = reversed_polygon(polygon, len(contour.segments))
             contour = reversed_contour(contour)
         parts.append(
-            Part(number, index, contour, polygon, box_of(polygon.vertices), role, home, style, any_rule)
+            Part(number, index, contour, polygon, Box.around(polygon.vertices), role, home, style, any_rule)
         )
     return parts

@@ -8,9 +8,8 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.normalise import box_of
 from shapeblend_cli.geometry.outline import signed_area, winding_numbers
-from shapeblend_cli.model import Contour
+from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.pairing.parts import OUTLINE, Part
 
 if TYPE_CHECKING:
@@ -94,7 +93,7 @@ def _nearest(part: Part, owners: Sequence[Part]) -> int:
 
 def _piece(owner: Part, contour: Contour, vertices: int) -> Part:
     polygon = flatten(contour, vertices)
-    return owner._replace(contour=contour, polygon=polygon, box=box_of(polygon.vertices), is_piece=True)
+    return owner._replace(contour=contour, polygon=polygon, box=Box.around(polygon.vertices), is_piece=True)
 
 
 class _Cut(NamedTuple):

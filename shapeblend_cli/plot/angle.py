@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.geometry.normalise import box_of
+from shapeblend_cli.model import Box
 from shapeblend_cli.plot.axes import (
     COLOUR_A,
     COLOUR_B,
@@ -148,8 +148,8 @@ def _q_panel(figure: Figure, theta: Theta) -> None:
         for k, direction in enumerate(theta.directions)
         if direction is not None
     }
-    box = box_of(np.array([*control, 0j, *rays.values()]))
-    side = 1.3 * max(box.width, box.height)
+    box = Box.around(np.array([*control, 0j, *rays.values()]))
+    side = 1.3 * box.larger_side
     x0, y0 = box.x - (side - box.width) / 2.0, box.y - (side - box.height) / 2.0
     axes = Axes(figure, Q_LEFT, TOP, SIDE, SIDE, (x0, x0 + side), (y0, y0 + side))
     axes.frame()
@@ -262,9 +262,9 @@ def _span(axes: Axes, t: float, begin: float, end: float) -> None:
 
 def _thumb(figure: Figure, top: float, name: str, polygon: Polygon, vertex: int) -> None:
     """The contour, small, with the vertex and what is beside it."""
-    box = box_of(polygon.vertices)
-    scale = (THUMB - 8.0) / max(box.width, box.height)
-    centre = complex(box.x + box.width / 2.0, box.y + box.height / 2.0)
+    box = Box.around(polygon.vertices)
+    scale = (THUMB - 8.0) / box.larger_side
+    centre = box.centre
     onto = complex(THUMBS_LEFT + THUMB / 2.0, top + THUMB / 2.0)
     places = [(z.real, z.imag) for z in ((polygon.vertices - centre) * scale + onto).tolist()]
     figure.words(name, (THUMBS_LEFT + THUMB / 2.0, top - 8.0), "middle-note")

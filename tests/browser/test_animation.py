@@ -16,9 +16,9 @@ from PIL import Image
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.easing import Ease
-from shapeblend_cli.geometry.normalise import union
 from shapeblend_cli.interpolate.chains import tracks
 from shapeblend_cli.interpolate.colours import colour_stops
+from shapeblend_cli.model import Box
 from shapeblend_cli.pipeline import frame_at, match_all
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.writing.animate import PINGPONG, Timing, css_svg, smil_svg
@@ -226,7 +226,7 @@ def test_what_moves_on_curved_paths_is_shown_there(here, method):
         if method == "smil":
             moving = smil_svg(tracks(moved), views, timing, 3, colour_stops)
         else:
-            moving = css_svg(tracks(moved), union(views), timing, 3, colour_stops)
+            moving = css_svg(tracks(moved), Box.union(views), timing, 3, colour_stops)
         for k, pair in enumerate(moved):
             for share in (0.05, 0.3, 0.5, 0.72):
                 times = [timing.seconds * (k + share)]

@@ -35,7 +35,7 @@ DEFAULTS = {
 
 def decimals_for(boxes: Sequence[Box]) -> int:
     """As many decimals as keep points within `ROUNDING` of their places, whichever of the boxes is shown."""
-    size = min(max(box.width, box.height) for box in boxes)
+    size = min(box.larger_side for box in boxes)
     return max(0, math.ceil(-math.log10(math.sqrt(2.0) * ROUNDING * size))) if size > 0.0 else 5
 
 

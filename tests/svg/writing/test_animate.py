@@ -6,9 +6,9 @@ from xml.etree import ElementTree
 import pytest
 
 from shapeblend_cli.easing import LINEAR, Ease
-from shapeblend_cli.geometry.normalise import union
 from shapeblend_cli.interpolate.chains import tracks
 from shapeblend_cli.interpolate.colours import colour_stops
+from shapeblend_cli.model import Box
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.writing.animate import PINGPONG, Timing, css_svg, smil_svg
@@ -31,7 +31,7 @@ def smil(pairs, timing):
 
 def css(pairs, timing):
     views = [view for pair in pairs for view in pair.views]
-    return css_svg(tracks(pairs), union(views), timing, 3, colour_stops)
+    return css_svg(tracks(pairs), Box.union(views), timing, 3, colour_stops)
 
 
 def animations(root, name):
