@@ -243,7 +243,7 @@ def blend(
 
     from shapeblend_cli.files import Job, blend_files
     from shapeblend_cli.outputs.render import OutputSpec
-    from shapeblend_cli.svg.writing.animate import Timing
+    from shapeblend_cli.svg.writing.animation import Timing
 
     job = Job(
         files=files,

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from xml.etree import ElementTree  # svgwrite has imported it anyway
 from xml.etree.ElementTree import Element, SubElement
 
-from shapeblend_cli.svg.writing.attributes import number, path_data
+from shapeblend_cli.svg.writing.path_data import path_data
+from shapeblend_cli.svg.writing.rounding import number
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

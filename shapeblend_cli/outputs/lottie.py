@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shapeblend_cli.model import Box
-from shapeblend_cli.svg.writing.attributes import number
+from shapeblend_cli.svg.writing.rounding import number
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -11,9 +11,11 @@ from shapeblend_cli.model import Box
 from shapeblend_cli.outputs.raster_options import ANIMATED, PICTURES, WIDTHS
 from shapeblend_cli.outputs.times import run_for
 from shapeblend_cli.pipeline import make_frames, shapes_at
-from shapeblend_cli.svg.writing.animate import PINGPONG, css_svg, smil_svg, stacked_svg
-from shapeblend_cli.svg.writing.attributes import decimals_for
-from shapeblend_cli.svg.writing.write import frame_svg
+from shapeblend_cli.svg.writing.animation import PINGPONG
+from shapeblend_cli.svg.writing.css import css_svg
+from shapeblend_cli.svg.writing.document import frame_svg
+from shapeblend_cli.svg.writing.rounding import decimals_for
+from shapeblend_cli.svg.writing.smil import smil_svg, stacked_svg
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,7 +23,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Frame, Pair
     from shapeblend_cli.outputs.raster_options import RasterOptions
     from shapeblend_cli.settings import Settings
-    from shapeblend_cli.svg.writing.animate import Timing
+    from shapeblend_cli.svg.writing.animation import Timing
 
 
 class OutputSpec(NamedTuple):

@@ -9,8 +9,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.svg.writing import document
-from shapeblend_cli.svg.writing.attributes import paint_attributes, path_data, without_defaults
-from shapeblend_cli.svg.writing.write import Gradients
+from shapeblend_cli.svg.writing.paint import Gradients, paint_attributes, without_defaults
+from shapeblend_cli.svg.writing.path_data import path_data
 
 if TYPE_CHECKING:
     from shapeblend_cli.outputs.move import Move

@@ -19,14 +19,14 @@ from shapeblend_cli.preview.graphs import by_size, graphs
 from shapeblend_cli.preview.packed import packed_json
 from shapeblend_cli.preview.pictures import picture, places
 from shapeblend_cli.svg.reading.read import title_of
-from shapeblend_cli.svg.writing.attributes import decimals_for, number
+from shapeblend_cli.svg.writing.rounding import decimals_for, number
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import Frame, Pair
     from shapeblend_cli.settings import Settings
-    from shapeblend_cli.svg.writing.animate import Timing
+    from shapeblend_cli.svg.writing.animation import Timing
 
 POLICY = (
     "default-src 'none'; script-src {script}; style-src {style}; img-src data:; "

@@ -10,12 +10,8 @@ from shapeblend_cli.interpolate.paths import between, waypoints
 from shapeblend_cli.interpolate.styles import blend_styles
 from shapeblend_cli.interpolate.track import counted_on
 from shapeblend_cli.model import LinearGradient, RadialGradient
-from shapeblend_cli.svg.writing.attributes import (
-    gradient_attributes,
-    paint_attributes,
-    path_data,
-    plainest,
-)
+from shapeblend_cli.svg.writing.paint import gradient_attributes, paint_attributes, visible_styles
+from shapeblend_cli.svg.writing.path_data import path_data
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -148,8 +144,7 @@ def _still(frame: Frame, decimals: int) -> list[dict[str, Any]]:
     found = []
     for shape in frame.shapes:
         data = path_data(shape.paths, decimals)
-        styles = [shape.style] if shape.below is None or frame.t == 1.0 else [shape.below, shape.style]
-        for style in map(plainest, styles):
+        for style in visible_styles(shape, frame.t):
             painted = _painted(style, decimals, as_ellipse=False)
             found.append(painted | {"path": {"d": data, **painted["path"]}})
     return found

@@ -21,8 +21,10 @@ from shapeblend_cli.interpolate.colours import colour_stops
 from shapeblend_cli.model import Box
 from shapeblend_cli.pipeline import frame_at, match_all
 from shapeblend_cli.settings import Settings
-from shapeblend_cli.svg.writing.animate import PINGPONG, Timing, css_svg, smil_svg
-from shapeblend_cli.svg.writing.write import frame_svg
+from shapeblend_cli.svg.writing.animation import PINGPONG, Timing
+from shapeblend_cli.svg.writing.css import css_svg
+from shapeblend_cli.svg.writing.document import frame_svg
+from shapeblend_cli.svg.writing.smil import smil_svg
 from tests.support.drawings import EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
 from tests.support.motions import turned
 

@@ -19,7 +19,7 @@ from shapeblend_cli.cli import run
 from shapeblend_cli.easing import LINEAR, Ease
 from shapeblend_cli.outputs.lottie import lottie
 from shapeblend_cli.pipeline import frame_at
-from shapeblend_cli.svg.writing.write import frame_svg
+from shapeblend_cli.svg.writing.document import frame_svg
 from tests.browser.test_animation import CHROMIUM, FLAGS
 from tests.outputs.blends import BLENDS, written
 from tests.support.drawings import EIGHT, B

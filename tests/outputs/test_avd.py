@@ -12,7 +12,7 @@ from shapeblend_cli.easing import LINEAR, Ease
 from shapeblend_cli.model import Box, CubicPath, PaintedShape, Style
 from shapeblend_cli.outputs.avd import animated_vector
 from shapeblend_cli.outputs.move import Move
-from shapeblend_cli.svg.writing.attributes import path_data
+from shapeblend_cli.svg.writing.path_data import path_data
 from tests.outputs.blends import BLENDS, written
 from tests.support.contours import polygon_contour
 from tests.support.drawings import BAR, LEAF

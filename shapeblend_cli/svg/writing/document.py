@@ -1,4 +1,4 @@
-"""SVG documents, by svgwrite."""
+"""SVG documents, by svgwrite: empty ones, frames, and their text."""
 
 from __future__ import annotations
 
@@ -6,30 +6,32 @@ from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree  # svgwrite has imported it anyway
 
 from shapeblend_cli.svg.libraries import svgwrite
-from shapeblend_cli.svg.writing.attributes import number
+from shapeblend_cli.svg.writing.paint import Gradients, visible_styles
+from shapeblend_cli.svg.writing.path_data import path_data
+from shapeblend_cli.svg.writing.rounding import number
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Box
+    from shapeblend_cli.model import Box, Frame
 
 
 def empty(viewbox: Box, decimals: int) -> Any:
-    """A document that draws nothing yet."""
+    """Return an svgwrite drawing that draws nothing yet."""
     drawing = svgwrite.Drawing(debug=False, viewBox=box_text(viewbox, decimals))
     drawing.elements.remove(drawing.defs)
     return drawing
 
 
 def box_text(box: Box, decimals: int) -> str:
-    """A box as ``viewBox`` has it."""
+    """Return the value of ``viewBox``."""
     return " ".join(number(value, decimals) for value in box)
 
 
 def text(drawing: Any, style: str | None = None, definitions: Sequence[ElementTree.Element] = ()) -> str:
-    """Serialise, with a style sheet, with definitions, or without.
+    """Return the text of a drawing, with a style sheet and definitions if there are any.
 
-    What svgwrite adds unasked goes: a size of 100 %, a profile, two unused namespaces.
+    What svgwrite adds unasked is removed: a size of 100 %, a profile, two unused namespaces.
     """
     root = drawing.get_xml()
     for name in ("width", "height"):
@@ -46,3 +48,14 @@ def text(drawing: Any, style: str | None = None, definitions: Sequence[ElementTr
         sheet.text = style
         root.insert(0, sheet)
     return ElementTree.tostring(root, encoding="unicode") + "\n"
+
+
+def frame_svg(frame: Frame, decimals: int) -> str:
+    """Return a frame as an SVG document, its coordinates rounded to so many decimals."""
+    drawing = empty(frame.view, decimals)
+    gradients = Gradients(decimals)
+    for shape in frame.shapes:
+        data = path_data(shape.paths, decimals)
+        for style in visible_styles(shape, frame.t):
+            drawing.add(drawing.path(d=data, **gradients.attributes(style)))
+    return text(drawing, definitions=gradients.elements)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from shapeblend_cli.model import Box
 from shapeblend_cli.svg.libraries import svgwrite
 from shapeblend_cli.svg.writing import document
-from shapeblend_cli.svg.writing.attributes import number
+from shapeblend_cli.svg.writing.rounding import number
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -12,7 +12,7 @@ from shapeblend_cli.model import Box, LinearGradient, RadialGradient, Stop
 from shapeblend_cli.pipeline import blend
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
-from shapeblend_cli.svg.writing.write import frame_svg
+from shapeblend_cli.svg.writing.document import frame_svg
 from tests.svg.reading.drawings import drawn, svg
 
 STOPS = '<stop stop-color="red"/><stop offset="1" stop-color="blue"/>'

@@ -7,7 +7,8 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.model import Box, CubicPath
 from shapeblend_cli.svg.reading.path_data import read as read_path_data
-from shapeblend_cli.svg.writing.attributes import decimals_for, number, path_data, short_path_data
+from shapeblend_cli.svg.writing.path_data import path_data, short_path_data
+from shapeblend_cli.svg.writing.rounding import decimals_for, number
 from tests.support.contours import circle_contour, polygon_contour
 
 coordinates = st.floats(-1000, 1000)

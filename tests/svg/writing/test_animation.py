@@ -11,7 +11,9 @@ from shapeblend_cli.interpolate.colours import colour_stops
 from shapeblend_cli.model import Box
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
-from shapeblend_cli.svg.writing.animate import PINGPONG, Timing, css_svg, smil_svg
+from shapeblend_cli.svg.writing.animation import PINGPONG, Timing
+from shapeblend_cli.svg.writing.css import css_svg
+from shapeblend_cli.svg.writing.smil import smil_svg
 from tests.support.drawings import BAR, LEAF, RING, drawing
 from tests.support.motions import turned
 

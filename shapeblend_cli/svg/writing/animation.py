@@ -1,0 +1,120 @@
+"""What SMIL and CSS animations share: their timing, and the values of an attribute over time.
+
+A vertex on a straight path needs one keyframe a drawing: in between, browsers interpolate every number linearly, which
+is eq (2). Curved motion and colours get further keyframes at waypoints. All keyframes of a path have the same commands
+in the same order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
+
+from shapeblend_cli.easing import LINEAR, Ease
+from shapeblend_cli.svg.writing.paint import paint_attributes, without_defaults
+from shapeblend_cli.svg.writing.path_data import short_path_data
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import Track
+
+FOREVER, PINGPONG = "forever", "pingpong"
+
+Colours = Callable[[str, str], Sequence[str]]
+"""Returns colours at even times from one to another, between which each channel may be interpolated by itself."""
+
+COLOURS = frozenset(("fill", "stroke", "stop_color"))
+
+TIME_DIGITS = 5
+
+
+class Timing(NamedTuple):
+    """How an animation runs.
+
+    The identifiers in CSS animations are made from the text of this value.
+
+    Attributes
+    ----------
+    seconds : float > 0
+        From one drawing to the next.
+    ease : Ease
+        From one drawing to the next.
+    repeat : int or str
+        How often it runs; ``forever``; or ``pingpong``: forwards and backwards forever.
+    """
+
+    seconds: float = 2.0
+    ease: Ease = LINEAR
+    repeat: int | str = FOREVER
+
+
+class Values(NamedTuple):
+    """The values of an attribute over time.
+
+    Attributes
+    ----------
+    keys : sequence of str
+        At each key.
+    waypoints : sequence of sequence of (float, str)
+        For each key but the last, the values between it and the next one: how far from one to the other each lies,
+        within (0, 1), and the value. Numbers are interpolated linearly from each value to the next.
+    """
+
+    keys: Sequence[str]
+    waypoints: Sequence[Sequence[tuple[float, str]]]
+
+    @property
+    def is_constant(self) -> bool:
+        """Whether all are the same."""
+        return len({*self.keys, *(value for section in self.waypoints for _, value in section)}) == 1
+
+
+class Moment(NamedTuple):
+    """A value, the time it is reached, counted in keys, and the easing from it to the next one."""
+
+    time: float
+    value: str
+    ease: Ease
+
+
+def values_between(name: str, keys: Sequence[str], colours: Colours) -> Values:
+    """Return the values of an attribute that is interpolated linearly from key to key, unless it is a colour."""
+    waypoints: list[list[tuple[float, str]]] = []
+    for start, end in pairwise(keys):
+        stops = colours(start, end) if name in COLOURS and start != end else [start, end]
+        waypoints.append([(n / (len(stops) - 1), stop) for n, stop in enumerate(stops)][1:-1])
+    return Values(keys, waypoints)
+
+
+def attribute_values(shape: Track, decimals: int, colours: Colours) -> dict[str, Values]:
+    """Return the values of every attribute of a path, except those that have their initial value at all keys."""
+    keys = [
+        {"d": short_path_data(key.paths, decimals), **paint_attributes(key.style, decimals)}
+        for key in shape.keys
+    ]
+    written = {name for key in keys for name in without_defaults(key)}
+    values = {
+        name: values_between(name, [key[name] for key in keys], colours)
+        for name in keys[0]
+        if name in written
+    }
+    values["d"] = values["d"]._replace(
+        waypoints=[
+            [(waypoint.t, short_path_data(waypoint.paths, decimals)) for waypoint in section]
+            for section in shape.ways
+        ]
+    )
+    return values
+
+
+def moments(values: Values, ease: Ease, first: int = 0) -> list[Moment]:
+    """Return keys, counted from `first`, and waypoints in order of time."""
+    found = []
+    for k, (key, waypoints) in enumerate(zip(values.keys[:-1], values.waypoints, strict=True), first):
+        starts = [(0.0, key), *waypoints]
+        ends = [*(share for share, _ in waypoints), 1.0]
+        found += [
+            Moment(k + ease.time_of(start), value, ease.piece(start, end) if waypoints else ease)
+            for (start, value), end in zip(starts, ends, strict=True)
+        ]
+    return [*found, Moment(first + len(values.waypoints), values.keys[-1], ease)]

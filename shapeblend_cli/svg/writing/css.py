@@ -1,0 +1,115 @@
+"""SVG documents that are animated by CSS."""
+
+from __future__ import annotations
+
+import zlib
+from typing import TYPE_CHECKING
+
+from shapeblend_cli.svg.writing import document
+from shapeblend_cli.svg.writing.animation import (
+    COLOURS,
+    FOREVER,
+    PINGPONG,
+    TIME_DIGITS,
+    attribute_values,
+    moments,
+)
+from shapeblend_cli.svg.writing.rounding import number
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import Box, Track
+    from shapeblend_cli.svg.writing.animation import Colours, Moment, Timing
+
+
+def css_svg(shapes: Sequence[Track], view: Box, timing: Timing, decimals: int, colours: Colours) -> str:
+    """Return an SVG document animated by CSS; with prefers-reduced-motion it shows A at rest.
+
+    Parameters
+    ----------
+    shapes : sequence of Track
+        In paint order. Gradients become plain colours, since CSS cannot animate them.
+    view : Box
+        What part of the plane to show; CSS cannot animate that either.
+    timing : Timing
+    decimals : int
+        Of coordinates.
+    colours : callable
+        See `Colours`.
+    """
+    values_by_shape = [attribute_values(shape, decimals, colours) for shape in shapes]
+    # Names of its own, so that several drawings can stand in one page.
+    keys = [{name: values.keys for name, values in attributes.items()} for attributes in values_by_shape]
+    curved = [section for attributes in values_by_shape for section in attributes["d"].waypoints if section]
+    prefix = f"b{zlib.crc32(repr((keys, timing, *curved)).encode()):08x}"
+    last = max(shape.first + len(shape.keys) for shape in shapes) - 1
+    counts = {FOREVER: "infinite", PINGPONG: "infinite alternate"}
+    count = counts.get(str(timing.repeat), f"{timing.repeat} forwards")
+    run = f"{number(timing.seconds * last, 4)}s {count}"
+    drawing = document.empty(view, decimals)
+    rules = []
+    for k, (shape, attributes) in enumerate(zip(shapes, values_by_shape, strict=True)):
+        name, animations = f"{prefix}-{k}", []
+        times = [(shape.first + i) / last for i in range(len(shape.keys))]
+        at_keys: dict[float, list[str]] = {time: [] for time in times}
+        for attribute, values in attributes.items():
+            if values.is_constant:
+                continue
+            if attribute in COLOURS or any(values.waypoints):
+                timed = _declarations(attribute, moments(values, timing.ease, shape.first), last)
+                rules.append(_keyframes(f"{name}-{attribute}", timed))
+                animations.append(f"{name}-{attribute} {run} linear")
+            else:
+                for time, value in zip(times, values.keys, strict=True):
+                    at_keys[time].append(_declaration(attribute, value))
+        if at_keys[times[0]]:
+            rules.append(_keyframes(name, at_keys))
+            animations.append(f"{name} {run} {timing.ease.css()}")
+        path = drawing.path(
+            id=name, **{attribute: values.keys[0] for attribute, values in attributes.items()}
+        )
+        if len(shape.keys) <= last:
+            visible = {0.0: ["visibility:hidden"], times[0]: ["visibility:visible"]}
+            if times[-1] < 1.0:
+                visible[times[-1]] = ["visibility:hidden"]
+            rules.append(_keyframes(f"{name}-shown", visible))
+            animations.append(f"{name}-shown {run} step-end")
+            path["visibility"] = "hidden" if shape.first else "visible"
+        if animations:
+            rules.append(f"#{name}{{animation:{','.join(animations)}}}")
+        drawing.add(path)
+    rules.append(f"@media (prefers-reduced-motion:reduce){{[id^={prefix}]{{animation:none!important}}}}")
+    return document.text(drawing, style="\n".join(["", *rules, ""]))
+
+
+def _keyframes(name: str, declarations: dict[float, list[str]]) -> str:
+    """Return a ``@keyframes`` rule; the first declarations hold from the beginning, the last to the end."""
+    times = sorted(declarations)
+    rules = []
+    for time in times:
+        at = [_percent(time)]
+        if time == times[0] and time > 0.0:
+            at.insert(0, "0%")
+        if time == times[-1] and time < 1.0:
+            at.append("100%")
+        rules.append(f"{','.join(at)}{{{';'.join(declarations[time])}}}")
+    return f"@keyframes {name}{{{''.join(rules)}}}"
+
+
+def _declarations(name: str, timed: Sequence[Moment], last: int) -> dict[float, list[str]]:
+    """Return declarations of an attribute by time, as a share of the time up to the last key, with their easing."""
+    found = {}
+    for moment in timed:
+        found[moment.time / last] = [_declaration(name, moment.value)]
+        if not moment.ease.is_linear and moment is not timed[-1]:
+            found[moment.time / last].append(f"animation-timing-function:{moment.ease.css()}")
+    return found
+
+
+def _percent(time: float) -> str:
+    return f"{number(100.0 * time, TIME_DIGITS)}%"
+
+
+def _declaration(name: str, value: str) -> str:
+    return f'd:path("{value}")' if name == "d" else f"{name.replace('_', '-')}:{value}"

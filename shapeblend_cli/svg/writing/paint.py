@@ -1,0 +1,180 @@
+"""Paint as SVG attributes: presentation attributes, gradients and their stops."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from typing import TYPE_CHECKING
+from xml.etree.ElementTree import Element, SubElement
+
+from shapeblend_cli.model import LinearGradient
+from shapeblend_cli.svg.writing.rounding import number
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import Gradient, PaintedShape, RadialGradient, Style
+
+SHARE_DIGITS = 5
+"""Decimals of shares, such as the offset of a gradient's stop."""
+
+DEFAULTS = {
+    "fill_opacity": "1",
+    "fill_rule": "nonzero",
+    "stroke_opacity": "1",
+    "stroke_width": "1",
+    "stroke_linecap": "butt",
+    "stroke_linejoin": "miter",
+    "stroke_miterlimit": "4",
+    "stroke_dasharray": "none",
+    "stroke_dashoffset": "0",
+}
+"""Initial values: attributes with these need not be written."""
+
+
+def without_defaults(attributes: dict[str, str]) -> dict[str, str]:
+    """Return the attributes that differ from their initial values."""
+    return {name: value for name, value in attributes.items() if DEFAULTS.get(name) != value}
+
+
+def visible_styles(shape: PaintedShape, t: float) -> list[Style]:
+    """Return the styles a shape is painted in at time t, from below: two where one paint dissolves into another."""
+    # At the end of time what is below is covered, and would only show at antialiased edges.
+    styles = [shape.style] if shape.below is None or t == 1.0 else [shape.below, shape.style]
+    return [_simplify(style) for style in styles]
+
+
+def _simplify(style: Style) -> Style:
+    """Return a style that paints the same without touching dashes and gradients of a single colour.
+
+    Both arise at the ends of time if the other end has dashes or a gradient. Keyframes need them; in a still picture,
+    touching dashes show seams.
+    """
+    dashes = style.stroke_dasharray
+    # An odd number is repeated with dashes and gaps exchanged.
+    if dashes and len(dashes) % 2 == 0 and not any(dashes[1::2]):
+        style = style._replace(stroke_dasharray=(), stroke_dashoffset=0.0)
+    for name, gradient in (("fill", style.fill_gradient), ("stroke", style.stroke_gradient)):
+        if gradient is not None and len({(stop.colour, stop.opacity) for stop in gradient.stops}) == 1:
+            style = style.with_plain(name, gradient.stops[0])
+    return style
+
+
+def paint_attributes(style: Style, decimals: int) -> dict[str, str]:
+    """Return the presentation attributes of a style, with plain colours in place of gradients."""
+    paint = {"fill": style.fill or "none"}
+    if style.fill is not None:
+        paint["fill_opacity"] = number(style.fill_opacity, 4)
+        paint["fill_rule"] = style.fill_rule
+    if style.stroke is not None:
+        paint["stroke"] = style.stroke
+        paint["stroke_opacity"] = number(style.stroke_opacity, 4)
+        paint["stroke_width"] = number(style.stroke_width, decimals)
+        paint["stroke_linecap"] = style.stroke_linecap
+        paint["stroke_linejoin"] = style.stroke_linejoin
+        paint["stroke_miterlimit"] = number(style.stroke_miterlimit, 4)
+        dashes = " ".join(number(length, decimals) for length in style.stroke_dasharray)
+        paint["stroke_dasharray"] = dashes or "none"
+        paint["stroke_dashoffset"] = number(style.stroke_dashoffset, decimals) if dashes else "0"
+    return paint
+
+
+def gradient_attributes(
+    gradient: Gradient, decimals: int, *, as_ellipse: bool = False
+) -> tuple[dict[str, str], list[dict[str, str]]]:
+    """Return the attributes of a gradient and of each of its stops.
+
+    Parameters
+    ----------
+    gradient : LinearGradient or RadialGradient
+    decimals : int
+    as_ellipse : bool
+        Write a circle as ellipses are written: a unit circle under ``translate(x y) rotate(angle) scale(rx ry)``.
+    """
+    found = {"gradientUnits": "userSpaceOnUse"}
+    if isinstance(gradient, LinearGradient):
+        for end, point in (("1", gradient.start), ("2", gradient.end)):
+            found[f"x{end}"] = number(point.real, decimals)
+            found[f"y{end}"] = number(point.imag, decimals)
+    else:
+        found |= _radial_attributes(gradient, decimals, as_ellipse)
+    if gradient.spread != "pad":
+        found["spreadMethod"] = gradient.spread
+    stops = [
+        {
+            "offset": number(stop.offset, SHARE_DIGITS),
+            "stop_color": stop.colour,
+            "stop_opacity": number(stop.opacity, 4),
+        }
+        for stop in gradient.stops
+    ]
+    return found, stops
+
+
+def _radial_attributes(gradient: RadialGradient, decimals: int, as_ellipse: bool) -> dict[str, str]:
+    centre, focus, focal_radius = gradient.centre, gradient.focus, gradient.focal_radius
+    first, second = gradient.radii
+    if first == second and not as_ellipse:
+        spot = centre + first * focus * cmath.rect(1.0, math.radians(gradient.angle))
+        return {
+            "cx": number(centre.real, decimals),
+            "cy": number(centre.imag, decimals),
+            "r": number(first, decimals),
+            "fx": number(spot.real, decimals),
+            "fy": number(spot.imag, decimals),
+            "fr": number(first * focal_radius, decimals),
+        }
+    place = f"{number(centre.real, decimals)} {number(centre.imag, decimals)}"
+    stretch = f"{number(first, decimals)} {number(second, decimals)}"
+    return {
+        "cx": "0",
+        "cy": "0",
+        "r": "1",
+        "fx": number(focus.real, SHARE_DIGITS),
+        "fy": number(focus.imag, SHARE_DIGITS),
+        "fr": number(focal_radius, SHARE_DIGITS),
+        "gradientTransform": f"translate({place}) rotate({number(gradient.angle, 4)}) scale({stretch})",
+    }
+
+
+class Gradients:
+    """The gradients of a document, each written once.
+
+    Attributes
+    ----------
+    decimals : int
+        Of coordinates.
+    elements : list of Element
+    """
+
+    def __init__(self, decimals: int) -> None:
+        self.decimals = decimals
+        self.elements: list[Element] = []
+        self._names: dict[Gradient, str] = {}
+
+    def attributes(self, style: Style) -> dict[str, str]:
+        """Return the presentation attributes of a style, linked to its gradients, without initial values."""
+        paint = paint_attributes(style, self.decimals)
+        for name, gradient in (("fill", style.fill_gradient), ("stroke", style.stroke_gradient)):
+            if gradient is not None:
+                paint[name] = self.link(gradient)
+        return without_defaults(paint)
+
+    def link(self, gradient: Gradient) -> str:
+        """Return the value of ``fill`` or ``stroke`` that refers to a gradient."""
+        if gradient not in self._names:
+            self._names[gradient] = f"gradient-{len(self._names) + 1}"
+            written = gradient_attributes(gradient, self.decimals)
+            self.elements.append(gradient_element(self._names[gradient], gradient, *written))
+        return f"url(#{self._names[gradient]})"
+
+
+def gradient_element(
+    name: str, gradient: Gradient, attributes: dict[str, str], stops: Sequence[dict[str, str]]
+) -> Element:
+    """Return the definition of a gradient with the attributes that `gradient_attributes` returns."""
+    tag = "linearGradient" if isinstance(gradient, LinearGradient) else "radialGradient"
+    element = Element(tag, {"id": name, **attributes})
+    for stop in stops:
+        SubElement(element, "stop", {key.replace("_", "-"): value for key, value in stop.items()})
+    return element

@@ -1,0 +1,45 @@
+"""Numbers as they are written: how many decimals a drawing needs, and a number rounded to them."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import Box
+
+ROUNDING = 4e-5
+"""How far rounding may move a point, as a share of what is shown."""
+
+
+def decimals_for(boxes: Sequence[Box]) -> int:
+    """Return the number of decimals that moves no point by more than `ROUNDING`, whichever box is shown."""
+    size = min(box.larger_side for box in boxes)
+    return max(0, math.ceil(-math.log10(math.sqrt(2.0) * ROUNDING * size))) if size > 0.0 else 5
+
+
+def number(value: float, decimals: int) -> str:
+    """Return a finite number in its shortest form with at most so many decimals."""
+    if not math.isfinite(value):
+        raise ValueError(f"{value} cannot be written to an SVG file")
+    text = f"{value:.{decimals}f}"
+    if "." in text:
+        text = text.rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
+
+
+def on_grid(z: complex, scale: int) -> tuple[int, int]:
+    """Round a point to a grid of 1 / `scale`, and return it in units of the grid."""
+    if not (math.isfinite(z.real) and math.isfinite(z.imag)):
+        raise ValueError(f"{z} cannot be written to an SVG file")
+    return round(z.real * scale), round(z.imag * scale)
+
+
+def short_number(value: int, scale: int) -> str:
+    """Return a number of units of 1 / `scale` without needless zeros: ``.5`` rather than ``0.5``."""
+    whole, rest = divmod(abs(value), scale)
+    decimals = str(rest + scale)[1:].rstrip("0") if rest else ""
+    digits = (str(whole) if whole or not decimals else "") + (f".{decimals}" if decimals else "")
+    return f"-{digits}" if value < 0 else digits

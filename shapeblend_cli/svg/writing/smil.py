@@ -1,0 +1,252 @@
+"""SVG documents that are animated by SMIL: paths that move, or frames shown in turn."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+from xml.etree.ElementTree import Element
+
+from shapeblend_cli.model import RadialGradient, Track
+from shapeblend_cli.svg.writing import document
+from shapeblend_cli.svg.writing.animation import (
+    FOREVER,
+    PINGPONG,
+    TIME_DIGITS,
+    attribute_values,
+    moments,
+    values_between,
+)
+from shapeblend_cli.svg.writing.paint import (
+    Gradients,
+    gradient_attributes,
+    gradient_element,
+    visible_styles,
+)
+from shapeblend_cli.svg.writing.path_data import short_path_data
+from shapeblend_cli.svg.writing.rounding import number
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import Box, Frame, Gradient
+    from shapeblend_cli.svg.writing.animation import Colours, Timing, Values
+
+DISCRETE = frozenset(("fill_rule", "stroke_linecap", "stroke_linejoin", "spreadMethod"))
+"""Attributes that have nothing in between and switch at half time."""
+
+
+def smil_svg(
+    shapes: Sequence[Track], views: Sequence[Box], timing: Timing, decimals: int, colours: Colours
+) -> str:
+    """Return an SVG document in which paths are animated by SMIL.
+
+    Parameters
+    ----------
+    shapes : sequence of Track
+        In paint order.
+    views : sequence of Box
+        What part of the plane to show, a box a key.
+    timing : Timing
+    decimals : int
+        Of coordinates.
+    colours : callable
+        See `Colours`.
+    """
+    drawing = document.empty(views[0], decimals)
+    timeline = _Timeline(drawing, len(views) - 1, timing)
+    gradients: list[Element] = []
+    boxes = [document.box_text(view, decimals) for view in views]
+    if len(set(boxes)) > 1:
+        drawing.add(timeline.animate("viewBox", values_between("viewBox", boxes, colours)))
+    for shape in shapes:
+        extended = _extend(shape, len(views))
+        attributes = attribute_values(extended, decimals, colours)
+        for paint in ("fill", "stroke"):
+            keys = [getattr(key.style, f"{paint}_gradient") for key in extended.keys]
+            if all(keys):
+                name = f"gradient-{len(gradients) + 1}"
+                gradients.append(_animated_gradient(timeline, name, keys, decimals, colours))
+                attributes[paint] = values_between(paint, [f"url(#{name})"] * len(keys), colours)
+        path = drawing.path(**{name: values.keys[0] for name, values in attributes.items()})
+        for name, values in attributes.items():
+            if not values.is_constant:
+                path.add(timeline.animate(name, values))
+        if len(shape.keys) < len(views):
+            if shape.first:
+                path["visibility"] = "hidden"
+            path.add(timeline.show(shape.first, shape.first + len(shape.keys) - 1))
+        drawing.add(path)
+    return document.text(drawing, definitions=gradients)
+
+
+def stacked_svg(frames: Sequence[Frame], timing: Timing, pairs: int, decimals: int) -> str:
+    """Return an SVG document with all frames on top of each other, one of them visible at a time.
+
+    Parameters
+    ----------
+    frames : sequence of Frame
+        In order of time, evenly spaced.
+    timing : Timing
+        The frames are eased already.
+    pairs : int
+    decimals : int
+        Of coordinates.
+    """
+    order = list(range(len(frames)))
+    if timing.repeat == PINGPONG:
+        order += order[-2:0:-1]
+    view = frames[0].view
+    drawing = document.empty(view, decimals)
+    timeline = _Timeline(drawing, pairs, timing)
+    gradients = Gradients(decimals)
+    for k, frame in enumerate(frames):
+        if frame.view == view:
+            layer = drawing.g()
+        else:  # fitted into what the first frame shows
+            layer = drawing.svg(
+                insert=(number(view.x, decimals), number(view.y, decimals)),
+                size=(number(view.width, decimals), number(view.height, decimals)),
+                viewBox=document.box_text(frame.view, decimals),
+            )
+        layer["visibility"] = "hidden" if k else "visible"
+        states = {n / len(order): "visible" if k == shown else "hidden" for n, shown in enumerate(order)}
+        layer.add(timeline.steps("visibility", states))
+        for shape in frame.shapes:
+            data = short_path_data(shape.paths, decimals)
+            for style in visible_styles(shape, frame.t):
+                layer.add(drawing.path(d=data, **gradients.attributes(style)))
+        drawing.add(layer)
+    return document.text(drawing, definitions=gradients.elements)
+
+
+def _extend(shape: Track, drawings: int) -> Track:
+    """Return a shape with a key for every drawing: its first key is repeated before it begins, its last after it."""
+    before = shape.first
+    after = drawings - before - len(shape.keys)
+    return Track(
+        keys=(shape.keys[0],) * before + shape.keys + (shape.keys[-1],) * after,
+        first=0,
+        ways=((),) * before + shape.ways + ((),) * after,
+    )
+
+
+def _animated_gradient(
+    timeline: _Timeline, name: str, keys: Sequence[Gradient], decimals: int, colours: Colours
+) -> Element:
+    """Return a gradient that is animated together with the shape it paints."""
+    as_ellipse = any(isinstance(key, RadialGradient) and key.radii[0] != key.radii[1] for key in keys)
+    written = [gradient_attributes(key, decimals, as_ellipse=as_ellipse) for key in keys]
+    gradient = gradient_element(name, keys[0], *written[0])
+    stop_elements = list(gradient)
+    animations = []
+    for attribute in sorted({key for attributes, _ in written for key in attributes}):
+        texts = [attributes.get(attribute, "pad") for attributes, _ in written]
+        if len(set(texts)) == 1:
+            continue
+        if attribute == "gradientTransform":
+            # Each is "translate(...) rotate(...) scale(...)".
+            for step in zip(*(text.rstrip(")").split(") ") for text in texts), strict=True):
+                kinds, numbers = zip(*(function.split("(") for function in step), strict=True)
+                values = values_between(attribute, numbers, colours)
+                animations.append(timeline.animate_transform(kinds[0], values))
+        else:
+            values = values_between(attribute, texts, colours)
+            animations.append(timeline.animate(attribute, values).get_xml())
+    gradient[:0] = animations
+    for k, element in enumerate(stop_elements):
+        for attribute in written[0][1][k]:
+            values = values_between(attribute, [stops[k][attribute] for _, stops in written], colours)
+            if not values.is_constant:
+                element.append(timeline.animate(attribute, values).get_xml())
+    return gradient
+
+
+class _Timeline:
+    """Makes the animations of a drawing; key times are shares of one run, forwards and perhaps backwards."""
+
+    def __init__(self, drawing: Any, pairs: int, timing: Timing) -> None:
+        self.drawing = drawing
+        self.pairs = pairs
+        self.timing = timing
+        self.backwards = timing.repeat == PINGPONG
+        self.total = pairs * (2 if self.backwards else 1)
+
+    def animate(self, name: str, values: Values) -> Any:
+        """Return an ``animate`` element through all keys."""
+        if name in DISCRETE or (name == "stroke_dasharray" and len({v.count(" ") for v in values.keys}) > 1):
+            return self._switch(name, values.keys)
+        return self._element(name, *self._timed(values))
+
+    def animate_transform(self, kind: str, values: Values) -> Element:
+        """Return an ``animateTransform`` element through all keys; all but the first, a translation, are added."""
+        texts, extra = self._timed(values)
+        if kind != "translate":
+            extra["additive"] = "sum"
+        given = {"attributeName": "gradientTransform", "type": kind, "values": ";".join(texts)}
+        return Element("animateTransform", {**given, **self._run(), **extra})
+
+    def show(self, first: int, last: int) -> Any:
+        """Return an ``animate`` element that makes something visible from one key to another."""
+        spans = [(first, last)]
+        if self.backwards:
+            spans.append((2 * self.pairs - last, 2 * self.pairs - first))
+            if last == self.pairs:
+                spans = [(first, 2 * self.pairs - first)]
+        states = {0.0: "hidden"}
+        for start, end in spans:
+            states[start / self.total] = "visible"
+            if end < self.total:
+                states[end / self.total] = "hidden"
+        return self.steps("visibility", states)
+
+    def steps(self, name: str, states: dict[float, str]) -> Any:
+        """Return an ``animate`` element that switches to each value at its time."""
+        kept: dict[float, str] = {}
+        for time, value in states.items():
+            if not kept or value != list(kept.values())[-1]:
+                kept[time] = value
+        times = ";".join(number(time, TIME_DIGITS) for time in kept)
+        return self._element(name, list(kept.values()), {"calcMode": "discrete", "keyTimes": times})
+
+    def _switch(self, name: str, keys: Sequence[str]) -> Any:
+        """Return an ``animate`` element that switches halfway from key to key."""
+        half = self.timing.ease.time_of(0.5)
+        states = {0.0: keys[0]}
+        for k, value in enumerate(keys[1:]):
+            states[(k + half) / self.total] = value
+        if self.backwards:
+            for k, value in enumerate(keys[:-1]):
+                states[(self.total - k - half) / self.total] = value
+        return self.steps(name, dict(sorted(states.items())))
+
+    def _timed(self, values: Values) -> tuple[list[str], dict[str, str]]:
+        """Return the values of a run, and the attributes for their times and easing."""
+        ease = self.timing.ease
+        timed = moments(values, ease)
+        times = [moment.time for moment in timed]
+        texts = [moment.value for moment in timed]
+        splines = [moment.ease for moment in timed[:-1]]
+        if self.backwards:
+            times += [self.total - time for time in times[-2::-1]]
+            texts += texts[-2::-1]
+            splines += [spline.mirrored() for spline in splines[::-1]]
+        extra = {}
+        if len(texts) > self.total + 1 or not ease.is_linear:
+            extra["keyTimes"] = ";".join(number(time / self.total, TIME_DIGITS) for time in times)
+        if not ease.is_linear:
+            extra["calcMode"] = "spline"
+            extra["keySplines"] = ";".join(" ".join(number(v, 4) for v in spline) for spline in splines)
+        return texts, extra
+
+    def _element(self, name: str, texts: Sequence[str], extra: dict[str, str]) -> Any:
+        return self.drawing.animate(
+            attributeName=name.replace("_", "-"), values=";".join(texts), **self._run(), **extra
+        )
+
+    def _run(self) -> dict[str, str]:
+        """Return the attributes for the length of a run and the number of runs."""
+        is_endless = self.timing.repeat in (FOREVER, PINGPONG)
+        return {
+            "dur": f"{number(self.timing.seconds * self.total, 4)}s",
+            "repeatCount": "indefinite" if is_endless else str(self.timing.repeat),
+            **({} if is_endless else {"fill": "freeze"}),
+        }
