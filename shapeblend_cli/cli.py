@@ -261,7 +261,7 @@ def blend(
         ),
     )
     with Progress(quiet) as progress:
-        blend_files(job, _nothing if quiet else _note, _note if verbose else _nothing, progress.show)
+        blend_files(job, _nothing if quiet else _note, _note if verbose else None, progress.show)
 
 
 @shapeblend.command()

@@ -11,6 +11,7 @@ from shapeblend_cli import __version__
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
 from shapeblend_cli.match.solve import COMPILED
+from shapeblend_cli.measure import measure
 from shapeblend_cli.output import check_targets, write_files
 from shapeblend_cli.outputs.formats import FRAME_KINDS, STANDARD_OUTPUT, file_names, frame_names
 from shapeblend_cli.outputs.libraries import check_libraries
@@ -23,6 +24,7 @@ from shapeblend_cli.svg.reading.read import STANDARD_INPUT, read
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
+    from shapeblend_cli.measure import Measures
     from shapeblend_cli.model import Frame, Pair
     from shapeblend_cli.outputs.render import OutputSpec
     from shapeblend_cli.settings import Settings
@@ -83,7 +85,7 @@ class Job(NamedTuple):
 def blend_files(
     job: Job,
     say: Callable[[str], None],
-    detail: Callable[[str], None],
+    detail: Callable[[str], None] | None,
     watch: Callable[[float], None],
 ) -> None:
     """Read files, blend each with the next, and write what was asked for, all of it or nothing.
@@ -93,7 +95,7 @@ def blend_files(
     job : Job
     say : callable
         Takes what the user should know, a line at a time.
-    detail : callable
+    detail : callable or None
         Takes what was done and how long it took.
     watch : callable
         Told now and then which share of the matching is done, from 0 to 1.
@@ -133,8 +135,12 @@ def blend_files(
     else:
         contents.update(zip(job.targets(), products, strict=True))
     names = _frame_files(job)
-    if job.report_file is not None or job.preview_file is not None:
-        found = report(__version__, job.files, job.reported_settings, pairs, frames, names, clock.seconds)
+    is_reported = job.report_file is not None or job.preview_file is not None
+    measures = [measure(pairs[frame.pair], frame.t) for frame in frames] if is_reported or detail else []
+    if is_reported:
+        found = report(
+            __version__, job.files, job.reported_settings, pairs, frames, measures, names, clock.seconds
+        )
         if job.report_file is not None:
             import json  # most runs write no report
 
@@ -152,8 +158,9 @@ def blend_files(
     if stale:
         say(f"{job.output}: {len(stale)} frame files of another run are left, {min(stale)} among them")
     clock.lap("write")
-    for line in _details(pairs, frames, clock):
-        detail(line)
+    if detail is not None:
+        for line in _details(pairs, frames, measures, clock):
+            detail(line)
 
 
 def match_files(
@@ -236,7 +243,9 @@ def _proof(lower_bound: float | None) -> str:
     return "not proven least" if lower_bound is None else f"at least {lower_bound:.6g}"
 
 
-def _details(pairs: Sequence[Pair], frames: Sequence[Frame], clock: Clock) -> list[str]:
+def _details(
+    pairs: Sequence[Pair], frames: Sequence[Frame], measures: Sequence[Measures], clock: Clock
+) -> list[str]:
     lines = []
     for c in (contour for pair in pairs for contour in pair.contours):
         found = c.correspondence
@@ -252,23 +261,23 @@ def _details(pairs: Sequence[Pair], frames: Sequence[Frame], clock: Clock) -> li
             f"{found.zero_angles} angles reach zero, {found.sweeps} sweeps"
         )
     for pair in pairs:
-        for number, (shape, because) in enumerate(zip(pair.moving, pair.reasons, strict=True), 1):
+        for number, shape in enumerate(pair.shapes, 1):
             which = f"shape {number}: " if len(pair.shapes) > 1 else ""
-            if not all(contour.grows or contour.shrinks for contour in shape.contours):
-                lines.append(f"{which}motion {shape.motion_name}: {because}")
-    lines.append(f"{_counted(len(frames), 'frame')}: {_crossed(frames)}")
+            if shape.is_matched:
+                lines.append(f"{which}motion {shape.motion_name}: {shape.reason}")
+    lines.append(f"{_counted(len(frames), 'frame')}: {_crossed(frames, measures)}")
     lines.append(", ".join(f"{stage} {1000 * seconds:.1f} ms" for stage, seconds in clock.seconds.items()))
     return lines
 
 
-def _crossed(frames: Sequence[Frame]) -> str:
+def _crossed(frames: Sequence[Frame], measures: Sequence[Measures]) -> str:
     """Which frames cross themselves, and how often."""
-    crossed = [frame for frame in frames if frame.self_crossings]
+    crossed = [(frame, count) for frame, (count, _) in zip(frames, measures, strict=True) if count]
     if not crossed:
         return "none crosses itself"
     several = len({frame.pair for frame in frames}) > 1
-    times = ", ".join(f"{frame.t:.3g}" + f" of pair {frame.pair}" * several for frame in crossed)
-    total = sum(frame.self_crossings for frame in crossed)
+    times = ", ".join(f"{frame.t:.3g}" + f" of pair {frame.pair}" * several for frame, _ in crossed)
+    total = sum(count for _, count in crossed)
     return f"{_counted(total, 'crossing')} in {len(crossed)} of them, at t = {times}"
 
 

@@ -341,52 +341,24 @@ class Correspondence:
         return (self.work - self.lower_bound) / self.work if self.work > 0.0 else 0.0
 
 
-class MatchedContour(NamedTuple):
-    """A contour of A and the contour of B it becomes.
+def unroll(dots: IntArray, period: tuple[int, int] | None) -> FloatArray:
+    """Return dots as positions along both polygons that never fall.
 
-    Attributes
+    Parameters
     ----------
-    a, b : int or None
-        Contour numbers, counted through each file in paint order; None where it grows from a point, or shrinks to one.
-    contour_a, contour_b : Contour
-        Both in A's coordinates and in the same direction. A point is a contour whose control points are all there.
-    polygon_a, polygon_b : Polygon
-        The contours flattened, as solved. A point is a polygon of one vertex.
-    scale_a, scale_b : float
-        What section 3.3's normalisation divided by.
-    correspondence : Correspondence
-    seconds : float
-        Time it took to find.
-    turn : float
-        By what angle B was turned back while it was solved, in radians.
+    dots : (k, 2) int
+    period : (int, int) or None
+        How many vertices closed polygons have; None for open ones.
+
+    Returns
+    -------
+    (k, 2) float
+        Those of closed polygons count on beyond the last vertex, and end with the first dot once more: (k + 1, 2).
     """
-
-    a: int | None
-    b: int | None
-    contour_a: Contour
-    contour_b: Contour
-    polygon_a: Polygon
-    polygon_b: Polygon
-    scale_a: float
-    scale_b: float
-    correspondence: Correspondence
-    seconds: float
-    turn: float = 0.0
-
-
-class MatchedShape(NamedTuple):
-    """Contours that are painted together, from one paint to another.
-
-    Attributes
-    ----------
-    contours : tuple of MatchedContour
-    style_a, style_b : Style
-        B's lengths in A's coordinates.
-    """
-
-    contours: tuple[MatchedContour, ...]
-    style_a: Style
-    style_b: Style
+    if period is None:
+        return dots.astype(np.float64)
+    steps = np.diff(dots, axis=0, append=dots[:1]) % np.array(period)
+    return np.concatenate([dots[:1], dots[:1] + np.cumsum(steps, axis=0)]).astype(np.float64)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -416,23 +388,65 @@ class CubicPath:
         return bool((self.segments == self.segments[0, 0]).all())
 
 
-class MovingContour(NamedTuple):
-    """An outline and another one, segment for segment alike.
+class ContourBlend(NamedTuple):
+    """A contour of A, the contour of B it becomes, and the paths it moves between.
 
     Attributes
     ----------
+    a, b : int or None
+        Contour numbers, counted through each file in paint order; None where it grows from a point, or shrinks to one.
+    contour_a, contour_b : Contour
+        Both in A's coordinates and in the same direction. A point is a contour whose control points are all there.
+    polygon_a, polygon_b : Polygon
+        The contours flattened, as solved. A point is a polygon of one vertex.
+    scale_a, scale_b : float
+        What section 3.3's normalisation divided by.
+    correspondence : Correspondence
     start, end : CubicPath
-    places : pair of (s + 1,) float
-        Where the matched contours are cut for that, in vertices of their polygons, rising, once round if closed.
-    grows, shrinks : bool
-        Whether it is a point at the start, or at the end.
+        Segment for segment alike: lines along the polygons, a step of the correspondence each, until
+        `interpolate.paths.with_curves` takes the drawings' own curves.
+    cuts : pair of (s + 1,) float
+        Where the segments begin and end, in vertices of each polygon, rising; once round if closed.
+    rotation : float
+        By what angle B was turned back while it was solved, in radians.
+    seconds : float
+        How long that took.
     """
 
+    a: int | None
+    b: int | None
+    contour_a: Contour
+    contour_b: Contour
+    polygon_a: Polygon
+    polygon_b: Polygon
+    scale_a: float
+    scale_b: float
+    correspondence: Correspondence
     start: CubicPath
     end: CubicPath
-    places: tuple[FloatArray, FloatArray]
-    grows: bool = False
-    shrinks: bool = False
+    cuts: tuple[FloatArray, FloatArray]
+    rotation: float = 0.0
+    seconds: float = 0.0
+
+    @property
+    def grows(self) -> bool:
+        """Whether it is a point at the start."""
+        return self.a is None
+
+    @property
+    def shrinks(self) -> bool:
+        """Whether it is a point at the end."""
+        return self.b is None
+
+    @property
+    def is_matched(self) -> bool:
+        """Whether it is a contour at both ends."""
+        return self.a is not None and self.b is not None
+
+    def dot_points(self) -> tuple[ComplexArray, ComplexArray]:
+        """Return the vertices that correspond, a pair for every dot."""
+        i, j = self.correspondence.dots.T
+        return self.polygon_a.vertices[i], self.polygon_b.vertices[j]
 
 
 class Motion(Protocol):
@@ -442,30 +456,39 @@ class Motion(Protocol):
     def name(self) -> str:
         """As `--motion` has it."""
 
-    def segments(self, contours: Sequence[MovingContour], t: float) -> list[ComplexArray]:
+    def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Control points of each contour at a time within (0, 1); towards 0 and 1 the start's and the end's."""
 
 
-class MovingShape(NamedTuple):
-    """Contours that move and are painted together.
+class ShapeBlend(NamedTuple):
+    """Contours that are painted together, from one paint to another.
 
     Attributes
     ----------
-    contours : tuple of MovingContour
+    contours : tuple of ContourBlend
     style_a, style_b : Style
+        B's lengths in A's coordinates.
     motion : Motion or None
         None is straight paths, eq (2).
+    reason : str
+        Why it moves so, a phrase.
     """
 
-    contours: tuple[MovingContour, ...]
+    contours: tuple[ContourBlend, ...]
     style_a: Style
     style_b: Style
     motion: Motion | None = None
+    reason: str = ""
 
     @property
     def motion_name(self) -> str:
         """As `--motion` has it."""
         return self.motion.name if self.motion else "linear"
+
+    @property
+    def is_matched(self) -> bool:
+        """Whether any of its contours has a partner."""
+        return any(contour.is_matched for contour in self.contours)
 
 
 class PaintedShape(NamedTuple):
@@ -497,7 +520,7 @@ class Waypoint(NamedTuple):
     paths: tuple[CubicPath, ...]
 
 
-class Track(NamedTuple):
+class KeyframedShape(NamedTuple):
     """A shape over several keys, the drawings that are blended one after the other.
 
     Attributes
@@ -506,14 +529,14 @@ class Track(NamedTuple):
         Alike but for coordinates and paint.
     first : int
         Number of the drawing it begins with.
-    ways : tuple of tuple of Waypoint
-        For each key but the last, where the outlines come by before the next one, in order of time and alike with
-        the keys: from one to the next they go straight, near enough. Empty where they go straight from key to key.
+    waypoints : tuple of tuple of Waypoint
+        For each key but the last, paths between it and the next one, in order of time and alike with the keys. From
+        one to the next all points move straight, near enough. Empty where they move straight from key to key.
     """
 
     keys: tuple[PaintedShape, ...]
     first: int
-    ways: tuple[tuple[Waypoint, ...], ...]
+    waypoints: tuple[tuple[Waypoint, ...], ...]
 
 
 class Pair(NamedTuple):
@@ -523,12 +546,8 @@ class Pair(NamedTuple):
     ----------
     a, b : int
         Numbers of the input files.
-    shapes : tuple of MatchedShape
+    shapes : tuple of ShapeBlend
         In paint order.
-    moving : tuple of MovingShape
-        How they move, in the same order.
-    reasons : tuple of str
-        Why each moves so.
     drawn : (tuple of PaintedShape, tuple of PaintedShape)
         The two drawings as they are, laid over A.
     views : (Box, Box)
@@ -537,14 +556,12 @@ class Pair(NamedTuple):
 
     a: int
     b: int
-    shapes: tuple[MatchedShape, ...]
-    moving: tuple[MovingShape, ...]
-    reasons: tuple[str, ...]
+    shapes: tuple[ShapeBlend, ...]
     drawn: tuple[tuple[PaintedShape, ...], tuple[PaintedShape, ...]]
     views: tuple[Box, Box]
 
     @property
-    def contours(self) -> list[MatchedContour]:
+    def contours(self) -> list[ContourBlend]:
         """The contours of all shapes."""
         return [contour for shape in self.shapes for contour in shape.contours]
 
@@ -561,15 +578,9 @@ class Frame(NamedTuple):
         In paint order.
     view : Box
         What part of the plane to show.
-    self_crossings : int
-        How often outlines that are painted together cross themselves and each other, on their curves.
-    area : float
-        Inside the outlines, in square units of A.
     """
 
     t: float
     pair: int
     shapes: tuple[PaintedShape, ...]
     view: Box
-    self_crossings: int
-    area: float

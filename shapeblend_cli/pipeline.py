@@ -14,8 +14,7 @@ import numpy as np
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.normalise import Similarity, lay_over
-from shapeblend_cli.geometry.outline import curve_crossings
-from shapeblend_cli.interpolate.paths import between, waypoints
+from shapeblend_cli.interpolate.paths import between, with_curves
 from shapeblend_cli.interpolate.styles import blend_styles, painted_as
 from shapeblend_cli.interpolate.times import frame_times
 from shapeblend_cli.model import (
@@ -24,31 +23,34 @@ from shapeblend_cli.model import (
     CubicPath,
     Drawing,
     Frame,
-    MatchedShape,
     PaintedShape,
     Pair,
     Polygon,
-    Style,
+    ShapeBlend,
 )
-from shapeblend_cli.motion.choose import Chooser, Chosen
+from shapeblend_cli.motion.alignment import align, matched_points
+from shapeblend_cli.motion.choose import RotatedShape, choose_motion, is_as_good, try_straight
 from shapeblend_cli.motion.turned import is_turned, turn_between
 from shapeblend_cli.pairing.join import join, least_work_either_way, part_of
 from shapeblend_cli.pairing.pair import pair_parts
 from shapeblend_cli.pairing.parts import Part, main_way, take_apart, turned_parts
-from shapeblend_cli.pairing.shapes import Joint, matched_shapes
+from shapeblend_cli.pairing.shapes import Match, shape_blends
 from shapeblend_cli.pairing.wishes import Wishes, check_stiff, given_pairs, pinned, wishes_for
 from shapeblend_cli.settings import Settings
+from shapeblend_cli.views import view_of, views_with_room
 
-MARGIN = 0.02
-"""Room around what a drawing without a viewBox paints, as a share of its larger side."""
+ROUNDS = 5
+"""How often a shape is aligned and matched again, at most; two or three are enough."""
 
-SLACK = 1e-9
-"""What sticks out of a viewBox by less than this share of its size does so by rounding."""
+SAME_ANGLE = 2e-3
+"""An angle stays that changes by less, in radians."""
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from numpy.typing import ArrayLike
+
+    from shapeblend_cli.motion.alignment import Alignment
 
 
 def blend(a: Drawing, b: Drawing, settings: Settings) -> tuple[Pair, list[Frame]]:
@@ -134,7 +136,7 @@ def match_all(
     clock: Clock | None = None,
     watch: Callable[[float], None] | None = None,
 ) -> tuple[list[Pair], list[str]]:
-    """Find the correspondences of drawings, each with the next one: everything up to the first frame.
+    """Blend drawings, each with the next one: everything up to the first frame.
 
     Parameters
     ----------
@@ -142,9 +144,9 @@ def match_all(
         Two or more; all are laid over the first.
     settings : Settings
     clock : Clock, optional
-        Told of the stages `flatten`, `match` and `interpolate`.
+        Measures the stages `flatten`, `match` and `interpolate`.
     watch : callable, optional
-        Told now and then which share of the matching is done, from 0 to 1.
+        Called now and then with the share of the matching that is done, from 0 to 1.
 
     Returns
     -------
@@ -153,138 +155,174 @@ def match_all(
         What was left out, one phrase each.
     """
     clock = clock or Clock()
-    first = drawings[0]
-    laid: list[_Laid] = []
-    notes: list[str] = []
-    way = None
-    for number, drawing in enumerate(drawings):
-        over = place_over(first, drawing, settings.place) if number else Similarity()
-        parts, left_out = take_apart(drawing, over, settings.vertices, way)
-        way = way or main_way([part.polygon for part in parts])
-        drawn = as_drawn(drawing, over)
-        viewbox = first.viewbox if settings.place == "bbox" else over.box(drawing.viewbox)
-        laid.append(_Laid(drawing, over, parts, drawn, view_of(drawn, viewbox)))
-        notes += left_out
-    check_stiff([part.polygon for part in laid[0].parts], settings)
+    placed, notes = _place(drawings, settings)
+    check_stiff([part.polygon for part in placed[0].parts], settings)
     clock.lap("flatten")
     pairs = []
-    for number, (a, b) in enumerate(pairwise(laid)):
-        chosen = _matched(a, b, settings, clock, part_of(watch, number, len(laid) - 1))
-        pairs.append(
-            Pair(
-                number,
-                number + 1,
-                shapes=tuple(one.matched for one in chosen),
-                moving=tuple(one.moving for one in chosen),
-                reasons=tuple(one.because for one in chosen),
-                drawn=(a.drawn, b.drawn),
-                views=(a.view, b.view),
-            )
-        )
+    for number, (a, b) in enumerate(pairwise(placed)):
+        shapes = _blend_shapes(a, b, settings, clock, part_of(watch, number, len(placed) - 1))
+        pairs.append(Pair(number, number + 1, shapes, drawn=(a.drawn, b.drawn), views=(a.view, b.view)))
         clock.lap("interpolate")
-    return _with_room(pairs), notes
+    views = views_with_room(pairs)
+    return [pair._replace(views=(views[pair.a], views[pair.b])) for pair in pairs], notes
 
 
-def _with_room(pairs: list[Pair]) -> list[Pair]:
-    """Pairs that show what leaves the views of both drawings on its way between them.
-
-    A drawing that ends one pair and begins the next has the same view in both.
-    """
-    views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
-    for pair in pairs:
-        reach = _reach(pair)
-        for k in (pair.a, pair.b):
-            if reach is not None and not views[k].contains(reach):
-                views[k] = Box.union([views[k], reach])
-    return [pair._replace(views=(views[pair.a], views[pair.b])) for pair in pairs]
-
-
-def _reach(pair: Pair) -> Box | None:
-    """The box around what does not go straight and leaves the views of both drawings, if any does."""
-    boxes = []
-    for shape in pair.moving:
-        for point in waypoints(shape):
-            painted = _painted(point.paths, shape.style_a, shape.style_b)
-            if not _is_inside(painted, pair.views[0].interpolate(pair.views[1], point.t)):
-                boxes.append(_with_margin(painted))
-    return Box.union(boxes) if boxes else None
-
-
-class _Laid(NamedTuple):
-    """A drawing, what lays it over the first, and laid there its contours, what it paints, and what to show of it."""
+class _PlacedDrawing(NamedTuple):
+    """A drawing, the map that lays it over the first, and laid there its contours, what it paints, and its view."""
 
     drawing: Drawing
-    over: Similarity
+    to_a: Similarity
     parts: list[Part]
     drawn: tuple[PaintedShape, ...]
     view: Box
 
 
-def _matched(
-    a: _Laid, b: _Laid, settings: Settings, clock: Clock, watch: Callable[[float], None] | None
-) -> list[Chosen]:
-    """Pair the contours of two drawings, find the correspondence of each pair, and choose how shapes move."""
-    turned = None if settings.motion == "linear" else _turn(a.parts, b.parts)
-    shapes, rematch = _match(a, b, settings, clock, watch, turned or 0.0)
-    if turned is not None and not is_turned([contour for shape in shapes for contour in shape.contours]):
-        turned = None
-        shapes, rematch = _match(a, b, settings, clock, watch, 0.0)
-    times = frame_times(settings.frames, settings.ends, settings.ease)
-    chooser = Chooser(settings.motion, settings.curves, times, rematch, turned)
-    chosen = chooser.choose(shapes)
-    clock.lap("interpolate")
-    return chosen
+def _place(drawings: Sequence[Drawing], settings: Settings) -> tuple[list[_PlacedDrawing], list[str]]:
+    """Lay all drawings over the first, and take them apart into flattened contours."""
+    first = drawings[0]
+    placed: list[_PlacedDrawing] = []
+    notes: list[str] = []
+    way = None
+    for number, drawing in enumerate(drawings):
+        to_a = place_over(first, drawing, settings.place) if number else Similarity()
+        parts, left_out = take_apart(drawing, to_a, settings.vertices, way)
+        way = way or main_way([part.polygon for part in parts])
+        drawn = as_drawn(drawing, to_a)
+        viewbox = first.viewbox if settings.place == "bbox" else to_a.box(drawing.viewbox)
+        placed.append(_PlacedDrawing(drawing, to_a, parts, drawn, view_of(drawn, viewbox)))
+        notes += left_out
+    return placed, notes
 
 
-def _turn(a: Sequence[Part], b: Sequence[Part]) -> float | None:
-    """By what angle the largest contour of B is that of A turned, if it is."""
-    return turn_between(*(max(parts, key=lambda part: part.size).polygon for parts in (a, b)))
-
-
-def _match(
-    a: _Laid,
-    b: _Laid,
+def _blend_shapes(
+    a: _PlacedDrawing,
+    b: _PlacedDrawing,
     settings: Settings,
     clock: Clock,
     watch: Callable[[float], None] | None,
-    turn: float,
-) -> tuple[tuple[MatchedShape, ...], Callable[[MatchedShape, float], MatchedShape]]:
-    """Pair the contours of two drawings and find the correspondence of each pair, with B turned back by an angle.
+) -> tuple[ShapeBlend, ...]:
+    """Pair the contours of two drawings, match each pair, and choose how shapes move."""
+    rotation = None if settings.motion == "linear" else _rotation(a.parts, b.parts)
+    matching = _pair_contours(a, b, settings, rotation or 0.0, clock)
+    shapes = _match(matching, rotation or 0.0, watch)
+    if rotation is not None and not is_turned([contour for shape in shapes for contour in shape.contours]):
+        rotation = None
+        matching = _pair_contours(a, b, settings, 0.0, clock)
+        shapes = _match(matching, 0.0, watch)
+    moved = _choose_motions(matching, shapes, is_rotated=rotation is not None)
+    clock.lap("interpolate")
+    return moved
 
-    Returns
-    -------
-    shapes : tuple of MatchedShape
-    rematch : callable
-        Solves the correspondences of a shape anew for another angle.
-    """
-    pins = pinned(a.parts, b.parts, settings, b.over)
+
+def _rotation(a: Sequence[Part], b: Sequence[Part]) -> float | None:
+    """Return by what angle the largest contour of B is that of A rotated, if it is."""
+    return turn_between(*(max(parts, key=lambda part: part.size).polygon for parts in (a, b)))
+
+
+class _Matching(NamedTuple):
+    """The contours of two drawings that are paired, and all that matching them takes."""
+
+    a: _PlacedDrawing
+    b: _PlacedDrawing
+    couples: list[tuple[Part, Part]]
+    wishes: list[Wishes]
+    settings: Settings
+    clock: Clock
+
+    def match(self, number: int, rotation: float, watch: Callable[[float], None] | None = None) -> Match:
+        """Match one of the couples, with B rotated back by an angle."""
+        a, b = self.couples[number]
+        alone = len(self.couples) == 1
+        blend = join(a, b, self.settings, self.wishes[number], watch, rotation, alone=alone)
+        return Match(a, b, blend._replace(seconds=self.clock.lap("match")))
+
+
+def _pair_contours(
+    a: _PlacedDrawing, b: _PlacedDrawing, settings: Settings, rotation: float, clock: Clock
+) -> _Matching:
+    """Pair the contours of two drawings, with B rotated back by an angle."""
+    pins = pinned(a.parts, b.parts, settings, b.to_a)
     given = given_pairs((a.drawing, b.drawing), (a.parts, b.parts), settings)
-    couples = _couples(a.parts, b.parts, settings, given + [found.pair for found in pins], turn)
+    couples = _couples(a.parts, b.parts, settings, given + [found.pair for found in pins], rotation)
     clock.lap("match")
     largest = max(couples, key=lambda couple: couple[0].size)
     wishes = [wishes_for(couple, settings, pins, is_largest=couple is largest) for couple in couples]
-    alone = len(couples) == 1
-    joints = []
-    for run, couple in enumerate(couples):
-        watched = part_of(watch, run, len(couples))
-        matched = join(*couple, settings, wishes[run], watched, turn, alone=alone)
-        joints.append(Joint(*couple, matched._replace(seconds=clock.lap("match"))))
-    shapes = tuple(_in_style(shape, settings.style) for shape in matched_shapes(a.parts, b.parts, joints))
-    runs = {(joint.matched.a, joint.matched.b): run for run, joint in enumerate(joints)}
+    return _Matching(a, b, couples, wishes, settings, clock)
 
-    def rematch(shape: MatchedShape, other: float) -> MatchedShape:
-        clock.lap("interpolate")
-        contours = []
-        for contour in shape.contours:
-            run = runs.get((contour.a, contour.b))
-            if run is not None:
-                solved = join(*couples[run], settings, wishes[run], None, other, alone=alone)
-                contour = solved._replace(seconds=clock.lap("match"))
-            contours.append(contour)
-        return shape._replace(contours=tuple(contours))
 
-    clock.lap("match")
-    return shapes, rematch
+def _match(
+    matching: _Matching, rotation: float, watch: Callable[[float], None] | None
+) -> tuple[ShapeBlend, ...]:
+    """Match all couples, and put them together to shapes, with the contours that grow or shrink."""
+    count = len(matching.couples)
+    matches = [matching.match(k, rotation, part_of(watch, k, count)) for k in range(count)]
+    shapes = shape_blends(matching.a.parts, matching.b.parts, matches)
+    styled = tuple(_in_style(shape, matching.settings.style) for shape in shapes)
+    matching.clock.lap("match")
+    return styled
+
+
+def _match_again(matching: _Matching, shape: ShapeBlend, rotation: float) -> ShapeBlend:
+    """Match the contours of a shape for another angle by which B is rotated back."""
+    matching.clock.lap("interpolate")
+    numbers: dict[tuple[int | None, int | None], int] = {
+        (a.number, b.number): k for k, (a, b) in enumerate(matching.couples)
+    }
+    contours = [
+        matching.match(numbers[contour.a, contour.b], rotation).blend
+        if (contour.a, contour.b) in numbers
+        else contour
+        for contour in shape.contours
+    ]
+    return shape._replace(contours=tuple(contours))
+
+
+def _choose_motions(
+    matching: _Matching, shapes: Sequence[ShapeBlend], *, is_rotated: bool
+) -> tuple[ShapeBlend, ...]:
+    """Choose how shapes move; what is to move otherwise than straight is matched again first."""
+    settings = matching.settings
+    times = frame_times(settings.frames, settings.ends, settings.ease)
+    common = None
+    if settings.motion != "linear" and (is_rotated or len(shapes) > 1):
+        common = align(matched_points([contour for shape in shapes for contour in shape.contours]))
+    straight = [_with_curves(shape, settings) for shape in shapes]
+    rotation = common.turn if is_rotated and common else None
+    moved = []
+    for matched, trial in zip(shapes, try_straight(straight, settings.motion, times, rotation), strict=True):
+        if trial.is_settled:
+            moved.append(trial.shape)
+            continue
+        if is_rotated and common:
+            rotated = RotatedShape(trial.shape, common)
+        else:
+            again, alignment = _rotated_back(matching, matched, common)
+            rotated = RotatedShape(_with_curves(again, settings), alignment)
+        moved.append(choose_motion(trial, settings.motion, rotated, times))
+    return tuple(moved)
+
+
+def _rotated_back(
+    matching: _Matching, shape: ShapeBlend, common: Alignment | None
+) -> tuple[ShapeBlend, Alignment]:
+    """Align a shape and match it again, with B rotated back so, until the angle stays."""
+    own = align(matched_points(shape.contours))
+    if common is not None and is_as_good(common, own, shape):
+        return _match_again(matching, shape, common.turn), common
+    for _ in range(ROUNDS):
+        angle = own.turn
+        shape = _match_again(matching, shape, angle)
+        own = align(matched_points(shape.contours))
+        if abs(own.turn - angle) < SAME_ANGLE:
+            break
+    return shape, own
+
+
+def _with_curves(shape: ShapeBlend, settings: Settings) -> ShapeBlend:
+    """Return a shape that moves between the drawings' own curves, unless polygons are asked for."""
+    if not settings.curves:
+        return shape
+    return shape._replace(contours=tuple(map(with_curves, shape.contours)))
 
 
 def _couples(
@@ -306,7 +344,7 @@ def _couples(
     ]
 
 
-def _in_style(shape: MatchedShape, style: str) -> MatchedShape:
+def _in_style(shape: ShapeBlend, style: str) -> ShapeBlend:
     """A shape painted as the settings say; one without a partner keeps its own paint."""
     if all(c.a is None for c in shape.contours) or all(c.b is None for c in shape.contours):
         return shape
@@ -323,31 +361,6 @@ def as_drawn(drawing: Drawing, over: Similarity) -> tuple[PaintedShape, ...]:
         )
         for shape in drawing.shapes
     )
-
-
-def view_of(drawn: Sequence[PaintedShape], viewbox: Box | None) -> Box:
-    """What part of the plane to show of a drawing: its viewBox and what it paints outside; without one, what it paints.
-
-    Where drawings are laid by their own boxes, the viewBox of the first stands in for the others'.
-    """
-    painted = Box.union([_painted(shape.paths, shape.style) for shape in drawn])
-    if viewbox is None:
-        return _with_margin(painted)
-    return viewbox if _is_inside(painted, viewbox) else Box.union([viewbox, _with_margin(painted)])
-
-
-def _painted(outlines: Sequence[CubicPath], *styles: Style) -> Box:
-    """The box around outlines, painted in the widest of some styles."""
-    reach = max(style.stroke_width / 2.0 if style.stroke else 0.0 for style in styles)
-    return Box.union([cubics.bounds(outline.segments).expanded(reach) for outline in outlines])
-
-
-def _with_margin(painted: Box) -> Box:
-    return painted.expanded(MARGIN * painted.larger_side)
-
-
-def _is_inside(painted: Box, view: Box) -> bool:
-    return view.contains(painted, SLACK * view.larger_side)
 
 
 def make_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
@@ -385,36 +398,27 @@ def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
             between(shape, t),
             *blend_styles(shape.style_a, shape.style_b, t),
         )
-        for shape in pair.moving
+        for shape in pair.shapes
     )
 
 
 def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:
     """The frame at time t; at t = 0 and t = 1 it may be the drawing itself."""
-    moved = shapes_at(pair, t)
-    crossings = sum(curve_crossings(shape.paths) for shape in moved)
-    area = sum(abs(sum(cubics.signed_area(o.segments) for o in shape.paths)) for shape in moved)
-    if t in (0.0, 1.0):
-        moved = pair.drawn[int(t)] if as_drawn else _without_points(pair, moved, t)
-    return Frame(
-        t=t,
-        pair=pair.a,
-        shapes=moved,
-        view=pair.views[0].interpolate(pair.views[1], t),
-        self_crossings=crossings,
-        area=area,
-    )
+    view = pair.views[0].interpolate(pair.views[1], t)
+    if t not in (0.0, 1.0):
+        return Frame(t, pair.a, shapes_at(pair, t), view)
+    return Frame(t, pair.a, pair.drawn[int(t)] if as_drawn else _without_points(pair, t), view)
 
 
-def _without_points(pair: Pair, shapes: tuple[PaintedShape, ...], t: float) -> tuple[PaintedShape, ...]:
-    """The shapes at an end of time, but for contours that are a point there."""
+def _without_points(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
+    """Return the shapes at an end of time, but for contours that are a point there."""
     found = []
-    for moving_shape, shape in zip(pair.moving, shapes, strict=True):
-        outlines = tuple(
-            outline
-            for contour, outline in zip(moving_shape.contours, shape.paths, strict=True)
+    for blend, shape in zip(pair.shapes, shapes_at(pair, t), strict=True):
+        paths = tuple(
+            path
+            for contour, path in zip(blend.contours, shape.paths, strict=True)
             if not (contour.shrinks if t else contour.grows)
         )
-        if outlines:
-            found.append(shape._replace(paths=outlines))
+        if paths:
+            found.append(shape._replace(paths=paths))
     return tuple(found)

@@ -12,7 +12,8 @@ from shapeblend_cli.model import Box
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, Drawing, Frame, MatchedContour, Pair, Shape
+    from shapeblend_cli.measure import Measures
+    from shapeblend_cli.model import ComplexArray, ContourBlend, Drawing, Frame, Pair, Shape
 
 REPORT_FORMAT = 1
 
@@ -23,6 +24,7 @@ def report(
     settings: dict[str, Any],
     pairs: Sequence[Pair],
     frames: Sequence[Frame],
+    measures: Sequence[Measures],
     files: Sequence[str | None],
     seconds: dict[str, float],
 ) -> dict[str, Any]:
@@ -37,6 +39,8 @@ def report(
         Every option's value in force.
     pairs : sequence of Pair
     frames : sequence of Frame
+    measures : sequence of Measures
+        Of each frame.
     files : sequence of str or None
         Where each frame was written.
     seconds : dict
@@ -52,22 +56,22 @@ def report(
                 "a": pair.a,
                 "b": pair.b,
                 "contours": [
-                    _contour(contour, moving.motion_name, because)
-                    for shape, moving, because in zip(pair.shapes, pair.moving, pair.reasons, strict=True)
+                    _contour(contour, shape.motion_name, shape.reason)
+                    for shape in pair.shapes
                     for contour in shape.contours
                 ],
             }
             for pair in pairs
         ],
         "frames": [
-            {"t": f.t, "pair": f.pair, "file": file, "self_crossings": f.self_crossings, "area": f.area}
-            for f, file in zip(frames, files, strict=True)
+            {"t": f.t, "pair": f.pair, "file": file, **m._asdict()}
+            for f, m, file in zip(frames, measures, files, strict=True)
         ],
         "seconds": seconds,
     }
 
 
-def _contour(matched: MatchedContour, motion: str, because: str) -> dict[str, Any]:
+def _contour(matched: ContourBlend, motion: str, because: str) -> dict[str, Any]:
     found = matched.correspondence
     return {
         "a": matched.a,
@@ -88,7 +92,7 @@ def _contour(matched: MatchedContour, motion: str, because: str) -> dict[str, An
         "zero_angles": found.zero_angles,
         "sweeps": found.sweeps,
         "seconds": matched.seconds,
-        "turned_back": float(np.degrees(matched.turn)),
+        "turned_back": float(np.degrees(matched.rotation)),
         "motion": motion,
         "motion_because": because,
     }

@@ -15,7 +15,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.outline import reversed_polygon
 from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.interpolate.styles import keyed_styles
-from shapeblend_cli.model import CubicPath, MovingContour, PaintedShape, Track, Waypoint
+from shapeblend_cli.model import CubicPath, KeyframedShape, PaintedShape, Waypoint
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -23,12 +23,11 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import (
         BoolArray,
         ComplexArray,
+        ContourBlend,
         FloatArray,
-        MatchedContour,
-        MatchedShape,
-        MovingShape,
         Pair,
         Polygon,
+        ShapeBlend,
         Style,
     )
 
@@ -87,23 +86,21 @@ class _Shape(NamedTuple):
     times: list[tuple[float, ...]]
 
 
-class _Couple(NamedTuple):
-    """A contour that a pair moves.
+class _Leg(NamedTuple):
+    """A contour between two keys.
 
     Attributes
     ----------
-    matched : MatchedContour
-    moving : MovingContour
-    ways : list of (s, 4) complex
-        Control points at the waypoints.
+    blend : ContourBlend
+    waypoints : list of (s, 4) complex
+        Control points on the way.
     """
 
-    matched: MatchedContour
-    moving: MovingContour
-    ways: list[ComplexArray]
+    blend: ContourBlend
+    waypoints: list[ComplexArray]
 
 
-def tracks(pairs: Sequence[Pair]) -> list[Track]:
+def keyframed_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
     """Put together what is painted together from one drawing to the next, for as long as it stays together.
 
     Parameters
@@ -113,7 +110,7 @@ def tracks(pairs: Sequence[Pair]) -> list[Track]:
 
     Returns
     -------
-    list of Track
+    list of KeyframedShape
         Those of the last pair in its paint order. A shape goes on if the next pair has one of just the same contours,
         each of them whole.
     """
@@ -122,23 +119,23 @@ def tracks(pairs: Sequence[Pair]) -> list[Track]:
     for pair in pairs:
         ended = {_ends(shape): shape for shape in going if _ends(shape)}
         begun: list[_Shape] = []
-        for matched, moving in zip(pair.shapes, pair.moving, strict=True):
-            times, couples = _coupled(matched, moving)
-            key = frozenset(contour.a for contour in matched.contours)
-            old = ended.get(key) if len(key) == len(couples) else None
-            if old is not None and keyed_styles([*old.styles, moving.style_b]) is None:
+        for shape in pair.shapes:
+            times, legs = _legs(shape)
+            key = frozenset(contour.a for contour in shape.contours)
+            old = ended.get(key) if len(key) == len(legs) else None
+            if old is not None and keyed_styles([*old.styles, shape.style_b]) is None:
                 old = None
-            runs = _gone_on(old, couples) if old else None
+            runs = _gone_on(old, legs) if old else None
             if old is None or runs is None:
-                runs = [_run(couple) for couple in couples]
-                begun.append(_Shape(pair.a, runs, [moving.style_a, moving.style_b], [times]))
+                runs = [_run(leg) for leg in legs]
+                begun.append(_Shape(pair.a, runs, [shape.style_a, shape.style_b], [times]))
             else:
                 del ended[key]
-                going = [shape for shape in going if shape is not old]
-                begun.append(_Shape(old.first, runs, [*old.styles, moving.style_b], [*old.times, times]))
+                going = [other for other in going if other is not old]
+                begun.append(_Shape(old.first, runs, [*old.styles, shape.style_b], [*old.times, times]))
         done += going
         going = begun
-    return [track for shape in [*done, *going] for track in _tracks(shape)]
+    return [coat for shape in [*done, *going] for coat in _coats(shape)]
 
 
 def _ends(shape: _Shape) -> frozenset[int | None]:
@@ -147,25 +144,24 @@ def _ends(shape: _Shape) -> frozenset[int | None]:
     return frozenset() if None in numbers or len(numbers) < len(shape.runs) else numbers
 
 
-def _coupled(matched: MatchedShape, moving: MovingShape) -> tuple[tuple[float, ...], list[_Couple]]:
-    """The contours of a shape that a pair moves, and the times of its waypoints."""
-    ways = waypoints(moving)
-    couples = [
-        _Couple(*contours, [waypoint.paths[k].segments for waypoint in ways])
-        for k, contours in enumerate(zip(matched.contours, moving.contours, strict=True))
+def _legs(shape: ShapeBlend) -> tuple[tuple[float, ...], list[_Leg]]:
+    """Return the times of a shape's waypoints, and the legs of its contours."""
+    points = waypoints(shape)
+    legs = [
+        _Leg(contour, [point.paths[k].segments for point in points])
+        for k, contour in enumerate(shape.contours)
     ]
-    return tuple(waypoint.t for waypoint in ways), couples
+    return tuple(point.t for point in points), legs
 
 
-def _run(couple: _Couple) -> _Run:
-    matched, moving, ways = couple
-    start, end = moving.start, moving.end
-    stations = [start.segments, *ways, end.segments]
-    return _Run(stations, start.straight, start.closed, moving.places[1], matched.polygon_b, matched.b)
+def _run(leg: _Leg) -> _Run:
+    blend = leg.blend
+    stations = [blend.start.segments, *leg.waypoints, blend.end.segments]
+    return _Run(stations, blend.start.straight, blend.start.closed, blend.cuts[1], blend.polygon_b, blend.b)
 
 
-def _tracks(shape: _Shape) -> list[Track]:
-    """A track for every coat of paint."""
+def _coats(shape: _Shape) -> list[KeyframedShape]:
+    """Return a keyframed shape for every coat of paint."""
     coats = keyed_styles(shape.styles)
     assert coats is not None, "shapes go on only as long as their paint does"
     every = iter(
@@ -178,20 +174,22 @@ def _tracks(shape: _Shape) -> list[Track]:
     for times in shape.times:
         ways.append(tuple(Waypoint(t, next(every)) for t in times))
         keys.append(next(every))
-    return [Track(tuple(map(PaintedShape, keys, styles)), shape.first, tuple(ways)) for styles in coats]
+    return [
+        KeyframedShape(tuple(map(PaintedShape, keys, styles)), shape.first, tuple(ways)) for styles in coats
+    ]
 
 
-def _gone_on(shape: _Shape, couples: Sequence[_Couple]) -> list[_Run] | None:
-    """Every contour of a shape, gone on by a pair; None if one of them cannot."""
-    following = {couple.matched.a: couple for couple in couples}
+def _gone_on(shape: _Shape, legs: Sequence[_Leg]) -> list[_Run] | None:
+    """Return every contour of a shape, continued to the next key; None if one of them cannot be."""
+    following = {leg.blend.a: leg for leg in legs}
     found = []
     for run in shape.runs:
-        couple = following[run.number]
-        if not _is_same(run.polygon, couple.matched.polygon_a):
-            couple = _backwards(couple)
-        if not _is_same(run.polygon, couple.matched.polygon_a):
+        leg = following[run.number]
+        if not _is_same(run.polygon, leg.blend.polygon_a):
+            leg = _backwards(leg)
+        if not _is_same(run.polygon, leg.blend.polygon_a):
             return None  # cut open, or a piece
-        found.append(_longer(run, couple))
+        found.append(_longer(run, leg))
     return found
 
 
@@ -199,26 +197,24 @@ def _is_same(p: Polygon, q: Polygon) -> bool:
     return p.closed == q.closed and np.array_equal(p.vertices, q.vertices)
 
 
-def _backwards(couple: _Couple) -> _Couple:
-    """A contour gone through the other way round, both sides and all on the way."""
-    matched, moving, ways = couple
+def _backwards(leg: _Leg) -> _Leg:
+    """Return a leg with both its contours, and all between them, reversed."""
+    blend = leg.blend
     polygons = [
         reversed_polygon(polygon, len(contour.segments))
-        for polygon, contour in (
-            (matched.polygon_a, matched.contour_a),
-            (matched.polygon_b, matched.contour_b),
-        )
+        for polygon, contour in ((blend.polygon_a, blend.contour_a), (blend.polygon_b, blend.contour_b))
     ]
     start, end = (
-        CubicPath(outline.segments[::-1, ::-1], outline.straight[::-1], outline.closed)
-        for outline in (moving.start, moving.end)
+        CubicPath(path.segments[::-1, ::-1], path.straight[::-1], path.closed)
+        for path in (blend.start, blend.end)
     )
     ends = [len(polygon.vertices) - (0 if polygon.closed else 1) for polygon in polygons]
-    places = [last - side[::-1] for last, side in zip(ends, moving.places, strict=True)]
-    return _Couple(
-        matched._replace(polygon_a=polygons[0], polygon_b=polygons[1]),
-        moving._replace(start=start, end=end, places=(places[0], places[1])),
-        [segments[::-1, ::-1] for segments in ways],
+    cuts = [last - side[::-1] for last, side in zip(ends, blend.cuts, strict=True)]
+    return _Leg(
+        blend._replace(
+            polygon_a=polygons[0], polygon_b=polygons[1], start=start, end=end, cuts=(cuts[0], cuts[1])
+        ),
+        [segments[::-1, ::-1] for segments in leg.waypoints],
     )
 
 
@@ -229,25 +225,25 @@ class _Part(NamedTuple):
     there: tuple[int, float, float]
 
 
-def _longer(run: _Run, couple: _Couple) -> _Run:
+def _longer(run: _Run, leg: _Leg) -> _Run:
     """A contour gone on by a pair that begins with its last outline; all stations are cut alike."""
-    matched, moving, ways = couple
-    places, end_places = moving.places
+    blend = leg.blend
+    places, end_places = blend.cuts
     if run.closed:
         run = _begun_at(run, float(places[0]))
-    parts = _parts(run.stations[-1], run.places, moving.start.segments, places)
+    parts = _parts(run.stations[-1], run.places, blend.start.segments, places)
     here, there = ([getattr(part, side) for part in parts] for side in ("here", "there"))
     numbers = np.array([k for k, _, _ in there])
     return _Run(
         stations=[
             *(_cut(station, here) for station in run.stations),
-            *(_cut(segments, there) for segments in (*ways, moving.end.segments)),
+            *(_cut(segments, there) for segments in (*leg.waypoints, blend.end.segments)),
         ],
-        straight=run.straight[[k for k, _, _ in here]] & moving.start.straight[numbers],
+        straight=run.straight[[k for k, _, _ in here]] & blend.start.straight[numbers],
         closed=run.closed,
         places=_places(end_places, there),
-        polygon=matched.polygon_b,
-        number=matched.b,
+        polygon=blend.polygon_b,
+        number=blend.b,
     )
 
 

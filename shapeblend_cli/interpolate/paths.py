@@ -7,13 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.curves import common_segments
-from shapeblend_cli.interpolate.track import counted_on
-from shapeblend_cli.model import Box, CubicPath, MovingContour, Waypoint
+from shapeblend_cli.model import Box, CubicPath, Waypoint
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray, MatchedContour, MovingShape
+    from shapeblend_cli.model import ComplexArray, ContourBlend, ShapeBlend
 
 WAY_TOLERANCE = 2e-3
 """How far an animation may be from a motion that is not straight, as a share of the size of what moves."""
@@ -22,45 +20,24 @@ MOST_HALVINGS = 6
 """From a drawing to the next an animation takes at most two to this power steps."""
 
 
-def moving(matched: MatchedContour, *, curves: bool) -> MovingContour:
-    """Two matched contours as outlines that are alike segment for segment.
-
-    Parameters
-    ----------
-    matched : MatchedContour
-    curves : bool
-        Segments of the drawings' own curves, see `curves`; otherwise a line for every step of the solver's path.
-
-    Returns
-    -------
-    MovingContour
-        With curves, its ends are the contours; without, the polygons, some of their vertices repeated.
-    """
-    closed = matched.correspondence.closed
-    dots = matched.correspondence.dots
-    if curves:
-        common = common_segments(
-            matched.contour_a, matched.polygon_a, matched.contour_b, matched.polygon_b, dots
-        )
-        segments_a, segments_b, straight = common.segments_a, common.segments_b, common.straight
-        places = common.places_a, common.places_b
-    else:
-        segments_a = cubics.lines(matched.polygon_a.vertices[dots[:, 0]], closed)
-        segments_b = cubics.lines(matched.polygon_b.vertices[dots[:, 1]], closed)
-        straight = np.ones(len(segments_a), np.bool_)
-        period = len(matched.polygon_a.vertices), len(matched.polygon_b.vertices)
-        along = counted_on(dots, period if closed else None)
-        places = along[:, 0], along[:, 1]
-    return MovingContour(
-        start=CubicPath(segments_a, straight, closed),
-        end=CubicPath(segments_b, straight, closed),
-        places=places,
-        grows=matched.a is None,
-        shrinks=matched.b is None,
+def with_curves(contour: ContourBlend) -> ContourBlend:
+    """Return a blend that moves between the drawings' own curves, cut alike, see `curves`."""
+    common = common_segments(
+        contour.contour_a,
+        contour.polygon_a,
+        contour.contour_b,
+        contour.polygon_b,
+        contour.correspondence.dots,
+    )
+    closed = contour.correspondence.closed
+    return contour._replace(
+        start=CubicPath(common.segments_a, common.straight, closed),
+        end=CubicPath(common.segments_b, common.straight, closed),
+        cuts=(common.places_a, common.places_b),
     )
 
 
-def between(shape: MovingShape, t: float) -> tuple[CubicPath, ...]:
+def between(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
     """The outlines of a shape at time t; at 0 and 1 exactly its start and its end.
 
     Without a motion every point goes straight, eq (2).
@@ -75,7 +52,7 @@ def between(shape: MovingShape, t: float) -> tuple[CubicPath, ...]:
     )
 
 
-def waypoints(shape: MovingShape) -> tuple[Waypoint, ...]:
+def waypoints(shape: ShapeBlend) -> tuple[Waypoint, ...]:
     """Where the outlines of a shape come by, so near to each other that straight paths between them will do.
 
     Nowhere is a control point further off than `WAY_TOLERANCE`, as seen at the middle and the quarters between two

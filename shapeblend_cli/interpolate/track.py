@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.interpolate.rails import is_among
+from shapeblend_cli.model import unroll
 
 if TYPE_CHECKING:
     from shapeblend_cli.interpolate.rails import Rail
@@ -44,30 +45,11 @@ class Track:
 def unrolled(a: Rail, b: Rail, dots: IntArray) -> FloatArray:
     """The solver's dots as places; closed outlines begin at A's first node and come back to it."""
     if not a.closed:
-        return counted_on(dots, None)
+        return unroll(dots, None)
     first = int(np.flatnonzero(a.node)[0])
     there = dots[:, 0] == first
     begin = int(np.flatnonzero(there & ~np.roll(there, 1))[0]) if not there.all() else 0
-    return counted_on(np.roll(dots, -begin, axis=0), (a.count, b.count))
-
-
-def counted_on(dots: IntArray, period: tuple[int, int] | None) -> FloatArray:
-    """Dots as places, counted on beyond the last vertices of closed outlines until they come back to the first dot.
-
-    Parameters
-    ----------
-    dots : (k, 2) int
-    period : (int, int) or None
-        How many vertices the closed outlines have; None for open ones.
-
-    Returns
-    -------
-    (k, 2) float, and one more if closed
-    """
-    if period is None:
-        return dots.astype(np.float64)
-    steps = np.diff(dots, axis=0, append=dots[:1]) % np.array(period)
-    return np.concatenate([dots[:1], dots[:1] + np.cumsum(steps, axis=0)]).astype(np.float64)
+    return unroll(np.roll(dots, -begin, axis=0), (a.count, b.count))
 
 
 def slack_track(a: Rail, b: Rail, dots: IntArray) -> Track:

@@ -10,7 +10,7 @@ import numpy as np
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, FloatArray, MatchedContour
+    from shapeblend_cli.model import ComplexArray, ContourBlend, FloatArray
 
 
 class Alignment(NamedTuple):
@@ -57,14 +57,13 @@ class Matched(NamedTuple):
     weight: FloatArray
 
 
-def matched_points(contours: Sequence[MatchedContour]) -> Matched:
+def matched_points(contours: Sequence[ContourBlend]) -> Matched:
     """The dots of contours that have partners, weighted by the length of both outlines around each."""
     found = []
     for contour in contours:
-        if contour.a is None or contour.b is None:
+        if not contour.is_matched:
             continue
-        dots = contour.correspondence.dots
-        a, b = contour.polygon_a.vertices[dots[:, 0]], contour.polygon_b.vertices[dots[:, 1]]
+        a, b = contour.dot_points()
         closed = contour.correspondence.closed
         weight = _around(a, closed) + _around(b, closed)
         found.append((a, b, weight))
@@ -81,7 +80,7 @@ def _around(z: ComplexArray, closed: bool) -> FloatArray:
     return edges + before
 
 
-def aligned(points: Matched) -> Alignment:
+def align(points: Matched) -> Alignment:
     """The similarity that takes A's points nearest to B's, by weighted least squares.
 
     The turn is that of the least squares; the scale is the ratio of both sizes, so that which of the drawings comes

@@ -13,7 +13,7 @@ from shapeblend_cli.interpolate.paths import between
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, CubicPath, FloatArray, MovingContour, MovingShape
+    from shapeblend_cli.model import ComplexArray, ContourBlend, CubicPath, FloatArray, ShapeBlend
 
 CHECKED = tuple(k / 20 for k in range(1, 20))
 """Times at which in-betweens are looked at, besides those of the frames."""
@@ -66,12 +66,12 @@ LOSS, OVERLAP, COLLAPSE, STRAY, CROSSING = range(5)
 of it swings far out; a contour crosses itself."""
 
 
-def fault(shape: MovingShape, times: Sequence[float]) -> Fault | None:
+def fault(shape: ShapeBlend, times: Sequence[float]) -> Fault | None:
     """The worst that is wrong with the motion of a shape, if anything.
 
     Parameters
     ----------
-    shape : MovingShape
+    shape : ShapeBlend
         Crossings that its start or its end has are no fault of the motion.
     times : sequence of float
         At which crossings are looked for besides `CHECKED`.
@@ -80,7 +80,7 @@ def fault(shape: MovingShape, times: Sequence[float]) -> Fault | None:
     return max(found, key=lambda one: one.rank, default=None)
 
 
-def _crossings(shape: MovingShape, times: Sequence[float]) -> list[Fault]:
+def _crossings(shape: ShapeBlend, times: Sequence[float]) -> list[Fault]:
     """The first in-between that is crossed, and the first of which a contour crosses itself."""
     numbers = counted(shape.contours)
 
@@ -110,7 +110,7 @@ def _crossings(shape: MovingShape, times: Sequence[float]) -> list[Fault]:
     return found
 
 
-def counted(contours: Sequence[MovingContour]) -> list[int]:
+def counted(contours: Sequence[ContourBlend]) -> list[int]:
     """Numbers of the contours whose crossings are faults.
 
     Not those of outlines that grow out of others, or shrink into them: these begin or end on the border of another
@@ -126,7 +126,7 @@ def counted(contours: Sequence[MovingContour]) -> list[int]:
     ]
 
 
-def _strays(shape: MovingShape) -> list[Fault]:
+def _strays(shape: ShapeBlend) -> list[Fault]:
     """The in-between that goes furthest from where both ends are, if that is too far; straight paths never do."""
     if shape.motion is None:
         return []
@@ -143,7 +143,7 @@ def _strays(shape: MovingShape) -> list[Fault]:
     )
 
 
-def _losses(shape: MovingShape) -> list[Fault]:
+def _losses(shape: ShapeBlend) -> list[Fault]:
     """Area that is lost or won too much, and limbs that wither."""
     found = []
     area_a, area_b = (_area(between(shape, t)) for t in (0.0, 1.0))

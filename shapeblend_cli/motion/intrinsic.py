@@ -16,7 +16,7 @@ from shapeblend_cli.motion.turns import ROUND, directions
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, ComplexArray, CubicPath, FloatArray, IntArray, MovingContour
+    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, CubicPath, FloatArray, IntArray
     from shapeblend_cli.motion.alignment import Alignment
 
 WAITS = 1e-9
@@ -103,7 +103,7 @@ class Intrinsic(NamedTuple):
         """As `--motion` has it."""
         return "intrinsic"
 
-    def segments(self, contours: Sequence[MovingContour], t: float) -> list[ComplexArray]:
+    def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Control points of each contour at time t; the contours are those this was made of."""
         found = []
         for contour, legs in zip(contours, self.contours, strict=True):
@@ -119,12 +119,12 @@ class Intrinsic(NamedTuple):
         return found
 
 
-def intrinsic(contours: Sequence[MovingContour], alignment: Alignment) -> Intrinsic:
+def intrinsic(contours: Sequence[ContourBlend], alignment: Alignment) -> Intrinsic:
     """The intrinsic motion of contours that are painted together.
 
     Parameters
     ----------
-    contours : sequence of MovingContour
+    contours : sequence of ContourBlend
     alignment : Alignment
         The best similarity between them.
 
@@ -197,7 +197,7 @@ class _Path(NamedTuple):
         return self.swing - ROUND * round((float((self.share * self.swing).sum()) - turn) / ROUND)
 
 
-def _path(contour: MovingContour) -> _Path | None:
+def _path(contour: ContourBlend) -> _Path | None:
     """The control polygon of a contour, or None where it has no directions to move by."""
     if contour.grows or contour.shrinks:
         return None

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, MovingContour
+    from shapeblend_cli.model import ComplexArray, ContourBlend
     from shapeblend_cli.motion.alignment import Alignment
 
 
@@ -30,7 +30,7 @@ class Rigid(NamedTuple):
         """As `--motion` has it."""
         return "rigid"
 
-    def segments(self, contours: Sequence[MovingContour], t: float) -> list[ComplexArray]:
+    def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Control points of each contour at time t."""
         alignment = self.alignment
         return [

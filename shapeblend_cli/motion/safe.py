@@ -38,7 +38,7 @@ from shapeblend_cli.motion.levels import smoothed
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, CubicPath, FloatArray, MovingContour, MovingShape
+    from shapeblend_cli.model import ComplexArray, ContourBlend, CubicPath, FloatArray, ShapeBlend
 
     Place = tuple[float, float]
     """How far from A to B, and at which level."""
@@ -172,7 +172,7 @@ class Safe:
         """As `--motion` has it."""
         return "safe"
 
-    def segments(self, contours: Sequence[MovingContour], t: float) -> list[ComplexArray]:
+    def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Control points of each contour at time t."""
         share, height, scale = (
             float(np.interp(t, self.times, values)) for values in (self.shares, self.heights, self.scales)
@@ -190,13 +190,13 @@ class Plan(NamedTuple):
     way : sequence of (float, float)
         Places of the map.
     ground : Ground
-    shape : MovingShape
+    shape : ShapeBlend
     """
 
     cost: float
     way: Sequence[Place]
     ground: Ground
-    shape: MovingShape
+    shape: ShapeBlend
 
     @property
     def is_level(self) -> bool:
@@ -204,12 +204,12 @@ class Plan(NamedTuple):
         return not any(height for _, height in self.way)
 
 
-def plan(shape: MovingShape, alignment: Alignment, below: float = np.inf) -> Plan | None:
+def plan(shape: ShapeBlend, alignment: Alignment, below: float = np.inf) -> Plan | None:
     """The way that smooths least.
 
     Parameters
     ----------
-    shape : MovingShape
+    shape : ShapeBlend
     alignment : Alignment
     below : float
         What the way may cost; a dearer one is of no use.
@@ -242,7 +242,7 @@ def plan(shape: MovingShape, alignment: Alignment, below: float = np.inf) -> Pla
     return found
 
 
-def safe(found: Plan) -> MovingShape:
+def safe(found: Plan) -> ShapeBlend:
     """The motion along a way, evened out: where outlines are smoothed their lines bend, but for those of polygons."""
     shape = found.shape
     places = np.array(found.way)
@@ -288,7 +288,7 @@ def _turns(
 class Ground:
     """How often in-betweens cross themselves; those that do no more often than A or B are free."""
 
-    def __init__(self, whole: Map, contours: Sequence[MovingContour]) -> None:
+    def __init__(self, whole: Map, contours: Sequence[ContourBlend]) -> None:
         self.map = whole
         numbers = counted(contours)
         self._lengths = [whole.lengths[k] for k in numbers]
@@ -410,7 +410,7 @@ def _is_free(places: FloatArray, ground: Ground, shares: Sequence[float]) -> boo
     return all(ground.is_free(share, height) for share, height in np.concatenate(steps).tolist())
 
 
-def _timed(whole: Map, places: FloatArray, contours: Sequence[MovingContour]) -> Safe:
+def _timed(whole: Map, places: FloatArray, contours: Sequence[ContourBlend]) -> Safe:
     """The motion along the way, its speed even, and its in-betweens scaled so as not to lose area."""
     shares, heights = places.T
     pictures = np.array([whole.at(share, height) for share, height in places.tolist()])

@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.motion.alignment import aligned, matched_points, residual
+from shapeblend_cli.motion.alignment import align, matched_points, residual
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, MatchedContour, Polygon
+    from shapeblend_cli.model import ComplexArray, ContourBlend, Polygon
 
 SAMPLES = 256
 """Points, evenly spread, as which an outline is seen."""
@@ -69,12 +69,12 @@ def turn_between(a: Polygon, b: Polygon) -> float | None:
     return turn if abs(turn) > LEAST_TURN else None
 
 
-def is_turned(contours: Sequence[MatchedContour]) -> bool:
+def is_turned(contours: Sequence[ContourBlend]) -> bool:
     """Whether B is A turned, as a whole."""
-    if any(contour.a is None or contour.b is None for contour in contours):
+    if not all(contour.is_matched for contour in contours):
         return False
     points = matched_points(contours)
-    return residual(points, aligned(points)) < LEFT
+    return residual(points, align(points)) < LEFT
 
 
 def _even(polygon: Polygon) -> ComplexArray:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.interpolate.chains import tracks
+from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.interpolate.colours import colour_stops
 from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import Box
@@ -93,7 +93,7 @@ def _animation(
     if spec.animate == "frames":
         frames = make_frames(pairs, settings._replace(ends=True))
         return stacked_svg(frames, spec.timing, len(pairs), decimals)
-    moving = tracks(pairs)
+    moving = keyframed_shapes(pairs)
     if spec.animate == "css":
         return css_svg(moving, Box.union(views), spec.timing, decimals, colour_stops)
     return smil_svg(moving, views, spec.timing, decimals, colour_stops)
@@ -132,7 +132,7 @@ def _emitted(spec: OutputSpec, pairs: Sequence[Pair], decimals: int) -> tuple[li
     from shapeblend_cli.outputs.other_programs import emitted
 
     moves = [
-        Move(shapes_at(pair, 0.0), shapes_at(pair, 1.0), pair.views, tuple(map(waypoints, pair.moving)))
+        Move(shapes_at(pair, 0.0), shapes_at(pair, 1.0), pair.views, tuple(map(waypoints, pair.shapes)))
         for pair in pairs
     ]
     texts, notes = emitted(spec.kind, moves, spec.timing.seconds, spec.timing.ease, decimals)

@@ -1,7 +1,7 @@
 """Where a contour without a partner comes from, or goes to: a point of the shape it belongs to.
 
 Both are one question. Here is the drawing that has the contour, there the one that has not; what has been paired is
-known on both sides, vertex for vertex, as a `Bridge`. The contour grows from a point there as the paired ones
+known on both sides, vertex for vertex, as a `MatchedPoints`. The contour grows from a point there as the paired ones
 go on their straight paths to here.
 """
 
@@ -33,41 +33,41 @@ TRIES = 40
 """...of which so many are tried, the nearest first."""
 
 
-class Bridge(NamedTuple):
+class MatchedPoints(NamedTuple):
     """A paired contour: (k,) complex vertices here, and there, a pair for every dot."""
 
     here: ComplexArray
     there: ComplexArray
 
 
-def point_on(contour: ComplexArray, bridges: Sequence[Bridge]) -> tuple[int, complex]:
+def point_on(contour: ComplexArray, pairings: Sequence[MatchedPoints]) -> tuple[int, complex]:
     """The point there that an outline or a line grows from: of the paired contours the nearest point.
 
     Parameters
     ----------
     contour : (m,) complex
         Vertices of the contour here.
-    bridges : sequence of Bridge
+    pairings : sequence of MatchedPoints
         At least one.
 
     Returns
     -------
     number : int
-        Which bridge it is on.
+        Which matched it is on.
     point : complex
-        What corresponds to the vertex of the bridge that is nearest to the contour here.
+        What corresponds to the vertex of the matched that is nearest to the contour here.
     """
     watched = _watched(contour)
     nearest = []
-    for number, bridge in enumerate(bridges):
-        distances = np.abs(bridge.here[:, None] - watched).min(axis=1)
+    for number, matched in enumerate(pairings):
+        distances = np.abs(matched.here[:, None] - watched).min(axis=1)
         vertex = int(distances.argmin())
-        nearest.append((float(distances[vertex]), number, complex(bridge.there[vertex])))
+        nearest.append((float(distances[vertex]), number, complex(matched.there[vertex])))
     _, number, point = min(nearest, key=lambda found: found[:2])
     return number, point
 
 
-def point_inside(hole: ComplexArray, outline: Bridge, others: Sequence[Bridge] = ()) -> complex:
+def point_inside(hole: ComplexArray, outline: MatchedPoints, others: Sequence[MatchedPoints] = ()) -> complex:
     """The point there that a hole grows from, such that it stays inside its outline all the way.
 
     The first choice has the mean value coordinates there that the hole's centroid has here. If a hole that grows from
@@ -77,9 +77,9 @@ def point_inside(hole: ComplexArray, outline: Bridge, others: Sequence[Bridge] =
     ----------
     hole : (m,) complex
         Vertices of the hole here.
-    outline : Bridge
+    outline : MatchedPoints
         The outline it is a hole in.
-    others : sequence of Bridge
+    others : sequence of MatchedPoints
         Other holes of that outline, which the growing one must not meet.
 
     Returns
@@ -97,7 +97,7 @@ def point_inside(hole: ComplexArray, outline: Bridge, others: Sequence[Bridge] =
     return best
 
 
-def _candidates(hole: ComplexArray, outline: Bridge) -> Iterator[complex]:
+def _candidates(hole: ComplexArray, outline: MatchedPoints) -> Iterator[complex]:
     wanted = complex(mean_value_weights(_centroid(hole), outline.here) @ outline.there)
     yield wanted
     box = Box.around(outline.there)
@@ -107,7 +107,9 @@ def _candidates(hole: ComplexArray, outline: Bridge) -> Iterator[complex]:
     yield from inside[np.argsort(np.abs(inside - wanted), kind="stable")].tolist()
 
 
-def _share_inside(watched: ComplexArray, point: complex, outline: Bridge, others: Sequence[Bridge]) -> float:
+def _share_inside(
+    watched: ComplexArray, point: complex, outline: MatchedPoints, others: Sequence[MatchedPoints]
+) -> float:
     """Share of times and vertices at which what grows from `point` is inside the outline and in no other hole."""
     found = 0
     for t in TIMES:

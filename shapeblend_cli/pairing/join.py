@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
+from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.normalise import to_unit_box
 from shapeblend_cli.geometry.outline import direction, reversed_contour, reversed_polygon
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.match.work import Wires
-from shapeblend_cli.model import Contour, Correspondence, MatchedContour, Polygon
+from shapeblend_cli.model import Contour, ContourBlend, Correspondence, CubicPath, Polygon, unroll
 from shapeblend_cli.pairing.costs import least_thinned_work
 from shapeblend_cli.pairing.parts import LINE
 from shapeblend_cli.pairing.upright import upright
@@ -43,7 +44,7 @@ def join(
     turn: float = 0.0,
     *,
     alone: bool = True,
-) -> MatchedContour:
+) -> ContourBlend:
     """Solve the correspondence of two contours.
 
     Parameters
@@ -74,18 +75,33 @@ def join(
     if backwards:
         polygon_b = reversed_polygon(polygon_b, len(contour_b.segments))
         contour_b = reversed_contour(contour_b)
-    return MatchedContour(
-        a=a.number,
-        b=b.number,
-        contour_a=a.contour,
-        contour_b=contour_b,
-        polygon_a=a.polygon,
-        polygon_b=polygon_b,
-        scale_a=to_unit_box(a.polygon)[1],
-        scale_b=to_unit_box(turned)[1],
-        correspondence=found,
-        seconds=0.0,
-        turn=turn,
+    scales = to_unit_box(a.polygon)[1], to_unit_box(turned)[1]
+    return _blend(
+        (a.number, b.number), (a.contour, contour_b), (a.polygon, polygon_b), scales, found
+    )._replace(rotation=turn)
+
+
+def _blend(
+    numbers: tuple[int | None, int | None],
+    contours: tuple[Contour, Contour],
+    polygons: tuple[Polygon, Polygon],
+    scales: tuple[float, float],
+    correspondence: Correspondence,
+) -> ContourBlend:
+    """Put a blend together; it moves along the polygons, a line for every step of the correspondence."""
+    dots, closed = correspondence.dots, correspondence.closed
+    period = len(polygons[0].vertices), len(polygons[1].vertices)
+    along = unroll(dots, period if closed else None)
+    start, end = (
+        CubicPath(
+            lines := cubics.lines(polygon.vertices[dots[:, side]], closed),
+            np.ones(len(lines), np.bool_),
+            closed,
+        )
+        for side, polygon in enumerate(polygons)
+    )
+    return ContourBlend(
+        *numbers, *contours, *polygons, *scales, correspondence, start, end, (along[:, 0], along[:, 1])
     )
 
 
@@ -98,7 +114,7 @@ def _pin_turned_back(pin: Pin, turn: float) -> Pin:
     return pin if isinstance(pin[1], int) else (pin[0], cmath.rect(1.0, -turn) * pin[1])
 
 
-def grown(part: Part, point: complex, *, of_b: bool) -> MatchedContour:
+def grown(part: Part, point: complex, *, of_b: bool) -> ContourBlend:
     """A contour that grows from a point, if it is B's, or shrinks to one, if it is A's. Nothing is solved."""
     size = to_unit_box(part.polygon)[1]
     spot = Polygon(np.array([point]), np.zeros(1, np.intp), np.zeros(1), part.polygon.closed)
@@ -106,18 +122,9 @@ def grown(part: Part, point: complex, *, of_b: bool) -> MatchedContour:
     every = np.arange(len(part.polygon.vertices))
     dots = np.stack([0 * every, every] if of_b else [every, 0 * every], axis=1)
     nothing = Correspondence(dots, part.polygon.closed, 0.0, 0.0, 0.0, 0, 0.0, 0)
-    return MatchedContour(
-        a=None if of_b else part.number,
-        b=part.number if of_b else None,
-        contour_a=still if of_b else part.contour,
-        contour_b=part.contour if of_b else still,
-        polygon_a=spot if of_b else part.polygon,
-        polygon_b=part.polygon if of_b else spot,
-        scale_a=size,
-        scale_b=size,
-        correspondence=nothing,
-        seconds=0.0,
-    )
+    if of_b:
+        return _blend((None, part.number), (still, part.contour), (spot, part.polygon), (size, size), nothing)
+    return _blend((part.number, None), (part.contour, still), (part.polygon, spot), (size, size), nothing)
 
 
 def least_work_either_way(
@@ -174,9 +181,9 @@ def least_work_either_way(
     return min(solved, key=lambda way: way[1].work)
 
 
-def solved_wires(contour: MatchedContour, settings: Settings) -> Wires:
+def solved_wires(contour: ContourBlend, settings: Settings) -> Wires:
     """The wires of a matched contour as they were solved: in the unit box, B turned back, A stiff where asked for."""
-    turned = _turned_back(contour.polygon_b, contour.turn)
+    turned = _turned_back(contour.polygon_b, contour.rotation)
     return Wires(
         to_unit_box(contour.polygon_a)[0],
         to_unit_box(turned)[0],

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.geometry.outline import winding_numbers
-from shapeblend_cli.model import MatchedContour, MatchedShape
-from shapeblend_cli.pairing.growth import Bridge, point_inside, point_on
+from shapeblend_cli.model import ContourBlend, ShapeBlend
+from shapeblend_cli.pairing.growth import MatchedPoints, point_inside, point_on
 from shapeblend_cli.pairing.join import grown
 from shapeblend_cli.pairing.order import order, overlaps
 from shapeblend_cli.pairing.parts import HOLE, Part
@@ -17,23 +17,21 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Style
 
 
-class Joint(NamedTuple):
-    """Two contours and how one becomes the other."""
+class Match(NamedTuple):
+    """Two contours that are paired, and the blend between them."""
 
     a: Part
     b: Part
-    matched: MatchedContour
+    blend: ContourBlend
 
     def side(self, *, of_b: bool) -> Part:
-        """The contour of one drawing."""
+        """Return the contour of one drawing."""
         return self.b if of_b else self.a
 
-    def bridge(self, *, to_b: bool) -> Bridge:
-        """The pair as seen from one drawing."""
-        dots = self.matched.correspondence.dots
-        on_a = self.matched.polygon_a.vertices[dots[:, 0]]
-        on_b = self.matched.polygon_b.vertices[dots[:, 1]]
-        return Bridge(on_b, on_a) if to_b else Bridge(on_a, on_b)
+    def points(self, *, from_b: bool) -> MatchedPoints:
+        """Return the vertices that correspond, as seen from one drawing."""
+        a, b = self.blend.dot_points()
+        return MatchedPoints(b, a) if from_b else MatchedPoints(a, b)
 
 
 class _Group(NamedTuple):
@@ -44,7 +42,7 @@ class _Group(NamedTuple):
     stroke_grows: bool = False
 
 
-def matched_shapes(a: Sequence[Part], b: Sequence[Part], joints: Sequence[Joint]) -> tuple[MatchedShape, ...]:
+def shape_blends(a: Sequence[Part], b: Sequence[Part], matches: Sequence[Match]) -> tuple[ShapeBlend, ...]:
     """Put together the contours of two drawings, and give each without a partner a point to grow from.
 
     Contours are painted together if they come from the same shape of A and the same shape of B. What grows out of one
@@ -54,22 +52,22 @@ def matched_shapes(a: Sequence[Part], b: Sequence[Part], joints: Sequence[Joint]
     ----------
     a, b : sequence of Part
         All contours of the drawings.
-    joints : sequence of Joint
+    matches : sequence of Match
         Those that are paired, at least one.
 
     Returns
     -------
-    tuple of MatchedShape
+    tuple of ShapeBlend
         In paint order.
     """
-    groups: dict[_Group, list[MatchedContour]] = {}
+    groups: dict[_Group, list[ContourBlend]] = {}
     styles: dict[_Group, tuple[Style, Style]] = {}
-    for joint in joints:
-        group = _Group(joint.a.shape, joint.b.shape)
-        groups.setdefault(group, []).append(joint.matched)
-        styles.setdefault(group, _styles(joint.a, joint.b))
+    for match in matches:
+        group = _Group(match.a.shape, match.b.shape)
+        groups.setdefault(group, []).append(match.blend)
+        styles.setdefault(group, _styles(match.a, match.b))
     for parts, of_b in ((a, False), (b, True)):
-        for part, group, point in _unmatched(parts, joints, of_b=of_b):
+        for part, group, point in _unmatched(parts, matches, of_b=of_b):
             groups.setdefault(group, []).append(grown(part, point, of_b=of_b))
             nothing = part.style._replace(stroke_width=0.0)
             styles.setdefault(group, (nothing, part.style) if of_b else (part.style, nothing))
@@ -78,7 +76,7 @@ def matched_shapes(a: Sequence[Part], b: Sequence[Part], joints: Sequence[Joint]
     below_a, below_b = overlaps(a), overlaps(b)
     # Pairs that the user gave may contradict the order of paint; then A's counts.
     ranks = order(shapes, below_a, below_b) or order(shapes, below_a, ()) or range(len(keys))
-    return tuple(MatchedShape(tuple(groups[keys[k]]), *styles[keys[k]]) for k in ranks)
+    return tuple(ShapeBlend(tuple(groups[keys[k]]), *styles[keys[k]]) for k in ranks)
 
 
 def _styles(a: Part, b: Part) -> tuple[Style, Style]:
@@ -91,32 +89,32 @@ def _styles(a: Part, b: Part) -> tuple[Style, Style]:
 
 
 def _unmatched(
-    parts: Sequence[Part], joints: Sequence[Joint], *, of_b: bool
+    parts: Sequence[Part], matches: Sequence[Match], *, of_b: bool
 ) -> list[tuple[Part, _Group, complex]]:
     """The contours of one drawing without a partner, what each is painted with, and the point it grows from."""
-    paired = {joint.side(of_b=of_b).number: joint for joint in joints}
-    tops = [joint for joint in joints if joint.side(of_b=of_b).role != HOLE]
-    bridges = [joint.bridge(to_b=of_b) for joint in tops]
+    paired = {match.side(of_b=of_b).number: match for match in matches}
+    tops = [match for match in matches if match.side(of_b=of_b).role != HOLE]
+    points = [match.points(from_b=of_b) for match in tops]
     found: list[tuple[Part, _Group, complex]] = []
     alone: dict[int, tuple[_Group, complex]] = {}
     for part in parts:
         if part.number in paired or part.role == HOLE:
             continue
-        near = [k for k, joint in enumerate(tops) if joint.side(of_b=of_b).shape == part.shape]
+        near = [k for k, match in enumerate(tops) if match.side(of_b=of_b).shape == part.shape]
         near = near or list(range(len(tops)))
-        home = _hole_around(part, joints, of_b=of_b)
+        home = _hole_around(part, matches, of_b=of_b)
         if home is not None:
-            joint, point = home, point_inside(part.polygon.vertices, home.bridge(to_b=of_b))
+            match, point = home, point_inside(part.polygon.vertices, home.points(from_b=of_b))
         else:
-            number, point = point_on(part.polygon.vertices, [bridges[k] for k in near])
-            joint = tops[near[number]]
+            number, point = point_on(part.polygon.vertices, [points[k] for k in near])
+            match = tops[near[number]]
         own = (
             _Group(None, part.shape, bool(part.style.stroke))
             if of_b
             else _Group(part.shape, None, bool(part.style.stroke))
         )
-        is_same = joint.side(of_b=of_b).shape == part.shape and part.style.stroke is None
-        group = _Group(joint.a.shape, joint.b.shape) if is_same else own
+        is_same = match.side(of_b=of_b).shape == part.shape and part.style.stroke is None
+        group = _Group(match.a.shape, match.b.shape) if is_same else own
         alone[part.number] = group, point
         found.append((part, group, point))
     for part in parts:
@@ -125,23 +123,23 @@ def _unmatched(
         if part.outline in alone:
             found.append((part, *alone[part.outline]))
             continue
-        joint = next((k for k in tops if k.side(of_b=of_b).has(part)), paired[part.outline])
+        match = next((k for k in tops if k.side(of_b=of_b).has(part)), paired[part.outline])
         siblings = [
-            other.bridge(to_b=of_b) for other in joints if other.side(of_b=of_b).outline == part.outline
+            other.points(from_b=of_b) for other in matches if other.side(of_b=of_b).outline == part.outline
         ]
-        point = point_inside(part.polygon.vertices, joint.bridge(to_b=of_b), siblings)
-        found.append((part, _Group(joint.a.shape, joint.b.shape), point))
+        point = point_inside(part.polygon.vertices, match.points(from_b=of_b), siblings)
+        found.append((part, _Group(match.a.shape, match.b.shape), point))
     return found
 
 
-def _hole_around(part: Part, joints: Sequence[Joint], *, of_b: bool) -> Joint | None:
+def _hole_around(part: Part, matches: Sequence[Match], *, of_b: bool) -> Match | None:
     """The smallest paired hole of the same shape in which an outline is an island, if there is one."""
     vertex = part.polygon.vertices[:1]
     around = [
-        joint
-        for joint in joints
-        if (side := joint.side(of_b=of_b)).role == HOLE
+        match
+        for match in matches
+        if (side := match.side(of_b=of_b)).role == HOLE
         and side.shape == part.shape
         and winding_numbers(vertex, side.polygon.vertices)[0]
     ]
-    return min(around, key=lambda joint: joint.side(of_b=of_b).size, default=None)
+    return min(around, key=lambda match: match.side(of_b=of_b).size, default=None)

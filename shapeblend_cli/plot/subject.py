@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from shapeblend_cli.match.work import Wires
-    from shapeblend_cli.model import Correspondence, MatchedContour, MovingShape, Pair
+    from shapeblend_cli.model import ContourBlend, Correspondence, Pair, ShapeBlend
     from shapeblend_cli.settings import Settings
 
     Dot = tuple[int, int]
@@ -27,12 +27,12 @@ class Subject(NamedTuple):
     ----------
     names : (str, str)
         Of the files.
-    contour : MatchedContour
+    contour : ContourBlend
     wires : Wires
         The two in the unit box.
     band : float or None
         The band in force.
-    shape : MovingShape
+    shape : ShapeBlend
         The shape that the contour is part of, as it moves.
     place : int
         Where in the shape.
@@ -43,10 +43,10 @@ class Subject(NamedTuple):
     """
 
     names: tuple[str, str]
-    contour: MatchedContour
+    contour: ContourBlend
     wires: Wires
     band: float | None
-    shape: MovingShape
+    shape: ShapeBlend
     place: int
     dot: Dot | None
     watch: Callable[[float], None]
@@ -97,13 +97,13 @@ def subject(
     return Subject(names, contour, wires, settings.band, shape, place, dot, watch)
 
 
-def _chosen(pair: Pair, number: int | None) -> tuple[MatchedContour, MovingShape, int]:
+def _chosen(pair: Pair, number: int | None) -> tuple[ContourBlend, ShapeBlend, int]:
     """The contour, the shape it moves with, and its place there."""
     matched = [
-        (contour, moving, place)
-        for shape, moving in zip(pair.shapes, pair.moving, strict=True)
+        (contour, shape, place)
+        for shape in pair.shapes
         for place, contour in enumerate(shape.contours)
-        if contour.a is not None and contour.b is not None
+        if contour.is_matched
     ]
     wanted = [found for found in matched if number is None or found[0].a == number]
     if not wanted:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.match.landscape import Landscape
-    from shapeblend_cli.model import MatchedContour
+    from shapeblend_cli.model import ContourBlend
     from shapeblend_cli.settings import Settings
 
 MOST_DOTS = 160_000
@@ -30,7 +30,7 @@ LARGE = "large"
 FULL = "full"
 
 
-def graphs(contours: Sequence[MatchedContour], settings: Settings) -> list[dict[str, Any] | str | None]:
+def graphs(contours: Sequence[ContourBlend], settings: Settings) -> list[dict[str, Any] | str | None]:
     """For each contour its landscape, a word for why it has none, or None where nothing was solved.
 
     The largest contours come first, as long as there is room.
@@ -39,7 +39,7 @@ def graphs(contours: Sequence[MatchedContour], settings: Settings) -> list[dict[
     left = MOST_DOTS
     for k in by_size(contours):
         contour = contours[k]
-        if contour.a is None or contour.b is None:
+        if not contour.is_matched:
             continue
         dots = len(contour.polygon_a.vertices) * len(contour.polygon_b.vertices)
         if dots > left:
@@ -53,7 +53,7 @@ def graphs(contours: Sequence[MatchedContour], settings: Settings) -> list[dict[
     return found
 
 
-def by_size(contours: Sequence[MatchedContour]) -> list[int]:
+def by_size(contours: Sequence[ContourBlend]) -> list[int]:
     """Numbers of contours, the largest first."""
     return sorted(range(len(contours)), key=lambda k: -max(contours[k].scale_a, contours[k].scale_b))
 

@@ -102,11 +102,7 @@ def _pairs(
     for pair, told in zip(pairs, found["pairs"], strict=True):
         times = [frame["t"] for frame in found["frames"] if frame["pair"] == pair.a]
         lists = [_lists(contour, decimals + 1) for contour in told["contours"]]
-        spots = [
-            places(matched, moving)
-            for shape, moved in zip(pair.shapes, pair.moving, strict=True)
-            for matched, moving in zip(shape.contours, moved.contours, strict=True)
-        ]
+        spots = [places(contour) for contour in pair.contours]
         written.append(
             {
                 "a": pair.a,

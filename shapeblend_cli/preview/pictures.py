@@ -8,8 +8,7 @@ import numpy as np
 
 from shapeblend_cli.interpolate.paths import between, waypoints
 from shapeblend_cli.interpolate.styles import blend_styles
-from shapeblend_cli.interpolate.track import counted_on
-from shapeblend_cli.model import LinearGradient, RadialGradient
+from shapeblend_cli.model import LinearGradient, RadialGradient, unroll
 from shapeblend_cli.svg.writing.paint import gradient_attributes, paint_attributes, visible_styles
 from shapeblend_cli.svg.writing.path_data import path_data
 
@@ -17,15 +16,14 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import (
+        ContourBlend,
         CubicPath,
         FloatArray,
         Frame,
         Gradient,
         IntArray,
-        MatchedContour,
-        MovingContour,
-        MovingShape,
         Pair,
+        ShapeBlend,
         Style,
     )
 
@@ -57,12 +55,12 @@ def picture(pair: Pair, ends: tuple[Frame, Frame], times: Sequence[float], decim
         For JSON: `shapes` between the ends, and the `ends` themselves, in paint order.
     """
     return {
-        "shapes": [_moving(shape, times, decimals) for shape in pair.moving],
+        "shapes": [_moving(shape, times, decimals) for shape in pair.shapes],
         "ends": [_still(frame, decimals) for frame in ends],
     }
 
 
-def _moving(shape: MovingShape, times: Sequence[float], decimals: int) -> dict[str, Any]:
+def _moving(shape: ShapeBlend, times: Sequence[float], decimals: int) -> dict[str, Any]:
     known = {0.0, 1.0, *(waypoint.t for waypoint in waypoints(shape))}
     if shape.motion is not None and len(times) <= MOST_OWN_TIMES:
         known |= set(times)
@@ -150,18 +148,18 @@ def _still(frame: Frame, decimals: int) -> list[dict[str, Any]]:
     return found
 
 
-def places(matched: MatchedContour, moving: MovingContour) -> FloatArray:
+def places(contour: ContourBlend) -> FloatArray:
     """Where on the moving outline each dot of the correspondence is: the number of a segment, and its parameter.
 
     A dot counts in vertices of both outlines together, and so do the cuts: where both go on, so does their sum.
     """
-    counts = [len(polygon.vertices) for polygon in (matched.polygon_a, matched.polygon_b)]
-    closed = matched.correspondence.closed
+    counts = [len(polygon.vertices) for polygon in (contour.polygon_a, contour.polygon_b)]
+    closed = contour.correspondence.closed
     # A point does not go on.
     sides = [k for k in (0, 1) if counts[k] > 1]
-    dots = counted_on(matched.correspondence.dots, (counts[0], counts[1]) if closed else None)
-    along = dots[: len(matched.correspondence.dots), sides].sum(axis=1)
-    cuts = np.sum([moving.places[side] for side in sides], axis=0)
+    dots = unroll(contour.correspondence.dots, (counts[0], counts[1]) if closed else None)
+    along = dots[: len(contour.correspondence.dots), sides].sum(axis=1)
+    cuts = np.sum([contour.cuts[side] for side in sides], axis=0)
     if closed:
         round_ = sum(counts[side] for side in sides)
         along = cuts[0] + (along - cuts[0]) % round_

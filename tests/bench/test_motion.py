@@ -25,7 +25,7 @@ def test_without_a_fault(benchmark, samples, motion):
     (pair,), _ = benchmark.pedantic(
         match_all, (drawings, Settings(motion=motion)), rounds=15, warmup_rounds=1
     )
-    assert [shape.motion for shape in pair.moving] == [None] * len(pair.moving)
+    assert [shape.motion for shape in pair.shapes] == [None] * len(pair.shapes)
 
 
 @pytest.mark.parametrize("motion", ["linear", "safe"])
@@ -34,4 +34,4 @@ def test_a_spiral_unrolled(benchmark, motion):
     drawings = [polygon(spiral(2.0, 100)), polygon(bar(100))]
     settings = Settings(motion=motion, place="bbox")
     (pair,), _ = benchmark.pedantic(match_all, (drawings, settings), rounds=5, warmup_rounds=1)
-    assert [shape.motion is None for shape in pair.moving] == [motion == "linear"]
+    assert [shape.motion is None for shape in pair.shapes] == [motion == "linear"]

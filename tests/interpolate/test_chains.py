@@ -8,15 +8,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 from shapely import LineString
 
-from shapeblend_cli.interpolate.chains import tracks
+from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.interpolate.paths import between, waypoints
-from shapeblend_cli.model import MovingContour, MovingShape, Style
+from shapeblend_cli.model import ShapeBlend, Style
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
 from tests.support.contours import drawing as contour_drawing
 from tests.support.contours import polygon_contour, polyline
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing
-from tests.support.motions import turned
+from tests.support.motions import contour_blend, turned
 from tests.support.shapes import star_polygon
 
 EVENODD = 'fill-rule="evenodd"'
@@ -60,23 +60,23 @@ def outlines_at(track, k, t):
     """The outlines of a track at a time after its key k, straight from waypoint to waypoint."""
     stations = [
         (0.0, track.keys[k].paths),
-        *((waypoint.t, waypoint.paths) for waypoint in track.ways[k]),
+        *((waypoint.t, waypoint.paths) for waypoint in track.waypoints[k]),
         (1.0, track.keys[k + 1].paths),
     ]
     for (low, before), (high, after) in pairwise(stations):
         if low <= t <= high:
             contours = tuple(
-                MovingContour(start, end, (np.zeros(1), np.zeros(1)))
+                contour_blend(start, end, (np.zeros(1), np.zeros(1)))
                 for start, end in zip(before, after, strict=True)
             )
-            return between(MovingShape(contours, Style(), Style()), (t - low) / (high - low))
+            return between(ShapeBlend(contours, Style(), Style()), (t - low) / (high - low))
     raise AssertionError("waypoints out of order")
 
 
 def assert_goes_the_same_way(pairs, found, times=(0.5,)):
     """Within each pair every outline of the tracks is one of the pair's own."""
     for pair, t in product(pairs, times):
-        own = [line(outline) for shape in pair.moving for outline in between(shape, t)]
+        own = [line(outline) for shape in pair.shapes for outline in between(shape, t)]
         here = [track for track in found if track.first <= pair.a < track.first + len(track.keys) - 1]
         outlines = [line(o) for track in here for o in outlines_at(track, pair.a - track.first, t)]
         assert len(outlines) == len(own)
@@ -88,10 +88,10 @@ def assert_goes_the_same_way(pairs, found, times=(0.5,)):
 @pytest.mark.parametrize("paths", SAME_CONTOURS)
 def test_equal_contours_make_one_path_of_equal_commands(paths, curves):
     pairs = pairs_of(*paths, curves=curves)
-    found = tracks(pairs)
+    found = keyframed_shapes(pairs)
     (track,) = found
     assert (track.first, len(track.keys)) == (0, len(paths))
-    assert track.ways == ((),) * (len(paths) - 1)
+    assert track.waypoints == ((),) * (len(paths) - 1)
     for outlines in zip(*(key.paths for key in track.keys), strict=True):
         assert len({o.segments.shape for o in outlines}) == 1
         assert len({o.straight.tobytes() for o in outlines}) == 1
@@ -118,11 +118,11 @@ def test_waypoints_are_cut_as_the_keys_are(paths, curves):
     pairs = [
         turned(pair, degrees) for pair, degrees in zip(pairs_of(*paths, curves=curves), TURNS, strict=False)
     ]
-    found = tracks(pairs)
+    found = keyframed_shapes(pairs)
     (track,) = found
-    assert len(track.ways) == len(track.keys) - 1
-    for pair, ways in zip(pairs, track.ways, strict=True):
-        (shape,) = pair.moving
+    assert len(track.waypoints) == len(track.keys) - 1
+    for pair, ways in zip(pairs, track.waypoints, strict=True):
+        (shape,) = pair.shapes
         assert [waypoint.t for waypoint in ways] == [waypoint.t for waypoint in waypoints(shape)]
         assert len(ways) > 3
         for waypoint in ways:
@@ -137,9 +137,9 @@ def test_waypoints_are_cut_as_the_keys_are(paths, curves):
 def test_pairs_that_go_straight_have_no_waypoints_among_others_that_do_not():
     pairs = pairs_of(STAR, DROP, CIRCLE, STAR)
     pairs[1] = turned(pairs[1])
-    found = tracks(pairs)
+    found = keyframed_shapes(pairs)
     (track,) = found
-    assert [len(ways) > 0 for ways in track.ways] == [False, True, False]
+    assert [len(ways) > 0 for ways in track.waypoints] == [False, True, False]
     assert_goes_the_same_way(pairs, found, (0.01, 0.3, 0.99))
 
 
@@ -148,21 +148,21 @@ def test_each_coat_of_paint_has_the_waypoints():
     leaf = f'<path d="{LEAF}" fill="url(#g)"/>'
     gradients = [f'<{kind}Gradient id="g">{stops}</{kind}Gradient>{leaf}' for kind in ("linear", "radial")]
     (pair,) = pairs_of(*gradients)
-    below, above = tracks([turned(pair)])
+    below, above = keyframed_shapes([turned(pair)])
     assert below.keys[0].style != above.keys[0].style
-    assert below.ways == above.ways
-    assert len(above.ways[0]) > 3
+    assert below.waypoints == above.waypoints
+    assert len(above.waypoints[0]) > 3
 
 
 def test_a_shape_that_does_not_go_on_as_it_came_ends_there():
     pairs = pairs_of(EYED, LEAF, EYED)
-    found = tracks(pairs)
+    found = keyframed_shapes(pairs)
     assert [(t.first, len(t.keys)) for t in found] == [(0, 2), (1, 2)]
     assert_goes_the_same_way(pairs, found)
     pairs = pairs_of(SQUARES, BAR, SQUARES)
-    assert_goes_the_same_way(pairs, tracks(pairs))
+    assert_goes_the_same_way(pairs, keyframed_shapes(pairs))
     pairs = [turned(pair) for pair in pairs]
-    assert_goes_the_same_way(pairs, tracks(pairs), (0.01, 0.2, 0.99))
+    assert_goes_the_same_way(pairs, keyframed_shapes(pairs), (0.01, 0.2, 0.99))
 
 
 def test_some_shapes_go_on_and_others_do_not():
@@ -173,7 +173,7 @@ def test_some_shapes_go_on_and_others_do_not():
 
     corner, other = "M0 0H3V3H0Z", "M20 0L24 0L24 4Z"
     pairs = pairs_of(shapes(STAR, corner, other), shapes(DROP, corner), shapes(LEAF, other, corner))
-    found = tracks(pairs)
+    found = keyframed_shapes(pairs)
     assert sorted((t.first, len(t.keys)) for t in found) == [(0, 2), (0, 3), (0, 3), (1, 2)]
     assert_goes_the_same_way(pairs, found)
 
@@ -182,7 +182,7 @@ def test_an_outline_that_was_opened_for_a_line_does_not_go_on_closed():
     ring = '<circle cx="12" cy="12" r="8" fill="none" stroke="#000"/>'
     square = '<path d="M4 4H20V20H4Z" fill="none" stroke="#000"/>'
     pairs = pairs_of(LINES[0], ring, square)
-    found = tracks(pairs)
+    found = keyframed_shapes(pairs)
     assert [(t.first, len(t.keys)) for t in found] == [(0, 2), (1, 2)]
 
 
@@ -194,8 +194,8 @@ def test_any_polygons_in_any_direction(seed, counts, curves):
         z = star_polygon(rng, count) * 10
         drawings.append(contour_drawing(polygon_contour(z[::-1] if rng.random() < 0.5 else z)))
     pairs, _ = match_all(drawings, Settings(vertices=20, curves=curves, place="asis", motion="linear"))
-    found = tracks(pairs)
+    found = keyframed_shapes(pairs)
     assert [len(t.keys) for t in found] == [len(counts)]
     assert_goes_the_same_way(pairs, found)
     pairs = [turned(pair, 100.0, 5 + 5j) for pair in pairs]
-    assert_goes_the_same_way(pairs, tracks(pairs), (0.01, 0.4))
+    assert_goes_the_same_way(pairs, keyframed_shapes(pairs), (0.01, 0.4))

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.motion.alignment import Matched, aligned, residual
+from shapeblend_cli.motion.alignment import Matched, align, residual
 
 seeds = st.integers(0, 10**9)
 
@@ -31,7 +31,7 @@ def test_a_similarity_is_found_whatever_the_weights(seed, scale, turn, shift, k)
     rng = np.random.default_rng(seed)
     a = random_points(rng, k)
     points = matched(a, scale * np.exp(1j * turn) * a + shift, 0.01 + rng.random(k))
-    found = aligned(points)
+    found = align(points)
     assert found.scale == pytest.approx(scale)
     assert found.turn == pytest.approx(turn, abs=1e-6)
     assert residual(points, found) < 1e-6
@@ -45,7 +45,7 @@ def test_a_similarity_is_found_whatever_the_weights(seed, scale, turn, shift, k)
 def test_no_similarity_leaves_less_but_for_its_scale(seed):
     rng = np.random.default_rng(seed)
     points = matched(random_points(rng), random_points(rng))
-    found = aligned(points)
+    found = align(points)
     for change in (
         found._replace(turn=found.turn + 0.05),
         found._replace(turn=found.turn - 0.05),
@@ -59,7 +59,7 @@ def test_no_similarity_leaves_less_but_for_its_scale(seed):
 def test_from_b_to_a_it_is_the_inverse(seed):
     rng = np.random.default_rng(seed)
     points = matched(random_points(rng), random_points(rng), rng.random(12))
-    there, back = aligned(points), aligned(points._replace(a=points.b, b=points.a))
+    there, back = align(points), align(points._replace(a=points.b, b=points.a))
     assert back.turn == pytest.approx(-there.turn)
     assert back.scale == pytest.approx(1.0 / there.scale)
     assert (back.centre_a, back.centre_b) == (there.centre_b, there.centre_a)
@@ -68,7 +68,7 @@ def test_from_b_to_a_it_is_the_inverse(seed):
 def test_half_way_it_is_turned_by_half_and_scaled_by_the_root():
     a = np.array([1, 1j, -1, -1j, 2 + 1j])
     points = matched(a, 9.0 * np.exp(0.8j) * a + 10.0)
-    found = aligned(points)
+    found = align(points)
     placed = found.placed(a - found.centre_a, 0.5)
     expected = 3.0 * np.exp(0.4j) * (a - a.mean()) + 0.5 * (a.mean() + points.b.mean())
     np.testing.assert_allclose(placed, expected)
@@ -89,12 +89,12 @@ def test_half_way_it_is_turned_by_half_and_scaled_by_the_root():
 )
 def test_lines_and_points_have_a_finite_one(a, b):
     points = matched(a, b)
-    found = aligned(points)
+    found = align(points)
     assert np.isfinite(found).all()
     assert found.scale > 0.0
     assert np.isfinite(residual(points, found))
 
 
 def test_collinear_points_turn_with_their_line():
-    found = aligned(matched([0, 1, 2, 3], [0, 1j, 2j, 3j]))
+    found = align(matched([0, 1, 2, 3], [0, 1j, 2j, 3j]))
     assert found.turn == pytest.approx(np.pi / 2.0)

@@ -9,14 +9,15 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.outline import signed_area
 from shapeblend_cli.interpolate.paths import between
 from shapeblend_cli.match.work import WorkConstants
-from shapeblend_cli.model import CubicPath, MovingContour
-from shapeblend_cli.motion.alignment import Matched, aligned, matched_points
+from shapeblend_cli.model import CubicPath
+from shapeblend_cli.motion.alignment import Matched, align, matched_points
 from shapeblend_cli.motion.intrinsic import closing, intrinsic
 from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.presets import PRESETS
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
+from tests.support.motions import contour_blend
 from tests.support.shapes import random_polygon, star_polygon
 
 TIMES = (0.1, 0.25, 0.5, 0.75, 0.9)
@@ -28,7 +29,7 @@ def outlines(a, b, straight=None, closed=True, **more):
     """A moving contour of control points."""
     straight = np.zeros(len(a), bool) if straight is None else straight
     places = np.arange(len(a) + 1.0), np.arange(len(a) + 1.0)
-    return MovingContour(CubicPath(a, straight, closed), CubicPath(b, straight, closed), places, **more)
+    return contour_blend(CubicPath(a, straight, closed), CubicPath(b, straight, closed), places, **more)
 
 
 def polygons(a, b, closed=True, **more):
@@ -43,7 +44,7 @@ def fitted(contours):
         np.concatenate([getattr(contour, side).segments.ravel() for contour in contours])
         for side in ("start", "end")
     )
-    return aligned(Matched(a, b, np.full(len(a), 1.0 / len(a))))
+    return align(Matched(a, b, np.full(len(a), 1.0 / len(a))))
 
 
 def motion(*contours):
@@ -79,8 +80,8 @@ def pair_of_samples(samples, a, b, settings=None):
     drawings = [read(str(samples / f"{name}.svg")) for name in (a, b)]
     (pair,), _ = match_all(drawings, settings or Settings())
     found = []
-    for matched, shape in zip(pair.shapes, pair.moving, strict=True):
-        alignment = aligned(matched_points(matched.contours))
+    for shape in pair.shapes:
+        alignment = align(matched_points(shape.contours))
         found.append(shape._replace(motion=intrinsic(shape.contours, alignment)))
     return found
 

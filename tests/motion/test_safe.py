@@ -8,10 +8,11 @@ from hypothesis import strategies as st
 from shapeblend_cli.geometry.outline import curve_crossings
 from shapeblend_cli.interpolate.paths import between
 from shapeblend_cli.match.work import WorkConstants
+from shapeblend_cli.measure import measure
 from shapeblend_cli.model import CubicPath
 from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.motion.safe import plan, safe
-from shapeblend_cli.pipeline import frame_at, match_all
+from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.conftest import SAMPLES
@@ -124,7 +125,7 @@ def test_a_hole_stays_in_its_outline():
         c._replace(
             start=CubicPath(a, curved, True),
             end=CubicPath(np.roll(b, 4, axis=0), curved, True),
-            places=places,
+            cuts=places,
         )
         for c, a, b in zip(base.contours, ring, far, strict=True)
     )
@@ -153,6 +154,6 @@ def test_the_antlers_of_figure_27_do_not_cross():
     crossings = {}
     for motion in ("linear", "auto"):
         (pair,), _ = match_all([cow, deer], Settings(motion=motion, constants=WorkConstants(m_b=10.0)))
-        crossings[motion] = [frame_at(pair, t / 20, as_drawn=False).self_crossings for t in range(21)]
+        crossings[motion] = [measure(pair, t / 20).self_crossings for t in range(21)]
     assert max(crossings["linear"]) > 0
     assert max(crossings["auto"]) == 0

@@ -73,7 +73,7 @@ def test_between_its_keys_the_picture_is_that_of_the_frames(is_turned):
     own = (0.21, 0.64)
     ends = (frame_at(pair, 0.0, as_drawn=True), frame_at(pair, 1.0, as_drawn=True))
     found = picture(pair, ends, own, 4)
-    for shape, moving in zip(found["shapes"], pair.moving, strict=True):
+    for shape, moving in zip(found["shapes"], pair.shapes, strict=True):
         for t in (0.0, *own, 1.0):
             np.testing.assert_allclose(
                 points_at(shape, t, 4), numbers_of(between(moving, t)), rtol=0, atol=1e-4
@@ -111,13 +111,13 @@ def test_paint_is_told_once_where_it_stays_and_at_even_times_where_it_does_not()
 def test_dots_lie_on_the_outline_that_moves(curves):
     settings = Settings(motion="linear", curves=curves)
     pair, _ = blend(drawing(EYED), drawing(LEAF), settings)
-    for shape, moved in zip(pair.shapes, pair.moving, strict=True):
-        for matched, moving in zip(shape.contours, moved.contours, strict=True):
-            along = places(matched, moving)
-            number = np.minimum(along.astype(int), len(moving.start.segments) - 1)
+    for shape in pair.shapes:
+        for matched in shape.contours:
+            along = places(matched)
+            number = np.minimum(along.astype(int), len(matched.start.segments) - 1)
             for outline, polygon, side in (
-                (moving.start, matched.polygon_a, 0),
-                (moving.end, matched.polygon_b, 1),
+                (matched.start, matched.polygon_a, 0),
+                (matched.end, matched.polygon_b, 1),
             ):
                 spots = [
                     cubics.evaluate(outline.segments[n], np.array([place - n]))[0]

@@ -8,8 +8,8 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.paths import waypoints
-from shapeblend_cli.model import CubicPath, MovingContour, MovingShape, Style
-from shapeblend_cli.motion.alignment import Alignment, Matched, aligned
+from shapeblend_cli.model import ContourBlend, CubicPath, ShapeBlend, Style
+from shapeblend_cli.motion.alignment import Alignment, Matched, align
 from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.outputs.move import Move
 from shapeblend_cli.pipeline import match_all, shapes_at
@@ -20,14 +20,19 @@ from tests.support.drawings import drawing
 def turned(pair, degrees=120.0, centre=12 + 12j):
     """A pair whose shapes turn around a point on their way, as if B's were A's turned so far."""
     motion = Rigid(Alignment(centre, centre, 1.0, math.radians(degrees)))
-    return pair._replace(moving=tuple(shape._replace(motion=motion) for shape in pair.moving))
+    return pair._replace(shapes=tuple(shape._replace(motion=motion) for shape in pair.shapes))
+
+
+def reasons(pair):
+    """Why each shape of a pair moves as it does."""
+    return tuple(shape.reason for shape in pair.shapes)
 
 
 def turned_move(*paths, degrees=120.0, **options):
     """The move between two documents of such paths that turns, and the pair that it shows."""
     pairs, _ = match_all([drawing(path, **options) for path in paths], Settings())
     (pair,) = (turned(pair, degrees) for pair in pairs)
-    ways = tuple(waypoints(shape) for shape in pair.moving)
+    ways = tuple(waypoints(shape) for shape in pair.shapes)
     return Move(shapes_at(pair, 0.0), shapes_at(pair, 1.0), pair.views, ways), pair
 
 
@@ -35,6 +40,12 @@ def outline(vertices, closed=True):
     """A polygon to draw."""
     segments = cubics.lines(np.asarray(vertices, complex), closed)
     return CubicPath(segments, np.ones(len(segments), bool), closed)
+
+
+def contour_blend(start, end, cuts, *, grows=False, shrinks=False):
+    """A blend from path to path of contours that nobody matched."""
+    numbers = None if grows else 0, None if shrinks else 0
+    return ContourBlend(*numbers, *[None] * 4, 1.0, 1.0, None, start, end, cuts)
 
 
 def moving_polygons(*pairs, closed=True):
@@ -45,9 +56,9 @@ def moving_polygons(*pairs, closed=True):
         sides = [outline(np.broadcast_to(z, count), closed) for z in (a, b)]
         places = np.arange(len(sides[0].segments) + 1.0)
         contours.append(
-            MovingContour(*sides, (places, places), grows=np.size(a) == 1, shrinks=np.size(b) == 1)
+            contour_blend(*sides, (places, places), grows=np.size(a) == 1, shrinks=np.size(b) == 1)
         )
-    return MovingShape(tuple(contours), Style(), Style())
+    return ShapeBlend(tuple(contours), Style(), Style())
 
 
 def similarity_of(shape):
@@ -56,4 +67,4 @@ def similarity_of(shape):
         np.concatenate([getattr(contour, side).segments[:, 0] for contour in shape.contours])
         for side in ("start", "end")
     )
-    return aligned(Matched(a, b, np.full(len(a), 1.0 / len(a))))
+    return align(Matched(a, b, np.full(len(a), 1.0 / len(a))))

@@ -16,7 +16,7 @@ from shapeblend_cli.svg.writing.paint import paint_attributes, without_defaults
 from shapeblend_cli.svg.writing.path_data import short_path_data
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import Track
+    from shapeblend_cli.model import KeyframedShape
 
 FOREVER, PINGPONG = "forever", "pingpong"
 
@@ -86,7 +86,7 @@ def values_between(name: str, keys: Sequence[str], colours: Colours) -> Values:
     return Values(keys, waypoints)
 
 
-def attribute_values(shape: Track, decimals: int, colours: Colours) -> dict[str, Values]:
+def attribute_values(shape: KeyframedShape, decimals: int, colours: Colours) -> dict[str, Values]:
     """Return the values of every attribute of a path, except those that have their initial value at all keys."""
     keys = [
         {"d": short_path_data(key.paths, decimals), **paint_attributes(key.style, decimals)}
@@ -101,7 +101,7 @@ def attribute_values(shape: Track, decimals: int, colours: Colours) -> dict[str,
     values["d"] = values["d"]._replace(
         waypoints=[
             [(waypoint.t, short_path_data(waypoint.paths, decimals)) for waypoint in section]
-            for section in shape.ways
+            for section in shape.waypoints
         ]
     )
     return values

@@ -19,16 +19,18 @@ from shapeblend_cli.svg.writing.rounding import number
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Box, Track
+    from shapeblend_cli.model import Box, KeyframedShape
     from shapeblend_cli.svg.writing.animation import Colours, Moment, Timing
 
 
-def css_svg(shapes: Sequence[Track], view: Box, timing: Timing, decimals: int, colours: Colours) -> str:
+def css_svg(
+    shapes: Sequence[KeyframedShape], view: Box, timing: Timing, decimals: int, colours: Colours
+) -> str:
     """Return an SVG document animated by CSS; with prefers-reduced-motion it shows A at rest.
 
     Parameters
     ----------
-    shapes : sequence of Track
+    shapes : sequence of KeyframedShape
         In paint order. Gradients become plain colours, since CSS cannot animate them.
     view : Box
         What part of the plane to show; CSS cannot animate that either.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 from xml.etree.ElementTree import Element
 
-from shapeblend_cli.model import RadialGradient, Track
+from shapeblend_cli.model import KeyframedShape, RadialGradient
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import (
     FOREVER,
@@ -35,13 +35,13 @@ DISCRETE = frozenset(("fill_rule", "stroke_linecap", "stroke_linejoin", "spreadM
 
 
 def smil_svg(
-    shapes: Sequence[Track], views: Sequence[Box], timing: Timing, decimals: int, colours: Colours
+    shapes: Sequence[KeyframedShape], views: Sequence[Box], timing: Timing, decimals: int, colours: Colours
 ) -> str:
     """Return an SVG document in which paths are animated by SMIL.
 
     Parameters
     ----------
-    shapes : sequence of Track
+    shapes : sequence of KeyframedShape
         In paint order.
     views : sequence of Box
         What part of the plane to show, a box a key.
@@ -118,14 +118,14 @@ def stacked_svg(frames: Sequence[Frame], timing: Timing, pairs: int, decimals: i
     return document.text(drawing, definitions=gradients.elements)
 
 
-def _extend(shape: Track, drawings: int) -> Track:
+def _extend(shape: KeyframedShape, drawings: int) -> KeyframedShape:
     """Return a shape with a key for every drawing: its first key is repeated before it begins, its last after it."""
     before = shape.first
     after = drawings - before - len(shape.keys)
-    return Track(
+    return KeyframedShape(
         keys=(shape.keys[0],) * before + shape.keys + (shape.keys[-1],) * after,
         first=0,
-        ways=((),) * before + shape.ways + ((),) * after,
+        waypoints=((),) * before + shape.waypoints + ((),) * after,
     )
 
 

@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 import pytest
 
 from shapeblend_cli.easing import LINEAR, Ease
-from shapeblend_cli.interpolate.chains import tracks
+from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.interpolate.colours import colour_stops
 from shapeblend_cli.model import Box
 from shapeblend_cli.pipeline import match_all
@@ -28,12 +28,12 @@ def pairs_of(*paths):
 
 def smil(pairs, timing):
     views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
-    return ElementTree.fromstring(smil_svg(tracks(pairs), views, timing, 3, colour_stops))
+    return ElementTree.fromstring(smil_svg(keyframed_shapes(pairs), views, timing, 3, colour_stops))
 
 
 def css(pairs, timing):
     views = [view for pair in pairs for view in pair.views]
-    return css_svg(tracks(pairs), Box.union(views), timing, 3, colour_stops)
+    return css_svg(keyframed_shapes(pairs), Box.union(views), timing, 3, colour_stops)
 
 
 def animations(root, name):
@@ -46,7 +46,7 @@ def animations(root, name):
 def test_every_waypoint_has_its_value_time_and_spline(paths, repeat, ease):
     straight, timing = pairs_of(*paths), Timing(ease=ease, repeat=repeat)
     moved = [turned(straight[0]), *straight[1:]]
-    steps = len(straight) + sum(len(way) for way in tracks(moved)[0].ways)
+    steps = len(straight) + sum(len(way) for way in keyframed_shapes(moved)[0].waypoints)
     found, *_ = animations(smil(moved, timing), "d")
     values, times = found.get("values").split(";"), [float(v) for v in found.get("keyTimes").split(";")]
     assert len(values) == len(times) == steps * (2 if repeat == PINGPONG else 1) + 1
@@ -80,7 +80,7 @@ def test_only_the_path_has_keyframes_at_waypoints():
 def test_css_gives_a_path_with_waypoints_keyframes_of_its_own():
     straight, timing = pairs_of(LEAF, BAR), Timing(ease=SLOW_START)
     moved = [turned(pair) for pair in straight]
-    (way,) = tracks(moved)[0].ways
+    (way,) = keyframed_shapes(moved)[0].waypoints
     text = css(moved, timing)
     assert text.count("d:path(") == len(way) + 2
     assert text.count("animation-timing-function:") == len(way) + 1

@@ -1,0 +1,36 @@
+"""What can be measured of an in-between."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.outline import curve_crossings
+from shapeblend_cli.interpolate.paths import between
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import Pair
+
+
+class Measures(NamedTuple):
+    """What is measured of an in-between.
+
+    Attributes
+    ----------
+    self_crossings : int
+        How often outlines that are painted together cross themselves and each other, on their curves.
+    area : float
+        Inside the outlines, in square units of A.
+    """
+
+    self_crossings: int
+    area: float
+
+
+def measure(pair: Pair, t: float) -> Measures:
+    """Measure the in-between at time t; also at both ends as it moves, not as the drawing has it."""
+    shapes = [between(shape, t) for shape in pair.shapes]
+    return Measures(
+        self_crossings=sum(curve_crossings(paths) for paths in shapes),
+        area=sum(abs(sum(cubics.signed_area(path.segments) for path in paths)) for paths in shapes),
+    )
