@@ -10,6 +10,9 @@ PYTHON ?= python3.13 python3.12 python3.11 python3
 VENV := .venv
 BIN := $(VENV)/bin
 DEMO := out/demo
+# Tests that need a browser, and tests that draw and measure anew with other programs.
+BROWSER_TESTS := tests/browser
+DOCS_TESTS := tests/docs
 # Compiled modules: pyproject.toml has the list.
 KERNELS := $(wildcard $(shell sed -n 's|^ *"\(shapeblend_cli/.*\.py\)",*$$|\1|p' pyproject.toml))
 KERNEL_SOURCES := $(if $(KERNELS),$(KERNELS),$(error the list of kernels in pyproject.toml names no file))
@@ -20,7 +23,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test lint type fmt golden fuzz bench bench-quality bench-truth sweep worst pictures gallery plots tables install clean
+.PHONY: help demo test test-browser docs-check lint type fmt golden fuzz bench bench-quality bench-truth sweep worst pictures gallery plots tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -37,8 +40,14 @@ demo: install ## blend samples/e.svg into samples/f.svg: frames, an animated SVG
 	@echo "preview        $(DEMO)/look.html  (this one too)"
 	@echo "contact sheet  $(DEMO)/contact-sheet.png"
 
-test: install chromium npm ## run every test
-	$(BIN)/python -m pytest -q
+test: install ## run the tests that need nothing but Python: no network, no npm, no browser
+	$(BIN)/python -m pytest -q --ignore=$(BROWSER_TESTS) --ignore=$(DOCS_TESTS)
+
+test-browser: install chromium npm ## test animations, the page of --preview, and what other programs play, in Chromium
+	$(BIN)/python -m pytest -q $(BROWSER_TESTS)
+
+docs-check: install npm ## draw the pictures in docs and measure some of its figures anew, and compare; much needs npm
+	$(BIN)/python -m pytest -q $(DOCS_TESTS)
 
 lint: $(VENV)/.installed ## check format, lint and types
 	$(BIN)/ruff format --check .
@@ -140,30 +149,16 @@ $(VENV)/.compiled: $(VENV)/.installed setup.py $(KERNEL_SOURCES)
 	done; \
 	touch $@
 
-# A browser shows the animated SVGs in one test. Without one that test is skipped, but not in CI.
-.PHONY: chromium
-chromium:
-	@have() { command -v chromium || command -v chromium-browser || command -v google-chrome; } >/dev/null 2>&1; \
+# Where one of them cannot be installed, the tests that need it are skipped. In CI `docs-check` fails then, and nothing else.
+.PHONY: chromium npm
+chromium: COMMANDS := chromium chromium-browser google-chrome
+npm: COMMANDS := npm
+chromium npm:
+	@have() { for name in $(COMMANDS); do command -v "$$name" && return; done; return 1; } >/dev/null; \
 	have && exit 0; \
 	if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
-	    echo "installing chromium for the browser test"; \
-	    { apt-get update -qq && DEBIAN_FRONTEND=noninteractive \
-	        apt-get install -y -qq --no-install-recommends chromium; } </dev/null >/dev/null || true; \
+	    echo "installing $@"; \
+	    { timeout 60 apt-get update -qq && DEBIAN_FRONTEND=noninteractive \
+	        timeout 300 apt-get install -y -qq --no-install-recommends $@; } </dev/null >/dev/null || true; \
 	fi; \
-	have && exit 0; \
-	echo "no chromium here, so its test is skipped. On Debian: apt-get install chromium" >&2; \
-	[ "$$CI" != true ]
-
-# lottie-web, which npm installs into out/, plays the Lottie files in one test. Without npm that test is skipped, but not in CI.
-.PHONY: npm
-npm:
-	@have() { command -v node && command -v npm; } >/dev/null 2>&1; \
-	have && exit 0; \
-	if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
-	    echo "installing npm for the test of Lottie files"; \
-	    { apt-get update -qq && DEBIAN_FRONTEND=noninteractive \
-	        apt-get install -y -qq --no-install-recommends nodejs npm; } </dev/null >/dev/null || true; \
-	fi; \
-	have && exit 0; \
-	echo "no npm here, so the test of Lottie files is skipped. On Debian: apt-get install npm" >&2; \
-	[ "$$CI" != true ]
+	have || echo "no $@ here, so tests that need it are skipped. On Debian or Ubuntu: apt-get install $@" >&2

@@ -4,15 +4,10 @@ Every comparison is of pixels. A browser takes a second or two to start, so all 
 """
 
 import base64
-import io
-import os
 import re
-import shutil
-import subprocess
 
 import numpy as np
 import pytest
-from PIL import Image
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.easing import Ease
@@ -28,16 +23,6 @@ from shapeblend_cli.svg.writing.smil import smil_svg
 from tests.support.drawings import EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
 from tests.support.motions import turned
 
-CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-if CHROMIUM is None and os.environ.get("CI") == "true":
-    raise RuntimeError("no Chromium here: make test installs it")
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium here: apt-get install chromium")
-
-FLAGS = (
-    *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync"),
-    *("--disable-background-networking", "--disable-component-update", "--hide-scrollbars"),
-    *("--force-device-scale-factor=1", "--allow-file-access-from-files"),
-)
 SIZE = 120
 EVENODD = 'fill-rule="evenodd"'
 
@@ -57,33 +42,21 @@ onload = () => {
 </script>"""
 
 
-def screenshot(folder, cells, script=STOP, budget=1500):
-    """Pixels of the cells of a page, from 0 to 1, (cells, SIZE, SIZE, 3)."""
-    page, picture = folder / "page.html", folder / "page.png"
+@pytest.fixture
+def cells_drawn(screenshot):
+    """Draw cells, from 0 to 1, (cells, SIZE, SIZE, 3)."""
     style = f"body{{margin:0;background:#fff}}div{{position:absolute;left:0;width:{SIZE}px;height:{SIZE}px}}"
     style += f"svg,img{{width:{SIZE}px;height:{SIZE}px;display:block}}"
-    boxes = "".join(
-        f'<div style="top:{k * SIZE}px" {attributes}>{body}</div>'
-        for k, (attributes, body) in enumerate(cells)
-    )
-    page.write_text(f"<!doctype html><style>{style}</style><body>{boxes}{script}", encoding="utf-8")
-    subprocess.run(
-        [
-            CHROMIUM,
-            *FLAGS,
-            f"--virtual-time-budget={budget}",
-            f"--window-size={SIZE},{SIZE * len(cells)}",
-            f"--user-data-dir={folder / 'profile'}",
-            f"--screenshot={picture}",
-            page.as_uri(),
-        ],
-        capture_output=True,
-        timeout=120,
-        check=True,
-    )
-    with Image.open(io.BytesIO(picture.read_bytes())) as image:
-        pixels = np.asarray(image.convert("RGB"), float) / 255.0
-    return pixels[: SIZE * len(cells)].reshape(len(cells), SIZE, SIZE, 3)
+
+    def draw(cells, script=STOP):
+        boxes = "".join(
+            f'<div style="top:{k * SIZE}px" {attributes}>{body}</div>'
+            for k, (attributes, body) in enumerate(cells)
+        )
+        pixels = screenshot(style, boxes + script, SIZE, SIZE * len(cells)) / 255.0
+        return pixels.reshape(len(cells), SIZE, SIZE, 3)
+
+    return draw
 
 
 def own_ids(text, number):
@@ -168,7 +141,7 @@ GRADIENTS = {
 
 
 @pytest.mark.parametrize("method", ["smil", "css"])
-def test_animations_show_what_the_frames_show(here, method):
+def test_animations_show_what_the_frames_show(here, cells_drawn, method):
     cells, pairs = [], []
     cases = CASES | (GRADIENTS if method == "smil" else {})
     for name, (paths, options) in cases.items():
@@ -184,12 +157,12 @@ def test_animations_show_what_the_frames_show(here, method):
             pairs.append((len(cells), len(cells) + 1, most))
             cells.append((f'data-time="{0.5 * k}"', own_ids(moving, len(cells))))
             cells.append(("", own_ids(frames[k], len(cells))))
-    pixels = screenshot(here, cells)
+    pixels = cells_drawn(cells)
     for moving, still, most in pairs:
         assert_alike(pixels[moving], pixels[still], (moving, cells[moving][0]), most)
 
 
-def test_pingpong_comes_back_the_way_it_went(here):
+def test_pingpong_comes_back_the_way_it_went(here, cells_drawn):
     names, frames = blended(here, *CASES["one path through four"])
     assert run([*names, "-o", "moving.svg", "--repeat", "pingpong", "--ease", "ease-in"]) == 0
     assert (
@@ -202,10 +175,10 @@ def test_pingpong_comes_back_the_way_it_went(here):
         cells += [
             (f'data-time="{time}"', own_ids(text, len(cells) + k)) for k, time in enumerate((there, back))
         ]
-    pixels = screenshot(here, cells)
+    pixels = cells_drawn(cells)
     for picture in pixels[1:]:
         assert_alike(picture, pixels[0])
-    assert np.abs(pixels[0] - screenshot(here, [("", frames[0])])[0]).mean() > 0.01
+    assert np.abs(pixels[0] - cells_drawn([("", frames[0])])[0]).mean() > 0.01
 
 
 TURNING = {
@@ -219,7 +192,7 @@ TURNING = {
 
 
 @pytest.mark.parametrize("method", ["smil", "css"])
-def test_what_moves_on_curved_paths_is_shown_there(here, method):
+def test_what_moves_on_curved_paths_is_shown_there(here, cells_drawn, method):
     cells, pairs = [], []
     for name, (paths, timing) in TURNING.items():
         straight, _ = match_all([drawing(p, attributes=EVENODD) for p in paths], Settings(motion="linear"))
@@ -238,12 +211,12 @@ def test_what_moves_on_curved_paths_is_shown_there(here, method):
                 for time in times:
                     pairs.append((name, time))
                     cells += [(f'data-time="{time}"', own_ids(moving, len(cells))), ("", frame)]
-    pixels = screenshot(here, cells)
+    pixels = cells_drawn(cells)
     for k, number in enumerate(pairs):
         assert_alike(pixels[2 * k], pixels[2 * k + 1], number)
 
 
-def test_stacked_frames_are_shown_in_turn(here):
+def test_stacked_frames_are_shown_in_turn(here, cells_drawn):
     paths, options = CASES["three drawings"]
     names, frames = blended(here, paths, options)
     cells = []
@@ -251,12 +224,12 @@ def test_stacked_frames_are_shown_in_turn(here):
     text = (here / "moving.svg").read_text()
     for k, frame in enumerate(frames):
         cells += [(f'data-time="{4.0 * (k + 0.5) / len(frames)}"', text), ("", frame)]
-    pixels = screenshot(here, cells)
+    pixels = cells_drawn(cells)
     for k in range(len(frames)):
         assert_alike(pixels[2 * k], pixels[2 * k + 1])
 
 
-def test_the_viewbox_moves_with_the_drawings(here):
+def test_the_viewbox_moves_with_the_drawings(here, cells_drawn):
     (here / "a.svg").write_text(svg(B, attributes=EVENODD))
     (here / "b.svg").write_text(svg(EIGHT, attributes=EVENODD, viewbox="-24 -12 72 48"))
     files = ["a.svg", "b.svg", "--place", "asis", "-q"]
@@ -265,13 +238,13 @@ def test_the_viewbox_moves_with_the_drawings(here):
     frames = [path.read_text() for path in sorted((here / "frames").glob("*.svg"))]
     moving = (here / "moving.svg").read_text()
     cells = [('data-time="1"', moving), ("", frames[1]), ('data-time="1.99999"', moving), ("", frames[2])]
-    pixels = screenshot(here, cells)
+    pixels = cells_drawn(cells)
     assert_alike(pixels[0], pixels[1])
     assert_alike(pixels[2], pixels[3])
 
 
 @pytest.mark.parametrize("method", ["smil", "css"])
-def test_it_moves_inside_an_image(here, method):
+def test_it_moves_inside_an_image(here, cells_drawn, method):
     names, frames = blended(here, *CASES["holes"])
     assert run([*names, "-o", "moving.svg", "--animate", method, "--duration", "3600"]) == 0
     text = (here / "moving.svg").read_text()
@@ -283,15 +256,15 @@ def test_it_moves_inside_an_image(here, method):
         assert begun[method][0] in text
         data = base64.b64encode(text.replace(*begun[method]).encode()).decode()
         cells += [("", f'<img src="data:image/svg+xml;base64,{data}">'), ("", frames[k])]
-    pixels = screenshot(here, cells, script="")
+    pixels = cells_drawn(cells, script="")
     for k in range(3):
         assert_alike(pixels[2 * k], pixels[2 * k + 1], k)
 
 
-def test_css_stands_still_for_who_prefers_reduced_motion(here):
+def test_css_stands_still_for_who_prefers_reduced_motion(here, cells_drawn):
     names, frames = blended(here, *CASES["holes"])
     assert run([*names, "-o", "moving.svg", "--animate", "css"]) == 0
     # What the media query holds is applied here to all.
     text = (here / "moving.svg").read_text().replace("(prefers-reduced-motion:reduce)", "all")
-    pixels = screenshot(here, [("", text), ("", frames[0])])
+    pixels = cells_drawn([("", text), ("", frames[0])])
     assert_alike(pixels[0], pixels[1])

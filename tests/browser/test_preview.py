@@ -12,10 +12,7 @@ from shapeblend_cli.pairing.join import solved_wires
 from shapeblend_cli.pipeline import blend
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
-from tests.browser.test_animation import CHROMIUM
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, SQUARES, B, svg
-
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium here: apt-get install chromium")
 
 VERTICES = 40
 EVENODD = 'fill-rule="evenodd" fill="{}"'
@@ -47,16 +44,6 @@ def pages(tmp_path_factory):
     return found
 
 
-@pytest.fixture(scope="module")
-def browser():
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as playwright:
-        started = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
-        yield started
-        started.close()
-
-
 @pytest.fixture
 def opened(browser, pages):
     """Open a page. Nothing may go wrong in it, and nothing may be fetched, as long as the test runs."""
@@ -71,6 +58,7 @@ def opened(browser, pages):
         )
         contexts.append(context)
         page = context.new_page()
+        page.clock.install()
         page.on("console", lambda message: wrong.append(f"{message.type}: {message.text}"))
         page.on("pageerror", lambda error: wrong.append(str(error)))
         page.on("request", lambda request: asked.append(request.url))
@@ -116,7 +104,7 @@ def test_it_plays_by_itself_and_stops_on_request(opened):
     page.click("#play")
     assert page.get_attribute("#play", "aria-label") == "Play"
     still, time = shape(page), time_of(page)
-    page.wait_for_timeout(120)
+    page.clock.run_for(1000)
     assert (shape(page), time_of(page)) == (still, time)
     page.locator("body").press(" ")
     page.wait_for_function("before => Number(document.getElementById('time').value) !== before", arg=time)
@@ -124,7 +112,7 @@ def test_it_plays_by_itself_and_stops_on_request(opened):
 
 def test_it_does_not_start_for_who_prefers_reduced_motion(opened):
     page = opened("one")
-    page.wait_for_timeout(120)
+    page.clock.run_for(1000)
     assert (time_of(page), page.get_attribute("#play", "aria-label")) == (0.0, "Play")
     page.click("#play")
     page.wait_for_function("() => Number(document.getElementById('time').value) > 0")
@@ -346,7 +334,7 @@ def test_the_graph_is_zoomed_and_moved(opened):
     seen = [pixels(page)]
     page.locator("#graph").hover()
     page.mouse.wheel(0, -400)
-    page.wait_for_timeout(100)
+    page.wait_for_function("seen => document.getElementById('graph').toDataURL() !== seen", arg=seen[0])
     seen.append(pixels(page))
     box = page.locator("#graph").bounding_box()
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
@@ -493,7 +481,7 @@ def test_the_command_is_copied(opened, browser, pages):
     page = opened("one")
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     page.click("#copy")
-    assert page.inner_text("#copy") == "Copied"
+    page.wait_for_selector("#copy:text-is('Copied')")
     copied = page.evaluate("navigator.clipboard.readText()")
     assert copied.startswith("shapeblend ")
     assert copied.endswith(f"--preview {pages['one'][0]}")

@@ -11,7 +11,7 @@ from tools.quality.peers import ALL, arc_length, shapeblend
 from tools.quality.scores import area, signed_area
 from tools.quality.truth import __main__ as command
 from tools.quality.truth import letters
-from tools.quality.truth.form import TIMES, Linked, Truth, load, truth
+from tools.quality.truth.form import TIMES, Linked, Truth, truth
 from tools.quality.truth.letters import Letter
 from tools.quality.truth.measures import (
     GROSS,
@@ -232,34 +232,6 @@ def test_curves_stay_near_their_polygons_and_lines_are_written_as_lines():
     assert len(one.frames[0][0]) >= 3 + letters.LEAST_PIECES
     assert all(len(p) == len(q) for p, q in zip(one.frames[0], one.frames[-1], strict=True))
     assert letters._svg([[np.array([0, 5, 10]), np.array([10, 10j]), np.array([10j, 5j, 0])]]).count("Q") == 0
-
-
-def test_letters_of_fonts(fonts):
-    for name, each in letters.COUNTS.items():
-        found = list(load(fonts, name))
-        assert len(found) == each * len(letters.FAMILIES)
-        for one in found:
-            assert (len(one.frames[0]) == 1) == (name == "single")
-            assert apart(*letters._centred(one.frames[0], one.frames[-1])) >= letters.DIFFERENT
-            assert strict(one, straight(one)[0]) < 3 * letters.EVEN
-            assert len(shapeblend.drawn(one.b)) == len(one.frames[0])
-
-
-def test_an_in_between_of_a_letter_is_that_of_the_font(fonts):
-    one = letters.letter(letters.opened("Archivo"), "Archivo", "I", "wght", 0.0, 1.0)
-    widths = [float(np.ptp(np.concatenate(frame).real)) for frame in one.frames]
-    assert np.diff(widths) == pytest.approx([(widths[-1] - widths[0]) / 4] * 4, abs=0.2)
-    assert widths[-1] > 1.2 * widths[0]
-
-
-def test_letters_are_the_same_every_time(fonts, monkeypatch, tmp_path):
-    family = next(iter(letters.FAMILIES))
-    monkeypatch.setattr(letters, "FAMILIES", {family: letters.FAMILIES[family]})
-    letters.make(tmp_path)
-    files = sorted(tmp_path.glob("*/*/*"))
-    assert len(files) == 3 * sum(letters.COUNTS.values())
-    for file in files:
-        assert file.read_bytes() == (fonts / file.relative_to(tmp_path)).read_bytes()
 
 
 def test_the_command_measures_a_folder(monkeypatch, tmp_path, capsys):

@@ -32,6 +32,14 @@ def install(source: Path, target: Path, *others: str) -> str | None:
         shutil.copyfile(source / name, target / name)
     if there:
         return None
-    command = ["npm", "ci", "--loglevel=error", "--no-audit", "--no-fund", "--ignore-scripts"]
+    command = [
+        "npm",
+        "ci",
+        "--loglevel=error",
+        "--no-audit",
+        "--no-fund",
+        "--ignore-scripts",
+        "--fetch-retries=1",
+    ]
     done = subprocess.run(command, cwd=target, stdout=subprocess.DEVNULL, check=False)
     return "npm could not install it" if done.returncode else None

@@ -1,0 +1,35 @@
+"""Programs that some tests need and not every machine has.
+
+Tests in `tests/browser` and `tests/docs` are skipped where one is missing. In CI `tests/docs/test_equipment.py` fails
+then.
+"""
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tools.quality.npm import install
+from tools.quality.peers import flubber
+from tools.quality.truth import letters
+
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+
+PLAYER = Path(__file__).with_name("player")
+"""The folder with the lock file of lottie-web."""
+INSTALLED = Path(__file__).parents[2] / "out" / "player"
+LOTTIE_WEB = INSTALLED / "node_modules" / "lottie-web" / "build" / "player" / "lottie.min.js"
+
+EQUIPMENT = {
+    "Chromium": lambda: None if CHROMIUM else "apt-get install chromium",
+    "lottie-web": lambda: install(PLAYER, INSTALLED),
+    "flubber": flubber.ready,
+    "fonts": letters.ready,
+}
+"""For each program a function that makes it ready, and returns None, or why it cannot."""
+
+
+def require(name):
+    """Skip a test that needs what is missing here."""
+    if problem := EQUIPMENT[name]():
+        pytest.skip(f"no {name}: {problem}")
