@@ -15,7 +15,6 @@ from shapeblend_cli.clock import Clock
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.normalise import Similarity, lay_over
 from shapeblend_cli.interpolate.paths import between, with_curves
-from shapeblend_cli.interpolate.styles import blend_styles, painted_as
 from shapeblend_cli.interpolate.times import frame_times
 from shapeblend_cli.model import (
     Box,
@@ -31,6 +30,7 @@ from shapeblend_cli.model import (
 from shapeblend_cli.motion.alignment import align, matched_points
 from shapeblend_cli.motion.choose import RotatedShape, choose_motion, is_as_good, try_straight
 from shapeblend_cli.motion.turned import is_turned, turn_between
+from shapeblend_cli.paint.styles import blend_styles, painted_as
 from shapeblend_cli.pairing.join import join, least_work_either_way, part_of
 from shapeblend_cli.pairing.pair import pair_parts
 from shapeblend_cli.pairing.parts import Part, main_way, take_apart, turned_parts

@@ -1,1 +1,1 @@
-"""In-betweens from a correspondence: when, where and in which paint."""
+"""In-betweens from a correspondence: when and where."""

@@ -14,8 +14,8 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.outline import reversed_polygon
 from shapeblend_cli.interpolate.paths import waypoints
-from shapeblend_cli.interpolate.styles import keyed_styles
 from shapeblend_cli.model import CubicPath, KeyframedShape, PaintedShape, Waypoint
+from shapeblend_cli.paint.styles import keyed_styles
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.interpolate.chains import keyframed_shapes
-from shapeblend_cli.interpolate.colours import colour_stops
 from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import Box
 from shapeblend_cli.outputs.raster_options import ANIMATED, PICTURES, WIDTHS
 from shapeblend_cli.outputs.times import run_for
+from shapeblend_cli.paint.colours import colour_stops
 from shapeblend_cli.pipeline import make_frames, shapes_at
 from shapeblend_cli.svg.writing.animation import PINGPONG
 from shapeblend_cli.svg.writing.css import css_svg

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shapeblend_cli.interpolate.paths import between, waypoints
-from shapeblend_cli.interpolate.styles import blend_styles
 from shapeblend_cli.model import LinearGradient, RadialGradient, unroll
+from shapeblend_cli.paint.styles import blend_styles
 from shapeblend_cli.svg.writing.paint import gradient_attributes, paint_attributes, visible_styles
 from shapeblend_cli.svg.writing.path_data import path_data
 

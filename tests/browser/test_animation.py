@@ -12,8 +12,8 @@ import pytest
 from shapeblend_cli.cli import run
 from shapeblend_cli.easing import Ease
 from shapeblend_cli.interpolate.chains import keyframed_shapes
-from shapeblend_cli.interpolate.colours import colour_stops
 from shapeblend_cli.model import Box
+from shapeblend_cli.paint.colours import colour_stops
 from shapeblend_cli.pipeline import frame_at, match_all
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.writing.animation import PINGPONG, Timing

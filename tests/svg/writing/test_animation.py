@@ -7,8 +7,8 @@ import pytest
 
 from shapeblend_cli.easing import LINEAR, Ease
 from shapeblend_cli.interpolate.chains import keyframed_shapes
-from shapeblend_cli.interpolate.colours import colour_stops
 from shapeblend_cli.model import Box
+from shapeblend_cli.paint.colours import colour_stops
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.writing.animation import PINGPONG, Timing

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.interpolate.colours import blend_colours
+from shapeblend_cli.paint.colours import blend_colours
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -126,7 +126,7 @@ def _blend_paint(a: _Paint, b: _Paint, t: float) -> tuple[_Paint, _Paint | None]
     if a.gradient == b.gradient:
         return _Paint(colour, opacity, a.gradient), None
 
-    from shapeblend_cli.interpolate.gradients import all_of, blend_gradients  # few drawings have any
+    from shapeblend_cli.paint.gradients import all_of, blend_gradients  # few drawings have any
 
     if a.gradient is None:
         assert b.gradient is not None

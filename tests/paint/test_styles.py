@@ -2,8 +2,8 @@
 
 import pytest
 
-from shapeblend_cli.interpolate.styles import MOST_DASHES, blend_styles, common_dashes, painted_as
 from shapeblend_cli.model import LinearGradient, RadialGradient, Stop, Style
+from shapeblend_cli.paint.styles import MOST_DASHES, blend_styles, common_dashes, painted_as
 
 LINE = Style(fill=None, stroke="#000000")
 FADE = (Stop(0.0, "#ff0000"), Stop(1.0, "#0000ff"))

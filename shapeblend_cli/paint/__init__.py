@@ -1,0 +1,1 @@
+"""Paint between two paints: colours in OKLab, gradients, dashes."""
