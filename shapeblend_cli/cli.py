@@ -241,9 +241,9 @@ def blend(
         "preview": preview_file,
     }
 
+    from shapeblend_cli.easing import Timing
     from shapeblend_cli.files import Job, blend_files
     from shapeblend_cli.outputs.render import OutputSpec
-    from shapeblend_cli.svg.writing.animation import Timing
 
     job = Job(
         files=files,

@@ -1,4 +1,4 @@
-"""Easing, as CSS has it: how far a blend has come when a share of its time has passed.
+"""The timing of animations, and easing as in CSS: the progress of a blend after a share of its time.
 
 https://www.w3.org/TR/css-easing-1/#cubic-bezier-easing-functions
 """
@@ -84,6 +84,33 @@ class Ease(NamedTuple):
 
 
 LINEAR = Ease()
+
+FOREVER, PINGPONG = "forever", "pingpong"
+
+
+class Timing(NamedTuple):
+    """How an animation runs.
+
+    The identifiers in CSS animations are made from the text of this value.
+
+    Attributes
+    ----------
+    seconds : float > 0
+        From one drawing to the next.
+    ease : Ease
+        From one drawing to the next.
+    repeat : int or str
+        How often it runs; ``forever``; or ``pingpong``: forwards and backwards forever.
+    """
+
+    seconds: float = 2.0
+    ease: Ease = LINEAR
+    repeat: int | str = FOREVER
+
+    @property
+    def is_pingpong(self) -> bool:
+        """Whether it runs forwards and backwards in turn."""
+        return self.repeat == PINGPONG
 
 
 def parse(text: str) -> Ease:

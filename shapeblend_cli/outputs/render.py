@@ -11,7 +11,6 @@ from shapeblend_cli.outputs.raster_options import ANIMATED, PICTURES, WIDTHS
 from shapeblend_cli.outputs.times import run_for
 from shapeblend_cli.paint.colours import colour_stops
 from shapeblend_cli.pipeline import make_frames, shapes_at
-from shapeblend_cli.svg.writing.animation import PINGPONG
 from shapeblend_cli.svg.writing.css import css_svg
 from shapeblend_cli.svg.writing.document import frame_svg
 from shapeblend_cli.svg.writing.rounding import decimals_for
@@ -20,10 +19,10 @@ from shapeblend_cli.svg.writing.smil import smil_svg, stacked_svg
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.easing import Timing
     from shapeblend_cli.model import Frame, Pair
     from shapeblend_cli.outputs.raster_options import RasterOptions
     from shapeblend_cli.settings import Settings
-    from shapeblend_cli.svg.writing.animation import Timing
 
 
 class OutputSpec(NamedTuple):
@@ -113,7 +112,7 @@ def _pictures(
     size = size_for(choice.width or WIDTHS[kind], (view.width, view.height))
     if kind in ANIMATED:
         timing = spec.timing
-        run = run_for(choice.fps, settings.frames, len(pairs), timing.seconds, timing.repeat == PINGPONG)
+        run = run_for(choice.fps, settings.frames, len(pairs), timing.seconds, timing.is_pingpong)
         check_pixels(run.pictures, size)
         frames = make_frames(pairs, settings._replace(frames=run.steps - 1, ends=True))
         svgs = [frame_svg(frame, decimals) for frame in frames]

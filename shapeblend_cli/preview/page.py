@@ -24,9 +24,9 @@ from shapeblend_cli.svg.writing.rounding import decimals_for, number
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.easing import Timing
     from shapeblend_cli.model import Frame, Pair
     from shapeblend_cli.settings import Settings
-    from shapeblend_cli.svg.writing.animation import Timing
 
 POLICY = (
     "default-src 'none'; script-src {script}; style-src {style}; img-src data:; "

@@ -1,4 +1,4 @@
-"""What SMIL and CSS animations share: their timing, and the values of an attribute over time.
+"""What SMIL and CSS animations share: the values of an attribute over time.
 
 A vertex on a straight path needs one keyframe a drawing: in between, browsers interpolate every number linearly, which
 is eq (2). Curved motion and colours get further keyframes at waypoints. All keyframes of a path have the same commands
@@ -11,14 +11,12 @@ from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.easing import LINEAR, Ease
 from shapeblend_cli.svg.writing.paint import paint_attributes, without_defaults
 from shapeblend_cli.svg.writing.path_data import short_path_data
 
 if TYPE_CHECKING:
+    from shapeblend_cli.easing import Ease
     from shapeblend_cli.model import KeyframedShape
-
-FOREVER, PINGPONG = "forever", "pingpong"
 
 Colours = Callable[[str, str], Sequence[str]]
 """Returns colours at even times from one to another, between which each channel may be interpolated by itself."""
@@ -26,26 +24,6 @@ Colours = Callable[[str, str], Sequence[str]]
 COLOURS = frozenset(("fill", "stroke", "stop_color"))
 
 TIME_DIGITS = 5
-
-
-class Timing(NamedTuple):
-    """How an animation runs.
-
-    The identifiers in CSS animations are made from the text of this value.
-
-    Attributes
-    ----------
-    seconds : float > 0
-        From one drawing to the next.
-    ease : Ease
-        From one drawing to the next.
-    repeat : int or str
-        How often it runs; ``forever``; or ``pingpong``: forwards and backwards forever.
-    """
-
-    seconds: float = 2.0
-    ease: Ease = LINEAR
-    repeat: int | str = FOREVER
 
 
 class Values(NamedTuple):

@@ -5,11 +5,10 @@ from __future__ import annotations
 import zlib
 from typing import TYPE_CHECKING
 
+from shapeblend_cli.easing import FOREVER, PINGPONG
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import (
     COLOURS,
-    FOREVER,
-    PINGPONG,
     TIME_DIGITS,
     attribute_values,
     moments,
@@ -19,8 +18,9 @@ from shapeblend_cli.svg.writing.rounding import number
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.easing import Timing
     from shapeblend_cli.model import Box, KeyframedShape
-    from shapeblend_cli.svg.writing.animation import Colours, Moment, Timing
+    from shapeblend_cli.svg.writing.animation import Colours, Moment
 
 
 def css_svg(

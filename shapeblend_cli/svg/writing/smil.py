@@ -5,16 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 from xml.etree.ElementTree import Element
 
+from shapeblend_cli.easing import FOREVER, PINGPONG
 from shapeblend_cli.model import KeyframedShape, RadialGradient
 from shapeblend_cli.svg.writing import document
-from shapeblend_cli.svg.writing.animation import (
-    FOREVER,
-    PINGPONG,
-    TIME_DIGITS,
-    attribute_values,
-    moments,
-    values_between,
-)
+from shapeblend_cli.svg.writing.animation import TIME_DIGITS, attribute_values, moments, values_between
 from shapeblend_cli.svg.writing.paint import (
     Gradients,
     gradient_attributes,
@@ -27,8 +21,9 @@ from shapeblend_cli.svg.writing.rounding import number
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.easing import Timing
     from shapeblend_cli.model import Box, Frame, Gradient
-    from shapeblend_cli.svg.writing.animation import Colours, Timing, Values
+    from shapeblend_cli.svg.writing.animation import Colours, Values
 
 DISCRETE = frozenset(("fill_rule", "stroke_linecap", "stroke_linejoin", "spreadMethod"))
 """Attributes that have nothing in between and switch at half time."""
@@ -92,7 +87,7 @@ def stacked_svg(frames: Sequence[Frame], timing: Timing, pairs: int, decimals: i
         Of coordinates.
     """
     order = list(range(len(frames)))
-    if timing.repeat == PINGPONG:
+    if timing.is_pingpong:
         order += order[-2:0:-1]
     view = frames[0].view
     drawing = document.empty(view, decimals)
@@ -167,7 +162,7 @@ class _Timeline:
         self.drawing = drawing
         self.pairs = pairs
         self.timing = timing
-        self.backwards = timing.repeat == PINGPONG
+        self.backwards = timing.is_pingpong
         self.total = pairs * (2 if self.backwards else 1)
 
     def animate(self, name: str, values: Values) -> Any:
