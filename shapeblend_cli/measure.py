@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.outline import curve_crossings
+from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import between
 
 if TYPE_CHECKING:
@@ -31,6 +31,6 @@ def measure(pair: Pair, t: float) -> Measures:
     """Measure the in-between at time t; also at both ends as it moves, not as the drawing has it."""
     shapes = [between(shape, t) for shape in pair.shapes]
     return Measures(
-        self_crossings=sum(curve_crossings(paths) for paths in shapes),
+        self_crossings=sum(path_crossings(paths) for paths in shapes),
         area=sum(abs(sum(cubics.signed_area(path.segments) for path in paths)) for paths in shapes),
     )

@@ -16,7 +16,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.normalise import to_unit_box
-from shapeblend_cli.geometry.outline import direction, reversed_polygon
+from shapeblend_cli.geometry.polygons import orientation, reverse_polygon
 from shapeblend_cli.match import starts
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.match.work import Window, Wires, WorkConstants
@@ -39,8 +39,8 @@ def outlines(pair, vertices):
     """Both outlines of a pair of icons in unit boxes, in one direction."""
     contours = [read("icon", SVG.format(data).encode()).shapes[0].contours[0] for data in (pair.a, pair.b)]
     a, b = (flatten(contour, vertices) for contour in contours)
-    if direction(a) != direction(b):
-        b = reversed_polygon(b, len(contours[1].segments))
+    if orientation(a) != orientation(b):
+        b = reverse_polygon(b, len(contours[1].segments))
     return to_unit_box(a)[0], to_unit_box(b)[0]
 
 

@@ -16,6 +16,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 try:
     import cython
 except ImportError:  # Cython is needed to build, not to run
@@ -52,9 +54,118 @@ APART = cython.declare(cython.int, 0)
 CROSSES = cython.declare(cython.int, 1)
 TOUCHES = cython.declare(cython.int, 2)
 
+CHORD_ERROR = 1e-6
+"""How far chords may deviate from their curve; this and what follows are shares of the size of all paths together."""
+
+NOISE = 1e-9
+"""Points of polygons nearer to each other than this coincide."""
+
+ROUNDING = 1e-15
+"""The same for coordinates of size 1."""
+
+REACH = 0.05
+"""Strands that stay together this far run along each other."""
+
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import BoolArray, ComplexArray, CubicPath, FloatArray, IntArray, Polygon
+
     # The place and how far round it was looked; of both strands the chain, the first edge and the last.
     _Passage = tuple[float, float, float, int, int, int, int, int, int]
+
+
+def polygon_crossings(polygons: Sequence[Polygon]) -> int:
+    """Count how often polygons cross themselves and each other, see `path_crossings`."""
+    points = [np.append(p.vertices, p.vertices[0]) if p.closed else p.vertices for p in polygons]
+    chains = np.concatenate([[0], np.cumsum([len(run) for run in points])])
+    return _count(np.concatenate(points), chains, NOISE, None)
+
+
+def path_crossings(paths: Sequence[CubicPath], most: int | None = None) -> int:
+    """Count how often cubic paths cross themselves and each other.
+
+    Touching is no crossing, nor is running along each other, also if the strands part to other sides than they met.
+    Strands that pass through each other at a node of one or both cross once. Curves are cut into chords that deviate
+    from them by at most `CHORD_ERROR` of the size; strands that stay within four times that of each other touch.
+
+    Parameters
+    ----------
+    paths : sequence of CubicPath
+        Closed ones end where they begin.
+    most : int, optional
+        Stop counting there: 1 asks whether anything crosses.
+    """
+    if not paths:
+        return 0
+    return chain_crossings(
+        np.concatenate([path.segments for path in paths]),
+        np.concatenate([path.straight for path in paths]),
+        [len(path.segments) for path in paths],
+        [path.closed for path in paths],
+        most,
+    )
+
+
+def chain_crossings(
+    segments: ComplexArray,
+    straight: BoolArray,
+    lengths: Sequence[int],
+    closed: Sequence[bool],
+    most: int | None = None,
+) -> int:
+    """Count crossings as `path_crossings` does, of paths whose segments are in one array.
+
+    Parameters
+    ----------
+    segments : (s, 4) complex
+    straight : (s,) bool
+    lengths : sequence of int
+        How many segments each path has.
+    closed : sequence of bool
+    most : int, optional
+    """
+    bends = np.abs(segments[:, :2] - 2.0 * segments[:, 1:3] + segments[:, 2:]).max(axis=1)
+    bends[straight] = 0.0
+    tolerance = CHORD_ERROR * _size(segments)
+    if tolerance == 0.0:
+        return 0
+    # A piece of 1/n of a segment deviates from its chord by at most 1/8 of its second derivative over n^2.
+    counts = np.maximum(np.ceil(np.sqrt(0.75 / tolerance * bends)).astype(np.intp), 1)
+    # Every segment gives the starts of its pieces, and the last one of a path its end as well.
+    last = np.cumsum(lengths) - 1
+    before = np.cumsum(counts)
+    chains = np.concatenate([[0], before[last] + np.arange(1, len(lengths) + 1)])
+    points = np.empty(chains[-1], np.complex128)
+    places = before - counts + np.repeat(np.arange(len(lengths)), lengths)
+    cut_into_chords(segments.view(np.float64), counts, places, _xy(points))
+    # Rounding may have left the end of a closed one beside its start.
+    first = last + 1 - np.asarray(lengths)
+    points[chains[1:] - 1] = np.where(closed, segments[first, 0], segments[last, 3])
+    return _count(points, chains, 4.0 * CHORD_ERROR if counts.max() > 1 else NOISE, most)
+
+
+def _count(points: ComplexArray, chains: IntArray, noise: float, most: int | None) -> int:
+    """Count the crossings of chains, with noise as a share of their size."""
+    size = _size(points)
+    # Far from the origin rounding is more than the share.
+    noise = max(noise * size, ROUNDING * float(np.abs(points).max()))
+    xy = _xy(points)
+    blocks = np.empty((len(points), 4), np.intp)
+    boxes = np.empty((len(points), 4))
+    found = find_blocks(xy, chains, blocks, boxes)
+    order = np.argsort(boxes[:found, 0])
+    limit = len(points) ** 2 if most is None else most
+    return count_crossings(xy, chains, blocks[order], boxes[order], noise, REACH * size, limit)
+
+
+def _size(points: ComplexArray) -> float:
+    return max(float(np.ptp(points.real)), float(np.ptp(points.imag)))
+
+
+def _xy(points: ComplexArray) -> FloatArray:
+    """Return the same memory as (n, 2) float."""
+    return points.view(np.float64).reshape(-1, 2)
 
 
 @cython.boundscheck(False)

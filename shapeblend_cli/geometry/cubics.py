@@ -124,7 +124,7 @@ def bounds(segments: ComplexArray) -> Box:
 
 
 def signed_area(segments: ComplexArray) -> float:
-    """Area between a chain of segments and the line from its end to its start; see `outline.signed_area`."""
+    """Area between a chain of segments and the line from its end to its start; see `polygons.signed_area`."""
     points = evaluate(segments[:, None, :], _NODES)
     hodograph = 3.0 * np.diff(segments, axis=1)
     basis = np.stack([(1.0 - _NODES) ** 2, 2.0 * _NODES * (1.0 - _NODES), _NODES**2])

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.outline import reversed_polygon
+from shapeblend_cli.geometry.polygons import reverse_polygon
 from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import CubicPath, KeyframedShape, PaintedShape, Waypoint
 from shapeblend_cli.paint.styles import keyed_styles
@@ -201,7 +201,7 @@ def _backwards(leg: _Leg) -> _Leg:
     """Return a leg with both its contours, and all between them, reversed."""
     blend = leg.blend
     polygons = [
-        reversed_polygon(polygon, len(contour.segments))
+        reverse_polygon(polygon, len(contour.segments))
         for polygon, contour in ((blend.polygon_a, blend.contour_a), (blend.polygon_b, blend.contour_b))
     ]
     start, end = (

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.outline import curve_crossings
+from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import between
 
 if TYPE_CHECKING:
@@ -89,19 +89,19 @@ def _crossings(shape: ShapeBlend, times: Sequence[float]) -> list[Fault]:
         return [outlines[k] for k in numbers]
 
     ends = [seen(t) for t in (0.0, 1.0)]
-    together = max(curve_crossings(outlines) for outlines in ends)
+    together = max(path_crossings(outlines) for outlines in ends)
     each: list[int] = []
     found = []
     for t in sorted({*CHECKED, *times} - {0.0, 1.0}):
         outlines = seen(t)
-        if curve_crossings(outlines, together + 1) <= together:
+        if path_crossings(outlines, together + 1) <= together:
             continue
         # Contour by contour only now: most shapes never come here.
         each = each or [
-            max(curve_crossings([outline]) for outline in pair) for pair in zip(*ends, strict=True)
+            max(path_crossings([outline]) for outline in pair) for pair in zip(*ends, strict=True)
         ]
         if any(
-            curve_crossings([outline], most + 1) > most for outline, most in zip(outlines, each, strict=True)
+            path_crossings([outline], most + 1) > most for outline, most in zip(outlines, each, strict=True)
         ):
             found.append(Fault(CROSSING, f"an outline crosses itself at t = {t:.3g}"))
             break

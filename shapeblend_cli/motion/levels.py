@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.outline import mean_value_weights, signed_area, winding_numbers
+from shapeblend_cli.geometry.polygons import mean_value_weights, signed_area, winding_numbers
 from shapeblend_cli.motion.flow import shorten
 
 if TYPE_CHECKING:

@@ -29,7 +29,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.outline import chain_crossings, curve_crossings
+from shapeblend_cli.geometry.crossings import chain_crossings, path_crossings
 from shapeblend_cli.model import frozen
 from shapeblend_cli.motion.alignment import Alignment
 from shapeblend_cli.motion.faults import counted
@@ -296,7 +296,7 @@ class Ground:
         self._straight = np.concatenate([_bent(contours[k].start).straight for k in numbers])
         self._closed_contours = [contours[k].start.closed for k in numbers]
         ends = [[getattr(contours[k], side) for k in numbers] for side in ("start", "end")]
-        self._most = max(curve_crossings(outlines) for outlines in ends)
+        self._most = max(path_crossings(outlines) for outlines in ends)
         self._known: dict[Place, int] = {}
         self._closed: set[tuple[Place, Place]] = set()
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.outline import mean_value_weights, signed_area, winding_numbers
+from shapeblend_cli.geometry.polygons import mean_value_weights, signed_area, winding_numbers
 from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ import numpy as np
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.normalise import to_unit_box
-from shapeblend_cli.geometry.outline import direction, reversed_contour, reversed_polygon
+from shapeblend_cli.geometry.polygons import orientation, reverse_contour, reverse_polygon
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.match.work import Wires
 from shapeblend_cli.model import Contour, ContourBlend, Correspondence, CubicPath, Polygon, unroll
@@ -73,8 +73,8 @@ def join(
     backwards, found = least_work_either_way(a.polygon, turned, settings, wishes, watch, alone=alone)
     contour_b, polygon_b = b.contour, b.polygon
     if backwards:
-        polygon_b = reversed_polygon(polygon_b, len(contour_b.segments))
-        contour_b = reversed_contour(contour_b)
+        polygon_b = reverse_polygon(polygon_b, len(contour_b.segments))
+        contour_b = reverse_contour(contour_b)
     scales = to_unit_box(a.polygon)[1], to_unit_box(turned)[1]
     return _blend(
         (a.number, b.number), (a.contour, contour_b), (a.polygon, polygon_b), scales, found
@@ -141,7 +141,7 @@ def least_work_either_way(
     Returns
     -------
     backwards : bool
-        Whether B was gone through backwards; then the dots number the vertices of `reversed_polygon`.
+        Whether B was gone through backwards; then the dots number the vertices of `reverse_polygon`.
     correspondence : Correspondence
     """
     ways = _backwards(a, b, settings.reverse)
@@ -151,7 +151,7 @@ def least_work_either_way(
     refused: list[MatchError] = []
     for run, backwards in enumerate(ways):
         # Only the vertices count here, and they do not depend on the number of segments.
-        candidate = reversed_polygon(b, 1) if backwards else b
+        candidate = reverse_polygon(b, 1) if backwards else b
         unit_b = to_unit_box(candidate)[0]
         solve = partial(
             least_work,
@@ -202,7 +202,7 @@ def _backwards(a: Polygon, b: Polygon, reverse: str) -> list[bool]:
     """Whether to go through B backwards: one answer, or both where only the work can tell."""
     if reverse != "auto":
         return [reverse == "yes"]
-    ways = direction(a), direction(b)
+    ways = orientation(a), orientation(b)
     return [False, True] if 0 in ways else [ways[0] != ways[1]]
 
 

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.outline import all_crossings, direction, winding_numbers
+from shapeblend_cli.geometry.crossings import polygon_crossings
+from shapeblend_cli.geometry.polygons import orientation, winding_numbers
 from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
@@ -63,8 +64,8 @@ def nest(polygons: Sequence[Polygon], rule: str, way: int = 1) -> Nesting:
         Where contours cross each other or themselves, or no such directions paint the same, the rule stays the given
         one; and then, under ``nonzero``, all contours are turned or none.
     """
-    ways = [direction(polygon) for polygon in polygons]
-    is_simple = all_crossings(polygons) == 0
+    ways = [orientation(polygon) for polygon in polygons]
+    is_simple = polygon_crossings(polygons) == 0
     if len(polygons) == 1:
         return Nesting((None,), (ways[0] == -way,), "nonzero" if is_simple else rule, is_simple)
 

@@ -12,10 +12,10 @@ from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.normalise import Similarity
-from shapeblend_cli.geometry.outline import (
-    direction,
-    reversed_contour,
-    reversed_polygon,
+from shapeblend_cli.geometry.polygons import (
+    orientation,
+    reverse_contour,
+    reverse_polygon,
     signed_area,
     winding_numbers,
 )
@@ -195,7 +195,7 @@ def main_way(polygons: Sequence[Polygon]) -> int:
     """Which way round the largest closed polygon goes; 1 where that is not decided."""
     closed = [polygon for polygon in polygons if polygon.closed]
     largest = max(closed, key=lambda polygon: abs(signed_area(polygon.vertices)), default=None)
-    return (direction(largest) if largest else 0) or 1
+    return (orientation(largest) if largest else 0) or 1
 
 
 def _as_painted(contour: Contour, style: Style) -> Contour:
@@ -229,8 +229,8 @@ def _parts_of(index: int, shape: Shape, usable: list[_Usable], over: Similarity,
         home = outline_of.get(number)
         role = (OUTLINE if home is None else HOLE) if contour.closed else LINE
         if turned.get(number, False):
-            polygon = reversed_polygon(polygon, len(contour.segments))
-            contour = reversed_contour(contour)
+            polygon = reverse_polygon(polygon, len(contour.segments))
+            contour = reverse_contour(contour)
         parts.append(
             Part(number, index, contour, polygon, Box.around(polygon.vertices), role, home, style, any_rule)
         )

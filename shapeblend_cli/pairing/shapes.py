@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.geometry.outline import winding_numbers
+from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.model import ContourBlend, ShapeBlend
 from shapeblend_cli.pairing.growth import MatchedPoints, point_inside, point_on
 from shapeblend_cli.pairing.join import grown

@@ -8,7 +8,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.outline import signed_area, winding_numbers
+from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
 from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.pairing.parts import OUTLINE, Part
 

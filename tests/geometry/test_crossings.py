@@ -6,10 +6,11 @@ import shapely
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from shapeblend_cli.geometry import crossings, cubics, outline
+from shapeblend_cli.geometry import crossings, cubics
+from shapeblend_cli.geometry.crossings import path_crossings, polygon_crossings
 from shapeblend_cli.model import CubicPath
-from tests.support.contours import circle_contour, polygon_contour, polyline
-from tests.support.shapes import random_polygon
+from tests.support.contours import circle_contour, polygon, polygon_contour, polyline
+from tests.support.shapes import random_polygon, star_polygon
 
 
 def drawn(contour):
@@ -68,12 +69,25 @@ def by_subdivision(outlines, pieces=400):
     return len(p), (np.abs(turn.imag) / np.abs(turn)).min(initial=1.0)
 
 
-@given(st.integers(0, 10**6), st.integers(1, 3), st.integers(3, 20), st.booleans())
+def as_polygons(outlines):
+    return [
+        polygon([*one.segments[:, 0], *one.segments[-1:, 3][one.closed :]], one.closed) for one in outlines
+    ]
+
+
+@given(st.integers(0, 10**6), st.integers(1, 3), st.integers(3, 40), st.booleans())
 def test_polygons_agree_with_shapely(seed, count, m, closed):
     rng = np.random.default_rng(seed)
-    polygons = [lines(rng.random(m) + 1j * rng.random(m), closed) for _ in range(count)]
-    count, _ = by_subdivision(polygons)
-    assert outline.curve_crossings(polygons) == count
+    outlines = [lines(rng.random(m) + 1j * rng.random(m), closed) for _ in range(count)]
+    count, _ = by_subdivision(outlines)
+    assert path_crossings(outlines) == polygon_crossings(as_polygons(outlines)) == count
+
+
+@given(st.integers(0, 10**6), st.integers(3, 60))
+def test_a_simple_polygon_has_none(seed, m):
+    z = star_polygon(np.random.default_rng(seed), m)
+    if shapely.Polygon(np.c_[z.real, z.imag]).is_valid:
+        assert polygon_crossings([polygon(z)]) == 0
 
 
 @given(st.integers(0, 10**6), st.integers(1, 3), st.integers(1, 6), st.booleans())
@@ -82,7 +96,7 @@ def test_curves_agree_with_shapely(seed, count, k, closed):
     curves = [random_chain(rng, k + 1, closed) for _ in range(count)]
     count, least_sine = by_subdivision(curves)
     assume(least_sine > 0.03)  # slivers are touching
-    assert outline.curve_crossings(curves) == count
+    assert path_crossings(curves) == count
 
 
 SQUARE = [0, 4, 4 + 4j, 4j]
@@ -152,13 +166,13 @@ CROSSING = {
 
 @pytest.mark.parametrize("name", TOUCHING)
 def test_touching_is_not_crossing(name):
-    assert outline.curve_crossings(TOUCHING[name]) == 0
+    assert path_crossings(TOUCHING[name]) == 0
 
 
 @pytest.mark.parametrize("name", CROSSING)
 def test_passing_through_each_other_is_crossing(name):
     outlines, count = CROSSING[name]
-    assert outline.curve_crossings(outlines) == count
+    assert path_crossings(outlines) == count
 
 
 ALL = {**{name: (outlines, 0) for name, outlines in TOUCHING.items()}, **CROSSING}
@@ -178,7 +192,7 @@ def test_an_affine_map_changes_nothing(name, exponent, turn, stretch, shift):
         return 10.0**exponent * ((z.real + 1j * stretch * z.imag) * np.exp(1j * turn) + shift)
 
     outlines, count = ALL[name]
-    assert outline.curve_crossings([moved(one, by) for one in outlines]) == count
+    assert path_crossings([moved(one, by) for one in outlines]) == count
 
 
 @given(st.sampled_from(SOME), st.integers(0, 7), st.booleans())
@@ -186,21 +200,23 @@ def test_neither_direction_nor_start_nor_order_matters(name, k, reverse):
     outlines, count = ALL[name]
     changed = [from_node(one, k) if one.closed else one for one in outlines]
     changed = [backwards(one) for one in changed] if reverse else changed
-    assert outline.curve_crossings(changed) == outline.curve_crossings(changed[::-1]) == count
+    assert path_crossings(changed) == path_crossings(changed[::-1]) == count
 
 
 @pytest.mark.parametrize("name", SOME)
-def test_lines_count_as_they_do_among_curves(name):
+def test_lines_count_as_they_do_among_curves_and_as_polygons(name):
     outlines, count = ALL[name]
+    if all(one.straight.all() for one in outlines):
+        assert polygon_crossings(as_polygons(outlines)) == count
     curve = circle(20, 0.1)  # has the whole shape taken as one of curves
-    assert outline.curve_crossings([*map(as_curves, outlines), curve]) == count
+    assert path_crossings([*map(as_curves, outlines), curve]) == count
 
 
 @given(st.integers(0, 10**6), st.integers(1, 7), st.booleans())
 def test_of_any_curves_neither_direction_nor_start_matters(seed, k, reverse):
     one = random_chain(np.random.default_rng(seed), 8)
     changed = from_node(backwards(one) if reverse else one, k)
-    assert outline.curve_crossings([changed]) == outline.curve_crossings([one])
+    assert path_crossings([changed]) == path_crossings([one])
 
 
 @given(st.integers(0, 10**6), st.floats(0, 1))
@@ -210,9 +226,7 @@ def test_a_node_more_changes_nothing(seed, at):
     first = cubics.pieces(one.segments, np.zeros(4), parameter)
     second = cubics.pieces(one.segments, parameter, np.ones(4))
     both = np.stack([first, second], axis=1).reshape(8, 4)
-    assert outline.curve_crossings([CubicPath(both, np.zeros(8, bool), True)]) == outline.curve_crossings(
-        [one]
-    )
+    assert path_crossings([CubicPath(both, np.zeros(8, bool), True)]) == path_crossings([one])
 
 
 @given(st.integers(0, 10**6))
@@ -220,8 +234,8 @@ def test_two_closed_contours_cross_each_other_an_even_number_of_times(seed):
     rng = np.random.default_rng(seed)
     a, b = random_chain(rng, 4), random_chain(rng, 4)
     around = lines([-1 - 1j, 2 - 1j, 2 + 2j, -1 + 2j])  # so that all counts are of one size
-    apart = outline.curve_crossings([a, around]) + outline.curve_crossings([b, around])
-    assert (outline.curve_crossings([a, b, around]) - apart) % 2 == 0
+    apart = path_crossings([a, around]) + path_crossings([b, around])
+    assert (path_crossings([a, b, around]) - apart) % 2 == 0
 
 
 @given(st.floats(-np.pi, np.pi), st.floats(0.2, 0.8))
@@ -229,7 +243,7 @@ def test_circles_in_circles_touch_anywhere(turn, radius):
     # Eight cubics are no exact circle, so both have to be seen from the same place.
     inner = moved(circle(), lambda z: radius * (z - np.exp(0.25j * np.pi)) + np.exp(0.25j * np.pi))
     turned = [moved(one, lambda z: z * np.exp(1j * turn)) for one in (circle(), inner)]
-    assert outline.curve_crossings(turned) == 0
+    assert path_crossings(turned) == 0
 
 
 @given(st.floats(0.01, np.pi - 0.01), st.floats(0.05, 0.95))
@@ -239,7 +253,7 @@ def test_lines_cross_at_any_angle_and_at_a_node_of_either(angle, at):
     for first in (a, [-1, 0, 1]):
         for second in (b, [-way, 0, way], [-way, -1e-7 * at * way, way]):
             for kind in (lines, lambda *args: as_curves(lines(*args))):
-                assert outline.curve_crossings([kind(first, False), kind(second, False)]) == 1
+                assert path_crossings([kind(first, False), kind(second, False)]) == 1
 
 
 def test_many_nodes_on_each_other_are_each_counted_once():
@@ -247,22 +261,21 @@ def test_many_nodes_on_each_other_are_each_counted_once():
     columns = [y + 1j * x for x in range(12) for y in (range(12) if x % 2 else range(11, -1, -1))]
     one, other = lines(np.array(rows), False), lines(np.array(columns) + 0.0, False)
     # Inside, a straight strand of each passes through every node. At the rim both turn, or run along each other.
-    assert outline.curve_crossings([one, other]) == 100
+    assert path_crossings([one, other]) == 100
 
 
 @pytest.mark.parametrize("most", [1, 2, 5, 9])
 def test_counting_can_stop(most):
     pentagram = CROSSING["a pentagram"][0]
-    assert outline.curve_crossings(pentagram, most=most) == min(most, 5)
-    assert outline.curve_crossings([circle()], most=most) == 0
+    assert path_crossings(pentagram, most=most) == min(most, 5)
+    assert path_crossings([circle()], most=most) == 0
 
 
-def test_compiled_and_uncompiled_kernels_agree(rng, load_uncompiled, monkeypatch):
+def test_compiled_and_uncompiled_kernels_agree(rng, load_uncompiled):
     assert crossings.COMPILED
     uncompiled = load_uncompiled("shapeblend_cli.geometry.crossings")
     assert not uncompiled.COMPILED
     shapes = [outlines for outlines, _ in ALL.values()]
     shapes += [[random_chain(rng, 3), random_chain(rng, 2)], [lines(random_polygon(rng, 60))]]
-    counts = [outline.curve_crossings(outlines) for outlines in shapes]
-    monkeypatch.setattr(outline, "crossings", uncompiled)
-    assert [outline.curve_crossings(outlines) for outlines in shapes] == counts
+    counts = [path_crossings(outlines) for outlines in shapes]
+    assert [uncompiled.path_crossings(outlines) for outlines in shapes] == counts

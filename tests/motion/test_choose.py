@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from shapeblend_cli.geometry.outline import curve_crossings
+from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import between
 from shapeblend_cli.pipeline import blend, match_all
 from shapeblend_cli.settings import Settings
@@ -81,7 +81,7 @@ def test_nothing_chosen_has_more_crossings_than_straight_paths(shapes):
     counts = []
     for motion in ("auto", "linear"):
         (shape,) = pair_of(a, b, motion=motion).shapes
-        counts.append(sum(curve_crossings(between(shape, t)) for t in times))
+        counts.append(sum(path_crossings(between(shape, t)) for t in times))
     assert counts[0] <= counts[1]
 
 
@@ -90,7 +90,7 @@ def test_nothing_chosen_has_more_crossings_than_straight_paths(shapes):
 )
 def test_safe_never_crosses_whatever_the_solver_matched(shapes):
     (shape,) = pair_of(*map(polygon, shapes), motion="safe").shapes
-    assert all(curve_crossings(between(shape, t)) == 0 for t in np.linspace(0.0, 1.0, 42))
+    assert all(path_crossings(between(shape, t)) == 0 for t in np.linspace(0.0, 1.0, 42))
 
 
 def test_only_the_shape_with_a_fault_moves_otherwise():

@@ -5,8 +5,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.geometry.outline import self_crossings
+from shapeblend_cli.geometry.crossings import polygon_crossings
 from shapeblend_cli.motion import flow
+from tests.support.contours import polygon
 from tests.support.shapes import comb, random_polygon, spiral, star_polygon
 
 seeds = st.integers(0, 10**9)
@@ -102,8 +103,8 @@ def test_what_does_not_cross_itself_does_not_begin_to(seed):
     z = simple(seed)
     z = (z[:, None] + np.linspace(0, 1, 5)[:-1] * (np.roll(z, -1) - z)[:, None]).ravel()
     z = z / np.ptp(z.real)
-    assert self_crossings(z, closed=True) == 0
+    assert polygon_crossings([polygon(z)]) == 0
     for _ in range(60):
         mean = abs(np.diff(z, append=z[:1])).mean()
         z = stepped(z, 0.5 * mean**2, least=0.02 * mean)
-        assert self_crossings(z, closed=True) == 0
+        assert polygon_crossings([polygon(z)]) == 0

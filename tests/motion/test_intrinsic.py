@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.outline import signed_area
+from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.interpolate.paths import between
 from shapeblend_cli.match.work import WorkConstants
 from shapeblend_cli.model import CubicPath

@@ -6,7 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.outline import curve_crossings, signed_area, winding_numbers
+from shapeblend_cli.geometry.crossings import path_crossings
+from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
 from shapeblend_cli.model import CubicPath
 from shapeblend_cli.motion.levels import TIMES, smoothed
 from tests.support.contours import circle_contour
@@ -45,7 +46,7 @@ def test_outlines_by_hand_keep_their_area_without_crossing_and_become_round(name
     m = len(BY_HAND[name])
     straight = np.ones(len(levels[0]), bool)
     for segments in levels:
-        assert curve_crossings([CubicPath(segments, straight, True)]) == 0
+        assert path_crossings([CubicPath(segments, straight, True)]) == 0
     # The last is nearly the regular polygon of as many vertices in a circle of that area.
     assert roundness(levels[-1][:, 0]) > 0.99 * np.pi / m / np.tan(np.pi / m)
     share = cubics.signed_area(levels[-1]) / area
@@ -138,7 +139,7 @@ def test_outlines_beside_each_other_make_room():
     apart = [2.2 * k + star_polygon(np.random.default_rng(k), 14) for k in range(3)]
     levels = smoothed([outline(z) for z in apart])
     straight = np.ones(14, bool)
-    assert curve_crossings([CubicPath(z, straight, True) for z in levels[-1]]) == 0
+    assert path_crossings([CubicPath(z, straight, True) for z in levels[-1]]) == 0
     for z, last in zip(apart, levels[-1], strict=True):
         assert abs(signed_area(last[:, 0])) < 0.5 * signed_area(z)
 

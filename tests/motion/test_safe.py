@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from shapeblend_cli.geometry.outline import curve_crossings
+from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import between
 from shapeblend_cli.match.work import WorkConstants
 from shapeblend_cli.measure import measure
@@ -31,7 +31,7 @@ def made_safe(shape):
 
 def crossed(shape):
     """At how many times there are crossings."""
-    return sum(curve_crossings(between(shape, t)) > 0 for t in TIMES)
+    return sum(path_crossings(between(shape, t)) > 0 for t in TIMES)
 
 
 def mirrored(z):
@@ -54,7 +54,7 @@ BY_HAND = {
 @pytest.mark.parametrize("name", BY_HAND)
 def test_where_straight_paths_cross_it_does_not(name):
     straight = moving_polygons(BY_HAND[name])
-    assert [curve_crossings(between(straight, t)) for t in (0.0, 1.0)] == [0, 0]
+    assert [path_crossings(between(straight, t)) for t in (0.0, 1.0)] == [0, 0]
     assert crossed(straight) > 0
     found = made_safe(straight)
     assert found.motion.name == "safe"
@@ -138,12 +138,12 @@ def test_crossings_of_the_ends_are_allowed():
     found = made_safe(moving_polygons((eight, 2.0 * np.roll(eight, 1))))
     for t in TIMES:
         assert np.isfinite(between(found, t)[0].segments).all()
-        assert curve_crossings(between(found, t)) <= 1
+        assert path_crossings(between(found, t)) <= 1
 
 
 def test_open_lines():
     shape = moving_polygons((spiral(1.5)[:60], -spiral(1.5)[:60].conj()), closed=False)
-    assert curve_crossings([outline(spiral(1.5)[:60], closed=False)]) == 0
+    assert path_crossings([outline(spiral(1.5)[:60], closed=False)]) == 0
     found = made_safe(shape)
     assert crossed(found) == 0
 

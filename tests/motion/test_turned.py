@@ -6,17 +6,11 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.model import Polygon
 from shapeblend_cli.motion.turned import turn_between
-from tests.support.contours import circle_contour
+from tests.support.contours import circle_contour, polygon
 from tests.support.shapes import arm, comb, regular_polygon, spiral, star_polygon, star_with
 
 seeds = st.integers(0, 10**9)
-
-
-def polygon(vertices, closed=True):
-    z = np.asarray(vertices, complex)
-    return Polygon(z, np.arange(len(z)), np.zeros(len(z)), closed)
 
 
 def finer(z, rng):

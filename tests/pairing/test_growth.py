@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.geometry.outline import winding_numbers
+from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.pairing.growth import MatchedPoints, mean_value_weights, point_inside, point_on
 
 # A crescent: the middle of its box is outside of it.

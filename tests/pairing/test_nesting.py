@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.outline import reversed_polygon, winding_numbers
+from shapeblend_cli.geometry.polygons import reverse_polygon, winding_numbers
 from shapeblend_cli.pairing.nesting import nest
 from tests.support.contours import circle_contour, polygon_contour
 
@@ -21,7 +21,7 @@ def painted(polygons, rule, points):
 
 def as_nested(polygons, found):
     return [
-        reversed_polygon(polygon, len(polygon.vertices)) if turn else polygon
+        reverse_polygon(polygon, len(polygon.vertices)) if turn else polygon
         for polygon, turn in zip(polygons, found.turned, strict=True)
     ]
 

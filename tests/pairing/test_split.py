@@ -3,7 +3,7 @@ import pytest
 
 from shapeblend_cli.geometry.cubics import signed_area
 from shapeblend_cli.geometry.normalise import Similarity
-from shapeblend_cli.geometry.outline import winding_numbers
+from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.pairing.pair import pair_parts
 from shapeblend_cli.pairing.parts import OUTLINE, take_apart
 from shapeblend_cli.settings import Settings

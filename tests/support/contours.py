@@ -5,18 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.model import Contour, Drawing, Shape, Style
+from shapeblend_cli.model import Contour, Drawing, Polygon, Shape, Style
 
 ARC = 4.0 / 3.0 * np.tan(np.pi / 16.0)  # inner points of a cubic for an eighth of a circle
 
 
 def polygon_contour(points, closed=True):
     """Straight lines from point to point."""
-    z = np.asarray(points, complex)
-    ends = np.roll(z, -1) if closed else z[1:]
-    starts = z if closed else z[:-1]
-    thirds = np.array([0, 1 / 3, 2 / 3, 1])
-    segments = starts[:, None] + (ends - starts)[:, None] * thirds
+    segments = cubics.lines(np.asarray(points, complex), closed)
     return Contour(segments, np.ones(len(segments), bool), closed)
 
 
@@ -26,6 +22,11 @@ def circle_contour(centre=0j, radius=1.0):
     after = np.roll(node, -1)
     segments = np.stack([node, node * (1 + 1j * ARC), after * (1 - 1j * ARC), after], axis=1)
     return Contour(centre + radius * segments, np.zeros(8, bool), True)
+
+
+def polygon(points, closed=True):
+    """A polygon on a contour of straight lines."""
+    return Polygon(points, np.arange(len(points)), np.zeros(len(points)), closed)
 
 
 def drawing(*contours, file="a.svg", viewbox=None, style=None):

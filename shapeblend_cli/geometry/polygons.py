@@ -1,0 +1,138 @@
+"""Area, orientation and interior of polygons, and contours traversed in reverse."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.geometry.crossings import polygon_crossings
+from shapeblend_cli.model import Contour, Polygon
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+
+NEARLY_ALL = 0.95
+"""Share of its interior that a polygon with crossings must wind round one way for that to be its orientation."""
+
+GRID = 24
+"""The interior is sampled at so many points along each side of the box."""
+
+
+def signed_area(vertices: ComplexArray) -> float:
+    """Return the area of a closed polygon; positive if it runs from x towards y."""
+    return 0.5 * float((vertices.conj() * np.roll(vertices, -1)).imag.sum())
+
+
+def orientation(polygon: Polygon) -> int:
+    """Return 1 if a polygon runs from x towards y, -1 if it runs the other way, 0 if that is undecided.
+
+    The sign of the area decides if the polygon does not cross itself. If it does, the sum of its turns must agree, or
+    nearly all of its interior must be on that side: the turns of a figure of eight cancel, and that one lobe is larger
+    means nothing, but a small loop in a drawing's outline is a slip. Open polygons have no orientation.
+    """
+    if not polygon.closed:
+        return 0
+    vertices = polygon.vertices
+    sign = int(np.sign(signed_area(vertices)))
+    if polygon_crossings([polygon]):
+        edges = np.roll(vertices, -1) - vertices
+        turns = np.angle(edges * np.roll(edges, 1).conj()).sum() / (2.0 * np.pi)
+        if sign * round(float(turns)) <= 0 and _share_with_sign(vertices, sign) < NEARLY_ALL:
+            return 0
+    return sign
+
+
+def _share_with_sign(vertices: ComplexArray, sign: int) -> float:
+    """Return the share of the interior, at a grid of points, whose winding number has the given sign."""
+    across = (np.arange(GRID) + 0.5) / GRID
+    x = vertices.real.min() + np.ptp(vertices.real) * across
+    y = vertices.imag.min() + np.ptp(vertices.imag) * across
+    numbers = winding_numbers((x[:, None] + 1j * y).ravel(), vertices)
+    inside = np.count_nonzero(numbers)
+    return float(np.count_nonzero(numbers * sign > 0) / inside) if inside else 0.0
+
+
+def reverse_contour(contour: Contour) -> Contour:
+    """Return the contour traversed in reverse; a closed one keeps its first node."""
+    return Contour(contour.segments[::-1, ::-1], contour.straight[::-1], contour.closed)
+
+
+def reverse_polygon(polygon: Polygon, segments: int) -> Polygon:
+    """Return the polygon of a reversed contour of so many segments; a closed one keeps its first vertex."""
+    order = np.arange(len(polygon.vertices))[::-1]
+    if polygon.closed:
+        order = np.roll(order, 1)
+    segment, parameter = polygon.segment[order], polygon.parameter[order]
+    is_node = parameter == 0.0
+    segment = np.where(is_node, segments - segment, segments - 1 - segment)
+    parameter = np.where(is_node, 0.0, 1.0 - parameter)
+    if polygon.closed:
+        segment %= segments
+    elif is_node[-1]:  # no segment begins at the end of an open contour
+        segment[-1], parameter[-1] = segments - 1, 1.0
+    return Polygon(polygon.vertices[order], segment, parameter, polygon.closed)
+
+
+def winding_numbers(points: ComplexArray, vertices: ComplexArray) -> IntArray:
+    """Return how often a closed polygon winds round each point, positive from x towards y.
+
+    These are the edges that cross the ray from a point along +x, upwards counted against downwards. Points on the
+    polygon itself count to either side.
+
+    Parameters
+    ----------
+    points : (p,) complex
+    vertices : (m,) complex
+
+    Returns
+    -------
+    (p,) int
+    """
+    following = np.roll(vertices, -1)
+    x, y = points.real[:, None], points.imag[:, None]
+    below, above = vertices.imag <= y, following.imag <= y
+    # On which side of the edge the point lies.
+    side = (following.real - vertices.real) * (y - vertices.imag) - (x - vertices.real) * (
+        following.imag - vertices.imag
+    )
+    up = below & ~above & (side > 0.0)
+    down = ~below & above & (side < 0.0)
+    return up.sum(axis=1) - down.sum(axis=1)
+
+
+def mean_value_weights(point: complex, vertices: ComplexArray) -> FloatArray:
+    """Return mean value coordinates: weights of a closed polygon's vertices, of sum 1, whose mean is the point.
+
+    Parameters
+    ----------
+    point : complex
+        Not on the polygon; on it, the weights are those of the nearest vertex.
+    vertices : (k,) complex
+        Neighbours may coincide.
+
+    Returns
+    -------
+    (k,) float
+        Where the polygon is not convex some may be negative.
+
+    References
+    ----------
+    M. S. Floater, "Mean value coordinates", Computer Aided Geometric Design 20 (2003), eq (2.1).
+    """
+    spokes = vertices - point
+    lengths = np.abs(spokes)
+    following, beyond = np.roll(spokes, -1), np.roll(lengths, -1)
+    turned = spokes.conj() * following
+    # tan(alpha / 2) of the angle between neighbouring spokes.
+    below = lengths * beyond + turned.real
+    weights = np.zeros(len(vertices))
+    if lengths.min() > 0.0 and (below > 1e-12 * lengths * beyond).all():
+        tangents = turned.imag / below
+        weights = (np.roll(tangents, 1) + tangents) / lengths
+    total = weights.sum()
+    if abs(total) > 1e-12 * np.abs(weights).sum():
+        return weights / total
+    weights[:] = 0.0
+    weights[lengths.argmin()] = 1.0
+    return weights
