@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from shapeblend_cli.constants import WorkConstants
     from shapeblend_cli.errors import ShapeblendError
-    from shapeblend_cli.match.work import WorkConstants
     from shapeblend_cli.pipeline import blend, correspond
     from shapeblend_cli.settings import Settings
     from shapeblend_cli.svg.reading.read import read
@@ -17,7 +17,7 @@ __all__ = ["Settings", "ShapeblendError", "WorkConstants", "__version__", "blend
 _HOMES = {
     "Settings": "settings",
     "ShapeblendError": "errors",
-    "WorkConstants": "match.work",
+    "WorkConstants": "constants",
     "blend": "pipeline",
     "correspond": "pipeline",
     "read": "svg.reading.read",

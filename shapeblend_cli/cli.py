@@ -256,7 +256,7 @@ def blend(
         select=selections(matching, len(files)),
         lenient=matching["lenient"],
         wanted=OutputSpec(kind, animate, Timing(duration, ease, repeat), precision, choice),
-        blend=matching_settings(matching)._replace(
+        blend=matching_settings(matching).replace(
             frames=frames, ends=ends, style=style, curves=curves, ease=ease
         ),
     )
@@ -343,7 +343,7 @@ def plot(
         force=force,
         select=selections(matching, len(files)),
         lenient=matching["lenient"],
-        blend=matching_settings(matching)._replace(curves=False),
+        blend=matching_settings(matching).replace(curves=False),
         contour=contour,
         dot=dot,
     )

@@ -215,7 +215,7 @@ def _preview(job: Job, found: dict[str, Any], pairs: Sequence[Pair], notes: Sequ
     """The page that shows a run."""
     from shapeblend_cli.preview.page import preview  # most runs write none
 
-    ends = make_frames(pairs, job.blend._replace(frames=0, ends=True))
+    ends = make_frames(pairs, job.blend.replace(frames=0, ends=True))
     return preview(found, pairs, ends, job.blend, job.wanted.timing, job.typed, notes)
 
 

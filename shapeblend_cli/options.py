@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from shapeblend_cli.constants import PRESETS
 from shapeblend_cli.outputs import raster_options
 from shapeblend_cli.outputs.times import FASTEST, run_for
 from shapeblend_cli.parameters import (
@@ -19,7 +20,6 @@ from shapeblend_cli.parameters import (
     PinType,
     StiffType,
 )
-from shapeblend_cli.presets import BANDS, PRESETS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -266,10 +266,10 @@ def matching_in_force(matching: dict[str, Any]) -> dict[str, Any]:
         "match": [list(pair) for pair in matching["pairs"]],
         "unmatched": matching["unmatched"],
         "solver": matching["solver"],
-        "band": band_in_force(preset, matching["band"]),
+        "band": matching_settings(matching).band,
         "effort": matching["effort"],
         "preset": preset,
-        **constants_in_force(preset, matching),
+        **{name: getattr(matching_settings(matching), constant_field(name)) for name in CONSTANTS},
         "motion": matching["motion"],
     }
 
@@ -281,28 +281,15 @@ def _plain(side: complex) -> int | list[float]:
 
 def matching_settings(matching: dict[str, Any]) -> Settings:
     """The settings that the values of `matching_options` make."""
-    from shapeblend_cli.match.work import WorkConstants
     from shapeblend_cli.settings import Settings
 
-    taken = (
-        "vertices",
-        "place",
-        "start",
-        "pins",
-        "reverse",
-        "stiff",
-        "pairs",
-        "unmatched",
-        "solver",
-        "effort",
-        "motion",
-    )
-    constants = constants_in_force(matching["preset"], matching)
-    return Settings(
-        **{name: matching[name] for name in taken},
-        band=band_in_force(matching["preset"], matching["band"]),
-        constants=WorkConstants(**{f"{name[0]}_{name[1]}": value for name, value in constants.items()}),
-    )
+    given = {constant_field(name): value for name, value in matching.items()}
+    return Settings.of(given | {"match": matching["pairs"]})
+
+
+def constant_field(name: str) -> str:
+    """The name of a constant among the settings."""
+    return f"{name[0]}_{name[1]}" if name in CONSTANTS else name
 
 
 def selections(matching: dict[str, Any], files: int) -> tuple[str | None, ...]:
@@ -322,17 +309,3 @@ def constant_options(command: Callable[..., Any]) -> Callable[..., Any]:
         kind = ConstantType(name in ("es", "eb", "cs"), 1.0 if name == "cs" else math.inf)
         command = click.option(f"--{name}", type=kind, help=f"{text}  [default: {default:g}]")(command)
     return command
-
-
-def constants_in_force(preset: str | None, given: dict[str, Any]) -> dict[str, float]:
-    """The seven constants: what was given, else the preset's, else the default."""
-    base = {name: default for name, (default, _) in CONSTANTS.items()}
-    named = {name: given[name] for name in CONSTANTS if given.get(name) is not None}
-    return base | PRESETS.get(preset or "", {}) | named
-
-
-def band_in_force(preset: str | None, given: float | str | None) -> float | None:
-    """The band: what was given, else the preset's; none by default."""
-    if given is None:
-        return BANDS.get(preset or "")
-    return None if given == "none" else float(given)

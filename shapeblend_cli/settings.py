@@ -1,69 +1,237 @@
-"""What the command line can say of a blend."""
+"""What can be set of a blend, checked when it is made. The command line's options are made from these tables.
+
+Nothing heavy is imported here, for the sake of ``--help``.
+"""
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from shapeblend_cli.constants import PRESETS, WIRE, WorkConstants
 from shapeblend_cli.easing import LINEAR, Ease
-from shapeblend_cli.match.work import WorkConstants
+from shapeblend_cli.field_types import (
+    BAND,
+    EASE,
+    FLAG,
+    MATCH,
+    PIN,
+    SELECTOR,
+    START,
+    STIFF,
+    choice,
+    file,
+    whole,
+)
+from shapeblend_cli.fields import Record, option
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    Vertices = tuple[int, int] | tuple[complex, complex]
+
+OUTPUT, SHAPES, CORRESPONDENCE = "Output", "Which shapes", "Correspondence"
+IN_BETWEENS, ANIMATIONS, OTHER = "In-betweens", "Animations", "Other"
 
 
-class Settings(NamedTuple):
-    """How two drawings are to be blended.
+class ReadOptions(Record):
+    """Which shapes are taken from the files."""
 
-    Attributes
-    ----------
-    frames : int >= 0
-        In-betweens.
-    ends : bool
-        Frames at t = 0 and t = 1 too.
-    vertices : int >= 0
-        Vertices a contour, about.
-    place : str
-        How B is laid over A: viewBox on viewBox, box on box, or file coordinates as they stand.
-    start : (int, int) or None
-        A vertex of A and the vertex of B it corresponds to, of the largest contours that are paired; None for
-        the best of all.
-    pins : tuple of pairs
-        Vertices that must correspond: two numbers, as in the report, of the largest contours that are paired; or two
-        points (complex), one of A and one of B, each in the coordinates of its own file. The nearest vertices of the
-        nearest contours are taken, and so these contours are a pair.
-    reverse : str
-        Whether to go through B's outline backwards: yes, no, or auto.
-    stiff : tuple of (complex, float, float)
-        Point of A, radius and weight: vertices of A within the radius are so many times as stiff.
-    solver, band, effort
-        See `match.solve.least_work`.
-    pairs : tuple of (str, str)
-        Contours that must become one another: numbers, as in the report, or ids of shapes.
-    motion : {'auto', 'linear', 'rigid', 'intrinsic', 'safe'}
-        How outlines go from A to B, see `motion.choose`.
-    curves : bool
-        Frames of smooth curves, or of the solver's polygons.
-    ease : Ease
-        How the in-betweens are spaced in time.
-    unmatched : {'point', 'split'}
-        Whether an outline without a partner grows from a point, or another outline is cut for it.
-    constants : WorkConstants
-    style : {'a', 'b', 'blend'}
-        Whether all frames are painted as in A, as in B, or in between.
+    select_a: str | None = option(
+        SELECTOR,
+        default=None,
+        section=SHAPES,
+        help="Blend only these shapes of A: #id or a CSS selector.",
+        default_text="all painted shapes",
+    )
+    select_b: str | None = option(
+        SELECTOR, default=None, section=SHAPES, help="Likewise of B, and of further files."
+    )
+    lenient: bool = option(
+        FLAG,
+        default=False,
+        section=SHAPES,
+        help="Draw broken path data up to the error, as browsers do, instead of refusing the file.",
+    )
+
+    def selections(self, files: int) -> tuple[str | None, ...]:
+        """Return the selector of each of so many files."""
+        return self.select_a, *[self.select_b] * (files - 1)
+
+
+class Settings(WorkConstants):
+    """How drawings are blended.
+
+    A preset gives the constants and the band that are not given themselves.
     """
 
-    frames: int = 5
-    ends: bool = False
-    vertices: int = 200
-    place: str = "viewbox"
-    start: tuple[int, int] | None = None
-    pins: tuple[tuple[complex, complex], ...] = ()
-    reverse: str = "auto"
-    stiff: tuple[tuple[complex, float, float], ...] = ()
-    solver: str = "exact"
-    band: float | None = None
-    effort: str = "auto"
-    constants: WorkConstants = WorkConstants()
-    pairs: tuple[tuple[str, str], ...] = ()
-    unmatched: str = "point"
-    motion: str = "auto"
-    curves: bool = True
-    ease: Ease = LINEAR
-    style: str = "blend"
+    frames: int = option(
+        whole(0, 10_000),
+        default=5,
+        section=OUTPUT,
+        flags=("-n", "--frames"),
+        help="In-betweens of each pair of drawings.",
+        default_text="5; as --fps gives in .gif, .webp and .apng",
+    )
+    ends: bool = option(
+        FLAG, default=False, section=OUTPUT, help="Include the drawings themselves, t = 0 and t = 1."
+    )
+    place: str = option(
+        choice("viewbox", "bbox", "asis"),
+        default="viewbox",
+        section=SHAPES,
+        help="How B is laid over A: viewBox on viewBox, bounding box on bounding box, or in the coordinates of its "
+        "file.",
+    )
+    vertices: int = option(
+        whole(0, 100_000),
+        default=200,
+        section=CORRESPONDENCE,
+        help="Vertices of each contour, about. The drawing's own are always kept; 0 adds only those that curves need.",
+    )
+    start: tuple[int, int] | None = option(
+        START,
+        default=None,
+        section=CORRESPONDENCE,
+        help="Starting correspondence: the best of all, or vertex I of A with vertex J of B.",
+        default_text="auto",
+    )
+    pins: tuple[Vertices, ...] = option(
+        PIN,
+        default=(),
+        many=True,
+        flags=("--pin",),
+        section=CORRESPONDENCE,
+        help="Vertices that must correspond: by number, or those nearest to a point of A and a point of B.",
+    )
+    reverse: str = option(
+        choice("auto", "yes", "no"),
+        default="auto",
+        section=CORRESPONDENCE,
+        help="Traverse B's contours backwards. auto: closed contours run in the same direction; where that does not "
+        "decide, and for open ones, both are tried.",
+    )
+    stiff: tuple[tuple[complex, float, float], ...] = option(
+        STIFF,
+        default=(),
+        many=True,
+        section=CORRESPONDENCE,
+        help="Make A's wire W times as stiff within the radius r of a point.",
+    )
+    match: tuple[tuple[str, str], ...] = option(
+        MATCH,
+        default=(),
+        many=True,
+        section=SHAPES,
+        help="Contours that become each other: a number or an id of A, and one of B.",
+    )
+    unmatched: str = option(
+        choice("point", "split"),
+        default="point",
+        section=SHAPES,
+        help="What happens to a contour without a partner. point: it grows from a point or shrinks to one; split: an "
+        "outline of the other drawing is cut for it.",
+    )
+    solver: str = option(
+        choice("exact", "simplified"),
+        default="exact",
+        section=CORRESPONDENCE,
+        help="The algorithm of the paper's section 4, or that of 4.1.",
+    )
+    band: float | None = option(
+        BAND,
+        default=None,
+        section=CORRESPONDENCE,
+        help="Largest diagonal deviation of a path, from its start, 0 to 1 (section 5.2).",
+        default_text="none",
+    )
+    effort: str = option(
+        choice("auto", "exact", "fast"),
+        default="auto",
+        section=CORRESPONDENCE,
+        help="exact: prove the least work, however long it takes; fast: solve from coarse to fine, without proof; "
+        "auto: exact where that is quick.",
+    )
+    preset: str | None = option(
+        choice(*PRESETS),
+        default=None,
+        section=WIRE,
+        help="The constants and the band of a row of the paper's table 1; options given beside it win.",
+    )
+    motion: str = option(
+        choice("auto", "linear", "rigid", "intrinsic", "safe"),
+        default="auto",
+        section=IN_BETWEENS,
+        help="How shapes move. linear: on straight lines; rigid: turned as a whole; intrinsic: by lengths and angles; "
+        "safe: without crossing themselves; auto: linear, else the first of these without a defect.",
+    )
+    style: str = option(
+        choice("blend", "a", "b"),
+        default="blend",
+        section=IN_BETWEENS,
+        help="Blend the paint too, or paint all frames like A, or like B.",
+    )
+    curves: bool = option(
+        FLAG,
+        default=True,
+        flags=("--curves/--polygons",),
+        section=IN_BETWEENS,
+        help="Draw frames with the drawings' own curves, or as the polygons that were matched.",
+        default_text="curves",
+    )
+    ease: Ease = option(
+        EASE,
+        default=LINEAR,
+        section=ANIMATIONS,
+        help="Easing of animations, and spacing of in-betweens in time: linear, ease, ease-in, ease-out, ease-in-out "
+        "or cubic-bezier(x1,y1,x2,y2).",
+        default_text="linear",
+    )
+
+    def _defaults(self, given: Mapping[str, Any]) -> dict[str, Any]:
+        return super()._defaults(given) | PRESETS.get(given.get("preset", ""), {})
+
+    @property
+    def constants(self) -> WorkConstants:
+        """The seven constants alone."""
+        return WorkConstants.of(vars(self))
+
+
+class RunOptions(Record):
+    """Which files a run writes, and what it prints."""
+
+    output: str | None = option(
+        file(),
+        default=None,
+        flags=("-o", "--output"),
+        metavar="PATH",
+        section=OUTPUT,
+        help="A folder: one file for each frame. A name ending in .svg: one animated SVG; in .gif, .webp or .apng: "
+        "an animation of pixels; in .png: a contact sheet of all frames. -: an animated SVG on standard output.",
+        default_text="blend; with --emit lottie blend.json, with avd blend.xml",
+    )
+    force: bool = option(
+        FLAG, default=False, flags=("-f", "--force"), section=OUTPUT, help="Replace existing files."
+    )
+    report: str | None = option(
+        file(),
+        default=None,
+        section=OUTPUT,
+        help="Write the correspondence, its work and measures of the frames as JSON; - for standard output.",
+    )
+    preview: str | None = option(
+        file(".htm", ".html"),
+        default=None,
+        metavar="FILE.html",
+        section=OUTPUT,
+        help="Write a web page that shows the blend, its correspondence and its graph.",
+    )
+    quiet: bool = option(
+        FLAG, default=False, flags=("-q", "--quiet"), section=OTHER, help="Print errors only."
+    )
+    verbose: bool = option(
+        FLAG,
+        default=False,
+        flags=("-v", "--verbose"),
+        section=OTHER,
+        help="Print what was done and how long it took.",
+    )

@@ -14,12 +14,13 @@ import time
 
 import numpy as np
 
+from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.normalise import to_unit_box
 from shapeblend_cli.geometry.polygons import orientation, reverse_polygon
 from shapeblend_cli.match import starts
 from shapeblend_cli.match.solve import least_work
-from shapeblend_cli.match.work import Window, Wires, WorkConstants
+from shapeblend_cli.match.work import Window, Wires
 from shapeblend_cli.svg.reading.read import read
 from tools.quality.data import ROOT, icon_pairs
 from tools.quality.raw import text

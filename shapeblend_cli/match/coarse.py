@@ -22,8 +22,8 @@ from shapeblend_cli.match.work import Window, Wires, corners
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from shapeblend_cli.constants import WorkConstants
     from shapeblend_cli.match.starts import Path, Search
-    from shapeblend_cli.match.work import WorkConstants
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
 
     Dot = tuple[int, int]

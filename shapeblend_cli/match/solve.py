@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.match import angles, coarse
 from shapeblend_cli.match import starts as searches
-from shapeblend_cli.match.work import Wires, WorkConstants
+from shapeblend_cli.match.work import Wires
 from shapeblend_cli.model import Correspondence
 
 if TYPE_CHECKING:

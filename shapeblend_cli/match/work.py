@@ -11,11 +11,11 @@ The paper's text calls eq (17) "equation 18".
 from __future__ import annotations
 
 from copy import copy
-from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.match import angles
 
 if TYPE_CHECKING:
@@ -36,46 +36,6 @@ BEND_OF_STEPS = np.array([[EE, NO_BEND, ED], [NO_BEND, SS, SD], [DE, DS, DD]])
 
 STRETCHING_DOTS = 1 << 18
 """Stretching work is computed for so many dots at once: few enough to stay in the cache."""
-
-
-@dataclass(frozen=True, slots=True)
-class WorkConstants:
-    """The paper's seven constants; the defaults are measured, not the paper's.
-
-    Attributes
-    ----------
-    k_s, k_b : float >= 0
-        Stiffness against stretching and bending.
-    e_s, e_b : float > 0
-        Exponents of stretching and bending.
-    p_b : float >= 0
-        Penalty for an angle that reaches zero.
-    m_b : float >= 0
-        Penalty for an angle that does not change monotonically.
-    c_s : float in (0, 1]
-        Penalty for edges that collapse to a point: the smaller, the dearer.
-    """
-
-    k_s: float = 1.0
-    k_b: float = 1.0
-    e_s: float = 2.0
-    e_b: float = 1.0
-    p_b: float = 1000.0
-    m_b: float = 3.0
-    c_s: float = 0.5
-
-    def __post_init__(self) -> None:
-        for name, value in asdict(self).items():
-            if not np.isfinite(value) or value < 0.0:
-                raise ValueError(f"{name} must be a number >= 0, not {value}")
-        if not 0.0 < self.c_s <= 1.0:
-            raise ValueError(f"c_s must lie in (0, 1], not {self.c_s}")
-        if self.e_s == 0.0 or self.e_b == 0.0:
-            raise ValueError("e_s and e_b must be greater than 0")
-
-    def bending(self) -> tuple[float, float, float, float]:
-        """The constants of eq (17) in the order the kernels take them: k_b, m_b, e_b, p_b."""
-        return self.k_b, self.m_b, self.e_b, self.p_b
 
 
 class Window(NamedTuple):

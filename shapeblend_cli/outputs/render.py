@@ -90,7 +90,7 @@ def _animation(
 ) -> str:
     """An animated SVG."""
     if spec.animate == "frames":
-        frames = make_frames(pairs, settings._replace(ends=True))
+        frames = make_frames(pairs, settings.replace(ends=True))
         return stacked_svg(frames, spec.timing, len(pairs), decimals)
     moving = keyframed_shapes(pairs)
     if spec.animate == "css":
@@ -114,7 +114,7 @@ def _pictures(
         timing = spec.timing
         run = run_for(choice.fps, settings.frames, len(pairs), timing.seconds, timing.is_pingpong)
         check_pixels(run.pictures, size)
-        frames = make_frames(pairs, settings._replace(frames=run.steps - 1, ends=True))
+        frames = make_frames(pairs, settings.replace(frames=run.steps - 1, ends=True))
         svgs = [frame_svg(frame, decimals) for frame in frames]
         runs = timing.repeat if isinstance(timing.repeat, int) else None
         return [animation(kind, svgs, size, run, runs, ground)]

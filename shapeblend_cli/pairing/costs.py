@@ -12,7 +12,7 @@ from shapeblend_cli.match.solve import least_work
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.match.work import WorkConstants
+    from shapeblend_cli.constants import WorkConstants
     from shapeblend_cli.model import Box, ComplexArray, FloatArray
     from shapeblend_cli.pairing.parts import Part
 

@@ -17,7 +17,7 @@ from shapeblend_cli.pairing.split import split_outlines
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
-    from shapeblend_cli.match.work import WorkConstants
+    from shapeblend_cli.constants import WorkConstants
     from shapeblend_cli.model import FloatArray
     from shapeblend_cli.settings import Settings
 

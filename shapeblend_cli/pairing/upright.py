@@ -21,7 +21,7 @@ from shapeblend_cli.errors import MatchError
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.match.work import WorkConstants
+    from shapeblend_cli.constants import WorkConstants
     from shapeblend_cli.model import ComplexArray, Correspondence, FloatArray, IntArray
 
 TURNED = np.radians(8.0)

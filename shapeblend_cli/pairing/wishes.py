@@ -78,7 +78,7 @@ def given_pairs(
         An id that no shape has.
     """
     found: list[Numbers] = []
-    for pair in settings.pairs:
+    for pair in settings.match:
         sides = [
             _named(name, drawing, side) for name, drawing, side in zip(pair, drawings, parts, strict=True)
         ]
@@ -92,7 +92,7 @@ def given_pairs(
         if shapes[0] and shapes[1]:
             found += [
                 (p.number, q.number)
-                for p, q in pair_parts(shapes[0], shapes[1], settings._replace(unmatched="point"))
+                for p, q in pair_parts(shapes[0], shapes[1], settings.replace(unmatched="point"))
             ]
     return found
 

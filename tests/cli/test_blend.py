@@ -10,8 +10,6 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.match.work import WorkConstants
-from shapeblend_cli.options import constants_in_force
 
 SVG = "{http://www.w3.org/2000/svg}"
 SQUARE = "M0 0H10V10H0Z"
@@ -165,12 +163,6 @@ def test_the_report_is_that_of_the_page(here, capfdbinary):
     assert [f["t"] for f in report["frames"]] == pytest.approx([1 / 3, 2 / 3])
     assert {f["self_crossings"] for f in report["frames"]} == {0}
     assert 50 < report["frames"][1]["area"] < report["frames"][0]["area"] < 100
-
-
-def test_the_defaults_of_the_options_are_those_of_the_solver():
-    assert WorkConstants() == WorkConstants(
-        **{f"{n[0]}_{n[1]}": x for n, x in constants_in_force(None, {}).items()}
-    )
 
 
 def test_the_solver_alone(here, capfdbinary):

@@ -6,6 +6,7 @@ import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 
+from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.normalise import to_unit_box
@@ -13,7 +14,6 @@ from shapeblend_cli.interpolate.curves import TOLERANCE, common_segments
 from shapeblend_cli.interpolate.rails import CORNER, rail
 from shapeblend_cli.interpolate.track import slack_track
 from shapeblend_cli.match.solve import least_work
-from shapeblend_cli.match.work import WorkConstants
 from shapeblend_cli.model import Contour, Polygon
 from shapeblend_cli.svg.reading.read import read
 from tests.support.contours import circle_contour, polygon_contour

@@ -7,17 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.match import angles
-from shapeblend_cli.match.work import (
-    BEND_OF_STEPS,
-    EAST,
-    NO_BEND,
-    SOUTH,
-    SOUTHEAST,
-    Window,
-    WorkConstants,
-    corners,
-)
+from shapeblend_cli.match.work import BEND_OF_STEPS, EAST, NO_BEND, SOUTH, SOUTHEAST, Window, corners
 from tests.support import oracle
 from tests.support.shapes import random_polygon
 

@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 
+from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.match import coarse, solve, starts
 from shapeblend_cli.match.solve import least_work
-from shapeblend_cli.match.work import Wires, WorkConstants
+from shapeblend_cli.match.work import Wires
 from tests.support.shapes import gear, star_polygon, unit_box
 
 

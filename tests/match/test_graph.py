@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 
+from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.match import graph, starts
 from shapeblend_cli.match.solve import least_work
-from shapeblend_cli.match.work import BEND_OF_STEPS, EAST, SOUTH, SOUTHEAST, Window, Wires, WorkConstants
+from shapeblend_cli.match.work import BEND_OF_STEPS, EAST, SOUTH, SOUTHEAST, Window, Wires
 from tests.support.oracle import EAST as E
 from tests.support.oracle import SOUTH as S
 from tests.support.oracle import SOUTHEAST as D

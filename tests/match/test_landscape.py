@@ -5,9 +5,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.match.landscape import MOVES, landscape
 from shapeblend_cli.match.solve import least_work
-from shapeblend_cli.match.work import Wires, WorkConstants
+from shapeblend_cli.match.work import Wires
 from tests.support.oracle import legal_turn, paths
 
 

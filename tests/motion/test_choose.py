@@ -18,7 +18,7 @@ CLEAN = [("e", "f"), ("triangle", "square"), ("bird-1", "bird-2")]
 
 
 def pair_of(a, b, **settings):
-    (pair,), _ = match_all([a, b], SETTINGS._replace(**settings))
+    (pair,), _ = match_all([a, b], SETTINGS.replace(**settings))
     return pair
 
 
@@ -35,7 +35,7 @@ def test_without_a_fault_paths_are_straight_and_all_is_as_if_asked_for(samples, 
     a, b = (read(str(samples / f"{name}.svg")) for name in names)
     settings = Settings(ends=True)
     pair, frames = blend(a, b, settings)
-    asked, same = blend(a, b, settings._replace(motion="linear"))
+    asked, same = blend(a, b, settings.replace(motion="linear"))
     assert (reasons(pair), reasons(asked)) == (("no fault",), ("asked for",))
     assert pair.views == asked.views
     for frame, other in zip(frames, same, strict=True):

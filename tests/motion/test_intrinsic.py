@@ -8,13 +8,11 @@ from hypothesis import strategies as st
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.interpolate.paths import between
-from shapeblend_cli.match.work import WorkConstants
 from shapeblend_cli.model import CubicPath
 from shapeblend_cli.motion.alignment import Matched, align, matched_points
 from shapeblend_cli.motion.intrinsic import closing, intrinsic
 from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.pipeline import match_all
-from shapeblend_cli.presets import PRESETS
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support.motions import contour_blend
@@ -185,7 +183,7 @@ def test_the_body_hardly_moves_while_the_arm_swings():
 
 
 def test_figure_28_the_dancers_arm_does_not_wither(samples):
-    settings = Settings(constants=WorkConstants(*PRESETS["fig28"].values()))
+    settings = Settings(preset="fig28", band="none")
     (shape,) = pair_of_samples(samples, "dancer-1", "dancer-2", settings)
     (contour,) = shape.contours
     nodes = contour.start.segments[:, 0]

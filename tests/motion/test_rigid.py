@@ -44,7 +44,7 @@ def placed(one, factor, shift=0j, start=0):
 
 
 def pair_of(a, b, **settings):
-    (pair,), _ = match_all([a, b], SETTINGS._replace(**settings))
+    (pair,), _ = match_all([a, b], SETTINGS.replace(**settings))
     return pair
 
 

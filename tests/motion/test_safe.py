@@ -7,7 +7,6 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import between
-from shapeblend_cli.match.work import WorkConstants
 from shapeblend_cli.measure import measure
 from shapeblend_cli.model import CubicPath
 from shapeblend_cli.motion.rigid import Rigid
@@ -153,7 +152,7 @@ def test_the_antlers_of_figure_27_do_not_cross():
     cow, deer = (read(str(SAMPLES / f"{name}.svg")) for name in ("cow", "deer"))
     crossings = {}
     for motion in ("linear", "auto"):
-        (pair,), _ = match_all([cow, deer], Settings(motion=motion, constants=WorkConstants(m_b=10.0)))
+        (pair,), _ = match_all([cow, deer], Settings(motion=motion, m_b=10.0))
         crossings[motion] = [measure(pair, t / 20).self_crossings for t in range(21)]
     assert max(crossings["linear"]) > 0
     assert max(crossings["auto"]) == 0

@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from shapeblend_cli.match.work import DD, DE, DS, ED, EE, SD, SS, Wires, WorkConstants
+from shapeblend_cli.constants import WorkConstants
+from shapeblend_cli.match.work import DD, DE, DS, ED, EE, SD, SS, Wires
 from shapeblend_cli.plot.theta import theta_of
 from tests.support.shapes import random_polygon, star_polygon
 

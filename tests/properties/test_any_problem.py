@@ -5,10 +5,11 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.match import coarse, solve, starts
 from shapeblend_cli.match.solve import least_work
-from shapeblend_cli.match.work import Wires, WorkConstants
+from shapeblend_cli.match.work import Wires
 from tests.support.shapes import gear, random_polygon, regular_polygon, star_polygon
 
 dots = st.tuples(st.integers(0, 200), st.integers(0, 200))

@@ -5,9 +5,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.geometry.normalise import Similarity
 from shapeblend_cli.match.solve import least_work
-from shapeblend_cli.match.work import WorkConstants
 from shapeblend_cli.model import Contour, Style
 from shapeblend_cli.pipeline import blend
 from shapeblend_cli.settings import Settings

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.options import CONSTANTS
 from shapeblend_cli.settings import Settings
 from tools.quality.data import ROOT, icon_pairs, subpaths
 from tools.quality.peers import shapeblend
@@ -143,9 +142,7 @@ def row(option: str, value: str, found: Found) -> list[str]:
 
 def default_of(option: str) -> str:
     """The default as it is written here."""
-    if option in CONSTANTS:
-        return f"{CONSTANTS[option][0]:g}"
-    return str(Settings()._asdict()[option])
+    return next(field.default_text for field in Settings.options.values() if field.key == option)
 
 
 def main() -> None:

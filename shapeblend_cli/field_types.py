@@ -1,0 +1,286 @@
+"""The types of fields: how a value is typed, checked, and written as JSON.
+
+Errors are phrased so that the name of a field or of an option goes before them: "must be 0 or more, not -3".
+"""
+
+from __future__ import annotations
+
+import math
+from operator import index
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from shapeblend_cli import easing
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+
+class Unfit(ValueError):
+    """Says what a value must be, where `FieldType.expected` would not say it well."""
+
+
+def _unchanged(value: Any) -> Any:
+    return value
+
+
+class FieldType(NamedTuple):
+    """A type of fields.
+
+    Attributes
+    ----------
+    expected : str
+        What a value must be, for errors.
+    canonical : callable
+        Returns a value of Python in the one form it is kept in, or raises ValueError or TypeError.
+    metavar : str
+        How help shows a value.
+    split : callable
+        Returns a typed text as a value of Python.
+    plain : callable
+        Returns a canonical value as JSON has it.
+    choices : tuple of str
+        All values, if they are a few words.
+    is_file : bool
+        Whether a value names a file.
+    """
+
+    expected: str
+    canonical: Callable[[Any], Any]
+    metavar: str
+    split: Callable[[str], Any] = _unchanged
+    plain: Callable[[Any], Any] = _unchanged
+    choices: tuple[str, ...] = ()
+    is_file: bool = False
+
+    def check(self, value: Any) -> Any:
+        """Return a value in its canonical form, or raise ValueError."""
+        return self._tried(self.canonical, value, repr(value))
+
+    def parse(self, text: str) -> Any:
+        """Return a typed text as a canonical value, or raise ValueError."""
+        shown = text if self.split in (int, float) else repr(text)
+        return self._tried(lambda typed: self.canonical(self.split(typed)), text, shown)
+
+    def _tried(self, read: Callable[[Any], Any], value: Any, shown: str) -> Any:
+        try:
+            return read(value)
+        except (ValueError, TypeError, OverflowError) as error:
+            expected = error if isinstance(error, Unfit) else self.expected
+            raise ValueError(f"must be {expected}, not {shown}") from None
+
+
+def choice(*words: str) -> FieldType:
+    """One of a few words."""
+
+    def canonical(value: Any) -> Any:
+        if value not in words:
+            raise ValueError
+        return value
+
+    return FieldType(
+        f"{', '.join(words[:-1])} or {words[-1]}", canonical, f"[{'|'.join(words)}]", choices=words
+    )
+
+
+def number(low: float, high: float = math.inf, *, above: bool = False) -> FieldType:
+    """A finite number within limits; with `above`, greater than the lower one."""
+
+    def canonical(value: Any) -> float:
+        return _within(_finite(value), low, high, above)
+
+    return FieldType("a number", canonical, "X", float)
+
+
+def whole(low: int, high: int) -> FieldType:
+    """A whole number within limits."""
+
+    def canonical(value: Any) -> int:
+        return _within(_integer(value), low, high, False)
+
+    return FieldType("a whole number", canonical, "N", int)
+
+
+def file(*suffixes: str) -> FieldType:
+    """The name of a file or folder; if there are suffixes, it ends in one of them."""
+
+    def canonical(value: Any) -> str:
+        if suffixes and not str(value).lower().endswith(suffixes):
+            raise ValueError
+        return str(value)
+
+    return FieldType(f"a file name ending in {' or '.join(suffixes)}", canonical, "FILE", is_file=True)
+
+
+def _flag(value: Any) -> bool:
+    if not isinstance(value, bool):
+        raise TypeError
+    return value
+
+
+def _selector(value: Any) -> Any:
+    from shapeblend_cli.svg.reading.select import SelectorError, check
+
+    try:
+        check(value)
+    except SelectorError as error:
+        raise Unfit(f"#id or a CSS selector ({error})") from None
+    return value
+
+
+def _start(value: Any) -> tuple[int, int] | None:
+    if value is None:
+        return None
+    i, j = map(_integer, value)
+    if min(i, j) < 0:
+        raise Unfit("two vertex numbers, and these begin at 0")
+    return i, j
+
+
+def _split_start(text: str) -> Any:
+    return None if text == "auto" else _integers(text)
+
+
+def _plain_start(value: Any) -> Any:
+    return list(value) if value else "auto"
+
+
+def _pin(value: Any) -> Any:
+    a, b = value
+    return _start(value) if hasattr(a, "__index__") else (_point(a), _point(b))
+
+
+def _split_pin(text: str) -> Any:
+    return [_floats(side) for side in text.split(":")] if ":" in text else _integers(text)
+
+
+def _plain_pin(value: Any) -> Any:
+    return [side if isinstance(side, int) else [side.real, side.imag] for side in value]
+
+
+def _stiff(value: Any) -> tuple[complex, float, float]:
+    point, radius, weight = value
+    if not (_finite(radius) > 0.0 and _finite(weight) > 0.0):
+        raise Unfit("a point with a radius and a weight greater than 0")
+    return _point(point), float(radius), float(weight)
+
+
+def _split_stiff(text: str) -> Any:
+    region, weight = text.split("=")
+    x, y, radius = _floats(region)
+    return (x, y), radius, float(weight)
+
+
+def _plain_stiff(value: Any) -> Any:
+    point, radius, weight = value
+    return [[point.real, point.imag], radius, weight]
+
+
+def _match(value: Any) -> tuple[str, str]:
+    a, b = (str(side).strip() for side in value)
+    if not (a and b):
+        raise ValueError
+    return a, b
+
+
+def _band(value: Any) -> float | None:
+    if value == "none":
+        return None
+    if not 0.0 <= _finite(value) <= 1.0:
+        raise ValueError
+    return float(value)
+
+
+def _ease(value: Any) -> easing.Ease:
+    return value if isinstance(value, easing.Ease) else easing.parse(str(value))
+
+
+MOST_RUNS = 1_000_000
+"""Runs of an animation that can be asked for; more is forever."""
+
+
+def _repeat(value: Any) -> Any:
+    if value in ("forever", "pingpong"):
+        return value
+    if not 1 <= _integer(value) <= MOST_RUNS:
+        raise ValueError
+    return index(value)
+
+
+def _colour(value: Any) -> str:
+    from shapeblend_cli.svg.reading.colours import parse_colour
+
+    colour = parse_colour(str(value).strip())
+    if colour is not None and colour.alpha == 0.0:
+        return "transparent"
+    if colour is None or colour.alpha < 1.0:
+        raise ValueError
+    return colour.rgb
+
+
+FLAG = FieldType("True or False", _flag, "")
+SELECTOR = FieldType("", _selector, "SEL")
+START = FieldType("auto, or two vertex numbers such as 0,3", _start, "auto|I,J", _split_start, _plain_start)
+PIN = FieldType(
+    "two vertex numbers such as 0,3, or two points such as 1.5,2:3,4",
+    _pin,
+    "I,J|x,y:x,y",
+    _split_pin,
+    _plain_pin,
+)
+STIFF = FieldType("of the form x,y,r=W, such as 10,20,5=3", _stiff, "x,y,r=W", _split_stiff, _plain_stiff)
+MATCH = FieldType(
+    "of the form A=B, such as 0=1 or left=right", _match, "A=B", lambda text: text.split("=", 1), list
+)
+BAND = FieldType(
+    "none, or a number between 0 and 1",
+    _band,
+    "DD|none",
+    lambda text: text if text == "none" else float(text),
+)
+EASE = FieldType(
+    f"{', '.join(easing.NAMES)}, or cubic-bezier(x1,y1,x2,y2) of numbers between 0 and 1",
+    _ease,
+    "NAME",
+    plain=str,
+)
+REPEAT = FieldType(
+    f"forever, pingpong, or a number from 1 to {MOST_RUNS}",
+    _repeat,
+    "N|forever|pingpong",
+    lambda text: int(text) if text.isdecimal() else text,
+)
+COLOUR = FieldType("transparent, or an opaque CSS colour such as white or #f4f4f0", _colour, "COLOUR")
+
+
+def _finite(value: Any) -> float:
+    if isinstance(value, str) or not math.isfinite(value):
+        raise TypeError
+    return float(value)
+
+
+def _integer(value: Any) -> int:
+    if isinstance(value, bool):
+        raise TypeError
+    return index(value)
+
+
+def _integers(text: str) -> list[int]:
+    return [int(part) for part in text.split(",")]
+
+
+def _floats(text: str) -> list[float]:
+    return [float(part) for part in text.split(",")]
+
+
+def _within(number: Any, low: float, high: float, above: bool) -> Any:
+    if number < low or (above and number == low):
+        raise Unfit(f"greater than {low:g}" if above else f"{low:g} or more")
+    if number > high:
+        raise Unfit(f"at most {high:g}")
+    return number
+
+
+def _point(value: Any) -> complex:
+    """A complex number, or two numbers."""
+    x, y = (value.real, value.imag) if isinstance(value, complex) else value
+    return complex(_finite(x), _finite(y))
