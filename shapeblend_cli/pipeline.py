@@ -29,13 +29,13 @@ from shapeblend_cli.model import (
 )
 from shapeblend_cli.motion.alignment import align, matched_points
 from shapeblend_cli.motion.choose import RotatedShape, choose_motion, is_as_good, try_straight
-from shapeblend_cli.motion.turned import is_turned, turn_between
+from shapeblend_cli.motion.rotation import is_turned, turn_between
 from shapeblend_cli.paint.styles import blend_styles, painted_as
-from shapeblend_cli.pairing.join import join, least_work_either_way, part_of
-from shapeblend_cli.pairing.pair import pair_parts
-from shapeblend_cli.pairing.parts import Part, main_way, take_apart, turned_parts
+from shapeblend_cli.pairing.constraints import Constraints, check_stiff, constraints_for, given_pairs, pinned
+from shapeblend_cli.pairing.decompose import PlacedContour, decompose, main_orientation, rotated_contours
+from shapeblend_cli.pairing.matching import choose_direction, match_contours, part_of
+from shapeblend_cli.pairing.pair import pair_contours
 from shapeblend_cli.pairing.shapes import Match, shape_blends
-from shapeblend_cli.pairing.wishes import Wishes, check_stiff, given_pairs, pinned, wishes_for
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.views import view_of, views_with_room
 
@@ -104,9 +104,9 @@ def correspond(
     """
     a, b = _given_polygon(p0, closed), _given_polygon(p1, closed)
     settings = settings or Settings()
-    wishes = Wishes(settings.start, settings.pins)
+    constraints = Constraints(settings.start, settings.pins)
     check_stiff([a], settings)
-    backwards, found = least_work_either_way(a, b, settings, wishes, None, alone=True)
+    backwards, found = choose_direction(a, b, settings, constraints, None, alone=True)
     if not backwards:
         return found
     # Backwards a closed polygon keeps its first vertex, and an open one begins at its last.
@@ -172,7 +172,7 @@ class _PlacedDrawing(NamedTuple):
 
     drawing: Drawing
     to_a: Similarity
-    parts: list[Part]
+    parts: list[PlacedContour]
     drawn: tuple[PaintedShape, ...]
     view: Box
 
@@ -185,8 +185,8 @@ def _place(drawings: Sequence[Drawing], settings: Settings) -> tuple[list[_Place
     way = None
     for number, drawing in enumerate(drawings):
         to_a = place_over(first, drawing, settings.place) if number else Similarity()
-        parts, left_out = take_apart(drawing, to_a, settings.vertices, way)
-        way = way or main_way([part.polygon for part in parts])
+        parts, left_out = decompose(drawing, to_a, settings.vertices, way)
+        way = way or main_orientation([part.polygon for part in parts])
         drawn = as_drawn(drawing, to_a)
         viewbox = first.viewbox if settings.place == "bbox" else to_a.box(drawing.viewbox)
         placed.append(_PlacedDrawing(drawing, to_a, parts, drawn, view_of(drawn, viewbox)))
@@ -214,7 +214,7 @@ def _blend_shapes(
     return moved
 
 
-def _rotation(a: Sequence[Part], b: Sequence[Part]) -> float | None:
+def _rotation(a: Sequence[PlacedContour], b: Sequence[PlacedContour]) -> float | None:
     """Return by what angle the largest contour of B is that of A rotated, if it is."""
     return turn_between(*(max(parts, key=lambda part: part.size).polygon for parts in (a, b)))
 
@@ -224,8 +224,8 @@ class _Matching(NamedTuple):
 
     a: _PlacedDrawing
     b: _PlacedDrawing
-    couples: list[tuple[Part, Part]]
-    wishes: list[Wishes]
+    couples: list[tuple[PlacedContour, PlacedContour]]
+    constraints: list[Constraints]
     settings: Settings
     clock: Clock
 
@@ -233,7 +233,7 @@ class _Matching(NamedTuple):
         """Match one of the couples, with B rotated back by an angle."""
         a, b = self.couples[number]
         alone = len(self.couples) == 1
-        blend = join(a, b, self.settings, self.wishes[number], watch, rotation, alone=alone)
+        blend = match_contours(a, b, self.settings, self.constraints[number], watch, rotation, alone=alone)
         return Match(a, b, blend._replace(seconds=self.clock.lap("match")))
 
 
@@ -246,8 +246,10 @@ def _pair_contours(
     couples = _couples(a.parts, b.parts, settings, given + [found.pair for found in pins], rotation)
     clock.lap("match")
     largest = max(couples, key=lambda couple: couple[0].size)
-    wishes = [wishes_for(couple, settings, pins, is_largest=couple is largest) for couple in couples]
-    return _Matching(a, b, couples, wishes, settings, clock)
+    constraints = [
+        constraints_for(couple, settings, pins, is_largest=couple is largest) for couple in couples
+    ]
+    return _Matching(a, b, couples, constraints, settings, clock)
 
 
 def _match(
@@ -326,20 +328,20 @@ def _with_curves(shape: ShapeBlend, settings: Settings) -> ShapeBlend:
 
 
 def _couples(
-    a: Sequence[Part],
-    b: Sequence[Part],
+    a: Sequence[PlacedContour],
+    b: Sequence[PlacedContour],
     settings: Settings,
     given: Sequence[tuple[int, int]],
     turn: float,
-) -> list[tuple[Part, Part]]:
+) -> list[tuple[PlacedContour, PlacedContour]]:
     """The pairs of contours, found with B turned back by an angle about its largest one, which is laid over A's."""
     if not turn:
-        return pair_parts(a, b, settings, given)
+        return pair_contours(a, b, settings, given)
     onto, about = (max(parts, key=lambda part: part.size).polygon.vertices.mean() for parts in (a, b))
-    couples = pair_parts(a, turned_parts(b, -turn, about, onto), settings, given)
+    couples = pair_contours(a, rotated_contours(b, -turn, about, onto), settings, given)
     own = {part.number: part for part in b}
     return [
-        (one, turned_parts([other], turn, onto, about)[0] if other.is_piece else own[other.number])
+        (one, rotated_contours([other], turn, onto, about)[0] if other.is_piece else own[other.number])
         for one, other in couples
     ]
 

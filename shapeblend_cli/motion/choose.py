@@ -11,7 +11,7 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.motion.alignment import align, matched_points, residual
-from shapeblend_cli.motion.faults import COLLAPSE, OVERLAP, Fault, fault
+from shapeblend_cli.motion.defects import COLLAPSE, OVERLAP, Fault, fault
 from shapeblend_cli.motion.rigid import Rigid
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.motion.rigid import Rigid
-from shapeblend_cli.motion.turns import ROUND, directions
+from shapeblend_cli.motion.turning import ROUND, directions
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -32,7 +32,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import chain_crossings, path_crossings
 from shapeblend_cli.model import frozen
 from shapeblend_cli.motion.alignment import Alignment
-from shapeblend_cli.motion.faults import counted
+from shapeblend_cli.motion.defects import counted
 from shapeblend_cli.motion.levels import smoothed
 
 if TYPE_CHECKING:

@@ -14,26 +14,26 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.constants import WorkConstants
     from shapeblend_cli.model import Box, ComplexArray, FloatArray
-    from shapeblend_cli.pairing.parts import Part
+    from shapeblend_cli.pairing.decompose import PlacedContour
 
-WAY = 1.0
+DISTANCE_WEIGHT = 1.0
 """Cost of a way as long as the drawing is large."""
 
-SIZE = 0.5
+SIZE_WEIGHT = 0.5
 """Cost of a change of size by the factor e."""
 
-WORK = 0.5
-"""Cost of any amount of work. A part of it, work / (work + `HALF`), is the cost of less: shapes that differ in every
+WORK_WEIGHT = 0.5
+"""Cost of any amount of work. Less costs its share, work / (work + `WORK_HALF_SATURATION`): shapes that differ in every
 detail are not worse partners than those that differ in most."""
 
-HALF = 10.0
-"""Least work that costs half of `WORK`: a circle into a five-pointed star takes about this much."""
+WORK_HALF_SATURATION = 10.0
+"""Least work that costs half of `WORK_WEIGHT`: a circle into a five-pointed star takes about this much."""
 
-PAINT = 0.5
+PAINT_WEIGHT = 0.5
 """Cost of turning a filled shape into one that is not, or one without a stroke into one with; and of turning black
 into white."""
 
-ALONE = 1.0
+SKIP_COST = 1.0
 """What is saved by not leaving out a contour as large as the drawing."""
 
 VERTICES = 32
@@ -50,7 +50,7 @@ _COINCIDENT = 1e-6
 class View(NamedTuple):
     """Contours of one drawing in their frame: the drawing's box, or for holes that of their outline."""
 
-    parts: Sequence[Part]
+    parts: Sequence[PlacedContour]
     frame: Box
 
     @property
@@ -73,16 +73,16 @@ def costs(a: View, b: View, constants: WorkConstants) -> FloatArray:
     Returns
     -------
     (p, q) float >= 0
-        Without a unit: shares of the drawing's size, `WAY` being 1.
+        Without a unit: shares of the drawing's size, `DISTANCE_WEIGHT` being 1.
     """
     way = np.abs(a.centres()[:, None] - b.centres())
     size = np.abs(np.log(a.sizes())[:, None] - np.log(b.sizes()))
     paint = np.array([[_repainting(p, q) for q in b.parts] for p in a.parts])
-    cheap = WAY * way + SIZE * size + PAINT * paint
+    cheap = DISTANCE_WEIGHT * way + SIZE_WEIGHT * size + PAINT_WEIGHT * paint
     work = np.full(cheap.shape, np.inf)
     for i, j in _worth_solving(cheap):
         work[i, j] = _work(a.parts[i], b.parts[j], constants)
-    return cheap + WORK * (1.0 - HALF / (work + HALF))
+    return cheap + WORK_WEIGHT * (1.0 - WORK_HALF_SATURATION / (work + WORK_HALF_SATURATION))
 
 
 def _worth_solving(cheap: FloatArray) -> list[tuple[int, int]]:
@@ -95,13 +95,13 @@ def _worth_solving(cheap: FloatArray) -> list[tuple[int, int]]:
     return sorted(rows | columns)
 
 
-def _work(a: Part, b: Part, constants: WorkConstants) -> float:
+def _work(a: PlacedContour, b: PlacedContour, constants: WorkConstants) -> float:
     """Least work between two contours, each in its unit box, on a few of their vertices."""
     closed = a.polygon.closed and b.polygon.closed
-    return least_thinned_work(to_unit_box(a.polygon)[0], to_unit_box(b.polygon)[0], closed, constants)
+    return coarse_work(to_unit_box(a.polygon)[0], to_unit_box(b.polygon)[0], closed, constants)
 
 
-def least_thinned_work(p0: ComplexArray, p1: ComplexArray, closed: bool, constants: WorkConstants) -> float:
+def coarse_work(p0: ComplexArray, p1: ComplexArray, closed: bool, constants: WorkConstants) -> float:
     """Least work between two polygons in their unit boxes, on a few of their vertices; open ones either way.
 
     Infinite where so few vertices do not make an outline.
@@ -128,7 +128,7 @@ def _thinned(vertices: ComplexArray, closed: bool) -> ComplexArray:
     return np.array(kept)
 
 
-def _repainting(a: Part, b: Part) -> float:
+def _repainting(a: PlacedContour, b: PlacedContour) -> float:
     """How differently two contours are painted: 0 for alike, 1 for black and white, 1 for each kind of paint more."""
     found = 0.0
     for p, q in ((a.style.fill, b.style.fill), (a.style.stroke, b.style.stroke)):

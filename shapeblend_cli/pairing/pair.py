@@ -9,10 +9,10 @@ import numpy as np
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.model import Box
 from shapeblend_cli.pairing.assign import assign
-from shapeblend_cli.pairing.costs import ALONE, View, costs
-from shapeblend_cli.pairing.order import order, overlaps
-from shapeblend_cli.pairing.parts import HOLE, LINE, OUTLINE, Part
-from shapeblend_cli.pairing.split import split_outlines
+from shapeblend_cli.pairing.costs import SKIP_COST, View, costs
+from shapeblend_cli.pairing.decompose import EXTERIOR, HOLE, LINE, PlacedContour
+from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
+from shapeblend_cli.pairing.split import split_exteriors
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.settings import Settings
 
     Numbers = tuple[int, int]
-    Couple = tuple[Part, Part]
+    Couple = tuple[PlacedContour, PlacedContour]
 
 ROUNDS = 4
 """How often contours that could not keep the order of paint get other partners."""
@@ -31,8 +31,8 @@ NEVER = 1e6
 """Cost of a pair that is refused: more than that of any number of others."""
 
 
-def pair_parts(
-    a: Sequence[Part], b: Sequence[Part], settings: Settings, given: Sequence[Numbers] = ()
+def pair_contours(
+    a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Settings, given: Sequence[Numbers] = ()
 ) -> list[Couple]:
     """Pair the contours of two drawings.
 
@@ -43,7 +43,7 @@ def pair_parts(
 
     Parameters
     ----------
-    a, b : sequence of Part
+    a, b : sequence of PlacedContour
         The contours of each drawing, at least one, B's laid over A.
     settings : Settings
     given : sequence of (int, int)
@@ -51,7 +51,7 @@ def pair_parts(
 
     Returns
     -------
-    list of (Part, Part)
+    list of (PlacedContour, PlacedContour)
         By A's number. Pieces, if outlines without a partner are to have them, go by the number of what was cut.
 
     Raises
@@ -62,13 +62,13 @@ def pair_parts(
     constants = settings.constants
     fixed = _checked(a, b, given)
     tops_a, tops_b = ([part for part in parts if part.role != HOLE] for parts in (a, b))
-    kinds: list[tuple[str, ...]] = [(OUTLINE,), (LINE,)]
+    kinds: list[tuple[str, ...]] = [(EXTERIOR,), (LINE,)]
     if {part.role for part in tops_a}.isdisjoint(part.role for part in tops_b):
-        kinds = [(OUTLINE, LINE)]
+        kinds = [(EXTERIOR, LINE)]
     frames = [Box.union([part.box for part in parts]) for parts in (tops_a, tops_b)]
     views = View(tops_a, frames[0]), View(tops_b, frames[1])
     couples = [couple for kind in kinds for couple in _pairs(views, kind, constants, fixed)]
-    below = overlaps(a), overlaps(b)
+    below = visible_overlaps(a), visible_overlaps(b)
     refused: set[Numbers] = set()
     for _ in range(ROUNDS):
         kept = _without_swaps(couples, fixed, below)
@@ -81,7 +81,7 @@ def pair_parts(
     else:
         couples = _without_swaps(couples, fixed, below)
     if settings.unmatched == "split":
-        couples = split_outlines(a, b, couples, settings.vertices)
+        couples = split_exteriors(a, b, couples, settings.vertices)
     for outer_a, outer_b in list(couples):
         holes_a, holes_b = (
             [p for p in parts if outer.has(p)] for parts, outer in ((a, outer_a), (b, outer_b))
@@ -122,9 +122,9 @@ def _pairs(
 def _less_what_is_saved(table: FloatArray, a: View, b: View) -> FloatArray:
     """Make it cheaper to pair the larger contours of the side that has more: what is left out had better be small."""
     if len(a.parts) < len(b.parts):
-        return table - ALONE * b.sizes()
+        return table - SKIP_COST * b.sizes()
     if len(a.parts) > len(b.parts):
-        return table - ALONE * a.sizes()[:, None]
+        return table - SKIP_COST * a.sizes()[:, None]
     return table
 
 
@@ -134,7 +134,7 @@ def _without_swaps(
     """The couples that can keep the order of paint; of two that cannot both, what is fixed, or the larger."""
 
     def fits(some: Sequence[Couple]) -> bool:
-        return order([(p.shape, q.shape) for p, q in some], *below) is not None
+        return paint_order([(p.shape, q.shape) for p, q in some], *below) is not None
 
     if fits(couples):
         return list(couples)
@@ -151,7 +151,9 @@ def _without_swaps(
     return kept
 
 
-def _checked(a: Sequence[Part], b: Sequence[Part], given: Sequence[Numbers]) -> dict[int, int]:
+def _checked(
+    a: Sequence[PlacedContour], b: Sequence[PlacedContour], given: Sequence[Numbers]
+) -> dict[int, int]:
     """The pairs that were given, and those of the outlines around holes."""
     parts = tuple({part.number: part for part in side} for side in (a, b))
     fixed: dict[int, int] = {}
@@ -172,10 +174,12 @@ def _checked(a: Sequence[Part], b: Sequence[Part], given: Sequence[Numbers]) -> 
                 f"contour {i} of A is {_named(p)} and contour {j} of B {_named(q)}; two of a kind would work"
             )
         add(i, j)
-        if p.outline is not None and q.outline is not None:
-            add(p.outline, q.outline)
+        if p.exterior is not None and q.exterior is not None:
+            add(p.exterior, q.exterior)
     return fixed
 
 
-def _named(part: Part) -> str:
-    return {OUTLINE: "an outline", HOLE: f"a hole in contour {part.outline}", LINE: "an open line"}[part.role]
+def _named(part: PlacedContour) -> str:
+    return {EXTERIOR: "an outline", HOLE: f"a hole in contour {part.exterior}", LINE: "an open line"}[
+        part.role
+    ]

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.model import ContourBlend, ShapeBlend
+from shapeblend_cli.pairing.decompose import HOLE, PlacedContour
 from shapeblend_cli.pairing.growth import MatchedPoints, point_inside, point_on
-from shapeblend_cli.pairing.join import grown
-from shapeblend_cli.pairing.order import order, overlaps
-from shapeblend_cli.pairing.parts import HOLE, Part
+from shapeblend_cli.pairing.matching import grow_from_point
+from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -20,11 +20,11 @@ if TYPE_CHECKING:
 class Match(NamedTuple):
     """Two contours that are paired, and the blend between them."""
 
-    a: Part
-    b: Part
+    a: PlacedContour
+    b: PlacedContour
     blend: ContourBlend
 
-    def side(self, *, of_b: bool) -> Part:
+    def side(self, *, of_b: bool) -> PlacedContour:
         """Return the contour of one drawing."""
         return self.b if of_b else self.a
 
@@ -42,7 +42,9 @@ class _Group(NamedTuple):
     stroke_grows: bool = False
 
 
-def shape_blends(a: Sequence[Part], b: Sequence[Part], matches: Sequence[Match]) -> tuple[ShapeBlend, ...]:
+def shape_blends(
+    a: Sequence[PlacedContour], b: Sequence[PlacedContour], matches: Sequence[Match]
+) -> tuple[ShapeBlend, ...]:
     """Put together the contours of two drawings, and give each without a partner a point to grow from.
 
     Contours are painted together if they come from the same shape of A and the same shape of B. What grows out of one
@@ -50,7 +52,7 @@ def shape_blends(a: Sequence[Part], b: Sequence[Part], matches: Sequence[Match])
 
     Parameters
     ----------
-    a, b : sequence of Part
+    a, b : sequence of PlacedContour
         All contours of the drawings.
     matches : sequence of Match
         Those that are paired, at least one.
@@ -68,18 +70,18 @@ def shape_blends(a: Sequence[Part], b: Sequence[Part], matches: Sequence[Match])
         styles.setdefault(group, _styles(match.a, match.b))
     for parts, of_b in ((a, False), (b, True)):
         for part, group, point in _unmatched(parts, matches, of_b=of_b):
-            groups.setdefault(group, []).append(grown(part, point, of_b=of_b))
+            groups.setdefault(group, []).append(grow_from_point(part, point, of_b=of_b))
             nothing = part.style._replace(stroke_width=0.0)
             styles.setdefault(group, (nothing, part.style) if of_b else (part.style, nothing))
     keys = list(groups)
     shapes = [(group.a, group.b) for group in keys]
-    below_a, below_b = overlaps(a), overlaps(b)
+    below_a, below_b = visible_overlaps(a), visible_overlaps(b)
     # Pairs that the user gave may contradict the order of paint; then A's counts.
-    ranks = order(shapes, below_a, below_b) or order(shapes, below_a, ()) or range(len(keys))
+    ranks = paint_order(shapes, below_a, below_b) or paint_order(shapes, below_a, ()) or range(len(keys))
     return tuple(ShapeBlend(tuple(groups[keys[k]]), *styles[keys[k]]) for k in ranks)
 
 
-def _styles(a: Part, b: Part) -> tuple[Style, Style]:
+def _styles(a: PlacedContour, b: PlacedContour) -> tuple[Style, Style]:
     """The styles of a pair, under one fill rule where one paints both."""
     rules = {part.style.fill_rule for part in (a, b) if not part.any_rule}
     rule = rules.pop() if len(rules) == 1 else None if rules else "nonzero"
@@ -89,13 +91,13 @@ def _styles(a: Part, b: Part) -> tuple[Style, Style]:
 
 
 def _unmatched(
-    parts: Sequence[Part], matches: Sequence[Match], *, of_b: bool
-) -> list[tuple[Part, _Group, complex]]:
+    parts: Sequence[PlacedContour], matches: Sequence[Match], *, of_b: bool
+) -> list[tuple[PlacedContour, _Group, complex]]:
     """The contours of one drawing without a partner, what each is painted with, and the point it grows from."""
     paired = {match.side(of_b=of_b).number: match for match in matches}
     tops = [match for match in matches if match.side(of_b=of_b).role != HOLE]
     points = [match.points(from_b=of_b) for match in tops]
-    found: list[tuple[Part, _Group, complex]] = []
+    found: list[tuple[PlacedContour, _Group, complex]] = []
     alone: dict[int, tuple[_Group, complex]] = {}
     for part in parts:
         if part.number in paired or part.role == HOLE:
@@ -118,21 +120,21 @@ def _unmatched(
         alone[part.number] = group, point
         found.append((part, group, point))
     for part in parts:
-        if part.number in paired or part.role != HOLE or part.outline is None:
+        if part.number in paired or part.role != HOLE or part.exterior is None:
             continue
-        if part.outline in alone:
-            found.append((part, *alone[part.outline]))
+        if part.exterior in alone:
+            found.append((part, *alone[part.exterior]))
             continue
-        match = next((k for k in tops if k.side(of_b=of_b).has(part)), paired[part.outline])
+        match = next((k for k in tops if k.side(of_b=of_b).has(part)), paired[part.exterior])
         siblings = [
-            other.points(from_b=of_b) for other in matches if other.side(of_b=of_b).outline == part.outline
+            other.points(from_b=of_b) for other in matches if other.side(of_b=of_b).exterior == part.exterior
         ]
         point = point_inside(part.polygon.vertices, match.points(from_b=of_b), siblings)
         found.append((part, _Group(match.a.shape, match.b.shape), point))
     return found
 
 
-def _hole_around(part: Part, matches: Sequence[Match], *, of_b: bool) -> Match | None:
+def _hole_around(part: PlacedContour, matches: Sequence[Match], *, of_b: bool) -> Match | None:
     """The smallest paired hole of the same shape in which an outline is an island, if there is one."""
     vertex = part.polygon.vertices[:1]
     around = [

@@ -10,14 +10,14 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
 from shapeblend_cli.model import Box, Contour
-from shapeblend_cli.pairing.parts import OUTLINE, Part
+from shapeblend_cli.pairing.decompose import EXTERIOR, PlacedContour
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray, Polygon
 
-    Couple = tuple[Part, Part]
+    Couple = tuple[PlacedContour, PlacedContour]
 
 ENDS = 96
 """Vertices between which a cut may go, at most."""
@@ -36,39 +36,39 @@ AXES = (1.0 + 0.0j, 1.0j, 1.0 + 1.0j, 1.0 - 1.0j)
 SHARE, LENGTH, DIRECTION = 2.0, 0.5, 0.5
 
 
-def split_outlines(
-    a: Sequence[Part], b: Sequence[Part], couples: Sequence[Couple], vertices: int
+def split_exteriors(
+    a: Sequence[PlacedContour], b: Sequence[PlacedContour], couples: Sequence[Couple], vertices: int
 ) -> list[Couple]:
     """Give outlines without a partner a piece of the nearest outline that has one.
 
     Parameters
     ----------
-    a, b : sequence of Part
+    a, b : sequence of PlacedContour
         All contours of the drawings.
-    couples : sequence of (Part, Part)
+    couples : sequence of (PlacedContour, PlacedContour)
         Those that are paired, at least one.
     vertices : int >= 0
         Vertices a contour, about.
 
     Returns
     -------
-    list of (Part, Part)
+    list of (PlacedContour, PlacedContour)
         The couples; where an outline has become several, its pieces, which go by its number. An outline
         that no straight cut divides stays whole, and the others stay without a partner.
     """
     found = list(couples)
     for owner_side, parts in enumerate((b, a)):  # outlines of A are cut for B's, then B's for A's
         paired = {couple[1 - owner_side].number for couple in found}
-        wanting: dict[int, list[Part]] = {}
-        owners = [c for c in found if c[0].role == c[1].role == OUTLINE]
+        wanting: dict[int, list[PlacedContour]] = {}
+        owners = [c for c in found if c[0].role == c[1].role == EXTERIOR]
         for part in parts:
-            if part.role == OUTLINE and part.number not in paired and owners:
+            if part.role == EXTERIOR and part.number not in paired and owners:
                 wanting.setdefault(_nearest(part, [c[owner_side] for c in owners]), []).append(part)
         for number, partners in wanting.items():
             couple = owners[number]
             owner = couple[owner_side]
             whole = [couple[1 - owner_side], *partners]
-            holes = [p.polygon for p in (a, b)[owner_side] if p.outline == owner.number]
+            holes = [p.polygon for p in (a, b)[owner_side] if p.exterior == owner.number]
             pieces = _pieces(owner.contour, owner.polygon, holes, whole, vertices)
             if pieces is None:
                 continue
@@ -79,11 +79,11 @@ def split_outlines(
     return found
 
 
-def _nearest(part: Part, owners: Sequence[Part]) -> int:
+def _nearest(part: PlacedContour, owners: Sequence[PlacedContour]) -> int:
     """Number in the list of the outline nearest to a contour; of two as near, the larger."""
     watched = part.polygon.vertices[:: -(-len(part.polygon.vertices) // 24)]
 
-    def distance(owner: Part) -> tuple[float, float]:
+    def distance(owner: PlacedContour) -> tuple[float, float]:
         inside = winding_numbers(watched, owner.polygon.vertices) != 0
         away = np.abs(owner.polygon.vertices[:, None] - watched).min(axis=0)
         return float(np.where(inside, 0.0, away).min()), -owner.size
@@ -91,7 +91,7 @@ def _nearest(part: Part, owners: Sequence[Part]) -> int:
     return min(range(len(owners)), key=lambda k: distance(owners[k]))
 
 
-def _piece(owner: Part, contour: Contour, vertices: int) -> Part:
+def _piece(owner: PlacedContour, contour: Contour, vertices: int) -> PlacedContour:
     polygon = flatten(contour, vertices)
     return owner._replace(contour=contour, polygon=polygon, box=Box.around(polygon.vertices), is_piece=True)
 
@@ -105,8 +105,12 @@ class _Cut(NamedTuple):
 
 
 def _pieces(
-    contour: Contour, polygon: Polygon, holes: Sequence[Polygon], partners: Sequence[Part], vertices: int
-) -> list[tuple[Contour, Part]] | None:
+    contour: Contour,
+    polygon: Polygon,
+    holes: Sequence[Polygon],
+    partners: Sequence[PlacedContour],
+    vertices: int,
+) -> list[tuple[Contour, PlacedContour]] | None:
     """Cut a contour into a piece for each partner, by halves; None where no cut lies inside."""
     if len(partners) == 1:
         return [(contour, partners[0])]
@@ -119,7 +123,7 @@ def _pieces(
     if cut is None:
         return None
     first, second = halved[best]
-    found: list[tuple[Contour, Part]] = []
+    found: list[tuple[Contour, PlacedContour]] = []
     for half, i, j in ((first, cut.i, cut.j), (second, cut.j, cut.i)):
         piece = _run(contour, polygon, i, j)
         shape = flatten(piece, vertices)
@@ -131,17 +135,19 @@ def _pieces(
     return found
 
 
-def _halved(partners: Sequence[Part], axis: complex) -> tuple[list[Part], list[Part]]:
+def _halved(
+    partners: Sequence[PlacedContour], axis: complex
+) -> tuple[list[PlacedContour], list[PlacedContour]]:
     """The partners that lie first along an axis, and the others."""
     ranked = sorted(partners, key=lambda part: ((part.centre * axis.conjugate()).real, part.number))
     return ranked[: len(ranked) // 2], ranked[len(ranked) // 2 :]
 
 
-def _middle(parts: Sequence[Part]) -> complex:
+def _middle(parts: Sequence[PlacedContour]) -> complex:
     return sum(part.centre for part in parts) / len(parts)
 
 
-def _area(parts: Sequence[Part]) -> float:
+def _area(parts: Sequence[PlacedContour]) -> float:
     return sum(abs(signed_area(part.polygon.vertices)) for part in parts)
 
 

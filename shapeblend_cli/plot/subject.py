@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.pairing.join import solved_wires
+from shapeblend_cli.pairing.matching import solved_wires
 from shapeblend_cli.plot.axes import short_name, value_text
 
 if TYPE_CHECKING:

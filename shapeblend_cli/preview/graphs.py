@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shapeblend_cli.match.landscape import landscape
-from shapeblend_cli.pairing.join import solved_wires
+from shapeblend_cli.pairing.matching import solved_wires
 from shapeblend_cli.preview.packed import packed_levels, packed_table
 
 if TYPE_CHECKING:

@@ -2,8 +2,8 @@ import pytest
 
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.normalise import Similarity
-from shapeblend_cli.pairing.pair import pair_parts
-from shapeblend_cli.pairing.parts import take_apart
+from shapeblend_cli.pairing.decompose import decompose
+from shapeblend_cli.pairing.pair import pair_contours
 from shapeblend_cli.settings import Settings
 from tests.support.drawings import EIGHT, EYED, I_DOT, J_DOT, LEAF, RING, SQUARES, B, drawing
 
@@ -14,8 +14,8 @@ STROKED = '<path d="M2 12L9 20L20 18Z" fill="none" stroke="#000"/>'
 
 def pairs(a, b, given=(), **options):
     a, b = ((d,) if isinstance(d, str) else d for d in (a, b))
-    parts = [take_apart(drawing(*d, attributes=EVENODD), Similarity(), 100)[0] for d in (a, b)]
-    found = pair_parts(*parts, Settings(**options), given)
+    parts = [decompose(drawing(*d, attributes=EVENODD), Similarity(), 100)[0] for d in (a, b)]
+    found = pair_contours(*parts, Settings(**options), given)
     return [(p.number, q.number) for p, q in found]
 
 
@@ -108,6 +108,6 @@ def test_lines_there_and_back_and_specks_are_paired():
     there_and_back = "M2 2L20 9L2 2Z M2 12L20 19L2 12Z M2 20H2.001V20.001Z"
     stroke = 'fill="none" stroke="#000"'
     parts = [
-        take_apart(drawing(d, attributes=stroke), Similarity(), 200)[0] for d in (there_and_back, SQUARES)
+        decompose(drawing(d, attributes=stroke), Similarity(), 200)[0] for d in (there_and_back, SQUARES)
     ]
-    assert len(pair_parts(*parts, Settings())) == 3
+    assert len(pair_contours(*parts, Settings())) == 3

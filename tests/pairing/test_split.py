@@ -4,8 +4,8 @@ import pytest
 from shapeblend_cli.geometry.cubics import signed_area
 from shapeblend_cli.geometry.normalise import Similarity
 from shapeblend_cli.geometry.polygons import winding_numbers
-from shapeblend_cli.pairing.pair import pair_parts
-from shapeblend_cli.pairing.parts import OUTLINE, take_apart
+from shapeblend_cli.pairing.decompose import EXTERIOR, decompose
+from shapeblend_cli.pairing.pair import pair_contours
 from shapeblend_cli.settings import Settings
 from tests.support.drawings import BAR, EYED, LEAF, RING, SQUARES, drawing
 
@@ -16,8 +16,8 @@ CIRCLE = "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2Z"
 
 def couples(a, b, settings=SPLIT):
     rule = 'fill-rule="evenodd"'
-    parts = [take_apart(drawing(d, attributes=rule), Similarity(), 200)[0] for d in (a, b)]
-    return pair_parts(*parts, settings), parts
+    parts = [decompose(drawing(d, attributes=rule), Similarity(), 200)[0] for d in (a, b)]
+    return pair_contours(*parts, settings), parts
 
 
 @pytest.mark.parametrize("whole", [BAR, LEAF, CIRCLE])
@@ -47,16 +47,16 @@ def test_the_other_way_round_it_is_the_same():
 
 def test_a_ring_cannot_be_cut_by_a_line_and_stays_whole():
     found, _ = couples(RING, DISCS)
-    assert [(p.number, p.is_piece) for p, _ in found if p.role == OUTLINE] == [(0, False)]
+    assert [(p.number, p.is_piece) for p, _ in found if p.role == EXTERIOR] == [(0, False)]
 
 
 def test_holes_go_with_the_piece_they_are_in():
     two = EYED + "M6 10A2 2 0 1 0 6 14A2 2 0 1 0 6 10Z"
     discs = "M2 6H10V18H2Z M4 10H8V14H4Z M14 6H22V18H14Z M16 10H20V14H16Z"
     parts = [
-        take_apart(drawing(d, attributes='fill-rule="evenodd"'), Similarity(), 200)[0] for d in (two, discs)
+        decompose(drawing(d, attributes='fill-rule="evenodd"'), Similarity(), 200)[0] for d in (two, discs)
     ]
-    found = pair_parts(*parts, SPLIT)
+    found = pair_contours(*parts, SPLIT)
     assert len(found) == 4
     for p, q in found:
         assert abs(p.centre - q.centre) < 5, (p.role, p.number)

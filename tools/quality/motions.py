@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from shapeblend_cli.motion.faults import ASTRAY, CHECKED, LEAST_AREA, MOST_AREA, WITHERED
+from shapeblend_cli.motion.defects import ASTRAY, CHECKED, LEAST_AREA, MOST_AREA, WITHERED
 from tools.quality import raw
 from tools.quality.data import SETS, icon_pairs
 from tools.quality.peers import shapeblend

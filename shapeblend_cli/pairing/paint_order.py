@@ -13,12 +13,12 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import Style
-    from shapeblend_cli.pairing.parts import Part
+    from shapeblend_cli.pairing.decompose import PlacedContour
 
     Shapes = tuple[int | None, int | None]
 
 
-def order(
+def paint_order(
     groups: Sequence[Shapes], a: Sequence[tuple[int, int]], b: Sequence[tuple[int, int]]
 ) -> list[int] | None:
     """Order groups of contours.
@@ -69,7 +69,7 @@ def _height(group: Shapes) -> tuple[int, int]:
     return min(known), max(known)
 
 
-def overlaps(parts: Sequence[Part]) -> list[tuple[int, int]]:
+def visible_overlaps(parts: Sequence[PlacedContour]) -> list[tuple[int, int]]:
     """Pairs of shapes of one drawing of which the first is visibly below the second: painted otherwise, and near."""
     shapes = sorted({part.shape for part in parts})
     boxes: dict[int, list[Box]] = {shape: [] for shape in shapes}

@@ -16,16 +16,16 @@ from shapeblend_cli.geometry.polygons import orientation, reverse_contour, rever
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.match.work import Wires
 from shapeblend_cli.model import Contour, ContourBlend, Correspondence, CubicPath, Polygon, unroll
-from shapeblend_cli.pairing.costs import least_thinned_work
-from shapeblend_cli.pairing.parts import LINE
+from shapeblend_cli.pairing.costs import coarse_work
+from shapeblend_cli.pairing.decompose import LINE
 from shapeblend_cli.pairing.upright import upright
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from shapeblend_cli.model import FloatArray
-    from shapeblend_cli.pairing.parts import Part
-    from shapeblend_cli.pairing.wishes import Wishes
+    from shapeblend_cli.pairing.constraints import Constraints
+    from shapeblend_cli.pairing.decompose import PlacedContour
     from shapeblend_cli.settings import Settings
 
     Pin = tuple[complex, complex]
@@ -35,11 +35,11 @@ OPENINGS = 24
 """Nodes of an outline at which it may be opened to become a line, at most."""
 
 
-def join(
-    a: Part,
-    b: Part,
+def match_contours(
+    a: PlacedContour,
+    b: PlacedContour,
     settings: Settings,
-    wishes: Wishes,
+    constraints: Constraints,
     watch: Watch | None,
     turn: float = 0.0,
     *,
@@ -49,10 +49,10 @@ def join(
 
     Parameters
     ----------
-    a, b : Part
+    a, b : PlacedContour
         B's is reversed where that agrees better with A's direction. An outline that is to become a line is opened.
     settings : Settings
-    wishes : Wishes
+    constraints : Constraints
     watch : callable or None
         Told now and then which share of the work is done, from 0 to 1.
     turn : float
@@ -63,14 +63,14 @@ def join(
     Raises
     ------
     MatchError
-        Wishes that cannot be met.
+        Constraints that cannot be met.
     """
     if (a.role == LINE) != (b.role == LINE):
         a, b = (a, _opened(b, a, settings)) if a.role == LINE else (_opened(a, b, settings), b)
     turned = _turned_back(b.polygon, turn)
     if turn:
-        wishes = wishes._replace(pins=[_pin_turned_back(pin, turn) for pin in wishes.pins])
-    backwards, found = least_work_either_way(a.polygon, turned, settings, wishes, watch, alone=alone)
+        constraints = constraints._replace(pins=[_pin_turned_back(pin, turn) for pin in constraints.pins])
+    backwards, found = choose_direction(a.polygon, turned, settings, constraints, watch, alone=alone)
     contour_b, polygon_b = b.contour, b.polygon
     if backwards:
         polygon_b = reverse_polygon(polygon_b, len(contour_b.segments))
@@ -114,7 +114,7 @@ def _pin_turned_back(pin: Pin, turn: float) -> Pin:
     return pin if isinstance(pin[1], int) else (pin[0], cmath.rect(1.0, -turn) * pin[1])
 
 
-def grown(part: Part, point: complex, *, of_b: bool) -> ContourBlend:
+def grow_from_point(part: PlacedContour, point: complex, *, of_b: bool) -> ContourBlend:
     """A contour that grows from a point, if it is B's, or shrinks to one, if it is A's. Nothing is solved."""
     size = to_unit_box(part.polygon)[1]
     spot = Polygon(np.array([point]), np.zeros(1, np.intp), np.zeros(1), part.polygon.closed)
@@ -127,11 +127,11 @@ def grown(part: Part, point: complex, *, of_b: bool) -> ContourBlend:
     return _blend((part.number, None), (part.contour, still), (part.polygon, spot), (size, size), nothing)
 
 
-def least_work_either_way(
+def choose_direction(
     a: Polygon,
     b: Polygon,
     settings: Settings,
-    wishes: Wishes,
+    constraints: Constraints,
     watch: Watch | None,
     *,
     alone: bool,
@@ -165,15 +165,15 @@ def least_work_either_way(
         )
         try:
             found = solve(
-                start=wishes.start,
-                pins=[_vertices(a, candidate, pin) for pin in wishes.pins],
+                start=constraints.start,
+                pins=[_vertices(a, candidate, pin) for pin in constraints.pins],
                 band=settings.band,
                 watch=part_of(watch, run, len(ways)),
             )
         except MatchError as error:  # pins that cross one way round need not cross the other way
             refused.append(error)
         else:
-            if a.closed and not wishes.start and not wishes.pins and settings.band is None:
+            if a.closed and not constraints.start and not constraints.pins and settings.band is None:
                 found = upright(unit_a, unit_b, found, solve, settings.constants, alone=alone)
             solved.append((backwards, found))
     if not solved:
@@ -223,7 +223,7 @@ def _weight(a: Polygon, stiff: tuple[tuple[complex, float, float], ...]) -> Floa
     return weight
 
 
-def _opened(outline: Part, line: Part, settings: Settings) -> Part:
+def _opened(outline: PlacedContour, line: PlacedContour, settings: Settings) -> PlacedContour:
     """An outline cut at the node from which it becomes the line, or comes of it, with the least work."""
     nodes = np.flatnonzero(outline.polygon.parameter == 0.0)
     nodes = nodes[:: -(-len(nodes) // OPENINGS)] if len(nodes) else np.zeros(1, np.intp)
@@ -232,12 +232,12 @@ def _opened(outline: Part, line: Part, settings: Settings) -> Part:
 
     def work(vertex: int) -> float:
         rolled = np.roll(unit, -vertex)
-        return least_thinned_work(p, np.append(rolled, rolled[0]), False, settings.constants)
+        return coarse_work(p, np.append(rolled, rolled[0]), False, settings.constants)
 
     return cut_open(outline, min(nodes.tolist(), key=work))
 
 
-def cut_open(outline: Part, vertex: int) -> Part:
+def cut_open(outline: PlacedContour, vertex: int) -> PlacedContour:
     """A closed contour as an open one that begins and ends at a vertex which is a node."""
     polygon, contour = outline.polygon, outline.contour
     first = int(polygon.segment[vertex])

@@ -6,7 +6,7 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.motion.turned import turn_between
+from shapeblend_cli.motion.rotation import turn_between
 from tests.support.contours import circle_contour, polygon
 from tests.support.shapes import arm, comb, regular_polygon, spiral, star_polygon, star_with
 

@@ -1,8 +1,8 @@
 import pytest
 
 from shapeblend_cli.geometry.normalise import Similarity
-from shapeblend_cli.pairing.order import order, overlaps
-from shapeblend_cli.pairing.parts import take_apart
+from shapeblend_cli.pairing.decompose import decompose
+from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
 from tests.support.drawings import drawing
 
 
@@ -18,12 +18,12 @@ from tests.support.drawings import drawing
     ],
 )
 def test_what_is_on_top_stays_on_top(groups, a, b, expected):
-    assert order(groups, a, b) == expected
+    assert paint_order(groups, a, b) == expected
 
 
 def below(*elements):
-    parts, _ = take_apart(drawing(*elements), Similarity(), 0)
-    return overlaps(parts)
+    parts, _ = decompose(drawing(*elements), Similarity(), 0)
+    return visible_overlaps(parts)
 
 
 def rect(x, paint='fill="#f00"', size=4):

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import ComplexArray, Drawing, Polygon, Shape, Style
 
-OUTLINE, HOLE, LINE = "outline", "hole", "line"
+EXTERIOR, HOLE, LINE = "exterior", "hole", "line"
 
 MOST_CONTOURS = 2_000
 """Contours of a drawing that are blended; each is solved by itself, and every two are compared."""
@@ -36,7 +36,7 @@ MOST_SEGMENTS = 50_000
 """Segments of a contour that are blended."""
 
 
-class Part(NamedTuple):
+class PlacedContour(NamedTuple):
     """One contour of a drawing, as it is matched.
 
     Attributes
@@ -53,7 +53,7 @@ class Part(NamedTuple):
         The polygon's.
     role : str
         An outline, a hole, or an open line.
-    outline : int or None
+    exterior : int or None
         Number of the contour that a hole is in.
     style : Style
         Its shape's in A's coordinates, with the fill rule that paints its contours as they are directed here.
@@ -69,7 +69,7 @@ class Part(NamedTuple):
     polygon: Polygon
     box: Box
     role: str
-    outline: int | None
+    exterior: int | None
     style: Style
     any_rule: bool
     is_piece: bool = False
@@ -79,9 +79,9 @@ class Part(NamedTuple):
         """Diagonal of the box."""
         return self.box.diagonal
 
-    def has(self, hole: Part) -> bool:
+    def has(self, hole: PlacedContour) -> bool:
         """Whether a contour is a hole in this one."""
-        if hole.role != HOLE or hole.outline != self.number:
+        if hole.role != HOLE or hole.exterior != self.number:
             return False
         return not self.is_piece or bool(winding_numbers(hole.polygon.vertices[:1], self.polygon.vertices)[0])
 
@@ -91,7 +91,9 @@ class Part(NamedTuple):
         return self.box.centre
 
 
-def turned_parts(parts: Sequence[Part], turn: float, about: complex, onto: complex) -> list[Part]:
+def rotated_contours(
+    parts: Sequence[PlacedContour], turn: float, about: complex, onto: complex
+) -> list[PlacedContour]:
     """Contours turned by an angle, in radians, about a point that is laid onto another one."""
     rotation = cmath.rect(1.0, turn)
 
@@ -114,9 +116,9 @@ class _Usable(NamedTuple):
     polygon: Polygon
 
 
-def take_apart(
+def decompose(
     drawing: Drawing, over: Similarity, vertices: int, way: int | None = None
-) -> tuple[list[Part], list[str]]:
+) -> tuple[list[PlacedContour], list[str]]:
     """Take a drawing apart into its contours.
 
     Parameters
@@ -131,7 +133,7 @@ def take_apart(
 
     Returns
     -------
-    parts : list of Part
+    parts : list of PlacedContour
         By number. Contours without extent are left out.
     notes : list of str
         What was left out.
@@ -165,7 +167,7 @@ def take_apart(
             drawing.file,
             f"nothing in it can be blended: {left_out[0]}; an open line of 2 or a closed outline of 3 would work",
         )
-    way = way or main_way([found.polygon for usable in shapes for found in usable])
+    way = way or main_orientation([found.polygon for usable in shapes for found in usable])
     parts = [
         part
         for index, usable in enumerate(shapes)
@@ -191,7 +193,7 @@ def _check_size(drawing: Drawing) -> None:
         )
 
 
-def main_way(polygons: Sequence[Polygon]) -> int:
+def main_orientation(polygons: Sequence[Polygon]) -> int:
     """Which way round the largest closed polygon goes; 1 where that is not decided."""
     closed = [polygon for polygon in polygons if polygon.closed]
     largest = max(closed, key=lambda polygon: abs(signed_area(polygon.vertices)), default=None)
@@ -210,7 +212,9 @@ def _as_painted(contour: Contour, style: Style) -> Contour:
     )
 
 
-def _parts_of(index: int, shape: Shape, usable: list[_Usable], over: Similarity, way: int) -> list[Part]:
+def _parts_of(
+    index: int, shape: Shape, usable: list[_Usable], over: Similarity, way: int
+) -> list[PlacedContour]:
     """The contours of one shape, outlines told from holes and directed."""
     closed = [(number, polygon) for number, contour, polygon in usable if contour.closed]
     outline_of: dict[int, int | None] = {}
@@ -227,11 +231,13 @@ def _parts_of(index: int, shape: Shape, usable: list[_Usable], over: Similarity,
     parts = []
     for number, contour, polygon in usable:
         home = outline_of.get(number)
-        role = (OUTLINE if home is None else HOLE) if contour.closed else LINE
+        role = (EXTERIOR if home is None else HOLE) if contour.closed else LINE
         if turned.get(number, False):
             polygon = reverse_polygon(polygon, len(contour.segments))
             contour = reverse_contour(contour)
         parts.append(
-            Part(number, index, contour, polygon, Box.around(polygon.vertices), role, home, style, any_rule)
+            PlacedContour(
+                number, index, contour, polygon, Box.around(polygon.vertices), role, home, style, any_rule
+            )
         )
     return parts

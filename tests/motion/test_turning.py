@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.motion.turns import directions
+from shapeblend_cli.motion.turning import directions
 from tests.support.shapes import star_polygon
 
 SQUARE = np.array([1, 1j, -1, -1j])

@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.pairing.pair import pair_parts
+from shapeblend_cli.pairing.pair import pair_contours
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.geometry.normalise import Similarity
     from shapeblend_cli.model import Drawing, Polygon
-    from shapeblend_cli.pairing.parts import Part
+    from shapeblend_cli.pairing.decompose import PlacedContour
     from shapeblend_cli.settings import Settings
 
     Numbers = tuple[int, int]
@@ -24,7 +24,7 @@ NAMED = 5
 """Ids that an error names, at most."""
 
 
-class Wishes(NamedTuple):
+class Constraints(NamedTuple):
     """What is wanted of one pair of contours.
 
     Attributes
@@ -45,7 +45,9 @@ class Pinned(NamedTuple):
     pin: Pin
 
 
-def pinned(a: Sequence[Part], b: Sequence[Part], settings: Settings, over: Similarity) -> list[Pinned]:
+def pinned(
+    a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Settings, over: Similarity
+) -> list[Pinned]:
     """Find the contours that pins between points join: those nearest to the points."""
     found = []
     for pin in settings.pins:
@@ -57,18 +59,24 @@ def pinned(a: Sequence[Part], b: Sequence[Part], settings: Settings, over: Simil
     return found
 
 
-def wishes_for(
-    couple: tuple[Part, Part], settings: Settings, pins: Sequence[Pinned], *, is_largest: bool
-) -> Wishes:
+def constraints_for(
+    couple: tuple[PlacedContour, PlacedContour],
+    settings: Settings,
+    pins: Sequence[Pinned],
+    *,
+    is_largest: bool,
+) -> Constraints:
     """What is wanted of a pair of contours; vertex numbers are those of the largest pair."""
     pair = couple[0].number, couple[1].number
     numbers = [pin for pin in settings.pins if is_largest and _is_numbers(pin)]
     points = [found.pin for found in pins if found.pair == pair]
-    return Wishes(settings.start if is_largest else None, numbers + points)
+    return Constraints(settings.start if is_largest else None, numbers + points)
 
 
 def given_pairs(
-    drawings: tuple[Drawing, Drawing], parts: tuple[Sequence[Part], Sequence[Part]], settings: Settings
+    drawings: tuple[Drawing, Drawing],
+    parts: tuple[Sequence[PlacedContour], Sequence[PlacedContour]],
+    settings: Settings,
 ) -> list[Numbers]:
     """The pairs of contours that are given: by numbers, or by the ids of shapes whose contours are then paired.
 
@@ -92,7 +100,7 @@ def given_pairs(
         if shapes[0] and shapes[1]:
             found += [
                 (p.number, q.number)
-                for p, q in pair_parts(shapes[0], shapes[1], settings.replace(unmatched="point"))
+                for p, q in pair_contours(shapes[0], shapes[1], settings.replace(unmatched="point"))
             ]
     return found
 
@@ -113,12 +121,12 @@ def _is_numbers(pin: Pin) -> bool:
     return isinstance(pin[0], int) and isinstance(pin[1], int)
 
 
-def _nearest(parts: Sequence[Part], point: complex) -> int:
+def _nearest(parts: Sequence[PlacedContour], point: complex) -> int:
     """Number of the contour with the vertex nearest to a point."""
     return min(parts, key=lambda part: np.abs(part.polygon.vertices - point).min()).number
 
 
-def _named(name: str, drawing: Drawing, parts: Sequence[Part]) -> int | list[Part]:
+def _named(name: str, drawing: Drawing, parts: Sequence[PlacedContour]) -> int | list[PlacedContour]:
     """A contour number, or the contours of the shape with an id."""
     if name.isdecimal():
         return int(name)
