@@ -3,7 +3,7 @@
 import pytest
 
 from shapeblend_cli.cli import run
-from tests.browser.test_animation import CHROMIUM
+from tests.support.equipment import CHROMIUM
 
 pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium here: apt-get install chromium")
 
