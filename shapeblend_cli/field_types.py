@@ -118,7 +118,7 @@ def _flag(value: Any) -> bool:
 
 
 def _selector(value: Any) -> Any:
-    from shapeblend_cli.svg.reading.select import SelectorError, check
+    from shapeblend_cli.svg.reading.selection import SelectorError, check
 
     try:
         check(value)

@@ -187,7 +187,7 @@ class SelectorType(click.ParamType[str]):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
         """Look whether it can be one."""
-        from shapeblend_cli.svg.reading.select import SelectorError, check
+        from shapeblend_cli.svg.reading.selection import SelectorError, check
 
         try:
             check(value)

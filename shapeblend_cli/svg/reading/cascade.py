@@ -1,28 +1,34 @@
-"""From what is declared to what is in force: inheritance, keywords, units, opacity."""
+"""The cascade: what style sheets, attributes and inheritance give an element."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.svg.reading import colours
-from shapeblend_cli.svg.reading.declarations import KEYWORDS
-from shapeblend_cli.svg.reading.units import length
+from shapeblend_cli.svg.reading.declarations import KEYWORDS, parse_inline, put
+from shapeblend_cli.svg.reading.units import Measure, length
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from shapeblend_cli.svg.reading.declarations import Declarations
+    from shapeblend_cli.svg.reading.xmltree import Node
 
-
-Measure = tuple[float, bool]
-"""A length in user units, except that ``(share, True)`` is a share of the viewport's diagonal."""
+PRESENTATION = frozenset(
+    (
+        "clip-path color display fill fill-opacity fill-rule filter font-size marker-end marker-mid "
+        "marker-start mask opacity stop-color stop-opacity stroke stroke-dasharray stroke-dashoffset "
+        "stroke-linecap stroke-linejoin stroke-miterlimit stroke-opacity stroke-width transform "
+        "transform-origin vector-effect visibility"
+    ).split()
+)
+"""Properties this reader knows that may be written as attributes."""
 
 
 class Inherited(NamedTuple):
-    """The inherited properties of an element, as computed for its children."""
+    """The computed values of an element's inherited properties."""
 
     fill: colours.Paint = colours.Paint("colour", colours.BLACK)
     fill_opacity: float = 1.0
@@ -50,47 +56,75 @@ _KEYWORDS = {
     "visibility": ("visible", "hidden", "collapse"),
 }
 _PARENTS = (KEYWORDS - {"initial"}) | {""}
-_PROPERTIES = {field.replace("_", "-"): field for field in Inherited._fields if field != "variables"}
+_FIELDS = {field.replace("_", "-"): field for field in Inherited._fields if field != "variables"}
 _MAX_DASHES_TEXT = 10_000
 _MAX_DASHES = 1000
 
 _FONT_SIZES = {"smaller": 1 / 1.2, "larger": 1.2}
 
 
+class Cascade:
+    """The style rules of a document."""
+
+    def __init__(self, root: Node) -> None:
+        self._rules: dict[int, tuple[Declarations, Declarations]] = {}
+        self._kept: dict[int, Declarations] = {}
+        texts = [node.text for node in root.walk() if node.tag == "style" and _is_css(node)]
+        if any(text.strip() for text in texts):
+            from shapeblend_cli.svg.reading import stylesheets
+
+            self._rules = stylesheets.match(root, texts)
+
+    def declared(self, node: Node, keep: bool = False) -> Declarations:
+        """Return the winning declaration of each property; `keep` it if the node will be asked for again."""
+        if id(node) in self._kept:
+            return self._kept[id(node)]
+        winners = {name: node.attrib[name] for name in PRESENTATION & node.attrib.keys()}
+        rules = self._rules.get(id(node))
+        style = node.attrib.get("style")
+        layers = [rules] if rules else []
+        if style:
+            layers.append(parse_inline(style))
+        for rank in (0, 1):
+            for layer in layers:
+                for name, value in layer[rank].items():
+                    put(winners, name, value)
+        if keep:
+            self._kept[id(node)] = winners
+        return winners
+
+
+def _is_css(node: Node) -> bool:
+    kind = node.get("type", "") or ""
+    media = (node.get("media", "") or "").strip().lower()
+    return kind.strip().lower() in ("", "text/css") and media in ("", "all", "screen")
+
+
 def inherit(parent: Inherited, declared: Declarations, note: Callable[[str], None]) -> Inherited:
     """Return the inherited properties of an element.
 
-    Parameters
-    ----------
-    parent : Inherited
-        Those of the element around it.
-    declared : dict
-        What the cascade gives it.
-    note : callable
-        Takes a phrase on each declaration that cannot be read; it is ignored, as browsers do.
+    `note` takes a phrase on each declaration that cannot be read; browsers ignore these as well.
     """
     changed: dict[str, Any] = {}
     font_size = parent.font_size
-    names = [name for name in declared if name in _PROPERTIES]
     # Lengths in em need the font size first.
-    names.sort(key=lambda name: name != "font-size")
-    for name in names:
+    for name in sorted((name for name in declared if name in _FIELDS), key=lambda name: name != "font-size"):
         text = declared[name].strip()
         keyword = text.lower()
         if keyword in _PARENTS:
             continue
-        field = _PROPERTIES[name]
+        field = _FIELDS[name]
         value = getattr(INITIAL, field) if keyword == "initial" else _value(name, text, parent, font_size)
         if value is None:
             note(f"{name} cannot be read")
             continue
-        if isinstance(value, float) and name == "font-size":
+        if name == "font-size":
             font_size = value
         changed[field] = value
     return parent._replace(**changed) if changed else parent
 
 
-def _value(name: str, text: str, parent: Inherited, font_size: float) -> object:
+def _value(name: str, text: str, parent: Inherited, font_size: float) -> Any:
     """Return one property's value, or None when `text` is not one."""
     if name in ("fill", "stroke"):
         return colours.parse(text)
@@ -98,10 +132,9 @@ def _value(name: str, text: str, parent: Inherited, font_size: float) -> object:
         return parent.color if text.lower() == "currentcolor" else colours.parse_colour(text)
     if name in ("fill-opacity", "stroke-opacity"):
         return share(text)
-    if name == "stroke-width":
-        return _positive(_measure(text, font_size))
-    if name == "stroke-dashoffset":
-        return _measure(text, font_size)
+    if name in ("stroke-width", "stroke-dashoffset"):
+        measure = _measure(text, font_size)
+        return None if name == "stroke-width" and measure is not None and measure[0] < 0 else measure
     if name == "stroke-dasharray":
         return _dashes(text, font_size)
     if name == "stroke-miterlimit":
@@ -125,10 +158,6 @@ def _measure(text: str, font_size: float) -> Measure | None:
     return None if value is None else (value, is_share)
 
 
-def _positive(measure: Measure | None) -> Measure | None:
-    return None if measure is None or measure[0] < 0 else measure
-
-
 def _dashes(text: str, font_size: float) -> tuple[Measure, ...] | None:
     """Return the lengths of dashes and gaps in turn; of dashes that cannot be read, or are too many, None."""
     if text.lower() == "none":
@@ -136,13 +165,8 @@ def _dashes(text: str, font_size: float) -> tuple[Measure, ...] | None:
     parts = text[:_MAX_DASHES_TEXT].replace(",", " ").split()
     if len(text) > _MAX_DASHES_TEXT or not 0 < len(parts) <= _MAX_DASHES:
         return None
-    found = []
-    for part in parts:
-        dash = _positive(_measure(part, font_size))
-        if dash is None:
-            return None
-        found.append(dash)
-    return tuple(found)
+    dashes = [_measure(part, font_size) for part in parts]
+    return None if any(dash is None or dash[0] < 0 for dash in dashes) else tuple(filter(None, dashes))
 
 
 def _font_size(text: str, font_size: float) -> float:
@@ -152,14 +176,3 @@ def _font_size(text: str, font_size: float) -> float:
     size = length(text, font_size, font_size)
     # Keywords such as 'medium' are rare and only matter to lengths in em.
     return INITIAL.font_size if size is None or size < 0 else size
-
-
-def in_user_units(measure: Measure, viewport: tuple[float, float]) -> float:
-    """Return a length that may be a share of the viewport's diagonal."""
-    value, is_share = measure
-    return value * diagonal(*viewport) if is_share else value
-
-
-def diagonal(width: float, height: float) -> float:
-    """Return what 100 % is for a length that is neither across nor down."""
-    return math.sqrt((width * width + height * height) / 2)

@@ -1,4 +1,4 @@
-"""Segments into contours: chained, closed, rid of what has no length; and arcs into cubics."""
+"""Cubics into contours: chained, closed, without what has no length; and lines, quadratics and arcs into cubics."""
 
 from __future__ import annotations
 
@@ -10,18 +10,20 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.model import Contour
-from shapeblend_cli.svg.reading import transforms
+from shapeblend_cli.svg.reading.transforms import IDENTITY
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray
+    from shapeblend_cli.svg.reading.transforms import Affine
 
-    Segment = tuple[complex, complex, complex, complex]
+    Segment = tuple[complex, ...]
+    """The four control points of a cubic."""
 
 _CLOSE = 1e-9
-"""Ends this near, in parts of the largest coordinate, coincide."""
+"""Ends closer than this share of the largest coordinate coincide."""
 
 _NO_LENGTH = 1e-12
-"""A segment this small, in parts of the largest coordinate, is rounding."""
+"""A segment smaller than this share of the largest coordinate is rounding."""
 
 _MAX_ARC = math.radians(45)
 """A cubic over this angle is off its circle by 4e-6 of the radius."""
@@ -33,16 +35,15 @@ def line(start: complex, end: complex) -> Segment:
     return (start, start + third, end - third, end)
 
 
+def quadratic(start: complex, control: complex, end: complex) -> Segment:
+    """Return a quadratic segment as a cubic."""
+    return (start, start + 2 / 3 * (control - start), end + 2 / 3 * (control - end), end)
+
+
 def chain(segments: list[Segment], straight: list[bool], closed: bool) -> Contour | None:
     """Return the contour of one subpath, or None when nothing of it has a length.
 
-    Parameters
-    ----------
-    segments : list of four complex points each
-        Each begins where the one before it ends.
-    straight : list of bool
-    closed : bool
-        Whether the subpath ends in ``Z``; its ends need not coincide.
+    Each segment begins where the one before it ends. A `closed` subpath ends in ``Z``; its ends need not coincide.
     """
     if not segments:
         return None
@@ -60,18 +61,17 @@ def chain(segments: list[Segment], straight: list[bool], closed: bool) -> Contou
     if not len(points):
         return None
     closed = closed or gap <= _CLOSE * size
-    return Contour(_joined(points, closed), flags, closed)
+    return Contour(_join(points, closed), flags, closed)
 
 
-def transformed(contour: Contour, matrix: transforms.Matrix) -> Contour:
-    """Return `contour` with `matrix` applied to its control points."""
-    if matrix == transforms.IDENTITY:
+def transform(contour: Contour, matrix: Affine) -> Contour:
+    """Return a contour with its control points mapped."""
+    if matrix == IDENTITY:
         return contour
-    moved = transforms.apply(matrix, contour.segments)
-    return Contour(_joined(moved, contour.closed), contour.straight, contour.closed)
+    return Contour(_join(matrix.points(contour.segments), contour.closed), contour.straight, contour.closed)
 
 
-def _joined(points: ComplexArray, closed: bool) -> ComplexArray:
+def _join(points: ComplexArray, closed: bool) -> ComplexArray:
     """Return `points` with each segment beginning exactly where the one before it ends."""
     joined = points.copy()
     joined[1:, 0] = joined[:-1, 3]
@@ -116,25 +116,19 @@ def arc(
         angle += 2 * math.pi
     elif not sweep and angle > 0:
         angle -= 2 * math.pi
-    middle = (start + end) / 2 + complex(centre.real * rx, centre.imag * ry) * turn
-    along, across = rx * turn, 1j * ry * turn
-    placed = [
-        (
-            middle + p.real * along + p.imag * across,
-            middle + q.real * along + q.imag * across,
-            middle + r.real * along + r.imag * across,
-            middle + s.real * along + s.imag * across,
-        )
-        for p, q, r, s in circular(begin, angle)
-    ]
-    placed[0] = (start, *placed[0][1:])
-    placed[-1] = (*placed[-1][:3], end)
-    return placed
+    centre = (start + end) / 2 + complex(centre.real * rx, centre.imag * ry) * turn
+    curves = elliptic(centre, rx * turn, 1j * ry * turn, begin, angle)
+    curves[0] = (start, *curves[0][1:])
+    curves[-1] = (*curves[-1][:3], end)
+    return curves
 
 
-def circular(begin: float, angle: float) -> list[Segment]:
-    """Return an arc of the unit circle as cubics of at most 45 degrees each."""
+def elliptic(centre: complex, x_axis: complex, y_axis: complex, begin: float, angle: float) -> list[Segment]:
+    """Return an arc of the ellipse with two half axes as cubics, each for at most 45 degrees of a circle."""
     count = max(1, math.ceil(abs(angle) / _MAX_ARC - 1e-9))
     handle = 1j * 4 / 3 * math.tan(angle / count / 4)
     ends = [cmath.rect(1.0, begin + angle * k / count) for k in range(count + 1)]
-    return [(p, p * (1 + handle), q * (1 - handle), q) for p, q in itertools.pairwise(ends)]
+    return [
+        tuple(centre + z.real * x_axis + z.imag * y_axis for z in (p, p * (1 + handle), q * (1 - handle), q))
+        for p, q in itertools.pairwise(ends)
+    ]

@@ -1,4 +1,4 @@
-"""What properties an element is given: attributes, style sheets and the style attribute in one cascade."""
+"""CSS declarations: read from text, chosen between, and rid of ``var()``."""
 
 from __future__ import annotations
 
@@ -7,28 +7,16 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.svg.reading import colours
-from shapeblend_cli.svg.reading.problem import Problem
+from shapeblend_cli.svg.reading.messages import Problem
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from shapeblend_cli.svg.reading.xmltree import Node
-
-PRESENTATION = frozenset(
-    (
-        "clip-path color display fill fill-opacity fill-rule filter font-size marker-end marker-mid "
-        "marker-start mask opacity stop-color stop-opacity stroke stroke-dasharray stroke-dashoffset "
-        "stroke-linecap stroke-linejoin stroke-miterlimit stroke-opacity stroke-width transform "
-        "transform-origin vector-effect visibility"
-    ).split()
-)
-"""Properties this reader knows that may be written as attributes."""
-
 KEYWORDS = frozenset(("inherit", "initial", "unset", "revert", "revert-layer"))
-"""What every property may be: https://www.w3.org/TR/css-cascade-4/#defaulting-keywords."""
+"""Values of every property: https://www.w3.org/TR/css-cascade-4/#defaulting-keywords."""
 
 _MAX_INLINE = 100_000
-# What the quick way below would cut in the wrong place: strings, functions, comments, escapes.
+# What splitting at semicolons would cut in the wrong place: strings, functions, comments, escapes.
 _NEEDS_PARSER = r"[\"'(/\\{@]"
 
 _VARIABLE = r"var\(\s*+(--[^\s,()]++)\s*+(?:,([^()]*+(?:\([^()]*+\)[^()]*+)*+))?+\)"
@@ -39,17 +27,15 @@ Declarations = dict[str, str]
 
 
 @lru_cache(maxsize=128)
-def inline(text: str) -> tuple[Declarations, Declarations]:
-    """Return the declarations of a style attribute: the normal and the important ones.
+def parse_inline(text: str) -> tuple[Declarations, Declarations]:
+    """Return the normal and the important declarations of a style attribute.
 
     Many elements have the same: the dictionaries are shared and must not be changed.
     """
     if len(text) > _MAX_INLINE:
         raise Problem(f"a style attribute longer than {_MAX_INLINE} characters, the most that is read")
     if re.search(_NEEDS_PARSER, text):
-        from shapeblend_cli.svg.reading import stylesheets
-
-        return stylesheets.declarations(text)
+        return parse(text)
     normal: Declarations = {}
     important: Declarations = {}
     for declaration in text.split(";"):
@@ -60,10 +46,26 @@ def inline(text: str) -> tuple[Declarations, Declarations]:
     return normal, important
 
 
+def parse(source: object) -> tuple[Declarations, Declarations]:
+    """Return the normal and the important declarations in `source`, text or tokens of tinycss2."""
+    import tinycss2
+
+    normal: Declarations = {}
+    important: Declarations = {}
+    try:
+        for item in tinycss2.parse_blocks_contents(source, skip_comments=True, skip_whitespace=True):
+            if item.type == "declaration":
+                value = tinycss2.serialize(item.value).strip()
+                put(important if item.important else normal, item.name, value)
+    except RecursionError:
+        raise Problem("a style nested too deep; without it the file would work") from None
+    return normal, important
+
+
 def put(declarations: Declarations, name: str, value: str) -> None:
     """Add a declaration, unless it is a colour that cannot be read: then an earlier one stays.
 
-    Editors write ``fill: #f00; fill: color(display-p3 1 0 0)`` for the sake of readers that know less.
+    Editors write ``fill: #f00; fill: color(display-p3 1 0 0)`` for readers that know less.
     """
     # The names of custom properties are case-sensitive.
     name = name if name.startswith("--") else name.lower()
@@ -76,82 +78,25 @@ def _is_paint(value: str) -> bool:
     return colours.parse(value) is not None or value.lower() in KEYWORDS or "var(" in value
 
 
-def resolved(declared: Declarations, variables: Mapping[str, str]) -> Declarations:
-    """Return `declared` with each ``var()`` replaced by the custom property it names.
+def substitute(declared: Declarations, variables: Mapping[str, str]) -> Declarations:
+    """Replace each ``var()`` by the custom property it names, which may refer to others.
 
     https://www.w3.org/TR/css-variables-1/#substitute-a-var
-
-    Parameters
-    ----------
-    declared : dict
-    variables : mapping
-        The custom properties in force; one of them may refer to others.
     """
+    if not any("var(" in value for value in declared.values()):
+        return declared
     return {
-        name: _substituted(value, variables) if "var(" in value else value for name, value in declared.items()
+        name: _substitute(value, variables) if "var(" in value else value for name, value in declared.items()
     }
 
 
-def _substituted(value: str, variables: Mapping[str, str]) -> str:
+def _substitute(value: str, variables: Mapping[str, str]) -> str:
     for _ in range(_MAX_SUBSTITUTIONS):
         match = re.search(_VARIABLE, value)
         if match is None:
             return value
-        found = variables.get(match[1], match[2])
-        if found is None or len(value) + len(found) > _MAX_VALUE:
+        replacement = variables.get(match[1], match[2])
+        if replacement is None or len(value) + len(replacement) > _MAX_VALUE:
             break
-        value = value[: match.start()] + found.strip() + value[match.end() :]
+        value = value[: match.start()] + replacement.strip() + value[match.end() :]
     return "unset"
-
-
-class Cascade:
-    """The style rules of a document.
-
-    Parameters
-    ----------
-    root : Node
-    """
-
-    def __init__(self, root: Node) -> None:
-        self._rules: dict[int, tuple[Declarations, Declarations]] = {}
-        self._kept: dict[int, Declarations] = {}
-        texts = [node.text for node in root.walk() if node.tag == "style" and _is_css(node)]
-        if any(text.strip() for text in texts):
-            from shapeblend_cli.svg.reading import stylesheets
-
-            self._rules = stylesheets.match(root, texts)
-
-    def declared(self, node: Node, keep: bool = False) -> Declarations:
-        """Return what `node` is given, of each property the declaration that wins.
-
-        Parameters
-        ----------
-        node : Node
-        keep : bool
-            Whether to remember it: the node will be asked for again.
-        """
-        if not keep:
-            return self._cascaded(node)
-        if id(node) not in self._kept:
-            self._kept[id(node)] = self._cascaded(node)
-        return self._kept[id(node)]
-
-    def _cascaded(self, node: Node) -> Declarations:
-        attrib = node.attrib
-        found = {name: attrib[name] for name in PRESENTATION & attrib.keys()}
-        rules = self._rules.get(id(node))
-        style = attrib.get("style")
-        layers = [rules] if rules else []
-        if style:
-            layers.append(inline(style))
-        for rank in (0, 1):
-            for layer in layers:
-                for name, value in layer[rank].items():
-                    put(found, name, value)
-        return found
-
-
-def _is_css(node: Node) -> bool:
-    kind = node.get("type", "") or ""
-    media = (node.get("media", "") or "").strip().lower()
-    return kind.strip().lower() in ("", "text/css") and media in ("", "all", "screen")

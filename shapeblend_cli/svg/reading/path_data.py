@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from shapeblend_cli.svg.libraries import parse_path
 from shapeblend_cli.svg.reading import contours
-from shapeblend_cli.svg.reading.problem import shown
+from shapeblend_cli.svg.reading.messages import printable
 from shapeblend_cli.svg.reading.units import (
     BLANK,
     GAP,
@@ -129,7 +129,7 @@ def scan(data: str) -> tuple[list[Subpath], PathDataError | None]:
         return subpaths, None
     start = _end_of_blanks(data, 0)
     if data[start] not in "Mm":
-        return subpaths, PathDataError(start, f"found '{shown(data[start])}' where it must begin with M")
+        return subpaths, PathDataError(start, f"found '{printable(data[start])}' where it must begin with M")
     count = 0
     for match in _COMMAND.finditer(data, start):
         added, error = _append(subpaths, match)
@@ -187,7 +187,7 @@ def _after_close(match: re.Match[str]) -> PathDataError | None:
     if is_end(arguments, 0):
         return None
     start = _end_of_blanks(arguments, 0)
-    found = shown(arguments[start : start + 8])
+    found = printable(arguments[start : start + 8])
     return PathDataError(match.start(2) + start, f"found '{found}' where a command belongs")
 
 
@@ -231,7 +231,7 @@ def _arcs(match: re.Match[str]) -> tuple[str, list[Arc | None], PathDataError | 
         end = arc.end()
     if error is None and (not end or not is_end(arguments, end)):
         start = _end_of_blanks(arguments, end)
-        found = f"found '{shown(arguments[start : start + 20])}'"
+        found = f"found '{printable(arguments[start : start + 20])}'"
         expected = "the seven numbers of an arc belong, its flags 0 or 1"
         error = PathDataError(match.start(2) + start, f"{found} where {expected}")
     return " ".join(text), arcs, error

@@ -7,8 +7,7 @@ import sys
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.model import Drawing
 from shapeblend_cli.svg.reading import viewports, xmltree
-from shapeblend_cli.svg.reading.notes import Notes
-from shapeblend_cli.svg.reading.problem import Problem, shown
+from shapeblend_cli.svg.reading.messages import Notes, Problem, printable
 from shapeblend_cli.svg.reading.walk import Walk
 
 STANDARD_INPUT = "-"
@@ -46,10 +45,10 @@ def read(
     try:
         root = xmltree.parse(_contents(file) if data is None else data)
         if root.tag != "svg":
-            tag = shown(root.tag.lstrip(":"))
+            tag = printable(root.tag.lstrip(":"))
             raise Problem(f"its root element is <{tag}>, not <svg>; an SVG file would work")
         box = viewports.root_box(root, notes)
-        shapes = Walk(root, notes, lenient).shapes(viewports.root_size(box), select)
+        shapes = Walk(root, notes, lenient).shapes(viewports.root_lengths(box), select)
     except Problem as problem:
         raise InputError(name, str(problem)) from None
     return Drawing(name, box, shapes, notes.phrases())

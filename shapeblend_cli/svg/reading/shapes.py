@@ -1,47 +1,42 @@
-"""A shape element into contours in its own coordinates."""
+"""A shape element into contours in its own coordinates: https://www.w3.org/TR/SVG2/shapes.html."""
 
 from __future__ import annotations
 
+import itertools
+import math
 import re
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.svg.reading import basic_shapes, path_data
-from shapeblend_cli.svg.reading.cascade import diagonal
-from shapeblend_cli.svg.reading.problem import Problem
+from shapeblend_cli.svg.reading import contours, path_data
+from shapeblend_cli.svg.reading.messages import Problem
 from shapeblend_cli.svg.reading.units import NumberError, length, numbers
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import Contour
     from shapeblend_cli.svg.reading.declarations import Declarations
-    from shapeblend_cli.svg.reading.notes import Notes
+    from shapeblend_cli.svg.reading.messages import Notes
+    from shapeblend_cli.svg.reading.units import Lengths
     from shapeblend_cli.svg.reading.xmltree import Node
 
 _CSS_PATH = r"""path\(\s*+(?:(?:nonzero|evenodd)\s*+,\s*+)?(["'])([^"']*+)\1\s*+\)"""
+_VERTICAL = frozenset(("y", "y1", "y2", "cy", "ry", "height"))
 
 
-def outline(
-    node: Node,
-    declared: Declarations,
-    viewport: tuple[float, float],
-    font_size: float,
-    notes: Notes,
-    lenient: bool = False,
+def contours_of(
+    node: Node, declared: Declarations, lengths: Lengths, notes: Notes, lenient: bool = False
 ) -> list[Contour]:
     """Return the contours of a shape; none when it has no extent.
 
     Parameters
     ----------
     node : Node
-        With a tag out of `elements.SHAPES`.
+        With a tag out of `xmltree.SHAPES`.
     declared : dict
         What the cascade gives it: in SVG 2 sizes are properties too.
-    viewport : pair of float
-        What percentages refer to.
-    font_size : float
-        What 1em is.
+    lengths : Lengths
     notes : Notes
     lenient : bool
-        Take path data and points that break the grammar for what stands before the error, and note that.
+        Read path data and points that break the grammar up to the error, and note that.
 
     Raises
     ------
@@ -53,7 +48,7 @@ def outline(
     if node.tag in ("polyline", "polygon"):
         contour = _points(node, notes, lenient)
     else:
-        contour = _Sizes(node, declared, viewport, font_size, notes).contour()
+        contour = _basic_shape(node, declared, lengths, notes)
     return [] if contour is None else [contour]
 
 
@@ -65,7 +60,7 @@ def _path(node: Node, declared: Declarations, notes: Notes, lenient: bool) -> li
     try:
         subpaths, error = path_data.scan(data)
         if error is not None:
-            _broken(f"{node}: {error}", any(subpath.count for subpath in subpaths), notes, lenient)
+            _report(f"{node}: {error}", any(subpath.count for subpath in subpaths), notes, lenient)
         return path_data.trace(subpaths)
     except path_data.TooManySegments as limit:
         raise Problem(f"{node}: {limit}") from None
@@ -75,77 +70,100 @@ def _points(node: Node, notes: Notes, lenient: bool) -> Contour | None:
     try:
         values = numbers(node.get("points") or "")
     except NumberError as error:
-        # Firefox draws that much, Chromium nothing.
+        # Firefox draws what stands before the error, Chromium nothing.
         values = error.before
-        found = f"{node}: at character {error.offset + 1} of its points: found {error.found}"
-        _broken(found, len(values) > 3, notes, lenient)
+        message = f"{node}: at character {error.offset + 1} of its points: found {error.found}"
+        _report(message, len(values) > 3, notes, lenient)
     if len(values) > 2 * path_data.MAX_SEGMENTS:
         raise Problem(f"{node}: more than {path_data.MAX_SEGMENTS} points, the most that are read")
     if len(values) % 2:
         notes.add("a last coordinate without a partner left out")
     points = [complex(x, y) for x, y in zip(values[::2], values[1::2], strict=False)]
-    return basic_shapes.polyline(points, closed=node.tag == "polygon")
+    return _polyline(points, closed=node.tag == "polygon")
 
 
-def _broken(found: str, has_more: bool, notes: Notes, lenient: bool) -> None:
-    """Note an error, or raise it."""
-    if lenient:
-        notes.add(f"{found}; {'what stands before it is drawn' if has_more else 'nothing stands before it'}")
-    else:
-        raise Problem(f"{found}; --lenient {'draws what stands before it' if has_more else 'leaves it out'}")
+def _report(message: str, has_more: bool, notes: Notes, lenient: bool) -> None:
+    """Note a syntax error, or raise it."""
+    if not lenient:
+        raise Problem(
+            f"{message}; --lenient {'draws what stands before it' if has_more else 'leaves it out'}"
+        )
+    notes.add(f"{message}; {'what stands before it is drawn' if has_more else 'nothing stands before it'}")
 
 
-class _Sizes:
-    """The lengths that make up a basic shape."""
-
-    def __init__(
-        self,
-        node: Node,
-        declared: Declarations,
-        viewport: tuple[float, float],
-        font_size: float,
-        notes: Notes,
-    ) -> None:
-        self._node = node
-        self._declared = declared
-        self._viewport = viewport
-        self._font_size = font_size
-        self._notes = notes
-
-    def contour(self) -> Contour | None:
-        """Return the shape's contour."""
-        tag = self._node.tag
-        if tag == "rect":
-            width, height = self._across("width"), self._down("height")
-            radii = (self._across("rx"), self._down("ry"))
-            return basic_shapes.rect(
-                self._across("x") or 0.0, self._down("y") or 0.0, width or 0.0, height or 0.0, radii
-            )
-        if tag == "line":
-            start = complex(self._across("x1") or 0.0, self._down("y1") or 0.0)
-            end = complex(self._across("x2") or 0.0, self._down("y2") or 0.0)
-            return basic_shapes.polyline([start, end], closed=False)
-        cx, cy = self._across("cx") or 0.0, self._down("cy") or 0.0
-        if tag == "circle":
-            r = self._length("r", diagonal(*self._viewport)) or 0.0
-            return basic_shapes.ellipse(cx, cy, r, r)
-        rx, ry = self._across("rx"), self._down("ry")
-        rx, ry = (ry if rx is None else rx), (rx if ry is None else ry)
-        return basic_shapes.ellipse(cx, cy, rx or 0.0, ry or 0.0)
-
-    def _across(self, name: str) -> float | None:
-        return self._length(name, self._viewport[0])
-
-    def _down(self, name: str) -> float | None:
-        return self._length(name, self._viewport[1])
-
-    def _length(self, name: str, whole: float) -> float | None:
+def _basic_shape(node: Node, declared: Declarations, lengths: Lengths, notes: Notes) -> Contour | None:
+    def size(name: str) -> float | None:
         """Return a length; None is ``auto``, or one that cannot be read."""
-        for text in (self._declared.get(name), self._node.get(name)):
+        whole = lengths.diagonal if name == "r" else lengths.height if name in _VERTICAL else lengths.width
+        for text in (declared.get(name), node.get(name)):
             if text is None or text.strip() in ("", "auto"):
                 continue
-            value = length(text, whole, self._font_size)
+            value = length(text, whole, lengths.font_size)
             if value is not None:
                 return value
-            self._notes.add(f"{name} of a {self._node.tag} that cannot be read")
+            notes.add(f"{name} of a {node.tag} that cannot be read")
         return None
+
+    if node.tag == "rect":
+        width, height, rx, ry, x, y = map(size, ("width", "height", "rx", "ry", "x", "y"))
+        return _rectangle(complex(x or 0.0, y or 0.0), width or 0.0, height or 0.0, rx, ry)
+    if node.tag == "line":
+        x1, y1, x2, y2 = (size(name) or 0.0 for name in ("x1", "y1", "x2", "y2"))
+        return _polyline([complex(x1, y1), complex(x2, y2)], closed=False)
+    cx, cy = size("cx") or 0.0, size("cy") or 0.0
+    if node.tag == "circle":
+        rx = ry = size("r")
+    else:
+        rx, ry = size("rx"), size("ry")
+    return _ellipse(complex(cx, cy), (ry if rx is None else rx) or 0.0, (rx if ry is None else ry) or 0.0)
+
+
+def _rectangle(
+    corner: complex, width: float, height: float, rx: float | None, ry: float | None
+) -> Contour | None:
+    """Return a rectangle, clockwise from its top left as browsers draw it; None when it has no area."""
+    if width <= 0 or height <= 0:
+        return None
+    rx, ry = _corner_radii(width, height, rx, ry)
+    x, y = corner.real, corner.imag
+    right, bottom = x + width, y + height
+    if rx == 0:
+        return _polyline([corner, complex(right, y), complex(right, bottom), complex(x, bottom)], closed=True)
+    segments: list[contours.Segment] = []
+    straight: list[bool] = []
+    sides = (
+        (complex(x + rx, y), complex(right - rx, y), complex(right, y + ry), -math.pi / 2),
+        (complex(right, y + ry), complex(right, bottom - ry), complex(right - rx, bottom), 0.0),
+        (complex(right - rx, bottom), complex(x + rx, bottom), complex(x, bottom - ry), math.pi / 2),
+        (complex(x, bottom - ry), complex(x, y + ry), complex(x + rx, y), math.pi),
+    )
+    for start, end, next_start, angle in sides:
+        centre = end - complex(rx * math.cos(angle), ry * math.sin(angle))
+        arc = contours.elliptic(centre, rx, 1j * ry, angle, math.pi / 2)
+        arc[-1] = (*arc[-1][:3], next_start)
+        segments += [contours.line(start, end), *arc]
+        straight += [True] + [False] * len(arc)
+    return contours.chain(segments, straight, closed=True)
+
+
+def _corner_radii(width: float, height: float, rx: float | None, ry: float | None) -> tuple[float, float]:
+    """Return the radii in force: None, ``auto``, is the other one; at most half a side; both zero or none."""
+    given_x, given_y = (None if r is None or r < 0 else r for r in (rx, ry))
+    rx = given_x if given_x is not None else given_y or 0.0
+    ry = given_y if given_y is not None else rx
+    rx, ry = min(rx, width / 2), min(ry, height / 2)
+    return (rx, ry) if rx > 0 and ry > 0 else (0.0, 0.0)
+
+
+def _ellipse(centre: complex, rx: float, ry: float) -> Contour | None:
+    """Return an ellipse, clockwise from its rightmost point; None when it has no area."""
+    if rx <= 0 or ry <= 0:
+        return None
+    # Through the start: what rounding does to cx + rx, it does to all points.
+    segments = contours.elliptic(complex(centre.real + rx, centre.imag) - rx, rx, 1j * ry, 0.0, 2 * math.pi)
+    return contours.chain(segments, [False] * len(segments), closed=True)
+
+
+def _polyline(points: list[complex], closed: bool) -> Contour | None:
+    segments = [contours.line(p, q) for p, q in itertools.pairwise(points)]
+    return contours.chain(segments, [True] * len(segments), closed)

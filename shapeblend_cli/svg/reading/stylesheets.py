@@ -1,7 +1,7 @@
 """Style sheets, by tinycss2 and cssselect2; imported only when a file needs them.
 
-Selector matching can be made to take exponential time (``g g g g path`` in a deep tree), so every
-element looked at on the way is paid for out of a budget.
+Matching a selector can take exponential time (``g g g g path`` in a deep tree), so every element looked at is paid for
+from a budget.
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 import cssselect2
 import tinycss2
 
-from shapeblend_cli.svg.reading.declarations import put
-from shapeblend_cli.svg.reading.problem import Problem
+from shapeblend_cli.svg.reading.declarations import parse
+from shapeblend_cli.svg.reading.messages import Problem
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 _MAX_TEXT = 500_000
 _BUDGET = 4_000_000
 _NEW = 3
-"""What an element costs that is made, not only looked at."""
+"""Cost of an element that is made, not only looked at."""
 
 _MAX_SELECTOR = 2_000
 _MAX_CLASSES = 10_000
@@ -47,38 +47,13 @@ UNREADABLE = (
 _Rules = list[tuple[Any, "Declarations", "Declarations"]]
 
 
-def declarations(source: object) -> tuple[Declarations, Declarations]:
-    """Return the declarations in `source`, text or tokens: the normal and the important ones."""
-    normal: Declarations = {}
-    important: Declarations = {}
-    try:
-        for item in tinycss2.parse_blocks_contents(source, skip_comments=True, skip_whitespace=True):
-            if item.type == "declaration":
-                value = tinycss2.serialize(item.value).strip()
-                put(important if item.important else normal, item.name, value)
-    except RecursionError:
-        raise Problem("a style nested too deep; without it the file would work") from None
-    return normal, important
-
-
 def match(root: Node, texts: list[str]) -> dict[int, tuple[Declarations, Declarations]]:
-    """Return what style sheets declare for each element below `root` that a rule selects.
-
-    Parameters
-    ----------
-    root : Node
-    texts : list of str
-        The sheets, in document order.
-
-    Returns
-    -------
-    dict
-        From the identity of a node to its normal and its important declarations.
+    """Return the normal and the important declarations of each element that a rule selects, by the node's identity.
 
     Raises
     ------
     Problem
-        If the sheets are too long, or take too long to match.
+        If the sheets, in document order, are too long or take too long to match.
     """
     matcher = cssselect2.Matcher()
     count = 0
@@ -124,7 +99,7 @@ def _rules(texts: list[str]) -> _Rules:
                 inner = tinycss2.parse_rule_list(rule.content, skip_comments=True, skip_whitespace=True)
                 waiting.extend(reversed(inner))
         elif rule.type == "qualified-rule":
-            normal, important = declarations(rule.content)
+            normal, important = parse(rule.content)
             rules.extend((selector, normal, important) for selector in _selectors(rule.prelude))
     return rules
 
@@ -132,7 +107,7 @@ def _rules(texts: list[str]) -> _Rules:
 def _without_fonts(sheet: str) -> str:
     """Return `sheet` without ``@font-face`` rules: embedded fonts can be most of a file."""
     first, *rest = sheet.split("@font-face")
-    # What follows a rule's closing brace; all of it where there is none.
+    # A rule ends at its closing brace; without one, all of the text remains.
     return first + "".join(text[text.find("}") + 1 :] for text in rest)
 
 
@@ -154,20 +129,14 @@ def compiled(source: object) -> list[Any]:
 
 
 class Budget:
-    """How many more elements may be looked at.
-
-    Parameters
-    ----------
-    problem : str
-        What is said when they are used up.
-    """
+    """How many more elements may be looked at before a problem is raised."""
 
     def __init__(self, problem: str) -> None:
         self._left = _BUDGET
         self._problem = problem
 
     def pay(self, count: int) -> None:
-        """Take `count` off, and raise a Problem when that is more than there was."""
+        """Subtract `count`; raise the problem if that is more than is left."""
         self._left -= count
         if self._left < 0:
             raise Problem(self._problem)
@@ -182,10 +151,7 @@ def _paid(add: Callable[..., None], budget: Budget) -> Callable[..., None]:
 
 
 class _Element(cssselect2.ElementWrapper):  # type: ignore[misc]
-    """What cssselect2 sees of a node.
-
-    Its own wrapper recurses over ancestors and siblings, and keeps all siblings alive.
-    """
+    """A node as cssselect2 sees it. Its own wrapper recurses over ancestors and siblings and keeps all siblings."""
 
     def __init__(self, node: Node, parent: _Element | None, index: int, budget: Budget) -> None:
         budget.pay(_NEW)
@@ -238,7 +204,7 @@ class _Element(cssselect2.ElementWrapper):  # type: ignore[misc]
 
 
 def elements(root: Node, budget: Budget) -> Iterator[_Element]:
-    """Yield what selectors are matched against for `root` and each node below it, in document order."""
+    """Yield the element of `root` and of each node below it, in document order."""
     first = _Element(root, None, 0, budget)
     yield first
     stack = [first.iter_children()]

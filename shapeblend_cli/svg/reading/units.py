@@ -1,14 +1,16 @@
 """Numbers, lengths and percentages as SVG writes them.
 
-All patterns here are atomic or possessive, and long runs of blanks are cut short before they are
-searched: no text takes more than linear time.
+All patterns here are atomic or possessive, and long runs of blanks are cut short before they are searched: no text
+takes more than linear time.
 """
 
 from __future__ import annotations
 
+import math
 import re
+from typing import NamedTuple
 
-from shapeblend_cli.svg.reading.problem import shown
+from shapeblend_cli.svg.reading.messages import printable
 
 NUMBER = r"(?>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
 
@@ -31,6 +33,9 @@ PIXELS = {
 }
 """CSS pixels in one absolute unit: https://www.w3.org/TR/css-values-3/#absolute-lengths."""
 
+Measure = tuple[float, bool]
+"""A length in user units, except that ``(share, True)`` is a share of the viewport's diagonal."""
+
 _FONT_UNITS = {"em": 1.0, "ex": 0.5, "ch": 0.5}
 _ROOT_FONT_SIZE = 16.0
 _MAX_LENGTH = 1000
@@ -45,17 +50,7 @@ _END = re.compile(rf"{BLANK}*+,?{BLANK}*+")
 
 
 class NumberError(ValueError):
-    """Something else than a number in a list of numbers.
-
-    Parameters
-    ----------
-    offset : int
-        Where, counted from 0.
-    found : str
-        What it is.
-    before : list of float
-        The numbers that stand before it.
-    """
+    """Something else than a number: its offset from 0, what it is, and the numbers that stand before it."""
 
     def __init__(self, offset: int, found: str, before: list[float]) -> None:
         super().__init__(f"at character {offset + 1}: found {found}")
@@ -64,17 +59,36 @@ class NumberError(ValueError):
         self.before = before
 
 
+class Lengths(NamedTuple):
+    """What percentages and font units refer to: the viewport's size in user units, and the font size."""
+
+    width: float
+    height: float
+    font_size: float = _ROOT_FONT_SIZE
+
+    @property
+    def diagonal(self) -> float:
+        """100 % of lengths that are neither horizontal nor vertical."""
+        return math.sqrt((self.width * self.width + self.height * self.height) / 2)
+
+    def x(self, text: str) -> float | None:
+        """Return a horizontal length in user units."""
+        return length(text, self.width, self.font_size)
+
+    def y(self, text: str) -> float | None:
+        """Return a vertical length in user units."""
+        return length(text, self.height, self.font_size)
+
+    def resolve(self, measure: Measure) -> float:
+        """Return a measure in user units."""
+        value, is_share = measure
+        return value * self.diagonal if is_share else value
+
+
 def length(text: str, whole: float | None = None, font_size: float = _ROOT_FONT_SIZE) -> float | None:
     """Return a length in user units, or None when `text` is no length.
 
-    Parameters
-    ----------
-    text : str
-        A number with or without a unit, or a percentage.
-    whole : float, optional
-        What 100 % is; without it a percentage is not a length.
-    font_size : float
-        What 1em is.
+    100 % is `whole`; without it a percentage is no length. 1em is `font_size`.
     """
     match = _LENGTH.fullmatch(text.strip()) if len(text) <= _MAX_LENGTH else None
     if match is None:
@@ -100,23 +114,14 @@ def one_blank(text: str) -> str:
 
 
 def is_end(text: str, start: int) -> bool:
-    """Return whether nothing stands from `start` on, but for blanks and one comma."""
+    """Return whether only blanks and one comma stand from `start` on."""
     return _END.fullmatch(text, start) is not None
 
 
 def numbers(text: str, expected: str = "a number") -> list[float]:
     """Read numbers separated by blanks, single commas, or nothing where that is clear.
 
-    Parameters
-    ----------
-    text : str
-    expected : str
-        What an error says belongs there.
-
-    Raises
-    ------
-    NumberError
-        If something else is there, or a number beyond the limit.
+    Anything else, or a number beyond the limit, raises a NumberError that says what was `expected`.
     """
     if not _NUMBERS.fullmatch(text):
         raise _error(text, expected)
@@ -136,8 +141,8 @@ def _error(text: str, expected: str) -> NumberError:
         if end == 0 and "," in match[0]:
             break
         if not abs(float(number)) < LIMIT:
-            return NumberError(start, f"{shown(number, 20)}, which is beyond {LIMIT:g}", before)
+            return NumberError(start, f"{printable(number, 20)}, which is beyond {LIMIT:g}", before)
         before.append(float(number))
         end = match.end()
     rest = text[end:].lstrip(" \t\r\n\f")
-    return NumberError(len(text) - len(rest), f"'{shown(rest[:12])}' where {expected} belongs", before)
+    return NumberError(len(text) - len(rest), f"'{printable(rest[:12])}' where {expected} belongs", before)

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.model import Box
-from shapeblend_cli.svg.reading import transforms
-from shapeblend_cli.svg.reading.units import NumberError, length, numbers
+from shapeblend_cli.svg.reading.transforms import Affine, translation
+from shapeblend_cli.svg.reading.units import Lengths, NumberError, length, numbers
 
 if TYPE_CHECKING:
-    from shapeblend_cli.svg.reading.notes import Notes
+    from shapeblend_cli.svg.reading.messages import Notes
     from shapeblend_cli.svg.reading.xmltree import Node
 
-Size = tuple[float, float]
-
 _MAX_LENGTH = 1000
-_DEFAULT: Size = (300.0, 150.0)
-"""What browsers give a drawing without a size of its own."""
+_MAX_FIT = 10_000
+_DEFAULT = Lengths(300.0, 150.0)
+"""The size browsers give a drawing without a size of its own."""
+
+_SHARES = {"min": 0.0, "mid": 0.5, "max": 1.0}
 
 
 def viewbox(node: Node, notes: Notes) -> Box | None:
@@ -43,49 +45,53 @@ def root_box(root: Node, notes: Notes) -> Box | None:
     return Box(0.0, 0.0, width, height) if width and height and width > 0 and height > 0 else None
 
 
-def root_size(box: Box | None) -> Size:
+def root_lengths(box: Box | None) -> Lengths:
     """Return what percentages refer to in the root's coordinates."""
-    return (box.width, box.height) if box else _DEFAULT
+    return Lengths(box.width, box.height) if box else _DEFAULT
 
 
 def nested(
-    node: Node, given: tuple[str | None, str | None], outer: Size, font_size: float, notes: Notes
-) -> tuple[transforms.Matrix, Size] | None:
-    """Return the map out of a nested viewport, and its size in its own units.
+    node: Node, given: tuple[str | None, str | None], outer: Lengths, notes: Notes
+) -> tuple[Affine, Lengths] | None:
+    """Return the map out of a nested viewport, and the lengths inside it; None when it has no area.
 
-    Parameters
-    ----------
-    node : Node
-        An ``svg`` or a ``symbol``.
-    given : pair of str or None
-        The width and the height of the ``use`` that refers to it.
-    outer : pair of float
-        The size of the viewport around it.
-    font_size : float
-    notes : Notes
-
-    Returns
-    -------
-    tuple or None
-        None when the viewport has no area: then nothing in it is drawn.
+    A ``use`` that refers to the ``svg`` or ``symbol`` may have `given` it a width and a height.
     """
-    x, y = offset(node, outer, font_size)
-    width = length(given[0] or node.get("width") or "100%", outer[0], font_size)
-    height = length(given[1] or node.get("height") or "100%", outer[1], font_size)
-    width = outer[0] if width is None else width
-    height = outer[1] if height is None else height
+    width = outer.x(given[0] or node.get("width") or "100%")
+    height = outer.y(given[1] or node.get("height") or "100%")
+    width = outer.width if width is None else width
+    height = outer.height if height is None else height
     if width <= 0 or height <= 0:
         return None
-    matrix = transforms.translation(x, y)
+    matrix = translation(*offset(node, outer))
     box = viewbox(node, notes)
     if box is None:
-        return matrix, (width, height)
-    fit = transforms.viewbox_fit(box, width, height, node.get("preserveAspectRatio") or "")
-    return transforms.multiply(matrix, fit), (box.width, box.height)
+        return matrix, outer._replace(width=width, height=height)
+    fit = _fit(box, width, height, node.get("preserveAspectRatio") or "")
+    return matrix @ fit, outer._replace(width=box.width, height=box.height)
 
 
-def offset(node: Node, outer: Size, font_size: float) -> tuple[float, float]:
+def offset(node: Node, lengths: Lengths) -> tuple[float, float]:
     """Return ``x`` and ``y`` of an element, 0 where one is not given."""
-    x = length(node.get("x") or "", outer[0], font_size)
-    y = length(node.get("y") or "", outer[1], font_size)
-    return x or 0.0, y or 0.0
+    return lengths.x(node.get("x") or "") or 0.0, lengths.y(node.get("y") or "") or 0.0
+
+
+def _fit(box: Box, width: float, height: float, preserve_aspect_ratio: str) -> Affine:
+    """Return the map of a viewBox onto a viewport at the origin.
+
+    https://www.w3.org/TR/SVG2/coords.html#ComputingAViewportsTransform
+    """
+    words = preserve_aspect_ratio[:_MAX_FIT].replace("defer", "").split()
+    align = words[0].lower() if words else "xmidymid"
+    x_scale, y_scale = width / box.width, height / box.height
+    if align != "none":
+        x_scale = y_scale = max(x_scale, y_scale) if words[1:2] == ["slice"] else min(x_scale, y_scale)
+    free_x, free_y = width - x_scale * box.width, height - y_scale * box.height
+    match = re.fullmatch(r"x(min|mid|max)y(min|mid|max)", align)
+    share_x, share_y = (_SHARES[word] for word in (match.groups() if match else ("mid", "mid")))
+    return Affine(
+        a=x_scale,
+        d=y_scale,
+        e=share_x * free_x - x_scale * box.x,
+        f=share_y * free_y - y_scale * box.y,
+    )

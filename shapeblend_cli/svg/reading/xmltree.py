@@ -1,7 +1,7 @@
 """XML into a light tree of nodes, by the standard library's expat, within limits.
 
-Expat reads no external entity and stops the exponential ones by itself. What is added here are limits
-on size, depth, number of elements and entity text, all of them checked while parsing.
+Expat reads no external entity and stops exponential ones by itself. Added here are limits on size, depth, number of
+elements and entity text, all of them checked while parsing.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import re
 from typing import TYPE_CHECKING
 from xml.parsers import expat
 
-from shapeblend_cli.svg.reading.problem import Problem, shown
+from shapeblend_cli.svg.reading.messages import Problem, printable
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -43,6 +43,13 @@ _SVG_NAMESPACES = (
     "http://www.w3.org/Graphics/SVG",
 )
 
+POINT_LISTS = frozenset(("path", "polyline", "polygon"))
+SHAPES = POINT_LISTS | {"rect", "circle", "ellipse", "line"}
+GROUPS = frozenset(("g", "a", "switch", "svg", "use"))
+"""Elements that draw what stands in them, or what they refer to."""
+LEFT_OUT = frozenset(("text", "image", "foreignObject", "video", "canvas", "iframe"))
+"""Elements that browsers draw and this reader does not."""
+
 
 class Node:
     """An element.
@@ -70,14 +77,13 @@ class Node:
         self.line = line
 
     def get(self, name: str, default: str | None = None) -> str | None:
-        """Return an attribute."""
+        """Return the value of an attribute."""
         return self.attrib.get(name, default)
 
     def link(self) -> str:
-        """Return what ``href`` refers to, whatever prefix it is written with."""
-        if "href" in self.attrib:
-            return self.attrib["href"]
-        return next((value for name, value in self.attrib.items() if name.endswith(":href")), "")
+        """Return the value of ``href``, whatever its prefix."""
+        prefixed = (value for name, value in self.attrib.items() if name.endswith(":href"))
+        return self.attrib["href"] if "href" in self.attrib else next(prefixed, "")
 
     def walk(self) -> Iterator[Node]:
         """Yield this node and all below it, in document order."""
@@ -89,7 +95,7 @@ class Node:
 
     def __str__(self) -> str:
         name = self.get("id")
-        label = f" '{shown(name)}'" if name else ""
+        label = f" '{printable(name)}'" if name else ""
         return f"{self.tag}{label} on line {self.line}"
 
 
@@ -101,7 +107,7 @@ def parse(data: bytes) -> Node:
     Problem
         If `data` is not well-formed XML, or exceeds a limit.
     """
-    data, encoding = _as_expat_reads(_plain(data))
+    data, encoding = _decode(_unpack(data))
     parser = expat.ParserCreate(encoding)
     builder = _Builder(parser, data)
     try:
@@ -116,8 +122,8 @@ def parse(data: bytes) -> Node:
     return builder.root
 
 
-def _plain(data: bytes) -> bytes:
-    """Return `data` unpacked, if it is text at all."""
+def _unpack(data: bytes) -> bytes:
+    """Return `data` decompressed; raise a Problem if it cannot be XML."""
     if data.startswith(b"\x1f\x8b"):
         data = _gunzip(data)
     if len(data) > MAX_BYTES:
@@ -142,8 +148,8 @@ def _gunzip(data: bytes) -> bytes:
         raise Problem("compressed data is damaged or cut short; the whole file would work") from None
 
 
-def _as_expat_reads(data: bytes) -> tuple[bytes, str | None]:
-    """Return `data` in an encoding expat reads, and its name if the document may say otherwise."""
+def _decode(data: bytes) -> tuple[bytes, str | None]:
+    """Return `data` in an encoding expat reads, and the encoding's name if it overrides the document's."""
     name = _UTF_16.get(data[:2])
     if name is None:
         declared = re.match(_DECLARED, data[:200])
@@ -163,12 +169,12 @@ class _Builder:
         self._parser = parser
         self._data = data
         self._open: list[Node] = [Node("", {}, 0)]
-        # Whether a prefix means SVG, one entry for each open element; '' is the default namespace.
-        # A missing declaration is forgiven: a fifth of old clip art has none.
+        # Which prefixes mean SVG, for each open element; '' is the default namespace. A missing declaration is
+        # forgiven: a fifth of old clip art has none.
         self._namespaces: list[dict[str, bool]] = [{"": True, "svg": True}]
         self._elements = 0
         self._text: list[str] = []
-        # How long the text of an entity is, those in it expanded.
+        # Lengths of the entities' texts, expanded.
         self._entities = dict.fromkeys(("amp", "lt", "gt", "apos", "quot"), 1)
         self._entity_text = 0
         self._has_defaults = False
@@ -222,27 +228,18 @@ class _Builder:
         if self._default_text > MAX_BYTES:
             raise Problem(f"attributes longer than {MAX_BYTES // 2**20} MB together, the most that is read")
 
-    def _default(self, element: str, name: str, kind: str, default: str | None, required: int) -> None:
+    def _default(self, *declaration: object) -> None:
         self._has_defaults = True
 
-    def _entity(
-        self,
-        name: str,
-        is_parameter: int,
-        value: str | None,
-        base: str | None,
-        system: str | None,
-        public: str | None,
-        notation: str | None,
-    ) -> None:
+    def _entity(self, name: str, is_parameter: int, value: str | None, *identifiers: str | None) -> None:
         if is_parameter or value is None:
             kind = "parameter" if is_parameter else "external"
-            raise Problem(f"{kind} entity '{shown(name)}' in its DOCTYPE; without it the file would work")
+            raise Problem(f"{kind} entity '{printable(name)}' in its DOCTYPE; without it the file would work")
         size = len(name) + len(value)
         for match in re.finditer(_REFERENCE, value.encode()):
             inner = match[1].decode()
             if inner not in self._entities:
-                raise Problem(f"entity '{shown(name)}' refers to an unknown one, '{shown(inner)}'")
+                raise Problem(f"entity '{printable(name)}' refers to an unknown one, '{printable(inner)}'")
             size += self._entities[inner]
         self._entities[name] = size
         self._entity_text += size
@@ -262,7 +259,7 @@ class _Builder:
 
 
 def _forgive(root: str, declared: list[str], namespaces: dict[str, bool]) -> None:
-    """Let a root named svg be one, whatever its namespace."""
+    """Accept a root named svg, whatever its namespace."""
     prefix, _, local = root.rpartition(":")
     if local == "svg":
         namespaces[prefix] = True
@@ -272,6 +269,6 @@ def _forgive(root: str, declared: list[str], namespaces: dict[str, bool]) -> Non
 
 
 def _local(name: str, namespaces: dict[str, bool]) -> str:
-    """Return the local name of an SVG element, a name with a colon for any other."""
+    """Return the local name of an SVG element, or a name with a colon for any other."""
     prefix, _, local = name.rpartition(":")
     return local if namespaces.get(prefix, False) else f"{prefix}:{local}"

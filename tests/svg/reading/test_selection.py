@@ -7,7 +7,7 @@ import re
 import pytest
 
 from shapeblend_cli.errors import InputError
-from shapeblend_cli.svg.reading import select, stylesheets
+from shapeblend_cli.svg.reading import selection, stylesheets
 from shapeblend_cli.svg.reading.read import read
 from tests.svg.reading.drawings import drawn, svg
 
@@ -116,8 +116,8 @@ BROKEN = {
 
 @pytest.mark.parametrize("selector", BROKEN, ids=BROKEN.values())
 def test_what_is_no_selector_is_told_without_a_file(selector):
-    with pytest.raises(select.SelectorError, match=re.escape(BROKEN[selector])):
-        select.check(selector)
+    with pytest.raises(selection.SelectorError, match=re.escape(BROKEN[selector])):
+        selection.check(selector)
     with pytest.raises(InputError, match=re.escape(BROKEN[selector])):
         drawn_with('<path d="M0 0h1v1z"/>', selector)
 
@@ -126,7 +126,7 @@ def test_what_is_no_selector_is_told_without_a_file(selector):
     "selector", ["#1st", "#a b", "#" + ":not(" * 900, "path", "g > path:nth-child(2n+1)"]
 )
 def test_what_may_be_one_is_left_to_the_file(selector):
-    select.check(selector)
+    selection.check(selector)
 
 
 def test_a_selector_cannot_take_for_ever(monkeypatch):
@@ -137,7 +137,7 @@ def test_a_selector_cannot_take_for_ever(monkeypatch):
 
 
 def test_only_some_of_many_names_are_compared(monkeypatch):
-    monkeypatch.setattr(select, "_MAX_COMPARED", 10)
+    monkeypatch.setattr(selection, "_MAX_COMPARED", 10)
     names = "".join(f'<g id="layer{k}"/>' for k in range(5000))
     rect = '<rect id="wing" width="1" height="2"/>'
     with pytest.raises(InputError, match="'#layer77x'; #layer77"):

@@ -9,8 +9,8 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
-from shapeblend_cli.svg.reading.elements import GROUPS, LEFT_OUT, SHAPES
-from shapeblend_cli.svg.reading.problem import Problem, shown
+from shapeblend_cli.svg.reading.messages import Problem, printable
+from shapeblend_cli.svg.reading.xmltree import GROUPS, LEFT_OUT, SHAPES
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -68,7 +68,7 @@ def chosen(root: Node, text: str) -> list[Node]:
             if not _is_id(text):
                 raise Problem(str(error)) from None
     if not found:
-        raise Problem(f"nothing in it matches '{shown(text, 60)}'; {_what_would(root, text)}")
+        raise Problem(f"nothing in it matches '{printable(text, 60)}'; {_what_would(root, text)}")
     return found
 
 
@@ -86,7 +86,7 @@ def _compiled(text: str) -> list[Any]:
         compiled = stylesheets.compiled(text)
     except stylesheets.UNREADABLE as error:
         raise SelectorError(
-            f"'{shown(text)}' is no CSS selector ({_place(error)}); '#id', '.class' or 'g > path' would work"
+            f"'{printable(text)}' is no CSS selector ({_place(error)}); '#id', '.class' or 'g > path' would work"
         ) from None
     return [one.test for one in compiled if one.pseudo_element is None and not one.never_matches]
 
@@ -112,7 +112,7 @@ def _matched(root: Node, text: str, tests: list[Any]) -> list[Node]:
     if not tests:
         return []
     budget = stylesheets.Budget(
-        f"the selector '{shown(text)}' takes too long to match; a simpler one would work"
+        f"the selector '{printable(text)}' takes too long to match; a simpler one would work"
     )
     found = []
     try:
@@ -163,7 +163,7 @@ def unpainted(
         if painted
         else "inspect lists what is painted"
     )
-    return Problem(f"'{shown(text, 60)}' is there ({first}{others}) but paints nothing: {why}; {advice}")
+    return Problem(f"'{printable(text, 60)}' is there ({first}{others}) but paints nothing: {why}; {advice}")
 
 
 def _why(root: Node, node: Node) -> str:
@@ -171,14 +171,14 @@ def _why(root: Node, node: Node) -> str:
         return f"{node.tag} is not read"
     for outer in reversed(around(root, node)):
         if outer.tag not in GROUPS:
-            return f"it stands in <{shown(outer.tag)}> and no use draws it"
+            return f"it stands in <{printable(outer.tag)}> and no use draws it"
     if node.tag == "use":
         return "what it refers to is not drawn"
     if node.tag in GROUPS:
         return "no shape stands in it"
     if node.tag in SHAPES:
         return "it is not drawn"
-    return f"<{shown(node.tag)}> is no shape"
+    return f"<{printable(node.tag)}> is no shape"
 
 
 def _what_would(root: Node, text: str) -> str:
@@ -190,7 +190,7 @@ def _what_would(root: Node, text: str) -> str:
     ids = [name for name in names if name.startswith("#")]
     if ids:
         more = f" and {len(ids) - _FEW} more" if len(ids) > _FEW else ""
-        return f"its ids are {', '.join(shown(name) for name in ids[:_FEW])}{more}"
+        return f"its ids are {', '.join(printable(name) for name in ids[:_FEW])}{more}"
     return f"it has no ids, but {_listed(names[:_NEAR])} would"
 
 
@@ -244,5 +244,5 @@ def _shared(a: str, b: str) -> int:
 
 
 def _listed(names: Iterable[str]) -> str:
-    *others, last = (shown(name) for name in names)
+    *others, last = (printable(name) for name in names)
     return f"{', '.join(others)} or {last}" if others else last

@@ -1,4 +1,4 @@
-"""What a drawing's notes say: phrases, each with the number of times it applies."""
+"""What the reader has to say: problems, and notes on what it reads otherwise than browsers do."""
 
 from __future__ import annotations
 
@@ -7,8 +7,12 @@ from collections import Counter
 _MAX_PHRASES = 20
 
 
+class Problem(Exception):
+    """What is wrong with a file and what would work; `read` adds the file's name."""
+
+
 class Notes:
-    """Phrases on what was left out or read otherwise than a browser would."""
+    """Phrases, each with the number of times it applies."""
 
     def __init__(self) -> None:
         self._counts: Counter[str] = Counter()
@@ -22,3 +26,9 @@ class Notes:
         """Return the phrases in the order they first came up."""
         counts = self._counts.items()
         return tuple(phrase if count == 1 else f"{phrase} ({count} times)" for phrase, count in counts)
+
+
+def printable(text: str, most: int = 40) -> str:
+    """Return `text` fit for one line of a message: no control characters, not too long."""
+    cut = text if len(text) <= most else text[: most - 3] + "..."
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in cut)
