@@ -1,4 +1,4 @@
-"""Vertex paths: where outlines are at a time, on straight paths, eq (2), or as a motion has it."""
+"""Where outlines are at a time t: on straight vertex paths, eq (2), or as a motion moves them."""
 
 from __future__ import annotations
 
@@ -7,40 +7,31 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.interpolate.curves import common_segments
+from shapeblend_cli.interpolate.common_segments import common_segments
 from shapeblend_cli.model import Box, CubicPath, Waypoint
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, ContourBlend, ShapeBlend
 
-WAY_TOLERANCE = 2e-3
+WAYPOINT_TOLERANCE = 2e-3
 """How far an animation may be from a motion that is not straight, as a share of the size of what moves."""
 
 MOST_HALVINGS = 6
-"""From a drawing to the next an animation takes at most two to this power steps."""
+"""From a drawing to the next an animation has at most two to this power straight steps."""
 
 
-def with_curves(contour: ContourBlend) -> ContourBlend:
-    """Return a blend that moves between the drawings' own curves, cut alike, see `curves`."""
+def with_curves(blend: ContourBlend) -> ContourBlend:
+    """Return a blend of the drawings' own curves in place of the polygons' lines, see `common_segments`."""
     common = common_segments(
-        contour.contour_a,
-        contour.polygon_a,
-        contour.contour_b,
-        contour.polygon_b,
-        contour.correspondence.dots,
+        blend.contour_a, blend.polygon_a, blend.contour_b, blend.polygon_b, blend.correspondence.dots
     )
-    closed = contour.correspondence.closed
-    return contour._replace(
-        start=CubicPath(common.segments_a, common.straight, closed),
-        end=CubicPath(common.segments_b, common.straight, closed),
-        cuts=(common.places_a, common.places_b),
-    )
+    return blend._replace(**common._asdict())
 
 
 def between(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
-    """The outlines of a shape at time t; at 0 and 1 exactly its start and its end.
+    """Return the paths of a shape at time t: exactly its start at 0 and its end at 1.
 
-    Without a motion every point goes straight, eq (2).
+    Without a motion every point moves straight, eq (2).
     """
     if shape.motion is None or t in (0.0, 1.0):
         every = [(1.0 - t) * contour.start.segments + t * contour.end.segments for contour in shape.contours]
@@ -53,32 +44,29 @@ def between(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
 
 
 def waypoints(shape: ShapeBlend) -> tuple[Waypoint, ...]:
-    """Where the outlines of a shape come by, so near to each other that straight paths between them will do.
+    """Return the times, and the paths then, between which straight paths approximate a shape's motion.
 
-    Nowhere is a control point further off than `WAY_TOLERANCE`, as seen at the middle and the quarters between two
-    neighbours. Straight motion needs none.
+    No control point is off by more than `WAYPOINT_TOLERANCE`, as seen at the middle and the quarters between two
+    neighbours. Straight motion needs no waypoints.
     """
     if shape.motion is None:
         return ()
-    points = np.concatenate(
-        [outline.segments.ravel() for contour in shape.contours for outline in (contour.start, contour.end)]
-    )
-    distance = WAY_TOLERANCE * Box.around(points).larger_side
-    seen: dict[float, ComplexArray] = {}
+    paths = [path for contour in shape.contours for path in (contour.start, contour.end)]
+    size = Box.around(np.concatenate([path.segments.ravel() for path in paths])).larger_side
+    cache: dict[float, ComplexArray] = {}
 
     def at(t: float) -> ComplexArray:
-        if t not in seen:
-            seen[t] = np.concatenate([outline.segments for outline in between(shape, t)])
-        return seen[t]
+        if t not in cache:
+            cache[t] = np.concatenate([path.segments for path in between(shape, t)])
+        return cache[t]
 
     def cut(low: float, high: float, depth: int) -> list[float]:
-        """Times within an interval at which it is to be cut."""
-        shares = (0.25, 0.5, 0.75)
+        """Return the times at which an interval is to be cut."""
         off = max(
             float(np.abs(at(low) + u * (at(high) - at(low)) - at(low + u * (high - low))).max())
-            for u in shares
+            for u in (0.25, 0.5, 0.75)
         )
-        if off <= distance or depth == 0:
+        if off <= WAYPOINT_TOLERANCE * size or depth == 0:
             return []
         middle = 0.5 * (low + high)
         return [*cut(low, middle, depth - 1), middle, *cut(middle, high, depth - 1)]

@@ -10,9 +10,9 @@ from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.normalise import to_unit_box
-from shapeblend_cli.interpolate.curves import TOLERANCE, common_segments
-from shapeblend_cli.interpolate.rails import CORNER, rail
-from shapeblend_cli.interpolate.track import slack_track
+from shapeblend_cli.interpolate.common_segments import TOLERANCE, common_segments
+from shapeblend_cli.interpolate.continuous_match import match_continuously
+from shapeblend_cli.interpolate.parametrization import CORNER, parametrize
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.model import Contour, Polygon
 from shapeblend_cli.svg.reading.read import read
@@ -83,7 +83,7 @@ def size(contour):
 
 
 def assert_both_ends_are_the_drawings(common, a, b):
-    for segments, contour in ((common.segments_a, a), (common.segments_b, b)):
+    for segments, contour in ((common.start.segments, a), (common.end.segments, b)):
         assert np.isfinite(segments).all()
         # Chained without a gap.
         assert (segments[1:, 0] == segments[:-1, 3]).all()
@@ -94,7 +94,7 @@ def assert_both_ends_are_the_drawings(common, a, b):
 
 
 def assert_all_nodes_stay(common, a, b):
-    for segments, contour in ((common.segments_a, a), (common.segments_b, b)):
+    for segments, contour in ((common.start.segments, a), (common.end.segments, b)):
         for node in contour.segments[:, 0]:
             assert np.abs(segments[:, [0, 3]] - node).min() <= 1e-8 * size(contour)
 
@@ -107,7 +107,7 @@ def distance_to_polygons(common, problem):
         polygon = (1 - t) * polygon_a.vertices[dots[:, 0]] + t * polygon_b.vertices[dots[:, 1]]
         if a.closed:
             polygon = np.append(polygon, polygon[0])
-        curve = outline((1 - t) * common.segments_a + t * common.segments_b, a.closed)
+        curve = outline((1 - t) * common.start.segments + t * common.end.segments, a.closed)
         far = max(far, hausdorff(curve, polygon))
     return far / max(size(a), size(b))
 
@@ -121,8 +121,8 @@ def bends(segments, closed):
 
 def bends_where_both_are_smooth(common, closed, t=0.5):
     smooth = np.degrees(CORNER)
-    both = (bends(common.segments_a, closed) < smooth) & (bends(common.segments_b, closed) < smooth)
-    return bends((1 - t) * common.segments_a + t * common.segments_b, closed)[both]
+    both = (bends(common.start.segments, closed) < smooth) & (bends(common.end.segments, closed) < smooth)
+    return bends((1 - t) * common.start.segments + t * common.end.segments, closed)[both]
 
 
 SAMPLES = (
@@ -141,7 +141,7 @@ def test_promises_on_the_samples(names, samples):
     common = common_segments(*problem)
     assert_both_ends_are_the_drawings(common, a, problem[2])
     assert_all_nodes_stay(common, a, problem[2])
-    assert len(common.segments_a) <= 1.2 * (len(a.segments) + len(b.segments))
+    assert len(common.start.segments) <= 1.2 * (len(a.segments) + len(b.segments))
     # The tolerance is promised beside the polygons without the solver's stairs, which may add half an edge.
     assert distance_to_polygons(common, problem) <= 6.0 * TOLERANCE
 
@@ -151,17 +151,17 @@ def test_an_outline_becomes_itself_unchanged(contour):
     polygon = flatten(contour, 50)
     dots = np.repeat(np.arange(len(polygon.vertices))[:, None], 2, axis=1)
     common = common_segments(contour, polygon, contour, polygon, dots)
-    np.testing.assert_allclose(common.segments_a, contour.segments, atol=1e-12)
-    np.testing.assert_allclose(common.segments_b, contour.segments, atol=1e-12)
-    assert common.straight.tolist() == contour.straight.tolist()
+    np.testing.assert_allclose(common.start.segments, contour.segments, atol=1e-12)
+    np.testing.assert_allclose(common.end.segments, contour.segments, atol=1e-12)
+    assert common.start.straight.tolist() == contour.straight.tolist()
 
 
 @pytest.mark.parametrize("turn", [0.0, 0.1, np.pi / 4])
 def test_a_circle_becomes_a_circle_in_few_cubics(turn):
     problem = solved(four_arcs(turn=turn), four_arcs(2.0))
     common = common_segments(*problem)
-    assert 4 <= len(common.segments_a) <= 8
-    between = outline(0.5 * (common.segments_a + common.segments_b), True)
+    assert 4 <= len(common.start.segments) <= 8
+    between = outline(0.5 * (common.start.segments + common.end.segments), True)
     assert np.ptp(np.abs(between)) <= 3 * TOLERANCE * 4
     assert bends_where_both_are_smooth(common, True).max() <= 1.0
 
@@ -171,11 +171,11 @@ def test_a_square_becomes_a_rounded_square():
     problem = solved(square, rounded_square())
     common = common_segments(*problem)
     assert_both_ends_are_the_drawings(common, square, problem[2])
-    assert len(common.segments_a) <= 16
+    assert len(common.start.segments) <= 16
     # The sides stay lines; the corners open into curves.
-    assert common.straight.sum() >= 4
-    between = 0.5 * (common.segments_a + common.segments_b)
-    for line in between[common.straight]:
+    assert common.start.straight.sum() >= 4
+    between = 0.5 * (common.start.segments + common.end.segments)
+    for line in between[common.start.straight]:
         np.testing.assert_allclose(line, cubics.line(line[0], line[3]), atol=1e-12)
     assert distance_to_polygons(common, problem) <= 3 * TOLERANCE
 
@@ -205,9 +205,9 @@ def test_corners_go_to_corners():
     dots = np.concatenate([[[0, 0], [0, 1]], np.stack([steps[1:79], steps[2:80]], axis=1), [[79, 79]]])
     common = common_segments(a, polygon_a, b, polygon_b, dots)
     for corner_a, corner_b in zip(a.segments[:, 0], b.segments[:, 0], strict=True):
-        assert common.segments_b[common.segments_a[:, 0] == corner_a, 0] == pytest.approx([corner_b])
-    assert common.straight.all()
-    assert (bends(0.5 * (common.segments_a + common.segments_b), True) > 80.0).sum() == 4
+        assert common.end.segments[common.start.segments[:, 0] == corner_a, 0] == pytest.approx([corner_b])
+    assert common.start.straight.all()
+    assert (bends(0.5 * (common.start.segments + common.end.segments), True) > 80.0).sum() == 4
 
 
 def test_a_circle_becomes_a_star():
@@ -217,8 +217,8 @@ def test_a_circle_becomes_a_star():
     assert_both_ends_are_the_drawings(common, problem[0], problem[2])
     assert_all_nodes_stay(common, problem[0], problem[2])
     # Each of the star's corners is one in between as well.
-    assert (bends(0.5 * (common.segments_a + common.segments_b), True) > 20.0).sum() >= 10
-    assert not common.straight.any()
+    assert (bends(0.5 * (common.start.segments + common.end.segments), True) > 20.0).sum() >= 10
+    assert not common.start.straight.any()
     assert distance_to_polygons(common, problem) <= 5 * TOLERANCE
 
 
@@ -229,12 +229,12 @@ def test_a_point_grows_into_the_whole_outline():
     contour = Contour(np.full((1, 4), 3 + 4j), [True], True)
     dots = np.stack([np.zeros(len(polygon.vertices), int), np.arange(len(polygon.vertices))], axis=1)
     common = common_segments(contour, point, whole, polygon, dots)
-    assert (common.segments_a == 3 + 4j).all()
-    assert (common.segments_b == whole.segments).all()
+    assert (common.start.segments == 3 + 4j).all()
+    assert (common.end.segments == whole.segments).all()
     back = common_segments(whole, polygon, contour, point, dots[:, ::-1])
-    assert (back.segments_a == whole.segments).all()
-    assert (back.segments_b == 3 + 4j).all()
-    assert back.straight.tolist() == whole.straight.tolist()
+    assert (back.start.segments == whole.segments).all()
+    assert (back.end.segments == 3 + 4j).all()
+    assert back.start.straight.tolist() == whole.straight.tolist()
 
 
 def test_a_loop_of_a_single_segment():
@@ -243,7 +243,7 @@ def test_a_loop_of_a_single_segment():
     problem = solved(loop, other)
     common = common_segments(*problem)
     assert_both_ends_are_the_drawings(common, loop, other)
-    assert common.segments_a[0, 0] == 0
+    assert common.start.segments[0, 0] == 0
 
 
 def test_open_outlines_keep_their_ends():
@@ -253,8 +253,8 @@ def test_open_outlines_keep_their_ends():
     common = common_segments(*problem)
     assert_both_ends_are_the_drawings(common, a, b)
     assert_all_nodes_stay(common, a, b)
-    assert (common.segments_a[0, 0], common.segments_a[-1, 3]) == (0, 8)
-    assert (common.segments_b[0, 0], common.segments_b[-1, 3]) == (0, 8 + 1j)
+    assert (common.start.segments[0, 0], common.start.segments[-1, 3]) == (0, 8)
+    assert (common.end.segments[0, 0], common.end.segments[-1, 3]) == (0, 8 + 1j)
     assert distance_to_polygons(common, problem) <= 3 * TOLERANCE
 
 
@@ -274,9 +274,9 @@ def test_a_corner_waits_while_a_whole_side_grows_out_of_it():
     common = common_segments(a, polygon_a, b, polygon_b, dots)
     assert_both_ends_are_the_drawings(common, a, b)
     assert_all_nodes_stay(common, a, b)
-    waits = np.abs(np.diff(common.segments_a, axis=1)).max(axis=1) == 0.0
+    waits = np.abs(np.diff(common.start.segments, axis=1)).max(axis=1) == 0.0
     assert waits.sum() >= 2
-    assert common.straight[waits].any()
+    assert common.start.straight[waits].any()
 
 
 def test_polygons_stay_polygons():
@@ -285,8 +285,8 @@ def test_polygons_stay_polygons():
     nodes = [np.exp(2j * np.pi * np.arange(m) / m) * rng.uniform(1, 1.3, m) for m in (300, 320)]
     problem = solved(*(polygon_contour(z) for z in nodes), 0)
     common = common_segments(*problem)
-    assert common.straight.all()
-    assert len(common.segments_a) == len(problem[4])
+    assert common.start.straight.all()
+    assert len(common.start.segments) == len(problem[4])
     assert distance_to_polygons(common, problem) <= 1e-9
 
 
@@ -336,12 +336,12 @@ def test_any_outlines_and_any_monotone_dots(a, b, data):
         dots = dots[~np.roll(change, -1)]
     common = common_segments(a, polygon_a, b, polygon_b, dots)
     again = common_segments(a, polygon_a, b, polygon_b, dots)
-    assert (common.segments_a == again.segments_a).all()
-    assert (common.segments_b == again.segments_b).all()
+    assert (common.start.segments == again.start.segments).all()
+    assert (common.end.segments == again.end.segments).all()
     assert_both_ends_are_the_drawings(common, a, b)
     assert_all_nodes_stay(common, a, b)
     for line_a, line_b in zip(
-        common.segments_a[common.straight], common.segments_b[common.straight], strict=True
+        common.start.segments[common.start.straight], common.end.segments[common.start.straight], strict=True
     ):
         for line in (line_a, line_b):
             np.testing.assert_allclose(line, cubics.line(line[0], line[3]), atol=1e-9)
@@ -354,12 +354,12 @@ def test_the_track_is_monotone_and_keeps_close_to_the_dots(order):
     m, n = len(polygon_a.vertices), len(polygon_b.vertices)
     order = np.concatenate([order, np.zeros(m - 24, int), np.ones(n - 24, int)])
     dots = np.cumsum(np.stack([order == 0, order == 1], axis=1), axis=0) % [m, n]
-    track = slack_track(rail(a, polygon_a), rail(b, polygon_b), dots)
-    steps = np.diff(track.places, axis=0)
+    track = match_continuously(parametrize(a, polygon_a), parametrize(b, polygon_b), dots)
+    steps = np.diff(track.positions, axis=0)
     assert (steps >= 0).all()
     # No curve is cut short: where one side is led elsewhere, by a few edges at most.
     assert steps.max() <= 4.0
-    np.testing.assert_allclose(track.places[-1] - track.places[0], [m, n])
+    np.testing.assert_allclose(track.positions[-1] - track.positions[0], [m, n])
 
 
 def test_a_corner_led_to_a_corner_that_stands_still_keeps_what_grows_out_of_it():
@@ -369,9 +369,11 @@ def test_a_corner_led_to_a_corner_that_stands_still_keeps_what_grows_out_of_it()
     before = [[i, min(i, 9)] for i in range(31)]
     stand = [[i, 10] for i in range(31, 51)]
     after = [[i, min(i - 40, 39)] for i in range(51, 90)]
-    track = slack_track(rail(a, polygon_a), rail(b, polygon_b), np.array(before + stand + after))
-    assert ([30, 10] == track.places[track.fixed]).all(axis=1).any()
-    assert np.diff(track.places, axis=0).max() <= 1.0
+    track = match_continuously(
+        parametrize(a, polygon_a), parametrize(b, polygon_b), np.array(before + stand + after)
+    )
+    assert ([30, 10] == track.positions[track.fixed]).all(axis=1).any()
+    assert np.diff(track.positions, axis=0).max() <= 1.0
 
 
 def _even(contour, pieces):

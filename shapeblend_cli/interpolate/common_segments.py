@@ -1,0 +1,267 @@
+"""What makes two contours segment-for-segment alike: both are cut into the same list of cubics and lines.
+
+`parametrization` makes positions of vertex numbers, `continuous_match` removes the polygons' rounding from the solver's
+dots, the contours are cut where either has a node and where else the curves would stray from the polygons
+(`deviation`), and `smooth_joints` keeps smooth what is smooth in both drawings.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.interpolate.continuous_match import match_continuously, unroll_from_node
+from shapeblend_cli.interpolate.deviation import deviation
+from shapeblend_cli.interpolate.parametrization import is_among, parametrize
+from shapeblend_cli.interpolate.smooth_joints import divide_lines, slide_cuts
+from shapeblend_cli.model import Box, CubicPath, frozen
+
+if TYPE_CHECKING:
+    from shapeblend_cli.interpolate.continuous_match import ContinuousMatch
+    from shapeblend_cli.interpolate.parametrization import ContourParameter
+    from shapeblend_cli.model import BoolArray, ComplexArray, Contour, FloatArray, IntArray, Polygon
+
+TOLERANCE = 2e-3
+"""How far in-betweens of curves may lie from those of polygons, as a share of the larger outline's size.
+
+Four times what flattening allows itself. Over pairs of icons an in-between then has about as many segments as both
+drawings together, and a bump of that height is a fifth of a pixel in an icon of 100. It is a distance of outlines,
+see `deviation.deviation`; the polygons follow the continuous match, which is half an edge off the dots, at most, and
+only where a vertex is held.
+"""
+
+SNAP = 1.5
+"""A node of each contour are merged if at most so many edges of the polygons lie between them."""
+
+NEARBY = 2.0
+"""Merged nodes are blamed for deviation within so many edges; more than `SNAP`."""
+
+MOST_ROUNDS = 12
+"""Rounds of cutting; a handful is enough."""
+
+SLIDING_ROUNDS = 2
+"""Rounds of sliding cuts; more change little."""
+
+SLIDE_SHARES = (1.0, 0.5, 0.0)
+"""Shares of a slide that are tried in turn until the curves are within the tolerance."""
+
+
+class CommonSegments(NamedTuple):
+    """Two contours as the same list of segments.
+
+    Attributes
+    ----------
+    start, end : CubicPath
+        A and B. Each segment is a part of one segment of its drawing, or a point where the drawing waits for the
+        other one; together, in order, they are the whole drawing. Each ends where the next begins.
+    cuts : pair of (s + 1,) float
+        Where the drawings are cut: positions that rise, once round if closed, see `ContourParameter`.
+    """
+
+    start: CubicPath
+    end: CubicPath
+    cuts: tuple[FloatArray, FloatArray]
+
+
+def common_segments(
+    contour_a: Contour, polygon_a: Polygon, contour_b: Contour, polygon_b: Polygon, dots: IntArray
+) -> CommonSegments:
+    """Cut two contours at corresponding positions, so that both have the same segments.
+
+    Every node of either drawing is an end of a segment, at its position on the other one; nodes of both at nearly the
+    same position are merged, corners first. Further cuts are made only where the curves would deviate by more than
+    `TOLERANCE`.
+
+    Parameters
+    ----------
+    contour_a, contour_b : Contour
+        In the same coordinates and in the same direction; both closed or both open.
+    polygon_a, polygon_b : Polygon
+        The contours flattened, vertices in the order of the contour's parameter. A polygon of one vertex is a point
+        out of which the other contour grows whole.
+    dots : (k, 2) int
+        The solver's correspondence, as in `model.Correspondence`: steps of one vertex or none on either side.
+
+    Returns
+    -------
+    CommonSegments
+        Closed ones begin at A's first node.
+    """
+    if len(polygon_a.vertices) == 1:
+        grown = _grow_from_point(polygon_a.vertices[0], contour_b, polygon_b)
+        return CommonSegments(grown.start, grown.end, grown.cuts)
+    if len(polygon_b.vertices) == 1:
+        grown = _grow_from_point(polygon_b.vertices[0], contour_a, polygon_a)
+        return CommonSegments(grown.end, grown.start, grown.cuts[::-1])
+    a, b = parametrize(contour_a, polygon_a), parametrize(contour_b, polygon_b)
+    dots = np.asarray(dots, np.intp)
+    if all(one.straight.all() and one.node.all() for one in (a, b)):
+        # Drawn as polygons: nothing is rounded, and the solver's own paths are the best.
+        cuts = unroll_from_node(a, b, dots)
+    else:
+        match = match_continuously(a, b, dots)
+        distance = TOLERANCE * max(Box.around(polygon.vertices).larger_side for polygon in (a, b))
+        cuts = _slide_cuts(match, _find_cuts(match, distance), distance)
+    segments_a, segments_b, straight = _pieces(a, b, cuts)
+    return CommonSegments(
+        CubicPath(segments_a, straight, a.closed),
+        CubicPath(segments_b, straight, a.closed),
+        (frozen(cuts[:, 0], np.float64), frozen(cuts[:, 1], np.float64)),
+    )
+
+
+def _grow_from_point(point: complex, contour: Contour, polygon: Polygon) -> CommonSegments:
+    """Grow a contour's own segments out of a point."""
+    count = len(polygon.vertices)
+    first = np.searchsorted(polygon.segment + polygon.parameter, np.arange(len(contour.segments)))
+    cuts = np.append(first, count if polygon.closed else count - 1).astype(np.float64)
+    start = CubicPath(np.full_like(contour.segments, point), contour.straight, polygon.closed)
+    end = CubicPath(contour.segments, contour.straight, polygon.closed)
+    return CommonSegments(start, end, (frozen(np.zeros_like(cuts), np.float64), frozen(cuts, np.float64)))
+
+
+def _pieces(
+    a: ContourParameter, b: ContourParameter, cuts: FloatArray
+) -> tuple[ComplexArray, ComplexArray, BoolArray]:
+    """Return both contours between the cuts, and which pieces are straight in both."""
+    pieces, lines = [], []
+    for side, one in enumerate((a, b)):
+        segment, start, end = one.pieces(cuts[:, side])
+        piece = cubics.pieces(one.segments[segment], start, end)
+        piece[:-1, 3] = piece[1:, 0]
+        if one.closed:
+            piece[-1, 3] = piece[0, 0]
+        point = cuts[1:, side] <= cuts[:-1, side]
+        piece[point] = piece[point, :1]
+        pieces.append(piece)
+        lines.append(one.straight[segment] | point)
+    divided_a, divided_b = divide_lines(pieces[0], pieces[1], lines[0], lines[1], a.closed)
+    return divided_a, divided_b, lines[0] & lines[1]
+
+
+def _deviation(match: ContinuousMatch, cuts: FloatArray) -> FloatArray:
+    segments_a, segments_b, _ = _pieces(match.a, match.b, cuts)
+    return deviation(segments_a, segments_b, match, cuts)
+
+
+def _find_cuts(match: ContinuousMatch, distance: float) -> FloatArray:
+    """Cut at the nodes, and where else the curves would deviate by more than `distance`."""
+    plain, nodes = _cuts_at_nodes(match)
+    first = _pairs_to_merge(match, plain, nodes)
+    extra = np.zeros((0, 2))
+    for _ in range(MOST_ROUNDS):
+        cuts, merged = _merge(plain, nodes, first, extra)
+        apart, more = _remedies(match, cuts, merged, _deviation(match, cuts), distance)
+        if not apart and not more:
+            break
+        first = first[~is_among(first, np.array(apart, np.intp))]
+        extra = np.concatenate([extra, np.reshape(more, (-1, 2))])
+    return cuts
+
+
+def _cuts_at_nodes(match: ContinuousMatch) -> tuple[FloatArray, BoolArray]:
+    """Return the positions of the match where a drawing has a node, and those that are fixed.
+
+    Returns
+    -------
+    cuts : (s, 2) float
+    nodes : (s, 2) bool
+        Whether A, and whether B, has a node there.
+    """
+    a, b = match.a, match.b
+    fixed = match.positions[match.fixed]
+    lengths = a.length_at(match.positions[:, 0]), b.length_at(match.positions[:, 1])
+    found = [fixed]
+    for side, one, other in ((0, a, b), (1, b, a)):
+        low, high = match.positions[[0, -1], side]
+        numbers = np.arange(np.ceil(low), np.floor(high) + 1.0)
+        numbers = numbers[one.is_node(numbers)]
+        numbers = numbers[~is_among(numbers, fixed[:, side])]
+        to = other.position_at(np.interp(one.length_at(numbers), lengths[side], lengths[1 - side]))
+        found.append(np.stack([numbers, to] if side == 0 else [to, numbers], axis=1))
+    cuts = np.concatenate(found)
+    order = np.lexsort((cuts[:, 1], cuts[:, 0]))
+    cuts = np.maximum.accumulate(cuts[order], axis=0)
+    cuts = cuts[np.append(True, (np.diff(cuts, axis=0) > 1e-9).any(axis=1))]
+    return cuts, np.stack([a.is_node(cuts[:, 0]), b.is_node(cuts[:, 1])], axis=1)
+
+
+def _pairs_to_merge(match: ContinuousMatch, cuts: FloatArray, nodes: BoolArray) -> IntArray:
+    """Return the numbers of cuts to merge with the next one, so that a node of A and one of B become one."""
+    gaps = match.edges_between(cuts[:-1], cuts[1:])
+    # Together they are at nodes of both, one of them is not, and no node has to give up its position.
+    joint = (nodes[:-1] | nodes[1:]).all(axis=1) & ~(nodes[:-1] & nodes[1:]).all(axis=1)
+    torn = (nodes[:-1] & nodes[1:] & (cuts[:-1] != cuts[1:])).any(axis=1)
+    near = joint & ~torn & (gaps <= SNAP)
+    near[[0, -1]] = False  # the ends keep their positions
+    numbers = np.flatnonzero(near)
+    chosen: list[int] = []
+    taken = np.zeros(len(cuts), np.bool_)
+    for k in numbers[np.argsort(gaps[numbers], kind="stable")].tolist():
+        if not taken[k : k + 2].any():
+            taken[k : k + 2] = True
+            chosen.append(k)
+    return np.sort(np.array(chosen, np.intp))
+
+
+def _merge(
+    plain: FloatArray, nodes: BoolArray, first: IntArray, extra: FloatArray
+) -> tuple[FloatArray, IntArray]:
+    """Merge pairs of cuts and add further ones; return for each cut the number of its pair's first, else -1."""
+    cuts = plain.copy()
+    merged = np.full(len(plain), -1, np.intp)
+    cuts[first] = np.where(nodes[first], plain[first], plain[first + 1])
+    merged[first] = first
+    keep = np.ones(len(plain), np.bool_)
+    keep[first + 1] = False
+    cuts = np.concatenate([cuts[keep], extra])
+    merged = np.concatenate([merged[keep], np.full(len(extra), -1, np.intp)])
+    order = np.lexsort((cuts[:, 1], cuts[:, 0]))
+    return cuts[order], merged[order]
+
+
+def _remedies(
+    match: ContinuousMatch, cuts: FloatArray, merged: IntArray, far: FloatArray, distance: float
+) -> tuple[list[int], list[FloatArray]]:
+    """Return which merged pairs to separate, and where to cut, so that the curves deviate less."""
+    bad = np.flatnonzero(far > distance)
+    apart: list[int] = []
+    more: list[FloatArray] = []
+    pieces = match.piece_at(cuts, match.positions[bad])
+    for k in sorted(set(pieces.tolist())):
+        within = bad[pieces == k]
+        worst = match.positions[within[far[within].argmax()]]
+        ends = np.flatnonzero(merged[k : k + 2] >= 0) + k
+        ends = ends[match.edges_between(cuts[ends], worst[None]) <= NEARBY]
+        apart += merged[ends].tolist()
+        cut = np.clip(worst, cuts[k], cuts[k + 1])
+        if not len(ends) and (cut > cuts[k]).any() and (cut < cuts[k + 1]).any():
+            more.append(cut)
+    return apart, more
+
+
+def _slide_cuts(match: ContinuousMatch, cuts: FloatArray, distance: float) -> FloatArray:
+    """Slide cuts for smoother joints, each as far as the curves stay within `distance`."""
+    ends = match.positions[[0, -1]]
+    held = match.positions[match.fixed]
+    held = held[(held != ends[0]).any(axis=1) & (held != ends[1]).any(axis=1)]
+    loose = ~(is_among(cuts[:, 0], held[:, 0]) & is_among(cuts[:, 1], held[:, 1]))
+    wanted = cuts
+    for _ in range(SLIDING_ROUNDS):
+        wanted = slide_cuts(match.a, match.b, wanted, loose, distance)
+    if (wanted == cuts).all():
+        return cuts
+    tried = np.zeros(len(cuts), np.intp)
+    while True:
+        slid = cuts + np.take(SLIDE_SHARES, tried)[:, None] * (wanted - cuts)
+        pieces = match.piece_at(slid, match.positions[_deviation(match, slid) > distance])
+        back = np.zeros(len(cuts), np.bool_)
+        back[pieces] = back[pieces + 1] = True
+        if match.a.closed:
+            back[[0, -1]] = back[0] | back[-1]
+        back &= (tried < len(SLIDE_SHARES) - 1) & (wanted != cuts).any(axis=1)
+        if not back.any():
+            return slid
+        tried[back] += 1

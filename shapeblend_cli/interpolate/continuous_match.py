@@ -1,0 +1,239 @@
+"""The solver's correspondence of vertices as a correspondence of positions anywhere along two contours."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.interpolate.parametrization import is_among
+from shapeblend_cli.model import unroll
+
+if TYPE_CHECKING:
+    from shapeblend_cli.interpolate.parametrization import ContourParameter
+    from shapeblend_cli.model import BoolArray, FloatArray, IntArray
+
+LONG_HOLD = 2
+"""A corner held over at least so many edges of the other contour is meant to be; over fewer it is rounding."""
+
+REACH = 2
+"""Corners of both contours are matched if at most so many steps of the solver lie between them."""
+
+START_SNAP = 0.5
+"""A node of B within so many mean edges of the partner of A's first node becomes its partner."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ContinuousMatch:
+    """A monotone correspondence of two contours from start to end, once round where they are closed.
+
+    Attributes
+    ----------
+    a, b : ContourParameter
+    positions : (l, 2) float
+        Corresponding positions on A and B: the solver's dots without the stairs. Neither column decreases; closed
+        contours return to their start.
+    fixed : (l,) bool
+        The positions that need a cut: matched corners, both ends of the hold of a corner, and both ends of the match.
+    """
+
+    a: ContourParameter
+    b: ContourParameter
+    positions: FloatArray
+    fixed: BoolArray
+
+    def progress(self, positions: FloatArray) -> FloatArray:
+        """Return how far along both contours together positions are: 0 at vertices 0, 2 once round."""
+        a, b = self.a, self.b
+        return a.length_at(positions[:, 0]) / a.lengths[-1] + b.length_at(positions[:, 1]) / b.lengths[-1]
+
+    def piece_at(self, cuts: FloatArray, positions: FloatArray) -> IntArray:
+        """Return the number of the piece between two cuts on which each position lies."""
+        numbers = np.searchsorted(self.progress(cuts), self.progress(positions), side="right") - 1
+        return np.clip(numbers, 0, len(cuts) - 2)
+
+    def edges_between(self, first: FloatArray, second: FloatArray) -> FloatArray:
+        """Return the larger of the two distances between positions along A and B, in mean edges."""
+        gaps = [
+            np.abs(one.length_at(second[:, side]) - one.length_at(first[:, side]))
+            * (one.count / one.lengths[-1])
+            for side, one in enumerate((self.a, self.b))
+        ]
+        return np.maximum(*gaps)
+
+
+def unroll_from_node(a: ContourParameter, b: ContourParameter, dots: IntArray) -> FloatArray:
+    """Return the solver's dots as positions that never decrease; those of closed contours start at A's first node."""
+    if not a.closed:
+        return unroll(dots, None)
+    first = int(np.flatnonzero(a.node)[0])
+    at_first = dots[:, 0] == first
+    begin = int(np.flatnonzero(at_first & ~np.roll(at_first, 1))[0]) if not at_first.all() else 0
+    return unroll(np.roll(dots, -begin, axis=0), (a.count, b.count))
+
+
+def match_continuously(a: ContourParameter, b: ContourParameter, dots: IntArray) -> ContinuousMatch:
+    """Remove the stairs from the solver's dots, and match corners with corners.
+
+    The polygons' vertices rarely coincide, so now and then one is held while the other contour advances by an edge.
+    That is rounding, and the position in the middle of such a step is as good as its ends. A corner that is held for
+    longer is meant to be: a piece of the other contour grows out of it.
+    """
+    positions, anchored = _match_corners(a, b, unroll_from_node(a, b, dots))
+    if a.closed:
+        positions, anchored = _choose_start(a, b, positions, anchored)
+    anchored[[0, -1]] = True
+    return ContinuousMatch(a, b, *_remove_stairs(a, b, positions, anchored))
+
+
+def _match_corners(
+    a: ContourParameter, b: ContourParameter, given: FloatArray
+) -> tuple[FloatArray, BoolArray]:
+    """Match corners that the solver nearly matched; return the positions, and which of them are two corners."""
+    corner_a, corner_b = a.is_corner(given[:, 0]), b.is_corner(given[:, 1])
+    both = corner_a & corner_b
+    single_a = np.flatnonzero(corner_a & ~is_among(given[:, 0], given[both, 0]))
+    single_b = np.flatnonzero(corner_b & ~is_among(given[:, 1], given[both, 1]))
+    if not len(single_a) or not len(single_b):
+        return given, both
+    length_a, length_b = a.length_at(given[:, 0]), b.length_at(given[:, 1])
+    # Every dot of a single corner of A with the next such dot of B after it and the last one before it.
+    after = np.searchsorted(single_b, single_a)
+    candidates: list[tuple[float, int, int]] = []
+    for side in (after - 1, after):
+        valid = (side >= 0) & (side < len(single_b))
+        p, q = single_a[valid], single_b[side[valid]]
+        near = np.abs(p - q) <= REACH
+        p, q = p[near], q[near]
+        apart = np.maximum(np.abs(length_a[p] - length_a[q]), np.abs(length_b[p] - length_b[q]))
+        candidates += zip(apart.tolist(), p.tolist(), q.tolist(), strict=True)
+    positions, used_a, used_b = given, set(), set()
+    last = len(given) - 1
+    for _, i, j in sorted(candidates):
+        x, y = given[i, 0], given[j, 1]
+        # Both ends of a closed match are one position, which `_choose_start` chooses.
+        if x in used_a or y in used_b or (a.closed and {i, j} & {0, last}):
+            continue
+        used_a.add(x)
+        used_b.add(y)
+        # What lies before the new position on one contour and after it on the other no longer fits.
+        wrong = (positions[:, 0] - x) * (positions[:, 1] - y) < 0.0
+        wrong[[0, -1]] = False
+        if both[wrong].any():
+            continue
+        at = int(np.flatnonzero(~wrong & (positions[:, 0] + positions[:, 1] <= x + y))[-1]) + 1
+        at -= int(wrong[:at].sum())
+        positions = np.insert(positions[~wrong], at, [x, y], axis=0)
+        both = np.insert(both[~wrong], at, True)
+    return positions, both.copy()
+
+
+def _choose_start(
+    a: ContourParameter, b: ContourParameter, positions: FloatArray, anchored: BoolArray
+) -> tuple[FloatArray, BoolArray]:
+    """Start a closed match at the position of B that suits A's first node best."""
+    period = np.array([a.count, b.count], np.float64)
+    first = positions[0, 0]
+    held = np.flatnonzero((positions[:, 0] == first) & (positions[:, 0] < first + period[0]))
+    paired = held[anchored[held]]
+    if len(paired):
+        start = positions[paired[0], 1]
+    elif bool(a.is_corner(positions[:1, 0])[0]) and len(held) > LONG_HOLD:
+        start = positions[0, 1]
+    else:
+        low, high = b.length_at(positions[held[[0, -1]], 1])
+        middle = 0.5 * (low + high)
+        start = float(b.position_at(np.array([middle]))[0])
+        nodes = np.flatnonzero(b.node[:-1]).astype(float)
+        nodes = np.concatenate([nodes, nodes + b.count])
+        far = np.abs(b.length_at(nodes) - middle)
+        if len(nodes) and far.min() <= START_SNAP * b.lengths[-1] / b.count:
+            start = float(nodes[far.argmin()])
+    begin = np.array([first, start])
+    body, body_anchored = positions[:-1], anchored[:-1]
+    early = (body[:, 0] <= first) & (body[:, 1] < start)
+    body = np.concatenate([body[~early], body[early] + period])
+    body_anchored = np.concatenate([body_anchored[~early], body_anchored[early]])
+    inside = ((body > begin).any(axis=1)) & ((body < begin + period).any(axis=1))
+    inside &= (body >= begin).all(axis=1) & (body <= begin + period).all(axis=1)
+    return (
+        np.concatenate([begin[None], body[inside], begin[None] + period]),
+        np.concatenate([[True], body_anchored[inside], [True]]),
+    )
+
+
+def _remove_stairs(
+    a: ContourParameter, b: ContourParameter, positions: FloatArray, anchored: BoolArray
+) -> tuple[FloatArray, BoolArray]:
+    """Return the positions without holds that are rounding, and which of them are fixed.
+
+    A hold of one step becomes the position in its middle. A longer one is spread over half an edge before it and half
+    an edge after it: a vertex stands for the contour up to halfway to the next one, so that is as true, and the
+    in-between does not bend where both contours are smooth. Holds of corners stay, and so do parts between corners of
+    the advancing contour, which are corners anyway.
+    """
+    steps = np.diff(positions, axis=0)
+    # The side that is held in a step: 0 is A, 1 is B, 2 neither.
+    held = np.where(steps[:, 0] == 0.0, 0, np.where(steps[:, 1] == 0.0, 1, 2))
+    if not (held < 2).any():
+        return positions, anchored
+    corners = a.is_corner(positions[:, 0]), b.is_corner(positions[:, 1])
+    # A hold is divided where the advancing contour turns a corner.
+    turns = np.where(held[1:] == 0, corners[1][1:-1], (held[1:] == 1) & corners[0][1:-1])
+    breaks = np.flatnonzero((held[1:] != held[:-1]) | anchored[1:-1] | turns) + 1
+    firsts = np.concatenate([[0], breaks])
+    lasts = np.concatenate([breaks, [len(held)]])
+    lengths = a.length_at(positions[:, 0]), b.length_at(positions[:, 1])
+    kept = np.ones(len(positions), np.bool_)
+    forced = np.zeros(len(positions), np.bool_)
+    is_long = np.repeat(lasts - firsts >= LONG_HOLD, lasts - firsts)
+    fixed = anchored.copy()
+    middles: list[tuple[float, float]] = []
+    for p, q in zip(firsts.tolist(), lasts.tolist(), strict=True):
+        side = int(held[p])
+        if side == 2:
+            continue
+        if corners[side][p] and q - p >= LONG_HOLD:
+            fixed[[p, q]] = True
+            continue
+        # An end that is a corner of the advancing contour stays as it is.
+        ends = [
+            (end, beyond)
+            for end, beyond in ((p, p - 1), (q, q + 1))
+            if not anchored[end] and not corners[1 - side][end]
+        ]
+        kept[p + 1 : q] = False
+        for end, beyond in ends:
+            kept[end] = False
+            step = min(end, beyond)
+            if q - p >= LONG_HOLD:
+                if held[step] == 2:
+                    middles.append(tuple((0.5 * (positions[end] + positions[beyond])).tolist()))
+                elif is_long[step]:
+                    forced[end] = True
+        if q - p < LONG_HOLD and len(ends) == 2:
+            middle = 0.5 * (lengths[1 - side][p] + lengths[1 - side][q])
+            moved = float((b if side == 0 else a).position_at(np.array([middle]))[0])
+            middles.append((positions[p, 0], moved) if side == 0 else (moved, positions[p, 1]))
+        for end in {p, q} - {end for end, _ in ends}:
+            forced[end] = True
+    kept |= fixed | forced
+    without, fixed = _sort(np.concatenate([positions[kept], np.reshape(middles, (-1, 2))]), fixed[kept])
+    # Vertices within a hold that is gone: without them its curve would become a chord.
+    length_a, length_b = a.length_at(without[:, 0]), b.length_at(without[:, 1])
+    gone_a, gone_b = (
+        positions[~kept & (np.append(held == other, False) | np.append(False, held == other)), side]
+        for side, other in ((0, 1), (1, 0))
+    )
+    to_b = b.position_at(np.interp(a.length_at(gone_a), length_a, length_b))
+    to_a = a.position_at(np.interp(b.length_at(gone_b), length_b, length_a))
+    between = np.concatenate([np.stack([gone_a, to_b], axis=1), np.stack([to_a, gone_b], axis=1)])
+    return _sort(np.concatenate([without, between]), fixed)
+
+
+def _sort(positions: FloatArray, fixed: BoolArray) -> tuple[FloatArray, BoolArray]:
+    """Sort positions, whatever rounding has done to them; those beyond the end of `fixed` are not fixed."""
+    fixed = np.append(fixed, np.zeros(len(positions) - len(fixed), np.bool_))
+    order = np.lexsort((positions[:, 1], positions[:, 0]))
+    return np.maximum.accumulate(positions[order], axis=0), fixed[order]

@@ -1,0 +1,159 @@
+"""Positions along an outline: the polygon's vertex numbers, and the drawing's own segments under them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.flatten import COINCIDENT
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from shapeblend_cli.model import BoolArray, ComplexArray, Contour, FloatArray, IntArray, Polygon
+
+CORNER = 0.1
+"""Radians (about 6 degrees) by which an outline turns at least at a corner; smooth joints stay below by far."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ContourParameter:
+    """The parameter by which positions on a contour are given.
+
+    A position is a vertex number of the flattened polygon, or a number between two: 3.5 is halfway, in the curve's
+    parameter, from vertex 3 to vertex 4. Vertices are whole numbers, so the drawing's nodes stay exact under
+    addition. A closed contour continues past its start: position `count` is vertex 0 again.
+
+    Attributes
+    ----------
+    segments : (k, 4) complex
+    straight : (k,) bool
+    vertices : (m,) complex
+    closed : bool
+    segment : (e,) int
+        The segment on which each edge of the polygon lies; e = m if closed, else m - 1.
+    start, end : (e,) float
+        The edge's parameters on that segment.
+    lengths : (e + 1,) float
+        Length of the polygon up to each vertex.
+    node, corner : (e + 1,) bool
+        Whether the vertex ends a segment, and whether the outline turns there. Ends of open contours are both.
+    """
+
+    segments: ComplexArray
+    straight: BoolArray
+    vertices: ComplexArray
+    closed: bool
+    segment: IntArray
+    start: FloatArray
+    end: FloatArray
+    lengths: FloatArray
+    node: BoolArray
+    corner: BoolArray
+
+    @property
+    def count(self) -> int:
+        """Edges of the polygon."""
+        return len(self.segment)
+
+    def is_node(self, positions: FloatArray) -> BoolArray:
+        """Return whether each position is a node of the drawing."""
+        return self._at_vertices(self.node, positions)
+
+    def is_corner(self, positions: FloatArray) -> BoolArray:
+        """Return whether each position is a corner of the drawing."""
+        return self._at_vertices(self.corner, positions)
+
+    def _at_vertices(self, flags: BoolArray, positions: FloatArray) -> BoolArray:
+        whole = np.rint(positions)
+        numbers = whole.astype(np.intp)
+        return flags[numbers % self.count if self.closed else numbers] & (whole == positions)
+
+    def length_at(self, positions: FloatArray) -> FloatArray:
+        """Return the length of the polygon from vertex 0 to each position."""
+        return self._interpolate(positions, np.arange(self.count + 1.0), self.lengths)
+
+    def position_at(self, lengths: FloatArray) -> FloatArray:
+        """Return the positions at which the polygon has these lengths; at vertices, whole numbers."""
+        positions = self._interpolate(lengths, self.lengths, np.arange(self.count + 1.0))
+        whole = np.rint(positions)
+        return np.where(np.abs(positions - whole) < 1e-7, whole, positions)
+
+    def _interpolate(self, values: FloatArray, x: FloatArray, y: FloatArray) -> FloatArray:
+        """Map values linearly from x to y, which repeat on a closed contour."""
+        rounds = np.floor_divide(values, x[-1]) if self.closed else np.zeros_like(values)
+        return rounds * y[-1] + np.interp(values - rounds * x[-1], x, y)
+
+    def points(self, positions: FloatArray) -> ComplexArray:
+        """Return the contour's points at positions: on the curve, also between vertices."""
+        edge = np.floor(positions).astype(np.intp)
+        edge = edge % self.count if self.closed else np.minimum(edge, self.count - 1)
+        share = positions - np.floor(positions) if self.closed else positions - edge
+        parameter = self.start[edge] + (self.end[edge] - self.start[edge]) * share
+        return cubics.evaluate(self.segments[self.segment[edge]], parameter)
+
+    def pieces(self, positions: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
+        """Return the segment, first and last parameter of each piece between neighbouring positions.
+
+        Between equal positions the piece is a point, on the segment that begins or continues there.
+        """
+        first, last = positions[:-1], positions[1:]
+        begins = np.floor(first).astype(np.intp)
+        ends = np.maximum(np.ceil(last).astype(np.intp) - 1, begins)
+        if not self.closed:
+            begins, ends = np.minimum(begins, self.count - 1), np.minimum(ends, self.count - 1)
+        at, till = begins % self.count, ends % self.count
+        low = self.start[at] + (self.end[at] - self.start[at]) * (first - begins)
+        high = self.start[till] + (self.end[till] - self.start[till]) * (last - ends)
+        return self.segment[at], low, np.maximum(high, low)
+
+
+def parametrize(contour: Contour, polygon: Polygon) -> ContourParameter:
+    """Return the parameter of a contour whose polygon has two vertices or more."""
+    segments, closed = contour.segments, polygon.closed
+    vertices = polygon.vertices
+    count = len(vertices) if closed else len(vertices) - 1
+    following = (np.arange(count) + 1) % len(vertices)
+    size = float(np.abs(segments - segments[0, 0]).max())
+    segment = polygon.segment[following].copy()
+    at_node = polygon.parameter[following] == 0.0
+    if at_node.any():
+        # An edge that ends at a node lies on the segment before it; segments that are a point have no edge.
+        extent = np.abs(segments - segments[:, :1]).max(axis=1)
+        real = np.flatnonzero(extent > COINCIDENT * size)
+        rank = np.searchsorted(real, segment[at_node], side="left") - 1
+        segment[at_node] = real[rank]
+    same = segment == polygon.segment[:count]
+    start = np.where(same, polygon.parameter[:count], 0.0)
+    end = np.where(at_node, 1.0, polygon.parameter[following])
+    changes = np.roll(segment, -1) != segment
+    if not closed:
+        changes[-1:] = True
+    end = np.where(changes, 1.0, end)
+    lengths = np.concatenate([[0.0], np.cumsum(np.abs(vertices[following] - vertices[:count]))])
+    node = np.append(start == 0.0, True)
+    if closed:
+        node[-1] = node[0]
+    corner = np.zeros(count + 1, np.bool_)
+    numbers = np.flatnonzero(node[:count])
+    begin_direction, end_direction = cubics.directions(segments)
+    turn = np.angle(begin_direction[segment[numbers]] * end_direction[segment[numbers - 1]].conj())
+    corner[numbers] = np.abs(turn) > CORNER
+    corner[-1] = corner[0]
+    if not closed:
+        corner[[0, -1]] = True
+    return ContourParameter(
+        segments, contour.straight, vertices, closed, segment, start, end, lengths, node, corner
+    )
+
+
+def is_among(values: NDArray[Any], others: NDArray[Any]) -> BoolArray:
+    """Return `numpy.isin(values, others)`, without its first call's import of all of `numpy.ma`."""
+    if not len(others):
+        return np.zeros(len(values), np.bool_)
+    ranked = np.sort(others)
+    at = np.searchsorted(ranked, values)
+    return ranked[np.minimum(at, len(ranked) - 1)] == values

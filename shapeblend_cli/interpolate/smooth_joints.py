@@ -1,0 +1,229 @@
+"""Joints that are smooth in both drawings, and stay smooth in between.
+
+With control points on straight paths the handles on either side of a joint are at time t
+``(1 - t) * in_a * u + t * in_b * v`` and ``(1 - t) * out_a * u + t * out_b * v``, for handle lengths `in` and `out`
+and the drawings' directions u and v. They are parallel, and the joint stays smooth, if u is v or if
+``in_a / out_a = in_b / out_b``: if both drawings change speed alike at the joint. Two things can be chosen without
+leaving either drawing:
+
+- how a line is divided that becomes a curve: its inner points may lie anywhere on it;
+- where on a segment the other drawing's node is matched. That slides the correspondence, so it is weighed against how
+  far the in-between is moved sideways.
+
+What remains of a bend after both is mostly the polygons' own: their in-between bends as well, where from one edge to
+the next the vertices of one drawing suddenly follow each other faster, beside those of the other.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.interpolate.parametrization import CORNER
+
+if TYPE_CHECKING:
+    from shapeblend_cli.interpolate.parametrization import ContourParameter
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray
+
+SLIGHT_BEND = np.radians(1.0)
+"""A bend that weighs as much as a deviation by `SIDEWAYS`."""
+
+SIDEWAYS = 0.3
+"""A deviation, as a share of what is allowed."""
+
+LONGEST_SLIDE = 0.3
+"""The most by which a cut slides, as a share of the piece that becomes shorter."""
+
+LEAST_HANDLE, MOST_HANDLE = 0.05, 0.9
+"""Length of a handle on a line, as a share of the line: such a line never turns back."""
+
+BLOCK = 32
+"""So many cuts slide together, since that takes the time of their number cubed; blocks do not see each other."""
+
+
+def _in_blocks(values: FloatArray, rest: float) -> FloatArray:
+    """Return values in rows of `BLOCK`, the last one filled up."""
+    return np.append(values, np.full(-len(values) % BLOCK, rest)).reshape(-1, BLOCK)
+
+
+class _Joints(NamedTuple):
+    """The joint before each segment: whether it is smooth, its direction, the lengths of its handles in and out."""
+
+    smooth: BoolArray
+    direction: ComplexArray
+    inward: FloatArray
+    outward: FloatArray
+
+
+def _joints(segments: ComplexArray, closed: bool) -> _Joints:
+    begin, end = cubics.directions(segments)
+    turn = begin * np.roll(end, 1).conj()
+    inward = np.roll(np.abs(segments[:, 3] - segments[:, 2]), 1)
+    outward = np.abs(segments[:, 1] - segments[:, 0])
+    smooth = (turn.real >= np.cos(CORNER)) & (inward > 0.0) & (outward > 0.0)
+    if not closed:
+        smooth[0] = False
+    return _Joints(smooth, begin, np.where(smooth, inward, 1.0), np.where(smooth, outward, 1.0))
+
+
+def _excess(a: _Joints, b: _Joints) -> FloatArray:
+    """Return by how much the changes of speed differ; 0 keeps a joint smooth."""
+    return np.log(a.inward * b.outward / (a.outward * b.inward))
+
+
+def divide_lines(
+    segments_a: ComplexArray,
+    segments_b: ComplexArray,
+    line_a: BoolArray,
+    line_b: BoolArray,
+    closed: bool,
+) -> tuple[ComplexArray, ComplexArray]:
+    """Choose the inner points of lines that become curves so that smooth joints stay smooth.
+
+    Parameters
+    ----------
+    segments_a, segments_b : (s, 4) complex
+        Matched pieces of two contours.
+    line_a, line_b : (s,) bool
+        Which of them are lines, or points.
+    closed : bool
+
+    Returns
+    -------
+    segments_a, segments_b : (s, 4) complex
+        As given, but for the inner points of lines matched with curves. Those stay on the line.
+    """
+    free = line_a ^ line_b
+    if not free.any():
+        return segments_a, segments_b
+    free_a, free_b = line_a & free, line_b & free
+    even_a = _match_speeds(segments_a, segments_b, free_a)
+    even_b = _match_speeds(segments_b, segments_a, free_b)
+    a, b = _joints(even_a, closed), _joints(even_b, closed)
+    excess = np.where(a.smooth & b.smooth, _excess(a, b), 0.0)
+    # Where both pieces at a joint can change, each takes half.
+    share = np.exp(excess / np.maximum(1, free.astype(np.intp) + np.roll(free, 1)))
+    following = np.roll(share, -1)
+    return (
+        _scale_handles(even_a, free_a, share, 1.0 / following),
+        _scale_handles(even_b, free_b, 1.0 / share, following),
+    )
+
+
+def _match_speeds(segments: ComplexArray, others: ComplexArray, lines: BoolArray) -> ComplexArray:
+    """Divide lines so that each is as fast at its ends, for its length, as the curve it is matched with.
+
+    Then both are at the same share of their lengths at about the same time, as the polygons are.
+    """
+    legs = np.abs(np.diff(others[lines], axis=1))
+    chord = np.abs(others[lines, 3] - others[lines, 0])
+    length = 0.5 * (legs.sum(axis=1) + chord)
+    length = np.where(length > 0.0, length, 1.0)
+    return _set_handles(segments, lines, legs[:, 0] / length, legs[:, 2] / length)
+
+
+def _scale_handles(
+    segments: ComplexArray, lines: BoolArray, outward: FloatArray, inward: FloatArray
+) -> ComplexArray:
+    """Make the handles of lines so many times as long, within bounds."""
+    start, end = segments[lines, 0], segments[lines, 3]
+    whole = np.where(end == start, 1.0, np.abs(end - start))
+    head = np.abs(segments[lines, 1] - start) / whole * outward[lines]
+    tail = np.abs(end - segments[lines, 2]) / whole * inward[lines]
+    return _set_handles(segments, lines, head, tail)
+
+
+def _set_handles(
+    segments: ComplexArray, lines: BoolArray, head: FloatArray, tail: FloatArray
+) -> ComplexArray:
+    """Give lines handles of these lengths, as shares of the line."""
+    divided = segments.copy()
+    start, end = segments[lines, 0], segments[lines, 3]
+    divided[lines, 1] = start + np.clip(head, LEAST_HANDLE, MOST_HANDLE) * (end - start)
+    divided[lines, 2] = end - np.clip(tail, LEAST_HANDLE, MOST_HANDLE) * (end - start)
+    return divided
+
+
+def slide_cuts(
+    a: ContourParameter, b: ContourParameter, cuts: FloatArray, loose: BoolArray, distance: float
+) -> FloatArray:
+    """Slide cuts so that joints bend less: one step of damped least squares.
+
+    Of a cut at a node of one contour the position on the other one slides; a cut at nodes of both cannot. The bend at
+    half time is, to first order, a weight times the logarithm of ``in_a * out_b / (out_a * in_b)``, and handles are as
+    long as the piece in its segment's parameter; so each joint depends on its own cut and on the two beside it.
+
+    Parameters
+    ----------
+    a, b : ContourParameter
+    cuts : (s + 1, 2) float
+        Positions; those of closed contours end where they began.
+    loose : (s + 1,) bool
+        Which cuts may slide.
+    distance : float
+        How far the in-between may deviate, in the drawing's unit.
+
+    Returns
+    -------
+    (s + 1, 2) float
+    """
+    numbers = np.arange(len(cuts) - 1)
+    parts = [one.pieces(cuts[:, side]) for side, one in enumerate((a, b))]
+    spans = np.stack([end - start for _, start, end in parts])
+    real = (spans > 1e-9).all(axis=0)
+    line_a, line_b = (one.straight[segment] for one, (segment, _, _) in zip((a, b), parts, strict=True))
+    joints_a, joints_b = (
+        _joints(cubics.pieces(one.segments[segment], start, end), a.closed)
+        for one, (segment, start, end) in zip((a, b), parts, strict=True)
+    )
+    smooth = joints_a.smooth & joints_b.smooth & real & np.roll(real, 1)
+    # Lines that become curves are divided as their joints need, so these never bend.
+    free = line_a ^ line_b
+    bends = smooth & ~free & ~np.roll(free, 1)
+    node_a, node_b = a.is_node(cuts[:-1, 0]), b.is_node(cuts[:-1, 1])
+    movable = loose[:-1] & smooth & ~(node_a & node_b)
+    if not (bends.any() and movable.any()):
+        return cuts
+
+    excess = _excess(joints_a, joints_b)
+    turn = np.angle(joints_b.direction * joints_a.direction.conj())
+    ratio = np.sqrt(joints_b.inward * joints_b.outward / (joints_a.inward * joints_a.outward))
+    bend = ratio * np.abs(np.sin(turn)) / np.maximum(1.0 + ratio**2 + 2.0 * ratio * np.cos(turn), 1e-2)
+    weight = np.where(bends, bend, 0.0) / SLIGHT_BEND
+    middle = np.angle(1.0 + ratio * np.exp(1j * turn))  # the in-between's direction, from A's
+
+    side = np.where(node_b & ~node_a, 0, 1)
+    sign = np.where(side == 0, 1.0, -1.0)
+    after = np.where(smooth, spans[side, numbers], 1.0)
+    before = np.where(smooth, spans[side, numbers - 1], 1.0)
+    shorter = np.minimum(before, after)
+    speed = 3.0 * np.where(side == 0, joints_a.outward, joints_b.outward) / after
+    sideways = 0.5 * speed * np.abs(np.sin(np.where(side == 0, middle, turn - middle)))
+    stiffness = (sideways / (SIDEWAYS * distance)) ** 2 + (2.0 / shorter) ** 2
+    steps = np.diff(cuts, axis=0)
+    # A column is what the slide of a cut does to its own joint and to those before and after it.
+    own, earlier, later = (
+        _in_blocks(np.where(movable, sign * change, 0.0), 0.0)
+        for change in (1.0 / before + 1.0 / after, -1.0 / before, -1.0 / after)
+    )
+    k = np.arange(BLOCK)
+    matrix = np.zeros((len(own), BLOCK, BLOCK))
+    matrix[:, k, k] = own
+    matrix[:, k[:-1], k[1:]] = earlier[:, 1:]
+    matrix[:, k[1:], k[:-1]] = later[:, :-1]
+    matrix *= _in_blocks(weight, 0.0)[:, :, None]
+    across = np.swapaxes(matrix, 1, 2)
+    normal = across @ matrix
+    normal[:, k, k] += _in_blocks(stiffness, 1.0)
+    target = across @ _in_blocks(-weight * excess, 0.0)[:, :, None]
+    slide = np.linalg.solve(normal, target).ravel()[: len(numbers)]
+    slide = np.clip(slide, -LONGEST_SLIDE * shorter, LONGEST_SLIDE * shorter)
+    # From parameters to positions, by the mean density of vertices on the piece that becomes shorter.
+    density = np.where(slide > 0.0, steps[numbers, side] / after, steps[numbers - 1, side] / before)
+    moves = np.zeros_like(cuts)
+    moves[numbers, side] = np.where(movable, slide * density, 0.0)
+    if a.closed:
+        moves[-1] = moves[0]
+    return cuts + moves
