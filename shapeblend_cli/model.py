@@ -122,10 +122,6 @@ class LinearGradient(NamedTuple):
     stops: tuple[Stop, ...]
     spread: str = "pad"
 
-    def moved(self, scale: float, shift: complex) -> LinearGradient:
-        """The gradient under ``z -> scale * z + shift``."""
-        return self._replace(start=scale * self.start + shift, end=scale * self.end + shift)
-
 
 class RadialGradient(NamedTuple):
     """Colours from a focus out to an ellipse, in the coordinates of the drawing.
@@ -155,11 +151,6 @@ class RadialGradient(NamedTuple):
     focal_radius: float
     stops: tuple[Stop, ...]
     spread: str = "pad"
-
-    def moved(self, scale: float, shift: complex) -> RadialGradient:
-        """The gradient under ``z -> scale * z + shift``."""
-        first, second = self.radii
-        return self._replace(centre=scale * self.centre + shift, radii=(scale * first, scale * second))
 
 
 if TYPE_CHECKING:
@@ -200,17 +191,6 @@ class Style(NamedTuple):
             return self._replace(fill=stop.colour, fill_opacity=opacity, fill_gradient=None)
         opacity = self.stroke_opacity * stop.opacity
         return self._replace(stroke=stop.colour, stroke_opacity=opacity, stroke_gradient=None)
-
-    def moved(self, scale: float, shift: complex) -> Style:
-        """The style of a shape under ``z -> scale * z + shift``."""
-        fill, stroke = self.fill_gradient, self.stroke_gradient
-        return self._replace(
-            stroke_width=scale * self.stroke_width,
-            stroke_dasharray=tuple(scale * length for length in self.stroke_dasharray),
-            stroke_dashoffset=scale * self.stroke_dashoffset,
-            fill_gradient=fill and fill.moved(scale, shift),
-            stroke_gradient=stroke and stroke.moved(scale, shift),
-        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)

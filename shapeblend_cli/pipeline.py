@@ -13,7 +13,8 @@ import numpy as np
 
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.normalise import Similarity, lay_over
+from shapeblend_cli.geometry.normalise import lay_over
+from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.paths import between, with_curves
 from shapeblend_cli.interpolate.times import frame_times
 from shapeblend_cli.model import (
@@ -32,7 +33,7 @@ from shapeblend_cli.motion.choose import RotatedShape, choose_motion, is_as_good
 from shapeblend_cli.motion.rotation import is_turned, turn_between
 from shapeblend_cli.paint.styles import blend_styles, painted_as
 from shapeblend_cli.pairing.constraints import Constraints, check_stiff, constraints_for, given_pairs, pinned
-from shapeblend_cli.pairing.decompose import PlacedContour, decompose, main_orientation, rotated_contours
+from shapeblend_cli.pairing.decompose import PlacedContour, decompose, main_orientation
 from shapeblend_cli.pairing.matching import choose_direction, match_contours, part_of
 from shapeblend_cli.pairing.pair import pair_contours
 from shapeblend_cli.pairing.shapes import Match, shape_blends
@@ -188,7 +189,7 @@ def _place(drawings: Sequence[Drawing], settings: Settings) -> tuple[list[_Place
         parts, left_out = decompose(drawing, to_a, settings.vertices, way)
         way = way or main_orientation([part.polygon for part in parts])
         drawn = as_drawn(drawing, to_a)
-        viewbox = first.viewbox if settings.place == "bbox" else to_a.box(drawing.viewbox)
+        viewbox = first.viewbox if settings.place == "bbox" else drawing.viewbox and to_a.box(drawing.viewbox)
         placed.append(_PlacedDrawing(drawing, to_a, parts, drawn, view_of(drawn, viewbox)))
         notes += left_out
     return placed, notes
@@ -337,12 +338,13 @@ def _couples(
     """The pairs of contours, found with B turned back by an angle about its largest one, which is laid over A's."""
     if not turn:
         return pair_contours(a, b, settings, given)
-    onto, about = (max(parts, key=lambda part: part.size).polygon.vertices.mean() for parts in (a, b))
-    couples = pair_contours(a, rotated_contours(b, -turn, about, onto), settings, given)
+    in_a, in_b = (max(parts, key=lambda part: part.size).polygon.vertices.mean() for parts in (a, b))
+    back = Similarity.rotation(-turn, about=in_b, onto=in_a)
+    there = Similarity.rotation(turn, about=in_a, onto=in_b)
+    couples = pair_contours(a, [part.transformed(back) for part in b], settings, given)
     own = {part.number: part for part in b}
     return [
-        (one, rotated_contours([other], turn, onto, about)[0] if other.is_piece else own[other.number])
-        for one, other in couples
+        (one, other.transformed(there) if other.is_piece else own[other.number]) for one, other in couples
     ]
 
 
@@ -359,7 +361,7 @@ def as_drawn(drawing: Drawing, over: Similarity) -> tuple[PaintedShape, ...]:
     return tuple(
         PaintedShape(
             tuple(CubicPath(over.points(c.segments), c.straight, c.closed) for c in shape.contours),
-            shape.style.moved(*over),
+            over.style(shape.style),
         )
         for shape in drawing.shapes
     )

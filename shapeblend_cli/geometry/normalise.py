@@ -2,35 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
-from shapeblend_cli.model import Box, Contour, Polygon
+from shapeblend_cli.geometry.similarity import Similarity
+from shapeblend_cli.model import Box, Polygon
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray
-
-
-class Similarity(NamedTuple):
-    """Uniform scaling and a shift: ``z -> scale * z + shift``."""
-
-    scale: float = 1.0
-    shift: complex = 0j
-
-    def points(self, z: ComplexArray) -> ComplexArray:
-        """Map points."""
-        return self.scale * z + self.shift
-
-    def box(self, box: Box | None) -> Box | None:
-        """Map a box, if there is one."""
-        if box is None:
-            return None
-        corner = self.scale * complex(box.x, box.y) + self.shift
-        return Box(corner.real, corner.imag, self.scale * box.width, self.scale * box.height)
-
-    def contour(self, contour: Contour) -> Contour:
-        """Map a contour."""
-        return replace(contour, segments=self.points(contour.segments))
 
 
 def lay_over(box: Box, onto: Box) -> Similarity:

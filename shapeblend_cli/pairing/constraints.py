@@ -12,7 +12,7 @@ from shapeblend_cli.pairing.pair import pair_contours
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.geometry.normalise import Similarity
+    from shapeblend_cli.geometry.similarity import Similarity
     from shapeblend_cli.model import Drawing, Polygon
     from shapeblend_cli.pairing.decompose import PlacedContour
     from shapeblend_cli.settings import Settings
@@ -53,7 +53,7 @@ def pinned(
     for pin in settings.pins:
         if _is_numbers(pin):
             continue
-        points = pin[0], complex(over.points(np.array(pin[1])))
+        points = pin[0], over.point(pin[1])
         i, j = (_nearest(parts, point) for parts, point in zip((a, b), points, strict=True))
         found.append(Pinned((i, j), points))
     return found

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
-from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -11,7 +9,6 @@ import numpy as np
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.normalise import Similarity
 from shapeblend_cli.geometry.polygons import (
     orientation,
     reverse_contour,
@@ -19,13 +16,14 @@ from shapeblend_cli.geometry.polygons import (
     signed_area,
     winding_numbers,
 )
+from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.pairing.nesting import nest
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, Drawing, Polygon, Shape, Style
+    from shapeblend_cli.model import Drawing, Polygon, Shape, Style
 
 EXTERIOR, HOLE, LINE = "exterior", "hole", "line"
 
@@ -90,22 +88,12 @@ class PlacedContour(NamedTuple):
         """Middle of the box."""
         return self.box.centre
 
-
-def rotated_contours(
-    parts: Sequence[PlacedContour], turn: float, about: complex, onto: complex
-) -> list[PlacedContour]:
-    """Contours turned by an angle, in radians, about a point that is laid onto another one."""
-    rotation = cmath.rect(1.0, turn)
-
-    def moved(z: ComplexArray) -> ComplexArray:
-        return rotation * (z - about) + onto
-
-    found = []
-    for part in parts:
-        contour = replace(part.contour, segments=moved(part.contour.segments))
-        polygon = replace(part.polygon, vertices=moved(part.polygon.vertices))
-        found.append(part._replace(contour=contour, polygon=polygon, box=Box.around(polygon.vertices)))
-    return found
+    def transformed(self, by: Similarity) -> PlacedContour:
+        """Return the contour under a map that does not scale."""
+        polygon = by.polygon(self.polygon)
+        return self._replace(
+            contour=by.contour(self.contour), polygon=polygon, box=Box.around(polygon.vertices)
+        )
 
 
 class _Usable(NamedTuple):
@@ -219,7 +207,7 @@ def _parts_of(
     closed = [(number, polygon) for number, contour, polygon in usable if contour.closed]
     outline_of: dict[int, int | None] = {}
     turned: dict[int, bool] = {}
-    style = shape.style.moved(*over)
+    style = over.style(shape.style)
     if closed and style.fill is not None:
         nesting = nest([polygon for _, polygon in closed], style.fill_rule, way)
         for (number, _), home, turn in zip(closed, nesting.outline, nesting.turned, strict=True):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -13,6 +12,7 @@ from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.normalise import to_unit_box
 from shapeblend_cli.geometry.polygons import orientation, reverse_contour, reverse_polygon
+from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.match.work import Wires
 from shapeblend_cli.model import Contour, ContourBlend, Correspondence, CubicPath, Polygon, unroll
@@ -106,12 +106,12 @@ def _blend(
 
 
 def _turned_back(polygon: Polygon, turn: float) -> Polygon:
-    return replace(polygon, vertices=cmath.rect(1.0, -turn) * polygon.vertices) if turn else polygon
+    return Similarity.rotation(-turn).polygon(polygon) if turn else polygon
 
 
 def _pin_turned_back(pin: Pin, turn: float) -> Pin:
     """A pin for B turned back; vertex numbers stay what they are."""
-    return pin if isinstance(pin[1], int) else (pin[0], cmath.rect(1.0, -turn) * pin[1])
+    return pin if isinstance(pin[1], int) else (pin[0], Similarity.rotation(-turn).point(pin[1]))
 
 
 def grow_from_point(part: PlacedContour, point: complex, *, of_b: bool) -> ContourBlend:

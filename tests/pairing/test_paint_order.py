@@ -1,6 +1,6 @@
 import pytest
 
-from shapeblend_cli.geometry.normalise import Similarity
+from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.pairing.decompose import decompose
 from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
 from tests.support.drawings import drawing

@@ -1,7 +1,7 @@
 import pytest
 
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.geometry.normalise import Similarity
+from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.pairing.decompose import decompose
 from shapeblend_cli.pairing.pair import pair_contours
 from shapeblend_cli.settings import Settings

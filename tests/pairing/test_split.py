@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.geometry.cubics import signed_area
-from shapeblend_cli.geometry.normalise import Similarity
 from shapeblend_cli.geometry.polygons import winding_numbers
+from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.pairing.decompose import EXTERIOR, decompose
 from shapeblend_cli.pairing.pair import pair_contours
 from shapeblend_cli.settings import Settings

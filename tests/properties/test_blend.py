@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from shapeblend_cli.constants import WorkConstants
-from shapeblend_cli.geometry.normalise import Similarity
+from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.model import Contour, Style
 from shapeblend_cli.pipeline import blend
@@ -27,7 +27,7 @@ constants = st.builds(
     c_s=st.floats(0.1, 1),
 )
 similarities = st.builds(
-    Similarity, st.floats(0.01, 100), st.builds(complex, st.floats(-50, 50), st.floats(-50, 50))
+    Similarity, st.floats(0.01, 100), st.builds(complex, st.floats(-50, 50), st.floats(-50, 50)), st.just(0j)
 )
 ASIS = Settings(place="asis", vertices=40, motion="linear")
 

@@ -1,0 +1,73 @@
+"""Similarities of the plane, which map drawings whole: contours, boxes, and the lengths of their styles."""
+
+from __future__ import annotations
+
+import cmath
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
+
+from shapeblend_cli.model import Box, LinearGradient
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import ComplexArray, Contour, Gradient, Polygon, Style
+
+
+class Similarity(NamedTuple):
+    """The map ``z -> factor * (z - about) + onto``.
+
+    Attributes
+    ----------
+    factor : complex
+        Its absolute value scales, its argument rotates.
+    onto, about : complex
+        A point, and the one that is laid onto it. Kept apart, because rounding is less around a drawing's own centre.
+    """
+
+    factor: complex = 1.0
+    onto: complex = 0j
+    about: complex = 0j
+
+    @classmethod
+    def rotation(cls, angle: float, onto: complex = 0j, about: complex = 0j) -> Similarity:
+        """Return the rotation by an angle in radians, positive from x towards y."""
+        return cls(cmath.rect(1.0, angle), onto, about)
+
+    def point(self, z: complex) -> complex:
+        """Map a point."""
+        return self.factor * (z - self.about) + self.onto
+
+    def points(self, z: ComplexArray) -> ComplexArray:
+        """Map points."""
+        return self.factor * (z - self.about) + self.onto
+
+    def contour(self, contour: Contour) -> Contour:
+        """Map a contour."""
+        return replace(contour, segments=self.points(contour.segments))
+
+    def polygon(self, polygon: Polygon) -> Polygon:
+        """Map a polygon."""
+        return replace(polygon, vertices=self.points(polygon.vertices))
+
+    # What follows is for maps that do not rotate.
+
+    def box(self, box: Box) -> Box:
+        """Map a box."""
+        corner = self.point(complex(box.x, box.y))
+        return Box(corner.real, corner.imag, abs(self.factor) * box.width, abs(self.factor) * box.height)
+
+    def style(self, style: Style) -> Style:
+        """Map the lengths and gradients of a style."""
+        scale = abs(self.factor)
+        return style._replace(
+            stroke_width=scale * style.stroke_width,
+            stroke_dasharray=tuple(scale * length for length in style.stroke_dasharray),
+            stroke_dashoffset=scale * style.stroke_dashoffset,
+            fill_gradient=style.fill_gradient and self._gradient(style.fill_gradient),
+            stroke_gradient=style.stroke_gradient and self._gradient(style.stroke_gradient),
+        )
+
+    def _gradient(self, gradient: Gradient) -> Gradient:
+        if isinstance(gradient, LinearGradient):
+            return gradient._replace(start=self.point(gradient.start), end=self.point(gradient.end))
+        first, second = (abs(self.factor) * radius for radius in gradient.radii)
+        return gradient._replace(centre=self.point(gradient.centre), radii=(first, second))
