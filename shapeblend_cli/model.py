@@ -273,6 +273,11 @@ class Polygon:
         object.__setattr__(self, "segment", frozen(self.segment, np.intp))
         object.__setattr__(self, "parameter", frozen(self.parameter, np.float64))
 
+    @property
+    def box(self) -> Box:
+        """The box around the vertices."""
+        return Box.around(self.vertices)
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Correspondence:

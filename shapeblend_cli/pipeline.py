@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.clock import Clock
-from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.normalise import lay_over
+from shapeblend_cli.geometry.placement import place_over
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.paths import between, with_curves
 from shapeblend_cli.interpolate.times import frame_times
@@ -377,22 +376,6 @@ def make_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
         as_drawn = settings.curves and settings.style == "blend"
         frames += [frame_at(pair, t, as_drawn=as_drawn) for t in times]
     return frames
-
-
-def place_over(a: Drawing, b: Drawing, place: str) -> Similarity:
-    """The map that lays B over A; a drawing without a viewBox has its bounds for one."""
-    if place == "asis":
-        return Similarity()
-    if place == "bbox":
-        return lay_over(drawn_box(b), drawn_box(a))
-    return lay_over(b.viewbox or drawn_box(b), a.viewbox or drawn_box(a))
-
-
-def drawn_box(drawing: Drawing) -> Box:
-    """The box around everything a drawing paints, without the width of strokes."""
-    return Box.union(
-        [cubics.bounds(contour.segments) for shape in drawing.shapes for contour in shape.contours]
-    )
 
 
 def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:

@@ -16,7 +16,7 @@ import numpy as np
 
 from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.normalise import to_unit_box
+from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polygons import orientation, reverse_polygon
 from shapeblend_cli.match import starts
 from shapeblend_cli.match.solve import least_work
@@ -42,7 +42,7 @@ def outlines(pair, vertices):
     a, b = (flatten(contour, vertices) for contour in contours)
     if orientation(a) != orientation(b):
         b = reverse_polygon(b, len(contours[1].segments))
-    return to_unit_box(a)[0], to_unit_box(b)[0]
+    return to_unit_box(a), to_unit_box(b)
 
 
 def divide_and_conquer(p0, p1):

@@ -1,1 +1,1 @@
-"""From curves to polygons: flatten, place, normalise."""
+"""Curves, polygons and boxes: measured, flattened, placed."""

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.normalise import to_unit_box
+from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.match.solve import least_work
 
 if TYPE_CHECKING:
@@ -98,7 +98,7 @@ def _worth_solving(cheap: FloatArray) -> list[tuple[int, int]]:
 def _work(a: PlacedContour, b: PlacedContour, constants: WorkConstants) -> float:
     """Least work between two contours, each in its unit box, on a few of their vertices."""
     closed = a.polygon.closed and b.polygon.closed
-    return coarse_work(to_unit_box(a.polygon)[0], to_unit_box(b.polygon)[0], closed, constants)
+    return coarse_work(to_unit_box(a.polygon), to_unit_box(b.polygon), closed, constants)
 
 
 def coarse_work(p0: ComplexArray, p1: ComplexArray, closed: bool, constants: WorkConstants) -> float:

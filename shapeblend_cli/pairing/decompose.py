@@ -91,9 +91,7 @@ class PlacedContour(NamedTuple):
     def transformed(self, by: Similarity) -> PlacedContour:
         """Return the contour under a map that does not scale."""
         polygon = by.polygon(self.polygon)
-        return self._replace(
-            contour=by.contour(self.contour), polygon=polygon, box=Box.around(polygon.vertices)
-        )
+        return self._replace(contour=by.contour(self.contour), polygon=polygon, box=polygon.box)
 
 
 class _Usable(NamedTuple):
@@ -223,9 +221,5 @@ def _parts_of(
         if turned.get(number, False):
             polygon = reverse_polygon(polygon, len(contour.segments))
             contour = reverse_contour(contour)
-        parts.append(
-            PlacedContour(
-                number, index, contour, polygon, Box.around(polygon.vertices), role, home, style, any_rule
-            )
-        )
+        parts.append(PlacedContour(number, index, contour, polygon, polygon.box, role, home, style, any_rule))
     return parts

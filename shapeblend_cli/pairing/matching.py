@@ -10,7 +10,7 @@ import numpy as np
 
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.normalise import to_unit_box
+from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polygons import orientation, reverse_contour, reverse_polygon
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.match.solve import least_work
@@ -75,7 +75,7 @@ def match_contours(
     if backwards:
         polygon_b = reverse_polygon(polygon_b, len(contour_b.segments))
         contour_b = reverse_contour(contour_b)
-    scales = to_unit_box(a.polygon)[1], to_unit_box(turned)[1]
+    scales = a.polygon.box.larger_side, turned.box.larger_side
     return _blend(
         (a.number, b.number), (a.contour, contour_b), (a.polygon, polygon_b), scales, found
     )._replace(rotation=turn)
@@ -116,7 +116,7 @@ def _pin_turned_back(pin: Pin, turn: float) -> Pin:
 
 def grow_from_point(part: PlacedContour, point: complex, *, of_b: bool) -> ContourBlend:
     """A contour that grows from a point, if it is B's, or shrinks to one, if it is A's. Nothing is solved."""
-    size = to_unit_box(part.polygon)[1]
+    size = part.polygon.box.larger_side
     spot = Polygon(np.array([point]), np.zeros(1, np.intp), np.zeros(1), part.polygon.closed)
     still = replace(part.contour, segments=np.full_like(part.contour.segments, point))
     every = np.arange(len(part.polygon.vertices))
@@ -145,14 +145,14 @@ def choose_direction(
     correspondence : Correspondence
     """
     ways = _backwards(a, b, settings.reverse)
-    unit_a = to_unit_box(a)[0]
+    unit_a = to_unit_box(a)
     weight = _weight(a, settings.stiff)
     solved: list[tuple[bool, Correspondence]] = []
     refused: list[MatchError] = []
     for run, backwards in enumerate(ways):
         # Only the vertices count here, and they do not depend on the number of segments.
         candidate = reverse_polygon(b, 1) if backwards else b
-        unit_b = to_unit_box(candidate)[0]
+        unit_b = to_unit_box(candidate)
         solve = partial(
             least_work,
             unit_a,
@@ -185,8 +185,8 @@ def solved_wires(contour: ContourBlend, settings: Settings) -> Wires:
     """The wires of a matched contour as they were solved: in the unit box, B turned back, A stiff where asked for."""
     turned = _turned_back(contour.polygon_b, contour.rotation)
     return Wires(
-        to_unit_box(contour.polygon_a)[0],
-        to_unit_box(turned)[0],
+        to_unit_box(contour.polygon_a),
+        to_unit_box(turned),
         contour.correspondence.closed,
         settings.constants,
         _weight(contour.polygon_a, settings.stiff),
@@ -227,8 +227,8 @@ def _opened(outline: PlacedContour, line: PlacedContour, settings: Settings) -> 
     """An outline cut at the node from which it becomes the line, or comes of it, with the least work."""
     nodes = np.flatnonzero(outline.polygon.parameter == 0.0)
     nodes = nodes[:: -(-len(nodes) // OPENINGS)] if len(nodes) else np.zeros(1, np.intp)
-    p = to_unit_box(line.polygon)[0]
-    unit = to_unit_box(outline.polygon)[0]
+    p = to_unit_box(line.polygon)
+    unit = to_unit_box(outline.polygon)
 
     def work(vertex: int) -> float:
         rolled = np.roll(unit, -vertex)

@@ -69,7 +69,7 @@ def nest(polygons: Sequence[Polygon], rule: str, way: int = 1) -> Nesting:
     if len(polygons) == 1:
         return Nesting((None,), (ways[0] == -way,), "nonzero" if is_simple else rule, is_simple)
 
-    boxes = [Box.around(polygon.vertices) for polygon in polygons]
+    boxes = [polygon.box for polygon in polygons]
     sides = [
         tuple(_windings(points, polygons, boxes) for points in _both_sides(polygon, box, own))
         for polygon, box, own in zip(polygons, boxes, ways, strict=True)

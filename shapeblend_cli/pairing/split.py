@@ -9,7 +9,7 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
-from shapeblend_cli.model import Box, Contour
+from shapeblend_cli.model import Contour
 from shapeblend_cli.pairing.decompose import EXTERIOR, PlacedContour
 
 if TYPE_CHECKING:
@@ -93,7 +93,7 @@ def _nearest(part: PlacedContour, owners: Sequence[PlacedContour]) -> int:
 
 def _piece(owner: PlacedContour, contour: Contour, vertices: int) -> PlacedContour:
     polygon = flatten(contour, vertices)
-    return owner._replace(contour=contour, polygon=polygon, box=Box.around(polygon.vertices), is_piece=True)
+    return owner._replace(contour=contour, polygon=polygon, box=polygon.box, is_piece=True)
 
 
 class _Cut(NamedTuple):

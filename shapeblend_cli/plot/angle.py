@@ -262,7 +262,7 @@ def _span(axes: Axes, t: float, begin: float, end: float) -> None:
 
 def _thumb(figure: Figure, top: float, name: str, polygon: Polygon, vertex: int) -> None:
     """The contour, small, with the vertex and what is beside it."""
-    box = Box.around(polygon.vertices)
+    box = polygon.box
     scale = (THUMB - 8.0) / box.larger_side
     centre = box.centre
     onto = complex(THUMBS_LEFT + THUMB / 2.0, top + THUMB / 2.0)

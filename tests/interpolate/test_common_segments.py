@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.normalise import to_unit_box
+from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.interpolate.common_segments import TOLERANCE, common_segments
 from shapeblend_cli.interpolate.continuous_match import match_continuously
 from shapeblend_cli.interpolate.parametrization import CORNER, parametrize
@@ -48,7 +48,7 @@ def rounded_square(side=2.0, radius=0.4, centre=0j):
 def solved(a, b, vertices=120):
     """What the solver is given and what it says."""
     polygon_a, polygon_b = flatten(a, vertices), flatten(b, vertices)
-    found = least_work(to_unit_box(polygon_a)[0], to_unit_box(polygon_b)[0], a.closed, WorkConstants())
+    found = least_work(to_unit_box(polygon_a), to_unit_box(polygon_b), a.closed, WorkConstants())
     return a, polygon_a, b, polygon_b, found.dots
 
 
