@@ -14,6 +14,7 @@ from shapeblend_cli.svg.reading.messages import printable
 
 NUMBER = r"(?>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
 
+BLANKS = " \t\r\n\f"
 BLANK = r"[ \t\r\n\f]"
 GAP = rf"{BLANK}*+(?:,{BLANK}*+)?+"
 """What may stand between two numbers."""
@@ -136,7 +137,7 @@ def _error(text: str, expected: str) -> NumberError:
     end = 0
     before: list[float] = []
     while match := _NEXT_NUMBER.match(text, end):
-        number = match[0].strip(", \t\r\n\f")
+        number = match[0].strip(BLANKS + ",")
         start = match.end() - len(number)
         if end == 0 and "," in match[0]:
             break
@@ -144,5 +145,5 @@ def _error(text: str, expected: str) -> NumberError:
             return NumberError(start, f"{printable(number, 20)}, which is beyond {LIMIT:g}", before)
         before.append(float(number))
         end = match.end()
-    rest = text[end:].lstrip(" \t\r\n\f")
+    rest = text[end:].lstrip(BLANKS)
     return NumberError(len(text) - len(rest), f"'{printable(rest[:12])}' where {expected} belongs", before)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from shapeblend_cli.geometry.cubics import bounds, lengths
+from shapeblend_cli.svg.reading import path_data
 from shapeblend_cli.svg.reading.read import read
 
 
@@ -32,3 +33,10 @@ def boxes(drawing):
 def length(drawing):
     """Return the length of all contours together."""
     return sum(lengths(contour.segments).sum() for shape in drawing.shapes for contour in shape.contours)
+
+
+def path_contours(data):
+    """Return the contours of path data that keeps to the grammar."""
+    subpaths, error = path_data.scan(data)
+    assert error is None
+    return path_data.trace(subpaths)

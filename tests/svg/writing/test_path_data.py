@@ -6,10 +6,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from shapeblend_cli.model import Box, CubicPath
-from shapeblend_cli.svg.reading.path_data import read as read_path_data
 from shapeblend_cli.svg.writing.path_data import path_data, short_path_data
 from shapeblend_cli.svg.writing.rounding import decimals_for, number
 from tests.support.contours import circle_contour, polygon_contour
+from tests.svg.reading.drawings import path_contours
 
 coordinates = st.floats(-1000, 1000)
 points = st.builds(complex, coordinates, coordinates)
@@ -34,7 +34,7 @@ def kinds(text):
 @given(st.lists(outlines(), min_size=1, max_size=3), st.integers(0, 5))
 def test_what_is_written_is_read_again(write, given, decimals):
     text = write(given, decimals)
-    read = read_path_data(text)
+    read = path_contours(text)
     within = 0.71 * 10.0**-decimals
     # What rounding has made a point is not read.
     if len(read) == len(given):
