@@ -118,10 +118,10 @@ def _flag(value: Any) -> bool:
 
 
 def _selector(value: Any) -> Any:
-    from shapeblend_cli.svg.reading.selection import SelectorError, check
+    from shapeblend_cli.svg.reading.selection import SelectorError, check_selector
 
     try:
-        check(value)
+        check_selector(value)
     except SelectorError as error:
         raise Unfit(f"#id or a CSS selector ({error})") from None
     return value

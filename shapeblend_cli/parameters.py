@@ -187,10 +187,10 @@ class SelectorType(click.ParamType[str]):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
         """Look whether it can be one."""
-        from shapeblend_cli.svg.reading.selection import SelectorError, check
+        from shapeblend_cli.svg.reading.selection import SelectorError, check_selector
 
         try:
-            check(value)
+            check_selector(value)
         except SelectorError as error:
             self.fail(str(error), param, ctx)
         return str(value)

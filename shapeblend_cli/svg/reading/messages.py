@@ -11,6 +11,12 @@ class Problem(Exception):
     """What is wrong with a file and what would work; `read` adds the file's name."""
 
 
+def check_limit(count: int, most: int, things: str) -> None:
+    """Raise a Problem if there are more things than are read."""
+    if count > most:
+        raise Problem(f"more than {most} {things}, the most that are read")
+
+
 class Notes:
     """Phrases, each with the number of times it applies."""
 

@@ -9,7 +9,7 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import Stop, Style
 from shapeblend_cli.svg.reading import colours, gradients
-from shapeblend_cli.svg.reading.messages import Problem
+from shapeblend_cli.svg.reading.messages import check_limit
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -141,7 +141,6 @@ class Painter:
         if key not in self._stops:
             stops = gradients.read_stops(links, self._cascade, inherited)
             self._stops_read += len(stops)
-            if self._stops_read > MAX_STOPS:
-                raise Problem(f"more than {MAX_STOPS} stops of gradients, the most that are read")
+            check_limit(self._stops_read, MAX_STOPS, "stops of gradients")
             self._stops[key] = inherited, stops
         return self._stops[key][1]

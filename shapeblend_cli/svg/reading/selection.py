@@ -1,7 +1,7 @@
-"""Which elements of a document a selector means, and what to say when that is nothing.
+"""The elements of a document that a selector matches, and messages for selectors that match or paint nothing.
 
-A text that begins with ``#`` is first of all an id, whatever its characters: editors write ``layer 1`` and ``1st``,
-which no CSS selector can spell without escapes. Anything else, and an id that is not there, is a CSS selector.
+A text that begins with ``#`` is first taken for an id, whatever its characters: editors write ``layer 1`` and ``1st``,
+which no CSS selector can spell without escapes. Anything else, and an id that does not exist, is a CSS selector.
 """
 
 from __future__ import annotations
@@ -18,57 +18,44 @@ if TYPE_CHECKING:
     from shapeblend_cli.svg.reading.xmltree import Node
 
 _MAX_SELECTOR = 2_000
-
-_NEAR, _FEW = 3, 5
+_MAX_SUGGESTED, _MAX_LISTED = 3, 5
 _MAX_COMPARED = 2_000
 _MAX_WORD = 100
 _MAX_WORDS = 8
-# What of a selector is neither a type nor a class nor an id.
+# Parts of a selector that are neither a type nor a class nor an id.
 _OTHER_PARTS = re.compile(r"""\[[^\]]*+\]|"[^"]*+"|'[^']*+'|::?[\w-]++""")
 _WORD = re.compile(r"[#.]?[\w-]++")
 
 
 class SelectorError(ValueError):
-    """A text that is no selector; says what is wrong with it, and what would work."""
+    """What is wrong with a text that is no selector, and what would work."""
 
 
-def check(text: str) -> None:
-    """Look whether `text` can be a selector, as far as that can be told without a file.
-
-    Raises
-    ------
-    SelectorError
-        If it cannot.
-    """
+def check_selector(text: str) -> None:
+    """Raise a SelectorError if `text` cannot be a selector, as far as that can be told without a file."""
     if not _is_id(text):
-        _compiled(text)
+        _compile(text)
 
 
-def chosen(root: Node, text: str) -> list[Node]:
+def select(root: Node, text: str) -> list[Node]:
     """Return the elements that a selector matches, in document order.
-
-    Parameters
-    ----------
-    root : Node
-    text : str
-        ``#`` and an id, or a CSS selector.
 
     Raises
     ------
     Problem
-        If that is none, or takes too long to find.
+        If there is none, or matching takes too long.
     """
     found = []
     if _is_id(text):
         found = [node for node in root.walk() if node.get("id") == text[1:]]
     if not found:
         try:
-            found = _matched(root, text, _compiled(text))
+            found = _match(root, text, _compile(text))
         except SelectorError as error:
             if not _is_id(text):
                 raise Problem(str(error)) from None
     if not found:
-        raise Problem(f"nothing in it matches '{printable(text, 60)}'; {_what_would(root, text)}")
+        raise Problem(f"nothing in it matches '{printable(text, 60)}'; {_suggestion(root, text)}")
     return found
 
 
@@ -76,7 +63,7 @@ def _is_id(text: str) -> bool:
     return text.startswith("#") and text != "#"
 
 
-def _compiled(text: str) -> list[Any]:
+def _compile(text: str) -> list[Any]:
     """Return the tests of a CSS selector that an element can pass at all."""
     from shapeblend_cli.svg.reading import stylesheets
 
@@ -86,27 +73,27 @@ def _compiled(text: str) -> list[Any]:
         compiled = stylesheets.compiled(text)
     except stylesheets.UNREADABLE as error:
         raise SelectorError(
-            f"'{printable(text)}' is no CSS selector ({_place(error)}); '#id', '.class' or 'g > path' would work"
+            f"'{printable(text)}' is no CSS selector ({_reason(error)}); '#id', '.class' or 'g > path' would work"
         ) from None
     return [one.test for one in compiled if one.pseudo_element is None and not one.never_matches]
 
 
-def _place(error: Exception) -> str:
-    """Return where a selector breaks, or why it cannot be read."""
+def _reason(error: Exception) -> str:
+    """Return where a selector breaks the grammar, or why it cannot be read."""
     if isinstance(error, (SyntaxError, MemoryError, RecursionError)):
         return "nested too deep"
     if isinstance(error, NotImplementedError):
         return "a part of CSS that is not supported"
     # cssselect2 gives a token and what it expected there; no token is the end of the text.
-    place = error.args[0] if error.args else ""
-    if place is None:
+    token = error.args[0] if error.args else ""
+    if token is None:
         return "it ends too early"
-    if hasattr(place, "source_column"):
-        return f"at character {place.source_column}"
-    return "an unknown pseudo-class" if "pseudo-class" in str(place) else "it cannot be read"
+    if hasattr(token, "source_column"):
+        return f"at character {token.source_column}"
+    return "an unknown pseudo-class" if "pseudo-class" in str(token) else "it cannot be read"
 
 
-def _matched(root: Node, text: str, tests: list[Any]) -> list[Node]:
+def _match(root: Node, text: str, tests: list[Any]) -> list[Node]:
     from shapeblend_cli.svg.reading import stylesheets
 
     if not tests:
@@ -125,8 +112,8 @@ def _matched(root: Node, text: str, tests: list[Any]) -> list[Node]:
     return found
 
 
-def around(root: Node, node: Node) -> list[Node]:
-    """Return the elements that `node` stands in, from the root inwards."""
+def ancestors(root: Node, node: Node) -> list[Node]:
+    """Return the elements around `node`, from the root inwards."""
     path: list[Node] = []
     stack = [(root, 0)]
     while stack:
@@ -139,37 +126,35 @@ def around(root: Node, node: Node) -> list[Node]:
     return path
 
 
-def unpainted(
+def paints_nothing(
     root: Node, text: str, nodes: Sequence[Node], reason: str | None, painted: Sequence[str]
 ) -> Problem:
-    """Return what to say of a selector whose elements paint nothing.
+    """Return the problem of a selector whose elements paint nothing.
 
     Parameters
     ----------
     root : Node
     text : str
     nodes : sequence of Node
-        What it matches.
+        Elements it matches.
     reason : str or None
-        Why the first shape among them is not painted, if the drawing came so far.
+        Why the first shape among them is not painted, if the walk reached it.
     painted : sequence of str
         Ids that would work.
     """
-    first = nodes[0]
     others = f" and {len(nodes) - 1} more" if len(nodes) > 1 else ""
-    why = f"it is {reason}" if reason else _why(root, first)
-    advice = (
-        f"{_listed([f'#{name}' for name in painted])} would work"
-        if painted
-        else "inspect lists what is painted"
+    why = f"it is {reason}" if reason else _why(root, nodes[0])
+    ids = _join(f"#{name}" for name in painted) if painted else ""
+    advice = f"{ids} would work" if ids else "inspect lists what is painted"
+    return Problem(
+        f"'{printable(text, 60)}' is there ({nodes[0]}{others}) but paints nothing: {why}; {advice}"
     )
-    return Problem(f"'{printable(text, 60)}' is there ({first}{others}) but paints nothing: {why}; {advice}")
 
 
 def _why(root: Node, node: Node) -> str:
     if node.tag in LEFT_OUT:
         return f"{node.tag} is not read"
-    for outer in reversed(around(root, node)):
+    for outer in reversed(ancestors(root, node)):
         if outer.tag not in GROUPS:
             return f"it stands in <{printable(outer.tag)}> and no use draws it"
     if node.tag == "use":
@@ -181,17 +166,17 @@ def _why(root: Node, node: Node) -> str:
     return f"<{printable(node.tag)}> is no shape"
 
 
-def _what_would(root: Node, text: str) -> str:
-    """Return names out of the document that may have been meant; else a few that are there."""
+def _suggestion(root: Node, text: str) -> str:
+    """Suggest names from the document that may have been meant; else list a few that are there."""
     names = _names(root)
-    near = _near(text, names)
-    if near:
-        return f"{_listed(near)} would"
+    similar = _similar(text, names)
+    if similar:
+        return f"{_join(similar)} would"
     ids = [name for name in names if name.startswith("#")]
     if ids:
-        more = f" and {len(ids) - _FEW} more" if len(ids) > _FEW else ""
-        return f"its ids are {', '.join(printable(name) for name in ids[:_FEW])}{more}"
-    return f"it has no ids, but {_listed(names[:_NEAR])} would"
+        more = f" and {len(ids) - _MAX_LISTED} more" if len(ids) > _MAX_LISTED else ""
+        return f"its ids are {', '.join(printable(name) for name in ids[:_MAX_LISTED])}{more}"
+    return f"it has no ids, but {_join(names[:_MAX_SUGGESTED])} would"
 
 
 def _names(root: Node) -> list[str]:
@@ -210,8 +195,8 @@ def _names(root: Node) -> list[str]:
     return [*ids, *classes, *sorted(types, key=lambda tag: tag not in SHAPES)]
 
 
-def _near(text: str, names: list[str]) -> list[str]:
-    """Return the names most like those in a selector."""
+def _similar(text: str, names: list[str]) -> list[str]:
+    """Return the names most similar to those in a selector."""
     import difflib
 
     known = set(names)
@@ -221,28 +206,23 @@ def _near(text: str, names: list[str]) -> list[str]:
     for word in words[:_MAX_WORDS]:
         wanted = word[:_MAX_WORD].casefold()
         likely = [name for name in names if abs(len(name) - len(wanted)) <= 3 + len(wanted) // 4]
-        # Comparing is slow and a file can have a hundred thousand ids.
-        likely.sort(key=lambda name: -_shared(wanted, name))
+        # Comparing is slow and a file can have a hundred thousand ids: those that begin alike come first.
+        likely.sort(key=lambda name: -_common_prefix(wanted, name.casefold()))
         folded = {
             name.casefold(): name for name in reversed(likely[:_MAX_COMPARED]) if len(name) <= _MAX_WORD
         }
-        for name in difflib.get_close_matches(wanted, folded, n=_NEAR, cutoff=0.65):
+        for name in difflib.get_close_matches(wanted, folded, n=_MAX_SUGGESTED, cutoff=0.65):
             found[folded[name]] = None
         if found and word is text:
             break
-    return list(found)[:_NEAR]
+    return list(found)[:_MAX_SUGGESTED]
 
 
-def _shared(a: str, b: str) -> int:
-    """Return how many characters two names begin with alike."""
-    count = 0
-    for x, y in zip(a, b.casefold(), strict=False):
-        if x != y:
-            break
-        count += 1
-    return count
+def _common_prefix(a: str, b: str) -> int:
+    """Return the number of characters in which two names begin alike."""
+    return next((k for k, (x, y) in enumerate(zip(a, b, strict=False)) if x != y), min(len(a), len(b)))
 
 
-def _listed(names: Iterable[str]) -> str:
+def _join(names: Iterable[str]) -> str:
     *others, last = (printable(name) for name in names)
     return f"{', '.join(others)} or {last}" if others else last

@@ -12,10 +12,10 @@ from shapeblend_cli.model import Shape
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.cascade import INITIAL, Cascade, Inherited, inherit, share
 from shapeblend_cli.svg.reading.declarations import Declarations, substitute
-from shapeblend_cli.svg.reading.messages import Notes, Problem, printable
+from shapeblend_cli.svg.reading.messages import Notes, Problem, check_limit, printable
 from shapeblend_cli.svg.reading.painter import Painter
 from shapeblend_cli.svg.reading.path_data import MAX_SEGMENTS
-from shapeblend_cli.svg.reading.selection import around, chosen, unpainted
+from shapeblend_cli.svg.reading.selection import ancestors, paints_nothing, select
 from shapeblend_cli.svg.reading.shapes import contours_of
 from shapeblend_cli.svg.reading.transforms import IDENTITY, Affine, is_sound, origin, parse, translation
 from shapeblend_cli.svg.reading.units import LIMIT, Lengths
@@ -87,28 +87,28 @@ class Walk:
         self._used_contours: dict[int, list[Contour]] = {}
         self._painted = 0
         self._chosen: set[int] = set()
-        self._around: set[int] = set()
+        self._ancestors: set[int] = set()
         self._reason: str | None = None
         self._other_names: dict[str, None] = {}
 
-    def shapes(self, lengths: Lengths, select: str | None = None) -> tuple[Shape, ...]:
+    def shapes(self, lengths: Lengths, selector: str | None = None) -> tuple[Shape, ...]:
         """Return the shapes that are painted, of which there has to be one.
 
         With a selector, only shapes that it matches are returned, those in elements it matches, and those drawn through
         a ``use`` of which one of the two is true. Their numbers are those among all shapes.
         """
-        nodes = [] if select is None else chosen(self._root, select)
+        nodes = [] if selector is None else select(self._root, selector)
         self._chosen = {id(node) for node in nodes}
-        self._around = {id(node) for node in around(self._root, nodes[0])} if nodes else set()
-        first = _Visit(self._root, IDENTITY, INITIAL, 1.0, lengths, chosen=select is None)
+        self._ancestors = {id(node) for node in ancestors(self._root, nodes[0])} if nodes else set()
+        first = _Visit(self._root, IDENTITY, INITIAL, 1.0, lengths, chosen=selector is None)
         self._stack = [first]
         while self._stack:
             self._process(self._stack.pop())
         if not self._painted:
             found = self._what_was_found()
             raise Problem(f"no painted shape: {found}; a file with a filled or stroked path would work")
-        if select is not None and not self._shapes:
-            raise unpainted(self._root, select, nodes, self._reason, list(self._other_names))
+        if selector is not None and not self._shapes:
+            raise paints_nothing(self._root, selector, nodes, self._reason, list(self._other_names))
         return tuple(self._shapes)
 
     def _process(self, visit: _Visit) -> None:
@@ -117,8 +117,7 @@ class Walk:
             visit = visit._replace(chosen=True)
         if visit.used:
             self._visits_by_use += 1
-            if self._visits_by_use > MAX_USED:
-                raise Problem(f"more than {MAX_USED} elements drawn through use, the most that are read")
+            check_limit(self._visits_by_use, MAX_USED, "elements drawn through use")
         if node.tag in LEFT_OUT:
             self._notes.add(f"{node.tag} left out")
         is_used_symbol = node.tag == "symbol" and visit.used[-1:] == (node,)
@@ -147,8 +146,7 @@ class Walk:
         own = {name: value for name, value in declared.items() if name.startswith("--")}
         if own:
             inherited = inherited._replace(variables={**inherited.variables, **own})
-            if len(inherited.variables) > MAX_VARIABLES:
-                raise Problem(f"more than {MAX_VARIABLES} custom properties, the most that are read")
+            check_limit(len(inherited.variables), MAX_VARIABLES, "custom properties")
         declared = substitute(declared, inherited.variables)
         inherited = inherit(inherited, declared, self._notes.add)
         lengths = visit.lengths._replace(font_size=inherited.font_size)
@@ -237,8 +235,7 @@ class Walk:
             self._skip(visit, "without extent")
             return
         self._segments += sum(len(contour.segments) for contour in own_contours)
-        if self._segments > MAX_SEGMENTS:
-            raise Problem(f"more than {MAX_SEGMENTS} segments, the most that are read")
+        check_limit(self._segments, MAX_SEGMENTS, "segments")
         index = self._painted
         self._painted += 1
         name = _clean(node.get("id") or visit.use_id)
@@ -273,7 +270,7 @@ class Walk:
         if self._reason is None and self._chosen:
             if visit.chosen:
                 self._reason = reason
-            elif id(node) in self._around:
+            elif id(node) in self._ancestors:
                 self._reason = f"in {node}, which is {reason}"
 
     def _what_was_found(self) -> str:

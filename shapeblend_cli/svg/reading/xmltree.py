@@ -10,7 +10,7 @@ import re
 from typing import TYPE_CHECKING
 from xml.parsers import expat
 
-from shapeblend_cli.svg.reading.messages import Problem, printable
+from shapeblend_cli.svg.reading.messages import Problem, check_limit, printable
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -192,8 +192,7 @@ class _Builder:
 
     def _start(self, name: str, attrib: dict[str, str]) -> None:
         self._elements += 1
-        if self._elements > MAX_ELEMENTS:
-            raise Problem(f"more than {MAX_ELEMENTS} elements, the most that are read")
+        check_limit(self._elements, MAX_ELEMENTS, "elements")
         if len(self._open) > MAX_DEPTH:
             raise Problem(f"elements nested deeper than {MAX_DEPTH}, the deepest that is read")
         if self._has_defaults:
@@ -205,8 +204,7 @@ class _Builder:
             namespaces = {**namespaces, **is_svg}
             if self._elements == 1:
                 _forgive(name, declared, namespaces)
-            if len(namespaces) > MAX_PREFIXES:
-                raise Problem(f"more than {MAX_PREFIXES} namespaces, the most that are read")
+            check_limit(len(namespaces), MAX_PREFIXES, "namespaces")
         self._namespaces.append(namespaces)
         node = Node(_local(name, namespaces), attrib, self._parser.CurrentLineNumber)
         self._open[-1].children.append(node)

@@ -117,7 +117,7 @@ BROKEN = {
 @pytest.mark.parametrize("selector", BROKEN, ids=BROKEN.values())
 def test_what_is_no_selector_is_told_without_a_file(selector):
     with pytest.raises(selection.SelectorError, match=re.escape(BROKEN[selector])):
-        selection.check(selector)
+        selection.check_selector(selector)
     with pytest.raises(InputError, match=re.escape(BROKEN[selector])):
         drawn_with('<path d="M0 0h1v1z"/>', selector)
 
@@ -126,7 +126,7 @@ def test_what_is_no_selector_is_told_without_a_file(selector):
     "selector", ["#1st", "#a b", "#" + ":not(" * 900, "path", "g > path:nth-child(2n+1)"]
 )
 def test_what_may_be_one_is_left_to_the_file(selector):
-    selection.check(selector)
+    selection.check_selector(selector)
 
 
 def test_a_selector_cannot_take_for_ever(monkeypatch):
