@@ -47,7 +47,7 @@ def test_a_shape_and_itself_moved_scaled_begun_elsewhere_cost_nothing(seed, m, s
     p = star(seed, m)
     a = drawing(polygon_contour(p))
     b = drawing(polygon_contour(similarity.points(np.roll(p, start))), file="b.svg")
-    pair = match(a, b, ASIS._replace(constants=constants))
+    pair = match(a, b, ASIS.replace(**{name: getattr(constants, name) for name in WorkConstants.options}))
     found = pair.contours[0].correspondence
     assert found.work < 1e-7
     p0, p1 = (polygon.vertices for polygon in (pair.contours[0].polygon_a, pair.contours[0].polygon_b))
@@ -112,7 +112,7 @@ def test_dots_are_a_path_that_leaves_out_no_vertex(seed, m, n, closed):
 @given(seeds, counts, counts, st.booleans())
 def test_frames_at_both_ends_are_the_drawings(seed, m, n, curves):
     a, b = (drawing(polygon_contour(star(seed + k, count))) for k, count in enumerate((m, n)))
-    pair, frames = blend(a, b, ASIS._replace(frames=0, ends=True, curves=curves))
+    pair, frames = blend(a, b, ASIS.replace(frames=0, ends=True, curves=curves))
     (contour,) = pair.contours
     dots = contour.correspondence.dots
     for frame, side, polygon, shape in zip(
