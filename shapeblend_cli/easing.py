@@ -113,6 +113,12 @@ class Timing(NamedTuple):
         return self.repeat == PINGPONG
 
 
+def frame_times(frames: int, ends: bool, ease: Ease = LINEAR) -> list[float]:
+    """Return the times of `frames` in-betweens, evenly spaced before easing, and of both ends if wanted."""
+    times = [ease.at(k / (frames + 1)) for k in range(frames + 2)]
+    return times if ends else times[1:-1]
+
+
 def parse(text: str) -> Ease:
     """Read ``linear``, ``ease``, ``ease-in``, ``ease-out``, ``ease-in-out`` or ``cubic-bezier(x1,y1,x2,y2)``.
 

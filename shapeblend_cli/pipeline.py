@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.clock import Clock
+from shapeblend_cli.easing import frame_times
 from shapeblend_cli.geometry.placement import place_over
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.paths import between, with_curves
-from shapeblend_cli.interpolate.times import frame_times
 from shapeblend_cli.model import (
     Box,
     Correspondence,

@@ -3,8 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.easing import LINEAR, NAMES, Ease, parse
-from shapeblend_cli.interpolate.times import frame_times
+from shapeblend_cli.easing import LINEAR, NAMES, Ease, frame_times, parse
 
 shares = st.floats(0.0, 1.0)
 
