@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-import time
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 
 class Clock:
-    """Seconds by stage, in the order in which the stages were first left."""
+    """Seconds by stage, in the order in which the stages were first left; `now` returns a time in seconds."""
 
-    def __init__(self) -> None:
+    def __init__(self, now: Callable[[], float] = perf_counter) -> None:
         self.seconds: dict[str, float] = {}
-        self._last = time.perf_counter()
+        self._now = now
+        self._last = now()
 
     def lap(self, stage: str) -> float:
         """Add the time since the last lap to a stage, and return it."""
-        now = time.perf_counter()
+        now = self._now()
         passed = now - self._last
         self.seconds[stage] = self.seconds.get(stage, 0.0) + passed
         self._last = now

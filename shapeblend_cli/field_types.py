@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Unfit(ValueError):
-    """Says what a value must be, where `FieldType.expected` would not say it well."""
+    """Says what a value must be and what it is, where `FieldType.expected` would not say it well."""
 
 
 def _unchanged(value: Any) -> Any:
@@ -64,9 +64,10 @@ class FieldType(NamedTuple):
     def _tried(self, read: Callable[[Any], Any], value: Any, shown: str) -> Any:
         try:
             return read(value)
-        except (ValueError, TypeError, OverflowError) as error:
-            expected = error if isinstance(error, Unfit) else self.expected
-            raise ValueError(f"must be {expected}, not {shown}") from None
+        except Unfit as error:
+            raise ValueError(f"must be {error}") from None
+        except (ValueError, TypeError, OverflowError):
+            raise ValueError(f"must be {self.expected}, not {shown}") from None
 
 
 def choice(*words: str) -> FieldType:
@@ -91,7 +92,7 @@ def number(low: float, high: float = math.inf, *, above: bool = False) -> FieldT
     return FieldType("a number", canonical, "X", float)
 
 
-def whole(low: int, high: int) -> FieldType:
+def whole(low: int, high: float = math.inf) -> FieldType:
     """A whole number within limits."""
 
     def canonical(value: Any) -> int:
@@ -123,7 +124,7 @@ def _selector(value: Any) -> Any:
     try:
         check_selector(value)
     except SelectorError as error:
-        raise Unfit(f"#id or a CSS selector ({error})") from None
+        raise Unfit(f"#id or a CSS selector: {error}") from None
     return value
 
 
@@ -132,7 +133,7 @@ def _start(value: Any) -> tuple[int, int] | None:
         return None
     i, j = map(_integer, value)
     if min(i, j) < 0:
-        raise Unfit("two vertex numbers, and these begin at 0")
+        raise Unfit(f"two vertex numbers, and these begin at 0, not {i},{j}")
     return i, j
 
 
@@ -160,7 +161,7 @@ def _plain_pin(value: Any) -> Any:
 def _stiff(value: Any) -> tuple[complex, float, float]:
     point, radius, weight = value
     if not (_finite(radius) > 0.0 and _finite(weight) > 0.0):
-        raise Unfit("a point with a radius and a weight greater than 0")
+        raise Unfit(f"a point with a radius and a weight greater than 0, not {radius:g} and {weight:g}")
     return _point(point), float(radius), float(weight)
 
 
@@ -274,9 +275,9 @@ def _floats(text: str) -> list[float]:
 
 def _within(number: Any, low: float, high: float, above: bool) -> Any:
     if number < low or (above and number == low):
-        raise Unfit(f"greater than {low:g}" if above else f"{low:g} or more")
+        raise Unfit(f"{f'greater than {low:g}' if above else f'{low:g} or more'}, not {number:g}")
     if number > high:
-        raise Unfit(f"at most {high:g}")
+        raise Unfit(f"at most {high:g}, not {number:g}")
     return number
 
 

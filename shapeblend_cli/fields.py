@@ -44,6 +44,12 @@ class Option:
             return ""
         return f"{self.default:g}" if isinstance(self.default, float) else str(self.default)
 
+    @property
+    def full_help(self) -> str:
+        """The help with whether the option may be repeated, and the default."""
+        text = f"{self.help} May be repeated." if self.many else self.help
+        return f"{text}  [default: {self.default_text}]" if self.default_text else text
+
     def checked(self, value: Any) -> Any:
         """Return a value in its canonical form.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from contextlib import contextmanager
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.measure import Measures
     from shapeblend_cli.model import Frame, Pair
     from shapeblend_cli.outputs.render import OutputSpec
-    from shapeblend_cli.settings import Settings
+    from shapeblend_cli.settings import ReadOptions, RunOptions, Settings
 
 SLOW = (
     "the solver was installed without a C compiler and runs uncompiled, far slower; "
@@ -42,63 +43,70 @@ class Job(NamedTuple):
     ----------
     files : tuple of str
         Two or more. One of them may be ``-``, standard input.
-    output : str
-        A folder, the name of a file, or ``-``.
-    force : bool
-        Replace existing files.
-    report_file, preview_file : str or None
-    typed : tuple of str
-        The command line.
-    blend : Settings
-    reported_settings : dict
-        Every option's value in force, for the report.
-    select : tuple of str or None
-        Which shapes of each file; None is all it paints.
-    lenient : bool
-        Draw broken path data up to the error.
+    read : ReadOptions
+    settings : Settings
     wanted : OutputSpec
+    run : RunOptions
+        Its output is given.
+    reported : dict
+        Every option's value in force, for the report.
+    command : tuple of str
+        The command line.
     """
 
     files: tuple[str, ...]
-    output: str
-    force: bool
-    report_file: str | None
-    preview_file: str | None
-    typed: tuple[str, ...]
-    blend: Settings
-    reported_settings: dict[str, Any]
-    select: tuple[str | None, ...]
-    lenient: bool
+    read: ReadOptions
+    settings: Settings
     wanted: OutputSpec
+    run: RunOptions
+    reported: dict[str, Any]
+    command: tuple[str, ...]
 
     @property
-    def frame_count(self) -> int:
-        """How many frames there are of all pairs."""
-        pairs = len(self.files) - 1
-        return pairs * self.blend.frames + (pairs + 1 if self.blend.ends else 0)
+    def output(self) -> str:
+        """A folder, the name of a file, or ``-``."""
+        return str(self.run.output)
+
+    def frame_files(self) -> Sequence[str | None]:
+        """Return for each frame the name of the file that shows it alone, if there is one."""
+        if self.wanted.kind in FRAME_KINDS:
+            return frame_names(self.wanted.kind, self._frame_count)
+        return [None] * self._frame_count
 
     def targets(self) -> list[Path]:
-        """The files of the blend, in order; none for standard output."""
-        return [Path(name) for name in file_names(self.wanted.kind, self.output, self.frame_count)]
+        """Return the files of the blend, in order; none for standard output."""
+        return [Path(name) for name in file_names(self.wanted.kind, self.output, self._frame_count)]
+
+    @property
+    def _frame_count(self) -> int:
+        pairs = len(self.files) - 1
+        return pairs * self.settings.frames + (pairs + 1 if self.settings.ends else 0)
 
 
-def blend_files(
-    job: Job,
-    say: Callable[[str], None],
-    detail: Callable[[str], None] | None,
-    watch: Callable[[float], None],
-) -> None:
-    """Read files, blend each with the next, and write what was asked for, all of it or nothing.
+class Run:
+    """What was done in a run, with the seconds that each stage took."""
+
+    def __init__(self, pairs: list[Pair], frames: list[Frame], seconds: dict[str, float]) -> None:
+        self.pairs = pairs
+        self.frames = frames
+        self.seconds = seconds
+
+    @cached_property
+    def measures(self) -> list[Measures]:
+        """Measures of each frame."""
+        return [measure(self.pairs[frame.pair], frame.t) for frame in self.frames]
+
+
+def blend_files(job: Job, note: Callable[[str], None], progress: Callable[[float], None]) -> Run:
+    """Read files, blend each with the next, and write what is asked for, all of it or nothing.
 
     Parameters
     ----------
     job : Job
-    say : callable
+    note : callable
         Takes what the user should know, a line at a time.
-    detail : callable or None
-        Takes what was done and how long it took.
-    watch : callable
-        Told now and then which share of the matching is done, from 0 to 1.
+    progress : callable
+        Takes the share of the matching that is done, from 0 to 1, now and then.
 
     Raises
     ------
@@ -106,126 +114,114 @@ def blend_files(
         With one line that names the file, what was found and what would work.
     """
     clock = Clock()
-    said: list[str] = []
+    notes: list[str] = []
 
-    def tell(note: str) -> None:
-        said.append(note)
-        say(note)
+    def note_and_keep(text: str) -> None:
+        notes.append(text)
+        note(text)
 
     if not COMPILED:
-        tell(SLOW)
+        note_and_keep(SLOW)
     if job.wanted.kind in PICTURES:
         with _named(job.output):
             check_libraries(job.wanted.kind)
-    paths = _targets(job)
-    check_targets(paths, [Path(file) for file in job.files if file != STANDARD_INPUT], job.force)
+    check_targets(
+        _all_targets(job), [Path(file) for file in job.files if file != STANDARD_INPUT], job.run.force
+    )
 
-    pairs = match_files(job.files, job.select, job.lenient, job.blend, clock, tell, watch)
-    frames = make_frames(pairs, job.blend)
+    pairs = match_files(job.files, job.read, job.settings, clock, note_and_keep, progress)
+    run = Run(pairs, make_frames(pairs, job.settings), clock.seconds)
     clock.lap("interpolate")
-
     with _named(job.output):
-        products, notes = render(job.wanted, pairs, frames, job.blend)
-    for note in notes:
-        tell(note)
-    contents: dict[Path, str | bytes] = {}
-    standard_output: str | bytes = ""
-    if job.output == STANDARD_OUTPUT:
-        (standard_output,) = products
-    else:
-        contents.update(zip(job.targets(), products, strict=True))
-    names = _frame_files(job)
-    is_reported = job.report_file is not None or job.preview_file is not None
-    measures = [measure(pairs[frame.pair], frame.t) for frame in frames] if is_reported or detail else []
-    if is_reported:
+        outputs, left_out = render(job.wanted, pairs, run.frames, job.settings)
+    for text in left_out:
+        note_and_keep(text)
+    contents: dict[Path, str | bytes] = dict(zip(job.targets(), outputs, strict=False))
+    standard_output = outputs[0] if job.output == STANDARD_OUTPUT else ""
+    if job.run.report or job.run.preview:
         found = report(
-            __version__, job.files, job.reported_settings, pairs, frames, measures, names, clock.seconds
+            __version__,
+            job.files,
+            job.reported,
+            pairs,
+            run.frames,
+            run.measures,
+            job.frame_files(),
+            clock.seconds,
         )
-        if job.report_file is not None:
+        if job.run.report:
             import json  # most runs write no report
 
             text = json.dumps(found, allow_nan=False) + "\n"
-            if job.report_file == STANDARD_OUTPUT:
+            if job.run.report == STANDARD_OUTPUT:
                 standard_output = text
             else:
-                contents[Path(job.report_file)] = text
-        if job.preview_file is not None:
-            contents[Path(job.preview_file)] = _preview(job, found, pairs, said)
+                contents[Path(job.run.report)] = text
+        if job.run.preview:
+            contents[Path(job.run.preview)] = _preview(job, found, pairs, notes)
             clock.lap("preview")
     write_files(contents)
     print_text(standard_output)
-    stale = _stale(job.output, names)
-    if stale:
-        say(f"{job.output}: {len(stale)} frame files of another run are left, {min(stale)} among them")
+    if stale := _stale_frames(job):
+        note(f"{job.output}: {len(stale)} frame files of another run are left, {min(stale)} among them")
     clock.lap("write")
-    if detail is not None:
-        for line in _details(pairs, frames, measures, clock):
-            detail(line)
+    return run
 
 
 def match_files(
     files: Sequence[str],
-    select: Sequence[str | None],
-    lenient: bool,
+    options: ReadOptions,
     settings: Settings,
     clock: Clock,
-    say: Callable[[str], None],
-    watch: Callable[[float], None],
+    note: Callable[[str], None],
+    progress: Callable[[float], None],
 ) -> list[Pair]:
-    """Read files and match each with the next; see `Job` and `blend_files` for the parameters."""
+    """Read files and match each with the next; see `blend_files` for the parameters."""
     drawings = [
-        read(file, lenient=lenient, select=wanted) for file, wanted in zip(files, select, strict=True)
+        read(file, lenient=options.lenient, select=selector)
+        for file, selector in zip(files, options.selections(len(files)), strict=True)
     ]
     for drawing in drawings:
-        for note in drawing.notes:
-            say(f"{drawing.file}: {note}")
+        for text in drawing.notes:
+            note(f"{drawing.file}: {text}")
     clock.lap("read")
     try:
-        pairs, notes = match_all(drawings, settings, clock, watch)
+        pairs, notes = match_all(drawings, settings, clock, progress)
     except MatchError as error:
         raise InputError(" and ".join(drawing.file for drawing in drawings), str(error)) from error
-    for note in notes:
-        say(note)
+    for text in notes:
+        note(text)
     return pairs
 
 
 @contextmanager
 def _named(output: str) -> Iterator[None]:
-    """Say which output it is that pictures cannot be drawn for."""
+    """Name the output in errors about pictures that cannot be drawn."""
     try:
         yield
     except PictureError as error:
         raise OutputError(output, str(error)) from error
 
 
-def _frame_files(job: Job) -> Sequence[str | None]:
-    """For each frame the name of the file that shows it alone, if there is one."""
-    if job.wanted.kind in FRAME_KINDS:
-        return frame_names(job.wanted.kind, job.frame_count)
-    return [None] * job.frame_count
-
-
-def _stale(folder: str, names: Sequence[str | None]) -> set[str]:
-    """The names of frame files in a folder that are none of a run's own."""
-    kinds = {name.rpartition(".")[2] for name in names if name}
-    return {path.name for kind in kinds for path in Path(folder).glob(f"frame-*.{kind}")} - {*names}
+def _stale_frames(job: Job) -> set[str]:
+    """Return the names of frame files in the folder that are none of the run's own."""
+    names = {name for name in job.frame_files() if name}
+    suffixes = {Path(name).suffix for name in names}
+    return {path.name for suffix in suffixes for path in Path(job.output).glob(f"frame-*{suffix}")} - names
 
 
 def _preview(job: Job, found: dict[str, Any], pairs: Sequence[Pair], notes: Sequence[str]) -> str:
-    """The page that shows a run."""
+    """Return the page that shows a run."""
     from shapeblend_cli.preview.page import preview  # most runs write none
 
-    ends = make_frames(pairs, job.blend.replace(frames=0, ends=True))
-    return preview(found, pairs, ends, job.blend, job.wanted.timing, job.typed, notes)
+    ends = make_frames(pairs, job.settings.replace(frames=0, ends=True))
+    return preview(found, pairs, ends, job.settings, job.wanted.timing, job.command, notes)
 
 
-def _targets(job: Job) -> list[Path]:
-    """Every file the job will write."""
-    targets = job.targets()
-    if job.report_file not in (None, STANDARD_OUTPUT):
-        targets.append(Path(str(job.report_file)))
-    if job.preview_file is not None:
-        targets.append(Path(job.preview_file))
+def _all_targets(job: Job) -> list[Path]:
+    """Return every file that the job will write."""
+    others = (job.run.report, job.run.preview)
+    targets = job.targets() + [Path(name) for name in others if name and name != STANDARD_OUTPUT]
     twice = [target for k, target in enumerate(targets) if target in targets[:k]]
     if twice:
         raise OutputError(str(twice[0]), "is named for two different outputs; another name would work")
@@ -237,49 +233,3 @@ def print_text(text: str | bytes) -> None:
     if text:
         sys.stdout.buffer.write(text.encode("utf-8") if isinstance(text, str) else text)
         sys.stdout.buffer.flush()
-
-
-def _proof(lower_bound: float | None) -> str:
-    return "not proven least" if lower_bound is None else f"at least {lower_bound:.6g}"
-
-
-def _details(
-    pairs: Sequence[Pair], frames: Sequence[Frame], measures: Sequence[Measures], clock: Clock
-) -> list[str]:
-    lines = []
-    for c in (contour for pair in pairs for contour in pair.contours):
-        found = c.correspondence
-        if c.a is None or c.b is None:
-            way = f"contour {c.a} of A shrinks to" if c.b is None else f"contour {c.b} of B grows from"
-            spot = (c.polygon_b if c.b is None else c.polygon_a).vertices[0]
-            lines.append(f"{way} the point {spot.real:.6g},{spot.imag:.6g}")
-            continue
-        lines.append(
-            f"contour {c.a} of A ({len(c.polygon_a.vertices)} vertices) to contour {c.b} of B "
-            f"({len(c.polygon_b.vertices)}): {len(found.dots)} dots, work {found.work:.6g} = stretching "
-            f"{found.stretching:.6g} + bending {found.bending:.6g}, {_proof(found.lower_bound)}, "
-            f"{found.zero_angles} angles reach zero, {found.sweeps} sweeps"
-        )
-    for pair in pairs:
-        for number, shape in enumerate(pair.shapes, 1):
-            which = f"shape {number}: " if len(pair.shapes) > 1 else ""
-            if shape.is_matched:
-                lines.append(f"{which}motion {shape.motion_name}: {shape.reason}")
-    lines.append(f"{_counted(len(frames), 'frame')}: {_crossed(frames, measures)}")
-    lines.append(", ".join(f"{stage} {1000 * seconds:.1f} ms" for stage, seconds in clock.seconds.items()))
-    return lines
-
-
-def _crossed(frames: Sequence[Frame], measures: Sequence[Measures]) -> str:
-    """Which frames cross themselves, and how often."""
-    crossed = [(frame, count) for frame, (count, _) in zip(frames, measures, strict=True) if count]
-    if not crossed:
-        return "none crosses itself"
-    several = len({frame.pair for frame in frames}) > 1
-    times = ", ".join(f"{frame.t:.3g}" + f" of pair {frame.pair}" * several for frame, _ in crossed)
-    total = sum(count for _, count in crossed)
-    return f"{_counted(total, 'crossing')} in {len(crossed)} of them, at t = {times}"
-
-
-def _counted(count: int, what: str) -> str:
-    return f"{count} {what}" if count == 1 else f"{count} {what}s"

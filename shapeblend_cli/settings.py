@@ -11,15 +11,18 @@ from shapeblend_cli.constants import PRESETS, WIRE, WorkConstants
 from shapeblend_cli.easing import LINEAR, Ease
 from shapeblend_cli.field_types import (
     BAND,
+    COLOUR,
     EASE,
     FLAG,
     MATCH,
     PIN,
+    REPEAT,
     SELECTOR,
     START,
     STIFF,
     choice,
     file,
+    number,
     whole,
 )
 from shapeblend_cli.fields import Record, option
@@ -31,6 +34,17 @@ if TYPE_CHECKING:
 
 OUTPUT, SHAPES, CORRESPONDENCE = "Output", "Which shapes", "Correspondence"
 IN_BETWEENS, ANIMATIONS, OTHER = "In-betweens", "Animations", "Other"
+PLOT = "Plot"
+PICTURES = "Pictures, with the extra shapeblend[pictures]"
+
+SECTIONS = (PLOT, OUTPUT, SHAPES, CORRESPONDENCE, WIRE, IN_BETWEENS, ANIMATIONS, PICTURES, OTHER)
+"""The order in which help lists options."""
+
+MAX_SIDE = 16_383
+"""Pixels; WebP has no more."""
+
+MAX_FPS = 50
+"""Browsers take their own time for pictures that change faster."""
 
 
 class ReadOptions(Record):
@@ -196,8 +210,83 @@ class Settings(WorkConstants):
         return WorkConstants.of(vars(self))
 
 
+class OutputOptions(Record):
+    """What is written of a blend; what is None has the default of the format."""
+
+    emit: str = option(
+        choice("frames", "pair", "lottie", "avd"),
+        default="frames",
+        section=OUTPUT,
+        help="frames: what --output names; pair: A and B as SVG files with the same path commands, for other programs "
+        "to morph; lottie: a Lottie animation (JSON); avd: an animated vector drawable for Android.",
+    )
+    precision: int | None = option(
+        whole(0, 10),
+        default=None,
+        section=IN_BETWEENS,
+        help="Decimals of coordinates.",
+        default_text="by the size of the drawings",
+    )
+    animate: str = option(
+        choice("smil", "css", "frames"),
+        default="smil",
+        section=ANIMATIONS,
+        help="How an animated SVG moves. CSS animations respect prefers-reduced-motion; Safari does not play them. "
+        "frames shows all frames in turn, which works everywhere.",
+    )
+    duration: float = option(
+        number(0.01, 3600.0),
+        default=2.0,
+        metavar="S",
+        section=ANIMATIONS,
+        help="Seconds an animation takes from one drawing to the next.",
+    )
+    repeat: int | str = option(
+        REPEAT,
+        default="forever",
+        section=ANIMATIONS,
+        help="How often an animation runs; pingpong: forwards and backwards, forever.",
+    )
+    format: str | None = option(
+        choice("svg", "png"),
+        default=None,
+        section=PICTURES,
+        help="Format of the files in a folder of frames.",
+        default_text="svg",
+    )
+    width: int | None = option(
+        whole(1, MAX_SIDE),
+        default=None,
+        metavar="PX",
+        section=PICTURES,
+        help="Width of a picture in pixels; in a contact sheet, of a cell.",
+        default_text="400 in .gif, .webp and .apng, 512 of frames, 200 of a cell",
+    )
+    columns: int | None = option(
+        whole(1, 10_000),
+        default=None,
+        section=PICTURES,
+        help="Columns of a contact sheet.",
+        default_text="by the number of frames",
+    )
+    background: str | None = option(
+        COLOUR,
+        default=None,
+        section=PICTURES,
+        help="Colour behind pictures, or transparent.",
+        default_text="transparent; white in a .gif and a contact sheet",
+    )
+    fps: int | None = option(
+        whole(1, MAX_FPS),
+        default=None,
+        section=PICTURES,
+        help=f"Pictures per second of a .gif, .webp or .apng, {MAX_FPS} at most.",
+        default_text="25, unless --frames is given",
+    )
+
+
 class RunOptions(Record):
-    """Which files a run writes, and what it prints."""
+    """Which files a run writes."""
 
     output: str | None = option(
         file(),
@@ -225,6 +314,43 @@ class RunOptions(Record):
         section=OUTPUT,
         help="Write a web page that shows the blend, its correspondence and its graph.",
     )
+
+
+class PlotOptions(Record):
+    """What is drawn, and where to."""
+
+    output: str | None = option(
+        file(),
+        default=None,
+        flags=("-o", "--output"),
+        section=PLOT,
+        help="The SVG file to write; - for standard output.",
+        default_text="KIND.svg",
+    )
+    force: bool = option(
+        FLAG, default=False, flags=("-f", "--force"), section=PLOT, help="Replace an existing file."
+    )
+    contour: int | None = option(
+        whole(0),
+        default=None,
+        metavar="K",
+        section=PLOT,
+        help="A contour of A, by its number in the report.",
+        default_text="the largest that is matched",
+    )
+    dot: tuple[int, int] | None = option(
+        START,
+        default=None,
+        metavar="I,J",
+        section=PLOT,
+        help="For angle: vertices of A and B that correspond. For starts: a vertex of A, I; J does not count.",
+        default_text="the dot with the most bending work; 0",
+    )
+
+
+class TerminalOptions(Record):
+    """What a command prints."""
+
     quiet: bool = option(
         FLAG, default=False, flags=("-q", "--quiet"), section=OTHER, help="Print errors only."
     )
@@ -235,3 +361,17 @@ class RunOptions(Record):
         section=OTHER,
         help="Print what was done and how long it took.",
     )
+
+
+REPORTED = (
+    "frames ends output emit force select_a select_b lenient place vertices start pins reverse stiff match unmatched "
+    "solver band effort preset ks kb es eb pb mb cs motion style curves precision animate duration ease repeat format "
+    "width columns background fps report preview"
+)
+"""The order of the settings in reports of format 1; any others follow."""
+
+
+def report_settings(*records: Record) -> dict[str, Any]:
+    """Return the values of records as the report lists them."""
+    values = {key: value for record in records for key, value in record.plain().items()}
+    return {key: values[key] for key in (*REPORTED.split(), *values) if key in values}

@@ -18,11 +18,7 @@ PACKAGE = Path(shapeblend_cli.__file__).parent
 # A room is a module or a folder; the longest name that fits a module is its room.
 ROOMS = {
     "__main__": "cli",
-    "cli": "commands options parameters listing plot files outputs report svg.reading progress easing errors __init__",
-    "options": "parameters outputs settings constants",
-    "parameters": "outputs svg.reading easing",
-    "commands": "",
-    "listing": "",
+    "cli": "plot files outputs report svg.reading settings fields field_types easing errors __init__",
     "plot": "files outputs output svg.reading svg.writing pairing interpolate settings match model clock errors",
     "files": "preview report measure outputs output pipeline svg.reading settings match model clock errors __init__",
     "preview": "svg.reading svg.writing pairing interpolate paint settings match model easing",
@@ -48,7 +44,6 @@ ROOMS = {
     "svg": "",
     "geometry": "model _cython",
     "model": "",
-    "progress": "",
     "clock": "",
     "easing": "",
     "errors": "",
@@ -57,8 +52,8 @@ ROOMS = {
 
 # Libraries that only some rooms know. numpy and the standard library are everybody's.
 LIBRARIES = {
-    "click": "cli commands options parameters progress",
-    "rich": "listing",
+    "click": "cli",
+    "rich": "cli",
     "svgpathtools": "svg.libraries",
     "tinycss2": "svg.reading",
     "cssselect2": "svg.reading",
@@ -73,7 +68,7 @@ SHARED = {"numpy", *sys.stdlib_module_names}
 
 # What a room hands to one below it, which calls it there.
 HANDED_DOWN = {
-    *("_note", "part_of.<locals>.<lambda>", "Progress.show"),  # how far a run has come
+    *("Terminal.note", "part_of.<locals>.<lambda>", "Terminal.progress"),  # how far a run has come
     *("Rigid.segments", "Intrinsic.segments", "Safe.segments"),  # a `Motion`, which `model` declares
     "Settings._defaults",  # a `Record` asks what it is made of
 }

@@ -29,7 +29,7 @@ from shapeblend_cli.settings import Settings
         ({"k_b": 10**400}, "k_b must be a number, not 1000"),
         ({"p_b": "7"}, "p_b must be a number, not '7'"),
         ({"band": 2}, "band must be none, or a number between 0 and 1, not 2"),
-        ({"start": (0, -1)}, r"start must be two vertex numbers, and these begin at 0, not \(0, -1\)"),
+        ({"start": (0, -1)}, r"start must be two vertex numbers, and these begin at 0, not 0,-1"),
         ({"start": 3}, "start must be auto, or two vertex numbers such as 0,3, not 3"),
         ({"pins": [(1, 2j)]}, r"pins must be two vertex numbers such as 0,3, or two points"),
         ({"pins": 3}, "pins must be a sequence, not 3"),

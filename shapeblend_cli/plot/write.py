@@ -18,7 +18,7 @@ from shapeblend_cli.svg.reading.read import STANDARD_INPUT
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from shapeblend_cli.settings import Settings
+    from shapeblend_cli.settings import PlotOptions, ReadOptions, Settings
 
 
 class Plot(NamedTuple):
@@ -27,44 +27,31 @@ class Plot(NamedTuple):
     Attributes
     ----------
     kind : str
-        A name of `plot.kinds.KINDS`.
-    files : (str, str)
-    output : str
-        The name of a file, or ``-``.
-    force : bool
-        Replace an existing file.
-    select : tuple of str or None
-        Which shapes of each file; None is all it paints.
-    lenient : bool
-        Draw broken path data up to the error.
-    blend : Settings
-    contour : int or None
-        The number of a contour of A; None is the largest that is matched.
-    dot : (int, int) or None
-        Vertices of A and B.
+        The name of a module beside this one.
+    files : tuple of str
+        Two.
+    read : ReadOptions
+    settings : Settings
+    options : PlotOptions
     """
 
     kind: str
-    files: tuple[str, str]
-    output: str
-    force: bool
-    select: tuple[str | None, ...]
-    lenient: bool
-    blend: Settings
-    contour: int | None
-    dot: tuple[int, int] | None
+    files: tuple[str, ...]
+    read: ReadOptions
+    settings: Settings
+    options: PlotOptions
 
 
-def plot_files(plot: Plot, say: Callable[[str], None], watch: Callable[[float], None]) -> None:
+def plot_files(plot: Plot, note: Callable[[str], None], progress: Callable[[float], None]) -> None:
     """Read two files, match them, and write the plot.
 
     Parameters
     ----------
     plot : Plot
-    say : callable
+    note : callable
         Takes what the user should know, a line at a time.
-    watch : callable
-        Told now and then which share of the work is done, from 0 to 1.
+    progress : callable
+        Takes the share of the work that is done, from 0 to 1, now and then.
 
     Raises
     ------
@@ -72,17 +59,20 @@ def plot_files(plot: Plot, say: Callable[[str], None], watch: Callable[[float], 
         With one line that says what was found and what would work.
     """
     if not COMPILED:
-        say(SLOW)
-    target = Path(plot.output)
-    if plot.output != STANDARD_OUTPUT:
-        check_targets([target], [Path(file) for file in plot.files if file != STANDARD_INPUT], plot.force)
-    (pair,) = match_files(plot.files, plot.select, plot.lenient, plot.blend, Clock(), say, watch)
+        note(SLOW)
+    output = plot.options.output or f"{plot.kind}.svg"
+    target = Path(output)
+    if output != STANDARD_OUTPUT:
+        inputs = [Path(file) for file in plot.files if file != STANDARD_INPUT]
+        check_targets([target], inputs, plot.options.force)
+    (pair,) = match_files(plot.files, plot.read, plot.settings, Clock(), note, progress)
     try:
-        chosen = subject(plot.files, pair, plot.blend, plot.contour, plot.dot, watch)
+        a, b = plot.files
+        chosen = subject((a, b), pair, plot.settings, plot.options.contour, plot.options.dot, progress)
         text = import_module(f"shapeblend_cli.plot.{plot.kind}").draw(chosen)
     except MatchError as error:
         raise InputError(" and ".join(plot.files), str(error)) from error
-    if plot.output == STANDARD_OUTPUT:
+    if output == STANDARD_OUTPUT:
         print_text(text)
     else:
         write_files({target: text})

@@ -185,8 +185,8 @@ def test_pairs_by_number_and_by_id(here):
 @pytest.mark.parametrize(
     ("match", "status", "message"),
     [
-        ("0", 2, "is not of the form A=B"),
-        ("=1", 2, "is not of the form A=B"),
+        ("0", 2, "--match must be of the form A=B"),
+        ("=1", 2, "--match must be of the form A=B"),
         ("0=9", 1, "a.svg and b.svg: B has no contour 9 to match; its contours are 0 to 1"),
         ("0=1", 1, "contour 0 of A is an outline and contour 1 of B a hole in contour 0"),
         ("rign=0", 1, "a.svg paints no shape with the id 'rign'; there is ring"),

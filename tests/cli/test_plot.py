@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.plot.kinds import KINDS
+from shapeblend_cli.cli.plot import KINDS
 
 TWO = (
     '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 30 20"><path d="M0 0h4v4h-4z"/>'
@@ -81,7 +81,7 @@ def test_the_largest_contour_is_drawn_unless_another_is_named(here):
         (
             ["graph", "a.svg", "b.svg", "--dot", "0,0"],
             2,
-            "--dot is of angle and starts; graph shows all dots",
+            "--dot is for angle and starts; graph shows all dots",
         ),
         (["starts", "a.svg", "b.svg", "--start", "0,0"], 2, "--start and --pin would leave one"),
         (["starts", "a.svg", "b.svg", "--pin", "0,0"], 2, "--start and --pin would leave one"),

@@ -117,7 +117,7 @@ def test_precision(here):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["--ease", "easy"], "is none of linear"),
+        (["--ease", "easy"], "must be linear, ease, ease-in"),
         (["--ease", "cubic-bezier(0,2,1,1)"], "between 0 and 1"),
         (["--repeat", "0"], "a number from 1"),
         (["--repeat", "often"], "pingpong"),

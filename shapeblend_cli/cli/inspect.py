@@ -1,11 +1,18 @@
-"""What `inspect` shows to people: a table on a terminal, and elsewhere one line a shape for grep, cut and awk."""
+"""``shapeblend inspect``: a table on a terminal, and elsewhere one line for each shape, for grep, cut and awk."""
 
 from __future__ import annotations
 
 import io
 import sys
-import unicodedata
 from typing import TYPE_CHECKING, Any, Literal
+
+import click
+
+from shapeblend_cli.cli.options import FieldOption, options_of
+from shapeblend_cli.cli.terminal import Terminal
+from shapeblend_cli.field_types import FLAG, SELECTOR
+from shapeblend_cli.fields import Record, option
+from shapeblend_cli.settings import SHAPES, ReadOptions
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -23,14 +30,41 @@ _MAX_ALIGNED = 60
 """A longer cell pushes the rest of its own line on, and no other line."""
 
 
-def show(found: dict[str, Any]) -> None:
-    """Print the shapes a file draws on standard output.
+class InspectOptions(Record):
+    """What is listed, and how."""
 
-    Parameters
-    ----------
-    found : dict
-        What `report.inspection` returns.
-    """
+    select: str | None = option(
+        SELECTOR,
+        default=None,
+        section=SHAPES,
+        help="List only these shapes: #id or a CSS selector.",
+        default_text="all painted shapes",
+    )
+    json: bool = option(FLAG, default=False, section=SHAPES, help="Print JSON, for programs.")
+
+
+@click.command(params=[*options_of(InspectOptions), FieldOption(ReadOptions.options["lenient"])])
+@click.argument("file", type=click.Path(), metavar="FILE")
+def inspect(file: str, lenient: bool | None, **given: Any) -> None:
+    """List the shapes a file draws; - is standard input."""
+    from shapeblend_cli.report import inspection
+    from shapeblend_cli.svg.reading.read import read
+
+    options = InspectOptions.of(given)
+    drawing = read(file, lenient=bool(lenient), select=options.select)
+    found = inspection(drawing) | {"file": file}
+    if options.json:
+        import json
+
+        click.echo(json.dumps(found, indent=1, allow_nan=False))
+        return
+    for note in drawing.notes:
+        Terminal().note(f"{drawing.file}: {note}")
+    _show(found)
+
+
+def _show(found: dict[str, Any]) -> None:
+    """Print what `report.inspection` returns on standard output."""
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")  # any id on any terminal
     viewbox = " ".join(f"{v:g}" for v in found["viewbox"]) if found["viewbox"] else "none"
@@ -73,6 +107,8 @@ def _width(text: str) -> int:
     """Return how many columns a text takes."""
     if text.isascii():
         return len(text)
+    import unicodedata
+
     return sum(0 if unicodedata.combining(c) else 1 + (unicodedata.east_asian_width(c) in "WF") for c in text)
 
 

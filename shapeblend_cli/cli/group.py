@@ -1,0 +1,77 @@
+"""How commands are found, and how their help is laid out."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from shapeblend_cli.settings import OTHER, SECTIONS
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from click.shell_completion import CompletionItem
+
+TYPED = "shapeblend_cli.typed"
+"""The key in a context's `meta` of the arguments as they were typed, after the name of the command."""
+
+NAMES = 30
+"""Characters for the names of options, the same in every section."""
+
+
+class SectionedCommand(click.Command):
+    """A command whose help lists examples, pairs of a command line and what it does, and options by section."""
+
+    def __init__(self, *args: Any, examples: Sequence[tuple[str, str]] = (), **kwargs: Any) -> None:
+        super().__init__(*args, **kwargs)
+        self.examples = examples
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the examples, then one section after another."""
+        if self.examples:
+            with formatter.section("Examples"):
+                formatter.write_dl(self.examples)
+        sections: dict[str, list[tuple[str, str]]] = {}
+        for option in self.get_params(ctx):
+            if record := option.get_help_record(ctx):
+                rows = sections.setdefault(getattr(option, "section", OTHER), [])
+                rows.append((record[0].ljust(NAMES), record[1]))
+        for title in sorted(sections, key=SECTIONS.index):
+            with formatter.section(title):
+                formatter.write_dl(sections[title])
+
+
+class DefaultGroup(click.Group):
+    """A group that blends when no command is named, and whose help is that of blending."""
+
+    default = "blend"
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Put the default command in front of arguments that name none."""
+        is_first_word = ctx.resilient_parsing and not args  # a shell asks for completions of it
+        if not is_first_word and (not args or args[0] not in (*self.commands, "-h", "--help", "--version")):
+            args = [self.default, *args]
+        ctx.meta[TYPED] = args[1:]
+        return super().parse_args(ctx, args)
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
+        """Offer commands, and what the default command may begin with, such as a file."""
+        from click.shell_completion import CompletionItem
+
+        default = self.commands[self.default]
+        items = super().shell_complete(ctx, incomplete)
+        items += default.shell_complete(click.Context(default, parent=ctx), incomplete)
+        if not incomplete.startswith("-"):
+            items.append(CompletionItem(incomplete, type="file"))
+        return items
+
+    def format_help(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the default command's help, and the other commands."""
+        default = self.commands[self.default]
+        formatter.write_usage(ctx.command_path, "A.svg B.svg [C.svg ...] [OPTIONS]")
+        default.format_help_text(ctx, formatter)
+        default.format_options(ctx, formatter)
+        others = [(n, c.get_short_help_str(80)) for n, c in self.commands.items() if n != self.default]
+        with formatter.section("Commands"):
+            formatter.write_dl(others)

@@ -1,0 +1,53 @@
+"""``shapeblend plot``."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from shapeblend_cli.cli.blend import check_files
+from shapeblend_cli.cli.group import SectionedCommand
+from shapeblend_cli.cli.options import options_of
+from shapeblend_cli.cli.terminal import Terminal
+from shapeblend_cli.settings import PlotOptions, ReadOptions, Settings, TerminalOptions
+
+KINDS = ("graph", "surface", "angle", "starts")
+"""Each is a module of that name in `plot`."""
+
+DOTTED = ("angle", "starts")
+"""Those about a single dot."""
+
+
+@click.command(
+    cls=SectionedCommand,
+    params=options_of(
+        PlotOptions,
+        ReadOptions,
+        Settings,
+        TerminalOptions,
+        without=("frames", "ends", "style", "curves", "ease", "verbose"),
+    ),
+)
+@click.argument("kind", type=click.Choice(KINDS), metavar="KIND")
+@click.argument("files", type=click.Path(), nargs=-1, required=True, metavar="A.svg B.svg")
+def plot(kind: str, files: tuple[str, ...], **given: Any) -> None:
+    """Draw how two files correspond, in the form of the paper's figures.
+
+    KIND is graph (the path of least work among all correspondences), surface (the in-betweens over time), angle
+    (how the angle at a vertex changes) or starts (the least work for each starting correspondence).
+    """
+    options, settings = PlotOptions.of(given), Settings.of(given)
+    if len(files) != 2:
+        raise click.UsageError(f"a plot is of two files, A.svg and B.svg; {len(files)} given")
+    check_files(files, settings)
+    if options.dot is not None and kind not in DOTTED:
+        raise click.UsageError(f"--dot is for {' and '.join(DOTTED)}; {kind} shows all dots")
+    if kind == "starts" and (settings.start or settings.pins):
+        raise click.UsageError("starts compares all starts; --start and --pin would leave one")
+
+    from shapeblend_cli.plot.write import Plot, plot_files
+
+    job = Plot(kind, files, ReadOptions.of(given), settings.replace(curves=False), options)
+    with Terminal(quiet=TerminalOptions.of(given).quiet) as terminal:
+        plot_files(job, terminal.note, terminal.progress)

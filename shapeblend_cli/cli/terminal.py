@@ -1,0 +1,102 @@
+"""What a command prints on standard error while it runs: notes, details, and a progress bar."""
+
+from __future__ import annotations
+
+import sys
+import time
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from shapeblend_cli.files import Run
+
+PATIENCE = 1.0
+"""Seconds before the bar shows."""
+
+UNITS = 1000
+
+
+class Terminal:
+    """Standard error; a context that ends the progress bar.
+
+    Parameters
+    ----------
+    quiet : bool
+        Whether nothing but errors is printed.
+    now : callable
+        Returns a time in seconds.
+    """
+
+    def __init__(self, *, quiet: bool = False, now: Callable[[], float] = time.monotonic) -> None:
+        self._quiet = quiet
+        self._now = now
+        self._began = now()
+        self._bar: Any = None
+        self._shown = 0
+
+    def __enter__(self) -> Terminal:
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        if self._bar is not None:
+            self._bar.render_finish()
+
+    def note(self, text: str) -> None:
+        """Print a line."""
+        if not self._quiet:
+            click.echo(f"shapeblend: {text}", err=True)
+
+    def progress(self, share: float) -> None:
+        """Show the share of the work that is done, 0 to 1, if there is a terminal and the work takes long."""
+        if self._quiet or self._now() - self._began < PATIENCE or not sys.stderr.isatty():
+            return
+        if self._bar is None:
+            self._bar = click.progressbar(length=UNITS, label="matching", file=sys.stderr)
+            self._bar.render_progress()
+        units = max(int(share * UNITS), self._shown)
+        self._bar.update(units - self._shown)
+        self._shown = units
+
+
+def details(run: Run) -> Iterator[str]:
+    """Yield lines that say what was done in a run, and how long it took."""
+    for c in (contour for pair in run.pairs for contour in pair.contours):
+        found = c.correspondence
+        if c.a is None or c.b is None:
+            change = f"contour {c.a} of A shrinks to" if c.b is None else f"contour {c.b} of B grows from"
+            point = (c.polygon_b if c.b is None else c.polygon_a).vertices[0]
+            yield f"{change} the point {point.real:.6g},{point.imag:.6g}"
+            continue
+        bound = found.lower_bound
+        proof = "not proven least" if bound is None else f"at least {bound:.6g}"
+        yield (
+            f"contour {c.a} of A ({len(c.polygon_a.vertices)} vertices) to contour {c.b} of B "
+            f"({len(c.polygon_b.vertices)}): {len(found.dots)} dots, work {found.work:.6g} = stretching "
+            f"{found.stretching:.6g} + bending {found.bending:.6g}, {proof}, "
+            f"{found.zero_angles} angles reach zero, {found.sweeps} sweeps"
+        )
+    for pair in run.pairs:
+        for number, shape in enumerate(pair.shapes, 1):
+            name = f"shape {number}: " if len(pair.shapes) > 1 else ""
+            if shape.is_matched:
+                yield f"{name}motion {shape.motion_name}: {shape.reason}"
+    yield f"{_count(len(run.frames), 'frame')}: {_crossings(run)}"
+    yield ", ".join(f"{stage} {1000 * seconds:.1f} ms" for stage, seconds in run.seconds.items())
+
+
+def _crossings(run: Run) -> str:
+    """Say which frames cross themselves, and how often."""
+    counts = [measures.self_crossings for measures in run.measures]
+    crossed = [frame for frame, count in zip(run.frames, counts, strict=True) if count]
+    if not crossed:
+        return "none crosses itself"
+    several = len(run.pairs) > 1
+    times = ", ".join(f"{frame.t:.3g}" + f" of pair {frame.pair}" * several for frame in crossed)
+    return f"{_count(sum(counts), 'crossing')} in {len(crossed)} of them, at t = {times}"
+
+
+def _count(count: int, what: str) -> str:
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"
