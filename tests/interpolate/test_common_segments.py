@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -16,7 +15,7 @@ from shapeblend_cli.interpolate.parametrization import CORNER, parametrize
 from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.model import Contour, Polygon
 from shapeblend_cli.svg.reading.read import read
-from tests.support.contours import circle_contour, polygon_contour
+from tests.support.contours import circle_contour, furthest, polygon_contour
 
 TIMES = (0.25, 0.5, 0.75)
 
@@ -72,9 +71,7 @@ def outline(segments, closed, pieces=64):
 
 def hausdorff(one, other):
     """The largest distance of either outline's vertices from the other outline, both already dense."""
-    lines = [shapely.LineString(np.stack([z.real, z.imag], axis=1)) for z in (one, other)]
-    points = [shapely.points(np.stack([z.real, z.imag], axis=1)) for z in (one, other)]
-    return max(shapely.distance(points[0], lines[1]).max(), shapely.distance(points[1], lines[0]).max())
+    return max(furthest(one, other), furthest(other, one))
 
 
 def size(contour):

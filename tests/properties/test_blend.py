@@ -136,7 +136,7 @@ def test_curves_and_lines_of_any_mixture_blend(seed, count):
     pair, frames = blend(
         drawing(scribble),
         drawing(circle_contour(), file="b.svg"),
-        Settings(place="bbox", motion="linear"),
+        ASIS.replace(place="bbox"),
     )
     assert len(frames) == 5
     assert all(np.isfinite(frame.shapes[0].paths[0].segments).all() for frame in frames)

@@ -5,11 +5,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import shapely
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.svg.reading.read import read
-from tests.support.contours import polyline
+from tests.support.contours import furthest, polyline
 
 DATA = Path(__file__).parents[1] / "bench" / "data" / "pairs.json"
 PAIRS = json.loads(DATA.read_text(encoding="utf-8"))
@@ -20,19 +19,10 @@ def points(drawing, pieces):
     return np.concatenate([polyline(c, pieces) for shape in drawing.shapes for c in shape.contours])
 
 
-def curve(drawing):
-    lines = []
-    for shape in drawing.shapes:
-        for c in shape.contours:
-            z = np.append(polyline(c, 300), c.segments[-1, 3])
-            lines.append(np.stack([z.real, z.imag], axis=1))
-    return shapely.MultiLineString(lines)
-
-
-def furthest(drawing, other):
+def distance(drawing, other):
     """How far any point of one drawing lies from the other."""
-    z = points(drawing, 20)
-    return shapely.distance(shapely.points(z.real, z.imag), curve(other)).max()
+    contours = [c for shape in other.shapes for c in shape.contours]
+    return furthest(points(drawing, 20), *(np.append(polyline(c, 300), c.segments[-1, 3]) for c in contours))
 
 
 def segments(drawing):
@@ -64,8 +54,8 @@ def test_the_ends_are_the_drawings(blended):
         for drawing, frame in ((a, start), (b, end)):
             z = points(drawing, 1)
             size = max(np.ptp(z.real), np.ptp(z.imag))
-            assert furthest(drawing, frame) < 1e-4 * size
-            assert furthest(frame, drawing) < 1e-4 * size
+            assert distance(drawing, frame) < 1e-4 * size
+            assert distance(frame, drawing) < 1e-4 * size
 
 
 def test_an_in_between_has_about_as_many_segments_as_both_drawings(blended):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import shapely
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import Contour, Drawing, Polygon, Shape, Style
@@ -40,3 +41,13 @@ def polyline(one, pieces):
     segment = np.repeat(np.arange(len(one.segments)), counts)
     number = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
     return cubics.evaluate(one.segments[segment], number / counts[segment])
+
+
+def furthest(points, *polylines):
+    """The largest distance of any point from the nearest of some polylines, all of them complex."""
+    sides = np.concatenate([np.stack([line[:-1], line[1:]], axis=1) for line in polylines])
+    tree = shapely.STRtree(shapely.linestrings(np.stack([sides.real, sides.imag], axis=-1)))
+    points = shapely.points(points.real, points.imag)
+    _, distances = tree.query_nearest(points, return_distance=True, all_matches=False)
+    assert len(distances) == len(points)
+    return distances.max()
