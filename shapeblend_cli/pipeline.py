@@ -1,6 +1,6 @@
-"""The one place that joins the stages: read, flatten, normalise, match, interpolate, write.
+"""The stages in their order: place, flatten, pair, match, move, interpolate. Files are read before and written after.
 
-`blend` works on values and touches no file.
+Each stage is a function from values to values. Polygons are normalised, section 3.3, where their work is compared.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ from shapeblend_cli.geometry.placement import place_over
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.paths import between, with_curves
 from shapeblend_cli.model import (
-    Box,
     Correspondence,
     CubicPath,
     Drawing,
@@ -27,14 +26,21 @@ from shapeblend_cli.model import (
     Polygon,
     ShapeBlend,
 )
-from shapeblend_cli.motion.alignment import align, matched_points
+from shapeblend_cli.motion.alignment import align, point_pairs
 from shapeblend_cli.motion.choose import RotatedShape, choose_motion, is_as_good, try_straight
-from shapeblend_cli.motion.rotation import is_turned, turn_between
+from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.paint.styles import blend_styles, painted_as
-from shapeblend_cli.pairing.constraints import Constraints, check_stiff, constraints_for, given_pairs, pinned
-from shapeblend_cli.pairing.decompose import PlacedContour, decompose, main_orientation
-from shapeblend_cli.pairing.matching import choose_direction, match_contours, part_of
-from shapeblend_cli.pairing.pair import pair_contours
+from shapeblend_cli.pairing.constraints import (
+    Constraints,
+    check_stiff,
+    constraints_of,
+    point_pins,
+    required_pairs,
+)
+from shapeblend_cli.pairing.decompose import PlacedDrawing, decompose, main_orientation
+from shapeblend_cli.pairing.direction import choose_direction, watch_part
+from shapeblend_cli.pairing.matching import match_contours
+from shapeblend_cli.pairing.pair import pair_rotated_contours
 from shapeblend_cli.pairing.shapes import Match, shape_blends
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.views import view_of, views_with_room
@@ -46,11 +52,13 @@ SAME_ANGLE = 2e-3
 """An angle stays that changes by less, in radians."""
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from numpy.typing import ArrayLike
 
     from shapeblend_cli.motion.alignment import Alignment
+    from shapeblend_cli.pairing.decompose import ContourPair
+    from shapeblend_cli.pairing.direction import Watch
 
 
 def blend(a: Drawing, b: Drawing, settings: Settings) -> tuple[Pair, list[Frame]]:
@@ -102,21 +110,20 @@ def correspond(
     >>> len(found.dots), round(found.stretching, 4), found.gap
     (4, 2.1421, 0.0)
     """
-    a, b = _given_polygon(p0, closed), _given_polygon(p1, closed)
+    a, b = _polygon(p0, closed), _polygon(p1, closed)
     settings = settings or Settings()
-    constraints = Constraints(settings.start, settings.pins)
     check_stiff([a], settings)
-    backwards, found = choose_direction(a, b, settings, constraints, None, alone=True)
-    if not backwards:
-        return found
-    # Backwards a closed polygon keeps its first vertex, and an open one begins at its last.
+    is_reversed, correspondence = choose_direction(a, b, settings, Constraints(settings.start, settings.pins))
+    if not is_reversed:
+        return correspondence
+    # Reversed, a closed polygon keeps its first vertex, and an open one begins at its last.
     last = len(b.vertices) - (0 if closed else 1)
-    vertices = (last - found.dots[:, 1]) % len(b.vertices)
-    return replace(found, dots=np.stack([found.dots[:, 0], vertices], axis=1))
+    i, j = correspondence.dots.T
+    return replace(correspondence, dots=np.stack([i, (last - j) % len(b.vertices)], axis=1))
 
 
-def _given_polygon(points: ArrayLike, closed: bool) -> Polygon:
-    """A polygon whose segments are its vertices' numbers."""
+def _polygon(points: ArrayLike, closed: bool) -> Polygon:
+    """Return a polygon on a contour of straight segments, one for each vertex."""
     vertices = np.array(points, np.complex128)
     least = 3 if closed else 2
     if vertices.ndim != 1 or len(vertices) < least:
@@ -134,7 +141,7 @@ def match_all(
     drawings: Sequence[Drawing],
     settings: Settings,
     clock: Clock | None = None,
-    watch: Callable[[float], None] | None = None,
+    watch: Watch | None = None,
 ) -> tuple[list[Pair], list[str]]:
     """Blend drawings, each with the next one: everything up to the first frame.
 
@@ -155,141 +162,149 @@ def match_all(
         What was left out, one phrase each.
     """
     clock = clock or Clock()
-    placed, notes = _place(drawings, settings)
-    check_stiff([part.polygon for part in placed[0].parts], settings)
+    maps = _place(drawings, settings.place)
+    placed, notes = _flatten(drawings, maps, settings.vertices)
+    check_stiff([contour.polygon for contour in placed[0].contours], settings)
+    drawn = [as_drawn(drawing, to_a) for drawing, to_a in zip(drawings, maps, strict=True)]
+    viewboxes = [
+        drawing.viewbox and to_a.box(drawing.viewbox) for drawing, to_a in zip(drawings, maps, strict=True)
+    ]
+    if settings.place == "bbox":
+        viewboxes = [drawings[0].viewbox] * len(drawings)
+    views = list(map(view_of, drawn, viewboxes))
     clock.lap("flatten")
     pairs = []
-    for number, (a, b) in enumerate(pairwise(placed)):
-        shapes = _blend_shapes(a, b, settings, clock, part_of(watch, number, len(placed) - 1))
-        pairs.append(Pair(number, number + 1, shapes, drawn=(a.drawn, b.drawn), views=(a.view, b.view)))
+    for k, (a, b) in enumerate(pairwise(placed)):
+        shapes = _blend_shapes(a, b, settings, clock, watch_part(watch, k, len(placed) - 1))
+        pairs.append(Pair(k, k + 1, shapes, drawn=(drawn[k], drawn[k + 1]), views=(views[k], views[k + 1])))
         clock.lap("interpolate")
     views = views_with_room(pairs)
     return [pair._replace(views=(views[pair.a], views[pair.b])) for pair in pairs], notes
 
 
-class _PlacedDrawing(NamedTuple):
-    """A drawing, the map that lays it over the first, and laid there its contours, what it paints, and its view."""
-
-    drawing: Drawing
-    to_a: Similarity
-    parts: list[PlacedContour]
-    drawn: tuple[PaintedShape, ...]
-    view: Box
+def _place(drawings: Sequence[Drawing], place: str) -> list[Similarity]:
+    """Return the maps that lay drawings over the first."""
+    first, *others = drawings
+    return [Similarity(), *(place_over(first, drawing, place) for drawing in others)]
 
 
-def _place(drawings: Sequence[Drawing], settings: Settings) -> tuple[list[_PlacedDrawing], list[str]]:
-    """Lay all drawings over the first, and take them apart into flattened contours."""
-    first = drawings[0]
-    placed: list[_PlacedDrawing] = []
+def as_drawn(drawing: Drawing, to_a: Similarity) -> tuple[PaintedShape, ...]:
+    """Return what a drawing paints, laid over A."""
+    return tuple(
+        PaintedShape(
+            tuple(CubicPath(to_a.points(c.segments), c.straight, c.closed) for c in shape.contours),
+            to_a.style(shape.style),
+        )
+        for shape in drawing.shapes
+    )
+
+
+def _flatten(
+    drawings: Sequence[Drawing], maps: Sequence[Similarity], vertices: int
+) -> tuple[list[PlacedDrawing], list[str]]:
+    """Decompose drawings into flattened contours, those of all oriented as in the first."""
+    placed: list[PlacedDrawing] = []
     notes: list[str] = []
-    way = None
-    for number, drawing in enumerate(drawings):
-        to_a = place_over(first, drawing, settings.place) if number else Similarity()
-        parts, left_out = decompose(drawing, to_a, settings.vertices, way)
-        way = way or main_orientation([part.polygon for part in parts])
-        drawn = as_drawn(drawing, to_a)
-        viewbox = first.viewbox if settings.place == "bbox" else drawing.viewbox and to_a.box(drawing.viewbox)
-        placed.append(_PlacedDrawing(drawing, to_a, parts, drawn, view_of(drawn, viewbox)))
+    orientation = None
+    for drawing, to_a in zip(drawings, maps, strict=True):
+        contours, left_out = decompose(drawing, to_a, vertices, orientation)
+        orientation = orientation or main_orientation([contour.polygon for contour in contours])
+        placed.append(PlacedDrawing(drawing, to_a, contours))
         notes += left_out
     return placed, notes
 
 
 def _blend_shapes(
-    a: _PlacedDrawing,
-    b: _PlacedDrawing,
-    settings: Settings,
-    clock: Clock,
-    watch: Callable[[float], None] | None,
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, clock: Clock, watch: Watch | None
 ) -> tuple[ShapeBlend, ...]:
-    """Pair the contours of two drawings, match each pair, and choose how shapes move."""
-    rotation = None if settings.motion == "linear" else _rotation(a.parts, b.parts)
-    matching = _pair_contours(a, b, settings, rotation or 0.0, clock)
-    shapes = _match(matching, rotation or 0.0, watch)
-    if rotation is not None and not is_turned([contour for shape in shapes for contour in shape.contours]):
-        rotation = None
-        matching = _pair_contours(a, b, settings, 0.0, clock)
-        shapes = _match(matching, 0.0, watch)
-    moved = _choose_motions(matching, shapes, is_rotated=rotation is not None)
+    """Pair the contours of two drawings, match them, and choose how their shapes move."""
+    rotation = 0.0
+    if settings.motion != "linear":
+        largest = [max(side.contours, key=lambda contour: contour.size) for side in (a, b)]
+        rotation = rotation_between(*(contour.polygon for contour in largest)) or 0.0
+    paired = _pair(a, b, settings, rotation, clock)
+    shapes = _match(paired, rotation, watch)
+    if rotation and not is_rotated_copy([contour for shape in shapes for contour in shape.contours]):
+        rotation = 0.0
+        paired = _pair(a, b, settings, rotation, clock)
+        shapes = _match(paired, rotation, watch)
+    moved = _move(paired, shapes, is_rotated=rotation != 0.0)
     clock.lap("interpolate")
     return moved
 
 
-def _rotation(a: Sequence[PlacedContour], b: Sequence[PlacedContour]) -> float | None:
-    """Return by what angle the largest contour of B is that of A rotated, if it is."""
-    return turn_between(*(max(parts, key=lambda part: part.size).polygon for parts in (a, b)))
+class _PairedDrawings(NamedTuple):
+    """Two drawings whose contours are paired, and what matching them takes."""
 
-
-class _Matching(NamedTuple):
-    """The contours of two drawings that are paired, and all that matching them takes."""
-
-    a: _PlacedDrawing
-    b: _PlacedDrawing
-    couples: list[tuple[PlacedContour, PlacedContour]]
+    a: PlacedDrawing
+    b: PlacedDrawing
+    pairs: list[ContourPair]
     constraints: list[Constraints]
     settings: Settings
     clock: Clock
 
-    def match(self, number: int, rotation: float, watch: Callable[[float], None] | None = None) -> Match:
-        """Match one of the couples, with B rotated back by an angle."""
-        a, b = self.couples[number]
-        alone = len(self.couples) == 1
-        blend = match_contours(a, b, self.settings, self.constraints[number], watch, rotation, alone=alone)
-        return Match(a, b, blend._replace(seconds=self.clock.lap("match")))
+    def match(self, k: int, rotation: float, watch: Watch | None = None) -> Match:
+        """Match a pair of contours, with B rotated back by an angle."""
+        pair = self.pairs[k]
+        blend = match_contours(*pair, self.settings, self.constraints[k], rotation, watch)
+        return Match(pair, blend._replace(seconds=self.clock.lap("match")))
 
 
-def _pair_contours(
-    a: _PlacedDrawing, b: _PlacedDrawing, settings: Settings, rotation: float, clock: Clock
-) -> _Matching:
+def _pair(
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, rotation: float, clock: Clock
+) -> _PairedDrawings:
     """Pair the contours of two drawings, with B rotated back by an angle."""
-    pins = pinned(a.parts, b.parts, settings, b.to_a)
-    given = given_pairs((a.drawing, b.drawing), (a.parts, b.parts), settings)
-    couples = _couples(a.parts, b.parts, settings, given + [found.pair for found in pins], rotation)
+    pins = point_pins(a, b, settings)
+    required = required_pairs(a, b, settings) + [pin.pair for pin in pins]
+    pairs = pair_rotated_contours(a.contours, b.contours, settings, required, rotation)
     clock.lap("match")
-    largest = max(couples, key=lambda couple: couple[0].size)
-    constraints = [
-        constraints_for(couple, settings, pins, is_largest=couple is largest) for couple in couples
-    ]
-    return _Matching(a, b, couples, constraints, settings, clock)
+    return _PairedDrawings(a, b, pairs, constraints_of(pairs, settings, pins), settings, clock)
 
 
-def _match(
-    matching: _Matching, rotation: float, watch: Callable[[float], None] | None
-) -> tuple[ShapeBlend, ...]:
-    """Match all couples, and put them together to shapes, with the contours that grow or shrink."""
-    count = len(matching.couples)
-    matches = [matching.match(k, rotation, part_of(watch, k, count)) for k in range(count)]
-    shapes = shape_blends(matching.a.parts, matching.b.parts, matches)
-    styled = tuple(_in_style(shape, matching.settings.style) for shape in shapes)
-    matching.clock.lap("match")
+def _match(paired: _PairedDrawings, rotation: float, watch: Watch | None) -> tuple[ShapeBlend, ...]:
+    """Match all pairs, and put them together to shapes, with the contours that grow or shrink."""
+    count = len(paired.pairs)
+    matches = [paired.match(k, rotation, watch_part(watch, k, count)) for k in range(count)]
+    shapes = shape_blends(paired.a.contours, paired.b.contours, matches)
+    styled = tuple(_in_style(shape, paired.settings.style) for shape in shapes)
+    paired.clock.lap("match")
     return styled
 
 
-def _match_again(matching: _Matching, shape: ShapeBlend, rotation: float) -> ShapeBlend:
+def _match_again(paired: _PairedDrawings, shape: ShapeBlend, rotation: float) -> ShapeBlend:
     """Match the contours of a shape for another angle by which B is rotated back."""
-    matching.clock.lap("interpolate")
-    numbers: dict[tuple[int | None, int | None], int] = {
-        (a.number, b.number): k for k, (a, b) in enumerate(matching.couples)
+    paired.clock.lap("interpolate")
+    indices: dict[tuple[int | None, int | None], int] = {
+        (p.number, q.number): k for k, (p, q) in enumerate(paired.pairs)
     }
     contours = [
-        matching.match(numbers[contour.a, contour.b], rotation).blend
-        if (contour.a, contour.b) in numbers
+        paired.match(indices[contour.a, contour.b], rotation).blend
+        if (contour.a, contour.b) in indices
         else contour
         for contour in shape.contours
     ]
     return shape._replace(contours=tuple(contours))
 
 
-def _choose_motions(
-    matching: _Matching, shapes: Sequence[ShapeBlend], *, is_rotated: bool
+def _in_style(shape: ShapeBlend, style: str) -> ShapeBlend:
+    """Paint a shape as the settings say; one without a partner keeps its own paint."""
+    if not (any(c.a is not None for c in shape.contours) and any(c.b is not None for c in shape.contours)):
+        return shape
+    style_a, style_b = painted_as(shape.style_a, shape.style_b, style)
+    return shape._replace(style_a=style_a, style_b=style_b)
+
+
+def _move(
+    paired: _PairedDrawings, shapes: Sequence[ShapeBlend], *, is_rotated: bool
 ) -> tuple[ShapeBlend, ...]:
-    """Choose how shapes move; what is to move otherwise than straight is matched again first."""
-    settings = matching.settings
+    """Choose how shapes move; those that are not to move straight are matched again first."""
+    settings = paired.settings
     times = frame_times(settings.frames, settings.ends, settings.ease)
     common = None
     if settings.motion != "linear" and (is_rotated or len(shapes) > 1):
-        common = align(matched_points([contour for shape in shapes for contour in shape.contours]))
+        common = align(point_pairs([contour for shape in shapes for contour in shape.contours]))
     straight = [_with_curves(shape, settings) for shape in shapes]
-    rotation = common.turn if is_rotated and common else None
+    rotation = common.rotation if is_rotated and common else None
     moved = []
     for matched, trial in zip(shapes, try_straight(straight, settings.motion, times, rotation), strict=True):
         if trial.is_settled:
@@ -298,24 +313,24 @@ def _choose_motions(
         if is_rotated and common:
             rotated = RotatedShape(trial.shape, common)
         else:
-            again, alignment = _rotated_back(matching, matched, common)
+            again, alignment = _rotate_back(paired, matched, common)
             rotated = RotatedShape(_with_curves(again, settings), alignment)
         moved.append(choose_motion(trial, settings.motion, rotated, times))
     return tuple(moved)
 
 
-def _rotated_back(
-    matching: _Matching, shape: ShapeBlend, common: Alignment | None
+def _rotate_back(
+    paired: _PairedDrawings, shape: ShapeBlend, common: Alignment | None
 ) -> tuple[ShapeBlend, Alignment]:
     """Align a shape and match it again, with B rotated back so, until the angle stays."""
-    own = align(matched_points(shape.contours))
+    own = align(point_pairs(shape.contours))
     if common is not None and is_as_good(common, own, shape):
-        return _match_again(matching, shape, common.turn), common
+        return _match_again(paired, shape, common.rotation), common
     for _ in range(ROUNDS):
-        angle = own.turn
-        shape = _match_again(matching, shape, angle)
-        own = align(matched_points(shape.contours))
-        if abs(own.turn - angle) < SAME_ANGLE:
+        angle = own.rotation
+        shape = _match_again(paired, shape, angle)
+        own = align(point_pairs(shape.contours))
+        if abs(own.rotation - angle) < SAME_ANGLE:
             break
     return shape, own
 
@@ -325,45 +340,6 @@ def _with_curves(shape: ShapeBlend, settings: Settings) -> ShapeBlend:
     if not settings.curves:
         return shape
     return shape._replace(contours=tuple(map(with_curves, shape.contours)))
-
-
-def _couples(
-    a: Sequence[PlacedContour],
-    b: Sequence[PlacedContour],
-    settings: Settings,
-    given: Sequence[tuple[int, int]],
-    turn: float,
-) -> list[tuple[PlacedContour, PlacedContour]]:
-    """The pairs of contours, found with B turned back by an angle about its largest one, which is laid over A's."""
-    if not turn:
-        return pair_contours(a, b, settings, given)
-    in_a, in_b = (max(parts, key=lambda part: part.size).polygon.vertices.mean() for parts in (a, b))
-    back = Similarity.rotation(-turn, about=in_b, onto=in_a)
-    there = Similarity.rotation(turn, about=in_a, onto=in_b)
-    couples = pair_contours(a, [part.transformed(back) for part in b], settings, given)
-    own = {part.number: part for part in b}
-    return [
-        (one, other.transformed(there) if other.is_piece else own[other.number]) for one, other in couples
-    ]
-
-
-def _in_style(shape: ShapeBlend, style: str) -> ShapeBlend:
-    """A shape painted as the settings say; one without a partner keeps its own paint."""
-    if all(c.a is None for c in shape.contours) or all(c.b is None for c in shape.contours):
-        return shape
-    style_a, style_b = painted_as(shape.style_a, shape.style_b, style)
-    return shape._replace(style_a=style_a, style_b=style_b)
-
-
-def as_drawn(drawing: Drawing, over: Similarity) -> tuple[PaintedShape, ...]:
-    """What a drawing paints, laid over the first."""
-    return tuple(
-        PaintedShape(
-            tuple(CubicPath(over.points(c.segments), c.straight, c.closed) for c in shape.contours),
-            over.style(shape.style),
-        )
-        for shape in drawing.shapes
-    )
 
 
 def make_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
@@ -379,18 +355,15 @@ def make_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
 
 
 def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
-    """The shapes of a pair at time t, command for command alike at all times; what has no partner ends as a point."""
+    """Return the shapes of a pair at time t, at all times with the same commands; points are kept."""
     return tuple(
-        PaintedShape(
-            between(shape, t),
-            *blend_styles(shape.style_a, shape.style_b, t),
-        )
+        PaintedShape(between(shape, t), *blend_styles(shape.style_a, shape.style_b, t))
         for shape in pair.shapes
     )
 
 
 def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:
-    """The frame at time t; at t = 0 and t = 1 it may be the drawing itself."""
+    """Return the frame at time t; at t = 0 and t = 1 it may be the drawing itself."""
     view = pair.views[0].interpolate(pair.views[1], t)
     if t not in (0.0, 1.0):
         return Frame(t, pair.a, shapes_at(pair, t), view)
@@ -398,8 +371,8 @@ def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:
 
 
 def _without_points(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
-    """Return the shapes at an end of time, but for contours that are a point there."""
-    found = []
+    """Return the shapes at an end of time, without contours that are a point there."""
+    painted = []
     for blend, shape in zip(pair.shapes, shapes_at(pair, t), strict=True):
         paths = tuple(
             path
@@ -407,5 +380,5 @@ def _without_points(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
             if not (contour.shrinks if t else contour.grows)
         )
         if paths:
-            found.append(shape._replace(paths=paths))
-    return tuple(found)
+            painted.append(shape._replace(paths=paths))
+    return tuple(painted)

@@ -68,7 +68,7 @@ SHARED = {"numpy", *sys.stdlib_module_names}
 
 # What a room hands to one below it, which calls it there.
 HANDED_DOWN = {
-    *("Terminal.note", "part_of.<locals>.<lambda>", "Terminal.progress"),  # how far a run has come
+    *("Terminal.note", "watch_part.<locals>.<lambda>", "Terminal.progress"),  # how far a run has come
     *("Rigid.segments", "Intrinsic.segments", "Safe.segments"),  # a `Motion`, which `model` declares
     "Settings._defaults",  # a `Record` asks what it is made of
 }

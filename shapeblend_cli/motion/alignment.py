@@ -1,4 +1,4 @@
-"""The best similarity between matched outlines: turn, scale and shift."""
+"""The best similarity between matched outlines, and rigid motion along it."""
 
 from __future__ import annotations
 
@@ -14,42 +14,70 @@ if TYPE_CHECKING:
 
 
 class Alignment(NamedTuple):
-    """The similarity ``a -> scale * exp(1j * turn) * (a - centre_a) + centre_b``, taken apart to move evenly.
+    """The similarity ``a -> scale * exp(1j * rotation) * (a - centre_a) + centre_b``, in parts that move evenly.
 
     Attributes
     ----------
     centre_a, centre_b : complex
     scale : float > 0
-    turn : float
-        Radians, positive where x turns towards y.
+    rotation : float
+        Radians, positive from x towards y.
     """
 
     centre_a: complex
     centre_b: complex
     scale: float
-    turn: float
+    rotation: float
 
-    def taken_back(self, z: ComplexArray) -> ComplexArray:
-        """Points of B, turned, scaled and shifted so that they lie over A's; A's centre is the origin."""
-        return (z - self.centre_b) * cmath.rect(1.0 / self.scale, -self.turn)
+    def undo(self, z: ComplexArray) -> ComplexArray:
+        """Map points of B back over A's, with A's centre at the origin."""
+        return (z - self.centre_b) * cmath.rect(1.0 / self.scale, -self.rotation)
 
-    def placed(self, z: ComplexArray, t: float) -> ComplexArray:
-        """Points around the origin where they belong at time t.
+    def apply(self, z: ComplexArray, t: float) -> ComplexArray:
+        """Map points around the origin to where they are at time t.
 
-        The turn goes through its angle evenly, the scale geometrically, the centre on a straight line.
+        The angle changes evenly, the scale geometrically, and the centre moves on a straight line.
         """
         centre = (1.0 - t) * self.centre_a + t * self.centre_b
-        return z * cmath.rect(self.scale**t, self.turn * t) + centre
+        return z * cmath.rect(self.scale**t, self.rotation * t) + centre
 
 
-class Matched(NamedTuple):
-    """What corresponds, point by point, of outlines that go together.
+class Rigid(NamedTuple):
+    """Motion as if a shape were moved by hand: rotated, scaled and shifted, and what else changes moves straight.
+
+    A point between ``a`` and ``b`` is at time t ``S(t) ((1 - t) a + t S^-1 b)``, where ``S(t)`` is the part of the
+    similarity ``S = S(1)`` gone through by then (`Alignment.apply`). Of a shape and the same shape rotated, ``S^-1 b``
+    is ``a``, and every in-between is that shape.
+    """
+
+    alignment: Alignment
+
+    @property
+    def name(self) -> str:
+        """As `--motion` has it."""
+        return "rigid"
+
+    def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
+        """Return the control points of each contour at time t."""
+        alignment = self.alignment
+        return [
+            alignment.apply(
+                (1.0 - t) * (contour.start.segments - alignment.centre_a)
+                + t * alignment.undo(contour.end.segments),
+                t,
+            )
+            for contour in contours
+        ]
+
+
+class PointPairs(NamedTuple):
+    """Points of outlines that correspond.
 
     Attributes
     ----------
     a, b : (k,) complex
     weight : (k,) float
-        How much of the outlines each point stands for; together 1.
+        How much of the outlines each point stands for, of sum 1.
     """
 
     a: ComplexArray
@@ -57,22 +85,20 @@ class Matched(NamedTuple):
     weight: FloatArray
 
 
-def matched_points(contours: Sequence[ContourBlend]) -> Matched:
-    """The dots of contours that have partners, weighted by the length of both outlines around each."""
-    found = []
+def point_pairs(contours: Sequence[ContourBlend]) -> PointPairs:
+    """Return the dots of matched contours, weighted by the length of both outlines around each."""
+    pairs = []
     for contour in contours:
-        if not contour.is_matched:
-            continue
-        a, b = contour.dot_points()
-        closed = contour.correspondence.closed
-        weight = _around(a, closed) + _around(b, closed)
-        found.append((a, b, weight))
-    a, b, weight = (np.concatenate(side) for side in zip(*found, strict=True))
-    return Matched(a, b, weight / weight.sum())
+        if contour.is_matched:
+            a, b = contour.dot_points()
+            closed = contour.correspondence.closed
+            pairs.append((a, b, _adjacent_length(a, closed) + _adjacent_length(b, closed)))
+    a, b, weight = (np.concatenate(side) for side in zip(*pairs, strict=True))
+    return PointPairs(a, b, weight / weight.sum())
 
 
-def _around(z: ComplexArray, closed: bool) -> FloatArray:
-    """Length of the edges before and after each point."""
+def _adjacent_length(z: ComplexArray, closed: bool) -> FloatArray:
+    """Return the length of the edges before and after each point."""
     edges = np.abs(np.diff(z, append=z[:1] if closed else z[-1:]))
     before = np.roll(edges, 1)
     if not closed:
@@ -80,30 +106,30 @@ def _around(z: ComplexArray, closed: bool) -> FloatArray:
     return edges + before
 
 
-def align(points: Matched) -> Alignment:
-    """The similarity that takes A's points nearest to B's, by weighted least squares.
+def align(points: PointPairs) -> Alignment:
+    """Return the similarity that takes A's points nearest to B's, by weighted least squares.
 
-    The turn is that of the least squares; the scale is the ratio of both sizes, so that which of the drawings comes
-    first makes no difference: where the outlines have little in common, least squares would shrink both ways.
+    The rotation is that of least squares. The scale is the ratio of both sizes, so that it makes no difference which
+    drawing comes first: where outlines have little in common, least squares would shrink in both directions.
     """
     a, b, weight = points
     centre_a, centre_b = complex((weight * a).sum()), complex((weight * b).sum())
     a, b = a - centre_a, b - centre_b
     common = complex((weight * a.conj() * b).sum())
     size_a, size_b = _size(a, weight), _size(b, weight)
-    turn = cmath.phase(common) if abs(common) > 1e-12 * size_a * size_b else 0.0
+    rotation = cmath.phase(common) if abs(common) > 1e-12 * size_a * size_b else 0.0
     scale = size_b / size_a if size_a > 0.0 and size_b > 0.0 else 1.0
-    return Alignment(centre_a, centre_b, scale, turn)
+    return Alignment(centre_a, centre_b, scale, rotation)
 
 
-def residual(points: Matched, alignment: Alignment) -> float:
-    """What a similarity leaves of the way from A to B: root mean square, as a share of A's size."""
+def residual(points: PointPairs, alignment: Alignment) -> float:
+    """Return the distance that a similarity leaves between A and B: root mean square, as a share of A's size."""
     a, b, weight = points
     a = a - alignment.centre_a
-    left, size = _size(alignment.taken_back(b) - a, weight), _size(a, weight)
+    left, size = _size(alignment.undo(b) - a, weight), _size(a, weight)
     return left / size if size > 0.0 else 0.0
 
 
 def _size(z: ComplexArray, weight: FloatArray) -> float:
-    """Root mean square distance from the origin."""
+    """Return the root mean square distance from the origin."""
     return float(np.sqrt((weight * (z.real**2 + z.imag**2)).sum()))

@@ -10,9 +10,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.motion.alignment import align, matched_points, residual
+from shapeblend_cli.motion.alignment import Rigid, align, point_pairs, residual
 from shapeblend_cli.motion.defects import COLLAPSE, OVERLAP, Fault, fault
-from shapeblend_cli.motion.rigid import Rigid
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -150,7 +149,7 @@ def choose_motion(trial: Trial, motion: str, rotated: RotatedShape, times: Seque
 
 def is_as_good(common: Alignment, own: Alignment, shape: ShapeBlend) -> bool:
     """Whether the similarity of a whole drawing suits one of its shapes about as well as the shape's own."""
-    points = matched_points(shape.contours)
+    points = point_pairs(shape.contours)
     return residual(points, common) <= COMMON * residual(points, own)
 
 
@@ -172,7 +171,7 @@ def _try_safe(shape: ShapeBlend) -> Trial:
     """Settle a shape that `safe` motion need not smooth anywhere."""
     from shapeblend_cli.motion.safe import plan, safe
 
-    found = plan(shape, align(matched_points(shape.contours)))
+    found = plan(shape, align(point_pairs(shape.contours)))
     if found is not None and found.is_level:
         return Trial(safe(found)._replace(reason=ASKED))
     return Trial(shape, is_settled=False, plan=found)
@@ -183,7 +182,7 @@ def _safe(trial: Trial, rotated: RotatedShape) -> ShapeBlend:
     from shapeblend_cli.motion.safe import plan, safe
 
     shape = trial.shape
-    here = trial.plan or plan(shape, align(matched_points(shape.contours)))
+    here = trial.plan or plan(shape, align(point_pairs(shape.contours)))
     if here is not None and here.is_level:
         return safe(here)._replace(reason=ASKED)
     there = plan(rotated.shape, rotated.alignment, math.inf if here is None else here.cost)

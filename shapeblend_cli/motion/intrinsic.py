@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.motion.rigid import Rigid
+from shapeblend_cli.motion.alignment import Rigid
 from shapeblend_cli.motion.turning import ROUND, directions
 
 if TYPE_CHECKING:
@@ -110,7 +110,7 @@ class Intrinsic(NamedTuple):
             if legs is None:
                 found += Rigid(self.alignment).segments([contour], t)
                 continue
-            segments = self.alignment.placed(legs.at(t), t)[legs.corners]
+            segments = self.alignment.apply(legs.at(t), t)[legs.corners]
             lines = segments[legs.straight]
             chord = lines[:, 3] - lines[:, 0]
             lines[:, 1], lines[:, 2] = lines[:, 0] + chord / 3.0, lines[:, 0] + chord * (2.0 / 3.0)
@@ -167,7 +167,7 @@ def intrinsic(contours: Sequence[ContourBlend], alignment: Alignment) -> Intrins
     paths = [_path(contour) for contour in contours]
     moving = [path for path in paths if path is not None]
     if moving:
-        alignment = alignment._replace(turn=_median_turn(moving, alignment.turn))
+        alignment = alignment._replace(rotation=_median_turn(moving, alignment.rotation))
     return Intrinsic(alignment, tuple(path and _legs(path, alignment) for path in paths))
 
 
@@ -245,13 +245,13 @@ def _median_turn(paths: Sequence[_Path], turn: float) -> float:
 def _legs(path: _Path, alignment: Alignment) -> Legs:
     """How a control polygon moves, once a similarity is taken back."""
     start, end = path.start, path.end / alignment.scale
-    swing = path.near(alignment.turn) - alignment.turn
+    swing = path.near(alignment.rotation) - alignment.rotation
     softness = ((start - end) / (start + end)) ** 2 + FIRMNESS**2
     weight = np.zeros(len(path.moves))
     weight[path.moves] = path.share * (np.cos(0.5 * np.clip(swing, -np.pi, np.pi)) ** 2 + 1e-6)
     around = np.append(weight, 0.0) + np.append(0.0, weight)
     around /= around.sum()
-    a, b = path.points[0] - alignment.centre_a, alignment.taken_back(path.points[1])
+    a, b = path.points[0] - alignment.centre_a, alignment.undo(path.points[1])
     return Legs(
         path.moves,
         start,

@@ -1,4 +1,4 @@
-"""Whether one outline is another one turned, or one drawing another one."""
+"""Whether one outline is a rotated copy of another, or one drawing of another."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.motion.alignment import align, matched_points, residual
+from shapeblend_cli.motion.alignment import align, point_pairs, residual
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -14,34 +14,29 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, ContourBlend, Polygon
 
 SAMPLES = 256
-"""Points, evenly spread, as which an outline is seen."""
+"""Points, evenly spread along an outline, that are compared."""
 
 ALIKE = 0.999
-"""Correlation of outlines that are the same but for turn, scale and place: what remains is about 4 % of the size."""
+"""Correlation of outlines that are the same but for a similarity: what remains is about 4 % of the size."""
 
 NEARLY_BEST = 1e-3
-"""Starts whose correlation is less than this below the best are as good; then the least turn is meant."""
+"""Starts whose correlation is less than this below the best are as good; then the smallest angle is meant."""
 
 ROUNDING = 1e-6
 """Correlations that differ by less are the same."""
 
-LEFT = 0.03
-"""B is A turned if no more than this share of A's size is left, root mean square, once it is turned back."""
+MOST_RESIDUAL = 0.03
+"""B is a rotated copy if no more than this share of A's size is left, root mean square, once it is rotated back."""
 
-LEAST_TURN = np.radians(1.0)
-"""A lesser turn goes straight."""
+LEAST_ROTATION = np.radians(1.0)
+"""By a smaller angle outlines are not rotated."""
 
 
-def turn_between(a: Polygon, b: Polygon) -> float | None:
-    """The turn that makes one polygon of another, in radians, the short way; None if they are not alike.
+def rotation_between(a: Polygon, b: Polygon) -> float | None:
+    """Return the angle by which one polygon is another rotated, in (-pi, pi]; None if they are not alike.
 
-    The turn of least squares for every starting point is the argument of a cyclic correlation of both outlines, and its
-    absolute value says how well they then agree.
-
-    Parameters
-    ----------
-    a, b : Polygon
-        Going round the same way.
+    The angle of least squares for every starting point is the argument of a cyclic correlation of both outlines, whose
+    absolute value says how well they then agree. Closed polygons must have the same orientation.
     """
     if a.closed != b.closed:
         return None
@@ -53,34 +48,34 @@ def turn_between(a: Polygon, b: Polygon) -> float | None:
     else:
         common = np.stack([q, q[::-1]]) @ p.conj() / SAMPLES
     size = float(np.sqrt((np.abs(p) ** 2).mean() * (np.abs(q) ** 2).mean()))
-    fit = np.abs(common) / size
-    if fit.max() < ALIKE:
+    correlation = np.abs(common) / size
+    if correlation.max() < ALIKE:
         return None
-    turns = np.angle(common)
-    good = np.flatnonzero(fit >= fit.max() - NEARLY_BEST)
-    best = int(good[np.abs(turns[good]).argmin()])
-    # Its neighbours may fit better still, and then the turn is theirs. On a circle none does.
+    angles = np.angle(common)
+    good = np.flatnonzero(correlation >= correlation.max() - NEARLY_BEST)
+    best = int(good[np.abs(angles[good]).argmin()])
+    # A neighbour may be better still, and then its angle is right. On a circle none is.
     while a.closed:
-        beside = max((best - 1) % SAMPLES, (best + 1) % SAMPLES, key=fit.__getitem__)
-        if fit[beside] <= fit[best] + ROUNDING:
+        neighbour = max((best - 1) % SAMPLES, (best + 1) % SAMPLES, key=correlation.__getitem__)
+        if correlation[neighbour] <= correlation[best] + ROUNDING:
             break
-        best = beside
-    turn = float(turns[best])
-    return turn if abs(turn) > LEAST_TURN else None
+        best = neighbour
+    angle = float(angles[best])
+    return angle if abs(angle) > LEAST_ROTATION else None
 
 
-def is_turned(contours: Sequence[ContourBlend]) -> bool:
-    """Whether B is A turned, as a whole."""
+def is_rotated_copy(contours: Sequence[ContourBlend]) -> bool:
+    """Return whether B as a whole is A rotated, scaled and shifted."""
     if not all(contour.is_matched for contour in contours):
         return False
-    points = matched_points(contours)
-    return residual(points, align(points)) < LEFT
+    points = point_pairs(contours)
+    return residual(points, align(points)) < MOST_RESIDUAL
 
 
 def _even(polygon: Polygon) -> ComplexArray:
-    """Points spread evenly along a polygon, around their mean."""
+    """Return points spread evenly along a polygon, relative to their mean."""
     z = np.append(polygon.vertices, polygon.vertices[:1]) if polygon.closed else polygon.vertices
-    along = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(z)))])
-    places = np.linspace(0.0, along[-1], SAMPLES, endpoint=not polygon.closed)
-    points = np.interp(places, along, z.real) + 1j * np.interp(places, along, z.imag)
+    distance = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(z)))])
+    sampled = np.linspace(0.0, distance[-1], SAMPLES, endpoint=not polygon.closed)
+    points = np.interp(sampled, distance, z.real) + 1j * np.interp(sampled, distance, z.imag)
     return np.asarray(points - points.mean())

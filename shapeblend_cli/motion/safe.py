@@ -132,8 +132,8 @@ class Map:
         of_b = placed * share * np.exp(-1j * turn) / self.alignment.scale
         centre_a = (1.0 - f) * self.centres_a[low] + f * self.centres_a[high]
         centre_b = (1.0 - f) * self.centres_b[low] + f * self.centres_b[high]
-        middle = (1.0 - share) * centre_a + share * self.alignment.taken_back(centre_b)
-        centre = self.alignment.placed(scale * middle, share)
+        middle = (1.0 - share) * centre_a + share * self.alignment.undo(centre_b)
+        centre = self.alignment.apply(scale * middle, share)
         a = (1.0 - f) * self.around_a[low] + f * self.around_a[high]
         b = (1.0 - f) * self.around_b[low] + f * self.around_b[high]
         of_a, of_b, centre = (np.repeat(values, self.lengths)[:, None] for values in (of_a, of_b, centre))
@@ -226,7 +226,7 @@ def plan(shape: ShapeBlend, alignment: Alignment, below: float = np.inf) -> Plan
     lengths = [len(contour.start.segments) for contour in shape.contours]
     around_a, centres_a = _centred(levels_a)
     around_b, centres_b = _centred(levels_b)
-    turns = _turns(levels_a, levels_b, alignment.turn)
+    turns = _turns(levels_a, levels_b, alignment.rotation)
     ground = Ground(
         Map(alignment, lengths, around_a, around_b, centres_a - alignment.centre_a, centres_b, turns),
         shape.contours,

@@ -1,4 +1,4 @@
-"""What the user wants of the pairing: contours by number or id, pins, stiff regions."""
+"""What users require of the pairing: contours by number or id, starts, pins, stiff regions."""
 
 from __future__ import annotations
 
@@ -7,106 +7,117 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
+from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.pairing.pair import pair_contours
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.geometry.similarity import Similarity
-    from shapeblend_cli.model import Drawing, Polygon
-    from shapeblend_cli.pairing.decompose import PlacedContour
+    from shapeblend_cli.model import FloatArray, Polygon
+    from shapeblend_cli.pairing.decompose import ContourPair, PlacedContour, PlacedDrawing
     from shapeblend_cli.settings import Settings
 
     Numbers = tuple[int, int]
     Pin = tuple[complex, complex]
 
-NAMED = 5
-"""Ids that an error names, at most."""
+SUGGESTIONS = 5
+"""Largest number of ids that an error suggests."""
 
 
 class Constraints(NamedTuple):
-    """What is wanted of one pair of contours.
+    """What is required of the match of two contours.
 
     Attributes
     ----------
     start : (int, int) or None
     pins : sequence of (int, int) or (complex, complex)
         Vertex numbers, or points in A's coordinates.
+    is_alone : bool
+        Whether no other contours are matched beside these; contours among others are kept upright.
     """
 
     start: Numbers | None = None
     pins: Sequence[Pin] = ()
+    is_alone: bool = True
+
+    def rotated_back(self, rotation: float) -> Constraints:
+        """Return the constraints for B rotated back by an angle; vertex numbers stay what they are."""
+        if not rotation:
+            return self
+        back = Similarity.rotation(-rotation)
+        return self._replace(
+            pins=[pin if _is_numbers(pin) else (pin[0], back.point(pin[1])) for pin in self.pins]
+        )
+
+    def pinned_vertices(self, a: Polygon, b: Polygon) -> list[Numbers]:
+        """Return the vertices that pins connect: those with the numbers, or nearest to the points."""
+        vertices = []
+        for p, q in self.pins:
+            if isinstance(p, int) and isinstance(q, int):
+                vertices.append((p, q))
+            else:
+                i, j = np.abs(a.vertices - p).argmin(), np.abs(b.vertices - q).argmin()
+                vertices.append((int(i), int(j)))
+        return vertices
 
 
-class Pinned(NamedTuple):
-    """A pin between points, B's laid over A, and the contours it joins."""
+class PointPin(NamedTuple):
+    """A pin between points in A's coordinates, and the numbers of the contours it connects."""
 
     pair: Numbers
     pin: Pin
 
 
-def pinned(
-    a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Settings, over: Similarity
-) -> list[Pinned]:
-    """Find the contours that pins between points join: those nearest to the points."""
-    found = []
+def point_pins(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> list[PointPin]:
+    """Return the pins between points, each with the contours nearest to them."""
+    located = []
     for pin in settings.pins:
         if _is_numbers(pin):
             continue
-        points = pin[0], over.point(pin[1])
-        i, j = (_nearest(parts, point) for parts, point in zip((a, b), points, strict=True))
-        found.append(Pinned((i, j), points))
-    return found
+        points = pin[0], b.to_a.point(pin[1])
+        i, j = (
+            min(side.contours, key=lambda c: np.abs(c.polygon.vertices - point).min()).number
+            for side, point in zip((a, b), points, strict=True)
+        )
+        located.append(PointPin((i, j), points))
+    return located
 
 
-def constraints_for(
-    couple: tuple[PlacedContour, PlacedContour],
-    settings: Settings,
-    pins: Sequence[Pinned],
-    *,
-    is_largest: bool,
-) -> Constraints:
-    """What is wanted of a pair of contours; vertex numbers are those of the largest pair."""
-    pair = couple[0].number, couple[1].number
-    numbers = [pin for pin in settings.pins if is_largest and _is_numbers(pin)]
-    points = [found.pin for found in pins if found.pair == pair]
-    return Constraints(settings.start if is_largest else None, numbers + points)
+def constraints_of(
+    pairs: Sequence[ContourPair], settings: Settings, pins: Sequence[PointPin]
+) -> list[Constraints]:
+    """Return the constraints of each pair of contours; starts and vertex numbers are those of the largest pair."""
+    largest = max(pairs, key=lambda pair: pair[0].size)
+    constraints = []
+    for pair in pairs:
+        numbers = [pin for pin in settings.pins if pair is largest and _is_numbers(pin)]
+        points = [located.pin for located in pins if located.pair == (pair[0].number, pair[1].number)]
+        start = settings.start if pair is largest else None
+        constraints.append(Constraints(start, numbers + points, len(pairs) == 1))
+    return constraints
 
 
-def given_pairs(
-    drawings: tuple[Drawing, Drawing],
-    parts: tuple[Sequence[PlacedContour], Sequence[PlacedContour]],
-    settings: Settings,
-) -> list[Numbers]:
-    """The pairs of contours that are given: by numbers, or by the ids of shapes whose contours are then paired.
+def required_pairs(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> list[Numbers]:
+    """Return the pairs of contours that users name by number, or by the ids of shapes, which are paired first.
 
     Raises
     ------
     MatchError
         An id that no shape has.
     """
-    found: list[Numbers] = []
+    required: list[Numbers] = []
     for pair in settings.match:
-        sides = [
-            _named(name, drawing, side) for name, drawing, side in zip(pair, drawings, parts, strict=True)
-        ]
-        if all(isinstance(side, int) for side in sides):
-            found.append((int(pair[0]), int(pair[1])))
-            continue
-        shapes = [
-            [part for part in side if part.number == name] if isinstance(name, int) else name
-            for name, side in zip(sides, parts, strict=True)
-        ]
-        if shapes[0] and shapes[1]:
-            found += [
-                (p.number, q.number)
-                for p, q in pair_contours(shapes[0], shapes[1], settings.replace(unmatched="point"))
-            ]
-    return found
+        contours = [_named(name, side) for name, side in zip(pair, (a, b), strict=True)]
+        if all(name.isdecimal() for name in pair):
+            required.append((int(pair[0]), int(pair[1])))
+        elif contours[0] and contours[1]:
+            whole = settings.replace(unmatched="point")
+            required += [(p.number, q.number) for p, q in pair_contours(contours[0], contours[1], whole)]
+    return required
 
 
 def check_stiff(polygons: Sequence[Polygon], settings: Settings) -> None:
-    """See that every stiff region has a vertex of A in it."""
+    """Raise a MatchError for a stiff region without a vertex of A in it."""
     for point, radius, _ in settings.stiff:
         vertices = np.concatenate([polygon.vertices for polygon in polygons])
         nearest = vertices[np.abs(vertices - point).argmin()]
@@ -117,26 +128,31 @@ def check_stiff(polygons: Sequence[Polygon], settings: Settings) -> None:
             )
 
 
+def stiffness(polygon: Polygon, settings: Settings) -> FloatArray | None:
+    """Return the stiffness of A's vertices, if any is asked for; in regions that overlap it multiplies."""
+    if not settings.stiff:
+        return None
+    weight = np.ones(len(polygon.vertices))
+    for point, radius, factor in settings.stiff:
+        weight[np.abs(polygon.vertices - point) <= radius] *= factor
+    return weight
+
+
 def _is_numbers(pin: Pin) -> bool:
     return isinstance(pin[0], int) and isinstance(pin[1], int)
 
 
-def _nearest(parts: Sequence[PlacedContour], point: complex) -> int:
-    """Number of the contour with the vertex nearest to a point."""
-    return min(parts, key=lambda part: np.abs(part.polygon.vertices - point).min()).number
-
-
-def _named(name: str, drawing: Drawing, parts: Sequence[PlacedContour]) -> int | list[PlacedContour]:
-    """A contour number, or the contours of the shape with an id."""
+def _named(name: str, side: PlacedDrawing) -> list[PlacedContour]:
+    """Return the contour with a number, or the contours of the shape with an id."""
     if name.isdecimal():
-        return int(name)
-    wanted = name.removeprefix("#")
-    shapes = {k for k, shape in enumerate(drawing.shapes) if shape.id == wanted}
-    if shapes:
-        return [part for part in parts if part.shape in shapes]
+        return [contour for contour in side.contours if contour.number == int(name)]
+    wanted, shapes = name.removeprefix("#"), side.drawing.shapes
+    indices = {k for k, shape in enumerate(shapes) if shape.id == wanted}
+    if indices:
+        return [contour for contour in side.contours if contour.shape in indices]
     import difflib  # only errors need it
 
-    ids = [shape.id for shape in drawing.shapes if shape.id]
-    near = difflib.get_close_matches(wanted, ids, NAMED) or ids[:NAMED]
+    ids = [shape.id for shape in shapes if shape.id]
+    near = difflib.get_close_matches(wanted, ids, SUGGESTIONS) or ids[:SUGGESTIONS]
     there = f"; there is {', '.join(near)}" if near else ", nor any other; a contour number would work"
-    raise MatchError(f"{drawing.file} paints no shape with the id '{wanted}'{there}")
+    raise MatchError(f"{side.drawing.file} paints no shape with the id '{wanted}'{there}")

@@ -1,4 +1,4 @@
-"""What it costs to make one contour of another: the work, the way, the change of size and of paint."""
+"""What it costs to turn one contour into another: work, distance, change of size and of paint."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.pairing.decompose import PlacedContour
 
 DISTANCE_WEIGHT = 1.0
-"""Cost of a way as long as the drawing is large."""
+"""Cost of a distance as large as the drawing."""
 
 SIZE_WEIGHT = 0.5
 """Cost of a change of size by the factor e."""
@@ -34,59 +34,50 @@ PAINT_WEIGHT = 0.5
 into white."""
 
 SKIP_COST = 1.0
-"""What is saved by not leaving out a contour as large as the drawing."""
+"""Cost of leaving out a contour as large as the drawing."""
 
-VERTICES = 32
+WORK_VERTICES = 32
 """Vertices of the polygons whose work is compared."""
 
 MOST_WORKS = 400
-"""Pairs for which the work is found, about. Of more, those that are cheapest without it."""
-
+"""Number of pairs for which the work is computed, about. Of more, those that are cheapest without it."""
 
 _COINCIDENT = 1e-6
 """Vertices of a unit box nearer than this are one."""
 
 
-class View(NamedTuple):
-    """Contours of one drawing in their frame: the drawing's box, or for holes that of their outline."""
+class FramedContours(NamedTuple):
+    """Contours of one drawing in their frame: the drawing's box, or for holes that of their exterior."""
 
-    parts: Sequence[PlacedContour]
+    contours: Sequence[PlacedContour]
     frame: Box
 
-    @property
-    def size(self) -> float:
-        """Diagonal of the frame."""
-        return self.frame.diagonal
-
     def centres(self) -> ComplexArray:
-        """Where the middle of each contour lies, the frame's middle being 0 and its diagonal 1."""
-        return (np.array([part.centre for part in self.parts]) - self.frame.centre) / self.size
+        """Return the centre of each contour relative to the frame's, in units of the frame's diagonal."""
+        return (
+            np.array([contour.centre for contour in self.contours]) - self.frame.centre
+        ) / self.frame.diagonal
 
     def sizes(self) -> FloatArray:
-        """Diagonal of each contour's box as a share of the frame's."""
-        return np.array([part.size for part in self.parts]) / self.size
+        """Return the diagonal of each contour's box as a share of the frame's."""
+        return np.array([contour.size for contour in self.contours]) / self.frame.diagonal
 
 
-def costs(a: View, b: View, constants: WorkConstants) -> FloatArray:
-    """What it costs to turn each contour of `a` into each of `b`.
-
-    Returns
-    -------
-    (p, q) float >= 0
-        Without a unit: shares of the drawing's size, `DISTANCE_WEIGHT` being 1.
-    """
-    way = np.abs(a.centres()[:, None] - b.centres())
-    size = np.abs(np.log(a.sizes())[:, None] - np.log(b.sizes()))
-    paint = np.array([[_repainting(p, q) for q in b.parts] for p in a.parts])
-    cheap = DISTANCE_WEIGHT * way + SIZE_WEIGHT * size + PAINT_WEIGHT * paint
+def pairing_costs(a: FramedContours, b: FramedContours, constants: WorkConstants) -> FloatArray:
+    """Return the costs of turning each contour of `a` into each of `b`, (p, q) float >= 0."""
+    distance = np.abs(a.centres()[:, None] - b.centres())
+    growth = np.abs(np.log(a.sizes())[:, None] - np.log(b.sizes()))
+    paint = np.array([[_paint_difference(p, q) for q in b.contours] for p in a.contours])
+    cheap = DISTANCE_WEIGHT * distance + SIZE_WEIGHT * growth + PAINT_WEIGHT * paint
     work = np.full(cheap.shape, np.inf)
     for i, j in _worth_solving(cheap):
-        work[i, j] = _work(a.parts[i], b.parts[j], constants)
+        p, q = a.contours[i].polygon, b.contours[j].polygon
+        work[i, j] = coarse_work(to_unit_box(p), to_unit_box(q), p.closed and q.closed, constants)
     return cheap + WORK_WEIGHT * (1.0 - WORK_HALF_SATURATION / (work + WORK_HALF_SATURATION))
 
 
 def _worth_solving(cheap: FloatArray) -> list[tuple[int, int]]:
-    """All pairs, or the cheapest of each row and of each column."""
+    """Return all pairs, or the cheapest of each row and of each column."""
     if cheap.size <= MOST_WORKS:
         return list(np.ndindex(cheap.shape))
     each = max(1, MOST_WORKS // sum(cheap.shape))
@@ -95,30 +86,25 @@ def _worth_solving(cheap: FloatArray) -> list[tuple[int, int]]:
     return sorted(rows | columns)
 
 
-def _work(a: PlacedContour, b: PlacedContour, constants: WorkConstants) -> float:
-    """Least work between two contours, each in its unit box, on a few of their vertices."""
-    closed = a.polygon.closed and b.polygon.closed
-    return coarse_work(to_unit_box(a.polygon), to_unit_box(b.polygon), closed, constants)
-
-
 def coarse_work(p0: ComplexArray, p1: ComplexArray, closed: bool, constants: WorkConstants) -> float:
-    """Least work between two polygons in their unit boxes, on a few of their vertices; open ones either way.
+    """Return the least work between two polygons in their unit boxes, on a few of their vertices.
 
-    Infinite where so few vertices do not make an outline.
+    Open polygons may correspond in either direction. Infinite if so few vertices do not make a polygon.
     """
     p, q = _thinned(p0, closed), _thinned(p1, closed)
     if min(len(p), len(q)) < (3 if closed else 2):
         return np.inf
-    return min(least_work(p, way, closed, constants).work for way in ([q] if closed else [q, q[::-1]]))
+    directions = [q] if closed else [q, q[::-1]]
+    return min(least_work(p, directed, closed, constants).work for directed in directions)
 
 
 def _thinned(vertices: ComplexArray, closed: bool) -> ComplexArray:
-    """At most `VERTICES` of the vertices, evenly spread by their numbers; none twice in a row."""
-    if len(vertices) > VERTICES:
+    """Return at most `WORK_VERTICES` vertices, evenly spread by their numbers, none twice in a row."""
+    if len(vertices) > WORK_VERTICES:
         last = len(vertices) - (0 if closed else 1)
-        at = np.linspace(0, last, VERTICES, endpoint=not closed)
-        vertices = vertices[np.round(at).astype(np.intp)]
-    # What goes back the way it came may have its vertices in pairs.
+        chosen = np.linspace(0, last, WORK_VERTICES, endpoint=not closed)
+        vertices = vertices[np.round(chosen).astype(np.intp)]
+    # An outline that runs back over itself may have its vertices in pairs.
     kept = [vertices[0]]
     for vertex in vertices[1:]:
         if abs(vertex - kept[-1]) > _COINCIDENT:
@@ -128,14 +114,13 @@ def _thinned(vertices: ComplexArray, closed: bool) -> ComplexArray:
     return np.array(kept)
 
 
-def _repainting(a: PlacedContour, b: PlacedContour) -> float:
-    """How differently two contours are painted: 0 for alike, 1 for black and white, 1 for each kind of paint more."""
-    found = 0.0
+def _paint_difference(a: PlacedContour, b: PlacedContour) -> float:
+    """Return how differently two contours are painted: 1 for black and white, 1 for each kind of paint more."""
+    difference = 0.0
     for p, q in ((a.style.fill, b.style.fill), (a.style.stroke, b.style.stroke)):
         if p is None or q is None:
-            found += (p is None) != (q is None)
+            difference += (p is None) != (q is None)
         else:
-            found += (
-                sum(abs(x - y) for x, y in zip(bytes.fromhex(p[1:]), bytes.fromhex(q[1:]), strict=True)) / 765
-            )
-    return found
+            channels = zip(bytes.fromhex(p[1:]), bytes.fromhex(q[1:]), strict=True)
+            difference += sum(abs(x - y) for x, y in channels) / 765
+    return difference

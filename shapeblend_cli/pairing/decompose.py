@@ -1,4 +1,4 @@
-"""A drawing taken apart into contours, each with the part it plays."""
+"""Decompose a drawing into flattened contours, and tell exteriors from holes and open lines."""
 
 from __future__ import annotations
 
@@ -16,56 +16,54 @@ from shapeblend_cli.geometry.polygons import (
     signed_area,
     winding_numbers,
 )
-from shapeblend_cli.geometry.similarity import Similarity
-from shapeblend_cli.model import Box, Contour
+from shapeblend_cli.model import Contour
 from shapeblend_cli.pairing.nesting import nest
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Drawing, Polygon, Shape, Style
+    from shapeblend_cli.geometry.similarity import Similarity
+    from shapeblend_cli.model import Box, Drawing, Polygon, Shape, Style
+
+    ContourPair = tuple["PlacedContour", "PlacedContour"]
 
 EXTERIOR, HOLE, LINE = "exterior", "hole", "line"
 
 MOST_CONTOURS = 2_000
-"""Contours of a drawing that are blended; each is solved by itself, and every two are compared."""
+"""Largest number of contours of a drawing; each is solved by itself, and every two are compared."""
 
 MOST_SEGMENTS = 50_000
-"""Segments of a contour that are blended."""
+"""Largest number of segments of a contour."""
 
 
 class PlacedContour(NamedTuple):
-    """One contour of a drawing, as it is matched.
+    """One contour of a drawing, laid over A, flattened, and with its role.
 
     Attributes
     ----------
     number : int
         Counted through the drawing's shapes in file order.
     shape : int
-        Which of the drawing's shapes it belongs to, counted from 0.
+        Index of the shape it belongs to.
     contour : Contour
-        Laid over A. Outlines go one way round and holes the other, where that paints the same.
+        Exteriors run one way round and holes the other, where that paints the same.
     polygon : Polygon
-        Flattened, on this contour.
-    box : Box
-        The polygon's.
-    role : str
-        An outline, a hole, or an open line.
+        The contour, flattened.
+    role : {EXTERIOR, HOLE, LINE}
     exterior : int or None
         Number of the contour that a hole is in.
     style : Style
-        Its shape's in A's coordinates, with the fill rule that paints its contours as they are directed here.
+        The shape's, in A's coordinates and with the fill rule that suits the contours' directions.
     any_rule : bool
-        Whether the other rule would paint the shape alike.
+        Whether the other fill rule would paint the shape the same.
     is_piece : bool
-        Whether it is a piece that was cut from the contour with this number.
+        Whether it is a piece cut from the contour with this number.
     """
 
     number: int
     shape: int
     contour: Contour
     polygon: Polygon
-    box: Box
     role: str
     exterior: int | None
     style: Style
@@ -73,29 +71,41 @@ class PlacedContour(NamedTuple):
     is_piece: bool = False
 
     @property
+    def box(self) -> Box:
+        """The polygon's box."""
+        return self.polygon.box
+
+    @property
     def size(self) -> float:
         """Diagonal of the box."""
         return self.box.diagonal
 
-    def has(self, hole: PlacedContour) -> bool:
-        """Whether a contour is a hole in this one."""
+    @property
+    def centre(self) -> complex:
+        """Centre of the box."""
+        return self.box.centre
+
+    def contains_hole(self, hole: PlacedContour) -> bool:
+        """Return whether a contour is a hole in this one."""
         if hole.role != HOLE or hole.exterior != self.number:
             return False
         return not self.is_piece or bool(winding_numbers(hole.polygon.vertices[:1], self.polygon.vertices)[0])
 
-    @property
-    def centre(self) -> complex:
-        """Middle of the box."""
-        return self.box.centre
-
     def transformed(self, by: Similarity) -> PlacedContour:
         """Return the contour under a map that does not scale."""
-        polygon = by.polygon(self.polygon)
-        return self._replace(contour=by.contour(self.contour), polygon=polygon, box=polygon.box)
+        return self._replace(contour=by.contour(self.contour), polygon=by.polygon(self.polygon))
 
 
-class _Usable(NamedTuple):
-    """A contour with an extent."""
+class PlacedDrawing(NamedTuple):
+    """A drawing, the map that lays it over A, and its contours there, by number."""
+
+    drawing: Drawing
+    to_a: Similarity
+    contours: Sequence[PlacedContour]
+
+
+class _FlatContour(NamedTuple):
+    """A flattened contour, before its role is known."""
 
     number: int
     contour: Contour
@@ -103,24 +113,24 @@ class _Usable(NamedTuple):
 
 
 def decompose(
-    drawing: Drawing, over: Similarity, vertices: int, way: int | None = None
+    drawing: Drawing, to_a: Similarity, vertices: int, exterior_orientation: int | None = None
 ) -> tuple[list[PlacedContour], list[str]]:
-    """Take a drawing apart into its contours.
+    """Flatten the contours of a drawing, find their roles, and orient exteriors alike.
 
     Parameters
     ----------
     drawing : Drawing
-    over : Similarity
+    to_a : Similarity
         What lays it over A.
     vertices : int >= 0
-        Vertices a contour, about.
-    way : {1, -1}, optional
-        Which way round outlines go; without it that of the largest outline.
+        Vertices of each contour, about.
+    exterior_orientation : {1, -1}, optional
+        Which way round exteriors are to run; by default as the largest closed contour does.
 
     Returns
     -------
-    parts : list of PlacedContour
-        By number. Contours without extent are left out.
+    contours : list of PlacedContour
+        By number, without those that have no extent.
     notes : list of str
         What was left out.
 
@@ -130,36 +140,19 @@ def decompose(
         If nothing is left, or there is too much of it.
     """
     _check_size(drawing)
-    shapes: list[list[_Usable]] = []
-    number = 0
-    left_out: list[str] = []
-    for shape in drawing.shapes:
-        usable: list[_Usable] = []
-        for given in shape.contours:
-            contour = over.contour(_as_painted(given, shape.style))
-            polygon = flatten(contour, vertices)
-            if contour.closed and len(polygon.vertices) < 3 and shape.style.stroke is not None:
-                contour = Contour(contour.segments, contour.straight, closed=False)  # a line there and back
-                polygon = flatten(contour, vertices)
-            if len(polygon.vertices) < (3 if contour.closed else 2):
-                kind = "closed" if contour.closed else "open"
-                left_out.append(f"contour {number}, {kind} with {len(polygon.vertices)} distinct vertices")
-            else:
-                usable.append(_Usable(number, contour, polygon))
-            number += 1
-        shapes.append(usable)
-    if not any(shapes):
+    by_shape, left_out = _flatten_shapes(drawing, to_a, vertices)
+    if not any(by_shape):
         raise InputError(
             drawing.file,
             f"nothing in it can be blended: {left_out[0]}; an open line of 2 or a closed outline of 3 would work",
         )
-    way = way or main_orientation([found.polygon for usable in shapes for found in usable])
-    parts = [
-        part
-        for index, usable in enumerate(shapes)
-        for part in _parts_of(index, drawing.shapes[index], usable, over, way)
+    target = exterior_orientation or main_orientation([c.polygon for flat in by_shape for c in flat])
+    contours = [
+        contour
+        for index, (shape, flat) in enumerate(zip(drawing.shapes, by_shape, strict=True))
+        for contour in _with_roles(index, shape, flat, to_a, target)
     ]
-    return parts, [f"{drawing.file}: {phrase}, left out" for phrase in left_out]
+    return contours, [f"{drawing.file}: {phrase}, left out" for phrase in left_out]
 
 
 def _check_size(drawing: Drawing) -> None:
@@ -180,13 +173,37 @@ def _check_size(drawing: Drawing) -> None:
 
 
 def main_orientation(polygons: Sequence[Polygon]) -> int:
-    """Which way round the largest closed polygon goes; 1 where that is not decided."""
+    """Return the orientation of the largest closed polygon; 1 where it has none."""
     closed = [polygon for polygon in polygons if polygon.closed]
     largest = max(closed, key=lambda polygon: abs(signed_area(polygon.vertices)), default=None)
     return (orientation(largest) if largest else 0) or 1
 
 
-def _as_painted(contour: Contour, style: Style) -> Contour:
+def _flatten_shapes(
+    drawing: Drawing, to_a: Similarity, vertices: int
+) -> tuple[list[list[_FlatContour]], list[str]]:
+    """Return the flattened contours of each shape, and phrases that name those without extent."""
+    by_shape: list[list[_FlatContour]] = []
+    left_out: list[str] = []
+    number = 0
+    for shape in drawing.shapes:
+        by_shape.append([])
+        for drawn in shape.contours:
+            contour = to_a.contour(_close_if_filled(drawn, shape.style))
+            polygon = flatten(contour, vertices)
+            if contour.closed and len(polygon.vertices) < 3 and shape.style.stroke is not None:
+                contour = Contour(contour.segments, contour.straight, closed=False)  # a line there and back
+                polygon = flatten(contour, vertices)
+            if len(polygon.vertices) < (3 if contour.closed else 2):
+                kind = "closed" if contour.closed else "open"
+                left_out.append(f"contour {number}, {kind} with {len(polygon.vertices)} distinct vertices")
+            else:
+                by_shape[-1].append(_FlatContour(number, contour, polygon))
+            number += 1
+    return by_shape, left_out
+
+
+def _close_if_filled(contour: Contour, style: Style) -> Contour:
     """Close an open contour that is only filled, as filling does."""
     if contour.closed or style.fill is None or style.stroke is not None:
         return contour
@@ -198,28 +215,28 @@ def _as_painted(contour: Contour, style: Style) -> Contour:
     )
 
 
-def _parts_of(
-    index: int, shape: Shape, usable: list[_Usable], over: Similarity, way: int
+def _with_roles(
+    index: int, shape: Shape, flat: Sequence[_FlatContour], to_a: Similarity, exterior_orientation: int
 ) -> list[PlacedContour]:
-    """The contours of one shape, outlines told from holes and directed."""
-    closed = [(number, polygon) for number, contour, polygon in usable if contour.closed]
-    outline_of: dict[int, int | None] = {}
-    turned: dict[int, bool] = {}
-    style = over.style(shape.style)
+    """Tell the exteriors of one shape from its holes, and orient them."""
+    closed = [contour for contour in flat if contour.contour.closed]
+    exterior_of: dict[int, int | None] = {}
+    is_reversed: dict[int, bool] = {}
+    style, any_rule = to_a.style(shape.style), True
     if closed and style.fill is not None:
-        nesting = nest([polygon for _, polygon in closed], style.fill_rule, way)
-        for (number, _), home, turn in zip(closed, nesting.outline, nesting.turned, strict=True):
-            outline_of[number] = None if home is None else closed[home][0]
-            turned[number] = turn
+        nesting = nest([contour.polygon for contour in closed], style.fill_rule, exterior_orientation)
+        for child, parent, reverse in zip(closed, nesting.exterior, nesting.reversed, strict=True):
+            exterior_of[child.number] = None if parent is None else closed[parent].number
+            is_reversed[child.number] = reverse
         style, any_rule = style._replace(fill_rule=nesting.rule), nesting.any_rule
     else:
-        style, any_rule = style._replace(fill_rule="nonzero"), True
-    parts = []
-    for number, contour, polygon in usable:
-        home = outline_of.get(number)
-        role = (EXTERIOR if home is None else HOLE) if contour.closed else LINE
-        if turned.get(number, False):
+        style = style._replace(fill_rule="nonzero")
+    contours = []
+    for number, contour, polygon in flat:
+        exterior = exterior_of.get(number)
+        role = (EXTERIOR if exterior is None else HOLE) if contour.closed else LINE
+        if is_reversed.get(number, False):
             polygon = reverse_polygon(polygon, len(contour.segments))
             contour = reverse_contour(contour)
-        parts.append(PlacedContour(number, index, contour, polygon, polygon.box, role, home, style, any_rule))
-    return parts
+        contours.append(PlacedContour(number, index, contour, polygon, role, exterior, style, any_rule))
+    return contours

@@ -1,8 +1,8 @@
-"""Where a contour without a partner comes from, or goes to: a point of the shape it belongs to.
+"""Where a contour without a partner grows from, or shrinks to: a point of the shape it belongs to.
 
-Both are one question. Here is the drawing that has the contour, there the one that has not; what has been paired is
-known on both sides, vertex for vertex, as a `MatchedPoints`. The contour grows from a point there as the paired ones
-go on their straight paths to here.
+Both are one question. Here is the drawing that has the contour, there the one that has not; the contours that are
+paired are known on both sides, vertex for vertex, as `MatchedPoints`. The contour grows from a point there while the
+paired ones move on straight paths to here.
 """
 
 from __future__ import annotations
@@ -21,16 +21,16 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray
 
 TIMES = np.arange(1, 10) / 10
-"""When it is looked at whether a growing hole lies inside."""
+"""Times at which a growing hole should lie inside."""
 
 WATCHED = 24
-"""Vertices of the growing contour that are looked at."""
+"""Largest number of vertices of the growing contour that are checked."""
 
 GRID = 12
-"""A point that will not do is replaced by one of a grid of so many rows and columns..."""
+"""A point that will not do is replaced by one of a grid of so many rows and columns."""
 
 TRIES = 40
-"""...of which so many are tried, the nearest first."""
+"""Largest number of points tried, the nearest first."""
 
 
 class MatchedPoints(NamedTuple):
@@ -40,35 +40,37 @@ class MatchedPoints(NamedTuple):
     there: ComplexArray
 
 
-def point_on(contour: ComplexArray, pairings: Sequence[MatchedPoints]) -> tuple[int, complex]:
-    """The point there that an outline or a line grows from: of the paired contours the nearest point.
+def growth_point_on(contour: ComplexArray, paired: Sequence[MatchedPoints]) -> tuple[int, complex]:
+    """Return the point there that an exterior or a line grows from: the nearest one of the paired contours.
 
     Parameters
     ----------
     contour : (m,) complex
-        Vertices of the contour here.
-    pairings : sequence of MatchedPoints
+        Vertices here.
+    paired : sequence of MatchedPoints
         At least one.
 
     Returns
     -------
-    number : int
-        Which matched it is on.
+    index : int
+        Which of the paired contours it is on.
     point : complex
-        What corresponds to the vertex of the matched that is nearest to the contour here.
+        What corresponds to the vertex of that contour which is nearest here.
     """
     watched = _watched(contour)
     nearest = []
-    for number, matched in enumerate(pairings):
-        distances = np.abs(matched.here[:, None] - watched).min(axis=1)
+    for k, points in enumerate(paired):
+        distances = np.abs(points.here[:, None] - watched).min(axis=1)
         vertex = int(distances.argmin())
-        nearest.append((float(distances[vertex]), number, complex(matched.there[vertex])))
-    _, number, point = min(nearest, key=lambda found: found[:2])
-    return number, point
+        nearest.append((float(distances[vertex]), k, complex(points.there[vertex])))
+    _, index, point = min(nearest, key=lambda candidate: candidate[:2])
+    return index, point
 
 
-def point_inside(hole: ComplexArray, outline: MatchedPoints, others: Sequence[MatchedPoints] = ()) -> complex:
-    """The point there that a hole grows from, such that it stays inside its outline all the way.
+def growth_point_inside(
+    hole: ComplexArray, exterior: MatchedPoints, siblings: Sequence[MatchedPoints] = ()
+) -> complex:
+    """Return the point there that a hole grows from, such that it stays inside its exterior all the way.
 
     The first choice has the mean value coordinates there that the hole's centroid has here. If a hole that grows from
     it does not stay inside, it is the nearest point of a grid from which it does; or, if there is none, the best.
@@ -76,59 +78,55 @@ def point_inside(hole: ComplexArray, outline: MatchedPoints, others: Sequence[Ma
     Parameters
     ----------
     hole : (m,) complex
-        Vertices of the hole here.
-    outline : MatchedPoints
-        The outline it is a hole in.
-    others : sequence of MatchedPoints
-        Other holes of that outline, which the growing one must not meet.
-
-    Returns
-    -------
-    complex
+        Vertices here.
+    exterior : MatchedPoints
+        What it is a hole in.
+    siblings : sequence of MatchedPoints
+        Other holes of that exterior, which the growing one must not meet.
     """
     watched = _watched(hole)
-    best, share = 0j, -1.0
-    for point in islice(_candidates(hole, outline), TRIES):
-        found = _share_inside(watched, point, outline, others)
-        if found > share:
-            best, share = point, found
-        if share == 1.0:
+    best, most = 0j, -1.0
+    for point in islice(_candidates(hole, exterior), TRIES):
+        share = _share_inside(watched, point, exterior, siblings)
+        if share > most:
+            best, most = point, share
+        if most == 1.0:
             break
     return best
 
 
-def _candidates(hole: ComplexArray, outline: MatchedPoints) -> Iterator[complex]:
-    wanted = complex(mean_value_weights(_centroid(hole), outline.here) @ outline.there)
-    yield wanted
-    box = Box.around(outline.there)
+def _candidates(hole: ComplexArray, exterior: MatchedPoints) -> Iterator[complex]:
+    first = complex(mean_value_weights(_centroid(hole), exterior.here) @ exterior.there)
+    yield first
+    box = Box.around(exterior.there)
     steps = (np.arange(GRID) + 0.5) / GRID
     grid = (box.x + box.width * steps[:, None] + 1j * (box.y + box.height * steps)).ravel()
-    inside = grid[winding_numbers(grid, outline.there) != 0]
-    yield from inside[np.argsort(np.abs(inside - wanted), kind="stable")].tolist()
+    inside = grid[winding_numbers(grid, exterior.there) != 0]
+    yield from inside[np.argsort(np.abs(inside - first), kind="stable")].tolist()
 
 
 def _share_inside(
-    watched: ComplexArray, point: complex, outline: MatchedPoints, others: Sequence[MatchedPoints]
+    watched: ComplexArray, point: complex, exterior: MatchedPoints, siblings: Sequence[MatchedPoints]
 ) -> float:
-    """Share of times and vertices at which what grows from `point` is inside the outline and in no other hole."""
-    found = 0
+    """Return the share of times and vertices at which what grows from `point` is inside and in no other hole."""
+    count = 0
     for t in TIMES:
         growing = (1.0 - t) * point + t * watched
-        inside = winding_numbers(growing, (1.0 - t) * outline.there + t * outline.here) != 0
-        for other in others:
+        inside = winding_numbers(growing, (1.0 - t) * exterior.there + t * exterior.here) != 0
+        for other in siblings:
             inside &= winding_numbers(growing, (1.0 - t) * other.there + t * other.here) == 0
-        found += int(inside.sum())
-    return found / (len(TIMES) * len(watched))
+        count += int(inside.sum())
+    return count / (len(TIMES) * len(watched))
 
 
-def _centroid(polygon: ComplexArray) -> complex:
-    """Middle of the area of a closed polygon; of its vertices, if it has no area."""
-    area = signed_area(polygon)
-    origin = polygon[0]
-    p, q = polygon - origin, np.roll(polygon, -1) - origin
+def _centroid(vertices: ComplexArray) -> complex:
+    """Return the centroid of a closed polygon; of its vertices, if it has no area."""
+    area = signed_area(vertices)
+    origin = vertices[0]
+    p, q = vertices - origin, np.roll(vertices, -1) - origin
     size = float(np.abs(p).max())
     if abs(area) < 1e-9 * size * size:
-        return complex(polygon.mean())
+        return complex(vertices.mean())
     return complex(origin + ((p + q) * (p.conj() * q).imag).sum() / (6.0 * area))
 
 

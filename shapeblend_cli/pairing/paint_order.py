@@ -1,4 +1,4 @@
-"""In which order paired shapes are painted, so that what is on top stays on top."""
+"""The order in which paired shapes are painted, so that what is on top stays on top."""
 
 from __future__ import annotations
 
@@ -33,63 +33,66 @@ def paint_order(
     Returns
     -------
     list of int or None
-        Numbers of the groups from the lowest to the highest; as near to the order in both files as can be. None where
-        the two drawings contradict each other.
+        Indices of the groups from the lowest to the highest, as near to the order in both files as possible. None if
+        the drawings contradict each other.
     """
     below: list[set[int]] = [set() for _ in groups]
     for side, pairs in enumerate((a, b)):
         members: dict[int, list[int]] = {}
-        for number, group in enumerate(groups):
+        for k, group in enumerate(groups):
             shape = group[side]
             if shape is not None:
-                members.setdefault(shape, []).append(number)
+                members.setdefault(shape, []).append(k)
         for low, high in pairs:
-            for number in members.get(high, ()):
-                below[number].update(members.get(low, ()))
+            for k in members.get(high, ()):
+                below[k].update(members.get(low, ()))
     above: list[list[int]] = [[] for _ in groups]
-    for number, lower in enumerate(below):
+    for k, lower in enumerate(below):
         for other in lower:
-            above[other].append(number)
+            above[other].append(k)
     waiting = [len(lower) for lower in below]
-    ready = [(_height(groups[k]), k) for k in range(len(groups)) if not waiting[k]]
+    ready = [(_file_order(groups[k]), k) for k in range(len(groups)) if not waiting[k]]
     heapq.heapify(ready)
-    found = []
+    ordered = []
     while ready:
-        _, number = heapq.heappop(ready)
-        found.append(number)
-        for other in above[number]:
+        _, k = heapq.heappop(ready)
+        ordered.append(k)
+        for other in above[k]:
             waiting[other] -= 1
             if not waiting[other]:
-                heapq.heappush(ready, (_height(groups[other]), other))
-    return found if len(found) == len(groups) else None
+                heapq.heappush(ready, (_file_order(groups[other]), other))
+    return ordered if len(ordered) == len(groups) else None
 
 
-def _height(group: Shapes) -> tuple[int, int]:
+def _file_order(group: Shapes) -> tuple[int, int]:
     known = [shape for shape in group if shape is not None]
     return min(known), max(known)
 
 
-def visible_overlaps(parts: Sequence[PlacedContour]) -> list[tuple[int, int]]:
-    """Pairs of shapes of one drawing of which the first is visibly below the second: painted otherwise, and near."""
-    shapes = sorted({part.shape for part in parts})
+def visible_overlaps(contours: Sequence[PlacedContour]) -> list[tuple[int, int]]:
+    """Return pairs of shapes of one drawing of which the first is visibly below the second.
+
+    That is, their boxes overlap and they are not painted all in one and the same colour.
+    """
+    shapes = sorted({contour.shape for contour in contours})
     boxes: dict[int, list[Box]] = {shape: [] for shape in shapes}
-    looks: dict[int, object] = {}
-    for part in parts:
-        reach = part.style.stroke_width if part.style.stroke else 0.0
-        boxes[part.shape].append(part.box.expanded(reach / 2))
-        looks.setdefault(part.shape, _look(part.style))
+    paints: dict[int, object] = {}
+    for contour in contours:
+        reach = contour.style.stroke_width if contour.style.stroke else 0.0
+        boxes[contour.shape].append(contour.box.expanded(reach / 2))
+        paints.setdefault(contour.shape, _single_paint(contour.style))
     x, y, width, height = np.array([Box.union(boxes[shape]) for shape in shapes]).T
     meet = (x[:, None] < x + width) & (y[:, None] < y + height)
     return [
         (shapes[low], shapes[high])
         for low, high in np.argwhere(np.triu(meet & meet.T, 1)).tolist()
-        if looks[shapes[low]] != looks[shapes[high]]
+        if paints[shapes[low]] != paints[shapes[high]]
         and any(p.overlaps(q) for p in boxes[shapes[low]] for q in boxes[shapes[high]])
     ]
 
 
-def _look(style: Style) -> object:
-    """What tells which of two shapes is on top: nothing does, where both are all of one and the same colour."""
+def _single_paint(style: Style) -> object:
+    """Return the colour and opacity of a style that has only one, else something unequal to all others."""
     paints = {
         (colour, opacity)
         for colour, opacity in ((style.fill, style.fill_opacity), (style.stroke, style.stroke_opacity))

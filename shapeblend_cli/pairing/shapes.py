@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.model import ContourBlend, ShapeBlend
 from shapeblend_cli.pairing.decompose import HOLE, PlacedContour
-from shapeblend_cli.pairing.growth import MatchedPoints, point_inside, point_on
+from shapeblend_cli.pairing.growth import MatchedPoints, growth_point_inside, growth_point_on
 from shapeblend_cli.pairing.matching import grow_from_point
 from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
 
@@ -15,23 +15,24 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import Style
+    from shapeblend_cli.pairing.decompose import ContourPair
 
 
 class Match(NamedTuple):
-    """Two contours that are paired, and the blend between them."""
+    """A pair of contours, and the blend between them."""
 
-    a: PlacedContour
-    b: PlacedContour
+    pair: ContourPair
     blend: ContourBlend
 
-    def side(self, *, of_b: bool) -> PlacedContour:
-        """Return the contour of one drawing."""
-        return self.b if of_b else self.a
+    @property
+    def group(self) -> _Group:
+        """The shapes it is painted with."""
+        return _Group(self.pair[0].shape, self.pair[1].shape)
 
-    def points(self, *, from_b: bool) -> MatchedPoints:
-        """Return the vertices that correspond, as seen from one drawing."""
-        a, b = self.blend.dot_points()
-        return MatchedPoints(b, a) if from_b else MatchedPoints(a, b)
+    def points(self, here: int) -> MatchedPoints:
+        """Return the vertices that correspond, as seen from A, 0, or B, 1."""
+        points = self.blend.dot_points()
+        return MatchedPoints(points[here], points[1 - here])
 
 
 class _Group(NamedTuple):
@@ -40,6 +41,14 @@ class _Group(NamedTuple):
     a: int | None
     b: int | None
     stroke_grows: bool = False
+
+
+class _Unmatched(NamedTuple):
+    """A contour without a partner, what it is painted with, and the point it grows from."""
+
+    contour: PlacedContour
+    group: _Group
+    point: complex
 
 
 def shape_blends(
@@ -55,7 +64,7 @@ def shape_blends(
     a, b : sequence of PlacedContour
         All contours of the drawings.
     matches : sequence of Match
-        Those that are paired, at least one.
+        At least one.
 
     Returns
     -------
@@ -65,83 +74,76 @@ def shape_blends(
     groups: dict[_Group, list[ContourBlend]] = {}
     styles: dict[_Group, tuple[Style, Style]] = {}
     for match in matches:
-        group = _Group(match.a.shape, match.b.shape)
-        groups.setdefault(group, []).append(match.blend)
-        styles.setdefault(group, _styles(match.a, match.b))
-    for parts, of_b in ((a, False), (b, True)):
-        for part, group, point in _unmatched(parts, matches, of_b=of_b):
-            groups.setdefault(group, []).append(grow_from_point(part, point, of_b=of_b))
-            nothing = part.style._replace(stroke_width=0.0)
-            styles.setdefault(group, (nothing, part.style) if of_b else (part.style, nothing))
+        groups.setdefault(match.group, []).append(match.blend)
+        styles.setdefault(match.group, _styles(*match.pair))
+    for here, contours in enumerate((a, b)):
+        for contour, group, point in _unmatched(contours, matches, here):
+            groups.setdefault(group, []).append(grow_from_point(contour, point, of_b=bool(here)))
+            nothing = contour.style._replace(stroke_width=0.0)
+            styles.setdefault(group, (nothing, contour.style) if here else (contour.style, nothing))
     keys = list(groups)
     shapes = [(group.a, group.b) for group in keys]
     below_a, below_b = visible_overlaps(a), visible_overlaps(b)
-    # Pairs that the user gave may contradict the order of paint; then A's counts.
+    # Required pairs may contradict the order of paint; then A's counts.
     ranks = paint_order(shapes, below_a, below_b) or paint_order(shapes, below_a, ()) or range(len(keys))
     return tuple(ShapeBlend(tuple(groups[keys[k]]), *styles[keys[k]]) for k in ranks)
 
 
 def _styles(a: PlacedContour, b: PlacedContour) -> tuple[Style, Style]:
-    """The styles of a pair, under one fill rule where one paints both."""
-    rules = {part.style.fill_rule for part in (a, b) if not part.any_rule}
+    """Return the styles of a pair, under one fill rule where one paints both."""
+    rules = {contour.style.fill_rule for contour in (a, b) if not contour.any_rule}
     rule = rules.pop() if len(rules) == 1 else None if rules else "nonzero"
     if rule is None:
         return a.style, b.style
     return a.style._replace(fill_rule=rule), b.style._replace(fill_rule=rule)
 
 
-def _unmatched(
-    parts: Sequence[PlacedContour], matches: Sequence[Match], *, of_b: bool
-) -> list[tuple[PlacedContour, _Group, complex]]:
-    """The contours of one drawing without a partner, what each is painted with, and the point it grows from."""
-    paired = {match.side(of_b=of_b).number: match for match in matches}
-    tops = [match for match in matches if match.side(of_b=of_b).role != HOLE]
-    points = [match.points(from_b=of_b) for match in tops]
-    found: list[tuple[PlacedContour, _Group, complex]] = []
-    alone: dict[int, tuple[_Group, complex]] = {}
-    for part in parts:
-        if part.number in paired or part.role == HOLE:
+def _unmatched(contours: Sequence[PlacedContour], matches: Sequence[Match], here: int) -> list[_Unmatched]:
+    """Return the contours of A, 0, or B, 1, without a partner: exteriors and lines, then holes."""
+    paired = {match.pair[here].number: match for match in matches}
+    outer = [match for match in matches if match.pair[here].role != HOLE]
+    points = [match.points(here) for match in outer]
+    growing: dict[int, _Unmatched] = {}
+    for contour in contours:
+        if contour.number in paired or contour.role == HOLE:
             continue
-        near = [k for k, match in enumerate(tops) if match.side(of_b=of_b).shape == part.shape]
-        near = near or list(range(len(tops)))
-        home = _hole_around(part, matches, of_b=of_b)
-        if home is not None:
-            match, point = home, point_inside(part.polygon.vertices, home.points(from_b=of_b))
+        near = [k for k, match in enumerate(outer) if match.pair[here].shape == contour.shape]
+        near = near or list(range(len(outer)))
+        hole = _hole_around(contour, matches, here)
+        if hole is not None:
+            match, point = hole, growth_point_inside(contour.polygon.vertices, hole.points(here))
         else:
-            number, point = point_on(part.polygon.vertices, [points[k] for k in near])
-            match = tops[near[number]]
-        own = (
-            _Group(None, part.shape, bool(part.style.stroke))
-            if of_b
-            else _Group(part.shape, None, bool(part.style.stroke))
-        )
-        is_same = match.side(of_b=of_b).shape == part.shape and part.style.stroke is None
-        group = _Group(match.a.shape, match.b.shape) if is_same else own
-        alone[part.number] = group, point
-        found.append((part, group, point))
-    for part in parts:
-        if part.number in paired or part.role != HOLE or part.exterior is None:
+            k, point = growth_point_on(contour.polygon.vertices, [points[k] for k in near])
+            match = outer[near[k]]
+        if match.pair[here].shape == contour.shape and contour.style.stroke is None:
+            group = match.group
+        else:
+            own = _Group(None, contour.shape) if here else _Group(contour.shape, None)
+            group = own._replace(stroke_grows=bool(contour.style.stroke))
+        growing[contour.number] = _Unmatched(contour, group, point)
+    holes = []
+    for contour in contours:
+        if contour.number in paired or contour.role != HOLE or contour.exterior is None:
             continue
-        if part.exterior in alone:
-            found.append((part, *alone[part.exterior]))
+        if contour.exterior in growing:
+            holes.append(growing[contour.exterior]._replace(contour=contour))
             continue
-        match = next((k for k in tops if k.side(of_b=of_b).has(part)), paired[part.exterior])
-        siblings = [
-            other.points(from_b=of_b) for other in matches if other.side(of_b=of_b).exterior == part.exterior
-        ]
-        point = point_inside(part.polygon.vertices, match.points(from_b=of_b), siblings)
-        found.append((part, _Group(match.a.shape, match.b.shape), point))
-    return found
+        around = (match for match in outer if match.pair[here].contains_hole(contour))
+        match = next(around, paired[contour.exterior])
+        siblings = [other.points(here) for other in matches if other.pair[here].exterior == contour.exterior]
+        point = growth_point_inside(contour.polygon.vertices, match.points(here), siblings)
+        holes.append(_Unmatched(contour, match.group, point))
+    return [*growing.values(), *holes]
 
 
-def _hole_around(part: PlacedContour, matches: Sequence[Match], *, of_b: bool) -> Match | None:
-    """The smallest paired hole of the same shape in which an outline is an island, if there is one."""
-    vertex = part.polygon.vertices[:1]
+def _hole_around(contour: PlacedContour, matches: Sequence[Match], here: int) -> Match | None:
+    """Return the smallest paired hole of the same shape in which an exterior is an island, if there is one."""
+    vertex = contour.polygon.vertices[:1]
     around = [
         match
         for match in matches
-        if (side := match.side(of_b=of_b)).role == HOLE
-        and side.shape == part.shape
+        if (side := match.pair[here]).role == HOLE
+        and side.shape == contour.shape
         and winding_numbers(vertex, side.polygon.vertices)[0]
     ]
-    return min(around, key=lambda match: match.side(of_b=of_b).size, default=None)
+    return min(around, key=lambda match: match.pair[here].size, default=None)

@@ -1,4 +1,4 @@
-"""One outline that becomes several: cut into as many pieces as it has partners."""
+"""One exterior that becomes several: cut into as many pieces as it has partners."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray, Polygon
+    from shapeblend_cli.pairing.decompose import ContourPair
 
-    Couple = tuple[PlacedContour, PlacedContour]
 
 ENDS = 96
-"""Vertices between which a cut may go, at most."""
+"""Largest number of vertices between which a cut may run."""
 
 TRIES = 400
-"""The best cuts, by what they cost, that are looked at for lying inside."""
+"""Number of the cheapest cuts that are checked for lying inside."""
 
 LEAST_SHARE = 0.02
 """No piece is smaller, as a share of what is cut."""
@@ -31,57 +31,58 @@ LEAST_SHARE = 0.02
 AXES = (1.0 + 0.0j, 1.0j, 1.0 + 1.0j, 1.0 - 1.0j)
 """Directions in which the partners may be told apart."""
 
-# What makes a cut bad, each about 1 at its worst: the wrong share of the area, a length beside the outline's own size,
+# What makes a cut bad, each about 1 at its worst: the wrong share of the area, a length beside the exterior's own size,
 # and pieces that do not lie to each other as their partners do.
-SHARE, LENGTH, DIRECTION = 2.0, 0.5, 0.5
+SHARE_WEIGHT, LENGTH_WEIGHT, DIRECTION_WEIGHT = 2.0, 0.5, 0.5
 
 
 def split_exteriors(
-    a: Sequence[PlacedContour], b: Sequence[PlacedContour], couples: Sequence[Couple], vertices: int
-) -> list[Couple]:
-    """Give outlines without a partner a piece of the nearest outline that has one.
+    a: Sequence[PlacedContour], b: Sequence[PlacedContour], pairs: Sequence[ContourPair], vertices: int
+) -> list[ContourPair]:
+    """Give exteriors without a partner a piece of the nearest exterior that has one.
 
     Parameters
     ----------
     a, b : sequence of PlacedContour
         All contours of the drawings.
-    couples : sequence of (PlacedContour, PlacedContour)
-        Those that are paired, at least one.
+    pairs : sequence of (PlacedContour, PlacedContour)
+        At least one.
     vertices : int >= 0
-        Vertices a contour, about.
+        Vertices of each contour, about.
 
     Returns
     -------
     list of (PlacedContour, PlacedContour)
-        The couples; where an outline has become several, its pieces, which go by its number. An outline
-        that no straight cut divides stays whole, and the others stay without a partner.
+        The pairs; of an exterior that has become several its pieces, which have its number. One that no straight cut
+        divides stays whole, and the others stay without a partner.
     """
-    found = list(couples)
-    for owner_side, parts in enumerate((b, a)):  # outlines of A are cut for B's, then B's for A's
-        paired = {couple[1 - owner_side].number for couple in found}
+    split = list(pairs)
+    for owner_side, contours in enumerate((b, a)):  # exteriors of A are cut for B's, then B's for A's
+        paired = {pair[1 - owner_side].number for pair in split}
         wanting: dict[int, list[PlacedContour]] = {}
-        owners = [c for c in found if c[0].role == c[1].role == EXTERIOR]
-        for part in parts:
-            if part.role == EXTERIOR and part.number not in paired and owners:
-                wanting.setdefault(_nearest(part, [c[owner_side] for c in owners]), []).append(part)
-        for number, partners in wanting.items():
-            couple = owners[number]
-            owner = couple[owner_side]
-            whole = [couple[1 - owner_side], *partners]
-            holes = [p.polygon for p in (a, b)[owner_side] if p.exterior == owner.number]
-            pieces = _pieces(owner.contour, owner.polygon, holes, whole, vertices)
+        owners = [pair for pair in split if pair[0].role == pair[1].role == EXTERIOR]
+        for contour in contours:
+            if contour.role == EXTERIOR and contour.number not in paired and owners:
+                nearest = _nearest(contour, [pair[owner_side] for pair in owners])
+                wanting.setdefault(nearest, []).append(contour)
+        for k, partners in wanting.items():
+            pair = owners[k]
+            owner = pair[owner_side]
+            holes = [contour.polygon for contour in (a, b)[owner_side] if contour.exterior == owner.number]
+            outline = _Outline(owner.contour, owner.polygon, holes)
+            pieces = _pieces(outline, [pair[1 - owner_side], *partners], vertices)
             if pieces is None:
                 continue
-            found.remove(couple)
-            for contour, partner in pieces:
-                piece = _piece(owner, contour, vertices)
-                found.append((partner, piece) if owner_side else (piece, partner))
-    return found
+            split.remove(pair)
+            for section, partner in pieces:
+                piece = owner._replace(contour=section, polygon=flatten(section, vertices), is_piece=True)
+                split.append((partner, piece) if owner_side else (piece, partner))
+    return split
 
 
-def _nearest(part: PlacedContour, owners: Sequence[PlacedContour]) -> int:
-    """Number in the list of the outline nearest to a contour; of two as near, the larger."""
-    watched = part.polygon.vertices[:: -(-len(part.polygon.vertices) // 24)]
+def _nearest(contour: PlacedContour, owners: Sequence[PlacedContour]) -> int:
+    """Return the index of the exterior nearest to a contour; of two as near, of the larger."""
+    watched = contour.polygon.vertices[:: -(-len(contour.polygon.vertices) // 24)]
 
     def distance(owner: PlacedContour) -> tuple[float, float]:
         inside = winding_numbers(watched, owner.polygon.vertices) != 0
@@ -91,13 +92,16 @@ def _nearest(part: PlacedContour, owners: Sequence[PlacedContour]) -> int:
     return min(range(len(owners)), key=lambda k: distance(owners[k]))
 
 
-def _piece(owner: PlacedContour, contour: Contour, vertices: int) -> PlacedContour:
-    polygon = flatten(contour, vertices)
-    return owner._replace(contour=contour, polygon=polygon, box=polygon.box, is_piece=True)
+class _Outline(NamedTuple):
+    """What is cut: a contour, flattened, and the holes in it."""
+
+    contour: Contour
+    polygon: Polygon
+    holes: Sequence[Polygon]
 
 
 class _Cut(NamedTuple):
-    """A cut between vertices i and j of a polygon: the first piece goes from i to j, the second from j to i."""
+    """A cut between vertices i and j of a polygon: the first piece runs from i to j, the second from j to i."""
 
     cost: float
     i: int
@@ -105,109 +109,110 @@ class _Cut(NamedTuple):
 
 
 def _pieces(
-    contour: Contour,
-    polygon: Polygon,
-    holes: Sequence[Polygon],
-    partners: Sequence[PlacedContour],
-    vertices: int,
+    outline: _Outline, partners: Sequence[PlacedContour], vertices: int
 ) -> list[tuple[Contour, PlacedContour]] | None:
-    """Cut a contour into a piece for each partner, by halves; None where no cut lies inside."""
+    """Cut a contour into a piece for each partner, by halves; None if no cut lies inside."""
     if len(partners) == 1:
-        return [(contour, partners[0])]
+        return [(outline.contour, partners[0])]
     halved = [_halved(partners, axis) for axis in AXES]
     cuts = [
-        _best_cut(polygon, holes, _area(first) / _area([*first, *second]), _middle(second) - _middle(first))
+        _best_cut(outline, _area(first) / _area([*first, *second]), _centre(second) - _centre(first))
         for first, second in halved
     ]
-    best, cut = min(enumerate(cuts), key=lambda one: np.inf if one[1] is None else one[1].cost)
+    best, cut = min(enumerate(cuts), key=lambda item: np.inf if item[1] is None else item[1].cost)
     if cut is None:
         return None
     first, second = halved[best]
-    found: list[tuple[Contour, PlacedContour]] = []
+    pieces: list[tuple[Contour, PlacedContour]] = []
     for half, i, j in ((first, cut.i, cut.j), (second, cut.j, cut.i)):
-        piece = _run(contour, polygon, i, j)
-        shape = flatten(piece, vertices)
-        inside = [hole for hole in holes if winding_numbers(hole.vertices[:1], shape.vertices)[0]]
-        pieces = _pieces(piece, shape, inside, half, vertices)
-        if pieces is None:
+        contour = _section(outline, i, j)
+        polygon = flatten(contour, vertices)
+        inside = [hole for hole in outline.holes if winding_numbers(hole.vertices[:1], polygon.vertices)[0]]
+        smaller = _pieces(_Outline(contour, polygon, inside), half, vertices)
+        if smaller is None:
             return None
-        found += pieces
-    return found
+        pieces += smaller
+    return pieces
 
 
 def _halved(
     partners: Sequence[PlacedContour], axis: complex
 ) -> tuple[list[PlacedContour], list[PlacedContour]]:
-    """The partners that lie first along an axis, and the others."""
-    ranked = sorted(partners, key=lambda part: ((part.centre * axis.conjugate()).real, part.number))
+    """Return the partners that lie first along an axis, and the others."""
+    ranked = sorted(partners, key=lambda partner: ((partner.centre * axis.conjugate()).real, partner.number))
     return ranked[: len(ranked) // 2], ranked[len(ranked) // 2 :]
 
 
-def _middle(parts: Sequence[PlacedContour]) -> complex:
-    return sum(part.centre for part in parts) / len(parts)
+def _centre(contours: Sequence[PlacedContour]) -> complex:
+    return sum(contour.centre for contour in contours) / len(contours)
 
 
-def _area(parts: Sequence[PlacedContour]) -> float:
-    return sum(abs(signed_area(part.polygon.vertices)) for part in parts)
+def _area(contours: Sequence[PlacedContour]) -> float:
+    return sum(abs(signed_area(contour.polygon.vertices)) for contour in contours)
 
 
-def _best_cut(polygon: Polygon, holes: Sequence[Polygon], share: float, way: complex) -> _Cut | None:
-    """The best straight cut that takes off a share of the area, what is left lying in a given direction from it."""
-    z = polygon.vertices
+def _best_cut(outline: _Outline, share: float, offset: complex) -> _Cut | None:
+    """Return the best straight cut that takes off a share of the area, the rest lying at an offset from it."""
+    z = outline.polygon.vertices
     ends = np.round(np.linspace(0, len(z), min(ENDS, len(z)), endpoint=False)).astype(np.intp)
-    shares, ways = _halves(z, ends)
+    shares, offsets = _halves(z, ends)
     lengths = np.abs(z[ends][:, None] - z[ends]) / np.sqrt(abs(signed_area(z)))
     with np.errstate(divide="ignore", invalid="ignore"):
-        turned = (ways * np.conj(way)).real / (np.abs(ways) * abs(way))
-    cost = SHARE * np.abs(shares - share) + LENGTH * lengths + DIRECTION * 0.5 * (1.0 - turned)
+        cosine = (offsets * np.conj(offset)).real / (np.abs(offsets) * abs(offset))
+    cost = (
+        SHARE_WEIGHT * np.abs(shares - share)
+        + LENGTH_WEIGHT * lengths
+        + DIRECTION_WEIGHT * 0.5 * (1.0 - cosine)
+    )
     cost[~((shares > LEAST_SHARE) & (shares < 1.0 - LEAST_SHARE) & np.isfinite(cost))] = np.inf
-    edges = [z, *(hole.vertices for hole in holes)]
+    boundaries = [z, *(hole.vertices for hole in outline.holes)]
     for flat in np.argsort(cost, axis=None, kind="stable")[:TRIES]:
         p, q = np.unravel_index(flat, cost.shape)
-        if np.isfinite(cost[p, q]) and _lies_inside(complex(z[ends[p]]), complex(z[ends[q]]), edges):
+        if np.isfinite(cost[p, q]) and _lies_inside(complex(z[ends[p]]), complex(z[ends[q]]), boundaries):
             return _Cut(float(cost[p, q]), int(ends[p]), int(ends[q]))
     return None
 
 
 def _halves(z: ComplexArray, ends: IntArray) -> tuple[FloatArray, ComplexArray]:
-    """For every two ends i, j: the share of the area from i to j, and the way from its centroid to that of the rest."""
+    """Return for all ends i, j the share of the area from i to j, and the offset from its centroid to the rest's."""
     origin = z[0]
     p, q = z - origin, np.roll(z, -1) - origin
     cross = (p.conj() * q).imag / 2.0
     areas = np.concatenate([[0.0], np.cumsum(cross)])
     moments = np.concatenate([[0.0], np.cumsum(cross * (p + q) / 3.0)])
-    total, moment = areas[-1], moments[-1]
-    at = p[ends]
-    chord = (at.conj()[None, :] * at[:, None]).imag / 2.0  # from j back to i
+    total, total_moment = areas[-1], moments[-1]
+    end = p[ends]
+    chord = (end.conj()[None, :] * end[:, None]).imag / 2.0  # from j back to i
     ahead = ends[None, :] >= ends[:, None]
-    run = areas[ends][None, :] - areas[ends][:, None] + np.where(ahead, 0.0, total) + chord
-    run_moment = (
+    area = areas[ends][None, :] - areas[ends][:, None] + np.where(ahead, 0.0, total) + chord
+    moment = (
         moments[ends][None, :]
         - moments[ends][:, None]
-        + np.where(ahead, 0.0, moment)
-        + chord * (at[None, :] + at[:, None]) / 3.0
+        + np.where(ahead, 0.0, total_moment)
+        + chord * (end[None, :] + end[:, None]) / 3.0
     )
     with np.errstate(divide="ignore", invalid="ignore"):
-        return run / total, (moment - run_moment) / (total - run) - run_moment / run
+        return area / total, (total_moment - moment) / (total - area) - moment / area
 
 
-def _lies_inside(start: complex, end: complex, outlines: Sequence[ComplexArray]) -> bool:
-    """Whether a line between two vertices of the first outline lies in it, in no other, and meets none on the way."""
-    along = end - start
-    inner = start + along * np.array([0.02, 0.25, 0.5, 0.75, 0.98])
-    if not winding_numbers(inner, outlines[0]).all():
+def _lies_inside(start: complex, end: complex, boundaries: Sequence[ComplexArray]) -> bool:
+    """Return whether a line between two vertices of the first boundary lies in it, in no other, and meets none."""
+    chord = end - start
+    inner = start + chord * np.array([0.02, 0.25, 0.5, 0.75, 0.98])
+    if not winding_numbers(inner, boundaries[0]).all():
         return False
-    for z in outlines:
-        p, q = z, np.roll(z, -1)
-        side_p, side_q = ((np.conj(along) * (w - start)).imag for w in (p, q))
+    for p in boundaries:
+        q = np.roll(p, -1)
+        side_p, side_q = ((np.conj(chord) * (w - start)).imag for w in (p, q))
         side_start, side_end = ((np.conj(q - p) * (w - p)).imag for w in (start, end))
         if ((side_p * side_q < 0.0) & (side_start * side_end < 0.0)).any():
             return False
     return True
 
 
-def _run(contour: Contour, polygon: Polygon, i: int, j: int) -> Contour:
-    """The contour from vertex i to vertex j of its polygon, closed by a straight line."""
+def _section(outline: _Outline, i: int, j: int) -> Contour:
+    """Return the contour from vertex i to vertex j of its polygon, closed by a straight line."""
+    contour, polygon = outline.contour, outline.polygon
     count = len(contour.segments)
     first, start = int(polygon.segment[i]), float(polygon.parameter[i])
     last, end = int(polygon.segment[j]), float(polygon.parameter[j])
@@ -217,8 +222,8 @@ def _run(contour: Contour, polygon: Polygon, i: int, j: int) -> Contour:
     if steps == 0 and end <= start:
         steps = count
     numbers = (first + np.arange(steps + 1)) % count
-    begins, stops = np.zeros(steps + 1), np.ones(steps + 1)
-    begins[0], stops[-1] = start, end
-    segments = cubics.pieces(contour.segments[numbers], begins, stops)
+    starts, ends = np.zeros(steps + 1), np.ones(steps + 1)
+    starts[0], ends[-1] = start, end
+    segments = cubics.pieces(contour.segments[numbers], starts, ends)
     closing = cubics.line(segments[-1, 3], segments[0, 0])
     return Contour(np.vstack([segments, closing]), np.append(contour.straight[numbers], True), closed=True)

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.motion.alignment import Matched, align, residual
+from shapeblend_cli.motion.alignment import PointPairs, align, residual
 
 seeds = st.integers(0, 10**9)
 
@@ -13,7 +13,7 @@ seeds = st.integers(0, 10**9)
 def matched(a, b, weight=None):
     a, b = np.asarray(a, complex), np.asarray(b, complex)
     weight = np.ones(len(a)) if weight is None else weight
-    return Matched(a, b, weight / weight.sum())
+    return PointPairs(a, b, weight / weight.sum())
 
 
 def random_points(rng, k=12):
@@ -33,12 +33,12 @@ def test_a_similarity_is_found_whatever_the_weights(seed, scale, turn, shift, k)
     points = matched(a, scale * np.exp(1j * turn) * a + shift, 0.01 + rng.random(k))
     found = align(points)
     assert found.scale == pytest.approx(scale)
-    assert found.turn == pytest.approx(turn, abs=1e-6)
+    assert found.rotation == pytest.approx(turn, abs=1e-6)
     assert residual(points, found) < 1e-6
     np.testing.assert_allclose(
-        found.placed(a - found.centre_a, 1.0), points.b, atol=1e-6 * (scale + abs(shift))
+        found.apply(a - found.centre_a, 1.0), points.b, atol=1e-6 * (scale + abs(shift))
     )
-    np.testing.assert_allclose(found.taken_back(points.b), a - found.centre_a, atol=1e-6)
+    np.testing.assert_allclose(found.undo(points.b), a - found.centre_a, atol=1e-6)
 
 
 @given(seeds)
@@ -47,8 +47,8 @@ def test_no_similarity_leaves_less_but_for_its_scale(seed):
     points = matched(random_points(rng), random_points(rng))
     found = align(points)
     for change in (
-        found._replace(turn=found.turn + 0.05),
-        found._replace(turn=found.turn - 0.05),
+        found._replace(rotation=found.rotation + 0.05),
+        found._replace(rotation=found.rotation - 0.05),
         found._replace(centre_b=found.centre_b + 0.05),
         found._replace(centre_b=found.centre_b - 0.05j),
     ):
@@ -60,7 +60,7 @@ def test_from_b_to_a_it_is_the_inverse(seed):
     rng = np.random.default_rng(seed)
     points = matched(random_points(rng), random_points(rng), rng.random(12))
     there, back = align(points), align(points._replace(a=points.b, b=points.a))
-    assert back.turn == pytest.approx(-there.turn)
+    assert back.rotation == pytest.approx(-there.rotation)
     assert back.scale == pytest.approx(1.0 / there.scale)
     assert (back.centre_a, back.centre_b) == (there.centre_b, there.centre_a)
 
@@ -69,7 +69,7 @@ def test_half_way_it_is_turned_by_half_and_scaled_by_the_root():
     a = np.array([1, 1j, -1, -1j, 2 + 1j])
     points = matched(a, 9.0 * np.exp(0.8j) * a + 10.0)
     found = align(points)
-    placed = found.placed(a - found.centre_a, 0.5)
+    placed = found.apply(a - found.centre_a, 0.5)
     expected = 3.0 * np.exp(0.4j) * (a - a.mean()) + 0.5 * (a.mean() + points.b.mean())
     np.testing.assert_allclose(placed, expected)
 
@@ -97,4 +97,4 @@ def test_lines_and_points_have_a_finite_one(a, b):
 
 def test_collinear_points_turn_with_their_line():
     found = align(matched([0, 1, 2, 3], [0, 1j, 2j, 3j]))
-    assert found.turn == pytest.approx(np.pi / 2.0)
+    assert found.rotation == pytest.approx(np.pi / 2.0)

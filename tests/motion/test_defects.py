@@ -7,9 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.motion.alignment import Alignment
+from shapeblend_cli.motion.alignment import Alignment, Rigid
 from shapeblend_cli.motion.defects import COLLAPSE, CROSSING, LOSS, OVERLAP, STRAY, fault
-from shapeblend_cli.motion.rigid import Rigid
 from tests.support.motions import moving_polygons, similarity_of
 from tests.support.shapes import arm, comb, star_polygon
 

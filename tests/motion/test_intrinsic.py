@@ -9,9 +9,8 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.interpolate.paths import between
 from shapeblend_cli.model import CubicPath
-from shapeblend_cli.motion.alignment import Matched, align, matched_points
+from shapeblend_cli.motion.alignment import PointPairs, Rigid, align, point_pairs
 from shapeblend_cli.motion.intrinsic import closing, intrinsic
-from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
@@ -42,7 +41,7 @@ def fitted(contours):
         np.concatenate([getattr(contour, side).segments.ravel() for contour in contours])
         for side in ("start", "end")
     )
-    return align(Matched(a, b, np.full(len(a), 1.0 / len(a))))
+    return align(PointPairs(a, b, np.full(len(a), 1.0 / len(a))))
 
 
 def motion(*contours):
@@ -79,7 +78,7 @@ def pair_of_samples(samples, a, b, settings=None):
     (pair,), _ = match_all(drawings, settings or Settings())
     found = []
     for shape in pair.shapes:
-        alignment = align(matched_points(shape.contours))
+        alignment = align(point_pairs(shape.contours))
         found.append(shape._replace(motion=intrinsic(shape.contours, alignment)))
     return found
 
@@ -314,7 +313,7 @@ def test_contours_of_a_shape_keep_together(rng):
     moved = motion(*contours)
     for t in TIMES:
         found = moved.segments(contours, t)
-        placed = moved.alignment.placed(
+        placed = moved.alignment.apply(
             np.concatenate([c.start.segments for c in contours]) - moved.alignment.centre_a, t
         )
         np.testing.assert_allclose(np.concatenate(found), placed, atol=1e-9)

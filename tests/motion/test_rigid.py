@@ -7,8 +7,7 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.interpolate.paths import between
 from shapeblend_cli.model import Contour, Shape
-from shapeblend_cli.motion.alignment import Matched, align, residual
-from shapeblend_cli.motion.rigid import Rigid
+from shapeblend_cli.motion.alignment import PointPairs, Rigid, align, residual
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
@@ -56,13 +55,13 @@ def assert_only_moves(pair, degrees, scale=1.0):
     """Every in-between is the drawing at the start, turned and scaled by its share."""
     start = points_at(pair, 0.0)
     for t in TIMES:
-        points = Matched(start, points_at(pair, t), np.full(len(start), 1.0 / len(start)))
+        points = PointPairs(start, points_at(pair, t), np.full(len(start), 1.0 / len(start)))
         found = align(points)
         assert residual(points, found) < SLIGHT
         assert found.scale == pytest.approx(scale**t, rel=2.0 * SLIGHT)
-        off = np.degrees(found.turn) - degrees * t
+        off = np.degrees(found.rotation) - degrees * t
         if abs(degrees) == 180:  # either way round
-            off = min(off, -np.degrees(found.turn) - degrees * t, key=abs)
+            off = min(off, -np.degrees(found.rotation) - degrees * t, key=abs)
         assert abs(off) < 0.3
 
 

@@ -9,7 +9,7 @@ from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import between
 from shapeblend_cli.measure import measure
 from shapeblend_cli.model import CubicPath
-from shapeblend_cli.motion.rigid import Rigid
+from shapeblend_cli.motion.alignment import Rigid
 from shapeblend_cli.motion.safe import plan, safe
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings

@@ -4,7 +4,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from shapeblend_cli.geometry.polygons import winding_numbers
-from shapeblend_cli.pairing.growth import MatchedPoints, mean_value_weights, point_inside, point_on
+from shapeblend_cli.pairing.growth import (
+    MatchedPoints,
+    growth_point_inside,
+    growth_point_on,
+    mean_value_weights,
+)
 
 # A crescent: the middle of its box is outside of it.
 turn = np.linspace(0.6, 2 * np.pi - 0.6, 60)
@@ -34,14 +39,14 @@ def test_mean_value_weights_are_finite_and_one_together(polygon, point):
 
 def test_a_hole_grows_from_where_it_is():
     hole = 5 + np.exp(2j * np.pi * np.arange(12) / 12)
-    assert point_inside(hole, MatchedPoints(CIRCLE, CIRCLE)) == pytest.approx(5.0)
-    assert point_inside(hole, MatchedPoints(CIRCLE, 3j + 0.5 * CIRCLE)) == pytest.approx(2.5 + 3j)
+    assert growth_point_inside(hole, MatchedPoints(CIRCLE, CIRCLE)) == pytest.approx(5.0)
+    assert growth_point_inside(hole, MatchedPoints(CIRCLE, 3j + 0.5 * CIRCLE)) == pytest.approx(2.5 + 3j)
 
 
 def test_a_hole_stays_inside_all_the_way():
     hole = np.exp(2j * np.pi * np.arange(12) / 12)
     matched = MatchedPoints(CIRCLE, CRESCENT)
-    point = point_inside(hole, matched)
+    point = growth_point_inside(hole, matched)
     for t in np.linspace(0.05, 0.95, 19):
         growing = (1 - t) * point + t * hole
         assert winding_numbers(growing, (1 - t) * CRESCENT + t * CIRCLE).all(), t
@@ -50,7 +55,7 @@ def test_a_hole_stays_inside_all_the_way():
 def test_a_hole_keeps_away_from_its_neighbours():
     hole = np.exp(2j * np.pi * np.arange(12) / 12)
     other = MatchedPoints(hole + 5, 4 * hole)
-    point = point_inside(hole, MatchedPoints(CIRCLE, CIRCLE), [other])
+    point = growth_point_inside(hole, MatchedPoints(CIRCLE, CIRCLE), [other])
     for t in TIMES:
         growing = (1 - t) * point + t * hole
         assert not winding_numbers(growing, (1 - t) * other.there + t * other.here).any(), t
@@ -61,6 +66,6 @@ TIMES = np.linspace(0.1, 0.9, 9)
 
 def test_an_outline_grows_from_the_nearest_point_of_the_nearest_contour():
     near, far = MatchedPoints(CIRCLE + 30, CIRCLE * 1j), MatchedPoints(CIRCLE - 50, CIRCLE)
-    number, point = point_on(45 + CIRCLE / 10, [far, near])
+    number, point = growth_point_on(45 + CIRCLE / 10, [far, near])
     assert number == 1
     assert point == pytest.approx(10j)

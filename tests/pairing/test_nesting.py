@@ -22,7 +22,7 @@ def painted(polygons, rule, points):
 def as_nested(polygons, found):
     return [
         reverse_polygon(polygon, len(polygon.vertices)) if turn else polygon
-        for polygon, turn in zip(polygons, found.turned, strict=True)
+        for polygon, turn in zip(polygons, found.reversed, strict=True)
     ]
 
 
@@ -73,7 +73,7 @@ def test_a_pentagram_keeps_its_rule():
 
 def test_curves_are_told_like_polygons():
     ring = [flatten(circle_contour(radius=r), 100) for r in (1.0, 3.0)]
-    assert nest(ring, "evenodd").outline == (1, None)
+    assert nest(ring, "evenodd").exterior == (1, None)
 
 
 places = st.integers(0, 12)
@@ -91,5 +91,5 @@ def test_what_is_painted_stays(contours, rule):
     if found.any_rule:
         other = {"nonzero": "evenodd", "evenodd": "nonzero"}[found.rule]
         np.testing.assert_array_equal(painted(turned, other, points), before)
-    for k, home in enumerate(found.outline):
-        assert home is None or found.outline[home] is None, f"{k} is a hole in a hole"
+    for k, home in enumerate(found.exterior):
+        assert home is None or found.exterior[home] is None, f"{k} is a hole in a hole"

@@ -9,8 +9,7 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import ContourBlend, CubicPath, ShapeBlend, Style
-from shapeblend_cli.motion.alignment import Alignment, Matched, align
-from shapeblend_cli.motion.rigid import Rigid
+from shapeblend_cli.motion.alignment import Alignment, PointPairs, Rigid, align
 from shapeblend_cli.outputs.move import Move
 from shapeblend_cli.pipeline import match_all, shapes_at
 from shapeblend_cli.settings import Settings
@@ -67,4 +66,4 @@ def similarity_of(shape):
         np.concatenate([getattr(contour, side).segments[:, 0] for contour in shape.contours])
         for side in ("start", "end")
     )
-    return align(Matched(a, b, np.full(len(a), 1.0 / len(a))))
+    return align(PointPairs(a, b, np.full(len(a), 1.0 / len(a))))
