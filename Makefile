@@ -23,7 +23,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser docs-check lint type fmt golden fuzz bench bench-quality bench-truth sweep worst pictures gallery plots tables install clean
+.PHONY: help demo test test-browser docs-check lint type fmt golden fuzz bench bench-quality bench-truth sweep worst pictures gallery plots options tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -81,6 +81,9 @@ gallery: install ## draw pairs beside flubber for docs/gallery.md; needs node an
 
 plots: install ## draw the plots of docs/plots.md
 	$(BIN)/python tools/plots.py
+
+options: install ## write the tables of options in the README
+	$(BIN)/python -m tools.option_tables
 
 tables: install ## measure the solver and write docs/solver.json, docs/solver.md and the README's figures of it
 	$(BIN)/python -m tools.solver_table

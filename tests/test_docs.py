@@ -3,9 +3,11 @@
 import re
 from pathlib import Path
 
+import click
 import pytest
 
 from shapeblend_cli.cli import shapeblend
+from tools import option_tables
 from tools.quality.peers import arc_length, flubber
 from tools.quality.peers import shapeblend as shapeblend_blend
 from tools.quality.tables import BEGIN, END
@@ -27,13 +29,12 @@ def test_every_option_in_the_readme_exists():
     assert told <= known | {"--preset", "--help"}
 
 
-def test_every_option_is_in_the_readme():
-    blend = shapeblend.commands["blend"]
-    names = {max(p.opts, key=len) for p in blend.params if p.opts[0].startswith("-")}
-    short = {"--frames": "-n", "--output": "-o", "--verbose": "-v", "--quiet": "-q"}
-    assert [
-        name for name in sorted(names) if name not in README and short.get(name, name) not in README
-    ] == []
+def test_the_tables_of_options_are_those_of_the_commands():
+    assert option_tables.tables() in README
+    for name in ("blend", "plot"):
+        assert {p.name for p in shapeblend.commands[name].params if isinstance(p, click.Option)} <= {
+            name for record in option_tables.RECORDS for name in record.options
+        }
 
 
 @pytest.mark.parametrize("link", re.findall(r"\]\(([^)#]+)\)", README))

@@ -19,7 +19,7 @@ def check_libraries(kind: str) -> None:
             import_module(name)
     except ImportError as error:
         raise PictureError(
-            "pictures need resvg_py and Pillow; pip install 'shapeblend[preview]' installs them"
+            "pictures need resvg_py and Pillow; pip install 'shapeblend[pictures]' installs them"
         ) from error
     if kind == "webp" and not import_module("PIL.features").check("webp"):
         raise PictureError("the Pillow that is installed writes no WebP; .apng would work")

@@ -183,7 +183,7 @@ def test_without_the_extra_there_is_one_line_before_any_work(here, monkeypatch, 
     assert run(["a.svg", "b.svg", *wanted]) == 1
     assert capsys.readouterr().err == (
         f"shapeblend: {wanted[1]}: pictures need resvg_py and Pillow; "
-        "pip install 'shapeblend[preview]' installs them\n"
+        "pip install 'shapeblend[pictures]' installs them\n"
     )
     assert made(here) == []
 

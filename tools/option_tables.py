@@ -1,0 +1,52 @@
+"""Write the README's tables of options from the fields of records: `make options`. No arguments."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from shapeblend_cli.settings import (
+    SECTIONS,
+    OutputOptions,
+    PlotOptions,
+    ReadOptions,
+    RunOptions,
+    Settings,
+    TerminalOptions,
+)
+from tools.quality.data import ROOT
+from tools.quality.tables import Table, with_figures
+
+if TYPE_CHECKING:
+    from shapeblend_cli.fields import Option
+
+README = ROOT / "README.md"
+
+BEGIN, END = "<!-- options: written by make options -->", "<!-- end of options -->"
+
+RECORDS = (ReadOptions, Settings, OutputOptions, RunOptions, TerminalOptions, PlotOptions)
+
+
+def tables() -> str:
+    """Return a table for each section of the help, with the lines around them."""
+    fields = [field for record in RECORDS for field in record.options.values()]
+    parts = [BEGIN, ""]
+    for section in (*SECTIONS[1:], SECTIONS[0]):
+        rows = [(_typed(field), _help(field)) for field in fields if field.section == section]
+        parts.append(Table((section, ""), rows).markdown())
+    return "\n".join([*parts, END])
+
+
+def _typed(field: Option) -> str:
+    typed = ", ".join(field.flags).replace("/", " / ")
+    return f"`{typed} {field.metavar}`".replace(" `", "`").replace("|", r"\|")
+
+
+def _help(field: Option) -> str:
+    return re.sub(r"(--[a-z-]+[a-z])", r"`\1`", field.full_help.replace("  [", " ["))
+
+
+if __name__ == "__main__":
+    README.write_text(
+        with_figures(README.read_text(encoding="utf-8"), tables(), BEGIN, END), encoding="utf-8"
+    )
