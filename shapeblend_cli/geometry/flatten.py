@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.polyline import distinct
 from shapeblend_cli.model import Contour, Polygon
 
 if TYPE_CHECKING:
@@ -73,8 +74,8 @@ def flatten(contour: Contour, vertices: int) -> Polygon:
         points = np.append(points, segments[-1, 3])
         segment = np.append(segment, len(segments) - 1)
         parameter = np.append(parameter, 1.0)
-    distinct = _distinct(points, contour.closed, COINCIDENT * size)
-    return Polygon(points[distinct], segment[distinct], parameter[distinct], contour.closed)
+    kept = distinct(points, contour.closed, COINCIDENT * size)
+    return Polygon(points[kept], segment[kept], parameter[kept], contour.closed)
 
 
 def _even(counts: IntArray) -> tuple[IntArray, FloatArray]:
@@ -131,18 +132,3 @@ def _parameters(ladders: FloatArray, segment: IntArray, share: FloatArray) -> Fl
     rungs = ladders / totals + lift[:, None]
     steps = np.linspace(0.0, 1.0, ladders.shape[1]) + lift[:, None]
     return np.interp(share + lift[segment], rungs.ravel(), steps.ravel()) - lift[segment]
-
-
-def _distinct(points: np.ndarray, closed: bool, distance: float) -> IntArray:
-    """Numbers of the points that are further than `distance` from the last one kept."""
-    near = np.abs(np.diff(points)) <= distance
-    if near.any():
-        kept = [0]
-        for k in range(1, len(points)):
-            if abs(points[k] - points[kept[-1]]) > distance:
-                kept.append(k)
-    else:
-        kept = list(range(len(points)))
-    while closed and len(kept) > 1 and abs(points[kept[-1]] - points[kept[0]]) <= distance:
-        kept.pop()
-    return np.array(kept, np.intp)

@@ -24,6 +24,17 @@ def signed_area(vertices: ComplexArray) -> float:
     return 0.5 * float((vertices.conj() * np.roll(vertices, -1)).imag.sum())
 
 
+def centroid(vertices: ComplexArray) -> complex:
+    """Return the centroid of a closed polygon's area; the mean of its vertices if it has none."""
+    area = signed_area(vertices)
+    origin = vertices[0]
+    p, q = vertices - origin, np.roll(vertices, -1) - origin
+    size = float(np.abs(p).max())
+    if abs(area) < 1e-9 * size * size:
+        return complex(vertices.mean())
+    return complex(origin + ((p + q) * (p.conj() * q).imag).sum() / (6.0 * area))
+
+
 def orientation(polygon: Polygon) -> int:
     """Return 1 if a polygon runs from x towards y, -1 if it runs the other way, 0 if that is undecided.
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.polyline import cumulative_lengths
 
 if TYPE_CHECKING:
     from shapeblend_cli.interpolate.continuous_match import ContinuousMatch
@@ -64,7 +65,7 @@ def deviation(
     for t in TIMES:
         curve: ComplexArray = curve_a + t * (curve_b - curve_a)
         polygon: ComplexArray = polygon_a + t * (polygon_b - polygon_a)
-        length_curve, length_polygon = _lengths(curve), _lengths(polygon)
+        length_curve, length_polygon = cumulative_lengths(curve), cumulative_lengths(polygon)
         # Lengths along both, made equal at the cuts.
         polygon_cuts = np.interp(cut_progress, progress, length_polygon)
         curve_cuts = length_curve[np.append(begins, len(piece))]
@@ -75,10 +76,6 @@ def deviation(
         nearest = np.searchsorted(length_polygon, on_polygon, side="right") - 1
         np.maximum.at(far, np.clip(nearest, 0, len(far) - 1), _distance(curve, polygon, nearest, closed))
     return far
-
-
-def _lengths(points: ComplexArray) -> FloatArray:
-    return np.concatenate([[0.0], np.cumsum(np.abs(np.diff(points)))])
 
 
 def _distance(points: ComplexArray, line: ComplexArray, near: IntArray, closed: bool) -> FloatArray:

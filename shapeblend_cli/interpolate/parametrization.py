@@ -9,6 +9,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import COINCIDENT
+from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -133,7 +134,7 @@ def parametrize(contour: Contour, polygon: Polygon) -> ContourParameter:
     if not closed:
         changes[-1:] = True
     end = np.where(changes, 1.0, end)
-    lengths = np.concatenate([[0.0], np.cumsum(np.abs(vertices[following] - vertices[:count]))])
+    lengths = cumulative_lengths(from_end_to_end(vertices, closed))
     node = np.append(start == 0.0, True)
     if closed:
         node[-1] = node[0]

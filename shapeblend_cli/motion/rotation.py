@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, points_at
 from shapeblend_cli.motion.alignment import align, point_pairs, residual
 
 if TYPE_CHECKING:
@@ -74,8 +75,7 @@ def is_rotated_copy(contours: Sequence[ContourBlend]) -> bool:
 
 def _even(polygon: Polygon) -> ComplexArray:
     """Return points spread evenly along a polygon, relative to their mean."""
-    z = np.append(polygon.vertices, polygon.vertices[:1]) if polygon.closed else polygon.vertices
-    distance = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(z)))])
-    sampled = np.linspace(0.0, distance[-1], SAMPLES, endpoint=not polygon.closed)
-    points = np.interp(sampled, distance, z.real) + 1j * np.interp(sampled, distance, z.imag)
-    return np.asarray(points - points.mean())
+    points = from_end_to_end(polygon.vertices, polygon.closed)
+    lengths = cumulative_lengths(points)
+    even = points_at(np.linspace(0.0, lengths[-1], SAMPLES, endpoint=not polygon.closed), points, lengths)
+    return even - even.mean()

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry.placement import to_unit_box
+from shapeblend_cli.geometry.polyline import distinct
 from shapeblend_cli.match.solve import least_work
 
 if TYPE_CHECKING:
@@ -105,13 +106,7 @@ def _thinned(vertices: ComplexArray, closed: bool) -> ComplexArray:
         chosen = np.linspace(0, last, WORK_VERTICES, endpoint=not closed)
         vertices = vertices[np.round(chosen).astype(np.intp)]
     # An outline that runs back over itself may have its vertices in pairs.
-    kept = [vertices[0]]
-    for vertex in vertices[1:]:
-        if abs(vertex - kept[-1]) > _COINCIDENT:
-            kept.append(vertex)
-    while closed and len(kept) > 1 and abs(kept[-1] - kept[0]) <= _COINCIDENT:
-        kept.pop()
-    return np.array(kept)
+    return vertices[distinct(vertices, closed, _COINCIDENT)]
 
 
 def _paint_difference(a: PlacedContour, b: PlacedContour) -> float:

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.polygons import mean_value_weights, signed_area, winding_numbers
+from shapeblend_cli.geometry.polygons import centroid, mean_value_weights, winding_numbers
+from shapeblend_cli.geometry.polyline import thin
 from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ def growth_point_on(contour: ComplexArray, paired: Sequence[MatchedPoints]) -> t
     point : complex
         What corresponds to the vertex of that contour which is nearest here.
     """
-    watched = _watched(contour)
+    watched = thin(contour, WATCHED)
     nearest = []
     for k, points in enumerate(paired):
         distances = np.abs(points.here[:, None] - watched).min(axis=1)
@@ -84,7 +85,7 @@ def growth_point_inside(
     siblings : sequence of MatchedPoints
         Other holes of that exterior, which the growing one must not meet.
     """
-    watched = _watched(hole)
+    watched = thin(hole, WATCHED)
     best, most = 0j, -1.0
     for point in islice(_candidates(hole, exterior), TRIES):
         share = _share_inside(watched, point, exterior, siblings)
@@ -96,7 +97,7 @@ def growth_point_inside(
 
 
 def _candidates(hole: ComplexArray, exterior: MatchedPoints) -> Iterator[complex]:
-    first = complex(mean_value_weights(_centroid(hole), exterior.here) @ exterior.there)
+    first = complex(mean_value_weights(centroid(hole), exterior.here) @ exterior.there)
     yield first
     box = Box.around(exterior.there)
     steps = (np.arange(GRID) + 0.5) / GRID
@@ -117,18 +118,3 @@ def _share_inside(
             inside &= winding_numbers(growing, (1.0 - t) * other.there + t * other.here) == 0
         count += int(inside.sum())
     return count / (len(TIMES) * len(watched))
-
-
-def _centroid(vertices: ComplexArray) -> complex:
-    """Return the centroid of a closed polygon; of its vertices, if it has no area."""
-    area = signed_area(vertices)
-    origin = vertices[0]
-    p, q = vertices - origin, np.roll(vertices, -1) - origin
-    size = float(np.abs(p).max())
-    if abs(area) < 1e-9 * size * size:
-        return complex(vertices.mean())
-    return complex(origin + ((p + q) * (p.conj() * q).imag).sum() / (6.0 * area))
-
-
-def _watched(vertices: ComplexArray) -> ComplexArray:
-    return vertices[:: -(-len(vertices) // WATCHED)]

@@ -8,6 +8,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.crossings import polygon_crossings
 from shapeblend_cli.geometry.polygons import orientation, winding_numbers
+from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -109,7 +110,7 @@ def _both_sides(polygon: Polygon, box: Box, sign: int) -> tuple[ComplexArray, Co
     """Return points just inside and just outside a contour, spread evenly along it."""
     vertices = polygon.vertices
     edges = np.roll(vertices, -1) - vertices
-    distance = np.concatenate([[0.0], np.cumsum(np.abs(edges))])
+    distance = cumulative_lengths(from_end_to_end(vertices, closed=True))
     sampled = (np.arange(SAMPLES) + 0.5) / SAMPLES * distance[-1]
     edge = np.searchsorted(distance, sampled, side="right") - 1
     tangent = edges[edge] / np.abs(edges[edge])

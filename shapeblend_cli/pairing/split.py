@@ -9,8 +9,10 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
+from shapeblend_cli.geometry.polyline import thin
 from shapeblend_cli.model import Contour
 from shapeblend_cli.pairing.decompose import EXTERIOR, PlacedContour
+from shapeblend_cli.pairing.growth import WATCHED
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -82,7 +84,7 @@ def split_exteriors(
 
 def _nearest(contour: PlacedContour, owners: Sequence[PlacedContour]) -> int:
     """Return the index of the exterior nearest to a contour; of two as near, of the larger."""
-    watched = contour.polygon.vertices[:: -(-len(contour.polygon.vertices) // 24)]
+    watched = thin(contour.polygon.vertices, WATCHED)
 
     def distance(owner: PlacedContour) -> tuple[float, float]:
         inside = winding_numbers(watched, owner.polygon.vertices) != 0

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
+from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, points_at
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -114,8 +115,7 @@ def may_turn_onto_itself(p: ComplexArray) -> bool:
 
     Where neither of two does, no two starts cost the same.
     """
-    q, _ = _even(p, PLACES)
-    q = q - q.mean()
+    q, _ = _even(p)
     alike = [abs(np.vdot(q, np.roll(q, -shift))) for shift in range(PLACES // FOLDS, PLACES // 2 + 1)]
     return max(alike) > ALIKE * abs(np.vdot(q, q))
 
@@ -140,8 +140,8 @@ def starts_laid_over(p0: ComplexArray, p1: ComplexArray, runs: Sequence[float]) 
     list of (int, int, int)
         The vertex, and the first and the last one of a run of the second polygon's, which may go on beyond its end.
     """
-    (q0, _), (q1, at1) = (_even(p, PLACES) for p in (p0, p1))
-    overlap = [np.vdot(q0 - q0.mean(), np.roll(q1 - q1.mean(), -shift)).real for shift in range(PLACES)]
+    (q0, _), (q1, at1) = _even(p0), _even(p1)
+    overlap = [np.vdot(q0, np.roll(q1, -shift)).real for shift in range(PLACES)]
     middle = float(np.argmax(overlap)) / PLACES  # where on the second the first one's vertex 0 goes
     n = len(p1)
     around = np.concatenate([at1 - 1.0, at1, at1 + 1.0])
@@ -149,10 +149,10 @@ def starts_laid_over(p0: ComplexArray, p1: ComplexArray, runs: Sequence[float]) 
     return [(0, begin % n, begin % n + end - begin) for begin, end in pairwise(first)]
 
 
-def _even(p: ComplexArray, count: int) -> tuple[ComplexArray, FloatArray]:
-    """Points evenly along a closed polygon, and at which share of its length each vertex is."""
-    around = np.append(p, p[0])
-    at = np.append(0.0, np.cumsum(np.abs(np.diff(around))))
-    at /= at[-1]
-    places = np.arange(count) / count
-    return np.interp(places, at, around.real) + 1j * np.interp(places, at, around.imag), at[:-1]
+def _even(p: ComplexArray) -> tuple[ComplexArray, FloatArray]:
+    """Return points evenly along a closed polygon, around their mean, and the share of its length up to each vertex."""
+    points = from_end_to_end(p, closed=True)
+    shares = cumulative_lengths(points)
+    shares /= shares[-1]
+    even = points_at(np.arange(PLACES) / PLACES, points, shares)
+    return even - even.mean(), shares[:-1]

@@ -7,8 +7,9 @@ import sys
 import numpy as np
 import pytest
 
+from shapeblend_cli.geometry.polygons import signed_area
 from tools.quality.peers import ALL, arc_length, shapeblend
-from tools.quality.scores import area, signed_area
+from tools.quality.scores import area
 from tools.quality.truth import __main__ as command
 from tools.quality.truth import letters
 from tools.quality.truth.form import TIMES, Linked, Truth, truth

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from shapely import Polygon, make_valid
 
+from shapeblend_cli.geometry.polygons import signed_area
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -52,11 +54,6 @@ class Score(NamedTuple):
 def area(contour: np.ndarray) -> float:
     """The area inside, whichever way round."""
     return abs(signed_area(contour))
-
-
-def signed_area(contour: np.ndarray) -> float:
-    """The area inside, less than 0 the one way round."""
-    return float((contour.conj() * np.roll(contour, -1)).imag.sum()) / 2
 
 
 def is_crossed(contour: np.ndarray) -> bool:

@@ -7,8 +7,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from shapeblend_cli.geometry.polygons import signed_area
+from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
 from tools.quality.data import Pair, polygon, subpaths
-from tools.quality.scores import STEPS, area, signed_area
+from tools.quality.scores import STEPS, area
 from tools.quality.truth.form import TIMES, Linked, Truth
 
 NAME = "even arc length"
@@ -62,8 +64,8 @@ def matching(p: np.ndarray, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 def even(contour: np.ndarray) -> np.ndarray:
     """Vertices at even arc length, from the first one on."""
-    around = np.append(contour, contour[0])
-    reached = np.append(0.0, np.cumsum(np.abs(np.diff(around))))
+    around = from_end_to_end(contour, closed=True)
+    reached = cumulative_lengths(around)
     return np.interp(reached[-1] * np.arange(VERTICES) / VERTICES, reached, around)
 
 

@@ -18,11 +18,12 @@ import numpy as np
 from fontTools.pens.basePen import BasePen
 from fontTools.ttLib import TTFont
 
+from shapeblend_cli.geometry.polygons import signed_area
 from tools.quality.data import ROOT
 from tools.quality.npm import install
-from tools.quality.scores import is_crossed, is_overlapping, signed_area
+from tools.quality.scores import is_crossed, is_overlapping
 from tools.quality.truth.form import SETS
-from tools.quality.truth.measures import apart, extent
+from tools.quality.truth.measures import apart, extent, reached
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -315,16 +316,11 @@ def _begun(contour: Segments, start: int, back: bool) -> Segments:
 
 def _where(p: np.ndarray, q: np.ndarray, start: complex, back: bool) -> list[list[float]]:
     """For each vertex how far round it is, in A's file and in B's, each from its own start and in its own direction."""
-    u, v = (_reached(contour) for contour in (p, q))
+    u, v = (reached(contour)[:-1] for contour in (p, q))
     v -= v[np.abs(q - start).argmin()]
     v = -v if back else v
     v -= np.round(v[0])
     return [[round(float(s), 5), round(float(r), 5)] for s, r in zip(u, v, strict=True)]
-
-
-def _reached(contour: np.ndarray) -> np.ndarray:
-    lengths = np.abs(np.diff(contour, append=contour[0]))
-    return np.append(0.0, np.cumsum(lengths[:-1])) / lengths.sum()
 
 
 def _points(contour: np.ndarray) -> list[list[float]]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import shapely
 
+from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
 from tools.quality.scores import inside, is_crossed
 from tools.quality.truth.form import TIMES
 
@@ -116,7 +117,7 @@ def _error(p: np.ndarray, q: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
     """How far along b the points of a arrive from where they should, when p goes to q; as a share of b."""
     ring_a, ring_b = _ring(a), _ring(b)
     u, v = (_along(ring, points) for ring, points in ((ring_a, p), (ring_b, q)))
-    true_u, true_v = _reached(a), _reached(b)
+    true_u, true_v = reached(a), reached(b)
     places = (np.arange(PLACES) + 0.5) / PLACES
     off = _arrival(u, v, places) - _arrival(true_u, true_v, places)
     return float(np.abs(off - np.round(off)).mean())
@@ -128,7 +129,7 @@ def _along(ring: shapely.LineString, points: np.ndarray) -> np.ndarray:
     return np.unwrap(np.append(found, found[0]), period=1.0)
 
 
-def _reached(contour: np.ndarray) -> np.ndarray:
+def reached(contour: np.ndarray) -> np.ndarray:
     """How far round a contour its own vertices are."""
     lengths = np.abs(np.diff(contour, append=contour[0]))
     return np.append(0.0, np.cumsum(lengths)) / lengths.sum()
@@ -188,10 +189,10 @@ def turns(contour: np.ndarray, reach: float = 0.0) -> np.ndarray:
     """
     before, after = np.roll(contour, 1), np.roll(contour, -1)
     if reach:
-        lengths = np.abs(after - contour)
-        reached = np.concatenate([[0.0], np.cumsum(lengths)])
-        places, around = reached[:-1], np.append(contour, contour[0])
-        before, after = (np.interp((places + way) % reached[-1], reached, around) for way in (-reach, reach))
+        around = from_end_to_end(contour, closed=True)
+        lengths = cumulative_lengths(around)
+        places = lengths[:-1]
+        before, after = (np.interp((places + way) % lengths[-1], lengths, around) for way in (-reach, reach))
     return np.abs(np.degrees(np.angle((after - contour) * (contour - before).conj())))
 
 
