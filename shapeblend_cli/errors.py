@@ -36,6 +36,10 @@ class OutputError(ShapeblendError, OSError):
         self.problem = problem
 
 
+class OptionError(ShapeblendError, ValueError):
+    """Options that contradict each other, or what is asked for."""
+
+
 class MatchError(ShapeblendError, ValueError):
     """Two shapes, or a request about them, for which no correspondence exists."""
 

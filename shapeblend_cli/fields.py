@@ -124,6 +124,10 @@ class Record:
         """Make a record of those of some values that it has a field for."""
         return cls(**{name: values[name] for name in cls.options if name in values})
 
+    def is_given(self, name: str) -> bool:
+        """Return whether a field was given a value."""
+        return name in self._given
+
     def replace(self, **changes: Any) -> Self:
         """Return a record with other values in some fields; None stands for the default."""
         return type(self)(**self._given | changes)

@@ -14,10 +14,7 @@ from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureEr
 from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.measure import measure
 from shapeblend_cli.output import check_targets, write_files
-from shapeblend_cli.outputs.formats import FRAME_KINDS, STANDARD_OUTPUT, file_names, frame_names
-from shapeblend_cli.outputs.libraries import check_libraries
-from shapeblend_cli.outputs.raster_options import PICTURES
-from shapeblend_cli.outputs.render import render
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.pipeline import make_frames, match_all
 from shapeblend_cli.report import report
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, read
@@ -27,7 +24,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.measure import Measures
     from shapeblend_cli.model import Frame, Pair
-    from shapeblend_cli.outputs.render import OutputSpec
+    from shapeblend_cli.outputs.formats import OutputSpec
     from shapeblend_cli.settings import ReadOptions, RunOptions, Settings
 
 SLOW = (
@@ -44,10 +41,8 @@ class Job(NamedTuple):
     files : tuple of str
         Two or more. One of them may be ``-``, standard input.
     read : ReadOptions
-    settings : Settings
-    wanted : OutputSpec
+    output : OutputSpec
     run : RunOptions
-        Its output is given.
     reported : dict
         Every option's value in force, for the report.
     command : tuple of str
@@ -56,40 +51,24 @@ class Job(NamedTuple):
 
     files: tuple[str, ...]
     read: ReadOptions
-    settings: Settings
-    wanted: OutputSpec
+    output: OutputSpec
     run: RunOptions
     reported: dict[str, Any]
     command: tuple[str, ...]
-
-    @property
-    def output(self) -> str:
-        """A folder, the name of a file, or ``-``."""
-        return str(self.run.output)
-
-    def frame_files(self) -> Sequence[str | None]:
-        """Return for each frame the name of the file that shows it alone, if there is one."""
-        if self.wanted.kind in FRAME_KINDS:
-            return frame_names(self.wanted.kind, self._frame_count)
-        return [None] * self._frame_count
-
-    def targets(self) -> list[Path]:
-        """Return the files of the blend, in order; none for standard output."""
-        return [Path(name) for name in file_names(self.wanted.kind, self.output, self._frame_count)]
-
-    @property
-    def _frame_count(self) -> int:
-        pairs = len(self.files) - 1
-        return pairs * self.settings.frames + (pairs + 1 if self.settings.ends else 0)
 
 
 class Run:
     """What was done in a run, with the seconds that each stage took."""
 
-    def __init__(self, pairs: list[Pair], frames: list[Frame], seconds: dict[str, float]) -> None:
+    def __init__(self, pairs: list[Pair], settings: Settings, seconds: dict[str, float]) -> None:
         self.pairs = pairs
-        self.frames = frames
+        self.settings = settings
         self.seconds = seconds
+
+    @cached_property
+    def frames(self) -> list[Frame]:
+        """The frames of the settings, whether they are written or not."""
+        return make_frames(self.pairs, self.settings)
 
     @cached_property
     def measures(self) -> list[Measures]:
@@ -122,22 +101,22 @@ def blend_files(job: Job, note: Callable[[str], None], progress: Callable[[float
 
     if not COMPILED:
         note_and_keep(SLOW)
-    if job.wanted.kind in PICTURES:
-        with _named(job.output):
-            check_libraries(job.wanted.kind)
+    output, settings = job.output, job.output.settings
+    with _named(output.path):
+        output.format.check_libraries()
     check_targets(
         _all_targets(job), [Path(file) for file in job.files if file != STANDARD_INPUT], job.run.force
     )
 
-    pairs = match_files(job.files, job.read, job.settings, clock, note_and_keep, progress)
-    run = Run(pairs, make_frames(pairs, job.settings), clock.seconds)
-    clock.lap("interpolate")
-    with _named(job.output):
-        outputs, left_out = render(job.wanted, pairs, run.frames, job.settings)
-    for text in left_out:
+    pairs = match_files(job.files, job.read, settings, clock, note_and_keep, progress)
+    run = Run(pairs, settings, clock.seconds)
+    with _named(output.path):
+        rendered = output.format.render(output, pairs)
+    clock.lap("render")
+    for text in rendered.notes:
         note_and_keep(text)
-    contents: dict[Path, str | bytes] = dict(zip(job.targets(), outputs, strict=False))
-    standard_output = outputs[0] if job.output == STANDARD_OUTPUT else ""
+    contents = dict(zip(map(Path, output.files()), rendered.contents, strict=False))
+    standard_output = rendered.contents[0] if output.path == STANDARD_OUTPUT else ""
     if job.run.report or job.run.preview:
         found = report(
             __version__,
@@ -146,7 +125,7 @@ def blend_files(job: Job, note: Callable[[str], None], progress: Callable[[float
             pairs,
             run.frames,
             run.measures,
-            job.frame_files(),
+            output.frame_files(),
             clock.seconds,
         )
         if job.run.report:
@@ -162,8 +141,8 @@ def blend_files(job: Job, note: Callable[[str], None], progress: Callable[[float
             clock.lap("preview")
     write_files(contents)
     print_text(standard_output)
-    if stale := _stale_frames(job):
-        note(f"{job.output}: {len(stale)} frame files of another run are left, {min(stale)} among them")
+    if stale := _stale_frames(output):
+        note(f"{output.path}: {len(stale)} frame files of another run are left, {min(stale)} among them")
     clock.lap("write")
     return run
 
@@ -203,25 +182,26 @@ def _named(output: str) -> Iterator[None]:
         raise OutputError(output, str(error)) from error
 
 
-def _stale_frames(job: Job) -> set[str]:
+def _stale_frames(output: OutputSpec) -> set[str]:
     """Return the names of frame files in the folder that are none of the run's own."""
-    names = {name for name in job.frame_files() if name}
+    names = {name for name in output.frame_files() if name}
     suffixes = {Path(name).suffix for name in names}
-    return {path.name for suffix in suffixes for path in Path(job.output).glob(f"frame-*{suffix}")} - names
+    return {path.name for suffix in suffixes for path in Path(output.path).glob(f"frame-*{suffix}")} - names
 
 
 def _preview(job: Job, found: dict[str, Any], pairs: Sequence[Pair], notes: Sequence[str]) -> str:
     """Return the page that shows a run."""
     from shapeblend_cli.preview.page import preview  # most runs write none
 
-    ends = make_frames(pairs, job.settings.replace(frames=0, ends=True))
-    return preview(found, pairs, ends, job.settings, job.wanted.timing, job.command, notes)
+    settings = job.output.settings
+    ends = make_frames(pairs, settings.replace(frames=0, ends=True))
+    return preview(found, pairs, ends, settings, job.output.timing, job.command, notes)
 
 
 def _all_targets(job: Job) -> list[Path]:
     """Return every file that the job will write."""
-    others = (job.run.report, job.run.preview)
-    targets = job.targets() + [Path(name) for name in others if name and name != STANDARD_OUTPUT]
+    names = [*job.output.files(), job.run.report, job.run.preview]
+    targets = [Path(name) for name in names if name and name != STANDARD_OUTPUT]
     twice = [target for k, target in enumerate(targets) if target in targets[:k]]
     if twice:
         raise OutputError(str(twice[0]), "is named for two different outputs; another name would work")

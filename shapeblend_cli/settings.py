@@ -11,18 +11,15 @@ from shapeblend_cli.constants import PRESETS, WIRE, WorkConstants
 from shapeblend_cli.easing import LINEAR, Ease
 from shapeblend_cli.field_types import (
     BAND,
-    COLOUR,
     EASE,
     FLAG,
     MATCH,
     PIN,
-    REPEAT,
     SELECTOR,
     START,
     STIFF,
     choice,
     file,
-    number,
     whole,
 )
 from shapeblend_cli.fields import Record, option
@@ -39,12 +36,6 @@ PICTURES = "Pictures, with the extra shapeblend[pictures]"
 
 SECTIONS = (PLOT, OUTPUT, SHAPES, CORRESPONDENCE, WIRE, IN_BETWEENS, ANIMATIONS, PICTURES, OTHER)
 """The order in which help lists options."""
-
-MAX_SIDE = 16_383
-"""Pixels; WebP has no more."""
-
-MAX_FPS = 50
-"""Browsers take their own time for pictures that change faster."""
 
 
 class ReadOptions(Record):
@@ -210,94 +201,9 @@ class Settings(WorkConstants):
         return WorkConstants.of(vars(self))
 
 
-class OutputOptions(Record):
-    """What is written of a blend; what is None has the default of the format."""
-
-    emit: str = option(
-        choice("frames", "pair", "lottie", "avd"),
-        default="frames",
-        section=OUTPUT,
-        help="frames: what --output names; pair: A and B as SVG files with the same path commands, for other programs "
-        "to morph; lottie: a Lottie animation (JSON); avd: an animated vector drawable for Android.",
-    )
-    precision: int | None = option(
-        whole(0, 10),
-        default=None,
-        section=IN_BETWEENS,
-        help="Decimals of coordinates.",
-        default_text="by the size of the drawings",
-    )
-    animate: str = option(
-        choice("smil", "css", "frames"),
-        default="smil",
-        section=ANIMATIONS,
-        help="How an animated SVG moves. CSS animations respect prefers-reduced-motion; Safari does not play them. "
-        "frames shows all frames in turn, which works everywhere.",
-    )
-    duration: float = option(
-        number(0.01, 3600.0),
-        default=2.0,
-        metavar="S",
-        section=ANIMATIONS,
-        help="Seconds an animation takes from one drawing to the next.",
-    )
-    repeat: int | str = option(
-        REPEAT,
-        default="forever",
-        section=ANIMATIONS,
-        help="How often an animation runs; pingpong: forwards and backwards, forever.",
-    )
-    format: str | None = option(
-        choice("svg", "png"),
-        default=None,
-        section=PICTURES,
-        help="Format of the files in a folder of frames.",
-        default_text="svg",
-    )
-    width: int | None = option(
-        whole(1, MAX_SIDE),
-        default=None,
-        metavar="PX",
-        section=PICTURES,
-        help="Width of a picture in pixels; in a contact sheet, of a cell.",
-        default_text="400 in .gif, .webp and .apng, 512 of frames, 200 of a cell",
-    )
-    columns: int | None = option(
-        whole(1, 10_000),
-        default=None,
-        section=PICTURES,
-        help="Columns of a contact sheet.",
-        default_text="by the number of frames",
-    )
-    background: str | None = option(
-        COLOUR,
-        default=None,
-        section=PICTURES,
-        help="Colour behind pictures, or transparent.",
-        default_text="transparent; white in a .gif and a contact sheet",
-    )
-    fps: int | None = option(
-        whole(1, MAX_FPS),
-        default=None,
-        section=PICTURES,
-        help=f"Pictures per second of a .gif, .webp or .apng, {MAX_FPS} at most.",
-        default_text="25, unless --frames is given",
-    )
-
-
 class RunOptions(Record):
     """Which files a run writes."""
 
-    output: str | None = option(
-        file(),
-        default=None,
-        flags=("-o", "--output"),
-        metavar="PATH",
-        section=OUTPUT,
-        help="A folder: one file for each frame. A name ending in .svg: one animated SVG; in .gif, .webp or .apng: "
-        "an animation of pixels; in .png: a contact sheet of all frames. -: an animated SVG on standard output.",
-        default_text="blend; with --emit lottie blend.json, with avd blend.xml",
-    )
     force: bool = option(
         FLAG, default=False, flags=("-f", "--force"), section=OUTPUT, help="Replace existing files."
     )

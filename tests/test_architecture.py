@@ -23,7 +23,7 @@ ROOMS = {
     "files": "preview report measure outputs output pipeline svg.reading settings match model clock errors __init__",
     "preview": "svg.reading svg.writing pairing interpolate paint settings match model easing",
     "report": "measure geometry model",
-    "outputs": "pipeline interpolate paint svg.writing settings model easing errors",
+    "outputs": "pipeline interpolate paint svg.writing settings fields field_types model easing errors",
     "output": "errors",
     "__init__": "pipeline svg.reading settings constants errors",
     "pipeline": "views pairing motion interpolate paint geometry settings model clock easing",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.outputs.contact_sheet import sheet as sheet_of
+from shapeblend_cli.outputs.contact_sheet import contact_sheet
 from shapeblend_cli.outputs.raster import Size
 
 if TYPE_CHECKING:
@@ -15,4 +15,4 @@ GROUND, PAGE = "#f6f6f4", "#ffffff"
 
 def sheet(svgs: list[str], columns: int, cell: int) -> Image.Image:
     """All drawings in rows of `columns`, each in a square of `cell` pixels."""
-    return sheet_of(svgs, Size(cell, cell), columns, ground=GROUND, page=PAGE)
+    return contact_sheet(svgs, Size(cell, cell), columns, ground=GROUND, page=PAGE)

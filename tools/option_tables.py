@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from shapeblend_cli.outputs.options import OutputOptions
 from shapeblend_cli.settings import (
     SECTIONS,
-    OutputOptions,
     PlotOptions,
     ReadOptions,
     RunOptions,

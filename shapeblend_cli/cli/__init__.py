@@ -17,7 +17,7 @@ from shapeblend_cli.cli.group import DefaultGroup
 from shapeblend_cli.cli.inspect import inspect
 from shapeblend_cli.cli.plot import plot
 from shapeblend_cli.cli.terminal import Terminal
-from shapeblend_cli.errors import ShapeblendError
+from shapeblend_cli.errors import OptionError, ShapeblendError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -48,6 +48,9 @@ def run(arguments: Sequence[str]) -> int:
         shapeblend.main(list(arguments), prog_name="shapeblend", standalone_mode=False)
     except click.ClickException as error:
         note(f"{' '.join(error.format_message().split())} (shapeblend --help lists the options)")
+        return USAGE
+    except OptionError as error:
+        note(f"{error} (shapeblend --help lists the options)")
         return USAGE
     except click.Abort:
         note("interrupted; nothing was written")

@@ -9,19 +9,9 @@ import click
 from shapeblend_cli.cli.group import TYPED, SectionedCommand
 from shapeblend_cli.cli.options import options_of
 from shapeblend_cli.cli.terminal import Terminal, details
-from shapeblend_cli.easing import Timing
-from shapeblend_cli.outputs.formats import FORMS, FRAME_KINDS, STANDARD_OUTPUT, kind_of, problem
-from shapeblend_cli.outputs.raster_options import ANIMATED, RasterOptions, defaults, timing_problem
-from shapeblend_cli.outputs.raster_options import problem as raster_problem
-from shapeblend_cli.outputs.times import run_for
-from shapeblend_cli.settings import (
-    OutputOptions,
-    ReadOptions,
-    RunOptions,
-    Settings,
-    TerminalOptions,
-    report_settings,
-)
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
+from shapeblend_cli.outputs.options import OutputOptions, specify
+from shapeblend_cli.settings import ReadOptions, RunOptions, Settings, TerminalOptions, report_settings
 
 if TYPE_CHECKING:
     from shapeblend_cli.files import Job
@@ -80,54 +70,21 @@ def check_files(files: tuple[str, ...], settings: Settings) -> None:
 
 
 def _job(files: tuple[str, ...], given: dict[str, Any]) -> Job:
-    """Make a job of files and options, or raise click.UsageError if they do not go together."""
+    """Make a job of files and options, or raise an error if they do not go together."""
     read, settings, run = ReadOptions.of(given), Settings.of(given), RunOptions.of(given)
     options = OutputOptions.of(given)
     check_files(files, settings)
-    output = run.output or FORMS[options.emit].output
-    if found := problem(options.emit, output, len(files)):
-        raise click.UsageError(found)
-    kind = kind_of(options.emit, output, options.format)
-    raster = _raster_options(kind, output, options, settings, given["frames"] is None, len(files) - 1)
-    if output == run.report == STANDARD_OUTPUT:
+    output = specify(options, settings, len(files))
+    if output.path == run.report == STANDARD_OUTPUT:
         raise click.UsageError("--output and --report cannot both be standard output")
-    if options.emit == "pair" and settings.motion == "auto":
-        settings = settings.replace(motion="linear")  # what programs do between two files
 
     from shapeblend_cli.files import Job
-    from shapeblend_cli.outputs.render import OutputSpec
 
-    timing = Timing(options.duration, settings.ease, options.repeat)
-    run = run.replace(output=output)
-    chosen = options.replace(format=kind if kind in FRAME_KINDS else None, **raster._asdict())
     return Job(
         files,
         read,
-        settings,
-        OutputSpec(kind, options.animate, timing, options.precision, raster),
+        output,
         run,
-        reported=report_settings(read, settings, chosen, run),
+        reported=report_settings(read, output.settings, options.replace(**output.decided()), run),
         command=("shapeblend", *click.get_current_context().meta[TYPED]),
     )
-
-
-def _raster_options(
-    kind: str, output: str, options: OutputOptions, settings: Settings, by_fps: bool, pairs: int
-) -> RasterOptions:
-    """How pictures are drawn, with the defaults filled in, or click.UsageError if they cannot be."""
-    given = {name: getattr(options, name) for name in ("format", "width", "columns", "fps", "background")}
-    if found := raster_problem(kind, output, given):
-        raise click.UsageError(found)
-    if not by_fps and options.fps is not None:
-        raise click.UsageError("--frames and --fps both say how many pictures there are; one will do")
-    usual = defaults(kind, by_fps=by_fps)
-    raster = usual._replace(**{n: given[n] for n in usual._fields if given[n] is not None})
-    if kind == "sheet" and not (settings.frames or settings.ends):
-        raise click.UsageError(
-            "--frames 0 leaves nothing for a contact sheet; --frames 1 or --ends would work"
-        )
-    if kind in ANIMATED:
-        run = run_for(raster.fps, settings.frames, pairs, options.duration, options.repeat == "pingpong")
-        if found := timing_problem(run, options.repeat):
-            raise click.UsageError(found)
-    return raster

@@ -1,24 +1,24 @@
 """A blend as an Android animated vector drawable: one XML file for ``res/drawable``.
 
-The vector and its animators stand in the one file by ``aapt:attr``. The formats: VectorDrawable,
-AnimatedVectorDrawable and PathInterpolator in the reference of Android.
+The vector and its animators are in one file, by ``aapt:attr``. The formats: VectorDrawable, AnimatedVectorDrawable and
+PathInterpolator in the reference of Android.
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
-from xml.etree import ElementTree  # svgwrite has imported it anyway
-from xml.etree.ElementTree import Element, SubElement
 
+from shapeblend_cli.outputs.formats import Format, OutputSpec, Rendered
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from xml.etree.ElementTree import Element
 
     from shapeblend_cli.easing import Ease
-    from shapeblend_cli.model import PaintedShape
-    from shapeblend_cli.outputs.move import Leg, Move
+    from shapeblend_cli.model import PaintedShape, Pair
+    from shapeblend_cli.outputs.move import Move
 
 NAMESPACES = {
     "xmlns:android": "http://schemas.android.com/apk/res/android",
@@ -26,10 +26,10 @@ NAMESPACES = {
 }
 
 LARGEST = 200
-"""Android advises against drawables of more dp than that; what is larger is made smaller."""
+"""Android advises against drawables of more dp than that; larger ones are scaled down."""
 
 TYPES = {"pathData": "pathType", "fillColor": "colorType", "strokeColor": "colorType"}
-"""What kind of value an animated property has; all others are numbers."""
+"""The type of an animated property's values; all others are numbers."""
 
 DEFAULTS = {
     "fillAlpha": "1",
@@ -38,17 +38,17 @@ DEFAULTS = {
     "strokeLineCap": "butt",
     "strokeLineJoin": "miter",
 }
-"""What Android takes for attributes that are not there."""
+"""Android's, for attributes that are missing."""
 
 LONGEST = 32_767
-"""Characters of a path that Android's build tools take."""
+"""Characters of a path that Android's build tools accept."""
 
 FIXED = ("fillType", "strokeLineCap", "strokeLineJoin")
-"""What Android does not animate."""
+"""Properties that Android does not animate."""
 
 
 def animated_vector(move: Move, seconds: float, ease: Ease, decimals: int) -> str:
-    """An animated vector drawable that moves once from the first picture to the second.
+    """Return an animated vector drawable that moves once from the first picture to the second.
 
     Parameters
     ----------
@@ -58,37 +58,45 @@ def animated_vector(move: Move, seconds: float, ease: Ease, decimals: int) -> st
     decimals : int
         Of coordinates.
     """
-    view = move.view()
-    root = Element("animated-vector", NAMESPACES)
-    small = min(1.0, LARGEST / view.larger_side)
+    from xml.etree import ElementTree
+
+    view = move.view
+    root = ElementTree.Element("animated-vector", NAMESPACES)
+    scale = min(1.0, LARGEST / view.larger_side)
     size = {
-        "width": f"{number(small * view.width, 2)}dp",
-        "height": f"{number(small * view.height, 2)}dp",
+        "width": f"{number(scale * view.width, 2)}dp",
+        "height": f"{number(scale * view.height, 2)}dp",
         "viewportWidth": number(view.width, decimals),
         "viewportHeight": number(view.height, decimals),
     }
-    parent = SubElement(_inline(root, "drawable"), "vector", _android(size))
+    parent = _add(_inline(root, "drawable"), "vector", size)
     shift = {"translateX": number(-view.x, decimals), "translateY": number(-view.y, decimals)}
     if set(shift.values()) != {"0"}:
-        parent = SubElement(parent, "group", _android(shift))
+        parent = _add(parent, "group", shift)
     duration = max(1, round(1000 * seconds))
     for shape in move.shapes():
-        name = shape.name
         start, end = (_attributes(painted, decimals) for painted in (shape.start, shape.end))
         shown = {key: value for key, value in start.items() if DEFAULTS.get(key) != value}
-        SubElement(parent, "path", _android({"name": name, **shown}))
+        _add(parent, "path", {"name": shape.name, **shown})
         moving = {
             key: [_Step(start[key], end[key], duration, ease)]
             for key in start
             if key not in FIXED and start[key] != end[key]
         }
-        if shape.ways:
-            moving["pathData"] = _path_steps(shape.legs(duration, ease, 0), decimals)
+        if shape.waypoints:
+            moving["pathData"] = [
+                _Step(
+                    path_data(section.start, decimals),
+                    path_data(section.end, decimals),
+                    round(section.times[1] - section.times[0]),
+                    section.ease,
+                )
+                for section in shape.sections(duration, ease, 0)
+            ]
         if moving:
-            target = SubElement(root, "target", _android({"name": name}))
-            animators = _inline(target, "animation")
+            animators = _inline(_add(root, "target", {"name": shape.name}), "animation")
             if len(moving) > 1:
-                animators = SubElement(animators, "set")
+                animators = _add(animators, "set")
             for key, steps in moving.items():
                 _animate(animators, key, steps)
     ElementTree.indent(root)
@@ -96,15 +104,11 @@ def animated_vector(move: Move, seconds: float, ease: Ease, decimals: int) -> st
 
 
 def too_long(move: Move, decimals: int) -> list[str]:
-    """A phrase for each shape whose path is longer than Android's build tools take."""
+    """Return a phrase for each shape whose path is longer than Android's build tools accept."""
     lengths = {
         shape.name: max(
-            len(path_data(outlines, decimals))
-            for outlines in (
-                shape.start.paths,
-                *(waypoint.paths for waypoint in shape.ways),
-                shape.end.paths,
-            )
+            len(path_data(paths, decimals))
+            for paths in (shape.start.paths, *(point.paths for point in shape.waypoints), shape.end.paths)
         )
         for shape in move.shapes()
     }
@@ -124,57 +128,70 @@ class _Step(NamedTuple):
     ease: Ease
 
 
-def _path_steps(legs: Sequence[Leg], decimals: int) -> list[_Step]:
-    """A step for each leg of the way of a shape's outlines, which is in milliseconds."""
-    return [
-        _Step(
-            path_data(leg.start, decimals),
-            path_data(leg.end, decimals),
-            round(leg.times[1] - leg.times[0]),
-            leg.ease,
-        )
-        for leg in legs
-    ]
-
-
 def _animate(parent: Element, key: str, steps: Sequence[_Step]) -> None:
-    """Add the animators of a property, one after the other: keyframes of a single one cannot hold paths."""
+    """Add the animators of a property in sequence: keyframes of a single one cannot hold paths."""
     if len(steps) > 1:
-        parent = SubElement(parent, "set", _android({"ordering": "sequentially"}))
+        parent = _add(parent, "set", {"ordering": "sequentially"})
     for step in steps:
-        said = {
+        attributes = {
             "propertyName": key,
             "duration": str(step.milliseconds),
             "valueFrom": step.start,
             "valueTo": step.end,
             "valueType": TYPES.get(key, "floatType"),
         }
-        animator = SubElement(parent, "objectAnimator", _android(said))
+        interpolator = _inline(_add(parent, "objectAnimator", attributes), "interpolator")
         names = ("controlX1", "controlY1", "controlX2", "controlY2")
         curve = {name: number(value, 4) for name, value in zip(names, step.ease, strict=True)}
-        SubElement(_inline(animator, "interpolator"), "pathInterpolator", _android(curve))
+        _add(interpolator, "pathInterpolator", curve)
 
 
 def _attributes(shape: PaintedShape, decimals: int) -> dict[str, str]:
     style = shape.style
-    found = {"pathData": path_data(shape.paths, decimals)}
+    attributes = {"pathData": path_data(shape.paths, decimals)}
     if style.fill is not None:
-        found["fillColor"] = style.fill
-        found["fillAlpha"] = number(style.fill_opacity, 4)
-        found["fillType"] = {"nonzero": "nonZero", "evenodd": "evenOdd"}[style.fill_rule]
+        attributes["fillColor"] = style.fill
+        attributes["fillAlpha"] = number(style.fill_opacity, 4)
+        attributes["fillType"] = {"nonzero": "nonZero", "evenodd": "evenOdd"}[style.fill_rule]
     if style.stroke is not None:
-        found["strokeColor"] = style.stroke
-        found["strokeAlpha"] = number(style.stroke_opacity, 4)
-        found["strokeWidth"] = number(style.stroke_width, decimals)
-        found["strokeLineCap"] = style.stroke_linecap
-        found["strokeLineJoin"] = style.stroke_linejoin
-    return found
+        attributes["strokeColor"] = style.stroke
+        attributes["strokeAlpha"] = number(style.stroke_opacity, 4)
+        attributes["strokeWidth"] = number(style.stroke_width, decimals)
+        attributes["strokeLineCap"] = style.stroke_linecap
+        attributes["strokeLineJoin"] = style.stroke_linejoin
+    return attributes
 
 
 def _inline(parent: Element, name: str) -> Element:
-    """An attribute whose value is an element: a resource of its own, written in place."""
-    return SubElement(parent, "aapt:attr", {"name": f"android:{name}"})
+    """Add an attribute whose value is an element: a resource of its own, written in place."""
+    attribute = parent.makeelement("aapt:attr", {"name": f"android:{name}"})
+    parent.append(attribute)
+    return attribute
 
 
-def _android(attributes: dict[str, str]) -> dict[str, str]:
-    return {f"android:{name}": value for name, value in attributes.items()}
+def _add(parent: Element, tag: str, attributes: dict[str, str] | None = None) -> Element:
+    """Add an element with attributes of Android's namespace."""
+    named = {f"android:{name}": value for name, value in (attributes or {}).items()}
+    element = parent.makeelement(tag, named)
+    parent.append(element)
+    return element
+
+
+def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+    from shapeblend_cli.outputs.move import moves_of
+
+    (move,), timing, decimals = moves_of(pairs), spec.timing, spec.decimals(pairs)
+    text = animated_vector(move, timing.seconds, timing.ease, decimals)
+    return Rendered([text], [*move.unsupported_in("Android"), *too_long(move, decimals)])
+
+
+FORMAT = Format(
+    "avd",
+    "an animated vector drawable for Android",
+    _render,
+    emit="avd",
+    suffix=".xml",
+    default_path="blend.xml",
+    to_standard_output=True,
+    takes_sequences=False,
+)

@@ -1,4 +1,4 @@
-"""Drawings side by side in one picture."""
+"""All frames side by side in one PNG."""
 
 from __future__ import annotations
 
@@ -6,24 +6,35 @@ import io
 import math
 from typing import TYPE_CHECKING
 
-from PIL import Image, ImageColor
-
-from shapeblend_cli.outputs.raster import Size, check_pixels, drawn, opened
+from shapeblend_cli.errors import OptionError
+from shapeblend_cli.outputs.formats import WHITE, Format, OutputSpec, Rendered, frame_svgs
+from shapeblend_cli.outputs.raster import (
+    Size,
+    check_libraries,
+    check_pixels,
+    picture_size,
+    rasterize,
+    read_png,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-PAGE, CELL, CLEAR = "#e4e4e1", "#ffffff", "#ffffff00"
+    from PIL import Image
+
+    from shapeblend_cli.model import Pair
+
+PAGE, CLEAR = "#e4e4e1", "#ffffff00"
 
 ONE_ROW = 8
-"""So many drawings stand side by side."""
+"""So many drawings are put into one row."""
 
 WIDEST = 1.6
-"""How much more columns than rows there may be beyond that, about."""
+"""Ratio of columns to rows beyond that, at most, about."""
 
 
 def columns_for(count: int) -> int:
-    """A number of columns that leaves little room empty, and rather wide sheets than high ones.
+    """Return a number of columns that leaves few cells empty; sheets are rather wide than high.
 
     Examples
     --------
@@ -37,49 +48,67 @@ def columns_for(count: int) -> int:
     return min(choices, key=lambda columns: (-count % columns, -columns))
 
 
-def sheet(
+def contact_sheet(
     svgs: Sequence[str],
     cell: Size,
     columns: int | None = None,
-    ground: str | None = CELL,
+    ground: str | None = WHITE,
     page: str | None = PAGE,
 ) -> Image.Image:
-    """All drawings in rows, each in a cell of its own.
+    """Return a picture of all drawings in rows, each in a cell of its own.
 
     Parameters
     ----------
     svgs : sequence of str
         Documents without an XML declaration, at least one.
     cell : Size
-        Drawings are fitted into it as large as they can be.
+        Drawings are fitted into it as large as possible.
     columns : int, optional
-        By default as many as look well.
+        By default `columns_for` so many.
     ground, page : str or None
         Colours behind the drawings and between the cells; None is transparent.
 
     Raises
     ------
     PictureError
-        More pixels than there is reason for.
+        It has too many pixels.
     """
+    from PIL import Image, ImageColor
+
     columns = min(columns or columns_for(len(svgs)), len(svgs))
     rows = -(-len(svgs) // columns)
     gap = max(1, cell.width // 20)
     step = Size(cell.width + gap, cell.height + gap)
     size = Size(columns * step.width + gap, rows * step.height + gap)
     check_pixels(1, size)
-    found = Image.new("RGBA", size, page or CLEAR)
+    sheet = Image.new("RGBA", size, page or CLEAR)
     for k, svg in enumerate(svgs):
-        at = gap + (k % columns) * step.width, gap + (k // columns) * step.height
-        found.paste(
-            ImageColor.getcolor(ground or CLEAR, "RGBA"), (*at, at[0] + cell.width, at[1] + cell.height)
-        )
-        found.alpha_composite(opened(drawn(svg, cell)), at)
-    return found.convert("RGB") if page and ground else found
+        x, y = gap + (k % columns) * step.width, gap + (k // columns) * step.height
+        sheet.paste(ImageColor.getcolor(ground or CLEAR, "RGBA"), (x, y, x + cell.width, y + cell.height))
+        sheet.alpha_composite(read_png(rasterize(svg, cell)), (x, y))
+    return sheet.convert("RGB") if page and ground else sheet
 
 
-def as_png(image: Image.Image) -> bytes:
-    """The file of a picture."""
+def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+    size = picture_size(spec, pairs, len(spec.frame_files()))
+    ground = spec.ground
+    sheet = contact_sheet(frame_svgs(spec, pairs), size, spec.columns, ground, PAGE if ground else None)
     file = io.BytesIO()
-    image.save(file, "PNG", optimize=True)
-    return file.getvalue()
+    sheet.save(file, "PNG", optimize=True)
+    return Rendered([file.getvalue()])
+
+
+def _check(spec: OutputSpec) -> None:
+    if not spec.frame_files():
+        raise OptionError("--frames 0 leaves nothing for a contact sheet; --frames 1 or --ends would work")
+
+
+FORMAT = Format(
+    "contact sheet",
+    "a contact sheet of all frames",
+    _render,
+    suffix=".png",
+    defaults={"width": 200, "columns": None, "background": WHITE},
+    check=_check,
+    check_libraries=check_libraries,
+)

@@ -1,157 +1,168 @@
-"""The forms a blend is written in: what is asked for, and the files that come of it.
+"""What a format is, and what is asked of an output.
 
-The command line looks here before anything else is imported, so this imports nothing heavy.
+All formats are looked through before any file is read. Their modules therefore import numpy, svgwrite, Pillow and
+resvg_py only in the functions that need them.
 """
 
 from __future__ import annotations
 
 from os.path import join
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+
+    from shapeblend_cli.easing import Timing
+    from shapeblend_cli.model import Box, Pair
+    from shapeblend_cli.settings import Settings
 
 STANDARD_OUTPUT = "-"
 
-PAIR_FILES = ("a.svg", "b.svg")
-"""The names of a pair in its folder."""
+TRANSPARENT, WHITE = "transparent", "#ffffff"
 
 
-class Form(NamedTuple):
-    """A form a blend is written in.
+class Rendered(NamedTuple):
+    """The contents of an output.
 
     Attributes
     ----------
-    output : str
-        Where it goes unless something is said.
+    contents : sequence of str or bytes
+        In the order of `OutputSpec.files`.
+    notes : sequence of str
+        What the format cannot show, a phrase each.
+    """
+
+    contents: Sequence[str | bytes]
+    notes: Sequence[str] = ()
+
+
+class Format(NamedTuple):
+    """A format that a blend can be written in.
+
+    Attributes
+    ----------
+    name : str
+    help : str
+    render : callable
+        Returns the contents of an output from pairs.
+    emit : str
+        The value of ``--emit`` that asks for it; ``frames`` leaves the choice to ``--output``.
     suffix : str
-        What the name of its one file ends in; empty where it goes into a folder.
-    sequence : bool
-        Whether it takes more than two drawings.
+        Of its file; empty if it is a folder.
+    files : sequence of str
+        Names of the files in its folder; empty if that has a file for each frame.
+    default_path : str
+    to_standard_output : bool
+        Whether it can be written there.
+    takes_sequences : bool
+        Whether it shows more than two drawings.
+    defaults : mapping
+        The options that formats share but not all take, with their defaults.
+    motion : str
+        What the motion ``auto`` stands for.
+    check : callable
+        Raises `OptionError` for options that it cannot be written with.
+    check_libraries : callable
+        Raises `PictureError` if libraries are missing.
     """
 
-    output: str
-    suffix: str
-    sequence: bool
+    name: str
+    help: str
+    render: Callable[[OutputSpec, Sequence[Pair]], Rendered]
+    emit: str = "frames"
+    suffix: str = ""
+    files: Sequence[str] = ()
+    default_path: str = "blend"
+    to_standard_output: bool = False
+    takes_sequences: bool = True
+    defaults: Mapping[str, str | int | None] = {}
+    motion: str = "auto"
+    check: Callable[[OutputSpec], None] = lambda spec: None
+    check_libraries: Callable[[], None] = lambda: None
+
+    @property
+    def has_frame_files(self) -> bool:
+        """Whether it is a folder with a file for each frame."""
+        return not (self.suffix or self.files)
 
 
-FORMS = {
-    "frames": Form("blend", "", True),
-    "pair": Form("blend", "", False),
-    "lottie": Form("blend.json", ".json", True),
-    "avd": Form("blend.xml", ".xml", False),
-}
-"""By their names on the command line."""
+class OutputSpec(NamedTuple):
+    """An output with nothing left to choose; see `options.specify`.
 
-
-FRAME_KINDS = ("svg", "png")
-"""What is written as a file a frame; the names of the files end in it."""
-
-SUFFIXES = {".svg": "animation", ".png": "sheet", ".gif": "gif", ".webp": "webp", ".apng": "apng"}
-"""What a file is that frames go into, by what its name ends in."""
-
-PAGES = (".htm", ".html")
-"""What names of pages end in."""
-
-NOT_WRITTEN = (
-    *(
-        ".avi",
-        ".avif",
-        ".bmp",
-        ".eps",
-        ".heic",
-        ".ico",
-        ".jpeg",
-        ".jpg",
-        ".jxl",
-        ".m4v",
-        ".mkv",
-    ),
-    *(".mov", ".mp4", ".mpeg", ".mpg", ".ogv", ".pdf", ".ps", ".svgz", ".tif", ".tiff", ".webm", ".zip"),
-)
-"""What names end in that nobody gives a folder."""
-
-
-def kind_of(emit: str, output: str, frame_format: str | None) -> str:
-    """Say what is made.
-
-    Parameters
+    Attributes
     ----------
-    emit : str
-        A name of `FORMS`.
-    output : str
+    format : Format
+    path : str
         A folder, the name of a file, or ``-``.
-    frame_format : str or None
-        Of the files in a folder.
-
-    Returns
-    -------
-    str
-        ``pair``, ``lottie`` or ``avd``; ``svg`` or ``png``: a file a frame; ``animation``: an SVG that moves;
-        ``sheet``: a PNG with all frames; ``gif``, ``webp`` or ``apng``.
+    settings : Settings
+        Reads frames, ends, curves and style.
+    drawings : int
+        How many are blended, >= 2.
+    animate : {'smil', 'css', 'frames'}
+        How an animated SVG moves.
+    timing : Timing
+    precision : int or None
+        Decimals of coordinates; None for as many as the size of the drawings needs.
+    width, columns, fps, background
+        See `options.OutputOptions`; None where the format has no use for it.
     """
-    if emit != "frames":
-        return emit
-    if output == STANDARD_OUTPUT:
-        return "animation"
-    return SUFFIXES.get(_suffix(output)) or frame_format or "svg"
+
+    format: Format
+    path: str
+    settings: Settings
+    drawings: int
+    animate: str
+    timing: Timing
+    precision: int | None
+    width: int | None
+    columns: int | None
+    fps: int | None
+    background: str | None
+
+    @property
+    def ground(self) -> str | None:
+        """The colour behind pictures; None is transparent."""
+        return None if self.background == TRANSPARENT else self.background
+
+    def decided(self) -> dict[str, str | int | None]:
+        """Return the options that the format has decided on, by name."""
+        frame_format = self.format.name if self.format.has_frame_files else None
+        return {"output": self.path, "format": frame_format} | {
+            name: getattr(self, name) for name in ("width", "columns", "background", "fps")
+        }
+
+    def frame_files(self) -> list[str | None]:
+        """Return for each frame the name of the file that shows it alone, if there is one."""
+        ends = self.drawings if self.settings.ends else 0
+        count = (self.drawings - 1) * self.settings.frames + ends
+        if not self.format.has_frame_files:
+            return [None] * count
+        return [f"frame-{k:0{len(str(count))}d}.{self.format.name}" for k in range(1, count + 1)]
+
+    def files(self) -> list[str]:
+        """Return the paths of the files that are written, in order; none for standard output."""
+        if self.path == STANDARD_OUTPUT:
+            return []
+        if self.format.suffix:
+            return [self.path]
+        return [join(self.path, name) for name in self.format.files or self.frame_files() if name]
+
+    def decimals(self, pairs: Sequence[Pair]) -> int:
+        """Return the number of decimals of coordinates."""
+        from shapeblend_cli.svg.writing.rounding import decimals_for
+
+        return decimals_for(views(pairs)) if self.precision is None else self.precision
 
 
-def problem(emit: str, output: str, files: int) -> str | None:
-    """Say why a form cannot be written so, if it cannot.
-
-    Parameters
-    ----------
-    emit : str
-        A name of `FORMS`.
-    output : str
-        A folder, the name of a file, or ``-``.
-    files : int
-        How many drawings are blended.
-    """
-    form = FORMS[emit]
-    if files > 2 and not form.sequence:
-        return f"--emit {emit} takes two files; {files} given"
-    suffix = _suffix(output)
-    if form.suffix and suffix != form.suffix and output != STANDARD_OUTPUT:
-        return f"--emit {emit} writes one file, so --output takes a name ending in {form.suffix}, or -; {output} given"
-    if emit == "pair" and (suffix or output == STANDARD_OUTPUT):
-        return f"--emit pair writes two files, so --output takes a folder; {output} given"
-    if emit == "frames" and suffix in (".json", ".xml"):
-        other = next(name for name, known in FORMS.items() if known.suffix == suffix)
-        return f"--output {output}: with --emit {other} such a file is written"
-    if suffix in PAGES:
-        return f"--output {output}: such a page is written with --preview {output}"
-    if suffix in NOT_WRITTEN:
-        return (
-            f"--output {output}: {suffix} is not written; {', '.join(SUFFIXES)} are, and frames into a folder"
-        )
-    return None
+def views(pairs: Sequence[Pair]) -> list[Box]:
+    """Return the part of the plane to show of each drawing."""
+    return [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
 
 
-def _suffix(output: str) -> str:
-    """What the name of a file ends in; empty for a folder and for standard output."""
-    forms = (form.suffix for form in FORMS.values() if form.suffix)
-    known = (*SUFFIXES, *forms, *PAGES, *NOT_WRITTEN)
-    return next((suffix for suffix in known if output.lower().endswith(suffix)), "")
+def frame_svgs(spec: OutputSpec, pairs: Sequence[Pair], settings: Settings | None = None) -> list[str]:
+    """Return every frame as an SVG document, by the settings of the output or by others."""
+    from shapeblend_cli.pipeline import make_frames
+    from shapeblend_cli.svg.writing.document import frame_svg
 
-
-def frame_names(kind: str, frames: int) -> list[str]:
-    """The names of frame files in order of time, padded with zeros to one width."""
-    return [f"frame-{k + 1:0{len(str(frames))}d}.{kind}" for k in range(frames)]
-
-
-def file_names(kind: str, output: str, frames: int) -> list[str]:
-    """The files that are written, in order; none for standard output.
-
-    Parameters
-    ----------
-    kind : str
-        See `kind_of`.
-    output : str
-        A folder, the name of a file, or ``-``.
-    frames : int
-        How many there are.
-    """
-    if output == STANDARD_OUTPUT:
-        return []
-    if kind in FRAME_KINDS:
-        return [join(output, name) for name in frame_names(kind, frames)]
-    return [join(output, name) for name in PAIR_FILES] if kind == "pair" else [output]
+    decimals = spec.decimals(pairs)
+    return [frame_svg(frame, decimals) for frame in make_frames(pairs, settings or spec.settings)]

@@ -1,25 +1,29 @@
-"""Two pictures that are command for command alike, and what is the same for all programs that move between them."""
+"""What players of other programs are given: two pictures alike command for command, and waypoints between them."""
 
 from __future__ import annotations
 
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
+from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import Box
+from shapeblend_cli.pipeline import shapes_at
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from shapeblend_cli.easing import Ease
-    from shapeblend_cli.model import CubicPath, PaintedShape, Style, Waypoint
+    from shapeblend_cli.model import CubicPath, PaintedShape, Pair, Style, Waypoint
 
 FIXED = {
     "fill": {"fill_rule": "fill rule"},
     "stroke": {"stroke_linecap": "line cap", "stroke_linejoin": "line join"},
 }
-"""What of each paint has nothing in between, and what it is called."""
+"""Properties of each paint that have nothing in between, and their names."""
 
 
-class Leg(NamedTuple):
-    """What a shape goes through in one go: every number evenly, but for the ease.
+class Section(NamedTuple):
+    """A part of a motion in which every number is interpolated linearly, but for the easing.
 
     Attributes
     ----------
@@ -36,41 +40,33 @@ class Leg(NamedTuple):
 
 
 class MovedShape(NamedTuple):
-    """A shape from one picture to another.
-
-    Attributes
-    ----------
-    name : str
-    start, end : PaintedShape
-    ways : tuple of Waypoint
-        Where the outlines come by; from one to the next they go straight.
-    """
+    """A shape from one picture to another, straight from waypoint to waypoint."""
 
     name: str
     start: PaintedShape
     end: PaintedShape
-    ways: tuple[Waypoint, ...]
+    waypoints: tuple[Waypoint, ...]
 
-    def legs(self, length: float, ease: Ease, decimals: int) -> list[Leg]:
-        """The way from waypoint to waypoint.
+    def sections(self, length: float, ease: Ease, decimals: int) -> list[Section]:
+        """Return the motion from waypoint to waypoint.
 
         Parameters
         ----------
         length : float
-            Time the whole way takes.
+            Time of the whole motion.
         ease : Ease
-            Of the whole way.
+            Of the whole motion.
         decimals : int
-            Of times. A waypoint that comes at the time of another one, or of an end, is left out.
+            Of times. A waypoint at the time of another one, or of an end, is left out.
         """
         stops = [(0.0, 0.0, self.start.paths)]
-        for waypoint in self.ways:
+        for waypoint in self.waypoints:
             time = round(length * ease.time_of(waypoint.t), decimals)
             if stops[-1][1] < time < length:
                 stops.append((waypoint.t, time, waypoint.paths))
         stops.append((1.0, length, self.end.paths))
         return [
-            Leg(start, end, (begin, until), ease.piece(p, q) if len(stops) > 2 else ease)
+            Section(start, end, (begin, until), ease.piece(p, q) if len(stops) > 2 else ease)
             for (p, begin, start), (q, until, end) in pairwise(stops)
         ]
 
@@ -81,27 +77,29 @@ class Move(NamedTuple):
     Attributes
     ----------
     start, end : tuple of PaintedShape
-        With the same outlines, segment for segment.
+        With the same paths, segment for segment.
     views : (Box, Box)
-        What part of the plane to show of each.
-    ways : tuple of tuple of Waypoint
-        For each shape, where its outlines come by; empty where they go straight.
+        The part of the plane to show of each.
+    waypoints : tuple of tuple of Waypoint
+        Of each shape; empty if it moves on straight lines.
     """
 
     start: tuple[PaintedShape, ...]
     end: tuple[PaintedShape, ...]
     views: tuple[Box, Box]
-    ways: tuple[tuple[Waypoint, ...], ...]
+    waypoints: tuple[tuple[Waypoint, ...], ...]
 
     def shapes(self) -> list[MovedShape]:
-        """The shapes in paint order, their paint such that programs can move it.
+        """Return the shapes in paint order, their paint such that programs can interpolate it.
 
         Paint that only one side shows has its fill rule, line cap and line join from there. The point that a hole
-        grows from would be painted as a dot by round or square line caps, which nothing else of closed outlines
+        grows from would be painted as a dot by round or square line caps, which nothing else of closed paths
         shows: they are left out there.
         """
-        found = []
-        for number, (start, end, ways) in enumerate(zip(self.start, self.end, self.ways, strict=True), 1):
+        shapes = []
+        for number, (start, end, between) in enumerate(
+            zip(self.start, self.end, self.waypoints, strict=True), 1
+        ):
             # Where one paint dissolves into another, A's is below B's, and all there is to see at first.
             start_style, end_style = start.below or start.style, end.style
             for paint, names in FIXED.items():
@@ -109,20 +107,21 @@ class Move(NamedTuple):
                     start_style = start_style._replace(**{name: getattr(end_style, name) for name in names})
                 elif not _shows(end_style, paint):
                     end_style = end_style._replace(**{name: getattr(start_style, name) for name in names})
-            outlines = start.paths + end.paths
-            if all(outline.closed for outline in outlines) and any(o.is_point for o in outlines):
+            paths = start.paths + end.paths
+            if all(path.closed for path in paths) and any(path.is_point for path in paths):
                 start_style = start_style._replace(stroke_linecap="butt")
                 end_style = end_style._replace(stroke_linecap="butt")
             start, end = start._replace(style=start_style), end._replace(style=end_style)
-            found.append(MovedShape(f"shape-{number}", start, end, ways))
-        return found
+            shapes.append(MovedShape(f"shape-{number}", start, end, between))
+        return shapes
 
+    @property
     def view(self) -> Box:
-        """What part of the plane to show all the way."""
+        """The part of the plane to show all the time."""
         return Box.union(self.views)
 
-    def kept(self, program: str) -> list[str]:
-        """What a program cannot show, or cannot change on the way, a phrase for each."""
+    def unsupported_in(self, program: str) -> list[str]:
+        """Return a phrase for each property that a program cannot show, or not animate."""
         plain = [
             f"{name}: its gradient is a plain colour in {program}"
             for name, start, end, _ in self.shapes()
@@ -136,16 +135,24 @@ class Move(NamedTuple):
             if _shows(start.style, paint) and getattr(start.style, key) != getattr(end.style, key)
         ]
 
-    def straightened(self) -> list[str]:
-        """A phrase for each shape whose way is lost where there are two pictures and no more."""
+    def lost_curved_motion(self) -> list[str]:
+        """Return a phrase for each shape whose waypoints are lost where there are two pictures and no more."""
         return [
             f"{shape.name}: moves on curved paths, which two files cannot show: straight between them"
             for shape in self.shapes()
-            if shape.ways
+            if shape.waypoints
         ]
 
 
+def moves_of(pairs: Sequence[Pair]) -> list[Move]:
+    """Return the moves from drawing to drawing."""
+    return [
+        Move(shapes_at(pair, 0.0), shapes_at(pair, 1.0), pair.views, tuple(map(waypoints, pair.shapes)))
+        for pair in pairs
+    ]
+
+
 def _shows(style: Style, paint: str) -> bool:
-    """Whether a style's ``fill`` or ``stroke`` is to be seen."""
+    """Return whether a style's ``fill`` or ``stroke`` is visible."""
     is_wide = paint == "fill" or style.stroke_width > 0.0
     return getattr(style, paint) is not None and getattr(style, f"{paint}_opacity") > 0.0 and is_wide

@@ -100,7 +100,7 @@ def test_lottie_web_plays_curved_paths(played, ease):
     for shown, frame in pictures:
         assert (frame < 200).any()
         assert difference(shown, frame) < 5e-3
-    straight = lottie([move._replace(ways=((),))], SECONDS, ease, 3)
+    straight = lottie([move._replace(waypoints=((),))], SECONDS, ease, 3)
     (shown, frame), *_ = played(straight, frames[2:3], times[2:3])
     assert difference(shown, frame) > 0.02
 

@@ -5,7 +5,6 @@ import json
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.outputs.formats import FORMS
 from tests.support.drawings import BAR, LEAF, RING, svg
 
 FORMS_OF_FILES = [
@@ -66,11 +65,11 @@ def test_names_that_are_given(here, emit, output, names):
     assert made(here) == names
 
 
-@pytest.mark.parametrize("emit", ["pair", "lottie", "avd"])
-def test_the_report_has_the_form(here, emit):
+@pytest.mark.parametrize(("emit", "names"), FORMS_OF_FILES)
+def test_the_report_has_the_form(here, emit, names):
     assert run(["a.svg", "b.svg", "--emit", emit, "-n", "2", "--report", "r.json"]) == 0
     report = json.loads((here / "r.json").read_text(encoding="utf-8"))
-    assert (report["settings"]["emit"], report["settings"]["output"]) == (emit, FORMS[emit].output)
+    assert (report["settings"]["emit"], report["settings"]["output"]) == (emit, names[0])
     assert [frame["file"] for frame in report["frames"]] == [None, None]
 
 
@@ -78,7 +77,7 @@ def test_the_report_has_the_form(here, emit):
     ("arguments", "words"),
     [
         (["--emit", "gif"], "gif"),
-        (["--emit", "pair", "-o", "-"], "two files"),
+        (["--emit", "pair", "-o", "-"], "a.svg and b.svg, so --output takes a folder; - given"),
         (["--emit", "pair", "-o", "x.svg"], "a folder; x.svg given"),
         (["--emit", "lottie", "-o", "x"], "ending in .json, or -; x given"),
         (["--emit", "lottie", "-o", "x.svg"], "ending in .json"),

@@ -7,7 +7,7 @@ import pytest
 from PIL import Image
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.outputs.raster_options import MOST_RUNS
+from shapeblend_cli.outputs.raster_animation import MOST_RUNS
 from tests.support.drawings import BAR, LEAF, RING, svg
 
 RED, BLUE = 'fill="#ff0000"', 'fill="#0000ff"'

@@ -198,9 +198,11 @@ def test_paths_go_from_waypoint_to_waypoint_one_after_the_other(ease, colours, s
     assert sum(durations) == 1000 * seconds
     assert min(durations) > 0
     if seconds == 2.0:
-        times = [2000 * ease.time_of(way.t) for way in shape.ways] + [2000]
+        times = [2000 * ease.time_of(way.t) for way in shape.waypoints] + [2000]
         assert np.cumsum(durations) == pytest.approx(times, abs=0.5)
-        assert [step["valueTo"] for step in steps[:-1]] == [path_data(way.paths, 3) for way in shape.ways]
+        assert [step["valueTo"] for step in steps[:-1]] == [
+            path_data(way.paths, 3) for way in shape.waypoints
+        ]
     (path,) = inline(root, "drawable").iter("path")
     assert android(path)["pathData"] == steps[0]["valueFrom"]
     assert steps[-1]["valueTo"] == path_data(shape.end.paths, 3)

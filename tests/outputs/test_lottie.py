@@ -188,7 +188,7 @@ def test_paths_have_keyframes_at_their_waypoints(ease):
             assert path["a"] == 1
             *keys, last = path["k"]
             times = [key["t"] for key in path["k"]]
-            expected = [0.0, *(120 * ease.time_of(way.t) for way in shape.ways), 120.0]
+            expected = [0.0, *(120 * ease.time_of(way.t) for way in shape.waypoints), 120.0]
             assert times == pytest.approx([begin + time for time in expected], abs=6e-4)
             assert times == sorted(set(times))
             assert set(last) == {"t", "s"}
@@ -202,9 +202,9 @@ def test_paths_have_keyframes_at_their_waypoints(ease):
 def test_pieces_of_an_ease_are_the_ease():
     move, _ = turned_move(LEAF, BAR)
     (shape,) = move.shapes()
-    legs = shape.legs(100.0, EASE, 3)
-    assert len(legs) == len(shape.ways) + 1
-    progress = [0.0, *(way.t for way in shape.ways), 1.0]
+    legs = shape.sections(100.0, EASE, 3)
+    assert len(legs) == len(shape.waypoints) + 1
+    progress = [0.0, *(way.t for way in shape.waypoints), 1.0]
     for leg, low, high in zip(legs, progress[:-1], progress[1:], strict=True):
         begin, until = leg.times
         for share in (0.2, 0.5, 0.9):
@@ -218,9 +218,9 @@ def test_pieces_of_an_ease_are_the_ease():
 def test_waypoints_too_near_in_time_are_left_out():
     move, _ = turned_move(LEAF, BAR)
     (shape,) = move.shapes()
-    legs = shape.legs(3.0, LINEAR, 0)
+    legs = shape.sections(3.0, LINEAR, 0)
     assert [leg.times for leg in legs] == [(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)]
-    (leg,) = shape.legs(1.0, EASE, 0)
+    (leg,) = shape.sections(1.0, EASE, 0)
     assert (leg.start, leg.end, leg.times, leg.ease) == (
         shape.start.paths, shape.end.paths, (0.0, 1.0), EASE
     )  # fmt: skip
@@ -252,7 +252,7 @@ def test_what_cannot_change_on_the_way_is_said():
     style = Style("#000000", stroke="#000000", stroke_linecap="round")
     shapes = [(PaintedShape((outline(SQUARE),), s),) for s in (style, style._replace(stroke_linecap="butt"))]
     move = Move(*shapes, (VIEW, VIEW), ((),))
-    assert move.kept("Lottie") == [
+    assert move.unsupported_in("Lottie") == [
         "shape-1: Lottie cannot change the line cap on the way; that of the first drawing stays"
     ]
 

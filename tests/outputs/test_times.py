@@ -2,7 +2,7 @@
 
 import pytest
 
-from shapeblend_cli.outputs.times import FASTEST, Run, run_for
+from shapeblend_cli.outputs.raster_animation import FASTEST, Run, run_for
 
 
 @pytest.mark.parametrize("back", [False, True])

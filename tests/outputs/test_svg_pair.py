@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.easing import LINEAR
-from shapeblend_cli.outputs.other_programs import emitted
+from shapeblend_cli.outputs.options import OutputOptions, specify
+from shapeblend_cli.settings import Settings
 from tests.outputs.blends import BLENDS, written
 from tests.support.drawings import BAR, LEAF, svg
 from tests.support.motions import turned_move
@@ -93,14 +93,18 @@ def test_paint_without_a_partner_is_there_and_not_seen(here):
 
 
 def test_curved_paths_are_said_to_be_lost():
-    move, _ = turned_move(LEAF, BAR)
-    texts, notes = emitted("pair", [move], 2.0, LINEAR, 3)
+    _, pair = turned_move(LEAF, BAR)
+    straight = pair._replace(shapes=tuple(shape._replace(motion=None) for shape in pair.shapes))
+
+    def render(emit, pair):
+        spec = specify(OutputOptions(emit=emit), Settings())
+        return spec.format.render(spec, [pair])
+
+    contents, notes = render("pair", pair)
     assert notes == ["shape-1: moves on curved paths, which two files cannot show: straight between them"]
-    straight = move._replace(ways=((),))
-    assert emitted("pair", [straight], 2.0, LINEAR, 3) == (texts, [])
+    assert render("pair", straight) == (contents, [])
     for emit in ("lottie", "avd"):
-        _, notes = emitted(emit, [move], 2.0, LINEAR, 3)
-        assert notes == []
+        assert render(emit, pair).notes == []
 
 
 def test_polygons_have_lines_alone(here):

@@ -5,9 +5,8 @@ import io
 import pytest
 from PIL import Image, ImageChops
 
-from shapeblend_cli.outputs.raster import Size, drawn, opened
-from shapeblend_cli.outputs.raster_animations import animation
-from shapeblend_cli.outputs.times import Run
+from shapeblend_cli.outputs.raster import Size, rasterize, read_png
+from shapeblend_cli.outputs.raster_animation import Run, encode
 from tests.support.drawings import svg
 
 FORMS = {"gif": "GIF", "webp": "WEBP", "apng": "PNG"}
@@ -39,7 +38,7 @@ def read_back(content):
 
 def made(kind, run, runs=None, background=None):
     background = WHITE if kind == "gif" and background is None else background
-    return animation(kind, SQUARES[: run.pairs * run.steps + 1], SIZE, run, runs, background)
+    return encode(kind, SQUARES[: run.pairs * run.steps + 1], SIZE, run, runs, background)
 
 
 @pytest.mark.parametrize("kind", FORMS)
@@ -53,7 +52,7 @@ def test_every_picture_is_shown_in_its_turn_for_its_time(kind):
     ground = WHITE if kind == "gif" else None
     for shown, k in zip(pictures, run.order(), strict=True):
         assert shown.size == SIZE
-        wanted = opened(drawn(SQUARES[k], SIZE, ground))
+        wanted = read_png(rasterize(SQUARES[k], SIZE, ground))
         # Where nothing is painted colours do not count.
         assert shown.getchannel("A").tobytes() == wanted.getchannel("A").tobytes()
         both = [Image.composite(i, Image.new("RGBA", SIZE), i.getchannel("A")) for i in (shown, wanted)]
@@ -93,15 +92,15 @@ def test_the_same_bytes_again(kind):
 
 @pytest.mark.parametrize("kind", FORMS)
 def test_drawings_that_are_all_the_same_make_a_picture(kind):
-    content = animation(kind, [SQUARES[0]] * 3, SIZE, Run(1, 2, 1.0, False), None, WHITE)
-    assert opened(content).size == SIZE
+    content = encode(kind, [SQUARES[0]] * 3, SIZE, Run(1, 2, 1.0, False), None, WHITE)
+    assert read_png(content).size == SIZE
 
 
 def test_a_gif_of_more_colours_than_it_can_have_stays_near_them_and_its_ground_white():
     size = Size(120, 120)
-    content = animation("gif", [GRADIENT, SQUARES[0]], size, Run(1, 1, 1.0, False), None, WHITE)
+    content = encode("gif", [GRADIENT, SQUARES[0]], size, Run(1, 1, 1.0, False), None, WHITE)
     shown = read_back(content)[1][0].convert("RGB")
-    wanted = opened(drawn(GRADIENT, size, WHITE)).convert("RGB")
+    wanted = read_png(rasterize(GRADIENT, size, WHITE)).convert("RGB")
     assert wanted.getcolors(256) is None
     assert shown.getpixel((0, 0)) == (255, 255, 255)
     histogram = ImageChops.difference(shown, wanted).convert("L").histogram()

@@ -3,9 +3,9 @@
 import pytest
 
 from shapeblend_cli.errors import PictureError
-from shapeblend_cli.outputs.contact_sheet import CELL, PAGE, columns_for, sheet
-from shapeblend_cli.outputs.raster import Size, drawn, opened, size_for
-from shapeblend_cli.outputs.raster_options import MOST_SIDE
+from shapeblend_cli.outputs.contact_sheet import PAGE, columns_for, contact_sheet
+from shapeblend_cli.outputs.formats import WHITE
+from shapeblend_cli.outputs.raster import MOST_SIDE, Size, rasterize, read_png, size_for
 from tests.support.drawings import svg
 
 RED = svg("M0 0H24V24H0Z", attributes='fill="#ff0000"')
@@ -17,7 +17,7 @@ def colour(text):
 
 
 def test_cells_stand_in_rows_with_gaps_around():
-    found = sheet([RED] * 5, Size(40, 40), columns=3)
+    found = contact_sheet([RED] * 5, Size(40, 40), columns=3)
     assert (found.mode, found.size) == ("RGB", (3 * 42 + 2, 2 * 42 + 2))
     for column, row, wanted in ((0, 0, "#ff0000"), (2, 0, "#ff0000"), (1, 1, "#ff0000"), (2, 1, PAGE)):
         assert found.getpixel((2 + 42 * column + 20, 2 + 42 * row + 20)) == colour(wanted)
@@ -26,16 +26,16 @@ def test_cells_stand_in_rows_with_gaps_around():
 
 
 def test_a_drawing_keeps_its_proportions_in_its_cell():
-    found = sheet([WIDE], Size(40, 40))
+    found = contact_sheet([WIDE], Size(40, 40))
     assert found.getpixel((22, 22)) == (0, 0, 255)
     assert found.getpixel((3, 22)) == (0, 0, 255)
-    assert found.getpixel((22, 5)) == found.getpixel((22, 38)) == colour(CELL)
+    assert found.getpixel((22, 5)) == found.getpixel((22, 38)) == colour(WHITE)
 
 
 def test_colours_of_page_and_cells():
-    found = sheet([WIDE], Size(40, 40), ground="#123456", page="#654321")
+    found = contact_sheet([WIDE], Size(40, 40), ground="#123456", page="#654321")
     assert (found.getpixel((0, 0)), found.getpixel((22, 5))) == (colour("#654321"), colour("#123456"))
-    clear = sheet([WIDE], Size(40, 40), ground=None, page=None)
+    clear = contact_sheet([WIDE], Size(40, 40), ground=None, page=None)
     assert clear.mode == "RGBA"
     assert (clear.getpixel((0, 0))[3], clear.getpixel((22, 5))[3], clear.getpixel((22, 22))[3]) == (0, 0, 255)
 
@@ -50,18 +50,18 @@ def test_columns_leave_little_empty_and_make_rather_wide_sheets():
 
 
 def test_no_more_columns_than_drawings():
-    assert sheet([RED] * 2, Size(20, 20), columns=9).size == (2 * 21 + 1, 22)
+    assert contact_sheet([RED] * 2, Size(20, 20), columns=9).size == (2 * 21 + 1, 22)
 
 
 def test_a_drawing_is_fitted_centre_on_centre():
-    found = opened(drawn(WIDE, Size(30, 60)))
+    found = read_png(rasterize(WIDE, Size(30, 60)))
     assert found.size == (30, 60)
     assert found.getbbox() == (0, 22, 30, 38) or found.getbbox() == (0, 23, 30, 38)
     assert found.getpixel((15, 30)) == (0, 0, 255, 255)
 
 
 def test_a_background_leaves_nothing_transparent():
-    found = opened(drawn(WIDE, Size(30, 60), "#00ff00"))
+    found = read_png(rasterize(WIDE, Size(30, 60), "#00ff00"))
     assert found.getpixel((0, 0)) == (0, 255, 0, 255)
     assert found.getextrema()[3] == (255, 255)
 
@@ -80,4 +80,4 @@ def test_no_height_and_too_much_of_it_are_refused(shape, words):
 
 def test_too_many_pixels_are_refused():
     with pytest.raises(PictureError, match="80 million"):
-        sheet([RED] * 5, Size(10_000, 10_000))
+        contact_sheet([RED] * 5, Size(10_000, 10_000))

@@ -1,0 +1,34 @@
+"""One SVG document that moves by SMIL, by CSS, or as frames that are visible in turn."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from shapeblend_cli.outputs.formats import Format, OutputSpec, Rendered, views
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import Pair
+
+
+def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+    """Frames that are visible in turn include the drawings."""
+    from shapeblend_cli.interpolate.chains import keyframed_shapes
+    from shapeblend_cli.model import Box
+    from shapeblend_cli.paint.colours import colour_stops
+    from shapeblend_cli.pipeline import make_frames
+    from shapeblend_cli.svg.writing.css import css_svg
+    from shapeblend_cli.svg.writing.smil import smil_svg, stacked_svg
+
+    boxes, timing, decimals = views(pairs), spec.timing, spec.decimals(pairs)
+    if spec.animate == "frames":
+        frames = make_frames(pairs, spec.settings.replace(ends=True))
+        return Rendered([stacked_svg(frames, timing, len(pairs), decimals)])
+    shapes = keyframed_shapes(pairs)
+    if spec.animate == "css":
+        return Rendered([css_svg(shapes, Box.union(boxes), timing, decimals, colour_stops)])
+    return Rendered([smil_svg(shapes, boxes, timing, decimals, colour_stops)])
+
+
+FORMAT = Format("animated svg", "one animated SVG", _render, suffix=".svg", to_standard_output=True)

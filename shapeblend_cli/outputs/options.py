@@ -1,0 +1,183 @@
+"""Options of an output, and what a format makes of them. Help texts take what they say of formats from the registry."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from shapeblend_cli.easing import Timing
+from shapeblend_cli.errors import OptionError
+from shapeblend_cli.field_types import COLOUR, REPEAT, choice, file, number, whole
+from shapeblend_cli.fields import Record, option
+from shapeblend_cli.outputs.formats import OutputSpec
+from shapeblend_cli.outputs.raster import MOST_SIDE
+from shapeblend_cli.outputs.raster_animation import FASTEST
+from shapeblend_cli.outputs.registry import EMITS, FORMATS, FRAME_FORMATS, alternatives, choose
+from shapeblend_cli.settings import ANIMATIONS, IN_BETWEENS, OUTPUT, PICTURES, Settings
+
+SHARED = {
+    "columns": "a contact sheet",
+    "fps": "an animation of pixels",
+    "width": "pictures",
+    "background": "pictures",
+}
+"""Options that formats share but not all take, and what they are for."""
+
+
+def _by_suffix() -> str:
+    """Return what an output is by the suffix of its name."""
+    suffixes: dict[str, list[str]] = {}
+    for format in FORMATS:
+        if format.emit == "frames" and format.suffix:
+            suffixes.setdefault(format.help, []).append(format.suffix)
+    return "; in ".join(f"{alternatives(names)}: {help}" for help, names in suffixes.items())
+
+
+def _default_text(name: str) -> str:
+    """Return the defaults of an option that formats share."""
+    formats: dict[object, list[str]] = {}
+    for format in FORMATS:
+        if name in format.defaults:
+            formats.setdefault(format.defaults[name], []).append(format.suffix or f"--format {format.name}")
+    return "; ".join(f"{value} for {', '.join(names)}" for value, names in formats.items())
+
+
+class OutputOptions(Record):
+    """What is written of a blend. What is None has the default of the format."""
+
+    output: str | None = option(
+        file(),
+        default=None,
+        flags=("-o", "--output"),
+        metavar="PATH",
+        section=OUTPUT,
+        help=f"A folder: one file for each frame. A name ending in {_by_suffix()}. -: an animated SVG on standard "
+        "output.",
+        default_text="; ".join(
+            ["blend"]
+            + [f"{f.default_path} with --emit {f.emit}" for f in FORMATS if f.default_path != "blend"]
+        ),
+    )
+    emit: str = option(
+        choice(*EMITS),
+        default=EMITS[0],
+        section=OUTPUT,
+        help="; ".join(
+            ["frames: what --output names"] + [f"{f.emit}: {f.help}" for f in FORMATS if f.emit != "frames"]
+        )
+        + ".",
+    )
+    precision: int | None = option(
+        whole(0, 10),
+        default=None,
+        section=IN_BETWEENS,
+        help="Decimals of coordinates.",
+        default_text="by the size of the drawings",
+    )
+    animate: str = option(
+        choice("smil", "css", "frames"),
+        default="smil",
+        section=ANIMATIONS,
+        help="How an animated SVG moves. CSS animations respect prefers-reduced-motion; Safari does not play them. "
+        "frames shows all frames in turn, which works everywhere.",
+    )
+    duration: float = option(
+        number(0.01, 3600.0),
+        default=2.0,
+        metavar="S",
+        section=ANIMATIONS,
+        help="Seconds an animation takes from one drawing to the next.",
+    )
+    repeat: int | str = option(
+        REPEAT,
+        default="forever",
+        section=ANIMATIONS,
+        help="How often an animation runs; pingpong: forwards and backwards, forever.",
+    )
+    format: str | None = option(
+        choice(*FRAME_FORMATS),
+        default=None,
+        section=PICTURES,
+        help="Format of the files in a folder of frames.",
+        default_text=FRAME_FORMATS[0],
+    )
+    width: int | None = option(
+        whole(1, MOST_SIDE),
+        default=None,
+        metavar="PX",
+        section=PICTURES,
+        help="Width of a picture in pixels; in a contact sheet, of a cell.",
+        default_text=_default_text("width"),
+    )
+    columns: int | None = option(
+        whole(1, 10_000),
+        default=None,
+        section=PICTURES,
+        help="Columns of a contact sheet.",
+        default_text="by the number of frames",
+    )
+    background: str | None = option(
+        COLOUR,
+        default=None,
+        section=PICTURES,
+        help="Colour behind pictures, or transparent.",
+        default_text=_default_text("background"),
+    )
+    fps: int | None = option(
+        whole(1, FASTEST),
+        default=None,
+        section=PICTURES,
+        help=f"Pictures per second of an animation, {FASTEST} at most, unless --frames is given.",
+        default_text=_default_text("fps"),
+    )
+
+
+def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> OutputSpec:
+    """Choose the format that is asked for, check the options, and fill in the defaults of the format.
+
+    Parameters
+    ----------
+    options : OutputOptions
+    settings : Settings
+        Its motion ``auto`` becomes that of the format.
+    drawings : int
+        How many are blended, >= 2.
+
+    Raises
+    ------
+    OptionError
+        Options that contradict each other or do not go with the format.
+    """
+    format, path = choose(options.emit, options.output, options.format, drawings)
+    asked = f"--output {path}" if options.emit == "frames" else f"--emit {options.emit}"
+    for name, what in SHARED.items():
+        if getattr(options, name) is not None and name not in format.defaults:
+            raise OptionError(f"--{name} is for {what}, {_ways_to(name)}; {asked} is none")
+    if options.format is not None and not format.has_frame_files:
+        raise OptionError(f"--format is for a folder, with a file a frame; {asked} is none")
+    defaults: dict[str, Any] = dict(format.defaults)
+    if settings.is_given("frames"):
+        defaults.pop("fps", None)
+        if options.fps is not None:
+            raise OptionError("--frames and --fps both say how many pictures there are; one will do")
+    if settings.motion == "auto":
+        settings = settings.replace(motion=format.motion)
+    spec = OutputSpec(
+        format,
+        path,
+        settings,
+        drawings,
+        options.animate,
+        Timing(options.duration, settings.ease, options.repeat),
+        options.precision,
+        **{name: getattr(options, name) or defaults.get(name) for name in SHARED},
+    )
+    format.check(spec)
+    return spec
+
+
+def _ways_to(name: str) -> str:
+    """Return how to ask for a format that takes a shared option."""
+    takers = [format for format in FORMATS if name in format.defaults]
+    folders = [f", or a folder with --format {format.name}" for format in takers if not format.suffix]
+    suffixes = [format.suffix for format in takers if format.suffix]
+    return f"a name ending in {alternatives(suffixes)}{''.join(folders)}"

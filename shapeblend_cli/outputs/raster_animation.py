@@ -1,0 +1,213 @@
+"""Frames one after another in a GIF, a WebP or an animated PNG.
+
+GIF: https://www.w3.org/Graphics/GIF/spec-gif89a.txt, WebP: https://developers.google.com/speed/webp/docs/riff_container,
+animated PNG: https://www.w3.org/TR/png-3/
+"""
+
+from __future__ import annotations
+
+import io
+import math
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from shapeblend_cli.errors import OptionError, PictureError
+from shapeblend_cli.outputs.formats import (
+    TRANSPARENT,
+    WHITE,
+    Format,
+    OutputSpec,
+    Rendered,
+    frame_svgs,
+)
+from shapeblend_cli.outputs.raster import Size, check_libraries, picture_size, rasterize, read_png
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Sequence
+
+    from PIL import Image
+
+    from shapeblend_cli.model import Pair
+
+FASTEST = 50
+"""Pictures a second; browsers slow down what is faster."""
+
+MOST_RUNS = 65_535
+"""The largest number of runs that the files can have."""
+
+COLOURS = 256
+"""Of a picture in a GIF."""
+
+
+class Run(NamedTuple):
+    """One run of an animation, forwards and perhaps backwards.
+
+    All its pictures are shown for the same time. All drawings are among them.
+
+    Attributes
+    ----------
+    pairs : int > 0
+    steps : int > 0
+        From one drawing to the next.
+    duration : float > 0
+        Seconds from one drawing to the next.
+    back : bool
+        Whether it runs backwards too; then neither end is shown twice.
+    """
+
+    pairs: int
+    steps: int
+    duration: float
+    back: bool
+
+    @property
+    def pictures(self) -> int:
+        """Number of pictures that are shown."""
+        forwards = self.pairs * self.steps
+        return 2 * forwards if self.back else forwards + 1
+
+    @property
+    def seconds(self) -> float:
+        """Duration of the run."""
+        return self.duration * self.pairs * (2 if self.back else 1)
+
+    def order(self) -> list[int]:
+        """Return the numbers of the pictures, from the first drawing to the last, in the order they are shown."""
+        forwards = list(range(self.pairs * self.steps + 1))
+        return forwards + forwards[-2:0:-1] if self.back else forwards
+
+    def delays(self, units: int) -> list[int]:
+        """Return how long each picture is shown, in so many units a second, rounded without drift."""
+        ends = [round(k * self.seconds * units / self.pictures) for k in range(self.pictures + 1)]
+        return [end - start for start, end in pairwise(ends)]
+
+
+def run_for(fps: int | None, frames: int, pairs: int, duration: float, back: bool) -> Run:
+    """Return the run with the most pictures that are no more than `fps` a second, or with the given in-betweens.
+
+    Parameters
+    ----------
+    fps : int or None
+        None for `frames`.
+    frames : int >= 0
+        In-betweens of each pair.
+    pairs : int > 0
+    duration : float > 0
+        Seconds from one drawing to the next.
+    back : bool
+        Whether it runs backwards too.
+
+    Examples
+    --------
+    >>> run_for(25, 5, 1, 2.0, False).pictures, run_for(25, 5, 1, 2.0, True).pictures
+    (50, 100)
+    """
+    if fps is None:
+        return Run(pairs, frames + 1, duration, back)
+    # Forwards one picture more is shown than there are steps: see `Run.pictures`.
+    steps = fps * duration - (0.0 if back else 1.0 / pairs)
+    return Run(pairs, max(1, math.floor(steps + 1e-9)), duration, back)
+
+
+def encode(
+    kind: str, svgs: Sequence[str], size: Size, run: Run, runs: int | None, background: str | None
+) -> bytes:
+    """Return the file of an animation.
+
+    Parameters
+    ----------
+    kind : {'gif', 'webp', 'apng'}
+    svgs : sequence of str
+        Documents without an XML declaration, from the first drawing to the last.
+    size : Size
+        Drawings are fitted into it as large as possible.
+    run : Run
+    runs : int or None
+        How often it runs; None is forever.
+    background : str or None
+        A colour, which a GIF needs; without one what is not painted is transparent.
+    """
+    pngs = [rasterize(svg, size, background) for svg in svgs]
+    pictures = (read_png(pngs[k]) for k in run.order())
+    if kind == "gif":
+        # The file has the number of repetitions: none for one run, and 0 for forever.
+        loop = {} if runs == 1 else {"loop": 0 if runs is None else runs - 1}
+        delays = [10 * delay for delay in run.delays(100)]
+        return _save("GIF", map(_reduce_colours, pictures), duration=delays, **loop)
+    timing = {"duration": run.delays(1000), "loop": runs or 0}
+    if kind == "webp":
+        # Without loss quality is effort; more than this takes twice as long for a hundredth.
+        return _save("WEBP", pictures, **timing, lossless=True, quality=40)
+    return _save("PNG", pictures, **timing)
+
+
+def _reduce_colours(picture: Image.Image) -> Image.Image:
+    """Give a picture a palette of its own, since colours change; dithering would flicker."""
+    from PIL import Image
+
+    method, dither = Image.Quantize.MEDIANCUT, Image.Dither.NONE
+    return picture.convert("RGB").quantize(COLOURS, method=method, dither=dither)
+
+
+def _save(form: str, pictures: Iterable[Image.Image], **options: Any) -> bytes:
+    file = io.BytesIO()
+    first, *others = pictures
+    first.save(file, form, save_all=True, append_images=others, **options)
+    return file.getvalue()
+
+
+def _run_of(spec: OutputSpec) -> Run:
+    frames, timing = spec.settings.frames, spec.timing
+    return run_for(spec.fps, frames, spec.drawings - 1, timing.seconds, timing.is_pingpong)
+
+
+def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+    run, repeat = _run_of(spec), spec.timing.repeat
+    size = picture_size(spec, pairs, run.pictures)
+    svgs = frame_svgs(spec, pairs, spec.settings.replace(frames=run.steps - 1, ends=True))
+    runs = repeat if isinstance(repeat, int) else None
+    return Rendered([encode(spec.format.name, svgs, size, run, runs, spec.ground)])
+
+
+def _check(spec: OutputSpec) -> None:
+    run, repeat = _run_of(spec), spec.timing.repeat
+    if spec.format.name == "gif" and spec.ground is None:
+        raise OptionError(
+            "--background transparent: edges in a GIF cannot be half transparent; .webp and .apng can, or a colour"
+        )
+    if run.pictures > FASTEST * run.seconds * (1.0 + 1e-9):
+        raise OptionError(
+            f"{run.pictures} pictures in {run.seconds:g} seconds: browsers slow down what is faster than "
+            f"{FASTEST} a second; a longer --duration, or fewer pictures, would work"
+        )
+    if isinstance(repeat, int) and repeat > MOST_RUNS:
+        raise OptionError(
+            f"--repeat {repeat}: animations of pixels run {MOST_RUNS} times at most, or forever"
+        )
+
+
+def _check_webp() -> None:
+    check_libraries()
+    from PIL import features
+
+    if not features.check("webp"):
+        raise PictureError("the Pillow that is installed writes no WebP; .apng would work")
+
+
+def _format(name: str, background: str, check_libraries: Callable[[], None]) -> Format:
+    return Format(
+        name,
+        "an animation of pixels",
+        _render,
+        suffix=f".{name}",
+        defaults={"width": 400, "background": background, "fps": 25},
+        check=_check,
+        check_libraries=check_libraries,
+    )
+
+
+FORMATS = (
+    _format("gif", WHITE, check_libraries),
+    _format("webp", TRANSPARENT, _check_webp),
+    _format("apng", TRANSPARENT, check_libraries),
+)

@@ -1,0 +1,101 @@
+"""All formats, and the choice of one by ``--emit``, ``--output`` and ``--format``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from shapeblend_cli.errors import OptionError
+from shapeblend_cli.outputs import (
+    animated_svg,
+    avd,
+    contact_sheet,
+    frames,
+    lottie,
+    raster_animation,
+    svg_pair,
+)
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.outputs.formats import Format
+
+FORMATS: tuple[Format, ...] = (
+    *frames.FORMATS,
+    animated_svg.FORMAT,
+    contact_sheet.FORMAT,
+    *raster_animation.FORMATS,
+    svg_pair.FORMAT,
+    lottie.FORMAT,
+    avd.FORMAT,
+)
+
+EMITS = tuple(dict.fromkeys(format.emit for format in FORMATS))
+"""The values of ``--emit``."""
+
+FRAME_FORMATS = tuple(format.name for format in FORMATS if format.has_frame_files)
+"""The values of ``--format``, the default first."""
+
+PAGES = (".htm", ".html")
+"""Suffixes of web pages, which ``--preview`` writes."""
+
+UNSUPPORTED = tuple(
+    ".avi .avif .bmp .eps .heic .ico .jpeg .jpg .jxl .m4v .mkv .mov .mp4 .mpeg .mpg .ogv .pdf .ps .svgz .tif "
+    ".tiff .webm .zip".split()
+)
+"""Suffixes of file formats, which are hardly meant as the name of a folder."""
+
+
+def choose(emit: str, path: str | None, frame_format: str | None, drawings: int) -> tuple[Format, str]:
+    """Return the format that is asked for, and the path that is written to.
+
+    Parameters
+    ----------
+    emit : str
+        One of `EMITS`.
+    path : str or None
+        A folder, the name of a file, or ``-``; None for the default of the format.
+    frame_format : str or None
+        One of `FRAME_FORMATS`, for folders.
+    drawings : int
+        How many are blended, >= 2.
+
+    Raises
+    ------
+    OptionError
+        No format is written so.
+    """
+    formats = [format for format in FORMATS if format.emit == emit]
+    path = path or formats[0].default_path
+    if drawings > 2 and not formats[0].takes_sequences:
+        raise OptionError(f"--emit {emit} takes two files; {drawings} given")
+    suffix = _suffix(path)
+    for format in formats:
+        fits = format.to_standard_output if path == STANDARD_OUTPUT else format.suffix == suffix
+        if fits and (not format.has_frame_files or format.name == (frame_format or FRAME_FORMATS[0])):
+            return format, path
+    if emit != "frames":
+        names, ending = " and ".join(formats[0].files), formats[0].suffix
+        what = f"{names}, so --output takes a folder"
+        if ending:
+            what = f"one file, so --output takes a name ending in {ending}, or -"
+        raise OptionError(f"--emit {emit} writes {what}; {path} given")
+    if suffix in PAGES:
+        raise OptionError(f"--output {path}: such a page is written with --preview {path}")
+    if suffix in UNSUPPORTED:
+        others = ", ".join(format.suffix for format in formats if format.suffix)
+        raise OptionError(f"--output {path}: {suffix} is not written; {others} are, and frames into a folder")
+    other = next(format.emit for format in FORMATS if format.suffix == suffix)
+    raise OptionError(f"--output {path}: with --emit {other} such a file is written")
+
+
+def alternatives(words: Sequence[str]) -> str:
+    """Return words as in "a, b or c"."""
+    return " or ".join([", ".join(words[:-1]), words[-1]]) if len(words) > 1 else words[0]
+
+
+def _suffix(path: str) -> str:
+    """Return the suffix of a file; empty for a folder and for standard output."""
+    known = (*(format.suffix for format in FORMATS if format.suffix), *PAGES, *UNSUPPORTED)
+    return next((suffix for suffix in known if path.lower().endswith(suffix)), "")
