@@ -16,33 +16,34 @@ from shapeblend_cli.plot.axes import (
     INK,
     PATH,
     SOFT,
-    STYLE,
     TOP,
     Axes,
-    heading,
+    page_points,
     ticks,
+    titled_figure,
     value_text,
 )
-from shapeblend_cli.plot.subject import on_path
+from shapeblend_cli.plot.subject import index_on_path
 from shapeblend_cli.plot.theta import NOISE, TWO_PI, Theta, bezier, theta_of
-from shapeblend_cli.svg.writing.figure import Figure, line_data
+from shapeblend_cli.svg.writing.figure import line_data
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray, Polygon
+    from shapeblend_cli.model import Polygon
     from shapeblend_cli.plot.subject import Subject
-    from shapeblend_cli.svg.writing.figure import Point
+    from shapeblend_cli.plot.theta import Piece
+    from shapeblend_cli.svg.writing.figure import Figure, Point
 
     Dot = tuple[int, int]
 
 SIDE = 320.0
-"""Both panels are squares."""
+"""Of both panels, which are squares."""
 
 Q_LEFT, THETA_LEFT, THUMBS_LEFT = 40.0, 448.0, 838.0
 THUMB = 132.0
 
 NAMES = "Q₀", "Q₁", "Q₂"
 RAY = 0.45, 0.3, 0.45
-"""How long the direction to an infinitesimal control point is drawn, as a share of the largest."""
+"""Length at which the direction of each infinitesimal control point is drawn, as a share of the largest."""
 
 STEPS_OF_DEGREES = (1, 2, 5, 10, 15, 30, 45, 60, 90)
 
@@ -67,15 +68,7 @@ _STYLE = f"""
 
 
 class DotAngle(NamedTuple):
-    """The dot a figure is about.
-
-    Attributes
-    ----------
-    dot : (int, int)
-    theta : Theta
-    bending : float
-        Work, as the solver has it.
-    """
+    """The dot a figure is about, the motion of its angle, and its bending work as the solver has it."""
 
     dot: Dot
     theta: Theta
@@ -83,55 +76,48 @@ class DotAngle(NamedTuple):
 
 
 def angle_of(subject: Subject) -> DotAngle:
-    """The angle of the dot that is asked for, else of the one that takes most bending work.
+    """Return the angle of the dot that is asked for, else of the one with most bending work.
 
     Raises
     ------
     MatchError
         A dot that is not on the path, or an end of an open contour, where there is no angle.
     """
-    at, kinds, bending = subject.wires.bends_on(subject.found.dots)
+    at, bends, bending = subject.wires.bends_on(subject.correspondence.dots)
     dots: list[Dot] = [(i, j) for i, j in at.tolist()]
     if not dots:
         raise MatchError("a line of two ends has no angle; contours of more vertices would work")
     if subject.dot is None:
-        place = int(bending.argmax())
+        index = int(bending.argmax())
     else:
-        ends = [(i, j) for i, j in subject.found.dots[[0, -1]].tolist()]
-        if not subject.found.closed and subject.dot in ends:
+        ends = [(i, j) for i, j in subject.correspondence.dots[[0, -1]].tolist()]
+        if not subject.correspondence.closed and subject.dot in ends:
             raise MatchError(
                 f"dot {subject.dot[0]},{subject.dot[1]} is an end of an open contour and has no angle; "
                 f"{dots[0][0]},{dots[0][1]} has one"
             )
-        place = on_path(subject, dots)
-    return DotAngle(
-        dots[place], theta_of(subject.wires, dots[place], int(kinds[place])), float(bending[place])
-    )
+        index = index_on_path(subject, dots)
+    dot = dots[index]
+    return DotAngle(dot, theta_of(subject.wires, dot, int(bends[index])), float(bending[index]))
 
 
 def draw(subject: Subject) -> str:
-    """The figure as a document."""
-    found = angle_of(subject)
-    theta = found.theta
-    figure = Figure(THUMBS_LEFT + THUMB + 24.0, TOP + SIDE + 60.0, STYLE + _STYLE)
+    """Return the figure as a document."""
+    (i, j), theta, bending = angle_of(subject)
     zero = "; θ reaches zero" if theta.reaches_zero else ""
-    i, j = found.dot
-    heading(
-        figure,
+    figure = titled_figure(
+        THUMBS_LEFT + THUMB + 24.0,
+        TOP + SIDE + 60.0,
+        _STYLE,
         f"{subject.title}, vertex {i} of A and {j} of B",
-        [
-            subject.contours,
-            f"Δθ = {_degrees(theta.delta)}, Δθ* = {_degrees(theta.delta_star)}, "
-            f"bending work {value_text(found.bending)}{zero}",
-        ],
+        subject.contours,
+        f"Δθ = {_degrees(theta.delta)}, Δθ* = {_degrees(theta.delta_star)}, "
+        f"bending work {value_text(bending)}{zero}",
     )
     _q_panel(figure, theta)
     _theta_panel(figure, theta)
-    for top, name, polygon, vertex in (
-        (TOP + 18.0, "A", subject.contour.polygon_a, i),
-        (TOP + SIDE - THUMB + 14.0, "B", subject.contour.polygon_b, j),
-    ):
-        _thumb(figure, top, f"vertex {vertex} of {name}", polygon, vertex)
+    _thumb(figure, TOP + 18.0, f"vertex {i} of A", subject.contour.polygon_a, i)
+    _thumb(figure, TOP + SIDE - THUMB + 14.0, f"vertex {j} of B", subject.contour.polygon_b, j)
     return figure.text()
 
 
@@ -140,7 +126,7 @@ def _degrees(angle: float) -> str:
 
 
 def _q_panel(figure: Figure, theta: Theta) -> None:
-    """Q(t) and its control polygon about the origin; only directions from there matter, so there is no scale."""
+    """Draw Q(t) and its control polygon about the origin; only directions matter, so there is no scale."""
     size = max(abs(q) for q in theta.control)
     control = [q / size for q in theta.control]
     rays = {
@@ -160,19 +146,19 @@ def _q_panel(figure: Figure, theta: Theta) -> None:
     figure.words("θ = 0", (Q_LEFT + SIDE - 6.0, origin[1] + 16.0), "right-note")
     for angle, radius, kind in ((theta.first, 0.075, "first"), (theta.last, 0.105, "last")):
         turns = np.linspace(0.0, angle, max(int(abs(angle) / 0.05), 2))
-        figure.line(_places(axes, radius * side * np.exp(1j * turns)), kind)
-    figure.line(_places(axes, np.array(control)), "control")
-    figure.line(_places(axes, bezier(control)(np.linspace(0.0, 1.0, 65))), "q")
+        figure.line(axes.points(radius * side * np.exp(1j * turns)), kind)
+    figure.line(axes.points(np.array(control)), "control")
+    figure.line(axes.points(bezier(control)(np.linspace(0.0, 1.0, 65))), "q")
     for k, kind in ((0, "first"), (2, "last")):
-        figure.line(_places(axes, np.array([0j, control[k]])), kind)
+        figure.line(axes.points(np.array([0j, control[k]])), kind)
     middle = sum(control) / 3.0
     for k, (q, kind) in enumerate(zip(control, ("word-a", "label", "word-b"), strict=True)):
         if k in rays:
-            figure.line(_places(axes, np.array([0j, rays[k]])), "rule")
-            _name(figure, axes, rays[k], rays[k], NAMES[k], kind)
+            figure.line(axes.points(np.array([0j, rays[k]])), "rule")
+            _name(axes, rays[k], rays[k], NAMES[k], kind)
         elif q:
             figure.circle(axes.at(q.real, q.imag), 4.0, "point")
-            _name(figure, axes, q, q - middle or q, NAMES[k], kind)
+            _name(axes, q, q - middle or q, NAMES[k], kind)
     figure.circle(origin, 3.0, "origin")
     tiny = ", ".join(f"{NAMES[k]} → 0 at {_degrees(cmath.phase(ray) % TWO_PI)}" for k, ray in rays.items())
     if tiny:
@@ -180,22 +166,18 @@ def _q_panel(figure: Figure, theta: Theta) -> None:
     figure.words("Q(t)", (Q_LEFT + SIDE / 2.0, TOP + SIDE + 40.0), "label")
 
 
-def _places(axes: Axes, points: ComplexArray) -> list[Point]:
-    return [axes.at(z.real, z.imag) for z in points.tolist()]
-
-
-def _name(figure: Figure, axes: Axes, place: complex, away: complex, words: str, kind: str) -> None:
-    """A name beside a point, away from something, within the panel."""
-    x, y = axes.at(place.real, place.imag)
+def _name(axes: Axes, point: complex, away: complex, words: str, kind: str) -> None:
+    """Write a name beside a point, in the direction `away`, within the panel."""
+    x, y = axes.at(point.real, point.imag)
     unit = away / abs(away) if away else 1j
     half = 3.6 * len(words)
     x = min(max(x + (half + 8.0) * unit.real, axes.left + half + 4.0), axes.left + axes.width - half - 4.0)
     y = min(max(y - 15.0 * unit.imag + 4.5, axes.top + 16.0), axes.top + axes.height - 6.0)
-    figure.words(words, (x, y), f"{kind} name")
+    axes.figure.words(words, (x, y), f"{kind} name")
 
 
 def _theta_panel(figure: Figure, theta: Theta) -> None:
-    """theta(t), and how far it goes in all and against the net direction."""
+    """Draw theta(t), and how far it moves in all and against the net direction."""
     values = np.degrees(np.concatenate([piece.angles for piece in theta.pieces]))
     low, high = float(values.min()), float(values.max())
     room = max(0.14 * (high - low), 4.0)
@@ -209,15 +191,10 @@ def _theta_panel(figure: Figure, theta: Theta) -> None:
             figure.words("θ = 0", (THETA_LEFT + SIDE - 6.0, axes.at(0.0, level)[1] - 7.0), "right-note")
     for angle in (theta.first, theta.last):
         axes.across(math.degrees(angle), "rule")
-    whole = [
-        axes.at(t, a)
-        for piece in theta.pieces
-        for t, a in zip(piece.times.tolist(), np.degrees(piece.angles).tolist(), strict=True)
-    ]
+    whole = [point for piece in theta.pieces for point in _curve(axes, piece)]
     figure.line(whole, "q")
     for piece in theta.against:
-        places = zip(piece.times.tolist(), np.degrees(piece.angles).tolist(), strict=True)
-        figure.line([axes.at(*place) for place in places], "against")
+        figure.line(_curve(axes, piece), "against")
     figure.circle(whole[0], 4.0, "point")
     figure.circle(whole[-1], 4.0, "point")
     _span(axes, 1.07, math.degrees(theta.first), math.degrees(theta.last))
@@ -230,8 +207,12 @@ def _theta_panel(figure: Figure, theta: Theta) -> None:
     axes.ticks_beside(levels, [f"{v:g}°".replace("-", "−") for v in levels], "θ(t)")
 
 
+def _curve(axes: Axes, piece: Piece) -> list[Point]:
+    return axes.points(piece.times + 1j * np.degrees(piece.angles))
+
+
 def _stars(axes: Axes, theta: Theta) -> None:
-    """The spans of what goes against the net direction, where it can be seen."""
+    """Draw how far the angle moves against the net direction, where it can be seen."""
     for piece in theta.against:
         begin, end = math.degrees(float(piece.angles[0])), math.degrees(float(piece.angles[-1]))
         if abs(axes.at(0.0, begin)[1] - axes.at(0.0, end)[1]) < 14.0:
@@ -247,29 +228,28 @@ def _stars(axes: Axes, theta: Theta) -> None:
 
 
 def _span(axes: Axes, t: float, begin: float, end: float) -> None:
-    """An upright arrow with two heads."""
+    """Draw a vertical arrow with two heads."""
     top, bottom = axes.at(t, max(begin, end)), axes.at(t, min(begin, end))
     if bottom[1] - top[1] < 4.0:
         return
     axes.figure.line([top, bottom], "span")
     head = min(7.0, (bottom[1] - top[1]) / 2.5)
     data = [
-        line_data([(x, y), (x - 3.2, y + way * head), (x + 3.2, y + way * head)], closed=True)
-        for (x, y), way in ((top, 1.0), (bottom, -1.0))
+        line_data([(x, y), (x - 3.2, y + down), (x + 3.2, y + down)], closed=True)
+        for (x, y), down in ((top, head), (bottom, -head))
     ]
     axes.figure.path("".join(data), "head")
 
 
 def _thumb(figure: Figure, top: float, name: str, polygon: Polygon, vertex: int) -> None:
-    """The contour, small, with the vertex and what is beside it."""
-    box = polygon.box
+    """Draw the contour, small, with the vertex and its neighbours."""
+    box = Box.around(polygon.vertices)
     scale = (THUMB - 8.0) / box.larger_side
-    centre = box.centre
-    onto = complex(THUMBS_LEFT + THUMB / 2.0, top + THUMB / 2.0)
-    places = [(z.real, z.imag) for z in ((polygon.vertices - centre) * scale + onto).tolist()]
+    centre = complex(THUMBS_LEFT + THUMB / 2.0, top + THUMB / 2.0)
+    points = page_points((polygon.vertices - box.centre) * scale + centre)
     figure.words(name, (THUMBS_LEFT + THUMB / 2.0, top - 8.0), "middle-note")
-    figure.line(places, "outline" if polygon.closed else "open", closed=polygon.closed)
-    count = len(places)
-    beside = [places[k % count] for k in (vertex - 1, vertex, vertex + 1) if polygon.closed or 0 <= k < count]
+    figure.line(points, "outline" if polygon.closed else "open", closed=polygon.closed)
+    count = len(points)
+    beside = [points[k % count] for k in (vertex - 1, vertex, vertex + 1) if polygon.closed or 0 <= k < count]
     figure.line(beside, "corner")
-    figure.circle(places[vertex], 4.0, "point")
+    figure.circle(points[vertex], 4.0, "point")

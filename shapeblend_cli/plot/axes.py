@@ -1,4 +1,4 @@
-"""How all plots look: colours, letters, headings, and axes with their ticks."""
+"""What all plots share: colours, headings, and axes with their ticks."""
 
 from __future__ import annotations
 
@@ -11,12 +11,13 @@ from shapeblend_cli.svg.writing.figure import Figure, line_data
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.model import ComplexArray
     from shapeblend_cli.svg.writing.figure import Point
 
 INK, SOFT, FAINT, GROUND = "#1d2733", "#5c6875", "#d5dae0", "#ffffff"
 COLOUR_A, COLOUR_B, PATH = "#2b6cb0", "#c05621", "#c81e4a"
 
-STYLE = f"""
+_STYLE = f"""
 text{{font:13px system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue","DejaVu Sans",Arial,sans-serif;fill:{INK}}}
 svg{{fill:none;stroke-linejoin:round;stroke-linecap:round}}
 .ground{{fill:{GROUND}}}
@@ -29,13 +30,12 @@ svg{{fill:none;stroke-linejoin:round;stroke-linecap:round}}
 .grid{{stroke:{FAINT};stroke-width:1}}
 .rule{{stroke:{SOFT};stroke-width:1;stroke-dasharray:5 4}}
 """
-"""What every figure has; classes end where attributes of single pieces begin."""
 
 LEFT, TOP = 72.0, 96.0
-"""Where the axes begin: room for a heading of three lines, and for ticks and a label."""
+"""Where the axes begin, below a heading of three lines and beside ticks and a label."""
 
 LINE = 18.0
-"""From one line of text to the next."""
+"""Height of a line of text."""
 
 TICK = 5.0
 
@@ -46,23 +46,16 @@ DIGITS = 4
 """Digits of a work."""
 
 NOTHING = 1e-9
-"""Work below this is the rounding of no work."""
+"""Less work than this is rounding."""
 
 LONGEST = 36
-"""Characters of a name of a file that are shown."""
+"""Characters of a file's name that are shown."""
+
+EXPONENTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 class Axes(NamedTuple):
-    """A rectangle of the page and the values along its sides.
-
-    Attributes
-    ----------
-    figure : Figure
-    left, top, width, height : float
-        The rectangle.
-    x, y : (float, float)
-        The values at its left and right, and at its bottom and top.
-    """
+    """A rectangle of a page, and the values `x` at its left and right, and `y` at its bottom and top."""
 
     figure: Figure
     left: float
@@ -73,67 +66,74 @@ class Axes(NamedTuple):
     y: tuple[float, float]
 
     def at(self, x: float, y: float) -> Point:
-        """Where values are on the page."""
+        """Return where values are on the page."""
         return (
             self.left + self.width * (x - self.x[0]) / (self.x[1] - self.x[0]),
             self.top + self.height * (self.y[1] - y) / (self.y[1] - self.y[0]),
         )
 
+    def points(self, values: ComplexArray) -> list[Point]:
+        """Return where values x + iy are on the page."""
+        return [self.at(x, y) for x, y in page_points(values)]
+
     def across(self, y: float, kind: str) -> None:
-        """A line from left to right."""
+        """Draw a line from left to right."""
         self.figure.line([self.at(self.x[0], y), self.at(self.x[1], y)], kind)
 
     def frame(self) -> None:
-        """The sides."""
+        """Draw the sides."""
         (x0, x1), (y0, y1) = self.x, self.y
-        self.figure.line(
-            [self.at(*p) for p in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))], "frame", closed=True
-        )
+        corners = (x0, y0), (x1, y0), (x1, y1), (x0, y1)
+        self.figure.line([self.at(*corner) for corner in corners], "frame", closed=True)
 
     def grid(self, xs: Sequence[float], ys: Sequence[float]) -> None:
-        """Lines at values, all in one path."""
+        """Draw lines at values, all in one path."""
         upright = [line_data([self.at(x, self.y[0]), self.at(x, self.y[1])]) for x in xs]
         level = [line_data([self.at(self.x[0], y), self.at(self.x[1], y)]) for y in ys]
         self.figure.path("".join(upright + level), "grid")
 
     def ticks_below(self, values: Sequence[float], names: Sequence[str], label: str) -> None:
-        """Ticks under the lower side, with their names, and what they count."""
+        """Draw ticks under the lower side, with their names, and what they count."""
         bottom = self.top + self.height
-        marks = [
-            line_data([(self.at(v, 0.0)[0], bottom), (self.at(v, 0.0)[0], bottom + TICK)]) for v in values
-        ]
+        xs = [self.at(value, 0.0)[0] for value in values]
+        marks = [line_data([(x, bottom), (x, bottom + TICK)]) for x in xs]
         self.figure.path("".join(marks), "tick")
-        for value, name in zip(values, names, strict=True):
-            self.figure.words(name, (self.at(value, 0.0)[0], bottom + TICK + 13.0), "tick-x")
+        for x, name in zip(xs, names, strict=True):
+            self.figure.words(name, (x, bottom + TICK + 13.0), "tick-x")
         self.figure.words(label, (self.left + self.width / 2.0, bottom + 40.0), "label")
 
     def ticks_beside(self, values: Sequence[float], names: Sequence[str], label: str) -> None:
-        """Ticks along the left side, with their names, and what they count."""
-        marks = [
-            line_data([(self.left - TICK, self.at(0.0, v)[1]), (self.left, self.at(0.0, v)[1])])
-            for v in values
-        ]
+        """Draw ticks along the left side, with their names, and what they count."""
+        ys = [self.at(0.0, value)[1] for value in values]
+        marks = [line_data([(self.left - TICK, y), (self.left, y)]) for y in ys]
         self.figure.path("".join(marks), "tick")
-        for value, name in zip(values, names, strict=True):
-            self.figure.words(name, (self.left - TICK - 4.0, self.at(0.0, value)[1] + 4.0), "tick-y")
+        for y, name in zip(ys, names, strict=True):
+            self.figure.words(name, (self.left - TICK - 4.0, y + 4.0), "tick-y")
         self.figure.words(label, (self.left - 50.0, self.top + self.height / 2.0), "label", turn=-90.0)
 
 
-def heading(figure: Figure, title: str, notes: Sequence[str]) -> None:
-    """A title and lines of small print at the top."""
+def titled_figure(width: float, height: float, style: str, title: str, *notes: str) -> Figure:
+    """Return a figure with a title and lines of small print at the top."""
+    figure = Figure(width, height, _STYLE + style)
     figure.words(title, (24.0, 34.0), "title")
     for k, note in enumerate(notes):
         figure.words(note, (24.0, 56.0 + LINE * k), "note")
+    return figure
+
+
+def page_points(values: ComplexArray) -> list[Point]:
+    """Return complex numbers as points."""
+    return [(z.real, z.imag) for z in values.tolist()]
 
 
 def short_name(file: str) -> str:
-    """A file's name as titles have it."""
+    """Return a file's name as titles have it."""
     name = title_of(file)
     return name if len(name) <= LONGEST else f"{name[: LONGEST - 1]}…"
 
 
 def ticks(low: float, high: float, most: int = 6, steps: Sequence[float] = ()) -> list[float]:
-    """Round values from low to high, at most so many, by one of the steps or by 1, 2 or 5 times a power of ten."""
+    """Return at most so many round values: multiples of one of `steps`, else of 1, 2 or 5 times a power of ten."""
     if not steps:
         power = 10.0 ** math.floor(math.log10((high - low) / most)) if high > low else 1.0
         steps = [power, 2.0 * power, 5.0 * power, 10.0 * power]
@@ -143,18 +143,14 @@ def ticks(low: float, high: float, most: int = 6, steps: Sequence[float] = ()) -
 
 
 def value_text(value: float) -> str:
-    """A number as people write it, without noise of rounding."""
+    """Return a number as people write it, without noise of rounding."""
     text = "0" if abs(value) < NOTHING else f"{value:.{DIGITS}g}"
     if "e" in text:
         mantissa, _, power = text.partition("e")
-        return f"{mantissa}·10{str(int(power)).translate(RAISED)}"
+        return f"{mantissa}·10{str(int(power)).translate(EXPONENTS)}"
     return text.replace("-", "−")
 
 
-RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-"""Exponents."""
-
-
 def signed(value: float) -> str:
-    """A number with its sign."""
+    """Return a number with its sign."""
     return f"+{value_text(value)}" if value > 0.0 else value_text(value)

@@ -8,25 +8,27 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.match.landscape import landscape
+from shapeblend_cli.model import unroll
 from shapeblend_cli.plot.axes import (
     INK,
     LEFT,
     LINE,
     PATH,
-    STYLE,
     TOP,
     WHOLE,
     Axes,
-    heading,
+    page_points,
     signed,
     ticks,
+    titled_figure,
     value_text,
 )
-from shapeblend_cli.svg.writing.figure import Figure, line_data, rect_data
+from shapeblend_cli.svg.writing.figure import line_data, rect_data
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, FloatArray, IntArray
     from shapeblend_cli.plot.subject import Subject
+    from shapeblend_cli.svg.writing.figure import Figure
 
 SIDE = 520.0
 """The longer side of the graph on the page."""
@@ -35,33 +37,33 @@ SLENDEREST = 0.45
 """The shorter side, at least, as a share of the longer one."""
 
 SHADES = ("#ffffff", "#e8eff6", "#d2e0ee", "#b6cde3", "#97b7d6", "#769fc7", "#5687b7", "#3a6ea3", "#24578a")
-"""From dear to cheap, the last for dots that cost nothing more."""
+"""From expensive to cheap, the last for dots that cost nothing more."""
 
 NO_PATH = "#efe9e2"
 """Dots no path goes through."""
 
 MOST_CELLS = 160
-"""Columns or rows that are shaded singly; of more, several become one."""
+"""Columns or rows that are shaded one by one; of more, several become one."""
 
 SHADED_DOTS = 2_500_000
 """Graphs of more dots are not shaded: it would take gigabytes."""
 
 ARROWS = 30
-"""Up to so many columns and rows there is a grid, and arrows lead from dot to dot."""
+"""Up to so many columns and rows there are a grid and arrows from dot to dot."""
 
 BEADS = 70
-"""Up to so many the path is a string of beads."""
+"""Up to so many the dots of the path are marked."""
 
 
 class Shading(NamedTuple):
-    """How much more the least path through each dot costs than the path that was found.
+    """How much more the least path through each dot costs than the path that is drawn.
 
     Attributes
     ----------
     more : (columns, rows) float
         Never negative; infinite where there is no path.
     levels : tuple of float
-        From where on each next lighter shade begins.
+        Where each next lighter shade begins.
     """
 
     more: FloatArray
@@ -69,26 +71,37 @@ class Shading(NamedTuple):
 
 
 def draw(subject: Subject) -> str:
-    """The figure as a document."""
+    """Return the figure as a document."""
     columns, rows = shape_of(subject)
-    width, height = _sides(columns, rows)
-    figure = Figure(LEFT + width + 196.0, TOP + height + 64.0, STYLE + _STYLE)
-    heading(figure, subject.title, [subject.contours, f"{subject.price}; {_deviation(subject)}"])
+    # Cells are square as far as that fits.
+    share = max(min(columns, rows) / max(columns, rows), SLENDEREST)
+    width, height = (SIDE, SIDE * share) if columns >= rows else (SIDE * share, SIDE)
+    deviation = f"diagonal deviation {value_text(subject.correspondence.diagonal_deviation)}"
+    band = "" if subject.band is None else f" in a band of {value_text(subject.band)}"
+    note = f"{subject.work}; {deviation}{band}"
+    figure = titled_figure(
+        LEFT + width + 196.0, TOP + height + 64.0, _STYLE, subject.title, subject.contours, note
+    )
     axes = Axes(figure, LEFT, TOP, width, height, (-0.5, columns - 0.5), (rows - 0.5, -0.5))
     shading = shade_of(subject) if columns * rows <= SHADED_DOTS else None
     if shading is not None:
-        _shade(axes, shading.more, shading.levels)
+        _shade(axes, shading)
     else:
         figure.words("too many dots to be shaded", (LEFT + width / 2.0, TOP - 6.0), "middle-note")
-    small = max(columns, rows) <= ARROWS
-    if small:
+    is_small = max(columns, rows) <= ARROWS
+    if is_small:
         axes.grid(range(columns), range(rows))
-    _diagonal(axes, columns, rows, subject.found.diagonal_deviation if subject.band is None else subject.band)
-    _path(axes, unrolled(subject), small, max(columns, rows) <= BEADS)
+    _diagonal(
+        axes,
+        columns,
+        rows,
+        subject.correspondence.diagonal_deviation if subject.band is None else subject.band,
+    )
+    _path(axes, unrolled(subject), is_small, max(columns, rows) <= BEADS)
     axes.frame()
-    first0, first1 = subject.found.dots[0].tolist()
-    axes.ticks_below(*_vertex_ticks(first0, columns, subject.wires.m, width), "vertex of A")
-    axes.ticks_beside(*_vertex_ticks(first1, rows, subject.wires.n, height), "vertex of B")
+    first_a, first_b = subject.correspondence.dots[0].tolist()
+    axes.ticks_below(*_vertex_ticks(first_a, columns, subject.wires.m, width), "vertex of A")
+    axes.ticks_beside(*_vertex_ticks(first_b, rows, subject.wires.n, height), "vertex of B")
     _legend(figure, LEFT + width + 28.0, subject, shading)
     return figure.text()
 
@@ -105,52 +118,40 @@ _STYLE = f"""
 
 
 def shape_of(subject: Subject) -> tuple[int, int]:
-    """Columns and rows; closed graphs end in the vertices they begin with."""
-    again = 1 if subject.found.closed else 0
-    return subject.wires.m + again, subject.wires.n + again
+    """Return the columns and rows; graphs of closed contours end with the vertices they begin with."""
+    closed = subject.correspondence.closed
+    return subject.wires.m + closed, subject.wires.n + closed
 
 
 def unrolled(subject: Subject) -> IntArray:
-    """The path in columns and rows from its first dot, counted on to the last column and row."""
-    dots = subject.found.dots
-    if subject.found.closed:
-        dots = np.append(dots, dots[:1], axis=0)
-    moves = np.diff(dots, axis=0) % (subject.wires.m, subject.wires.n)
-    return np.append(np.zeros((1, 2), np.intp), np.cumsum(moves, axis=0), axis=0)
+    """Return the path in columns and rows, from (0, 0) to the last column and row."""
+    period = (subject.wires.m, subject.wires.n) if subject.correspondence.closed else None
+    dots = unroll(subject.correspondence.dots, period).astype(np.intp)
+    return dots - dots[0]
 
 
 def shade_of(subject: Subject) -> Shading:
-    """Price the least path through every dot."""
-    works = landscape(subject.wires, subject.found.dots, subject.band).works
-    more = np.maximum(works - subject.found.work, 0.0)
-    more[more < 1e-9 * max(subject.found.work, 1.0)] = 0.0
+    """Return how much more the least path through every dot costs."""
+    works = landscape(subject.wires, subject.correspondence.dots, subject.band).works
+    more = np.maximum(works - subject.correspondence.work, 0.0)
+    more[more < 1e-9 * max(subject.correspondence.work, 1.0)] = 0.0
     return Shading(more, levels_of(more, len(SHADES) - 1))
 
 
 def levels_of(more: FloatArray, count: int) -> tuple[float, ...]:
-    """Round numbers, each about twice the one before, the last near what the dearer half of the dots costs."""
-    dear = more[np.isfinite(more) & (more > 0.0)]
-    if not len(dear):
+    """Return round numbers, each about twice the one before, the last near the median extra work."""
+    extra = more[np.isfinite(more) & (more > 0.0)]
+    if not len(extra):
         return (1.0,)
-    power = int(np.floor(np.log10(np.median(dear))))
+    median = np.median(extra)
+    power = int(np.floor(np.log10(median)))
     series = [f * 10.0**p for p in range(power - count, power + 2) for f in (1.0, 2.0, 5.0)]
-    last = int(np.searchsorted(series, np.median(dear)))
+    last = int(np.searchsorted(series, median))
     return tuple(float(f"{level:.1g}") for level in series[last - count + 1 : last + 1])
 
 
-def _sides(columns: int, rows: int) -> tuple[float, float]:
-    """Width and height on the page: cells are square as far as that fits."""
-    share = max(min(columns, rows) / max(columns, rows), SLENDEREST)
-    return (SIDE, SIDE * share) if columns >= rows else (SIDE * share, SIDE)
-
-
-def _deviation(subject: Subject) -> str:
-    own = f"diagonal deviation {value_text(subject.found.diagonal_deviation)}"
-    return own if subject.band is None else f"{own} in a band of {value_text(subject.band)}"
-
-
 def cells(more: FloatArray) -> tuple[FloatArray, tuple[IntArray, IntArray]]:
-    """The least of as many dots as make a cell, and where its columns and rows of cells begin and end."""
+    """Return the least of the dots in each cell, and where the columns and rows of cells begin and end."""
     edges = []
     for axis, count in enumerate(more.shape):
         edge = np.linspace(0, count, min(count, MOST_CELLS) + 1).round().astype(np.intp)
@@ -160,7 +161,7 @@ def cells(more: FloatArray) -> tuple[FloatArray, tuple[IntArray, IntArray]]:
 
 
 def rectangles(mask: BoolArray) -> list[tuple[int, int, int, int]]:
-    """Cover what is true in few rectangles ``(column, row, columns, rows)``: runs of a row, and equal ones joined."""
+    """Cover what is true with few rectangles ``(column, row, columns, rows)``: runs of a row, equal ones joined."""
     found = []
     growing: dict[tuple[int, int], int] = {}
     for row in range(mask.shape[1] + 1):
@@ -172,13 +173,13 @@ def rectangles(mask: BoolArray) -> list[tuple[int, int, int, int]]:
     return sorted(found)
 
 
-def _shade(axes: Axes, more: FloatArray, levels: tuple[float, ...]) -> None:
-    """Paint cells from dear to cheap, the cheaper ones over the dearer ones."""
-    least, (across, down) = cells(more)
+def _shade(axes: Axes, shading: Shading) -> None:
+    """Paint cells from expensive to cheap, the cheaper ones over the others."""
+    least, (across, down) = cells(shading.more)
     figure = axes.figure
     figure.path(rect_data(axes.left, axes.top, axes.width, axes.height), "cells", fill=NO_PATH)
-    masks = [least < limit for limit in (np.inf, *reversed(levels))]
-    for k, (shade, mask) in enumerate(zip(_shades(levels), masks, strict=True)):
+    masks = [least < limit for limit in (np.inf, *reversed(shading.levels))]
+    for k, (shade, mask) in enumerate(zip(_shades(shading.levels), masks, strict=True)):
         if k + 1 < len(masks) and np.array_equal(mask, masks[k + 1]):
             continue  # nothing of this shade will show
         data = []
@@ -190,12 +191,12 @@ def _shade(axes: Axes, more: FloatArray, levels: tuple[float, ...]) -> None:
 
 
 def _shades(levels: tuple[float, ...]) -> tuple[str, ...]:
-    """A shade for what is dearer than all levels, then one below each, from the highest on."""
+    """Return the shade above all levels, then the one below each, from the highest on."""
     return (SHADES[0], *SHADES[len(SHADES) - len(levels) :])
 
 
 def _diagonal(axes: Axes, columns: int, rows: int, band: float) -> None:
-    """The diagonal of the graph, and beside it the lines of the largest deviation, eq (29)."""
+    """Draw the diagonal of the graph, and on either side the line of the largest deviation, eq (29)."""
     x, y = columns - 1.0, rows - 1.0
     axes.figure.line([axes.at(0.0, 0.0), axes.at(x, y)], "diagonal")
     if not 0.0 < band < 1.0:
@@ -205,38 +206,37 @@ def _diagonal(axes: Axes, columns: int, rows: int, band: float) -> None:
 
 
 def _path(axes: Axes, dots: IntArray, arrows: bool, beads: bool) -> None:
-    places = [axes.at(column, row) for column, row in dots.tolist()]
+    points = [axes.at(column, row) for column, row in dots.tolist()]
     figure = axes.figure
-    figure.line(places, "halo")
-    figure.line(places, "path")
+    figure.line(points, "halo")
+    figure.line(points, "path")
     if arrows:
-        heads = [_head(p, q) for p, q in pairwise(places)]
-        figure.path("".join(heads), "head")
+        figure.path("".join(_head(p, q) for p, q in pairwise(points)), "head")
     if arrows or beads:
-        for place in places:
-            figure.circle(place, 4.0 if arrows else 2.4, "dot")
+        for point in points:
+            figure.circle(point, 4.0 if arrows else 2.4, "dot")
 
 
 def _head(p: tuple[float, float], q: tuple[float, float]) -> str:
-    """The head of an arrow that ends short of a dot."""
-    way = complex(*q) - complex(*p)
-    unit = way / abs(way)
+    """Return the head of an arrow that ends short of a dot."""
+    step = complex(*q) - complex(*p)
+    unit = step / abs(step)
     tip = complex(*q) - 4.5 * unit
-    corners = (tip, tip - (8.0 + 3.2j) * unit, tip - (8.0 - 3.2j) * unit)
-    return line_data([(z.real, z.imag) for z in corners], closed=True)
+    corners = np.array([tip, tip - (8.0 + 3.2j) * unit, tip - (8.0 - 3.2j) * unit])
+    return line_data(page_points(corners), closed=True)
 
 
 def _vertex_ticks(first: int, count: int, period: int, side: float) -> tuple[list[int], list[str]]:
-    """Columns or rows of round vertex numbers, and these numbers."""
+    """Return the columns or rows of round vertex numbers, and these numbers."""
     round_ones = [round(v) for v in ticks(0.0, period - 1.0, max(int(side / 34.0), 2), WHOLE)]
-    places = {(v - first) % period: str(v) for v in round_ones}
-    if count > period and 0 in places:  # the last is the first again
-        places[period] = places[0]
-    return list(places), list(places.values())
+    names = {(v - first) % period: str(v) for v in round_ones}
+    if count > period and 0 in names:  # the last is the first again
+        names[period] = names[0]
+    return list(names), list(names.values())
 
 
 def _legend(figure: Figure, left: float, subject: Subject, shading: Shading | None) -> None:
-    """What the lines and the shades are."""
+    """Explain the lines and the shades."""
     top = TOP + 8.0
     for kind, name in (
         ("path", "least-work path"),

@@ -1,7 +1,8 @@
-"""The least work by the starting correspondence (section 4.2)."""
+"""The least work for each starting correspondence (section 4.2)."""
 
 from __future__ import annotations
 
+import math
 from itertools import groupby
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -15,15 +16,13 @@ from shapeblend_cli.plot.axes import (
     LEFT,
     NOTHING,
     PATH,
-    STYLE,
     TOP,
     WHOLE,
     Axes,
-    heading,
     ticks,
+    titled_figure,
     value_text,
 )
-from shapeblend_cli.svg.writing.figure import Figure
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import FloatArray
@@ -32,10 +31,10 @@ if TYPE_CHECKING:
 WIDTH, HEIGHT = 600.0, 320.0
 
 MUCH = 30.0
-"""Works that differ by more than this factor are drawn by powers of ten."""
+"""Works that differ by more than this factor are drawn on a logarithmic scale."""
 
 BEADS = 80
-"""Up to so many starts each has a bead."""
+"""Up to so many starts each is marked."""
 
 _STYLE = f"""
 .work{{stroke:{COLOUR_A};stroke-width:1.8}}
@@ -45,56 +44,48 @@ _STYLE = f"""
 
 
 def draw(subject: Subject) -> str:
-    """The figure as a document."""
+    """Return the figure as a document."""
     works = works_of(subject)
-    vertex = start_vertex(subject)
-    best = int(works.argmin())
-    figure = Figure(LEFT + WIDTH + 36.0, TOP + HEIGHT + 64.0, STYLE + _STYLE)
+    vertex, best = start_vertex(subject), int(works.argmin())
     least = f"least with vertex {vertex} of A at vertex {best} of B: work {value_text(works[best])}"
     band = "" if subject.band is None else f", in a band of {value_text(subject.band)}"
-    heading(figure, subject.title, [subject.contours, least + band])
-
-    scale = scale_for(works)
-    shown = scale.heights(works)
-    axes = Axes(figure, LEFT, TOP, WIDTH, HEIGHT, (-0.5, len(works) - 0.5), (scale.low, scale.high))
-    axes.grid([], [height for height, _ in scale.levels])
-    places = [axes.at(j, y) for j, y in enumerate(shown.tolist())]
-    for finite, run in groupby(
-        zip(places, np.isfinite(works).tolist(), strict=True), key=lambda place: place[1]
-    ):
-        if finite:
-            line = [place for place, _ in run]
-            figure.line(line, "work")
-            if len(works) <= BEADS or len(line) == 1:
-                for place in line:
-                    figure.circle(place, 2.6, "start")
-    figure.circle(places[best], 6.0, "best")
-    axes.frame()
-    axes.ticks_below(
-        whole := ticks(0.0, len(works) - 1.0, 12, WHOLE),
-        [f"{v:.0f}" for v in whole],
-        f"vertex of B for vertex {vertex} of A",
+    figure = titled_figure(
+        LEFT + WIDTH + 36.0, TOP + HEIGHT + 64.0, _STYLE, subject.title, subject.contours, least + band
     )
+    scale = scale_for(works)
+    axes = Axes(figure, LEFT, TOP, WIDTH, HEIGHT, (-0.5, len(works) - 0.5), (scale.low, scale.high))
+    axes.grid([], [height for height, _ in scale.ticks])
+    points = [axes.at(j, y) for j, y in enumerate(scale.heights(works).tolist())]
+    for finite, run in groupby(range(len(works)), key=lambda j: bool(np.isfinite(works[j]))):
+        line = [points[j] for j in run]
+        if finite:
+            figure.line(line, "work")
+            for point in line if len(works) <= BEADS or len(line) == 1 else ():
+                figure.circle(point, 2.6, "start")
+    figure.circle(points[best], 6.0, "best")
+    axes.frame()
+    whole = ticks(0.0, len(works) - 1.0, 12, WHOLE)
+    axes.ticks_below(whole, [f"{v:.0f}" for v in whole], f"vertex of B for vertex {vertex} of A")
     axes.ticks_beside(
-        [h for h, _ in scale.levels], [value_text(work) for _, work in scale.levels], "least work"
+        [h for h, _ in scale.ticks], [value_text(work) for _, work in scale.ticks], "least work"
     )
     return figure.text()
 
 
 def start_vertex(subject: Subject) -> int:
-    """The vertex of A whose partner is looked for."""
+    """Return the vertex of A whose partner varies."""
     return subject.dot[0] if subject.dot else 0
 
 
 def works_of(subject: Subject) -> FloatArray:
-    """The least work over paths from each start, infinite where a band leaves none.
+    """Return the least work over paths from each start, infinite where a band leaves none.
 
     Raises
     ------
     MatchError
         Open contours, graphs too large, a band that leaves nothing.
     """
-    if not subject.found.closed:
+    if not subject.correspondence.closed:
         raise MatchError(
             "open contours start at their ends, so there are no starts to compare; closed ones would work"
         )
@@ -103,7 +94,7 @@ def works_of(subject: Subject) -> FloatArray:
             f"{subject.wires.n} starts of {subject.wires.m} and {subject.wires.n} vertices would take very long; "
             "a smaller --vertices would work"
         )
-    works = least_by_start(subject.wires, start_vertex(subject), subject.band, subject.watch)
+    works = least_by_start(subject.wires, start_vertex(subject), subject.band, subject.progress)
     if not np.isfinite(works).any():
         raise MatchError(f"no path stays within {subject.band:g} of any diagonal; a wider band would work")
     return works
@@ -116,39 +107,39 @@ class Scale(NamedTuple):
     ----------
     low, high : float
         Heights of the bottom and the top.
-    levels : tuple of (float, float)
+    ticks : tuple of (float, float)
         Heights and works of the ticks.
     least : float or None
-        Works are drawn as their logarithms, smaller ones than this as nothing, at `low`; None draws them as they are.
+        Works are drawn as their logarithms, and smaller ones than this at `low`; None draws them as they are.
     """
 
     low: float
     high: float
-    levels: tuple[tuple[float, float], ...]
+    ticks: tuple[tuple[float, float], ...]
     least: float | None
 
     def heights(self, works: FloatArray) -> FloatArray:
-        """Where works are."""
+        """Return how high works are drawn."""
         if self.least is None:
             return works
         return np.where(works < self.least, self.low, np.log10(np.maximum(works, self.least)))
 
 
 def scale_for(works: FloatArray) -> Scale:
-    """As they are, or by powers of ten where they differ much."""
+    """Return a linear scale, or a logarithmic one where works differ much."""
     finite = works[np.isfinite(works)]
     some = finite[finite > NOTHING]
     if not len(some) or some.max() <= MUCH * some.min():
         high = 1.06 * float(some.max(initial=0.0)) or 1.0
         return Scale(0.0, high, tuple((v, v) for v in ticks(0.0, high)), None)
     least, most = float(some.min()), float(some.max())
-    low, high = np.log10(least), np.log10(most)
+    low, high = float(np.log10(least)), float(np.log10(most))
     factors = (1.0, 2.0, 5.0) if high - low < 3.0 else (1.0,)
-    steps = range(int(np.floor(low)), int(np.ceil(high)) + 1)
-    works_of_levels = [factor * 10.0**power for power in steps for factor in factors]
-    levels = [(float(np.log10(work)), work) for work in works_of_levels if least <= work <= most]
+    powers = range(math.floor(low), math.ceil(high) + 1)
+    round_works = [factor * 10.0**power for power in powers for factor in factors]
+    levels = [(float(np.log10(work)), work) for work in round_works if least <= work <= most]
     room = 0.06 * (high - low)
     if len(some) == len(finite):
-        return Scale(float(low - room), float(high + room), tuple(levels), least)
-    bottom = float(low - 4.0 * room)
-    return Scale(bottom, float(high + room), ((bottom, 0.0), *levels), least)
+        return Scale(low - room, high + room, tuple(levels), least)
+    bottom = low - 4.0 * room
+    return Scale(bottom, high + room, ((bottom, 0.0), *levels), least)

@@ -1,4 +1,4 @@
-"""What a plot is about: one contour of a pair, as it was solved."""
+"""The subject of a plot: one contour of a pair, as it was solved."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.match.work import Wires
     from shapeblend_cli.model import ContourBlend, Correspondence, Pair, ShapeBlend
-    from shapeblend_cli.settings import Settings
+    from shapeblend_cli.settings import PlotOptions, Settings
 
     Dot = tuple[int, int]
 
@@ -33,13 +33,13 @@ class Subject(NamedTuple):
     band : float or None
         The band in force.
     shape : ShapeBlend
-        The shape that the contour is part of, as it moves.
-    place : int
-        Where in the shape.
+        The shape that the contour is part of.
+    number : int
+        The contour's number in the shape.
     dot : (int, int) or None
         The dot that is asked for.
-    watch : callable
-        Told now and then which share of the work is done, from 0 to 1.
+    progress : callable
+        Takes the share of the work that is done, from 0 to 1, now and then.
     """
 
     names: tuple[str, str]
@@ -47,13 +47,13 @@ class Subject(NamedTuple):
     wires: Wires
     band: float | None
     shape: ShapeBlend
-    place: int
+    number: int
     dot: Dot | None
-    watch: Callable[[float], None]
+    progress: Callable[[float], None]
 
     @property
-    def found(self) -> Correspondence:
-        """The correspondence."""
+    def correspondence(self) -> Correspondence:
+        """The contour's correspondence."""
         return self.contour.correspondence
 
     @property
@@ -68,64 +68,60 @@ class Subject(NamedTuple):
         return f"contour {self.contour.a} of A ({m} vertices) to contour {self.contour.b} of B ({n} vertices)"
 
     @property
-    def price(self) -> str:
-        """The work, and what it is the sum of."""
-        found = self.found
+    def work(self) -> str:
+        """The work as a sum."""
+        found = self.correspondence
         parts = [value_text(work) for work in (found.work, found.stretching, found.bending)]
         return "work {} = stretching {} + bending {}".format(*parts)
 
 
-def subject(
+def choose_subject(
     names: tuple[str, str],
     pair: Pair,
     settings: Settings,
-    number: int | None,
-    dot: Dot | None,
-    watch: Callable[[float], None],
+    options: PlotOptions,
+    progress: Callable[[float], None],
 ) -> Subject:
-    """Choose the contour, by its number in A, else the largest that is matched.
+    """Choose the contour by its number in A, else the largest that is matched.
 
     Raises
     ------
     MatchError
         No contour of that number is matched, or the dot names no vertices.
     """
-    contour, shape, place = _chosen(pair, number)
+    matched = [
+        (contour, shape, index)
+        for shape in pair.shapes
+        for index, contour in enumerate(shape.contours)
+        if contour.is_matched
+    ]
+    number, dot = options.contour, options.dot
+    candidates = [each for each in matched if number is None or each[0].a == number]
+    if not candidates:
+        others = sorted({contour.a for contour, _, _ in matched if contour.a is not None})
+        shown = ", ".join(map(str, others[:10])) + " and others" * (len(others) > 10)
+        raise MatchError(f"contour {number} of A is matched with none of B; {shown} would do")
+    contour, shape, index = max(candidates, key=lambda each: each[0].scale_a)
     wires = solved_wires(contour, settings)
     if dot is not None and not (dot[0] < wires.m and dot[1] < wires.n):
         raise MatchError(f"dot {dot[0]},{dot[1]} names no vertices; 0,0 to {wires.m - 1},{wires.n - 1} would")
-    return Subject(names, contour, wires, settings.band, shape, place, dot, watch)
+    return Subject(names, contour, wires, settings.band, shape, index, dot, progress)
 
 
-def _chosen(pair: Pair, number: int | None) -> tuple[ContourBlend, ShapeBlend, int]:
-    """The contour, the shape it moves with, and its place there."""
-    matched = [
-        (contour, shape, place)
-        for shape in pair.shapes
-        for place, contour in enumerate(shape.contours)
-        if contour.is_matched
-    ]
-    wanted = [found for found in matched if number is None or found[0].a == number]
-    if not wanted:
-        others = sorted({contour.a for contour, _, _ in matched if contour.a is not None})
-        raise MatchError(f"contour {number} of A is matched with none of B; {_listed(others)} would do")
-    return max(wanted, key=lambda found: found[0].scale_a)
-
-
-def on_path(subject: Subject, dots: Sequence[Dot]) -> int:
-    """Where among the dots of a path the one that is asked for is.
+def index_on_path(subject: Subject, dots: Sequence[Dot]) -> int:
+    """Return the index of the dot that is asked for among the dots of a path.
 
     Raises
     ------
     MatchError
-        Nowhere; the message names one that is near.
+        It is not there; the message names one nearby.
     """
     assert subject.dot is not None
     if subject.dot in dots:
         return dots.index(subject.dot)
     period = np.array([subject.wires.m, subject.wires.n])
     away = np.abs(np.array(dots) - subject.dot)
-    if subject.found.closed:
+    if subject.correspondence.closed:
         away = np.minimum(away, period - away)
     # A dot of the same vertex of A is nearer than any other.
     i, j = dots[int((away @ (period.sum(), 1)).argmin())]
@@ -133,8 +129,3 @@ def on_path(subject: Subject, dots: Sequence[Dot]) -> int:
         f"vertices {subject.dot[0]} of A and {subject.dot[1]} of B do not correspond; "
         f"{i},{j} is a dot of the path near by"
     )
-
-
-def _listed(numbers: Sequence[int]) -> str:
-    shown = ", ".join(map(str, numbers[:10]))
-    return f"{shown} and others" if len(numbers) > 10 else shown

@@ -3,35 +3,35 @@
 from __future__ import annotations
 
 import math
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from shapeblend_cli.interpolate.paths import between
-from shapeblend_cli.plot.axes import COLOUR_A, COLOUR_B, INK, SOFT, STYLE, TOP, heading
-from shapeblend_cli.svg.writing.figure import Figure, line_data
+from shapeblend_cli.plot.axes import COLOUR_A, COLOUR_B, INK, SOFT, TOP, page_points, titled_figure
+from shapeblend_cli.svg.writing.figure import line_data
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
     from shapeblend_cli.plot.subject import Subject
+    from shapeblend_cli.svg.writing.figure import Figure
 
 SIZE = 400.0
-"""The larger side of the shapes on the page, before they are looked at from the side."""
+"""The larger side of the shapes on the page, before projection."""
 
 TALL = 0.85
-"""From t = 0 to t = 1, as a share of that."""
+"""Height from t = 0 to t = 1, as a share of that."""
 
 YAW, PITCH = math.radians(-24.0), math.radians(33.0)
-"""From where it is seen: turned about the axis of time, and from above."""
+"""The direction it is seen from: rotated about the axis of time, and from above."""
 
 SLICES = (8, 20)
 FACES = 1300
-"""Polygons on the way, fewest and most: as many as keep the faces of the surface about this number."""
+"""In-betweens, fewest and most: as many as keep the faces of the surface about this number."""
 
 MOST_EDGES = 128
-WAYS = 28
-"""Vertex paths that are drawn, about."""
+VERTEX_PATHS = 28
+"""How many are drawn, about."""
 
 LIGHT = np.array([-0.45, -0.55, 0.7])
 LEVELS = 6
@@ -49,68 +49,57 @@ _STYLE = f"""
 
 
 def draw(subject: Subject) -> str:
-    """The figure as a document."""
-    every = vertices_at(subject, np.array([0.0, 1.0]))
-    kept = _kept(every, subject.found.closed)
-    closed = subject.found.closed
-    edges = len(kept) if closed else len(kept) - 1
+    """Return the figure as a document."""
+    closed = subject.correspondence.closed
+    drawn = _vertices_to_draw(vertices_at(subject, np.array([0.0, 1.0])), closed)
+    edges = len(drawn) if closed else len(drawn) - 1
     slices = min(max(FACES // edges, SLICES[0]), SLICES[1])
     times = np.arange(slices + 1) / slices
-    solid = _solid(vertices_at(subject, times)[:, kept], times)
-    page, depth = seen(solid)
-    low = seen(_corners(solid, 0.0))[0]
-    high = seen(_corners(solid, 1.0))[0]
+    solid = _solid(vertices_at(subject, times)[:, drawn], times)
+    page, depth = project(solid)
+    low, high = (project(_corners(solid, t))[0] for t in (0.0, 1.0))
     everything = np.concatenate([page.ravel(), low, high])
-    left, top = 96.0 - float(everything.real.min()), TOP - 6.0 - float(everything.imag.min())
-    page, low, high = (place + complex(left, top) for place in (page, low, high))
+    shift = complex(96.0 - float(everything.real.min()), TOP - 6.0 - float(everything.imag.min()))
+    page, low, high = page + shift, low + shift, high + shift
     width, height = float(np.ptp(everything.real)) + 132.0, float(np.ptp(everything.imag)) + TOP + 34.0
-    figure = Figure(max(width, 480.0), height, STYLE + _STYLE)
-    motion = f"moving {subject.shape.motion_name}"
-    heading(figure, subject.title, [subject.contours, f"{subject.price}; {motion}"])
-    figure.line(_points(low), "floor", closed=True)
+    work = f"{subject.work}; moving {subject.shape.motion_name}"
+    figure = titled_figure(max(width, 480.0), height, _STYLE, subject.title, subject.contours, work)
+    figure.line(page_points(low), "floor", closed=True)
     _axis(figure, low[0], high[0])
-    figure.line(_points(page[0]), "a", closed=closed)
-    _faces(figure, page, depth, shades(solid, closed), _paths(len(kept)), closed)
-    figure.line(_points(page[-1]), "b", closed=closed)
+    figure.line(page_points(page[0]), "a", closed=closed)
+    _faces(figure, page, depth, shades(solid, closed), closed)
+    figure.line(page_points(page[-1]), "b", closed=closed)
     return figure.text()
 
 
 def vertices_at(subject: Subject, times: FloatArray) -> ComplexArray:
-    """Where the vertices of the in-betweens are: a row for every time, a column for every dot."""
+    """Return the vertices of the in-betweens: a row for every time, a column for every dot."""
     rows = []
     for t in times.tolist():
-        outline = between(subject.shape, t)[subject.place]
-        vertices = outline.segments[:, 0]
-        rows.append(vertices if outline.closed else np.append(vertices, outline.segments[-1, 3]))
+        path = between(subject.shape, t)[subject.number]
+        vertices = path.segments[:, 0]
+        rows.append(vertices if path.closed else np.append(vertices, path.segments[-1, 3]))
     return np.array(rows)
 
 
-def _kept(ends: ComplexArray, closed: bool) -> IntArray:
-    """The vertices that are drawn: all, or of many those that are corners and some between them."""
+def _vertices_to_draw(ends: ComplexArray, closed: bool) -> IntArray:
+    """Choose the vertices that are drawn: all, or of many those that are corners and some between them."""
     count = ends.shape[1]
     if count <= MOST_EDGES:
         return np.arange(count)
     # What leaves the line between its neighbours most, at one of the ends, as a share of the shape.
     size = np.abs(ends - ends.mean(axis=1, keepdims=True)).max()
     off = np.abs(ends - 0.5 * (np.roll(ends, 1, axis=1) + np.roll(ends, -1, axis=1))).max(axis=0) / size
-    corner = np.argsort(-off, kind="stable")[: MOST_EDGES // 2]
-    even = np.arange(0, count, -(-count // (MOST_EDGES // 2)))
     chosen = np.zeros(count, np.bool_)
-    chosen[corner] = chosen[even] = True
+    chosen[np.argsort(-off, kind="stable")[: MOST_EDGES // 2]] = True
+    chosen[:: -(-count // (MOST_EDGES // 2))] = True
     if not closed:
         chosen[[0, -1]] = True
     return np.flatnonzero(chosen)
 
 
-def _paths(count: int) -> BoolArray:
-    """Which of the drawn vertices have their path drawn."""
-    chosen = np.zeros(count, np.bool_)
-    chosen[:: max(round(count / WAYS), 1)] = True
-    return chosen
-
-
 def _solid(vertices: ComplexArray, times: FloatArray) -> FloatArray:
-    """Points of the surface, ``(east, north, up)``, the largest side of the shapes from -1/2 to 1/2."""
+    """Return the points of the surface, ``(east, north, up)``, the larger side of the shapes from -1/2 to 1/2."""
     x, y = vertices.real, vertices.imag
     size = max(float(np.ptp(x)), float(np.ptp(y)))
     east = (x - (x.max() + x.min()) / 2.0) / size
@@ -120,13 +109,13 @@ def _solid(vertices: ComplexArray, times: FloatArray) -> FloatArray:
 
 
 def _corners(solid: FloatArray, t: float) -> FloatArray:
-    """The box around the shapes at a time, its left corner first."""
+    """Return the corners of the box around the shapes at a time, the left one first."""
     reach = [1.06 * float(np.abs(solid[..., axis]).max()) for axis in (0, 1)]
     return np.array([[e * reach[0], n * reach[1], TALL * t] for e, n in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
 
 
-def seen(points: FloatArray) -> tuple[ComplexArray, FloatArray]:
-    """Where points ``(east, north, up)`` are on the page, and how far away."""
+def project(points: FloatArray) -> tuple[ComplexArray, FloatArray]:
+    """Return where points ``(east, north, up)`` are on the page, and how far away."""
     east, north, up = np.moveaxis(points, -1, 0)
     across = east * math.cos(YAW) - north * math.sin(YAW)
     back = east * math.sin(YAW) + north * math.cos(YAW)
@@ -135,7 +124,7 @@ def seen(points: FloatArray) -> tuple[ComplexArray, FloatArray]:
 
 
 def shades(solid: FloatArray, closed: bool) -> list[list[str]]:
-    """The colour of every face, from A's to B's with time, lighter towards the light."""
+    """Return the colour of every face, from A's to B's with time, lighter towards the light."""
     after = np.roll(solid, -1, axis=1) if closed else solid[:, 1:]
     here = solid[:, : after.shape[1]]
     normal = np.cross(after[1:] - here[:-1], here[1:] - after[:-1])
@@ -143,47 +132,39 @@ def shades(solid: FloatArray, closed: bool) -> list[list[str]]:
     unit = normal / np.where(length > 0.0, length, 1.0)[..., None]
     light = np.abs(unit @ (LIGHT / np.linalg.norm(LIGHT)))
     level = np.floor(light * LEVELS).clip(0, LEVELS - 1) / (LEVELS - 1)
-    strips = len(solid) - 1
-    ends = [np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)]) for colour in (COLOUR_A, COLOUR_B)]
-    found = []
-    for strip in range(strips):
-        share = (strip + 0.5) / strips
-        base = (1.0 - share) * ends[0] + share * ends[1]
-        tints = [base + (255.0 - base) * (0.42 + 0.46 * value) for value in level[strip].tolist()]
-        found.append([f"#{round(r):02x}{round(g):02x}{round(b):02x}" for r, g, b in tints])
-    return found
+    start, end = (
+        np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)]) for colour in (COLOUR_A, COLOUR_B)
+    )
+    colours = []
+    for strip, row in enumerate(level.tolist()):
+        share = (strip + 0.5) / len(level)
+        base = (1.0 - share) * start + share * end
+        tints = [base + (255.0 - base) * (0.42 + 0.46 * value) for value in row]
+        colours.append([f"#{round(r):02x}{round(g):02x}{round(b):02x}" for r, g, b in tints])
+    return colours
 
 
 def _faces(
-    figure: Figure,
-    page: ComplexArray,
-    depth: FloatArray,
-    colours: list[list[str]],
-    paths: BoolArray,
-    closed: bool,
+    figure: Figure, page: ComplexArray, depth: FloatArray, colours: list[list[str]], closed: bool
 ) -> None:
     """Paint the faces, the furthest first, each with the lines along its sides."""
     count = page.shape[1]
     edges = count if closed else count - 1
+    every = max(round(count / VERTEX_PATHS), 1)
     following = np.arange(1, edges + 1) % count
     middle = (depth[:-1, :edges] + depth[:-1, following] + depth[1:, :edges] + depth[1:, following]) / 4.0
-    for place in np.argsort(-middle, axis=None, kind="stable").tolist():
-        strip, k = divmod(place, edges)
+    for number in np.argsort(-middle, axis=None, kind="stable").tolist():
+        strip, k = divmod(number, edges)
         after = int(following[k])
-        corners = [page[strip, k], page[strip, after], page[strip + 1, after], page[strip + 1, k]]
-        data = line_data([(z.real, z.imag) for z in corners], closed=True)
-        figure.path(data, "face", color=colours[strip][k])
-        drawn = (True, paths[after], True, paths[k])
-        sides = [side for side, wanted in zip(pairwise([*corners, corners[0]]), drawn, strict=True) if wanted]
-        figure.path("".join(line_data([(z.real, z.imag) for z in side]) for side in sides), "side")
-
-
-def _points(places: ComplexArray) -> list[tuple[float, float]]:
-    return [(z.real, z.imag) for z in places.tolist()]
+        corners = page_points(page[[strip, strip, strip + 1, strip + 1], [k, after, after, k]])
+        figure.path(line_data(corners, closed=True), "face", color=colours[strip][k])
+        is_drawn = True, after % every == 0, True, k % every == 0
+        sides = zip(corners, [*corners[1:], corners[0]], is_drawn, strict=True)
+        figure.path("".join(line_data([p, q]) for p, q, drawn in sides if drawn), "side")
 
 
 def _axis(figure: Figure, low: complex, high: complex) -> None:
-    """The axis of time, upright at the left corner."""
+    """Draw the axis of time, vertical at the left corner."""
     x = low.real - 14.0
     figure.line([(x, low.imag), (x, high.imag)], "axis")
     for t in (0.0, 0.25, 0.5, 0.75, 1.0):

@@ -12,7 +12,7 @@ from shapeblend_cli.files import SLOW, match_files, print_text
 from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.output import check_targets, write_files
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
-from shapeblend_cli.plot.subject import subject
+from shapeblend_cli.plot.subject import choose_subject
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT
 
 if TYPE_CHECKING:
@@ -68,8 +68,8 @@ def plot_files(plot: Plot, note: Callable[[str], None], progress: Callable[[floa
     (pair,) = match_files(plot.files, plot.read, plot.settings, Clock(), note, progress)
     try:
         a, b = plot.files
-        chosen = subject((a, b), pair, plot.settings, plot.options.contour, plot.options.dot, progress)
-        text = import_module(f"shapeblend_cli.plot.{plot.kind}").draw(chosen)
+        subject = choose_subject((a, b), pair, plot.settings, plot.options, progress)
+        text = import_module(f"shapeblend_cli.plot.{plot.kind}").draw(subject)
     except MatchError as error:
         raise InputError(" and ".join(plot.files), str(error)) from error
     if output == STANDARD_OUTPUT:

@@ -1,20 +1,22 @@
-"""The graph of a correspondence for the page: what else its vertices could correspond to, and at what cost."""
+"""The graph of a correspondence for the page: what each dot would cost. Large tables are packed as short text."""
 
 from __future__ import annotations
 
+import base64
+import json
+import zlib
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from shapeblend_cli.match.landscape import landscape
 from shapeblend_cli.pairing.matching import solved_wires
-from shapeblend_cli.preview.packed import packed_levels, packed_table
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.match.landscape import Landscape
-    from shapeblend_cli.model import ContourBlend
+    from shapeblend_cli.model import ContourBlend, IntArray, UIntArray
     from shapeblend_cli.settings import Settings
 
 MOST_DOTS = 160_000
@@ -77,8 +79,32 @@ def _written(found: Landscape, least: float) -> dict[str, Any]:
         "finest": FINEST,
         "levels": LEVELS,
         "top": top,
-        "works": packed_levels(levels),
-        "step": packed_table(found.step),
-        "before": packed_table(found.before),
-        "after": packed_table(found.after),
+        "works": pack_levels(levels),
+        "step": pack_table(found.step),
+        "before": pack_table(found.before),
+        "after": pack_table(found.after),
     }
+
+
+def pack(data: bytes) -> str:
+    """Return bytes as short text, which the page unpacks with the browser's own ``DecompressionStream``."""
+    return base64.b64encode(zlib.compress(data, 9)).decode("ascii")
+
+
+def pack_json(value: Any) -> str:
+    """Pack a value as JSON."""
+    return pack(json.dumps(value, separators=(",", ":"), allow_nan=False).encode("utf-8"))
+
+
+def pack_table(table: UIntArray) -> str:
+    """Pack a table of bytes, row by row."""
+    return pack(table.astype(np.uint8).tobytes())
+
+
+def pack_levels(levels: IntArray) -> str:
+    """Pack a table of numbers below 65,536: differences along each row, modulo 65,536, low bytes before high ones.
+
+    Neighbours are alike, and so are the high bytes of their differences.
+    """
+    steps = np.diff(levels, axis=1, prepend=0) % 65536
+    return pack((steps & 255).astype(np.uint8).tobytes() + (steps >> 8).astype(np.uint8).tobytes())

@@ -15,8 +15,7 @@ from importlib.resources import files
 from string import Template
 from typing import TYPE_CHECKING, Any
 
-from shapeblend_cli.preview.graphs import by_size, graphs
-from shapeblend_cli.preview.packed import packed_json
+from shapeblend_cli.preview.graphs import by_size, graphs, pack_json
 from shapeblend_cli.preview.pictures import picture, places
 from shapeblend_cli.svg.reading.read import title_of
 from shapeblend_cli.svg.writing.rounding import decimals_for, number
@@ -120,7 +119,7 @@ def _pairs(
                     for contour, (shape, outline) in zip(told["contours"], _where(pair), strict=True)
                 ],
                 "order": by_size(pair.contours),
-                "packed": packed_json(
+                "packed": pack_json(
                     {
                         **picture(pair, (ends[pair.a], ends[pair.b]), times, decimals),
                         "lists": [

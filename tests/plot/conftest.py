@@ -9,8 +9,8 @@ from xml.etree import ElementTree
 import pytest
 
 from shapeblend_cli.pipeline import match_all
-from shapeblend_cli.plot.subject import subject
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.plot.subject import choose_subject
+from shapeblend_cli.settings import PlotOptions, Settings
 from shapeblend_cli.svg.reading.read import read
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -56,6 +56,6 @@ def subject_of(samples):
         files = tuple(str(f if isinstance(f, Path) else samples / f"{f}.svg") for f in (a, b))
         wanted = Settings(curves=False, **settings)
         (pair,), _ = match_all([read(file) for file in files], wanted)
-        return subject(files, pair, wanted, contour, dot, lambda share: None)
+        return choose_subject(files, pair, wanted, PlotOptions(contour=contour, dot=dot), lambda share: None)
 
     return match

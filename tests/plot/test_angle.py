@@ -13,15 +13,15 @@ from tests.plot.conftest import pieces, points, words
 def test_the_dot_is_the_one_of_most_bending_work(subject_of):
     subject = subject_of("cow", "deer")
     found = angle.angle_of(subject)
-    _, _, bending = subject.wires.bends_on(subject.found.dots)
+    _, _, bending = subject.wires.bends_on(subject.correspondence.dots)
     assert found.bending == bending.max()
-    assert bending.sum() == pytest.approx(subject.found.bending)
+    assert bending.sum() == pytest.approx(subject.correspondence.bending)
     k_b, m_b, e_b, p_b = subject.wires.constants.bending()
     assert found.theta.bending(k_b, m_b, e_b, p_b) == pytest.approx(found.bending)
 
 
 def test_a_dot_that_is_named_is_taken(subject_of):
-    dots = subject_of("e", "f").found.dots
+    dots = subject_of("e", "f").correspondence.dots
     i, j = (int(v) for v in dots[17])
     assert angle.angle_of(subject_of("e", "f", dot=(i, j))).dot == (i, j)
 

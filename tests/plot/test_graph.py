@@ -27,7 +27,7 @@ def drawn_dots(text, columns, rows):
 @pytest.mark.parametrize("names", [("triangle", "square"), ("e", "f"), ("cow", "deer")])
 def test_the_path_that_is_drawn_is_the_correspondence(subject_of, names):
     subject = subject_of(*names)
-    found = subject.found.dots
+    found = subject.correspondence.dots
     dots = drawn_dots(graph.draw(subject), *graph.shape_of(subject))
     assert ((dots[:-1] + found[0]) % (subject.wires.m, subject.wires.n)).tolist() == found.tolist()
     assert dots[-1].tolist() == [subject.wires.m, subject.wires.n]
@@ -36,7 +36,7 @@ def test_the_path_that_is_drawn_is_the_correspondence(subject_of, names):
 def test_an_open_path_leads_from_end_to_end(subject_of, two_lines):
     subject = subject_of(*two_lines, vertices=0)
     dots = drawn_dots(graph.draw(subject), 3, 4)
-    assert dots.tolist() == subject.found.dots.tolist()
+    assert dots.tolist() == subject.correspondence.dots.tolist()
     assert dots[[0, -1]].tolist() == [[0, 0], [2, 3]]
 
 
@@ -78,7 +78,7 @@ def test_a_cell_of_several_dots_is_the_cheapest_of_them(rng):
 
 def test_what_is_said_of_the_work(subject_of):
     subject = subject_of("e", "f", band=0.1)
-    found = subject.found
+    found = subject.correspondence
     text = graph.draw(subject)
     line = next(line for line in words(text) if line.startswith("work"))
     assert [

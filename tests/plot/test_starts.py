@@ -14,8 +14,8 @@ from tests.support.shapes import star_polygon, unit_box
 def test_the_least_is_the_work_of_the_best_start(subject_of, vertex):
     subject = subject_of("e", "f", vertices=60, dot=(vertex, 0))
     works = starts.works_of(subject)
-    assert works.min() == pytest.approx(subject.found.work, rel=1e-12)
-    assert [vertex, int(works.argmin())] in subject.found.dots.tolist()
+    assert works.min() == pytest.approx(subject.correspondence.work, rel=1e-12)
+    assert [vertex, int(works.argmin())] in subject.correspondence.dots.tolist()
 
 
 def test_each_is_what_a_given_start_costs(subject_of):
@@ -41,7 +41,7 @@ def test_works_that_differ_much_are_drawn_by_powers_of_ten():
     scale = starts.scale_for(np.array([1e-13, 2.0, 500.0]))
     low, two, most = scale.heights(np.array([1e-13, 2.0, 500.0]))
     assert (low, two, most) == (scale.low, np.log10(2.0), np.log10(500.0))
-    assert scale.levels[0] == (scale.low, 0.0)
+    assert scale.ticks[0] == (scale.low, 0.0)
     assert scale.low < two < most < scale.high
 
 

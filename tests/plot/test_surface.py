@@ -10,8 +10,8 @@ from tests.plot.conftest import pieces, points, words
 @pytest.mark.parametrize("names", [("e", "f"), ("bird-1", "bird-2")])
 def test_polygons_are_those_of_equation_2(subject_of, names):
     subject = subject_of(*names, motion="linear")
-    a = subject.contour.polygon_a.vertices[subject.found.dots[:, 0]]
-    b = subject.contour.polygon_b.vertices[subject.found.dots[:, 1]]
+    a = subject.contour.polygon_a.vertices[subject.correspondence.dots[:, 0]]
+    b = subject.contour.polygon_b.vertices[subject.correspondence.dots[:, 1]]
     rows = surface.vertices_at(subject, np.array([0.0, 0.3, 1.0]))
     assert np.abs(rows - np.array([a, 0.7 * a + 0.3 * b, b])).max() < 1e-9
 
@@ -19,8 +19,8 @@ def test_polygons_are_those_of_equation_2(subject_of, names):
 def test_an_open_line_keeps_its_last_vertex(subject_of, two_lines):
     subject = subject_of(*two_lines, vertices=0)
     rows = surface.vertices_at(subject, np.array([0.0, 1.0]))
-    assert rows[0].tolist() == subject.contour.polygon_a.vertices[subject.found.dots[:, 0]].tolist()
-    assert rows[1].tolist() == subject.contour.polygon_b.vertices[subject.found.dots[:, 1]].tolist()
+    assert rows[0].tolist() == subject.contour.polygon_a.vertices[subject.correspondence.dots[:, 0]].tolist()
+    assert rows[1].tolist() == subject.contour.polygon_b.vertices[subject.correspondence.dots[:, 1]].tolist()
 
 
 def test_a_turned_step_keeps_its_size_where_it_turns(subject_of):
@@ -31,7 +31,7 @@ def test_a_turned_step_keeps_its_size_where_it_turns(subject_of):
 
 
 def test_what_is_higher_is_higher_on_the_page_and_what_is_north_is_further():
-    page, depth = surface.seen(np.array([[0, 0, 0], [0, 0, 1], [0, 1, 0.0]]))
+    page, depth = surface.project(np.array([[0, 0, 0], [0, 0, 1], [0, 1, 0.0]]))
     assert page[1].imag < page[0].imag
     assert page[1].real == pytest.approx(page[0].real)
     assert depth[2] > depth[0] > depth[1]

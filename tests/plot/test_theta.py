@@ -37,7 +37,7 @@ def test_turns_cost_what_the_kernel_says(rng, kind, bend):
 @pytest.mark.parametrize("names", [("bird-1", "bird-2"), ("cow", "deer")])
 def test_it_is_the_angle_of_the_polygon_at_that_time(subject_of, names):
     subject = subject_of(*names, motion="linear")
-    wire, dots = subject.wires, subject.found.dots
+    wire, dots = subject.wires, subject.correspondence.dots
     at, kinds, _ = wire.bends_on(dots)
     assert len(set(kinds.tolist())) > 4
     ends = [np.cumsum(c[:, 3] + 1j * c[:, 4]) for c in (wire.corners0, wire.corners1)]
