@@ -1,7 +1,7 @@
-"""How the angle of one dot moves in time: theta(t) and its Q curve (sections 2.1 and 2.2), to be drawn.
+"""How the angle at one dot moves over time: theta(t) and its Q curve (sections 2.1 and 2.2), to be drawn.
 
 The kernel in `match.angles` needs only the turns between the extrema; this has every moment, and the same turns.
-Beside coincident vertices all but an infinitesimal part of Q is gone at an end of time. What the angle does until
+Beside coincident vertices all but an infinitesimal part of Q is gone at one end of time. What the angle does until
 then takes all the time, and the rest happens at that end: a jump there.
 """
 
@@ -23,37 +23,33 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray
 
     Control = tuple[complex, complex, complex]
+    Curve = Callable[[FloatArray], ComplexArray]
     Dot = tuple[int, int]
 
 TWO_PI = 2.0 * math.pi
 NOISE = 1e-9
-"""An angle this near to zero is zero, as in `match.angles`."""
+"""An angle this close to zero is zero, as in `match.angles`."""
 
 FLAT = 1e-12
 """Cross products this small beside what they are made of are rounding."""
 
 MOMENTS = 96
 COARSE = math.radians(3.0)
-"""Moments are so many, and more where the angle moves by more than this from one to the next."""
+"""There are so many moments, and more where the angle moves by more than `COARSE` from one to the next."""
 
 SHORTEST = 1e-5
+"""Moments this close are not divided further."""
 
 
 class Piece(NamedTuple):
-    """A part of the motion in which the angle goes one way.
-
-    Attributes
-    ----------
-    times, angles : (k,) float
-        In [0, 1], and in radians, unwrapped.
-    """
+    """A part of the motion in which the angle is monotone: times in [0, 1] and angles in radians, unwrapped."""
 
     times: FloatArray
     angles: FloatArray
 
     @property
     def turn(self) -> float:
-        """By what angle it turns, signed."""
+        """The change of the angle, signed."""
         return float(self.angles[-1] - self.angles[0])
 
 
@@ -65,7 +61,7 @@ class Theta(NamedTuple):
     control : (complex, complex, complex)
         Q0, Q1 and Q2 of eq (9); 0 for one that is infinitesimal.
     directions : tuple of float or None
-        Towards which angle each control point lies that is infinitesimal, in radians; None for the others.
+        The direction of each control point that is infinitesimal, in radians; None for the others.
     pieces : tuple of Piece
         In order of time.
     """
@@ -91,13 +87,13 @@ class Theta(NamedTuple):
 
     @property
     def against(self) -> tuple[Piece, ...]:
-        """The pieces that go against the net direction."""
-        way = -1.0 if self.last < self.first else 1.0
-        return tuple(piece for piece in self.pieces if way * piece.turn < 0.0)
+        """The pieces against the net direction."""
+        sign = -1.0 if self.last < self.first else 1.0
+        return tuple(piece for piece in self.pieces if sign * piece.turn < 0.0)
 
     @property
     def delta_star(self) -> float:
-        """Delta theta*, the way travelled against the net direction (figure 18), radians."""
+        """Delta theta*, how far it moves against the net direction (figure 18), radians."""
         return sum(abs(piece.turn) for piece in self.against)
 
     @property
@@ -107,23 +103,15 @@ class Theta(NamedTuple):
         return min(ends) < NOISE or max(ends) > TWO_PI - NOISE
 
     def bending(self, k_b: float, m_b: float, e_b: float, p_b: float) -> float:
-        """Work by eq (17)."""
+        """Return the work by eq (17)."""
         work = k_b * (self.delta + m_b * self.delta_star) ** e_b
         return work + p_b if self.reaches_zero else work
 
 
-def theta_of(wires: Wires, dot: Dot, kind: int) -> Theta:
-    """The motion of the angle at a dot.
-
-    Parameters
-    ----------
-    wires : Wires
-    dot : (int, int)
-    kind : int
-        The steps into and out of the dot, see `match.work.BEND_OF_STEPS`.
-    """
+def theta_of(wires: Wires, dot: Dot, bend: int) -> Theta:
+    """Return the motion of the angle at a dot, for a bend of `match.work.BEND_OF_STEPS`."""
     p, q = _corner(wires.corners0[dot[0]]), _corner(wires.corners1[dot[1]])
-    if kind == DD:
+    if bend == DD:
         return _moving(p, q)
     weight = float(wires.weight[dot[0]])
     k_b, m_b, e_b, p_b = wires.constants.bending()
@@ -131,10 +119,10 @@ def theta_of(wires: Wires, dot: Dot, kind: int) -> Theta:
     def price(theta: Theta) -> float:
         return theta.bending(k_b * weight, m_b, e_b, p_b)
 
-    if kind in (EE, ED, DE):
-        return min(_into_a_point(p, q, kind), key=price)
-    # The second wire moves alone: the same, with the wires changed over, backwards in time.
-    return _backwards(min(_into_a_point(q, p, kind - SS + EE), key=price))
+    if bend in (EE, ED, DE):
+        return min(_into_a_point(p, q, bend), key=price)
+    # Only the second wire moves: the same with the wires exchanged, backwards in time.
+    return _reverse(min(_into_a_point(q, p, bend - SS + EE), key=price))
 
 
 class _Corner(NamedTuple):
@@ -150,7 +138,7 @@ def _corner(row: FloatArray) -> _Corner:
 
 
 def _moving(p: _Corner, q: _Corner) -> Theta:
-    """Both wires move on both sides: eqs (7)-(10)."""
+    """Return the motion where both wires move on both sides: eqs (7)-(10)."""
     control = (
         p.fwd.conjugate() * p.back,
         0.5 * (q.fwd.conjugate() * p.back + p.fwd.conjugate() * q.back),
@@ -160,87 +148,83 @@ def _moving(p: _Corner, q: _Corner) -> Theta:
 
 
 def _pieces(control: Control, first: float, last: float) -> tuple[Piece, ...]:
-    """theta(t) along a Q curve whose ends are not 0, cut where eq (10) has its roots."""
+    """Return theta(t) along a Q curve whose ends are not 0, cut at the roots of eq (10)."""
     curve = bezier(control)
     q0, q1, q2 = control
     d0, d1, d2 = _cross(q0, q1), 0.5 * _cross(q0, q2), _cross(q1, q2)
     size = abs(q0 * q1) + abs(q0 * q2) + abs(q1 * q2)
     if max(abs(d0), abs(d1), abs(d2)) <= FLAT * size:  # all on one line through the origin
-        way = math.copysign(1.0, _short(last - first))
-        return (_sampled(lambda t: first + way * np.abs(_turned(curve, 0.0, t)), 0.0, 1.0),)
-    cuts = [0.0, *_roots(d0, d1, d2), 1.0]
+        return (_half_turn(curve, first, math.copysign(1.0, _short(last - first))),)
     pieces = []
     angle = first
-    for begin, end in pairwise(cuts):
+    for begin, end in pairwise([0.0, *_roots(d0, d1, d2), 1.0]):
         middle = 0.5 * (begin + end)
         u = 1.0 - middle
-        way = math.copysign(1.0, d0 * u * u + 2.0 * d1 * u * middle + d2 * middle * middle)
+        sign = math.copysign(1.0, d0 * u * u + 2.0 * d1 * u * middle + d2 * middle * middle)
 
-        def at(t: FloatArray, begin: float = begin, angle: float = angle, way: float = way) -> FloatArray:
-            gone = (way * _turned(curve, begin, t)) % TWO_PI
-            return angle + way * np.where(gone > TWO_PI - NOISE, 0.0, gone)
+        def at(t: FloatArray, begin: float = begin, angle: float = angle, sign: float = sign) -> FloatArray:
+            turned = (sign * _turn(curve, begin, t)) % TWO_PI
+            return angle + sign * np.where(turned > TWO_PI - NOISE, 0.0, turned)
 
-        pieces.append(_sampled(at, begin, end))
+        pieces.append(_sample(at, begin, end))
         angle = float(pieces[-1].angles[-1])
     return tuple(pieces)
 
 
+def _half_turn(curve: Curve, first: float, sign: float) -> Piece:
+    """Return the motion along a curve that turns by less than half a turn in all, with this sign."""
+    return _sample(lambda t: first + sign * np.abs(_turn(curve, 0.0, t)), 0.0, 1.0)
+
+
 def _roots(d0: float, d1: float, d2: float) -> list[float]:
-    """Where d(t), eq (10), changes its sign within (0, 1)."""
+    """Return where d(t), eq (10), changes its sign within (0, 1)."""
     discriminant = d1 * d1 - d0 * d2
     if discriminant <= FLAT * d1 * d1:
         return []
     a, b = d0 - 2.0 * d1 + d2, d1 - d0
     root = math.sqrt(discriminant)
     big = -b - root if b > 0.0 else -b + root  # the one whose terms cannot cancel
-    found = [d0 / big] if big else []
+    roots = [d0 / big] if big else []
     if a:
-        found.append(big / a)
-    return sorted(t for t in found if 0.0 < t < 1.0)
+        roots.append(big / a)
+    return sorted(t for t in roots if 0.0 < t < 1.0)
 
 
-def _into_a_point(p: _Corner, q: _Corner, kind: int) -> list[Theta]:
-    """The first wire moves and the second has coincident vertices there: one motion for each way a half turn can go."""
+def _into_a_point(p: _Corner, q: _Corner, bend: int) -> list[Theta]:
+    """Return the motions where only the first wire moves: one for each direction of a half turn.
+
+    The second wire has coincident vertices there.
+    """
     first = p.theta
     start = p.fwd.conjugate() * p.back
-    if kind == EE:
+    if bend == EE:
         q1 = q.base.conjugate() * p.back - p.fwd.conjugate() * q.base
-        if abs(q1) <= FLAT * (abs(p.back) + abs(p.fwd)):  # points nowhere
-            turns = [(0.0, math.pi - first)]
-            directions: tuple[float | None, float] = (None, math.pi)
-        else:
-            over = cmath.phase(q1) % TWO_PI
-            turns = _ways(_short(over - first), _short(math.pi - over))
-            directions = over, math.pi
-        control: Control = (start, 0j, 0j)
-        waits = Piece(np.array([0.0, 1.0]), np.array([first, first]))
+        direction: float | None = None
+        turns = [(0.0, math.pi - first)]
+        if abs(q1) > FLAT * (abs(p.back) + abs(p.fwd)):  # else it has no direction
+            direction = cmath.phase(q1) % TWO_PI
+            turns = _both_turns(_short(direction - first), _short(math.pi - direction))
+        held = Piece(np.array([0.0, 1.0]), np.array([first, first]))
         return [
-            Theta(control, (None, *directions), (waits, _jump(first, s1), _jump(first + s1, s2)))
+            Theta(
+                (start, 0j, 0j), (None, direction, math.pi), (held, _jump(first, s1), _jump(first + s1, s2))
+            )
             for s1, s2 in turns
         ]
-    # One edge of the second wire is there at the end, and only the other one infinitesimal.
-    end = p.fwd.conjugate() * q.back if kind == DE else q.fwd.conjugate() * p.back
-    s1 = cmath.phase(end / start)
+    # One edge of the second wire is there at the end, and only the other one is infinitesimal.
+    end = p.fwd.conjugate() * q.back if bend == DE else q.fwd.conjugate() * p.back
     # Then the infinitesimal edge takes over from that of the first wire.
-    target = q.base.conjugate() * q.back if kind == DE else q.fwd.conjugate() * -q.base
-    s2 = cmath.phase(target / end)
-    line = bezier((start, 0.5 * (start + end), end))
-    found = []
-    for one, other in _ways(s1, s2):
-        way = math.copysign(1.0, one)
-        moves = _sampled(lambda t, way=way: first + way * np.abs(_turned(line, 0.0, t)), 0.0, 1.0)  # type: ignore[misc]
-        found.append(
-            Theta(
-                (start, 0.5 * end, 0j),
-                (None, None, cmath.phase(target) % TWO_PI),
-                (moves, _jump(first + one, other)),
-            )
-        )
-    return found
+    target = q.base.conjugate() * q.back if bend == DE else q.fwd.conjugate() * -q.base
+    curve = bezier((start, 0.5 * (start + end), end))
+    control, directions = (start, 0.5 * end, 0j), (None, None, cmath.phase(target) % TWO_PI)
+    return [
+        Theta(control, directions, (_half_turn(curve, first, math.copysign(1.0, s1)), _jump(first + s1, s2)))
+        for s1, s2 in _both_turns(cmath.phase(end / start), cmath.phase(target / end))
+    ]
 
 
-def _ways(s1: float, s2: float) -> list[tuple[float, float]]:
-    """Two turns, and the other way round where one is half a turn."""
+def _both_turns(s1: float, s2: float) -> list[tuple[float, float]]:
+    """Return two turns, in both directions where one is half a turn."""
     choices = [(s,) if abs(s) <= math.pi - NOISE else (s, s - math.copysign(TWO_PI, s)) for s in (s1, s2)]
     return list(product(choices[0], choices[1]))
 
@@ -249,8 +233,8 @@ def _jump(angle: float, turn: float) -> Piece:
     return Piece(np.array([1.0, 1.0]), np.array([angle, angle + turn]))
 
 
-def _backwards(theta: Theta) -> Theta:
-    """The motion backwards in time, its first angle in [0, 2 pi)."""
+def _reverse(theta: Theta) -> Theta:
+    """Return the motion backwards in time, its first angle in [0, 2 pi)."""
     back = TWO_PI * math.floor((theta.last + NOISE) / TWO_PI)
     pieces = tuple(Piece(1.0 - p.times[::-1], p.angles[::-1] - back) for p in reversed(theta.pieces))
     q0, q1, q2 = theta.control
@@ -258,8 +242,8 @@ def _backwards(theta: Theta) -> Theta:
     return Theta((q2, q1, q0), (d2, d1, d0), pieces)
 
 
-def _sampled(at: Callable[[FloatArray], FloatArray], begin: float, end: float) -> Piece:
-    """An angle at times so near to each other that a line from one to the next will do."""
+def _sample(at: Callable[[FloatArray], FloatArray], begin: float, end: float) -> Piece:
+    """Return an angle at times so close that lines from one to the next approximate it."""
     times = np.linspace(begin, end, MOMENTS)
     while True:
         values = at(times)
@@ -269,14 +253,14 @@ def _sampled(at: Callable[[FloatArray], FloatArray], begin: float, end: float) -
         times = np.sort(np.append(times, 0.5 * (times[:-1] + times[1:])[wide]))
 
 
-def bezier(control: Sequence[complex]) -> Callable[[FloatArray], ComplexArray]:
-    """The curve with three control points, as a function of times."""
+def bezier(control: Sequence[complex]) -> Curve:
+    """Return the curve with three control points, as a function of times."""
     q0, q1, q2 = control
     return lambda t: q0 * (1.0 - t) ** 2 + q1 * 2.0 * t * (1.0 - t) + q2 * t * t
 
 
-def _turned(curve: Callable[[FloatArray], ComplexArray], begin: float, t: FloatArray) -> FloatArray:
-    """Angle from the curve's point at one time to its points at others, in (-pi, pi]."""
+def _turn(curve: Curve, begin: float, t: FloatArray) -> FloatArray:
+    """Return the angle from the curve's point at one time to its points at others, in (-pi, pi]."""
     return np.angle(curve(t) * curve(np.array(begin)).conjugate())
 
 
@@ -285,5 +269,5 @@ def _cross(a: complex, b: complex) -> float:
 
 
 def _short(angle: float) -> float:
-    """An angle brought into [-pi, pi]."""
+    """Return an angle modulo a turn, in [-pi, pi]."""
     return math.remainder(angle, TWO_PI)
