@@ -10,30 +10,26 @@ WIRE = "The wire: the paper's seven constants"
 NOT_NEGATIVE, POSITIVE = number(0), number(0, above=True)
 
 
-class WorkConstants(Record):
+class WorkConstants(Record, section=WIRE):
     """The constants of the work that bends and stretches a wire; the defaults are measured, not the paper's."""
 
-    k_s: float = option(
-        NOT_NEGATIVE, default=1.0, key="ks", section=WIRE, help="Stiffness against stretching."
-    )
-    k_b: float = option(NOT_NEGATIVE, default=1.0, key="kb", section=WIRE, help="Stiffness against bending.")
-    e_s: float = option(POSITIVE, default=2.0, key="es", section=WIRE, help="Exponent of stretching.")
-    e_b: float = option(POSITIVE, default=1.0, key="eb", section=WIRE, help="Exponent of bending.")
+    k_s: float = option(NOT_NEGATIVE, default=1.0, key="ks", help="Stiffness against stretching.")
+    k_b: float = option(NOT_NEGATIVE, default=1.0, key="kb", help="Stiffness against bending.")
+    e_s: float = option(POSITIVE, default=2.0, key="es", help="Exponent of stretching.")
+    e_b: float = option(POSITIVE, default=1.0, key="eb", help="Exponent of bending.")
     p_b: float = option(
-        NOT_NEGATIVE, default=1000.0, key="pb", section=WIRE, help="Penalty for an angle that closes to zero."
+        NOT_NEGATIVE, default=1000.0, key="pb", help="Penalty for an angle that closes to zero."
     )
     m_b: float = option(
         NOT_NEGATIVE,
         default=3.0,
         key="mb",
-        section=WIRE,
         help="Penalty for an angle that does not change monotonically.",
     )
     c_s: float = option(
         number(0, 1, above=True),
         default=0.5,
         key="cs",
-        section=WIRE,
         help="How easily edges collapse to points: hardly ever near 0, freely at 1.",
     )
 

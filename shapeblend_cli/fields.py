@@ -1,13 +1,13 @@
-"""Records whose fields are options: each is declared once, with its type, default, help text and section.
+"""Records whose fields are declared once, with type, default, help text and section.
 
-From the declarations come the checks of a record, the options of the command line, the settings in the report and
-the tables of options in the README.
+From the declarations come the checks of a record, options of the command line, the settings in the report, and the
+tables of options in the README.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, ClassVar, Self, dataclass_transform
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, dataclass_transform
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -15,49 +15,71 @@ if TYPE_CHECKING:
     from shapeblend_cli.field_types import FieldType
 
 
-class Option:
-    """What is known of an option; see `option`."""
+class Option(NamedTuple):
+    """The declaration of a field.
 
-    def __init__(self, kind: FieldType, default: Any, help: str, section: str, **more: Any) -> None:
-        self.kind = kind
-        self.default = default
-        self.help = help
-        self.section = section
-        self.many: bool = more.pop("many", False)
-        self.key: str = more.pop("key", "")
-        self.flags: tuple[str, ...] = more.pop("flags", ())
-        self.metavar: str = more.pop("metavar", kind.metavar)
-        self._default_text: str | None = more.pop("default_text", None)
-        assert not more, more
+    Attributes
+    ----------
+    kind : FieldType
+    default : any
+        The value where none, or None, is given.
+    help : str
+        One or two sentences, without the default.
+    section : str
+        The title under which help lists it; that of the record, unless it is given.
+    many : bool
+        Whether the value is a tuple of such values, and the option may be repeated.
+    key : str
+        The name in the report; that of the field, unless it is given.
+    flags : tuple of str
+        The names on the command line; ``--`` and the key, unless they are given.
+    metavar : str
+        How help shows a value; as the kind has it, unless it is given.
+    default_text : str or None
+        How help shows the default; None for the default itself.
+    name : str
+        Of the field.
+    """
 
-    def __set_name__(self, owner: type, name: str) -> None:
-        self.name = name
-        self.key = self.key or name
-        self.flags = self.flags or (f"--{self.key.replace('_', '-')}",)
+    kind: FieldType
+    default: Any
+    help: str
+    section: str = ""
+    many: bool = False
+    key: str = ""
+    flags: tuple[str, ...] = ()
+    metavar: str = ""
+    default_text: str | None = None
+    name: str = ""
 
-    @property
-    def default_text(self) -> str:
-        """The default as the help states it; empty for a flag, or where the default is to do nothing."""
-        if self._default_text is not None:
-            return self._default_text
-        if self.many or self.default is None or self.default is False:
-            return ""
-        return f"{self.default:g}" if isinstance(self.default, float) else str(self.default)
+    def named(self, name: str, section: str) -> Option:
+        """Return the option with what follows from its name and its record."""
+        key = self.key or name
+        return self._replace(
+            name=name,
+            section=self.section or section,
+            key=key,
+            flags=self.flags or (f"--{key.replace('_', '-')}",),
+            metavar=self.metavar or self.kind.metavar,
+        )
 
     @property
     def full_help(self) -> str:
         """The help with whether the option may be repeated, and the default."""
         text = f"{self.help} May be repeated." if self.many else self.help
-        return f"{text}  [default: {self.default_text}]" if self.default_text else text
+        return f"{text}  [default: {self.shown_default}]" if self.shown_default else text
+
+    @property
+    def shown_default(self) -> str:
+        """The default as help shows it; empty if that is to do nothing."""
+        if self.default_text is not None:
+            return self.default_text
+        if self.default in (None, False, ()):
+            return ""
+        return f"{self.default:g}" if isinstance(self.default, float) else str(self.default)
 
     def checked(self, value: Any) -> Any:
-        """Return a value in its canonical form.
-
-        Raises
-        ------
-        ValueError
-            Names the field, what it must be, and the value.
-        """
+        """Return a value in its canonical form, or raise ValueError: the name, what it must be, and what it is."""
         try:
             if not self.many:
                 return self.kind.check(value)
@@ -72,25 +94,9 @@ class Option:
         return [self.kind.plain(one) for one in value] if self.many else self.kind.plain(value)
 
 
-def option(kind: FieldType, *, default: Any, help: str, section: str, **more: Any) -> Any:
-    """Declare a field of a `Record`.
-
-    Parameters
-    ----------
-    kind : FieldType
-        How values are read, checked and written.
-    default : any
-        Its value where none, or None, is given.
-    help : str
-        One or two sentences; the default is added.
-    section : str
-        The title under which help lists it.
-    **more
-        `many`: whether it is a tuple of such values, and the option may be repeated. `key`: its name in the report,
-        if not the field's. `flags`: its names on the command line, if not `--` and the key. `metavar`: how help shows
-        its value. `default_text`: what help says of the default, if not its value.
-    """
-    return Option(kind, default, help, section, **more)
+def option(kind: FieldType, *, default: Any, help: str, **more: Any) -> Any:
+    """Declare a field of a `Record`; see `Option`."""
+    return Option(kind, default, help, **more)
 
 
 @dataclass_transform(kw_only_default=True, frozen_default=True, field_specifiers=(option,))
@@ -100,23 +106,22 @@ class Record:
     options: ClassVar[dict[str, Option]] = {}
     _given: dict[str, Any]
 
-    def __init_subclass__(cls) -> None:
-        own = {name: value for name, value in vars(cls).items() if isinstance(value, Option)}
+    def __init_subclass__(cls, section: str = "") -> None:
+        own = {name: o.named(name, section) for name, o in vars(cls).items() if isinstance(o, Option)}
         cls.options = cls.options | own
-        types = cls.__annotations__
-        attributes = (f"{name} : {types[name]}\n    {own[name].help}" for name in own)
+        attributes = (f"{name} : {cls.__annotations__[name]}\n    {o.help}" for name, o in own.items())
         cls.__doc__ = "\n".join((f"{cls.__doc__}\n\nAttributes\n----------", *attributes))
 
     def __init__(self, **given: Any) -> None:
-        self.__dict__["_given"] = {name: value for name, value in given.items() if value is not None}
         if unknown := given.keys() - self.options.keys():
             fields = ", ".join(self.options)
             raise TypeError(f"{type(self).__name__} has no field {min(unknown)}; its fields are {fields}")
-        values = {name: self.options[name].checked(value) for name, value in self._given.items()}
-        self.__dict__.update(self._defaults(values) | values)
+        given = {name: value for name, value in given.items() if value is not None}
+        values = {name: self.options[name].checked(value) for name, value in given.items()}
+        self.__dict__.update(self._defaults(values) | values, _given=given)
 
     def _defaults(self, given: Mapping[str, Any]) -> dict[str, Any]:
-        """The values of all fields where none is given, which may depend on those that are."""
+        """Return all defaults; they may depend on what is given."""
         return {name: option.default for name, option in self.options.items()}
 
     @classmethod

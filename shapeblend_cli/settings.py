@@ -38,23 +38,19 @@ SECTIONS = (PLOT, OUTPUT, SHAPES, CORRESPONDENCE, WIRE, IN_BETWEENS, ANIMATIONS,
 """The order in which help lists options."""
 
 
-class ReadOptions(Record):
+class ReadOptions(Record, section=SHAPES):
     """Which shapes are taken from the files."""
 
     select_a: str | None = option(
         SELECTOR,
         default=None,
-        section=SHAPES,
         help="Blend only these shapes of A: #id or a CSS selector.",
         default_text="all painted shapes",
     )
-    select_b: str | None = option(
-        SELECTOR, default=None, section=SHAPES, help="Likewise of B, and of further files."
-    )
+    select_b: str | None = option(SELECTOR, default=None, help="Likewise of B, and of further files.")
     lenient: bool = option(
         FLAG,
         default=False,
-        section=SHAPES,
         help="Draw broken path data up to the error, as browsers do, instead of refusing the file.",
     )
 
@@ -63,7 +59,7 @@ class ReadOptions(Record):
         return self.select_a, *[self.select_b] * (files - 1)
 
 
-class Settings(WorkConstants):
+class Settings(WorkConstants, section=CORRESPONDENCE):
     """How drawings are blended.
 
     A preset gives the constants and the band that are not given themselves.
@@ -90,13 +86,11 @@ class Settings(WorkConstants):
     vertices: int = option(
         whole(0, 100_000),
         default=200,
-        section=CORRESPONDENCE,
         help="Vertices of each contour, about. The drawing's own are always kept; 0 adds only those that curves need.",
     )
     start: tuple[int, int] | None = option(
         START,
         default=None,
-        section=CORRESPONDENCE,
         help="Starting correspondence: the best of all, or vertex I of A with vertex J of B.",
         default_text="auto",
     )
@@ -105,13 +99,11 @@ class Settings(WorkConstants):
         default=(),
         many=True,
         flags=("--pin",),
-        section=CORRESPONDENCE,
         help="Vertices that must correspond: by number, or those nearest to a point of A and a point of B.",
     )
     reverse: str = option(
         choice("auto", "yes", "no"),
         default="auto",
-        section=CORRESPONDENCE,
         help="Traverse B's contours backwards. auto: closed contours run in the same direction; where that does not "
         "decide, and for open ones, both are tried.",
     )
@@ -119,7 +111,6 @@ class Settings(WorkConstants):
         STIFF,
         default=(),
         many=True,
-        section=CORRESPONDENCE,
         help="Make A's wire W times as stiff within the radius r of a point.",
     )
     match: tuple[tuple[str, str], ...] = option(
@@ -139,20 +130,17 @@ class Settings(WorkConstants):
     solver: str = option(
         choice("exact", "simplified"),
         default="exact",
-        section=CORRESPONDENCE,
         help="The algorithm of the paper's section 4, or that of 4.1.",
     )
     band: float | None = option(
         BAND,
         default=None,
-        section=CORRESPONDENCE,
         help="Largest diagonal deviation of a path, from its start, 0 to 1 (section 5.2).",
         default_text="none",
     )
     effort: str = option(
         choice("auto", "exact", "fast"),
         default="auto",
-        section=CORRESPONDENCE,
         help="exact: prove the least work, however long it takes; fast: solve from coarse to fine, without proof; "
         "auto: exact where that is quick.",
     )
@@ -201,46 +189,38 @@ class Settings(WorkConstants):
         return WorkConstants.of(vars(self))
 
 
-class RunOptions(Record):
+class RunOptions(Record, section=OUTPUT):
     """Which files a run writes."""
 
-    force: bool = option(
-        FLAG, default=False, flags=("-f", "--force"), section=OUTPUT, help="Replace existing files."
-    )
+    force: bool = option(FLAG, default=False, flags=("-f", "--force"), help="Replace existing files.")
     report: str | None = option(
         file(),
         default=None,
-        section=OUTPUT,
         help="Write the correspondence, its work and measures of the frames as JSON; - for standard output.",
     )
     preview: str | None = option(
         file(".htm", ".html"),
         default=None,
         metavar="FILE.html",
-        section=OUTPUT,
         help="Write a web page that shows the blend, its correspondence and its graph.",
     )
 
 
-class PlotOptions(Record):
+class PlotOptions(Record, section=PLOT):
     """What is drawn, and where to."""
 
     output: str | None = option(
         file(),
         default=None,
         flags=("-o", "--output"),
-        section=PLOT,
         help="The SVG file to write; - for standard output.",
         default_text="KIND.svg",
     )
-    force: bool = option(
-        FLAG, default=False, flags=("-f", "--force"), section=PLOT, help="Replace an existing file."
-    )
+    force: bool = option(FLAG, default=False, flags=("-f", "--force"), help="Replace an existing file.")
     contour: int | None = option(
         whole(0),
         default=None,
         metavar="K",
-        section=PLOT,
         help="A contour of A, by its number in the report.",
         default_text="the largest that is matched",
     )
@@ -248,23 +228,19 @@ class PlotOptions(Record):
         START,
         default=None,
         metavar="I,J",
-        section=PLOT,
         help="For angle: vertices of A and B that correspond. For starts: a vertex of A, I; J does not count.",
         default_text="the dot with the most bending work; 0",
     )
 
 
-class TerminalOptions(Record):
+class TerminalOptions(Record, section=OTHER):
     """What a command prints."""
 
-    quiet: bool = option(
-        FLAG, default=False, flags=("-q", "--quiet"), section=OTHER, help="Print errors only."
-    )
+    quiet: bool = option(FLAG, default=False, flags=("-q", "--quiet"), help="Print errors only.")
     verbose: bool = option(
         FLAG,
         default=False,
         flags=("-v", "--verbose"),
-        section=OTHER,
         help="Print what was done and how long it took.",
     )
 

@@ -41,7 +41,7 @@ def _default_text(name: str) -> str:
     return "; ".join(f"{value} for {', '.join(names)}" for value, names in formats.items())
 
 
-class OutputOptions(Record):
+class OutputOptions(Record, section=PICTURES):
     """What is written of a blend. What is None has the default of the format."""
 
     output: str | None = option(
@@ -96,7 +96,6 @@ class OutputOptions(Record):
     format: str | None = option(
         choice(*FRAME_FORMATS),
         default=None,
-        section=PICTURES,
         help="Format of the files in a folder of frames.",
         default_text=FRAME_FORMATS[0],
     )
@@ -104,28 +103,24 @@ class OutputOptions(Record):
         whole(1, MOST_SIDE),
         default=None,
         metavar="PX",
-        section=PICTURES,
         help="Width of a picture in pixels; in a contact sheet, of a cell.",
         default_text=_default_text("width"),
     )
     columns: int | None = option(
         whole(1, 10_000),
         default=None,
-        section=PICTURES,
         help="Columns of a contact sheet.",
         default_text="by the number of frames",
     )
     background: str | None = option(
         COLOUR,
         default=None,
-        section=PICTURES,
         help="Colour behind pictures, or transparent.",
         default_text=_default_text("background"),
     )
     fps: int | None = option(
         whole(1, FASTEST),
         default=None,
-        section=PICTURES,
         help=f"Pictures per second of an animation, {FASTEST} at most, unless --frames is given.",
         default_text=_default_text("fps"),
     )

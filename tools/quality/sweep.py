@@ -142,7 +142,7 @@ def row(option: str, value: str, found: Found) -> list[str]:
 
 def default_of(option: str) -> str:
     """The default as it is written here."""
-    return next(field.default_text for field in Settings.options.values() if field.key == option)
+    return next(field.shown_default for field in Settings.options.values() if field.key == option)
 
 
 def main() -> None:
