@@ -79,7 +79,7 @@ class Cascade:
         """Return the winning declaration of each property; `keep` it if the node will be asked for again."""
         if id(node) in self._kept:
             return self._kept[id(node)]
-        winners = {name: node.attrib[name] for name in PRESENTATION & node.attrib.keys()}
+        winners = {name: value for name, value in node.attrib.items() if name in PRESENTATION}
         rules = self._rules.get(id(node))
         style = node.attrib.get("style")
         layers = [rules] if rules else []
