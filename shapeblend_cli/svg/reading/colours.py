@@ -20,18 +20,9 @@ class Colour(NamedTuple):
 
 
 class Paint(NamedTuple):
-    """What fill or stroke says.
+    """The value of fill or stroke, of kind ``none``, ``colour``, ``current`` or ``server``.
 
-    Attributes
-    ----------
-    kind : str
-        ``none``, ``colour``, ``current`` or ``server``.
-    colour : Colour or None
-        Of a colour.
-    link : str
-        What a paint server's ``url()`` refers to.
-    fallback : Paint or None
-        What follows the ``url()``.
+    The `link` of a paint server is what its ``url()`` refers to, the `fallback` is what follows that.
     """
 
     kind: str
@@ -72,7 +63,7 @@ _COMMON = {"black": BLACK, "white": Colour("#ffffff"), "transparent": Colour("#0
 
 @lru_cache(maxsize=4096)
 def parse(text: str) -> Paint | None:
-    """Return the paint `text` means, or None when it means none that is known."""
+    """Return a paint, or None when `text` is none that is known."""
     text = text.strip()
     if len(text) > _MAX_LENGTH:
         return None
@@ -113,7 +104,7 @@ def _from_hex(digits: str) -> Colour:
 
 
 def _from_css(text: str) -> Colour | None:
-    """Return any other colour CSS knows: names, percentages, hsl() and the rest."""
+    """Return a colour in any other form of CSS: names, percentages, hsl() and the rest."""
     from tinycss2 import color4
 
     try:
@@ -129,10 +120,9 @@ def _from_css(text: str) -> Colour | None:
 
 
 def _srgb(colour: Any) -> tuple[float, float, float]:
-    """Return red, green and blue of a tinycss2 colour, not clipped to what sRGB can show.
+    """Return red, green and blue of a tinycss2 colour, not clipped to the gamut of sRGB.
 
-    tinycss2 stops at CIE XYZ; the way on from there is in
-    https://www.w3.org/TR/css-color-4/#color-conversion-code.
+    tinycss2 stops at CIE XYZ; for the rest see https://www.w3.org/TR/css-color-4/#color-conversion-code.
     """
     for space, matrix in _TO_LINEAR_SRGB.items():
         try:

@@ -70,7 +70,7 @@ def _compile(text: str) -> list[Any]:
     if len(text) > _MAX_SELECTOR:
         raise SelectorError(f"a selector of more than {_MAX_SELECTOR} characters; a shorter one would work")
     try:
-        compiled = stylesheets.compiled(text)
+        compiled = stylesheets.compile_selectors(text)
     except stylesheets.UNREADABLE as error:
         raise SelectorError(
             f"'{printable(text)}' is no CSS selector ({_reason(error)}); '#id', '.class' or 'g > path' would work"

@@ -42,9 +42,7 @@ UNREADABLE = (
     AttributeError,
     TypeError,
 )
-"""What cssselect2 raises on what is no selector, or none it knows."""
-
-_Rules = list[tuple[Any, "Declarations", "Declarations"]]
+"""Errors of cssselect2 on texts that are no selectors, or none it knows."""
 
 
 def match(root: Node, texts: list[str]) -> dict[int, tuple[Declarations, Declarations]]:
@@ -55,18 +53,17 @@ def match(root: Node, texts: list[str]) -> dict[int, tuple[Declarations, Declara
     Problem
         If the sheets, in document order, are too long or take too long to match.
     """
-    matcher = cssselect2.Matcher()
-    count = 0
     try:
-        for selector, normal, important in _rules(texts):
-            matcher.add_selector(selector, (normal, important))
-            count += 1
-        return _matched(root, matcher) if count else {}
+        rules = list(_rules(texts))
+        matcher = cssselect2.Matcher()
+        for rule in rules:
+            matcher.add_selector(*rule)
+        return _match(root, matcher) if rules else {}
     except RecursionError:
         raise Problem("its style sheet is nested too deep; without it the file would work") from None
 
 
-def _matched(root: Node, matcher: Any) -> dict[int, tuple[Declarations, Declarations]]:
+def _match(root: Node, matcher: Any) -> dict[int, tuple[Declarations, Declarations]]:
     budget = Budget("its style sheet takes too long to match; without it the file would work")
     # Each selector is tried on the elements of its class, id or type: those without one, on all.
     matcher.add_relevant_selectors = _paid(matcher.add_relevant_selectors, budget)
@@ -85,23 +82,22 @@ def _matched(root: Node, matcher: Any) -> dict[int, tuple[Declarations, Declarat
     return found
 
 
-def _rules(texts: list[str]) -> _Rules:
-    """Return the selectors of all sheets, each with its declarations, in order."""
-    rules: _Rules = []
+def _rules(texts: list[str]) -> Iterator[tuple[Any, tuple[Declarations, Declarations]]]:
+    """Yield the selectors of all sheets, each with its declarations, in order."""
     sheet = _without_fonts("\n".join(texts))
     if len(sheet) > _MAX_TEXT:
         raise Problem(f"a style sheet longer than {_MAX_TEXT} characters, the most that is read")
-    waiting = list(reversed(tinycss2.parse_stylesheet(sheet, skip_comments=True, skip_whitespace=True)))
+    waiting = tinycss2.parse_stylesheet(sheet, skip_comments=True, skip_whitespace=True)[::-1]
     while waiting:
         rule = waiting.pop()
         if rule.type == "at-rule" and rule.lower_at_keyword == "media" and rule.content is not None:
             if tinycss2.serialize(rule.prelude).strip().lower() in _MEDIA:
-                inner = tinycss2.parse_rule_list(rule.content, skip_comments=True, skip_whitespace=True)
-                waiting.extend(reversed(inner))
+                waiting += tinycss2.parse_rule_list(rule.content, skip_comments=True, skip_whitespace=True)[
+                    ::-1
+                ]
         elif rule.type == "qualified-rule":
-            normal, important = parse(rule.content)
-            rules.extend((selector, normal, important) for selector in _selectors(rule.prelude))
-    return rules
+            declarations = parse(rule.content)
+            yield from ((selector, declarations) for selector in _selectors(rule.prelude))
 
 
 def _without_fonts(sheet: str) -> str:
@@ -116,15 +112,15 @@ def _selectors(prelude: list[Any]) -> list[Any]:
     if len(prelude) > _MAX_SELECTOR:
         return []
     try:
-        return compiled(prelude)
+        return compile_selectors(prelude)
     except RecursionError:
         raise
     except UNREADABLE:
         return []
 
 
-def compiled(source: object) -> list[Any]:
-    """Return the selectors of a list, text or tokens; raises one of `UNREADABLE`."""
+def compile_selectors(source: object) -> list[Any]:
+    """Return the selectors in `source`, text or tokens; raise one of `UNREADABLE` if they cannot be read."""
     return list(cssselect2.compile_selector_list(source))
 
 

@@ -9,11 +9,13 @@ from typing import TYPE_CHECKING, NamedTuple
 from shapeblend_cli.svg.reading.units import BLANK, GAP, LIMIT, NUMBER, length
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from shapeblend_cli.model import ComplexArray
     from shapeblend_cli.svg.reading.units import Lengths
 
 # Left as text: `re` compiles them when the first transform is read.
-_FUNCTION = rf"{GAP}([a-zA-Z]++){BLANK}*+\(([^()]*+)\)"
+_CALL = rf"{GAP}([a-zA-Z]++){BLANK}*+\(([^()]*+)\)"
 _ARGUMENT = rf"{GAP}({NUMBER})([a-zA-Z%]*+)"
 _ORIGINS = {"left": "0%", "top": "0%", "center": "50%", "right": "100%", "bottom": "100%"}
 _MAX_LENGTH = 10_000
@@ -66,14 +68,40 @@ class Affine(NamedTuple):
 IDENTITY = Affine()
 
 
-def translation(x: float, y: float) -> Affine:
+def translation(x: float, y: float = 0.0) -> Affine:
     """Return the map that moves by ``(x, y)``."""
     return Affine(1.0, 0.0, 0.0, 1.0, x, y)
+
+
+def rotation(angle: float, *centre: float) -> Affine:
+    """Return the rotation by an angle in radians about the origin, or about ``(x, y)``."""
+    cos, sin = math.cos(angle), math.sin(angle)
+    turn = Affine(cos, sin, -sin, cos)
+    return turn.about(*centre) if centre else turn
 
 
 def is_sound(matrix: Affine) -> bool:
     """Return whether every entry is finite and below the limit on numbers."""
     return all(abs(entry) < LIMIT for entry in matrix)
+
+
+_FUNCTIONS: dict[str, tuple[str, tuple[int, ...], Callable[..., Affine]]] = {
+    "matrix": ("nnnnnn", (6,), Affine),
+    "translate": ("xy", (1, 2), translation),
+    "translatex": ("x", (1,), translation),
+    "translatey": ("y", (1,), lambda y: translation(0.0, y)),
+    "scale": ("ss", (1, 2), lambda x, y=None: Affine(a=x, d=x if y is None else y)),
+    "scalex": ("s", (1,), lambda x: Affine(a=x)),
+    "scaley": ("s", (1,), lambda y: Affine(d=y)),
+    "rotate": ("ann", (1, 3), rotation),
+    "skew": ("aa", (1, 2), lambda x, y=0.0: Affine(b=math.tan(y), c=math.tan(x))),
+    "skewx": ("a", (1,), lambda x: Affine(c=math.tan(x))),
+    "skewy": ("a", (1,), lambda y: Affine(b=math.tan(y))),
+}
+"""The kinds of a function's arguments, how many it can have, and its map.
+
+Kinds are n for numbers, s for numbers or percentages, a for angles, x and y for horizontal and vertical lengths.
+"""
 
 
 def parse(text: str, viewport: Lengths | None = None) -> Affine | None:
@@ -89,7 +117,7 @@ def parse(text: str, viewport: Lengths | None = None) -> Affine | None:
         return None
     result = IDENTITY
     end = 0
-    pattern = re.compile(_FUNCTION)
+    pattern = re.compile(_CALL)
     while match := pattern.match(text, end):
         step = _function(match[1].lower(), match[2], viewport)
         if step is None:
@@ -101,30 +129,29 @@ def parse(text: str, viewport: Lengths | None = None) -> Affine | None:
 
 def _function(name: str, text: str, viewport: Lengths | None) -> Affine | None:
     """Return the map of one function: https://www.w3.org/TR/css-transforms-1/#two-d-transform-functions."""
-    arguments = _arguments(text)
-    if not arguments or not all(abs(value) < LIMIT for value, _ in arguments):
+    arguments = _arguments(text) or []
+    kinds, counts, affine = _FUNCTIONS.get(name, ("", (), Affine))
+    if len(arguments) not in counts or not all(abs(value) < LIMIT for value, _ in arguments):
         return None
-    if viewport is None and any(unit for _, unit in arguments):
+    # Only the attribute's rotate() takes a centre.
+    if any(unit for _, unit in arguments) if viewport is None else name == "rotate" and len(arguments) == 3:
         return None
-    if name.startswith("translate"):
-        return _translate(name, arguments, viewport)
-    if name in ("rotate", "skewx", "skewy", "skew"):
-        return _rotate_or_skew(name, arguments, needs_unit=viewport is not None)
-    if name.startswith("scale"):
-        arguments = [(value / 100, "") if unit == "%" else (value, unit) for value, unit in arguments]
-    if any(unit for _, unit in arguments):
+    values = [_argument(kind, *argument, viewport) for kind, argument in zip(kinds, arguments, strict=False)]
+    return None if None in values else affine(*values)
+
+
+def _argument(kind: str, value: float, unit: str, viewport: Lengths | None) -> float | None:
+    """Return an argument of some kind in user units or radians, or None when it is of another."""
+    if kind in "xya" and viewport is not None and not unit and value:
         return None
-    values = [value for value, _ in arguments]
-    match name, len(values):
-        case "matrix", 6:
-            return Affine(*values)
-        case "scale", 1 | 2:
-            return Affine(a=values[0], d=values[-1])
-        case "scalex", 1:
-            return Affine(a=values[0])
-        case "scaley", 1:
-            return Affine(d=values[0])
-    return None
+    if kind == "x" or kind == "y":
+        whole = None if viewport is None else viewport.width if kind == "x" else viewport.height
+        return length(f"{value!r}{unit}", whole)
+    if kind == "a":
+        return math.radians(value * _ANGLES[unit]) if unit in _ANGLES else None
+    if kind == "s" and unit == "%":
+        return value / 100
+    return None if unit else value
 
 
 def _arguments(text: str) -> list[tuple[float, str]] | None:
@@ -138,38 +165,6 @@ def _arguments(text: str) -> list[tuple[float, str]] | None:
         found.append((float(match[1]), match[2].lower()))
         end = match.end()
     return found if not text[end:].strip() else None
-
-
-def _translate(name: str, arguments: list[tuple[float, str]], viewport: Lengths | None) -> Affine | None:
-    axes = {"translate": (0, 1), "translatex": (0,), "translatey": (1,)}.get(name)
-    if axes is None or len(arguments) > len(axes):
-        return None
-    shift = [0.0, 0.0]
-    for axis, (value, unit) in zip(axes, arguments, strict=False):
-        if viewport is not None and not unit and value:
-            return None
-        distance = length(f"{value!r}{unit}", viewport[axis] if viewport else None)
-        if distance is None:
-            return None
-        shift[axis] = distance
-    return translation(*shift)
-
-
-def _rotate_or_skew(name: str, arguments: list[tuple[float, str]], needs_unit: bool) -> Affine | None:
-    # Only the attribute's rotate() takes a centre.
-    most = {"rotate": 1 if needs_unit else 3, "skew": 2}.get(name, 1)
-    if len(arguments) > most or (name == "rotate" and len(arguments) == 2):
-        return None
-    if any(unit not in _ANGLES or (needs_unit and not unit and value) for value, unit in arguments):
-        return None
-    angles = [math.radians(value * _ANGLES[unit]) for value, unit in arguments]
-    if name == "rotate":
-        cos, sin = math.cos(angles[0]), math.sin(angles[0])
-        rotation = Affine(cos, sin, -sin, cos)
-        return rotation.about(arguments[1][0], arguments[2][0]) if len(arguments) == 3 else rotation
-    if name == "skewy":
-        return Affine(b=math.tan(angles[0]))
-    return Affine(b=math.tan(angles[1]) if len(angles) == 2 else 0.0, c=math.tan(angles[0]))
 
 
 def origin(text: str, lengths: Lengths) -> tuple[float, float]:

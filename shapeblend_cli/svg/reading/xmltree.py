@@ -7,6 +7,7 @@ elements and entity text, all of them checked while parsing.
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 from xml.parsers import expat
 
@@ -51,6 +52,7 @@ LEFT_OUT = frozenset(("text", "image", "foreignObject", "video", "canvas", "ifra
 """Elements that browsers draw and this reader does not."""
 
 
+@dataclass(slots=True, eq=False, repr=False)
 class Node:
     """An element.
 
@@ -60,21 +62,18 @@ class Node:
         The local name of an SVG element; ``prefix:name`` of any other.
     attrib : dict
         Attributes by the names they have in the file.
+    line : int
+        Where the element begins in the file, counted from 1.
     children : list of Node
     text : str
         The text directly inside, of ``style`` elements only.
-    line : int
-        Where the element begins in the file, counted from 1.
     """
 
-    __slots__ = ("attrib", "children", "line", "tag", "text")
-
-    def __init__(self, tag: str, attrib: dict[str, str], line: int) -> None:
-        self.tag = tag
-        self.attrib = attrib
-        self.children: list[Node] = []
-        self.text = ""
-        self.line = line
+    tag: str
+    attrib: dict[str, str]
+    line: int
+    children: list[Node] = field(default_factory=list)
+    text: str = ""
 
     def get(self, name: str, default: str | None = None) -> str | None:
         """Return the value of an attribute."""
