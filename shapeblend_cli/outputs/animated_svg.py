@@ -16,7 +16,6 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Frames that are visible in turn include the drawings."""
     from shapeblend_cli.interpolate.chains import keyframed_shapes
     from shapeblend_cli.model import Box
-    from shapeblend_cli.paint.colours import colour_stops
     from shapeblend_cli.pipeline import make_frames
     from shapeblend_cli.svg.writing.css import css_svg
     from shapeblend_cli.svg.writing.smil import smil_svg, stacked_svg
@@ -27,8 +26,8 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
         return Rendered([stacked_svg(frames, timing, len(pairs), decimals)])
     shapes = keyframed_shapes(pairs)
     if spec.animate == "css":
-        return Rendered([css_svg(shapes, Box.union(boxes), timing, decimals, colour_stops)])
-    return Rendered([smil_svg(shapes, boxes, timing, decimals, colour_stops)])
+        return Rendered([css_svg(shapes, Box.union(boxes), timing, decimals)])
+    return Rendered([smil_svg(shapes, boxes, timing, decimals)])
 
 
 FORMAT = Format("animated svg", "one animated SVG", _render, suffix=".svg", to_standard_output=True)

@@ -13,7 +13,6 @@ from shapeblend_cli.cli import run
 from shapeblend_cli.easing import PINGPONG, Ease, Timing
 from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.model import Box
-from shapeblend_cli.paint.colours import colour_stops
 from shapeblend_cli.pipeline import frame_at, match_all
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.writing.css import css_svg
@@ -198,9 +197,9 @@ def test_what_moves_on_curved_paths_is_shown_there(here, cells_drawn, method):
         moved = [turned(pair) if k % 2 == 0 else pair for k, pair in enumerate(straight)]
         views = [moved[0].views[0], *(pair.views[1] for pair in moved)]
         if method == "smil":
-            moving = smil_svg(keyframed_shapes(moved), views, timing, 3, colour_stops)
+            moving = smil_svg(keyframed_shapes(moved), views, timing, 3)
         else:
-            moving = css_svg(keyframed_shapes(moved), Box.union(views), timing, 3, colour_stops)
+            moving = css_svg(keyframed_shapes(moved), Box.union(views), timing, 3)
         for k, pair in enumerate(moved):
             for share in (0.05, 0.3, 0.5, 0.72):
                 times = [timing.seconds * (k + share)]

@@ -7,19 +7,18 @@ in the same order.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
+from shapeblend_cli.paint.colours import colour_stops
 from shapeblend_cli.svg.writing.paint import paint_attributes, without_defaults
 from shapeblend_cli.svg.writing.path_data import short_path_data
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from shapeblend_cli.easing import Ease
     from shapeblend_cli.model import KeyframedShape
-
-Colours = Callable[[str, str], Sequence[str]]
-"""Returns colours at even times from one to another, between which each channel may be interpolated by itself."""
 
 COLOURS = frozenset(("fill", "stroke", "stop_color"))
 
@@ -55,27 +54,23 @@ class Moment(NamedTuple):
     ease: Ease
 
 
-def values_between(name: str, keys: Sequence[str], colours: Colours) -> Values:
+def values_between(name: str, keys: Sequence[str]) -> Values:
     """Return the values of an attribute that is interpolated linearly from key to key, unless it is a colour."""
     waypoints: list[list[tuple[float, str]]] = []
     for start, end in pairwise(keys):
-        stops = colours(start, end) if name in COLOURS and start != end else [start, end]
+        stops = colour_stops(start, end) if name in COLOURS and start != end else [start, end]
         waypoints.append([(n / (len(stops) - 1), stop) for n, stop in enumerate(stops)][1:-1])
     return Values(keys, waypoints)
 
 
-def attribute_values(shape: KeyframedShape, decimals: int, colours: Colours) -> dict[str, Values]:
+def attribute_values(shape: KeyframedShape, decimals: int) -> dict[str, Values]:
     """Return the values of every attribute of a path, except those that have their initial value at all keys."""
     keys = [
         {"d": short_path_data(key.paths, decimals), **paint_attributes(key.style, decimals)}
         for key in shape.keys
     ]
     written = {name for key in keys for name in without_defaults(key)}
-    values = {
-        name: values_between(name, [key[name] for key in keys], colours)
-        for name in keys[0]
-        if name in written
-    }
+    values = {name: values_between(name, [key[name] for key in keys]) for name in keys[0] if name in written}
     values["d"] = values["d"]._replace(
         waypoints=[
             [(waypoint.t, short_path_data(waypoint.paths, decimals)) for waypoint in section]

@@ -20,12 +20,10 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.easing import Timing
     from shapeblend_cli.model import Box, KeyframedShape
-    from shapeblend_cli.svg.writing.animation import Colours, Moment
+    from shapeblend_cli.svg.writing.animation import Moment
 
 
-def css_svg(
-    shapes: Sequence[KeyframedShape], view: Box, timing: Timing, decimals: int, colours: Colours
-) -> str:
+def css_svg(shapes: Sequence[KeyframedShape], view: Box, timing: Timing, decimals: int) -> str:
     """Return an SVG document animated by CSS; with prefers-reduced-motion it shows A at rest.
 
     Parameters
@@ -37,10 +35,8 @@ def css_svg(
     timing : Timing
     decimals : int
         Of coordinates.
-    colours : callable
-        See `Colours`.
     """
-    values_by_shape = [attribute_values(shape, decimals, colours) for shape in shapes]
+    values_by_shape = [attribute_values(shape, decimals) for shape in shapes]
     # Names of its own, so that several drawings can stand in one page.
     keys = [{name: values.keys for name, values in attributes.items()} for attributes in values_by_shape]
     curved = [section for attributes in values_by_shape for section in attributes["d"].waypoints if section]

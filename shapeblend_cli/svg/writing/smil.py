@@ -23,15 +23,13 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.easing import Timing
     from shapeblend_cli.model import Box, Frame, Gradient
-    from shapeblend_cli.svg.writing.animation import Colours, Values
+    from shapeblend_cli.svg.writing.animation import Values
 
 DISCRETE = frozenset(("fill_rule", "stroke_linecap", "stroke_linejoin", "spreadMethod"))
 """Attributes that have nothing in between and switch at half time."""
 
 
-def smil_svg(
-    shapes: Sequence[KeyframedShape], views: Sequence[Box], timing: Timing, decimals: int, colours: Colours
-) -> str:
+def smil_svg(shapes: Sequence[KeyframedShape], views: Sequence[Box], timing: Timing, decimals: int) -> str:
     """Return an SVG document in which paths are animated by SMIL.
 
     Parameters
@@ -43,24 +41,22 @@ def smil_svg(
     timing : Timing
     decimals : int
         Of coordinates.
-    colours : callable
-        See `Colours`.
     """
     drawing = document.empty(views[0], decimals)
     timeline = _Timeline(drawing, len(views) - 1, timing)
     gradients: list[Element] = []
     boxes = [document.box_text(view, decimals) for view in views]
     if len(set(boxes)) > 1:
-        drawing.add(timeline.animate("viewBox", values_between("viewBox", boxes, colours)))
+        drawing.add(timeline.animate("viewBox", values_between("viewBox", boxes)))
     for shape in shapes:
         extended = _extend(shape, len(views))
-        attributes = attribute_values(extended, decimals, colours)
+        attributes = attribute_values(extended, decimals)
         for paint in ("fill", "stroke"):
             keys = [getattr(key.style, f"{paint}_gradient") for key in extended.keys]
             if all(keys):
                 name = f"gradient-{len(gradients) + 1}"
-                gradients.append(_animated_gradient(timeline, name, keys, decimals, colours))
-                attributes[paint] = values_between(paint, [f"url(#{name})"] * len(keys), colours)
+                gradients.append(_animated_gradient(timeline, name, keys, decimals))
+                attributes[paint] = values_between(paint, [f"url(#{name})"] * len(keys))
         path = drawing.path(**{name: values.keys[0] for name, values in attributes.items()})
         for name, values in attributes.items():
             if not values.is_constant:
@@ -124,9 +120,7 @@ def _extend(shape: KeyframedShape, drawings: int) -> KeyframedShape:
     )
 
 
-def _animated_gradient(
-    timeline: _Timeline, name: str, keys: Sequence[Gradient], decimals: int, colours: Colours
-) -> Element:
+def _animated_gradient(timeline: _Timeline, name: str, keys: Sequence[Gradient], decimals: int) -> Element:
     """Return a gradient that is animated together with the shape it paints."""
     as_ellipse = any(isinstance(key, RadialGradient) and key.radii[0] != key.radii[1] for key in keys)
     written = [gradient_attributes(key, decimals, as_ellipse=as_ellipse) for key in keys]
@@ -141,15 +135,15 @@ def _animated_gradient(
             # Each is "translate(...) rotate(...) scale(...)".
             for step in zip(*(text.rstrip(")").split(") ") for text in texts), strict=True):
                 kinds, numbers = zip(*(function.split("(") for function in step), strict=True)
-                values = values_between(attribute, numbers, colours)
+                values = values_between(attribute, numbers)
                 animations.append(timeline.animate_transform(kinds[0], values))
         else:
-            values = values_between(attribute, texts, colours)
+            values = values_between(attribute, texts)
             animations.append(timeline.animate(attribute, values).get_xml())
     gradient[:0] = animations
     for k, element in enumerate(stop_elements):
         for attribute in written[0][1][k]:
-            values = values_between(attribute, [stops[k][attribute] for _, stops in written], colours)
+            values = values_between(attribute, [stops[k][attribute] for _, stops in written])
             if not values.is_constant:
                 element.append(timeline.animate(attribute, values).get_xml())
     return gradient

@@ -8,7 +8,6 @@ import pytest
 from shapeblend_cli.easing import LINEAR, PINGPONG, Ease, Timing
 from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.model import Box
-from shapeblend_cli.paint.colours import colour_stops
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.writing.css import css_svg
@@ -27,12 +26,12 @@ def pairs_of(*paths):
 
 def smil(pairs, timing):
     views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
-    return ElementTree.fromstring(smil_svg(keyframed_shapes(pairs), views, timing, 3, colour_stops))
+    return ElementTree.fromstring(smil_svg(keyframed_shapes(pairs), views, timing, 3))
 
 
 def css(pairs, timing):
     views = [view for pair in pairs for view in pair.views]
-    return css_svg(keyframed_shapes(pairs), Box.union(views), timing, 3, colour_stops)
+    return css_svg(keyframed_shapes(pairs), Box.union(views), timing, 3)
 
 
 def animations(root, name):
