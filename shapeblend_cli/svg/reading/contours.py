@@ -85,17 +85,8 @@ def arc(
 ) -> list[Segment]:
     """Return an elliptical arc between two points as cubics; none when the points coincide.
 
-    https://www.w3.org/TR/SVG2/implnote.html#ArcConversionEndpointToCenter
-
-    Parameters
-    ----------
-    start, end : complex
-    radii : pair of float
-        Scaled up when the ellipse does not reach both points.
-    rotation : float
-        Of the ellipse's x axis, in degrees.
-    large, sweep : bool
-        Whether the arc is the longer one, and whether its angle grows.
+    The rotation is that of the ellipse's x axis, in degrees. Radii that are too small to reach both points are scaled
+    up: https://www.w3.org/TR/SVG2/implnote.html#ArcConversionEndpointToCenter.
     """
     rx, ry = abs(radii[0]), abs(radii[1])
     turn = cmath.rect(1.0, math.radians(rotation))

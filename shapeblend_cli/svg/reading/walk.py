@@ -61,6 +61,13 @@ class _Visit(NamedTuple):
     given: tuple[str | None, str | None] = (None, None)
     chosen: bool = True
 
+    def transformed(self, inner: Affine) -> _Visit:
+        """Return the visit with a transform of its element applied."""
+        matrix = self.matrix if inner == IDENTITY else self.matrix @ inner
+        if not is_sound(matrix):
+            raise Problem(f"{self.node}: transforms beyond {LIMIT:g}; smaller ones would work")
+        return self._replace(matrix=matrix)
+
 
 class Walk:
     """One walk from an ``svg`` element, with an explicit stack: a hostile file must not reach the recursion limit.
@@ -105,8 +112,9 @@ class Walk:
         while self._stack:
             self._process(self._stack.pop())
         if not self._painted:
-            found = self._what_was_found()
-            raise Problem(f"no painted shape: {found}; a file with a filled or stroked path would work")
+            raise Problem(
+                f"no painted shape: {self._reasons()}; a file with a filled or stroked path would work"
+            )
         if selector is not None and not self._shapes:
             raise paints_nothing(self._root, selector, nodes, self._reason, list(self._other_names))
         return tuple(self._shapes)
@@ -125,7 +133,7 @@ class Walk:
             return
         declared = self._cascade.declared(node, keep=bool(visit.used))
         if declared:
-            visit, declared = self._entered(visit, declared)
+            declared, visit = self._apply(declared, visit)
         if declared.get("display", "").strip().lower() == "none":
             self._skip(visit, "not displayed")
         elif visit.opacity == 0:
@@ -140,8 +148,8 @@ class Walk:
         else:
             self._descend(visit)
 
-    def _entered(self, visit: _Visit, declared: Declarations) -> tuple[_Visit, Declarations]:
-        """Return `visit` with the element's own style and transform, and what is declared for it."""
+    def _apply(self, declared: Declarations, visit: _Visit) -> tuple[Declarations, _Visit]:
+        """Return what is declared with variables substituted, and the visit with the element's style and transform."""
         inherited = visit.inherited
         own = {name: value for name, value in declared.items() if name.startswith("--")}
         if own:
@@ -157,11 +165,10 @@ class Walk:
         for effect, phrase in _EFFECTS.items():
             if declared.get(effect, "none") != "none":
                 self._notes.add(f"{effect} {phrase}")
-        matrix = visit.matrix
+        visit = visit._replace(inherited=inherited, opacity=opacity, lengths=lengths)
         if visit.node is not self._root and not _TRANSFORMS.isdisjoint(declared):
-            matrix = _product(matrix, self._transform(visit.node, declared, lengths), visit.node)
-        entered = visit._replace(inherited=inherited, opacity=opacity, matrix=matrix, lengths=lengths)
-        return entered, declared
+            visit = visit.transformed(self._transform(visit.node, declared, lengths))
+        return declared, visit
 
     def _transform(self, node: Node, declared: Declarations, lengths: Lengths) -> Affine:
         """Return the element's own transform, the attribute or the CSS properties."""
@@ -187,7 +194,7 @@ class Walk:
             if inner is None:
                 return
             matrix, lengths = inner
-            visit = visit._replace(matrix=_product(visit.matrix, matrix, node), lengths=lengths)
+            visit = visit.transformed(matrix)._replace(lengths=lengths)
         children = node.children
         if node.tag == "switch":
             children = [child for child in children if ":" not in child.tag and _is_for_us(child)][:1]
@@ -208,9 +215,8 @@ class Walk:
             raise Problem(f"{node}: use nested deeper than {MAX_USE_DEPTH}, the deepest that is read")
         shift = translation(*viewports.offset(node, visit.lengths))
         self._stack.append(
-            visit._replace(
+            visit.transformed(shift)._replace(
                 node=target,
-                matrix=_product(visit.matrix, shift, node),
                 used=(*visit.used, target),
                 use_id=node.get("id") or visit.use_id,
                 given=(node.get("width"), node.get("height")),
@@ -273,7 +279,8 @@ class Walk:
             elif id(node) in self._ancestors:
                 self._reason = f"in {node}, which is {reason}"
 
-    def _what_was_found(self) -> str:
+    def _reasons(self) -> str:
+        """Return why nothing was painted."""
         found = [f"{_shapes(count)} {reason}" for reason, count in self._skipped.items() if count]
         total = sum(node.tag in SHAPES for node in self._root.walk())
         unseen = total - sum(self._skipped.values())
@@ -285,13 +292,6 @@ class Walk:
 
 def _shapes(count: int) -> str:
     return "1 shape" if count == 1 else f"{count} shapes"
-
-
-def _product(outer: Affine, inner: Affine, node: Node) -> Affine:
-    matrix = outer if inner == IDENTITY else outer @ inner
-    if not is_sound(matrix):
-        raise Problem(f"{node}: transforms beyond {LIMIT:g}; smaller ones would work")
-    return matrix
 
 
 def _is_for_us(node: Node) -> bool:

@@ -26,15 +26,10 @@ TIME_DIGITS = 5
 
 
 class Values(NamedTuple):
-    """The values of an attribute over time.
+    """The values of an attribute over time: at keys, and at waypoints between each key and the next one.
 
-    Attributes
-    ----------
-    keys : sequence of str
-        At each key.
-    waypoints : sequence of sequence of (float, str)
-        For each key but the last, the values between it and the next one: how far from one to the other each lies,
-        within (0, 1), and the value. Numbers are interpolated linearly from each value to the next.
+    A waypoint is how far from key to key it lies, within (0, 1), and its value. Numbers are interpolated linearly from
+    each value to the next.
     """
 
     keys: Sequence[str]

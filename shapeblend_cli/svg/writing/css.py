@@ -26,15 +26,7 @@ if TYPE_CHECKING:
 def css_svg(shapes: Sequence[KeyframedShape], view: Box, timing: Timing, decimals: int) -> str:
     """Return an SVG document animated by CSS; with prefers-reduced-motion it shows A at rest.
 
-    Parameters
-    ----------
-    shapes : sequence of KeyframedShape
-        In paint order. Gradients become plain colours, since CSS cannot animate them.
-    view : Box
-        What part of the plane to show; CSS cannot animate that either.
-    timing : Timing
-    decimals : int
-        Of coordinates.
+    Gradients become plain colours, and there is one view, since CSS can animate neither. The shapes are in paint order.
     """
     values_by_shape = [attribute_values(shape, decimals) for shape in shapes]
     # Names of its own, so that several drawings can stand in one page.

@@ -84,18 +84,12 @@ def gradient_attributes(
 ) -> tuple[dict[str, str], list[dict[str, str]]]:
     """Return the attributes of a gradient and of each of its stops.
 
-    Parameters
-    ----------
-    gradient : LinearGradient or RadialGradient
-    decimals : int
-    as_ellipse : bool
-        Write a circle as ellipses are written: a unit circle under ``translate(x y) rotate(angle) scale(rx ry)``.
+    An ellipse is written as a unit circle under ``translate(x y) rotate(angle) scale(rx ry)``, a circle only if asked.
     """
     found = {"gradientUnits": "userSpaceOnUse"}
     if isinstance(gradient, LinearGradient):
-        for end, point in (("1", gradient.start), ("2", gradient.end)):
-            found[f"x{end}"] = number(point.real, decimals)
-            found[f"y{end}"] = number(point.imag, decimals)
+        (x1, y1), (x2, y2) = (_coordinates(point, decimals) for point in (gradient.start, gradient.end))
+        found |= {"x1": x1, "y1": y1, "x2": x2, "y2": y2}
     else:
         found |= _radial_attributes(gradient, decimals, as_ellipse)
     if gradient.spread != "pad":
@@ -114,38 +108,32 @@ def gradient_attributes(
 def _radial_attributes(gradient: RadialGradient, decimals: int, as_ellipse: bool) -> dict[str, str]:
     centre, focus, focal_radius = gradient.centre, gradient.focus, gradient.focal_radius
     first, second = gradient.radii
+    cx, cy = _coordinates(centre, decimals)
     if first == second and not as_ellipse:
         spot = centre + first * focus * cmath.rect(1.0, math.radians(gradient.angle))
-        return {
-            "cx": number(centre.real, decimals),
-            "cy": number(centre.imag, decimals),
-            "r": number(first, decimals),
-            "fx": number(spot.real, decimals),
-            "fy": number(spot.imag, decimals),
-            "fr": number(first * focal_radius, decimals),
-        }
-    place = f"{number(centre.real, decimals)} {number(centre.imag, decimals)}"
-    stretch = f"{number(first, decimals)} {number(second, decimals)}"
-    return {
+        fx, fy = _coordinates(spot, decimals)
+        r, fr = number(first, decimals), number(first * focal_radius, decimals)
+        return {"cx": cx, "cy": cy, "r": r, "fx": fx, "fy": fy, "fr": fr}
+    fx, fy = _coordinates(focus, SHARE_DIGITS)
+    scale = f"{number(first, decimals)} {number(second, decimals)}"
+    transform = f"translate({cx} {cy}) rotate({number(gradient.angle, 4)}) scale({scale})"
+    unit_circle = {
         "cx": "0",
         "cy": "0",
         "r": "1",
-        "fx": number(focus.real, SHARE_DIGITS),
-        "fy": number(focus.imag, SHARE_DIGITS),
+        "fx": fx,
+        "fy": fy,
         "fr": number(focal_radius, SHARE_DIGITS),
-        "gradientTransform": f"translate({place}) rotate({number(gradient.angle, 4)}) scale({stretch})",
     }
+    return {**unit_circle, "gradientTransform": transform}
+
+
+def _coordinates(point: complex, decimals: int) -> tuple[str, str]:
+    return number(point.real, decimals), number(point.imag, decimals)
 
 
 class Gradients:
-    """The gradients of a document, each written once.
-
-    Attributes
-    ----------
-    decimals : int
-        Of coordinates.
-    elements : list of Element
-    """
+    """The gradients of a document, each defined once in `elements`."""
 
     def __init__(self, decimals: int) -> None:
         self.decimals = decimals

@@ -30,18 +30,7 @@ DISCRETE = frozenset(("fill_rule", "stroke_linecap", "stroke_linejoin", "spreadM
 
 
 def smil_svg(shapes: Sequence[KeyframedShape], views: Sequence[Box], timing: Timing, decimals: int) -> str:
-    """Return an SVG document in which paths are animated by SMIL.
-
-    Parameters
-    ----------
-    shapes : sequence of KeyframedShape
-        In paint order.
-    views : sequence of Box
-        What part of the plane to show, a box a key.
-    timing : Timing
-    decimals : int
-        Of coordinates.
-    """
+    """Return an SVG document in which paths, in paint order, are animated by SMIL; it shows one view a key."""
     drawing = document.empty(views[0], decimals)
     timeline = _Timeline(drawing, len(views) - 1, timing)
     gradients: list[Element] = []
@@ -72,15 +61,7 @@ def smil_svg(shapes: Sequence[KeyframedShape], views: Sequence[Box], timing: Tim
 def stacked_svg(frames: Sequence[Frame], timing: Timing, pairs: int, decimals: int) -> str:
     """Return an SVG document with all frames on top of each other, one of them visible at a time.
 
-    Parameters
-    ----------
-    frames : sequence of Frame
-        In order of time, evenly spaced.
-    timing : Timing
-        The frames are eased already.
-    pairs : int
-    decimals : int
-        Of coordinates.
+    The frames are at even times of all `pairs` together; they are eased already.
     """
     order = list(range(len(frames)))
     if timing.is_pingpong:
