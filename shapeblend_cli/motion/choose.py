@@ -1,4 +1,4 @@
-"""Which motion a shape gets: the one asked for, or the first without a fault.
+"""Which motion a shape gets: the one asked for, or the first without a defect.
 
 A motion other than a straight one may need the correspondence solved again, with B rotated back, and only the pipeline
 can do that. So there are two steps: `try_straight` says on which shapes other motions are to be tried, and
@@ -11,25 +11,25 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.motion.alignment import Rigid, align, point_pairs, residual
-from shapeblend_cli.motion.defects import COLLAPSE, OVERLAP, Fault, fault
+from shapeblend_cli.motion.defects import COLLAPSE, OVERLAP, Defect, worst_defect
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from shapeblend_cli.model import ShapeBlend
     from shapeblend_cli.motion.alignment import Alignment
-    from shapeblend_cli.motion.safe import Plan
+    from shapeblend_cli.motion.safe import Route
 
 ASKED = "asked for"
 
-BLURRED, ROUND = 17, 20
+BLURRED_LEVEL, ROUND_LEVEL = 17, 20
 """Levels above which smoothed outlines have only large features left, and hardly any."""
 
-AFFORDABLE = 600
+AFFORDABLE_SEGMENTS = 600
 """Once other motions have been tried on shapes of so many segments, further ones move straight in any case. That
-takes a few seconds; a drawing of hundreds of faulty shapes would take minutes."""
+takes a few seconds; a drawing of hundreds of defective shapes would take minutes."""
 
-COMMON = 2.0
+COMMON_RESIDUAL = 2.0
 """Shapes of a drawing move by one similarity unless it leaves so many times as much as their own."""
 
 
@@ -43,21 +43,21 @@ class Trial(NamedTuple):
         Whether the shape moves as it is.
     reason : str
         Why it does not.
-    fault : Fault or None
-        What is wrong with straight paths; None where they are out of the question.
-    plan : Plan or None
-        The way of `safe` motion for the shape as it is, where that is known already.
+    defect : Defect or None
+        Of straight paths; None if they are out of the question.
+    route : Route or None
+        Of `safe` motion for the shape as it is, if it is known already.
     """
 
     shape: ShapeBlend
     is_settled: bool = True
     reason: str = ""
-    fault: Fault | None = None
-    plan: Plan | None = None
+    defect: Defect | None = None
+    route: Route | None = None
 
 
 class RotatedShape(NamedTuple):
-    """A shape matched with B rotated back, and the similarity that its motion takes apart."""
+    """A shape matched with B rotated back, and the similarity that its motion separates."""
 
     shape: ShapeBlend
     alignment: Alignment
@@ -66,7 +66,7 @@ class RotatedShape(NamedTuple):
 def try_straight(
     shapes: Sequence[ShapeBlend], motion: str, times: Sequence[float], rotation: float | None
 ) -> list[Trial]:
-    """Look at shapes on straight paths.
+    """Try shapes on straight paths.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def try_straight(
     motion : str
         As `--motion` has it.
     times : sequence of float
-        When frames are made.
+        Of the frames.
     rotation : float or None
         By what angle B is A rotated, in radians, if that is all there is between them.
     """
@@ -83,77 +83,67 @@ def try_straight(
     ]
     if motion == "linear":
         return trials
-    numbers = [k for k, shape in enumerate(shapes) if shape.is_matched]
+    matched = [k for k, shape in enumerate(shapes) if shape.is_matched]
     if motion == "auto" and rotation is None:
-        _find_faults(trials, numbers, times)
+        _settle_without_defect(trials, matched, times)
         return trials
-    for k in numbers:
+    for k in matched:
         if motion == "auto":
-            trials[k] = Trial(
-                shapes[k], False, f"B is A turned by {math.degrees(rotation or 0.0):.3g} degrees"
-            )
+            reason = f"B is A turned by {math.degrees(rotation or 0.0):.3g} degrees"
+            trials[k] = Trial(shapes[k], False, reason)
         else:
             trials[k] = _try_safe(trials[k].shape) if motion == "safe" else Trial(trials[k].shape, False)
     return trials
 
 
-def _find_faults(trials: list[Trial], numbers: Sequence[int], times: Sequence[float]) -> None:
-    """Settle shapes without a fault, and those for which other motions would take too long, the smallest."""
-    faults = {k: fault(trials[k].shape, times) for k in numbers}
-    left = AFFORDABLE
-    for k in sorted(numbers, key=lambda k: -_size(trials[k].shape)):
-        shape, found = trials[k].shape, faults[k]
-        if found is None:
+def _settle_without_defect(trials: list[Trial], matched: Sequence[int], times: Sequence[float]) -> None:
+    """Settle shapes without a defect, and those for which other motions would take too long, the smallest."""
+    defects = {k: worst_defect(trials[k].shape, times) for k in matched}
+    affordable = AFFORDABLE_SEGMENTS
+    for k in sorted(matched, key=lambda k: -_size(trials[k].shape)):
+        shape, defect = trials[k].shape, defects[k]
+        if defect is None:
             trials[k] = Trial(shape._replace(reason="no fault"))
             continue
-        reason = f"linear: {found.says}"
-        if left > 0:
-            left -= sum(len(contour.start.segments) for contour in shape.contours)
-            trials[k] = Trial(shape, False, reason, found)
+        reason = f"linear: {defect.message}"
+        if affordable > 0:
+            affordable -= sum(len(contour.start.segments) for contour in shape.contours)
+            trials[k] = Trial(shape, False, reason, defect)
         else:
             reason += "; too many shapes to try another motion on each"
             trials[k] = Trial(shape._replace(reason=reason))
 
 
 def choose_motion(trial: Trial, motion: str, rotated: RotatedShape, times: Sequence[float]) -> ShapeBlend:
-    """Give a shape the motion that is asked for; `auto` is the first without a fault, else that with the least.
-
-    Parameters
-    ----------
-    trial : Trial
-        Not settled.
-    motion : str
-    rotated : RotatedShape
-    times : sequence of float
-    """
-    makers: dict[str, Callable[[], ShapeBlend]] = {
+    """Give a shape that is not settled its motion; `auto` is the first without a defect, else that with the least."""
+    candidates: dict[str, Callable[[], ShapeBlend]] = {
         "rigid": lambda: _rigid(rotated),
         "intrinsic": lambda: _intrinsic(rotated),
         "safe": lambda: _safe(trial, rotated),
     }
     if motion != "auto":
-        return makers[motion]()
+        return candidates[motion]()
     reasons = [trial.reason]
-    seen = [] if trial.fault is None else [(trial.shape, trial.fault)]
-    for name, make in makers.items():
+    defective = [] if trial.defect is None else [(trial.shape, trial.defect)]
+    for name, make in candidates.items():
         shape = make()
-        faults = [fault(shape, times), _blurred(shape)]
-        worst = max(filter(None, faults), key=lambda one: one.rank, default=None)
+        defects = [worst_defect(shape, times), _blurred(shape)]
+        worst = max(filter(None, defects), key=lambda defect: defect.rank, default=None)
         if worst is None:
             return shape._replace(reason="; ".join(reasons))
-        reasons.append(f"{name}: {worst.says}")
-        seen.append((shape, worst))
-    least, _ = min(seen, key=lambda one: one[1].rank)
+        reasons.append(f"{name}: {worst.message}")
+        defective.append((shape, worst))
+    least, _ = min(defective, key=lambda candidate: candidate[1].rank)
     return least._replace(reason="; ".join(reasons))
 
 
 def is_as_good(common: Alignment, own: Alignment, shape: ShapeBlend) -> bool:
-    """Whether the similarity of a whole drawing suits one of its shapes about as well as the shape's own."""
+    """Return whether the similarity of a whole drawing suits one of its shapes about as well as the shape's own."""
     points = point_pairs(shape.contours)
-    return residual(points, common) <= COMMON * residual(points, own)
+    return residual(points, common) <= COMMON_RESIDUAL * residual(points, own)
 
 
-# What takes a while to import, and most blends do without, is imported where it is wanted.
+# Modules that take long to import, and that most blends do without, are imported where they are used.
 
 
 def _rigid(rotated: RotatedShape, reason: str = ASKED) -> ShapeBlend:
@@ -169,39 +159,38 @@ def _intrinsic(rotated: RotatedShape) -> ShapeBlend:
 
 def _try_safe(shape: ShapeBlend) -> Trial:
     """Settle a shape that `safe` motion need not smooth anywhere."""
-    from shapeblend_cli.motion.safe import plan, safe
+    from shapeblend_cli.motion.safe import find_route, follow_route
 
-    found = plan(shape, align(point_pairs(shape.contours)))
-    if found is not None and found.is_level:
-        return Trial(safe(found)._replace(reason=ASKED))
-    return Trial(shape, is_settled=False, plan=found)
+    route = find_route(shape, align(point_pairs(shape.contours)))
+    if route is not None and route.is_level:
+        return Trial(follow_route(route)._replace(reason=ASKED))
+    return Trial(shape, is_settled=False, route=route)
 
 
 def _safe(trial: Trial, rotated: RotatedShape) -> ShapeBlend:
-    """Move along the cheapest way, of the correspondences found with B as it is and rotated back."""
-    from shapeblend_cli.motion.safe import plan, safe
+    """Take the cheapest route, of the correspondences solved with B as it is and rotated back."""
+    from shapeblend_cli.motion.safe import find_route, follow_route
 
     shape = trial.shape
-    here = trial.plan or plan(shape, align(point_pairs(shape.contours)))
-    if here is not None and here.is_level:
-        return safe(here)._replace(reason=ASKED)
-    there = plan(rotated.shape, rotated.alignment, math.inf if here is None else here.cost)
-    found = there or here
-    if found is None:
+    route = trial.route or find_route(shape, align(point_pairs(shape.contours)))
+    if route is None or not route.is_level:
+        most = math.inf if route is None else route.cost
+        route = find_route(rotated.shape, rotated.alignment, most) or route
+    if route is None:
         return _rigid(rotated, "no way without crossings was found")
-    return safe(found)._replace(reason=ASKED)
+    return follow_route(route)._replace(reason=ASKED)
 
 
 def _size(shape: ShapeBlend) -> float:
-    """Of the larger side of its largest contour's box."""
+    """Return the larger side of the largest contour's box."""
     return max(max(contour.scale_a, contour.scale_b) for contour in shape.contours)
 
 
-def _blurred(shape: ShapeBlend) -> Fault | None:
-    """What smoothing takes away on the way, if that is too much."""
-    heights = getattr(shape.motion, "heights", None)
-    if heights is None or heights.max() <= BLURRED:
+def _blurred(shape: ShapeBlend) -> Defect | None:
+    """Return a defect if smoothing takes away too much on the way."""
+    levels = getattr(shape.motion, "levels", None)
+    if levels is None or levels.max() <= BLURRED_LEVEL:
         return None
-    if heights.max() > ROUND:
-        return Fault(COLLAPSE, "nothing but round outlines half way")
-    return Fault(OVERLAP, "details are smoothed away half way")
+    if levels.max() > ROUND_LEVEL:
+        return Defect(COLLAPSE, "nothing but round outlines half way")
+    return Defect(OVERLAP, "details are smoothed away half way")

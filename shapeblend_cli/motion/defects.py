@@ -1,4 +1,4 @@
-"""What is wrong with a motion: in-betweens that cross themselves, stray, lose area, or in which a limb withers."""
+"""Defects of a motion: in-betweens that cross themselves, swing out, lose area, or have a limb that collapses."""
 
 from __future__ import annotations
 
@@ -15,205 +15,205 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import ComplexArray, ContourBlend, CubicPath, FloatArray, ShapeBlend
 
-CHECKED = tuple(k / 20 for k in range(1, 20))
-"""Times at which in-betweens are looked at, besides those of the frames."""
+CHECKED_TIMES = tuple(k / 20 for k in range(1, 20))
+"""Times at which crossings are counted, besides those of the frames."""
 
-MEASURED = tuple(k / 8 for k in range(1, 8))
-"""Times at which they are measured."""
+MEASURED_TIMES = tuple(k / 8 for k in range(1, 8))
+"""Times at which area, reach and lengths are measured."""
 
 LEAST_AREA, MOST_AREA = 0.72, 1.6
 """An in-between has at least that share of the area it would have if it only grew, and at most this share of the
 straight line between the ends' areas."""
 
-FLAT = 1e-3
-"""Area that counts, as a share of the square of a shape's size; less is rounding, or lines there and back."""
+NEGLIGIBLE_AREA = 1e-3
+"""Less area, as a share of the square of a shape's size, is rounding, or lines there and back."""
 
-COLLAPSED = 0.6
-"""With a lesser share there is little left to see."""
+COLLAPSE_AREA = 0.6
+"""With a smaller share there is little left to see."""
 
-LIMB = 0.2
+SECTION = 0.2
 """Share of an outline's length that is a limb: a fifth."""
 
-WITHERED = 0.65
-"""A limb withers if it has less than this share of the length of its shorter end. On straight paths one does that is
-turned by 100 degrees against the rest."""
+LEAST_SECTION = 0.65
+"""A limb collapses if it has less than this share of the length of its shorter end. On straight paths one does that is
+rotated by 100 degrees against the rest."""
 
-ASTRAY = 1.3
-"""In-betweens keep within so many times the distance that both ends have from their middle. What turns in its place
-keeps within that distance."""
+MOST_REACH = 1.3
+"""In-betweens stay within so many times the distance that both ends have from their centre. What rotates in place
+stays within that distance."""
 
-PIECES = 4
-"""Lines for which a segment is taken when it is measured."""
+CHORDS = 4
+"""Chords by which a segment is measured."""
 
 
-class Fault(NamedTuple):
+class Defect(NamedTuple):
     """What is wrong with a motion.
 
     Attributes
     ----------
     rank : int
         How bad that is: `LOSS`, `OVERLAP`, `COLLAPSE`, `STRAY` or `CROSSING`.
-    says : str
+    message : str
         A phrase.
     """
 
     rank: int
-    says: str
+    message: str
 
 
 LOSS, OVERLAP, COLLAPSE, STRAY, CROSSING = range(5)
-"""Some area is lost or won too much, or a limb withers; contours get in each other's way; a shape nearly vanishes; some
-of it swings far out; a contour crosses itself."""
+"""Area is lost or gained, or a limb collapses; contours cross each other; a shape nearly vanishes; a part swings far
+out; a contour crosses itself."""
 
 
-def fault(shape: ShapeBlend, times: Sequence[float]) -> Fault | None:
-    """The worst that is wrong with the motion of a shape, if anything.
+def worst_defect(shape: ShapeBlend, times: Sequence[float]) -> Defect | None:
+    """Return the worst defect of the motion of a shape, if it has any.
 
-    Parameters
-    ----------
-    shape : ShapeBlend
-        Crossings that its start or its end has are no fault of the motion.
-    times : sequence of float
-        At which crossings are looked for besides `CHECKED`.
+    Crossings of its start or its end are not the motion's. They are counted at `times` besides `CHECKED_TIMES`.
     """
-    found = [*_crossings(shape, times), *_strays(shape), *_losses(shape)]
-    return max(found, key=lambda one: one.rank, default=None)
+    defects = [*_crossings(shape, times), *_strays(shape), *_losses(shape)]
+    return max(defects, key=lambda defect: defect.rank, default=None)
 
 
-def _crossings(shape: ShapeBlend, times: Sequence[float]) -> list[Fault]:
-    """The first in-between that is crossed, and the first of which a contour crosses itself."""
-    numbers = counted(shape.contours)
+def _crossings(shape: ShapeBlend, times: Sequence[float]) -> list[Defect]:
+    """Find the first in-between with crossings, and the first of which a contour crosses itself."""
+    checked = checked_contours(shape.contours)
 
-    def seen(t: float) -> list[CubicPath]:
-        outlines = between(shape, t)
-        return [outlines[k] for k in numbers]
+    def paths_at(t: float) -> list[CubicPath]:
+        paths = between(shape, t)
+        return [paths[k] for k in checked]
 
-    ends = [seen(t) for t in (0.0, 1.0)]
-    together = max(path_crossings(outlines) for outlines in ends)
-    each: list[int] = []
-    found = []
-    for t in sorted({*CHECKED, *times} - {0.0, 1.0}):
-        outlines = seen(t)
-        if path_crossings(outlines, together + 1) <= together:
+    ends = [paths_at(t) for t in (0.0, 1.0)]
+    most = max(path_crossings(paths) for paths in ends)
+    most_by_path: list[int] = []
+    defects = []
+    for t in sorted({*CHECKED_TIMES, *times} - {0.0, 1.0}):
+        paths = paths_at(t)
+        if path_crossings(paths, most + 1) <= most:
             continue
-        # Contour by contour only now: most shapes never come here.
-        each = each or [
-            max(path_crossings([outline]) for outline in pair) for pair in zip(*ends, strict=True)
+        # Path by path only now: most shapes never come here.
+        most_by_path = most_by_path or [
+            max(path_crossings([path]) for path in both) for both in zip(*ends, strict=True)
         ]
-        if any(
-            path_crossings([outline], most + 1) > most for outline, most in zip(outlines, each, strict=True)
-        ):
-            found.append(Fault(CROSSING, f"an outline crosses itself at t = {t:.3g}"))
+        if any(path_crossings([path], m + 1) > m for path, m in zip(paths, most_by_path, strict=True)):
+            defects.append(Defect(CROSSING, f"an outline crosses itself at t = {t:.3g}"))
             break
-        if not found:
-            found.append(Fault(OVERLAP, f"outlines cross each other at t = {t:.3g}"))
-    return found
+        if not defects:
+            defects.append(Defect(OVERLAP, f"outlines cross each other at t = {t:.3g}"))
+    return defects
 
 
-def counted(contours: Sequence[ContourBlend]) -> list[int]:
-    """Numbers of the contours whose crossings are faults.
+def checked_contours(contours: Sequence[ContourBlend]) -> list[int]:
+    """Return the indices of the contours whose crossings are defects.
 
-    Not those of outlines that grow out of others, or shrink into them: these begin or end on the border of another
+    Not those of exteriors that grow out of others, or shrink into them: these begin or end on the border of another
     one, painted alike, and are seen to come out of it.
     """
-    larger = [max((c.start, c.end), key=lambda o: abs(cubics.signed_area(o.segments))) for c in contours]
-    areas = [cubics.signed_area(outline.segments) if outline.closed else 0.0 for outline in larger]
-    way = max(areas, key=abs)
+    larger = [
+        max((c.start, c.end), key=lambda path: abs(cubics.signed_area(path.segments))) for c in contours
+    ]
+    areas = [cubics.signed_area(path.segments) if path.closed else 0.0 for path in larger]
+    largest = max(areas, key=abs)
     return [
         k
         for k, (contour, area) in enumerate(zip(contours, areas, strict=True))
-        if not ((contour.grows or contour.shrinks) and area * way > 0.0)
+        if not ((contour.grows or contour.shrinks) and area * largest > 0.0)
     ]
 
 
-def _strays(shape: ShapeBlend) -> list[Fault]:
-    """The in-between that goes furthest from where both ends are, if that is too far; straight paths never do."""
+def _strays(shape: ShapeBlend) -> list[Defect]:
+    """Find the in-between that reaches furthest, if that is too far; on straight paths none does."""
     if shape.motion is None:
         return []
+    ends = np.concatenate([path.segments.ravel() for t in (0.0, 1.0) for path in between(shape, t)])
+    centre = 0.5 * complex(ends.real.min() + ends.real.max(), ends.imag.min() + ends.imag.max())
 
-    def far(t: float) -> float:
-        return max(float(np.abs(outline.segments - middle).max()) for outline in between(shape, t))
+    def reach_at(t: float) -> float:
+        return max(float(np.abs(path.segments - centre).max()) for path in between(shape, t))
 
-    ends = np.concatenate([outline.segments.ravel() for t in (0.0, 1.0) for outline in between(shape, t)])
-    middle = 0.5 * complex(ends.real.min() + ends.real.max(), ends.imag.min() + ends.imag.max())
-    reach, t = max((far(t), t) for t in MEASURED)
-    share = reach / float(np.abs(ends - middle).max())
-    return (
-        [Fault(STRAY, f"swings out to {share:.2g} times its size at t = {t:.3g}")] if share > ASTRAY else []
-    )
+    reach, t = max((reach_at(t), t) for t in MEASURED_TIMES)
+    share = reach / float(np.abs(ends - centre).max())
+    if share <= MOST_REACH:
+        return []
+    return [Defect(STRAY, f"swings out to {share:.2g} times its size at t = {t:.3g}")]
 
 
-def _losses(shape: ShapeBlend) -> list[Fault]:
-    """Area that is lost or won too much, and limbs that wither."""
-    found = []
+def _losses(shape: ShapeBlend) -> list[Defect]:
+    """Find area that is lost or gained, and limbs that collapse."""
+    defects = []
     area_a, area_b = (_area(between(shape, t)) for t in (0.0, 1.0))
-    ends = [getattr(contour, side).segments for contour in shape.contours for side in ("start", "end")]
-    some = FLAT * max(float(np.abs(z - z[0, 0]).max()) for z in ends) ** 2
-    pictures = []
-    for t in MEASURED:
-        outlines = between(shape, t)
-        pictures.append([outline.segments for outline in outlines])
+    ends = [path.segments for contour in shape.contours for path in (contour.start, contour.end)]
+    negligible = NEGLIGIBLE_AREA * max(float(np.abs(z - z[0, 0]).max()) for z in ends) ** 2
+    in_betweens = [between(shape, t) for t in MEASURED_TIMES]
+    for t, paths in zip(MEASURED_TIMES, in_betweens, strict=True):
         most = (1.0 - t) * area_a + t * area_b
-        # What grows evenly has less: on straight paths its size goes evenly, else geometrically.
+        # What grows evenly has less: on straight paths its size is linear in time, else geometric.
         if shape.motion is None:
             least = ((1.0 - t) * area_a**0.5 + t * area_b**0.5) ** 2
         else:
             least = area_a ** (1.0 - t) * area_b**t
-        area = _area(outlines)
-        share = area / most if area > most > some else area / least if area < least > some else 1.0
+        area = _area(paths)
+        share = (
+            area / most if area > most > negligible else area / least if area < least > negligible else 1.0
+        )
         if not LEAST_AREA <= share <= MOST_AREA:
-            rank = COLLAPSE if share < COLLAPSED else LOSS
-            found.append(Fault(rank, f"{100 * share:.0f} % of the area it should have at t = {t:.3g}"))
+            rank = COLLAPSE if share < COLLAPSE_AREA else LOSS
+            defects.append(Defect(rank, f"{100 * share:.0f} % of the area it should have at t = {t:.3g}"))
     for k, contour in enumerate(shape.contours):
         if contour.grows or contour.shrinks:
             continue
-        a, b = contour.start.segments, contour.end.segments
-        withered = _withers(a, b, [picture[k] for picture in pictures], contour.start.closed)
-        if withered is not None:
-            share, number = withered
-            found.append(Fault(LOSS, f"a limb shrinks to {100 * share:.0f} % at t = {MEASURED[number]:.3g}"))
-    return found
+        collapse = collapsing_section(contour, [paths[k].segments for paths in in_betweens])
+        if collapse is not None:
+            share, number = collapse
+            t = MEASURED_TIMES[number]
+            defects.append(Defect(LOSS, f"a limb shrinks to {100 * share:.0f} % at t = {t:.3g}"))
+    return defects
 
 
-def _area(outlines: Sequence[CubicPath]) -> float:
-    """Inside the closed outlines."""
-    return abs(sum(cubics.signed_area(outline.segments) for outline in outlines if outline.closed))
+def _area(paths: Sequence[CubicPath]) -> float:
+    """Return the area inside the closed paths."""
+    return abs(sum(cubics.signed_area(path.segments) for path in paths if path.closed))
 
 
-def _withers(
-    a: ComplexArray, b: ComplexArray, pictures: Sequence[ComplexArray], closed: bool
+def collapsing_section(
+    contour: ContourBlend, in_betweens: Sequence[ComplexArray]
 ) -> tuple[float, int] | None:
-    """The least share of its length that a limb keeps, if that is too little, and in which picture.
+    """Return the least share of its length that a limb keeps, if that is too little, and in which in-between.
 
-    A limb is what lies between two places of the outline that are `LIMB` of its length apart, on the mean of both
+    A limb is a section between two points of the outline that are `SECTION` of its length apart, on the mean of both
     drawings; it must have half as much on each of them.
     """
-    length_a, length_b = _lengths(a), _lengths(b)
-    place = 0.5 * (_summed(length_a / length_a.sum(), closed) + _summed(length_b / length_b.sum(), closed))
+    closed = contour.start.closed
+    length_a, length_b = _chord_lengths(contour.start.segments), _chord_lengths(contour.end.segments)
+    total_a, total_b = length_a.sum(), length_b.sum()
+    distance = 0.5 * (_distances(length_a / total_a, closed) + _distances(length_b / total_b, closed))
     first = np.arange(len(length_a))
-    last = np.searchsorted(place, place[first] + LIMB)
-    inside = last < len(place)
-    first, last = first[inside], last[inside]
+    last = np.searchsorted(distance, distance[first] + SECTION)
+    complete = last < len(distance)
+    first, last = first[complete], last[complete]
 
-    def limbs(lengths: FloatArray) -> FloatArray:
-        summed = _summed(lengths, closed)
-        return summed[last] - summed[first]
+    def section_lengths(lengths: FloatArray) -> FloatArray:
+        distances = _distances(lengths, closed)
+        return distances[last] - distances[first]
 
-    limb_a, limb_b = limbs(length_a), limbs(length_b)
-    shorter = np.minimum(limb_a, limb_b)
-    counts = (limb_a > 0.5 * LIMB * length_a.sum()) & (limb_b > 0.5 * LIMB * length_b.sum())
+    section_a, section_b = section_lengths(length_a), section_lengths(length_b)
+    shorter = np.minimum(section_a, section_b)
+    counts = (section_a > 0.5 * SECTION * total_a) & (section_b > 0.5 * SECTION * total_b)
     if not counts.any():
         return None
-    least = [(float((limbs(_lengths(z))[counts] / shorter[counts]).min()), k) for k, z in enumerate(pictures)]
-    return min(least) if min(least)[0] < WITHERED else None
+    shares = [
+        float((section_lengths(_chord_lengths(z))[counts] / shorter[counts]).min()) for z in in_betweens
+    ]
+    least = min(shares)
+    return (least, shares.index(least)) if least < LEAST_SECTION else None
 
 
-def _lengths(segments: ComplexArray) -> FloatArray:
-    """Length of each piece of the outline."""
-    points = cubics.evaluate(segments[:, None, :], np.arange(PIECES + 1) / PIECES)
+def _chord_lengths(segments: ComplexArray) -> FloatArray:
+    """Return the lengths of the chords of all segments, one after the other."""
+    points = cubics.evaluate(segments[:, None, :], np.arange(CHORDS + 1) / CHORDS)
     return np.abs(np.diff(points, axis=1)).ravel()
 
 
-def _summed(lengths: FloatArray, closed: bool) -> FloatArray:
-    """Length up to each piece; of closed outlines twice round."""
+def _distances(lengths: FloatArray, closed: bool) -> FloatArray:
+    """Return the distance along the outline of each chord; of closed outlines twice round."""
     return np.concatenate([[0.0], np.cumsum(np.tile(lengths, 2) if closed else lengths)])

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from shapeblend_cli.motion.alignment import Alignment, Rigid
-from shapeblend_cli.motion.defects import COLLAPSE, CROSSING, LOSS, OVERLAP, STRAY, fault
+from shapeblend_cli.motion.defects import COLLAPSE, CROSSING, LOSS, OVERLAP, STRAY, worst_defect
 from tests.support.motions import moving_polygons, similarity_of
 from tests.support.shapes import arm, comb, star_polygon
 
@@ -22,7 +22,7 @@ def turned(z, degrees):
 
 
 def rank(shape, times=()):
-    found = fault(shape, times)
+    found = worst_defect(shape, times)
     return found and found.rank
 
 
@@ -38,21 +38,21 @@ def test_what_only_moves_and_grows_has_none(scale, kind):
         if kind == "rigid":
             shape = moving_polygons((z, scale * turned(z, 80) + 7))
             shape = shape._replace(motion=Rigid(similarity_of(shape)))
-        assert fault(shape, (0.5,)) is None
+        assert worst_defect(shape, (0.5,)) is None
 
 
 @given(st.integers(0, 10**9), st.integers(6, 20), st.floats(-30.0, 30.0))
 def test_a_little_turn_is_none(seed, m, degrees):
     z = star_polygon(np.random.default_rng(seed), m)
-    assert fault(moving_polygons((z, turned(z, degrees))), ()) is None
+    assert worst_defect(moving_polygons((z, turned(z, degrees))), ()) is None
 
 
 @pytest.mark.parametrize(("degrees", "expected"), [(75, LOSS), (90, COLLAPSE), (180, COLLAPSE)])
 def test_straight_paths_of_a_turned_square_lose_area(degrees, expected):
-    found = fault(moving_polygons((SQUARE, turned(SQUARE, degrees))), ())
+    found = worst_defect(moving_polygons((SQUARE, turned(SQUARE, degrees))), ())
     assert found.rank == expected
     share, t = map(
-        float, re.fullmatch(r"(\d+) % of the area it should have at t = ([\d.]+)", found.says).groups()
+        float, re.fullmatch(r"(\d+) % of the area it should have at t = ([\d.]+)", found.message).groups()
     )
     left = abs(1.0 - t + t * np.exp(1j * np.radians(degrees))) ** 2
     assert share == pytest.approx(100.0 * left, abs=0.51)
@@ -78,29 +78,31 @@ class Blown:
 
 
 def test_a_limb_that_withers():
-    found = fault(moving_polygons((arm(60, 60, 60, width=0.1), arm(-60, -60, -60, width=0.1))), ())
+    found = worst_defect(moving_polygons((arm(60, 60, 60, width=0.1), arm(-60, -60, -60, width=0.1))), ())
     assert found.rank == LOSS
-    assert found.says.startswith("a limb shrinks to ")
-    assert found.says.endswith(" % at t = 0.5")
+    assert found.message.startswith("a limb shrinks to ")
+    assert found.message.endswith(" % at t = 0.5")
 
 
 def test_a_line_that_folds():
     straight, back = [0, 1, 2, 3, 4], [0, 1, 2, 1 + 0.1j, 0.1j]
-    assert fault(moving_polygons((straight, back), closed=False), ()).says.startswith("a limb shrinks")
+    assert worst_defect(moving_polygons((straight, back), closed=False), ()).message.startswith(
+        "a limb shrinks"
+    )
 
 
 def test_contours_in_each_others_way():
     left, right = SQUARE, SQUARE + 6 + 1j
-    found = fault(moving_polygons((left, right), (right, left)), ())
+    found = worst_defect(moving_polygons((left, right), (right, left)), ())
     assert found.rank == OVERLAP
-    assert found.says == "outlines cross each other at t = 0.2"
+    assert found.message == "outlines cross each other at t = 0.2"
 
 
 def test_an_outline_that_crosses_itself_is_worst_and_named_with_its_time():
     a, b = arm(80, 140, 200, 250), arm(10, -40, -100, -150)
-    found = fault(moving_polygons((a, b)), ())
+    found = worst_defect(moving_polygons((a, b)), ())
     assert found.rank == CROSSING
-    assert found.says.startswith("an outline crosses itself at t = ")
+    assert found.message.startswith("an outline crosses itself at t = ")
 
 
 def test_a_crossing_between_the_usual_times_is_seen_at_a_frames_time():
@@ -108,7 +110,7 @@ def test_a_crossing_between_the_usual_times_is_seen_at_a_frames_time():
     shape = moving_polygons((SQUARE, SQUARE))
     crossing, nothing = (shape._replace(motion=motion) for motion in spike)
     assert rank(crossing) is None
-    assert fault(crossing, (0.512,)) == (CROSSING, "an outline crosses itself at t = 0.512")
+    assert worst_defect(crossing, (0.512,)) == (CROSSING, "an outline crosses itself at t = 0.512")
     assert rank(nothing, (0.512,)) is None
 
 
@@ -128,19 +130,19 @@ class Spike:
 
 
 def test_crossings_that_the_ends_have_are_no_fault():
-    assert fault(moving_polygons((BOW_TIE, BOW_TIE + 5)), (0.5,)) is None
+    assert worst_defect(moving_polygons((BOW_TIE, BOW_TIE + 5)), (0.5,)) is None
     crossed = [SQUARE, SQUARE + 2 + 2j]
-    assert fault(moving_polygons(*((z, z + 9) for z in crossed)), (0.5,)) is None
+    assert worst_defect(moving_polygons(*((z, z + 9) for z in crossed)), (0.5,)) is None
 
 
 def test_what_grows_from_a_point_is_no_limb_and_no_loss():
-    assert fault(moving_polygons((SQUARE, SQUARE), (10 + 10j, SQUARE + 8 + 8j)), ()) is None
-    assert fault(moving_polygons((SQUARE, SQUARE), (SQUARE + 8 + 8j, 10 + 10j)), ()) is None
+    assert worst_defect(moving_polygons((SQUARE, SQUARE), (10 + 10j, SQUARE + 8 + 8j)), ()) is None
+    assert worst_defect(moving_polygons((SQUARE, SQUARE), (SQUARE + 8 + 8j, 10 + 10j)), ()) is None
 
 
 def test_outlines_without_area_have_none_to_lose():
     line = [0, 4, 2, 1]
-    assert fault(moving_polygons((line, np.array(line) + 1j)), ()) is None
+    assert worst_defect(moving_polygons((line, np.array(line) + 1j)), ()) is None
 
 
 @pytest.mark.parametrize(("arm_length", "expected"), [(0.0, None), (12.0, STRAY)])
@@ -149,15 +151,15 @@ def test_what_swings_far_out_strays(arm_length, expected):
     shape = moving_polygons((SQUARE, SQUARE))
     middle = complex(SQUARE.mean()) + arm_length
     shape = shape._replace(motion=Rigid(Alignment(middle, middle, 1.0, np.pi)))
-    found = [one for one in (fault(shape, ()),) if one and one.rank == STRAY]
+    found = [one for one in (worst_defect(shape, ()),) if one and one.rank == STRAY]
     assert [one.rank for one in found] == ([] if expected is None else [expected])
     if found:
         # Half way it is where the middle is: what B has on its far side, A has on the near one.
-        says = re.fullmatch(r"swings out to ([\d.]+) times its size at t = 0.5", found[0].says)
-        assert float(says[1]) == pytest.approx(arm_length / abs(SQUARE[0] - SQUARE.mean()), abs=0.06)
+        match = re.fullmatch(r"swings out to ([\d.]+) times its size at t = 0.5", found[0].message)
+        assert float(match[1]) == pytest.approx(arm_length / abs(SQUARE[0] - SQUARE.mean()), abs=0.06)
 
 
 def test_a_bar_that_turns_in_its_place_does_not_stray():
     bar = np.array([0, 1, 1 + 20j, 20j])
     shape = moving_polygons((bar, turned(bar, 180)))
-    assert fault(shape._replace(motion=Rigid(similarity_of(shape))), ()) is None
+    assert worst_defect(shape._replace(motion=Rigid(similarity_of(shape))), ()) is None

@@ -9,7 +9,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
 from shapeblend_cli.model import CubicPath
-from shapeblend_cli.motion.levels import TIMES, smoothed
+from shapeblend_cli.motion.levels import TIMES, smoothing_levels
 from tests.support.contours import circle_contour
 from tests.support.motions import outline
 from tests.support.shapes import arm, bar, comb, random_polygon, spiral, star_polygon
@@ -26,7 +26,7 @@ BY_HAND = {
 
 def alone(vertices, closed=True):
     """The levels of one polygon."""
-    return [contours[0] for contours in smoothed([outline(vertices, closed)])]
+    return [contours[0] for contours in smoothing_levels([outline(vertices, closed)])]
 
 
 def roundness(vertices):
@@ -57,7 +57,7 @@ def test_outlines_by_hand_keep_their_area_without_crossing_and_become_round(name
 def test_at_every_level_the_area_is_kept(name):
     corners = outline(BY_HAND[name])
     as_curves = CubicPath(corners.segments, np.zeros(len(corners.segments), bool), True)
-    for (level,) in smoothed([as_curves]):
+    for (level,) in smoothing_levels([as_curves]):
         assert cubics.signed_area(level) == pytest.approx(signed_area(BY_HAND[name]), rel=0.04)
 
 
@@ -78,7 +78,7 @@ def test_curves_stay_curves_through_the_same_area():
     bent = circle.segments + 0.5 * (circle.segments - 3).real ** 2
     for segments in (circle.segments, bent):
         one = CubicPath(segments, np.zeros(8, bool), True)
-        levels = [contours[0] for contours in smoothed([one])]
+        levels = [contours[0] for contours in smoothing_levels([one])]
         for level in levels:
             assert cubics.signed_area(level) == pytest.approx(cubics.signed_area(segments), rel=2e-3)
             np.testing.assert_allclose(level[:, 3], np.roll(level[:, 0], -1), atol=1e-12)
@@ -87,7 +87,7 @@ def test_curves_stay_curves_through_the_same_area():
 
 def test_a_circle_stays_where_it_is():
     circle = circle_contour(3 + 1j, 2.0)
-    for (level,) in smoothed([CubicPath(circle.segments, circle.straight, True)]):
+    for (level,) in smoothing_levels([CubicPath(circle.segments, circle.straight, True)]):
         np.testing.assert_allclose(abs(as_polygon(level) - 3 - 1j), 2.0, rtol=2e-3)
 
 
@@ -103,7 +103,7 @@ def test_lines_stay_lines_joined_end_to_end(name):
 def test_the_first_level_is_what_is_given(rng):
     z = random_polygon(rng, 9)
     given_outline = outline(z)
-    ((first,), *_) = smoothed([given_outline])
+    ((first,), *_) = smoothing_levels([given_outline])
     np.testing.assert_array_equal(first, given_outline.segments)
     assert first is not given_outline.segments
 
@@ -120,7 +120,7 @@ def test_holes_and_what_is_in_them_stay_inside(hole):
     contours = [arm(10, 60, 120, width=1.2), hole + square[::-1], hole + 0.4 * square]
     outside, hole_outline, _ = (np.asarray(z) for z in contours)
     assert winding_numbers(hole_outline, outside).all()
-    for levels in smoothed([outline(z) for z in contours]):
+    for levels in smoothing_levels([outline(z) for z in contours]):
         around, inner, innermost = (level[:, 0] for level in levels)
         assert winding_numbers(inner, around).all()
         assert winding_numbers(innermost, inner).all()
@@ -131,13 +131,13 @@ def test_a_hole_far_out_in_an_arm_stays_inside():
     middle = 0.5 * (limb[2:6] + limb[6:10][::-1])
     hole = middle[2] + 0.15 * np.exp(2j * np.pi * np.arange(12) / 12)[::-1]
     assert winding_numbers(hole, limb).all()
-    for around, inner in smoothed([outline(limb), outline(hole)]):
+    for around, inner in smoothing_levels([outline(limb), outline(hole)]):
         assert winding_numbers(inner[:, 0], around[:, 0]).all()
 
 
 def test_outlines_beside_each_other_make_room():
     apart = [2.2 * k + star_polygon(np.random.default_rng(k), 14) for k in range(3)]
-    levels = smoothed([outline(z) for z in apart])
+    levels = smoothing_levels([outline(z) for z in apart])
     straight = np.ones(14, bool)
     assert path_crossings([CubicPath(z, straight, True) for z in levels[-1]]) == 0
     for z, last in zip(apart, levels[-1], strict=True):
@@ -147,12 +147,12 @@ def test_outlines_beside_each_other_make_room():
 def test_contours_of_a_point_go_where_they_are_carried():
     shape = arm(40, 100, 170, width=1.2)
     start = 0.25 * (shape[3] + shape[4] + shape[7] + shape[8])
-    levels = smoothed([outline(shape), outline(np.full(4, start))])
+    levels = smoothing_levels([outline(shape), outline(np.full(4, start))])
     for around, point in levels:
         assert np.ptp(point) < 1e-12
         assert winding_numbers(point[:1, 0], around[:, 0]).all()
     assert abs(levels[-1][1][0, 0] - start) > 0.5
-    for (point,) in smoothed([outline(np.full(4, start))]):
+    for (point,) in smoothing_levels([outline(np.full(4, start))]):
         np.testing.assert_allclose(point, start)
 
 

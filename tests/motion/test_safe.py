@@ -10,7 +10,7 @@ from shapeblend_cli.interpolate.paths import between
 from shapeblend_cli.measure import measure
 from shapeblend_cli.model import CubicPath
 from shapeblend_cli.motion.alignment import Rigid
-from shapeblend_cli.motion.safe import plan, safe
+from shapeblend_cli.motion.safe import find_route, follow_route
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
@@ -23,9 +23,9 @@ TIMES = np.linspace(0.0, 1.0, 52)[1:-1]
 
 
 def made_safe(shape):
-    found = plan(shape, similarity_of(shape))
+    found = find_route(shape, similarity_of(shape))
     assert found is not None, "no way"
-    return safe(found)
+    return follow_route(found)
 
 
 def crossed(shape):
@@ -90,7 +90,7 @@ def test_without_crossings_on_its_way_it_is_the_rigid_motion(rng):
     rigid = shape._replace(motion=Rigid(similarity_of(shape)))
     for t in (0.1, 0.25, 0.5, 0.75, 0.9):
         np.testing.assert_allclose(between(found, t)[0].segments, between(rigid, t)[0].segments, atol=1e-6)
-    assert (found.motion.heights == 0.0).all()
+    assert (found.motion.levels == 0.0).all()
 
 
 def test_lines_stay_lines():

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from shapeblend_cli.motion.defects import ASTRAY, CHECKED, LEAST_AREA, MOST_AREA, WITHERED
+from shapeblend_cli.motion.defects import CHECKED_TIMES, LEAST_AREA, LEAST_SECTION, MOST_AREA, MOST_REACH
 from tools.quality import raw
 from tools.quality.data import SETS, icon_pairs
 from tools.quality.peers import shapeblend
 from tools.quality.tables import Section, Table
 
-LEAST, MOST, LIMB = (round(100 * share) for share in (LEAST_AREA, MOST_AREA, WITHERED))
+LEAST, MOST, LIMB = (round(100 * share) for share in (LEAST_AREA, MOST_AREA, LEAST_SECTION))
+TIMES, REACH = len(CHECKED_TIMES), f"{MOST_REACH:g}"
 
 TEXT = f"""\
 How many pairs get which motion by `--motion auto`, as the report has it (`motion`, `motion_because`). *With a fault*:
 those for which no motion is without one, and the one with the least was taken. A fault is a crossing that neither
-end has, at one of {len(CHECKED)} even times or at those of the frames, of a contour with itself or with another; an
+end has, at one of {TIMES} even times or at those of the frames, of a contour with itself or with another; an
 area below {LEAST} % or above {MOST} % of the straight line between the ends'; a fifth of an outline that shrinks below
-{LIMB} % of its length; a part that swings out to {ASTRAY:g} times the distance that both ends have from their middle;
+{LIMB} % of its length; a part that swings out to {REACH} times the distance that both ends have from their middle;
 and of safe motion, nothing but round outlines half way."""
 
 
