@@ -1,1 +1,1 @@
-"""A page that shows a blend in a browser: the picture moving, the correspondence, and the graph it was found in."""
+"""A page that shows a blend in a browser: the moving picture, the correspondence, and its graph."""

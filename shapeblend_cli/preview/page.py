@@ -1,7 +1,6 @@
-"""The page, put together: one file, no network.
+"""The page: one file, no network.
 
-`page.html`, `page.css` and the scripts beside this file are what is the same in every page; what is found goes into it
-as JSON.
+`page.html`, `page.css` and the scripts beside this file are the same in every page; the run goes into it as JSON.
 """
 
 from __future__ import annotations
@@ -16,12 +15,12 @@ from string import Template
 from typing import TYPE_CHECKING, Any
 
 from shapeblend_cli.preview.graphs import by_size, graphs, pack_json
-from shapeblend_cli.preview.pictures import picture, places
+from shapeblend_cli.preview.pictures import dot_positions, picture
 from shapeblend_cli.svg.reading.read import title_of
 from shapeblend_cli.svg.writing.rounding import decimals_for, number
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from shapeblend_cli.easing import Timing
     from shapeblend_cli.model import Frame, Pair
@@ -34,14 +33,14 @@ POLICY = (
 """Nothing is fetched, and nothing runs but the page's own script."""
 
 SCRIPTS = ("values.js", "picture.js", "graph.js", "report.js", "page.js")
-"""One after the other they are the page's script."""
+"""Joined in this order they are the page's script."""
 
 LISTS = ("vertices_a", "vertices_b", "dots")
-"""What of a contour's report is long; the page has it packed."""
+"""The long lists of a contour's report, which are packed."""
 
 
 def preview(
-    found: dict[str, Any],
+    report: dict[str, Any],
     pairs: Sequence[Pair],
     ends: Sequence[Frame],
     settings: Settings,
@@ -49,38 +48,42 @@ def preview(
     command: Sequence[str],
     notes: Sequence[str],
 ) -> str:
-    """A page that shows a run.
+    """Return a page that shows a run.
 
     Parameters
     ----------
-    found : dict
-        The run's report.
+    report : dict
     pairs : sequence of Pair
     ends : sequence of Frame
         The drawings, as frames show them.
     settings : Settings
     timing : Timing
     command : sequence of str
-        What was typed, word by word.
+        The command line, word by word.
     notes : sequence of str
-        What the run said.
+        What the run printed.
     """
     decimals = decimals_for([frame.view for frame in ends])
+    landscapes = iter(graphs([contour for pair in pairs for contour in pair.contours], settings))
+    written = []
+    for pair, reported in zip(pairs, report["pairs"], strict=True):
+        times = [frame["t"] for frame in report["frames"] if frame["pair"] == pair.a]
+        scene = picture(pair, (ends[pair.a], ends[pair.b]), times, decimals)
+        written.append(_pair(pair, reported["contours"], landscapes, scene, decimals))
     data = {
-        **{name: found[name] for name in ("version", "settings", "frames", "seconds")},
-        "names": [title_of(file) for file in found["inputs"]],
+        **{name: report[name] for name in ("version", "settings", "frames", "seconds")},
+        "names": [title_of(file) for file in report["inputs"]],
         "command": [shlex.quote(word) for word in command],
         "notes": list(notes),
         "timing": {"seconds": timing.seconds, "ease": list(timing.ease), "repeat": timing.repeat},
         "decimals": decimals,
-        "pairs": _pairs(found, pairs, ends, settings, decimals),
+        "pairs": written,
     }
-    title = " → ".join(data["names"])
-    script, style = "\n".join(map(_part, SCRIPTS)), _part("page.css")
+    script, style = "\n".join(map(_read, SCRIPTS)), _read("page.css")
     text = json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
-    return Template(_part("page.html")).substitute(
+    return Template(_read("page.html")).substitute(
         policy=POLICY.format(script=_hash(script), style=_hash(style)),
-        title=html.escape(title),
+        title=html.escape(" → ".join(data["names"])),
         style=style,
         script=script,
         # Of all characters of JSON this one alone can end a script element, or begin another.
@@ -88,66 +91,50 @@ def preview(
     )
 
 
-def _pairs(
-    found: dict[str, Any],
-    pairs: Sequence[Pair],
-    ends: Sequence[Frame],
-    settings: Settings,
+def _pair(
+    pair: Pair,
+    reported: Sequence[dict[str, Any]],
+    landscapes: Iterator[dict[str, Any] | str | None],
+    scene: dict[str, Any],
     decimals: int,
-) -> list[dict[str, Any]]:
-    """The pairs of the report, with what is drawn of them."""
-    landscapes = iter(graphs([contour for pair in pairs for contour in pair.contours], settings))
-    written = []
-    for pair, told in zip(pairs, found["pairs"], strict=True):
-        times = [frame["t"] for frame in found["frames"] if frame["pair"] == pair.a]
-        lists = [_lists(contour, decimals + 1) for contour in told["contours"]]
-        spots = [places(contour) for contour in pair.contours]
-        written.append(
-            {
-                "a": pair.a,
-                "b": pair.b,
-                "views": [[float(number(v, decimals)) for v in view] for view in pair.views],
-                "contours": [
-                    {name: value for name, value in contour.items() if name not in LISTS}
-                    | {
-                        "counts": [len(contour["vertices_a"]), len(contour["vertices_b"])],
-                        "steps": len(contour["dots"]),
-                        "shape": shape,
-                        "outline": outline,
-                        "graph": next(landscapes),
-                    }
-                    for contour, (shape, outline) in zip(told["contours"], _where(pair), strict=True)
-                ],
-                "order": by_size(pair.contours),
-                "packed": pack_json(
-                    {
-                        **picture(pair, (ends[pair.a], ends[pair.b]), times, decimals),
-                        "lists": [
-                            one | {"places": [float(number(p, 3)) for p in spot.tolist()]}
-                            for one, spot in zip(lists, spots, strict=True)
-                        ],
-                    }
-                ),
+) -> dict[str, Any]:
+    """Return a pair of the report, with what is drawn of it."""
+    numbers = [(k, n) for k, shape in enumerate(pair.shapes) for n in range(len(shape.contours))]
+    contours, lists = [], []
+    for contour, blend, (shape, outline) in zip(reported, pair.contours, numbers, strict=True):
+        contours.append(
+            {name: value for name, value in contour.items() if name not in LISTS}
+            | {
+                "counts": [len(contour["vertices_a"]), len(contour["vertices_b"])],
+                "steps": len(contour["dots"]),
+                "shape": shape,
+                "outline": outline,
+                "graph": next(landscapes),
             }
         )
-    return written
-
-
-def _where(pair: Pair) -> list[tuple[int, int]]:
-    """For each contour of a pair the number of its shape, and its own number in that."""
-    return [(k, n) for k, shape in enumerate(pair.shapes) for n in range(len(shape.contours))]
-
-
-def _lists(contour: dict[str, Any], decimals: int) -> dict[str, Any]:
-    """The long lists of a contour's report, coordinates with so many decimals."""
-    vertices = {
-        name: [[float(number(v, decimals)) for v in point] for point in contour[name]]
-        for name in ("vertices_a", "vertices_b")
+        lists.append(
+            {
+                "vertices_a": [_rounded(point, decimals + 1) for point in contour["vertices_a"]],
+                "vertices_b": [_rounded(point, decimals + 1) for point in contour["vertices_b"]],
+                "dots": contour["dots"],
+                "places": _rounded(dot_positions(blend).tolist(), 3),
+            }
+        )
+    return {
+        "a": pair.a,
+        "b": pair.b,
+        "views": [_rounded(view, decimals) for view in pair.views],
+        "contours": contours,
+        "order": by_size(pair.contours),
+        "packed": pack_json({**scene, "lists": lists}),
     }
-    return {**vertices, "dots": contour["dots"]}
 
 
-def _part(name: str) -> str:
+def _rounded(values: Iterable[float], decimals: int) -> list[float]:
+    return [float(number(value, decimals)) for value in values]
+
+
+def _read(name: str) -> str:
     return files(__package__).joinpath(name).read_text(encoding="utf-8")
 
 

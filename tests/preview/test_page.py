@@ -18,7 +18,7 @@ from shapeblend_cli.pairing.matching import solved_wires
 from shapeblend_cli.pipeline import blend, frame_at, match_all
 from shapeblend_cli.preview import graphs as graphs_module
 from shapeblend_cli.preview.graphs import graphs
-from shapeblend_cli.preview.pictures import picture, places
+from shapeblend_cli.preview.pictures import dot_positions, picture
 from shapeblend_cli.settings import Settings
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
 from tests.support.motions import turned
@@ -113,7 +113,7 @@ def test_dots_lie_on_the_outline_that_moves(curves):
     pair, _ = blend(drawing(EYED), drawing(LEAF), settings)
     for shape in pair.shapes:
         for matched in shape.contours:
-            along = places(matched)
+            along = dot_positions(matched)
             number = np.minimum(along.astype(int), len(matched.start.segments) - 1)
             for outline, polygon, side in (
                 (matched.start, matched.polygon_a, 0),
@@ -283,8 +283,8 @@ def test_a_pair_of_two_hundred_vertices_each_stays_small(here, samples):
 @pytest.mark.parametrize(
     ("arguments", "status", "said"),
     [
-        (["--preview", "x.txt"], 2, "one that ends in .html would work"),
-        (["--preview", "-"], 2, "one that ends in .html would work"),
+        (["--preview", "x.txt"], 2, "must be a file name ending in .htm or .html"),
+        (["--preview", "-"], 2, "must be a file name ending in .htm or .html"),
         (["--preview", "old.html"], 1, "old.html: "),
         (["--preview", "r.html", "--report", "r.html"], 1, "r.html: is named for two different outputs"),
         (["--preview", "sub.html/x.html"], 1, "sub.html"),
