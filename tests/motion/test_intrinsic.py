@@ -10,7 +10,7 @@ from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.interpolate.paths import between
 from shapeblend_cli.model import CubicPath
 from shapeblend_cli.motion.alignment import PointPairs, Rigid, align, point_pairs
-from shapeblend_cli.motion.intrinsic import closing, intrinsic
+from shapeblend_cli.motion.intrinsic import closing_lengths, intrinsic
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
@@ -89,7 +89,7 @@ def pair_of_samples(samples, a, b, settings=None):
 )
 def test_samples_start_and_end_as_drawn_and_stay_closed(samples, names):
     for shape in pair_of_samples(samples, *names):
-        assert None not in shape.motion.contours
+        assert None not in shape.motion.polygons
         for t, side in ((1e-6, "start"), (1.0 - 1e-6, "end")):
             for contour, outline in zip(shape.contours, between(shape, t), strict=True):
                 drawn = getattr(contour, side).segments
@@ -134,7 +134,7 @@ def test_what_is_smooth_in_both_drawings_stays_smooth(seed, m, kind):
     else:
         joins = np.ones(m, bool)
     contour = outlines(a, b)
-    assert motion(contour).contours[0] is not None
+    assert motion(contour).polygons[0] is not None
     for t in TIMES:
         assert smooth_joins(at(contour, t))[joins].all()
 
@@ -206,7 +206,7 @@ def test_any_outlines_with_vertices_that_wait_move_continuously(seed, m, more):
     a, b = (with_repeats(rng, star_polygon(rng, m), more) for _ in range(2))
     contour = polygons(a, b)
     moved = motion(contour)
-    assert moved.contours[0] is not None
+    assert moved.polygons[0] is not None
     times = np.linspace(0.0, 1.0, 401)[1:-1]
     every = np.array(
         [contour.start.segments, *(moved.segments([contour], t)[0] for t in times), contour.end.segments]
@@ -276,7 +276,7 @@ def test_what_has_no_turning_of_its_own_moves_as_rigid_has_it():
     contours = [partner, crossed, growing, pointless]
     moved = intrinsic(contours, fitted([partner]))
     assert moved.name == "intrinsic"
-    assert [legs is None for legs in moved.contours] == [False, True, True, True]
+    assert [legs is None for legs in moved.polygons] == [False, True, True, True]
     expected = Rigid(moved.alignment).segments(contours, 0.3)
     for one, other in zip(moved.segments(contours, 0.3), expected, strict=True):
         np.testing.assert_allclose(one, other, atol=1e-12)  # the first because it only turns and grows
@@ -331,7 +331,7 @@ def test_what_is_nearly_closed_is_closed_as_in_the_paper():
     ]
     by = np.linalg.solve(matrix, [-rest.real, -rest.imag])
     np.testing.assert_allclose(
-        closing(opened, u, softness) - opened, square * (by[0] * u.real + by[1] * u.imag), atol=1e-8
+        closing_lengths(opened, u, softness) - opened, square * (by[0] * u.real + by[1] * u.imag), atol=1e-8
     )
 
 
@@ -339,7 +339,9 @@ def test_what_is_nearly_closed_is_closed_as_in_the_paper():
     "angles", [[0.0, 0.0, 0.0], [0.0, np.pi, 0.0], [0.1, 0.8, 1.2, 3.0], [0.5, 0.5 + np.pi]]
 )
 def test_directions_that_cannot_close_leave_finite_lengths(angles):
-    found = closing(np.linspace(1.0, 2.0, len(angles)), np.exp(1j * np.array(angles)), np.ones(len(angles)))
+    found = closing_lengths(
+        np.linspace(1.0, 2.0, len(angles)), np.exp(1j * np.array(angles)), np.ones(len(angles))
+    )
     assert np.isfinite(found).all()
     assert (found > 0.0).all()
     assert found.max() < 1e3
