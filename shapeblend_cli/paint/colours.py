@@ -20,30 +20,19 @@ if TYPE_CHECKING:
     Channels = tuple[float, float, float]
 
 TOLERANCE = 0.02
-"""How far, as delta E OK, a colour may be from the one meant without being seen to be another."""
+"""The delta E OK up to which two colours look alike."""
 
 STEPS = 3
-"""Nor is one that is off by so many 255ths in each channel: near black, delta E OK counts a single one for 0.07."""
+"""So do colours that differ by so many 255ths in each channel: near black, one of them is a delta E OK of 0.07."""
 
 _MOST_GAPS = 16
 _PROBES = 8
 
 
 def blend_colours(a: str, b: str, t: float, opacity_a: float = 1.0, opacity_b: float = 1.0) -> str:
-    """The colour at time t, clipped to what sRGB can show.
+    """Return the colour ``#rrggbb`` at time t, clipped to sRGB; between two greys a grey.
 
-    Parameters
-    ----------
-    a, b : str
-        ``#rrggbb``.
-    t : float in [0, 1]
-    opacity_a, opacity_b : float in [0, 1]
-        The less opaque of the two has the less say. What cannot be seen at all has none, not even at its own end.
-
-    Returns
-    -------
-    str
-        ``#rrggbb``; between two greys a grey.
+    Colours weigh by their opacities. What is invisible has no weight, not even at its own end.
     """
     share = _share_of_b(t, opacity_a, opacity_b)
     if a == b or share == 0.0:
@@ -59,27 +48,16 @@ def blend_colours(a: str, b: str, t: float, opacity_a: float = 1.0, opacity_b: f
 
 
 def blend_in_srgb(a: str, b: str, t: float) -> str:
-    """The colour at time t as SVG has it between two stops: each channel by itself."""
+    """Return the colour at time t as SVG has it between two stops: each channel by itself."""
     pairs = zip(bytes.fromhex(a[1:]), bytes.fromhex(b[1:]), strict=True)
     return "#" + bytes(round((1.0 - t) * p + t * q) for p, q in pairs).hex()
 
 
 def colour_stops(a: str, b: str, opacity_a: float = 1.0, opacity_b: float = 1.0) -> list[str]:
-    """Colours at even times between which each channel may be interpolated by itself.
+    """Return two colours or more at even times, between which each channel may be interpolated by itself.
 
-    SMIL and CSS do that, and so leave the way through OKLab. This gives as few colours as keep them within `TOLERANCE`
-    of it; where the paint is less than opaque, so much less is seen of an error.
-
-    Parameters
-    ----------
-    a, b : str
-        ``#rrggbb``.
-    opacity_a, opacity_b : float in [0, 1]
-
-    Returns
-    -------
-    list of str
-        Two or more, from the first to the last.
+    SMIL and CSS do that, and so deviate from OKLab. These are as few colours as keep the deviation within `TOLERANCE`;
+    where the paint is less than opaque, so much less is seen of it.
 
     Examples
     --------
@@ -105,7 +83,7 @@ def colour_stops(a: str, b: str, opacity_a: float = 1.0, opacity_b: float = 1.0)
 
 
 def _share_of_b(t: float, opacity_a: float, opacity_b: float) -> float:
-    """The weight of B's colour, that of A's being the rest."""
+    """Return the weight of B's colour, that of A's being the rest."""
     if opacity_a == opacity_b:
         return t
     if opacity_a == 0.0 or opacity_b == 0.0:
@@ -114,7 +92,7 @@ def _share_of_b(t: float, opacity_a: float, opacity_b: float) -> float:
 
 
 def _is_near(a: str, b: str, opacity: float) -> bool:
-    """Whether two colours look alike."""
+    """Return whether two colours look alike."""
     steps = max(abs(p - q) for p, q in zip(bytes.fromhex(a[1:]), bytes.fromhex(b[1:]), strict=True))
     return opacity * steps <= STEPS or opacity * math.dist(_oklab(a), _oklab(b)) <= TOLERANCE
 
@@ -137,7 +115,7 @@ class _Conversions(NamedTuple):
 
 @cache
 def _conversions() -> _Conversions:
-    with _only_what_is_asked_for("coloraide"):
+    with _without_package("coloraide"):
         from coloraide.spaces.oklab import Oklab
         from coloraide.spaces.srgb import sRGB
         from coloraide.spaces.srgb_linear import sRGBLinear
@@ -149,12 +127,11 @@ def _conversions() -> _Conversions:
 
 
 @contextmanager
-def _only_what_is_asked_for(name: str) -> Iterator[None]:
-    """Import modules of a package without the package itself.
+def _without_package(name: str) -> Iterator[None]:
+    """Import modules of a package without its own ``__init__``.
 
-    coloraide's own first lines import and register every space it knows, which takes 70 ms, most of a run; the three
-    asked for here take 8. So an empty package stands in for it, and leaves no trace: who imports coloraide afterwards
-    gets the real one.
+    coloraide's imports and registers every space it knows, which takes 70 ms, most of a run; the three needed here take
+    8. So an empty package stands in for it, and leaves no trace: a later import of coloraide gets the real one.
     """
     spec = None if name in sys.modules else importlib.util.find_spec(name)
     if spec is None or spec.submodule_search_locations is None:

@@ -18,19 +18,19 @@ if TYPE_CHECKING:
 Number = TypeVar("Number", float, complex)
 
 
-def all_of(gradient: Gradient, colour: str) -> Gradient:
-    """A gradient that paints the same everywhere: a plain colour on its way to another gradient."""
+def plain_gradient(gradient: Gradient, colour: str) -> Gradient:
+    """Return a gradient of one colour everywhere, which blends with another gradient."""
     return gradient._replace(stops=tuple(Stop(stop.offset, colour) for stop in gradient.stops))
 
 
 def blend_gradients(a: Gradient, b: Gradient, t: float) -> Gradient | None:
-    """The gradient at time t; None where the two are of different kinds.
+    """Return the gradient at time t; None where the two are of different kinds.
 
-    Points, radii and stops go straight from one to the other, an ellipse turns the shorter way, and what is beyond the
-    ends changes at half time. At 0 and 1 it paints what `a` and `b` do, perhaps with more stops.
+    Points, radii and stops move straight, an ellipse rotates the shorter way, and what is beyond the ends changes at
+    half time. At 0 and 1 it paints what `a` and `b` do, perhaps with more stops.
 
-    Colours are not premultiplied here, because SVG does not do so between stops either: the colour even of a stop that
-    cannot be seen is seen beside it.
+    Colours are not premultiplied here, because SVG does not do so between stops either: even the colour of an invisible
+    stop is seen beside it.
     """
     stops = tuple(
         Stop(p.offset, blend_colours(p.colour, q.colour, t), _between(p.opacity, q.opacity, t))
@@ -40,7 +40,7 @@ def blend_gradients(a: Gradient, b: Gradient, t: float) -> Gradient | None:
     if isinstance(a, LinearGradient) and isinstance(b, LinearGradient):
         return LinearGradient(_between(a.start, b.start, t), _between(a.end, b.end, t), stops, spread)
     if isinstance(a, RadialGradient) and isinstance(b, RadialGradient):
-        a, b = _turned_alike(a, b)
+        a, b = _align_angles(a, b)
         return RadialGradient(
             centre=_between(a.centre, b.centre, t),
             radii=(_between(a.radii[0], b.radii[0], t), _between(a.radii[1], b.radii[1], t)),
@@ -54,22 +54,22 @@ def blend_gradients(a: Gradient, b: Gradient, t: float) -> Gradient | None:
 
 
 def common_stops(a: Sequence[Stop], b: Sequence[Stop]) -> tuple[tuple[Stop, ...], tuple[Stop, ...]]:
-    """Two lists of stops at the same offsets, painting what `a` and `b` paint.
+    """Return two lists of stops at the same offsets that paint what `a` and `b` paint.
 
-    Every offset of either is there, twice where one of them changes its colour abruptly.
+    They have every offset of either, twice where one of them changes its colour abruptly.
     """
-    offsets = sorted({stop.offset for stop in (*a, *b)})
-    found: tuple[list[Stop], list[Stop]] = [], []
-    for offset in offsets:
-        sides = [_both_sides(stops, offset) for stops in (a, b)]
-        number = 2 if any(before != after for before, after in sides) else 1
-        for stops, pair in zip(found, sides, strict=True):
-            stops.extend(pair[:number])
-    return tuple(found[0]), tuple(found[1])
+    common_a: list[Stop] = []
+    common_b: list[Stop] = []
+    for offset in sorted({stop.offset for stop in (*a, *b)}):
+        sides_a, sides_b = _both_sides(a, offset), _both_sides(b, offset)
+        count = 2 if sides_a[0] != sides_a[1] or sides_b[0] != sides_b[1] else 1
+        common_a += sides_a[:count]
+        common_b += sides_b[:count]
+    return tuple(common_a), tuple(common_b)
 
 
 def _both_sides(stops: Sequence[Stop], offset: float) -> tuple[Stop, Stop]:
-    """What a gradient paints just before an offset, and just after it, as SVG has it between stops."""
+    """Return what a gradient paints just before an offset and just after it, as SVG interpolates between stops."""
     offsets = [stop.offset for stop in stops]
     first, last = bisect_left(offsets, offset), bisect_right(offsets, offset)
     if first < last:
@@ -83,20 +83,19 @@ def _both_sides(stops: Sequence[Stop], offset: float) -> tuple[Stop, Stop]:
     return mixed, mixed
 
 
-def _turned_alike(a: RadialGradient, b: RadialGradient) -> tuple[RadialGradient, RadialGradient]:
-    """The same two ellipses, turned so that the one has the shorter way to the other.
+def _align_angles(a: RadialGradient, b: RadialGradient) -> tuple[RadialGradient, RadialGradient]:
+    """Return the same two ellipses by angles that differ least.
 
-    A circle can be taken for turned by any angle, an ellipse for turned half around; the focus turns back.
+    The angle of a circle is arbitrary, that of an ellipse up to half turns; the focus rotates back.
     """
     if a.radii[0] == a.radii[1]:
-        return _taken_as(a, b.angle), b
+        return _at_angle(a, b.angle), b
     if b.radii[0] == b.radii[1]:
-        return a, _taken_as(b, a.angle)
-    half_turns = round((a.angle - b.angle) / 180.0)
-    return a, _taken_as(b, b.angle + 180.0 * half_turns)
+        return a, _at_angle(b, a.angle)
+    return a, _at_angle(b, b.angle + 180.0 * round((a.angle - b.angle) / 180.0))
 
 
-def _taken_as(gradient: RadialGradient, angle: float) -> RadialGradient:
+def _at_angle(gradient: RadialGradient, angle: float) -> RadialGradient:
     back = cmath.rect(1.0, math.radians(gradient.angle - angle))
     return gradient._replace(angle=angle, focus=gradient.focus * back)
 

@@ -1,4 +1,4 @@
-"""Paint between two paints."""
+"""Styles between two styles."""
 
 from __future__ import annotations
 
@@ -13,14 +13,11 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Gradient, Style
 
 MOST_DASHES = 64
-"""Entries of a list of dashes that two lists are repeated to, at most."""
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+"""Two lists of dashes are repeated to at most so many entries."""
 
 
 class _Paint(NamedTuple):
-    """What a fill or a stroke is painted with; no colour is no paint."""
+    """The paint of a fill or a stroke; no colour is no paint."""
 
     colour: str | None
     opacity: float
@@ -31,14 +28,9 @@ _NO_PAINT = _Paint(None, 1.0)
 
 
 def painted_as(a: Style, b: Style, style: str) -> tuple[Style, Style]:
-    """The styles of a pair under `--style`: A's for both, B's for both, or each its own.
+    """Return the styles of a pair under `--style`: ``a`` is A's for both, ``b`` B's for both, ``blend`` each its own.
 
     The fill rule belongs to the contours rather than to the paint, and stays.
-
-    Parameters
-    ----------
-    a, b : Style
-    style : {'a', 'b', 'blend'}
     """
     if style == "a":
         return a, a._replace(fill_rule=b.fill_rule)
@@ -48,11 +40,11 @@ def painted_as(a: Style, b: Style, style: str) -> tuple[Style, Style]:
 
 
 def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
-    """Paint at time t.
+    """Return the paint at time t.
 
-    Colours blend in OKLab, gradients of one kind and plain colours like gradients; paint that only one side has fades
-    in or out as it is. Widths, dashes and opacities go straight; joins, caps and the fill rule, which have nothing in
-    between, change at half time.
+    Colours blend in OKLab, and so do gradients of one kind, and a plain colour with a gradient; paint that only one
+    side has fades in or out as it is. Widths, dashes and opacities change evenly; joins, caps and the fill rule, which
+    have nothing in between, change at half time.
 
     Returns
     -------
@@ -74,12 +66,9 @@ def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
     )
     if fill_below is None and stroke_below is None:
         return _painted(plain, fill, stroke), None
-    # What need not dissolve is painted once: a stroke above, a fill below.
-    if stroke_below is None:
-        return _painted(plain, fill, stroke), _painted(plain, fill_below or _NO_PAINT, _NO_PAINT)
-    if fill_below is None:
-        return _painted(plain, _NO_PAINT, stroke), _painted(plain, fill, stroke_below)
-    return _painted(plain, fill, stroke), _painted(plain, fill_below, stroke_below)
+    if fill_below is None:  # what need not dissolve is painted once: a stroke above, a fill below
+        fill, fill_below = _NO_PAINT, fill
+    return _painted(plain, fill, stroke), _painted(plain, fill_below, stroke_below or _NO_PAINT)
 
 
 def _fill(style: Style) -> _Paint:
@@ -102,21 +91,14 @@ def _painted(style: Style, fill: _Paint, stroke: _Paint) -> Style:
 
 
 def _with_stroke_of(style: Style, other: Style) -> Style:
-    """A style without a stroke has the other's all along, so that it fades in or out as it is."""
+    """Give a style without a stroke the other's width, dashes and so on, so that it fades in or out as it is."""
     if style.stroke is not None:
         return style
-    return style._replace(
-        stroke_width=other.stroke_width,
-        stroke_linecap=other.stroke_linecap,
-        stroke_linejoin=other.stroke_linejoin,
-        stroke_miterlimit=other.stroke_miterlimit,
-        stroke_dasharray=other.stroke_dasharray,
-        stroke_dashoffset=other.stroke_dashoffset,
-    )
+    return _painted(other, _fill(style), _stroke(style))._replace(fill_rule=style.fill_rule)
 
 
 def _blend_paint(a: _Paint, b: _Paint, t: float) -> tuple[_Paint, _Paint | None]:
-    """The paint at time t, and what goes below it where two gradients are of different kinds."""
+    """Return the paint at time t, and the one below it where two gradients are of different kinds."""
     if a.colour is None:
         return b._replace(opacity=t * b.opacity), None
     if b.colour is None:
@@ -126,20 +108,19 @@ def _blend_paint(a: _Paint, b: _Paint, t: float) -> tuple[_Paint, _Paint | None]
     if a.gradient == b.gradient:
         return _Paint(colour, opacity, a.gradient), None
 
-    from shapeblend_cli.paint.gradients import all_of, blend_gradients  # few drawings have any
+    from shapeblend_cli.paint.gradients import blend_gradients, plain_gradient  # few drawings have any
 
-    if a.gradient is None:
-        assert b.gradient is not None
-        gradient = blend_gradients(all_of(b.gradient, a.colour), b.gradient, t)
-    else:
-        gradient = blend_gradients(a.gradient, b.gradient or all_of(a.gradient, b.colour), t)
+    either = a.gradient or b.gradient
+    assert either is not None
+    gradient_a = a.gradient or plain_gradient(either, a.colour)
+    gradient = blend_gradients(gradient_a, b.gradient or plain_gradient(either, b.colour), t)
     if gradient is not None:
         return _Paint(colour, opacity, gradient), None
     return b._replace(opacity=t * b.opacity), a._replace(opacity=_opacity_below(a, b, t))
 
 
 def _opacity_below(a: _Paint, b: _Paint, t: float) -> float:
-    """How opaque A's paint is when B's is painted over it with t times its opacity.
+    """Return the opacity of A's paint below B's, which is painted with t times its opacity.
 
     Of what is below, 1 - t * (B's opacity) is seen, and that is to be (1 - t) * (A's opacity).
     """
@@ -149,7 +130,7 @@ def _opacity_below(a: _Paint, b: _Paint, t: float) -> float:
 
 
 def _blend_dashes(a: Style, b: Style, t: float) -> tuple[tuple[float, ...], float]:
-    """The dashes at time t and where they begin; lists too long to be repeated to one length change at half time."""
+    """Return the dashes at time t and their offset; lists too long for `common_dashes` change at half time."""
     first, second = common_dashes(a.stroke_dasharray, b.stroke_dasharray)
     # A solid line looks the same wherever its dashes begin.
     start = a.stroke_dashoffset if a.stroke_dasharray else b.stroke_dashoffset
@@ -161,14 +142,10 @@ def _blend_dashes(a: Style, b: Style, t: float) -> tuple[tuple[float, ...], floa
 
 
 def common_dashes(a: tuple[float, ...], b: tuple[float, ...]) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Two lists of dashes repeated until they are equally long.
+    """Repeat two lists of dashes until they are equally long.
 
-    A solid line against a dashed one has dashes of the other's periods, with gaps of length 0 between them.
-
-    Returns
-    -------
-    pair of tuple of float
-        Both empty where both lines are solid; of different lengths where that would take more than `MOST_DASHES`.
+    A solid line against a dashed one gets dashes of the other's periods, with gaps of length 0 between them. Both are
+    empty where both lines are solid, and of different lengths where one length would be more than `MOST_DASHES`.
 
     Examples
     --------
@@ -177,28 +154,22 @@ def common_dashes(a: tuple[float, ...], b: tuple[float, ...]) -> tuple[tuple[flo
     >>> common_dashes((), (4, 1))
     ((5, 0), (4, 1))
     """
-    # Of an odd number, the second time round dashes and gaps have changed places.
+    # Of an odd number, dashes and gaps are exchanged the second time.
     a, b = (dashes * (1 + len(dashes) % 2) for dashes in (a, b))
-    if not a:
-        return _without_gaps(b), b
-    if not b:
-        return a, _without_gaps(a)
+    a, b = a or _without_gaps(b), b or _without_gaps(a)
     length = math.lcm(len(a), len(b))
-    if length > MOST_DASHES:
+    if not a or length > MOST_DASHES:
         return a, b
     return a * (length // len(a)), b * (length // len(b))
 
 
 def _without_gaps(dashes: tuple[float, ...]) -> tuple[float, ...]:
-    return tuple(
-        length
-        for dash, gap in zip(dashes[::2], dashes[1::2], strict=True)
-        for length in (dash + gap, 0 * gap)
-    )
+    pairs = zip(dashes[::2], dashes[1::2], strict=True)
+    return tuple(length for dash, gap in pairs for length in (dash + gap, 0 * gap))
 
 
 def keyed_styles(styles: Sequence[Style]) -> list[list[Style]] | None:
-    """The paint of a shape at each of its keys, such that a browser can go from one to the next by itself.
+    """Return the paint of a shape at its keys so that a browser can interpolate from one to the next.
 
     Parameters
     ----------
@@ -220,12 +191,13 @@ def keyed_styles(styles: Sequence[Style]) -> list[list[Style]] | None:
         return None
     filled = [k for k, style in enumerate(styles) if style.fill is not None]
     stroked = [k for k, style in enumerate(styles) if style.stroke is not None]
-    found = list(styles)
-    for k in range(len(styles)):
-        if filled and k not in filled:
+    keyed = []
+    for k, style in enumerate(styles):
+        if style.fill is None and filled:
             near = styles[min(filled, key=lambda other: abs(other - k))]
-            found[k] = found[k]._replace(fill=near.fill, fill_opacity=0.0)
-        if stroked and k not in stroked:
+            style = style._replace(fill=near.fill, fill_opacity=0.0)
+        if style.stroke is None and stroked:
             near = styles[min(stroked, key=lambda other: abs(other - k))]
-            found[k] = _with_stroke_of(found[k], near)._replace(stroke=near.stroke, stroke_opacity=0.0)
-    return [found] if len({len(style.stroke_dasharray) for style in found}) == 1 else None
+            style = _with_stroke_of(style, near)._replace(stroke=near.stroke, stroke_opacity=0.0)
+        keyed.append(style)
+    return [keyed] if len({len(style.stroke_dasharray) for style in keyed}) == 1 else None
