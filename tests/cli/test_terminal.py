@@ -1,66 +1,99 @@
 """What a person at a terminal sees."""
 
+import contextlib
 import os
 import pty
 import signal
 import subprocess
 import sys
-import time
 from functools import partial
 
 import numpy as np
 import pytest
 
+from shapeblend_cli.cli import run, terminal
+from tests.support.drawings import LEAF, SQUARES, svg
+
+
+def read_to(ours, end=None):
+    """What is written on a terminal, up to some text or until its other side is closed."""
+    seen = b""
+    while end is None or end not in seen:
+        try:
+            seen += os.read(ours, 4096)
+        except OSError:
+            break
+    return seen
+
+
+def on_screen(action):
+    """What a function writes with a terminal in place of standard error."""
+    ours, theirs = pty.openpty()
+    with os.fdopen(theirs, "w") as stderr, contextlib.redirect_stderr(stderr):
+        action()
+    seen = read_to(ours)
+    os.close(ours)
+    return seen
+
 
 @pytest.fixture
-def large(tmp_path):
-    """Two outlines that take more than a second to solve exactly."""
+def files(tmp_path, monkeypatch):
+    """The arguments for two small drawings."""
+    monkeypatch.chdir(tmp_path)
+    for name, path in (("a.svg", LEAF), ("b.svg", SQUARES)):
+        (tmp_path / name).write_text(svg(path), encoding="utf-8")
+    return ["a.svg", "b.svg", "--effort", "exact"]
+
+
+def test_ctrl_c_leaves_nothing_behind(tmp_path):
     rng = np.random.default_rng(3)
     for name, m in (("a", 2900), ("b", 3100)):
         angle = 2 * np.pi * np.arange(m) / m
         waves = sum(rng.normal() / k * np.cos(k * angle + rng.uniform(0, 7)) for k in range(1, 200))
-        z = np.exp(0.1 * waves + 1j * angle)
-        points = " ".join(f"{v.real:.5f},{v.imag:.5f}" for v in z)
-        (tmp_path / f"{name}.svg").write_text(
-            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="-2 -2 4 4"><path d="M{points}Z"/></svg>'
-        )
-    return tmp_path
-
-
-COMMAND = [sys.executable, "-m", "shapeblend_cli", "a.svg", "b.svg", "--effort", "exact"]
-
-
-def test_ctrl_c_leaves_nothing_behind(large):
+        points = " ".join(f"{z.real:.5f},{z.imag:.5f}" for z in np.exp(0.1 * waves + 1j * angle))
+        (tmp_path / f"{name}.svg").write_text(svg(f"M{points}Z", viewbox="-2 -2 4 4"))
+    ours, theirs = pty.openpty()
+    command = [sys.executable, "-m", "shapeblend_cli", "a.svg", "b.svg", "--effort", "exact"]
     # Shells have what runs in the background ignore the signal, and this one too if the tests do.
     heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
-    run = subprocess.Popen(COMMAND, cwd=large, stderr=subprocess.PIPE, text=True, preexec_fn=heard)
-    time.sleep(0.8)
-    run.send_signal(signal.SIGINT)
-    said = run.communicate(timeout=60)[1]
-    assert run.returncode == 1
-    assert said.split() == "shapeblend: interrupted; nothing was written".split()
-    assert sorted(os.listdir(large)) == ["a.svg", "b.svg"]
-
-
-def test_a_bar_shows_on_a_terminal_when_it_takes_long(large):
-    ours, theirs = pty.openpty()
-    run = subprocess.Popen(COMMAND, cwd=large, stdout=theirs, stderr=theirs, stdin=subprocess.DEVNULL)
+    process = subprocess.Popen(
+        command, cwd=tmp_path, stdin=subprocess.DEVNULL, stdout=theirs, stderr=theirs, preexec_fn=heard
+    )
     os.close(theirs)
-    seen = b""
-    while True:
-        try:
-            part = os.read(ours, 4096)
-        except OSError:  # the other side has closed
-            break
-        if not part:
-            break
-        seen += part
+    seen = read_to(ours, b"%")
+    assert b"matching" in seen
+    process.send_signal(signal.SIGINT)
+    said = read_to(ours).replace(b"\x1b[?25h", b"")  # which shows the cursor again
     os.close(ours)
-    assert run.wait(timeout=60) == 0
+    assert process.wait(timeout=60) == 1
+    assert said.split() == b"shapeblend: interrupted; nothing was written".split()
+    assert sorted(os.listdir(tmp_path)) == ["a.svg", "b.svg"]
+
+
+def test_a_bar_shows_on_a_terminal_when_it_takes_long():
+    def work():
+        now = 0.0
+        with terminal.Terminal(now=lambda: now) as shown:
+            shown.progress(0.1)
+            now = terminal.PATIENCE
+            shown.progress(0.5)
+
+    seen = on_screen(work)
+    assert b"matching" in seen
+    assert b"50%" in seen
+    assert b"10%" not in seen
+
+
+def test_a_command_shows_the_bar_and_goes_on(files, monkeypatch):
+    monkeypatch.setattr(terminal, "PATIENCE", 0.0)
+    codes = []
+    seen = on_screen(lambda: codes.append(run(files)))
+    assert codes == [0]
     assert b"matching" in seen
     assert b"%" in seen
 
 
-def test_no_bar_where_there_is_no_terminal(large):
-    done = subprocess.run(COMMAND, cwd=large, capture_output=True, check=True)
-    assert (done.stdout, done.stderr) == (b"", b"")
+def test_no_bar_where_there_is_no_terminal(files, monkeypatch, capfd):
+    monkeypatch.setattr(terminal, "PATIENCE", 0.0)
+    assert run(files) == 0
+    assert capfd.readouterr() == ("", "")
