@@ -16,12 +16,7 @@ if TYPE_CHECKING:
 class Alignment(NamedTuple):
     """The similarity ``a -> scale * exp(1j * rotation) * (a - centre_a) + centre_b``, in parts that move evenly.
 
-    Attributes
-    ----------
-    centre_a, centre_b : complex
-    scale : float > 0
-    rotation : float
-        Radians, positive from x towards y.
+    The rotation is in radians, positive from x towards y.
     """
 
     centre_a: complex
@@ -71,14 +66,7 @@ class Rigid(NamedTuple):
 
 
 class PointPairs(NamedTuple):
-    """Points of outlines that correspond.
-
-    Attributes
-    ----------
-    a, b : (k,) complex
-    weight : (k,) float
-        How much of the outlines each point stands for, of sum 1.
-    """
+    """Points of outlines that correspond, and weights of sum 1: how much of the outlines each stands for; (k,) each."""
 
     a: ComplexArray
     b: ComplexArray

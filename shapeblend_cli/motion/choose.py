@@ -34,19 +34,10 @@ COMMON_RESIDUAL = 2.0
 
 
 class Trial(NamedTuple):
-    """A shape on straight paths, and whether other motions are to be tried on it.
+    """A shape on straight paths, and whether it is settled: no other motions are to be tried on it.
 
-    Attributes
-    ----------
-    shape : ShapeBlend
-    is_settled : bool
-        Whether the shape moves as it is.
-    reason : str
-        Why it does not.
-    defect : Defect or None
-        Of straight paths; None if they are out of the question.
-    route : Route or None
-        Of `safe` motion for the shape as it is, if it is known already.
+    If it is not: the reason, the defect of straight paths unless they are out of the question, and the route of `safe`
+    motion if it is known already.
     """
 
     shape: ShapeBlend
@@ -66,17 +57,9 @@ class RotatedShape(NamedTuple):
 def try_straight(
     shapes: Sequence[ShapeBlend], motion: str, times: Sequence[float], rotation: float | None
 ) -> list[Trial]:
-    """Try shapes on straight paths.
+    """Try shapes on straight paths, at the times of the frames.
 
-    Parameters
-    ----------
-    shapes : sequence of ShapeBlend
-    motion : str
-        As `--motion` has it.
-    times : sequence of float
-        Of the frames.
-    rotation : float or None
-        By what angle B is A rotated, in radians, if that is all there is between them.
+    The rotation is the angle by which B is A rotated, in radians, if that is all there is between them.
     """
     trials = [
         Trial(shape._replace(reason=ASKED if shape.is_matched else "a point at one end")) for shape in shapes

@@ -47,15 +47,7 @@ CHORDS = 4
 
 
 class Defect(NamedTuple):
-    """What is wrong with a motion.
-
-    Attributes
-    ----------
-    rank : int
-        How bad that is: `LOSS`, `OVERLAP`, `COLLAPSE`, `STRAY` or `CROSSING`.
-    message : str
-        A phrase.
-    """
+    """What is wrong with a motion: how bad that is, from `LOSS` to `CROSSING`, and a phrase that says it."""
 
     rank: int
     message: str

@@ -26,11 +26,8 @@ any two outlines are circles with evenly spread vertices, to a few parts in a th
 STEPS = 4
 """Steps of the flow from one level to the next."""
 
-MOST_PIECES, LEAST_PIECES = 8, 4
-"""Vertices by which a segment is approximated. A cubic needs two besides its ends."""
-
-VERTICES = 1600
-"""Vertices of a contour, about, beyond which segments get fewer."""
+MOST_PIECES, LEAST_PIECES, VERTICES = 8, 4, 1600
+"""Vertices of a segment; the fewer, the more the contour would have. A cubic needs two besides its ends."""
 
 SHRINKING_LEVEL, LEAST_SIZE = 8, 0.25
 """Contours beside others become smaller from this level on, down to this share of their size at the last."""
@@ -57,10 +54,6 @@ def smoothing_levels(paths: Sequence[CubicPath]) -> list[list[ComplexArray]]:
     their exteriors. Contours that are points are only moved; open ones keep their ends. Round contours need more room
     than they had: from `SHRINKING_LEVEL` on they become smaller, with all that is in them, but for an exterior around
     all others.
-
-    Parameters
-    ----------
-    paths : sequence of CubicPath
 
     Returns
     -------
@@ -113,12 +106,7 @@ def _parents(flowing: Sequence[_FlowingContour]) -> list[tuple[int, int]]:
 
 
 class _FlowingContour:
-    """A contour under the flow, as a polygon.
-
-    Attributes
-    ----------
-    points : (n, 2) float
-    """
+    """A contour under the flow, as a polygon of `points`, (n, 2) float."""
 
     def __init__(self, path: CubicPath) -> None:
         segments = path.segments
@@ -194,12 +182,8 @@ def _mean_edge(points: FloatArray) -> float:
 def _cubic_fit(pieces: int) -> tuple[FloatArray, FloatArray]:
     """Return the least squares fit of a cubic with given ends through points at even parameters.
 
-    Returns
-    -------
-    ends : (2, pieces - 1) float
-        What the ends add to the points.
-    inner : (pieces - 1, 2) float
-        The inner control points, from what the ends leave.
+    That is what the ends add to the points, (2, pieces - 1), and the inner control points from the rest,
+    (pieces - 1, 2).
     """
     u = np.arange(1, pieces) / pieces
     v = 1.0 - u

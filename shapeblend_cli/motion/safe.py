@@ -163,15 +163,11 @@ class Safe:
     shares: FloatArray
     levels: FloatArray
     scales: FloatArray
+    name = "safe"
 
     def __post_init__(self) -> None:
         for name in ("times", "shares", "levels", "scales"):
             object.__setattr__(self, name, frozen(getattr(self, name), np.float64))
-
-    @property
-    def name(self) -> str:
-        """As `--motion` has it."""
-        return "safe"
 
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Return the control points of each contour at time t."""

@@ -27,15 +27,10 @@ NEGLIGIBLE_AREA = 1e-9
 
 
 class Chain(NamedTuple):
-    """One of two chains: its edges, and at each edge the turn from the one before.
+    """One of two chains: its edges, (n,) complex, and at each the turn from the one before, (n,) in radians.
 
-    Attributes
-    ----------
-    edges : (n,) complex
-        Exactly zero where the chain stays at a point while the other one moves on.
-    turns : (n,) float
-        Radians, from the last edge that has a direction; zero at edges that have none, and at the first of an open
-        chain.
+    An edge is exactly zero where the chain stays at a point while the other one moves on. The turn is from the last
+    edge that has a direction; zero at edges that have none, and at the first of an open chain.
     """
 
     edges: ComplexArray

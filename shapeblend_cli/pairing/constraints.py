@@ -98,12 +98,9 @@ def constraints_of(
 
 
 def required_pairs(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> list[Numbers]:
-    """Return the pairs of contours that users name by number, or by the ids of shapes, which are paired first.
+    """Return the pairs of contours that users name: by number, or by the ids of shapes, whose contours are paired.
 
-    Raises
-    ------
-    MatchError
-        An id that no shape has.
+    An id that no shape has raises a MatchError.
     """
     required: list[Numbers] = []
     for pair in settings.match:

@@ -29,11 +29,8 @@ if TYPE_CHECKING:
 
 EXTERIOR, HOLE, LINE = "exterior", "hole", "line"
 
-MOST_CONTOURS = 2_000
-"""Largest number of contours of a drawing; each is solved by itself, and every two are compared."""
-
-MOST_SEGMENTS = 50_000
-"""Largest number of segments of a contour."""
+MOST_CONTOURS, MOST_SEGMENTS = 2_000, 50_000
+"""Limits of a drawing and of each contour: contours are solved one by one, and every two are compared."""
 
 
 class PlacedContour(NamedTuple):
@@ -115,17 +112,16 @@ class _FlatContour(NamedTuple):
 def decompose(
     drawing: Drawing, to_a: Similarity, vertices: int, exterior_orientation: int | None = None
 ) -> tuple[list[PlacedContour], list[str]]:
-    """Flatten the contours of a drawing, find their roles, and orient exteriors alike.
+    """Flatten the contours of a drawing laid over A, find their roles, and orient exteriors alike.
 
     Parameters
     ----------
     drawing : Drawing
     to_a : Similarity
-        What lays it over A.
     vertices : int >= 0
-        Vertices of each contour, about.
+        Of each contour, about.
     exterior_orientation : {1, -1}, optional
-        Which way round exteriors are to run; by default as the largest closed contour does.
+        By default that of the largest closed contour.
 
     Returns
     -------

@@ -26,11 +26,7 @@ def choose_direction(
 ) -> tuple[bool, Correspondence]:
     """Solve for the direction of B that agrees with A's; if that is undecided, for the cheaper one.
 
-    Returns
-    -------
-    is_reversed : bool
-        Whether B was reversed; then the dots number the vertices of `reverse_polygon`.
-    correspondence : Correspondence
+    Return whether B was reversed, and the correspondence; if so its dots number the vertices of `reverse_polygon`.
     """
     candidates = reversed_candidates(a, b, settings.reverse)
     unit_a = to_unit_box(a)

@@ -21,17 +21,11 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import ComplexArray
 
-TIMES = np.arange(1, 10) / 10
-"""Times at which a growing hole should lie inside."""
+TIMES, WATCHED = np.arange(1, 10) / 10, 24
+"""When a growing hole is checked for lying inside, and at how many of its vertices at most."""
 
-WATCHED = 24
-"""Largest number of vertices of the growing contour that are checked."""
-
-GRID = 12
-"""A point that will not do is replaced by one of a grid of so many rows and columns."""
-
-TRIES = 40
-"""Largest number of points tried, the nearest first."""
+GRID, TRIES = 12, 40
+"""A point that will not do is replaced by one of a grid of so many rows and columns; so many are tried at most."""
 
 
 class MatchedPoints(NamedTuple):
@@ -42,21 +36,9 @@ class MatchedPoints(NamedTuple):
 
 
 def growth_point_on(contour: ComplexArray, paired: Sequence[MatchedPoints]) -> tuple[int, complex]:
-    """Return the point there that an exterior or a line grows from: the nearest one of the paired contours.
+    """Return which paired contour an exterior or a line, given by its vertices here, grows from, and the point there.
 
-    Parameters
-    ----------
-    contour : (m,) complex
-        Vertices here.
-    paired : sequence of MatchedPoints
-        At least one.
-
-    Returns
-    -------
-    index : int
-        Which of the paired contours it is on.
-    point : complex
-        What corresponds to the vertex of that contour which is nearest here.
+    It is what corresponds to the vertex of a paired contour which is nearest here.
     """
     watched = thin(contour, WATCHED)
     nearest = []
@@ -75,15 +57,7 @@ def growth_point_inside(
 
     The first choice has the mean value coordinates there that the hole's centroid has here. If a hole that grows from
     it does not stay inside, it is the nearest point of a grid from which it does; or, if there is none, the best.
-
-    Parameters
-    ----------
-    hole : (m,) complex
-        Vertices here.
-    exterior : MatchedPoints
-        What it is a hole in.
-    siblings : sequence of MatchedPoints
-        Other holes of that exterior, which the growing one must not meet.
+    Nor must it meet its siblings, other holes of that exterior.
     """
     watched = thin(hole, WATCHED)
     best, most = 0j, -1.0

@@ -35,23 +35,10 @@ def match_contours(
     rotation: float = 0.0,
     watch: Watch | None = None,
 ) -> ContourBlend:
-    """Solve the correspondence of two contours.
+    """Solve the correspondence of two contours, with B rotated back by an angle in radians.
 
-    Parameters
-    ----------
-    a, b : PlacedContour
-        B's is reversed where that agrees better with A's direction. A closed one that is to become a line is opened.
-    settings : Settings
-    constraints : Constraints
-    rotation : float
-        By what angle B is rotated back for that, in radians.
-    watch : callable, optional
-        Called now and then with the share of the work that is done, from 0 to 1.
-
-    Raises
-    ------
-    MatchError
-        If the constraints cannot be met.
+    B is reversed if that agrees better with A's direction. A closed contour that is to become a line is opened. `watch`
+    is called with the share of the work that is done, from 0 to 1. Constraints that cannot be met raise a MatchError.
     """
     if (a.role == LINE) != (b.role == LINE):
         a, b = (a, _open_for(a, b, settings)) if a.role == LINE else (_open_for(b, a, settings), b)

@@ -15,11 +15,8 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import BoolArray, Box, ComplexArray, IntArray, Polygon
 
-SAMPLES = 32
-"""Points along a contour on whose two sides the paint is sampled."""
-
-STEP = 1e-4
-"""Distance of the samples from the contour, as a share of its larger side."""
+SAMPLES, STEP = 32, 1e-4
+"""Paint is sampled on both sides of so many points of a contour, at this share of its larger side away."""
 
 
 class Nesting(NamedTuple):
@@ -45,24 +42,11 @@ class Nesting(NamedTuple):
 
 
 def nest(polygons: Sequence[Polygon], rule: str, exterior_orientation: int = 1) -> Nesting:
-    """Tell exteriors from holes.
+    """Tell the exteriors of a shape's closed contours from its holes, and orient them.
 
     A contour is a hole if there is paint outside it and none inside, along more of it than the reverse. Every other
-    contour is an exterior, also one with paint on both sides.
-
-    Parameters
-    ----------
-    polygons : sequence of Polygon
-        The closed contours of a shape.
-    rule : {'nonzero', 'evenodd'}
-    exterior_orientation : {1, -1}
-        Which way round exteriors are to run: 1 from x towards y.
-
-    Returns
-    -------
-    Nesting
-        If contours cross each other or themselves, or no such directions paint the same, the rule is the given one;
-        then, under ``nonzero``, all contours are reversed or none.
+    contour is an exterior, also one with paint on both sides. If contours cross each other or themselves, or no such
+    directions paint the same, the fill rule is the given one; then, under ``nonzero``, all are reversed or none.
     """
     signs = [orientation(polygon) for polygon in polygons]
     is_simple = polygon_crossings(polygons) == 0

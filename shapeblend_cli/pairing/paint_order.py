@@ -21,20 +21,10 @@ if TYPE_CHECKING:
 def paint_order(
     groups: Sequence[Shapes], a: Sequence[tuple[int, int]], b: Sequence[tuple[int, int]]
 ) -> list[int] | None:
-    """Order groups of contours.
+    """Return the indices of groups of contours from the lowest to the highest, None if the drawings contradict.
 
-    Parameters
-    ----------
-    groups : sequence of (int or None, int or None)
-        The shape of A and the shape of B that each group comes from.
-    a, b : sequence of (int, int)
-        Shapes of A, and of B, of which the first is visibly below the second.
-
-    Returns
-    -------
-    list of int or None
-        Indices of the groups from the lowest to the highest, as near to the order in both files as possible. None if
-        the drawings contradict each other.
+    That is as near to the order in both files as possible. A group comes from a shape of A and a shape of B, `a` and
+    `b` are pairs of shapes of which the first is visibly below the second.
     """
     below: list[set[int]] = [set() for _ in groups]
     for side, pairs in enumerate((a, b)):

@@ -47,7 +47,7 @@ def pair_contours(
     Parameters
     ----------
     a, b : sequence of PlacedContour
-        The contours of each drawing, at least one.
+        At least one each.
     settings : Settings
     required : sequence of (int, int)
         Numbers of contours that are pairs whatever they cost; so are the exteriors of paired holes.
@@ -156,12 +156,7 @@ def _less_skip_costs(costs: FloatArray, a: FramedContours, b: FramedContours) ->
 
 
 def assign(costs: FloatArray) -> list[tuple[int, int]]:
-    """Pair rows with columns at the least total cost: as many pairs as there are of the fewer, by row.
-
-    Parameters
-    ----------
-    costs : (p, q) finite float
-    """
+    """Pair the rows of finite costs with columns at the least total: as many as there are of the fewer, by row."""
     if min(costs.shape) == 0:
         return []
     if 1 in costs.shape:

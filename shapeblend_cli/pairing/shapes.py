@@ -54,22 +54,10 @@ class _Unmatched(NamedTuple):
 def shape_blends(
     a: Sequence[PlacedContour], b: Sequence[PlacedContour], matches: Sequence[Match]
 ) -> tuple[ShapeBlend, ...]:
-    """Put together the contours of two drawings, and give each without a partner a point to grow from.
+    """Put together the contours of two drawings in paint order, and let those without a partner grow from points.
 
     Contours are painted together if they come from the same shape of A and the same shape of B. What grows out of one
     of them is painted with it, unless it has a stroke, whose width must grow from nothing too.
-
-    Parameters
-    ----------
-    a, b : sequence of PlacedContour
-        All contours of the drawings.
-    matches : sequence of Match
-        At least one.
-
-    Returns
-    -------
-    tuple of ShapeBlend
-        In paint order.
     """
     groups: dict[_Group, list[ContourBlend]] = {}
     styles: dict[_Group, tuple[Style, Style]] = {}

@@ -21,11 +21,8 @@ if TYPE_CHECKING:
     from shapeblend_cli.pairing.decompose import ContourPair
 
 
-ENDS = 96
-"""Largest number of vertices between which a cut may run."""
-
-TRIES = 400
-"""Number of the cheapest cuts that are checked for lying inside."""
+ENDS, TRIES = 96, 400
+"""Cuts run between so many vertices at most; so many of the cheapest are checked for lying inside."""
 
 LEAST_SHARE = 0.02
 """No piece is smaller, as a share of what is cut."""
@@ -41,22 +38,10 @@ SHARE_WEIGHT, LENGTH_WEIGHT, DIRECTION_WEIGHT = 2.0, 0.5, 0.5
 def split_exteriors(
     a: Sequence[PlacedContour], b: Sequence[PlacedContour], pairs: Sequence[ContourPair], vertices: int
 ) -> list[ContourPair]:
-    """Give exteriors without a partner a piece of the nearest exterior that has one.
+    """Give exteriors without a partner a piece of the nearest exterior that has one, flattened to so many vertices.
 
-    Parameters
-    ----------
-    a, b : sequence of PlacedContour
-        All contours of the drawings.
-    pairs : sequence of (PlacedContour, PlacedContour)
-        At least one.
-    vertices : int >= 0
-        Vertices of each contour, about.
-
-    Returns
-    -------
-    list of (PlacedContour, PlacedContour)
-        The pairs; of an exterior that has become several its pieces, which have its number. One that no straight cut
-        divides stays whole, and the others stay without a partner.
+    Return all pairs. Pieces have the number of what was cut. An exterior that no straight cut divides stays whole, and
+    the others stay without a partner.
     """
     split = list(pairs)
     for owner_side, contours in enumerate((b, a)):  # exteriors of A are cut for B's, then B's for A's
