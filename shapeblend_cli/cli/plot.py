@@ -46,8 +46,9 @@ def plot(kind: str, files: tuple[str, ...], **given: Any) -> None:
     if kind == "starts" and (settings.start or settings.pins):
         raise click.UsageError("starts compares all starts; --start and --pin would leave one")
 
-    from shapeblend_cli.plot.write import Plot, plot_files
+    from shapeblend_cli.plot.write import plot_files
 
-    job = Plot(kind, files, ReadOptions.of(given), settings.replace(curves=False), options)
+    a, b = files
+    read, settings = ReadOptions.of(given), settings.replace(curves=False)
     with Terminal(quiet=TerminalOptions.of(given).quiet) as terminal:
-        plot_files(job, terminal.note, terminal.progress)
+        plot_files(kind, (a, b), read, settings, options, terminal.note, terminal.progress)

@@ -49,14 +49,8 @@ class _Key(NamedTuple):
 class _ContourChain(NamedTuple):
     """A contour over two keys or more.
 
-    Attributes
-    ----------
-    stations : list of (s, 4) complex
-        Control points at each key, and between two keys at each waypoint; segment for segment alike.
-    straight : (s,) bool
-    closed : bool
-    start, end : _Key
-        The first key, cut as in its own pair, and the last one.
+    Its stations, (s, 4) complex, are the control points at each key, and between two keys at each waypoint. `start` is
+    the first key, cut as in its own pair, and `end` the last one.
     """
 
     stations: list[ComplexArray]
@@ -67,17 +61,9 @@ class _ContourChain(NamedTuple):
 
 
 class _ShapeChain(NamedTuple):
-    """A shape over two keys or more.
+    """A shape over two keys or more, `first` being the number of the drawing it begins with.
 
-    Attributes
-    ----------
-    first : int
-        Number of the drawing it begins with.
-    contours : list of _ContourChain
-    styles : list of Style
-        At each key.
-    times : list of tuple of float
-        For each key but the last, those of the waypoints before the next one.
+    It has a style at each key, and for each key but the last the times of the waypoints before the next one.
     """
 
     first: int

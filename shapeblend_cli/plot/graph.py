@@ -56,15 +56,7 @@ BEADS = 70
 
 
 class Shading(NamedTuple):
-    """How much more the least path through each dot costs than the path that is drawn.
-
-    Attributes
-    ----------
-    more : (columns, rows) float
-        Never negative; infinite where there is no path.
-    levels : tuple of float
-        Where each next lighter shade begins.
-    """
+    """How much more the least path through each dot costs, infinite if there is none; where lighter shades begin."""
 
     more: FloatArray
     levels: tuple[float, ...]
@@ -76,9 +68,11 @@ def draw(subject: Subject) -> str:
     # Cells are square as far as that fits.
     share = max(min(columns, rows) / max(columns, rows), SLENDEREST)
     width, height = (SIDE, SIDE * share) if columns >= rows else (SIDE * share, SIDE)
-    deviation = f"diagonal deviation {value_text(subject.correspondence.diagonal_deviation)}"
-    band = "" if subject.band is None else f" in a band of {value_text(subject.band)}"
-    note = f"{subject.work}; {deviation}{band}"
+    deviation = subject.correspondence.diagonal_deviation
+    note = f"{subject.work}; diagonal deviation {value_text(deviation)}"
+    if subject.band is not None:
+        note += f" in a band of {value_text(subject.band)}"
+        deviation = subject.band
     figure = titled_figure(
         LEFT + width + 196.0, TOP + height + 64.0, _STYLE, subject.title, subject.contours, note
     )
@@ -91,12 +85,7 @@ def draw(subject: Subject) -> str:
     is_small = max(columns, rows) <= ARROWS
     if is_small:
         axes.grid(range(columns), range(rows))
-    _diagonal(
-        axes,
-        columns,
-        rows,
-        subject.correspondence.diagonal_deviation if subject.band is None else subject.band,
-    )
+    _diagonal(axes, columns, rows, deviation)
     _path(axes, unrolled(subject), is_small, max(columns, rows) <= BEADS)
     axes.frame()
     first_a, first_b = subject.correspondence.dots[0].tolist()

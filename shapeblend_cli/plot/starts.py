@@ -101,16 +101,9 @@ def works_of(subject: Subject) -> FloatArray:
 
 
 class Scale(NamedTuple):
-    """How high works are drawn.
+    """How high works are drawn: the bottom and the top, and heights and works of ticks.
 
-    Attributes
-    ----------
-    low, high : float
-        Heights of the bottom and the top.
-    ticks : tuple of (float, float)
-        Heights and works of the ticks.
-    least : float or None
-        Works are drawn as their logarithms, and smaller ones than this at `low`; None draws them as they are.
+    Where there is a least work, works are drawn as their logarithms, and smaller ones than that at the bottom.
     """
 
     low: float

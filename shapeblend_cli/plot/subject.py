@@ -27,15 +27,10 @@ class Subject(NamedTuple):
     ----------
     names : (str, str)
         Of the files.
-    contour : ContourBlend
     wires : Wires
-        The two in the unit box.
-    band : float or None
-        The band in force.
-    shape : ShapeBlend
-        The shape that the contour is part of.
-    number : int
-        The contour's number in the shape.
+        The contour of A and that of B, in the unit box.
+    shape, number : ShapeBlend, int
+        The shape that the contour is part of, and its number there.
     dot : (int, int) or None
         The dot that is asked for.
     progress : callable

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError
@@ -21,33 +21,19 @@ if TYPE_CHECKING:
     from shapeblend_cli.settings import PlotOptions, ReadOptions, Settings
 
 
-class Plot(NamedTuple):
-    """What is asked for.
-
-    Attributes
-    ----------
-    kind : str
-        The name of a module beside this one.
-    files : tuple of str
-        Two.
-    read : ReadOptions
-    settings : Settings
-    options : PlotOptions
-    """
-
-    kind: str
-    files: tuple[str, ...]
-    read: ReadOptions
-    settings: Settings
-    options: PlotOptions
-
-
-def plot_files(plot: Plot, note: Callable[[str], None], progress: Callable[[float], None]) -> None:
-    """Read two files, match them, and write the plot.
+def plot_files(
+    kind: str,
+    files: tuple[str, str],
+    read: ReadOptions,
+    settings: Settings,
+    options: PlotOptions,
+    note: Callable[[str], None],
+    progress: Callable[[float], None],
+) -> None:
+    """Read two files, match them, and write the plot that the module `kind` beside this one draws.
 
     Parameters
     ----------
-    plot : Plot
     note : callable
         Takes what the user should know, a line at a time.
     progress : callable
@@ -60,18 +46,17 @@ def plot_files(plot: Plot, note: Callable[[str], None], progress: Callable[[floa
     """
     if not COMPILED:
         note(SLOW)
-    output = plot.options.output or f"{plot.kind}.svg"
+    output = options.output or f"{kind}.svg"
     target = Path(output)
     if output != STANDARD_OUTPUT:
-        inputs = [Path(file) for file in plot.files if file != STANDARD_INPUT]
-        check_targets([target], inputs, plot.options.force)
-    (pair,) = match_files(plot.files, plot.read, plot.settings, Clock(), note, progress)
+        inputs = [Path(file) for file in files if file != STANDARD_INPUT]
+        check_targets([target], inputs, options.force)
+    (pair,) = match_files(files, read, settings, Clock(), note, progress)
     try:
-        a, b = plot.files
-        subject = choose_subject((a, b), pair, plot.settings, plot.options, progress)
-        text = import_module(f"shapeblend_cli.plot.{plot.kind}").draw(subject)
+        subject = choose_subject(files, pair, settings, options, progress)
+        text = import_module(f"shapeblend_cli.plot.{kind}").draw(subject)
     except MatchError as error:
-        raise InputError(" and ".join(plot.files), str(error)) from error
+        raise InputError(" and ".join(files), str(error)) from error
     if output == STANDARD_OUTPUT:
         print_text(text)
     else:
