@@ -30,6 +30,13 @@ def samples():
 
 
 @pytest.fixture
+def here(tmp_path, monkeypatch):
+    """An empty folder, which is the current one."""
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.fixture
 def load_uncompiled(monkeypatch):
     """Load a kernel from its source, under another name, as on a machine without Cython."""
 

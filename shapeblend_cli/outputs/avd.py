@@ -6,7 +6,7 @@ PathInterpolator in the reference of Android.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from shapeblend_cli.outputs.formats import Format, OutputSpec, Rendered
 from shapeblend_cli.svg.writing.path_data import path_data
@@ -16,9 +16,11 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from xml.etree.ElementTree import Element
 
-    from shapeblend_cli.easing import Ease
+    from shapeblend_cli.easing import Ease, Timing
     from shapeblend_cli.model import PaintedShape, Pair
     from shapeblend_cli.outputs.move import Move
+
+    _Step = tuple[str, str, int, Ease]  # from one value to another, in milliseconds
 
 NAMESPACES = {
     "xmlns:android": "http://schemas.android.com/apk/res/android",
@@ -47,17 +49,8 @@ FIXED = ("fillType", "strokeLineCap", "strokeLineJoin")
 """Properties that Android does not animate."""
 
 
-def animated_vector(move: Move, seconds: float, ease: Ease, decimals: int) -> str:
-    """Return an animated vector drawable that moves once from the first picture to the second.
-
-    Parameters
-    ----------
-    move : Move
-    seconds : float
-    ease : Ease
-    decimals : int
-        Of coordinates.
-    """
+def animated_vector(move: Move, timing: Timing, decimals: int) -> str:
+    """Return an animated vector drawable that moves once, coordinates with so many decimals."""
     from xml.etree import ElementTree
 
     view = move.view
@@ -73,25 +66,19 @@ def animated_vector(move: Move, seconds: float, ease: Ease, decimals: int) -> st
     shift = {"translateX": number(-view.x, decimals), "translateY": number(-view.y, decimals)}
     if set(shift.values()) != {"0"}:
         parent = _add(parent, "group", shift)
-    duration = max(1, round(1000 * seconds))
-    for shape in move.shapes():
+    duration = max(1, round(1000 * timing.seconds))
+    for shape in move.shapes:
         start, end = (_attributes(painted, decimals) for painted in (shape.start, shape.end))
         shown = {key: value for key, value in start.items() if DEFAULTS.get(key) != value}
         _add(parent, "path", {"name": shape.name, **shown})
-        moving = {
-            key: [_Step(start[key], end[key], duration, ease)]
-            for key in start
-            if key not in FIXED and start[key] != end[key]
+        changing = [key for key in start if key not in FIXED and start[key] != end[key]]
+        moving: dict[str, list[_Step]] = {
+            key: [(start[key], end[key], duration, timing.ease)] for key in changing
         }
         if shape.waypoints:
             moving["pathData"] = [
-                _Step(
-                    path_data(section.start, decimals),
-                    path_data(section.end, decimals),
-                    round(section.times[1] - section.times[0]),
-                    section.ease,
-                )
-                for section in shape.sections(duration, ease, 0)
+                (path_data(a, decimals), path_data(b, decimals), round(until - begin), ease)
+                for a, b, (begin, until), ease in shape.sections(duration, timing.ease, 0)
             ]
         if moving:
             animators = _inline(_add(root, "target", {"name": shape.name}), "animation")
@@ -105,44 +92,33 @@ def animated_vector(move: Move, seconds: float, ease: Ease, decimals: int) -> st
 
 def too_long(move: Move, decimals: int) -> list[str]:
     """Return a phrase for each shape whose path is longer than Android's build tools accept."""
-    lengths = {
-        shape.name: max(
-            len(path_data(paths, decimals))
-            for paths in (shape.start.paths, *(point.paths for point in shape.waypoints), shape.end.paths)
-        )
-        for shape in move.shapes()
-    }
-    return [
-        f"{name}: its path has {length} characters, and Android takes {LONGEST}; fewer --vertices make it shorter"
-        for name, length in lengths.items()
-        if length > LONGEST
-    ]
-
-
-class _Step(NamedTuple):
-    """From one value of a property to another."""
-
-    start: str
-    end: str
-    milliseconds: int
-    ease: Ease
+    notes = []
+    for name, start, end, waypoints in move.shapes:
+        drawn = (start.paths, *(waypoint.paths for waypoint in waypoints), end.paths)
+        length = max(len(path_data(paths, decimals)) for paths in drawn)
+        if length > LONGEST:
+            notes.append(
+                f"{name}: its path has {length} characters, and Android takes {LONGEST}; fewer --vertices make it "
+                "shorter"
+            )
+    return notes
 
 
 def _animate(parent: Element, key: str, steps: Sequence[_Step]) -> None:
     """Add the animators of a property in sequence: keyframes of a single one cannot hold paths."""
     if len(steps) > 1:
         parent = _add(parent, "set", {"ordering": "sequentially"})
-    for step in steps:
+    for start, end, milliseconds, ease in steps:
         attributes = {
             "propertyName": key,
-            "duration": str(step.milliseconds),
-            "valueFrom": step.start,
-            "valueTo": step.end,
+            "duration": str(milliseconds),
+            "valueFrom": start,
+            "valueTo": end,
             "valueType": TYPES.get(key, "floatType"),
         }
         interpolator = _inline(_add(parent, "objectAnimator", attributes), "interpolator")
         names = ("controlX1", "controlY1", "controlX2", "controlY2")
-        curve = {name: number(value, 4) for name, value in zip(names, step.ease, strict=True)}
+        curve = {name: number(value, 4) for name, value in zip(names, ease, strict=True)}
         _add(interpolator, "pathInterpolator", curve)
 
 
@@ -180,9 +156,9 @@ def _add(parent: Element, tag: str, attributes: dict[str, str] | None = None) ->
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     from shapeblend_cli.outputs.move import moves_of
 
-    (move,), timing, decimals = moves_of(pairs), spec.timing, spec.decimals(pairs)
-    text = animated_vector(move, timing.seconds, timing.ease, decimals)
-    return Rendered([text], [*move.unsupported_in("Android"), *too_long(move, decimals)])
+    (move,), decimals = moves_of(pairs), spec.decimals(pairs)
+    notes = [*move.unsupported_in("Android"), *too_long(move, decimals)]
+    return Rendered([animated_vector(move, spec.timing, decimals)], notes)
 
 
 FORMAT = Format(
@@ -191,7 +167,6 @@ FORMAT = Format(
     _render,
     emit="avd",
     suffix=".xml",
-    default_path="blend.xml",
     to_standard_output=True,
     takes_sequences=False,
 )

@@ -8,14 +8,7 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.outputs.formats import WHITE, Format, OutputSpec, Rendered, frame_svgs
-from shapeblend_cli.outputs.raster import (
-    Size,
-    check_libraries,
-    check_pixels,
-    picture_size,
-    rasterize,
-    read_png,
-)
+from shapeblend_cli.outputs.raster import Size, check_libraries, check_pixels, rasterize, read_png, size_for
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -60,11 +53,10 @@ def contact_sheet(
     Parameters
     ----------
     svgs : sequence of str
-        Documents without an XML declaration, at least one.
+        See `rasterize`; at least one.
     cell : Size
-        Drawings are fitted into it as large as possible.
     columns : int, optional
-        By default `columns_for` so many.
+        By default `columns_for` so many drawings.
     ground, page : str or None
         Colours behind the drawings and between the cells; None is transparent.
 
@@ -79,8 +71,7 @@ def contact_sheet(
     rows = -(-len(svgs) // columns)
     gap = max(1, cell.width // 20)
     step = Size(cell.width + gap, cell.height + gap)
-    size = Size(columns * step.width + gap, rows * step.height + gap)
-    check_pixels(1, size)
+    size = check_pixels(Size(columns * step.width + gap, rows * step.height + gap))
     sheet = Image.new("RGBA", size, page or CLEAR)
     for k, svg in enumerate(svgs):
         x, y = gap + (k % columns) * step.width, gap + (k // columns) * step.height
@@ -90,16 +81,15 @@ def contact_sheet(
 
 
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
-    size = picture_size(spec, pairs, len(spec.frame_files()))
-    ground = spec.ground
-    sheet = contact_sheet(frame_svgs(spec, pairs), size, spec.columns, ground, PAGE if ground else None)
+    cell, ground = size_for(spec.width, pairs[0].views[0], spec.frame_count), spec.ground
+    sheet = contact_sheet(frame_svgs(spec, pairs), cell, spec.columns, ground, PAGE if ground else None)
     file = io.BytesIO()
     sheet.save(file, "PNG", optimize=True)
     return Rendered([file.getvalue()])
 
 
 def _check(spec: OutputSpec) -> None:
-    if not spec.frame_files():
+    if not spec.frame_count:
         raise OptionError("--frames 0 leaves nothing for a contact sheet; --frames 1 or --ends would work")
 
 

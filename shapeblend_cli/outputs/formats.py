@@ -22,15 +22,7 @@ TRANSPARENT, WHITE = "transparent", "#ffffff"
 
 
 class Rendered(NamedTuple):
-    """The contents of an output.
-
-    Attributes
-    ----------
-    contents : sequence of str or bytes
-        In the order of `OutputSpec.files`.
-    notes : sequence of str
-        What the format cannot show, a phrase each.
-    """
+    """The contents of an output, in the order of `OutputSpec.files`, and phrases for what the format cannot show."""
 
     contents: Sequence[str | bytes]
     notes: Sequence[str] = ()
@@ -41,17 +33,15 @@ class Format(NamedTuple):
 
     Attributes
     ----------
-    name : str
-    help : str
+    name, help : str
     render : callable
         Returns the contents of an output from pairs.
     emit : str
-        The value of ``--emit`` that asks for it; ``frames`` leaves the choice to ``--output``.
+        The value of ``--emit`` that asks for it; ``frames`` leaves the choice to ``--output`` and ``--format``.
     suffix : str
         Of its file; empty if it is a folder.
     files : sequence of str
         Names of the files in its folder; empty if that has a file for each frame.
-    default_path : str
     to_standard_output : bool
         Whether it can be written there.
     takes_sequences : bool
@@ -72,7 +62,6 @@ class Format(NamedTuple):
     emit: str = "frames"
     suffix: str = ""
     files: Sequence[str] = ()
-    default_path: str = "blend"
     to_standard_output: bool = False
     takes_sequences: bool = True
     defaults: Mapping[str, str | int | None] = {}
@@ -87,32 +76,24 @@ class Format(NamedTuple):
 
 
 class OutputSpec(NamedTuple):
-    """An output with nothing left to choose; see `options.specify`.
+    """An output with nothing left to choose, of so many drawings; see `options.specify`.
+
+    `options.OutputOptions` describes the fields after `timing`; None is what the format has no use for.
 
     Attributes
     ----------
-    format : Format
     path : str
         A folder, the name of a file, or ``-``.
     settings : Settings
         Reads frames, ends, curves and style.
-    drawings : int
-        How many are blended, >= 2.
-    animate : {'smil', 'css', 'frames'}
-        How an animated SVG moves.
-    timing : Timing
-    precision : int or None
-        Decimals of coordinates; None for as many as the size of the drawings needs.
-    width, columns, fps, background
-        See `options.OutputOptions`; None where the format has no use for it.
     """
 
     format: Format
     path: str
     settings: Settings
     drawings: int
-    animate: str
     timing: Timing
+    animate: str
     precision: int | None
     width: int | None
     columns: int | None
@@ -127,17 +108,20 @@ class OutputSpec(NamedTuple):
     def decided(self) -> dict[str, str | int | None]:
         """Return the options that the format has decided on, by name."""
         frame_format = self.format.name if self.format.has_frame_files else None
-        return {"output": self.path, "format": frame_format} | {
-            name: getattr(self, name) for name in ("width", "columns", "background", "fps")
-        }
+        shared = {name: getattr(self, name) for name in ("width", "columns", "background", "fps")}
+        return {"output": self.path, "format": frame_format} | shared
+
+    @property
+    def frame_count(self) -> int:
+        """How many frames the settings ask for."""
+        return (self.drawings - 1) * self.settings.frames + (self.drawings if self.settings.ends else 0)
 
     def frame_files(self) -> list[str | None]:
         """Return for each frame the name of the file that shows it alone, if there is one."""
-        ends = self.drawings if self.settings.ends else 0
-        count = (self.drawings - 1) * self.settings.frames + ends
         if not self.format.has_frame_files:
-            return [None] * count
-        return [f"frame-{k:0{len(str(count))}d}.{self.format.name}" for k in range(1, count + 1)]
+            return [None] * self.frame_count
+        digits, suffix = len(str(self.frame_count)), self.format.name
+        return [f"frame-{k:0{digits}d}.{suffix}" for k in range(1, self.frame_count + 1)]
 
     def files(self) -> list[str]:
         """Return the paths of the files that are written, in order; none for standard output."""

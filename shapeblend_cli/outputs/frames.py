@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.outputs.formats import TRANSPARENT, Format, OutputSpec, Rendered, frame_svgs
-from shapeblend_cli.outputs.raster import check_libraries, picture_size, rasterize
+from shapeblend_cli.outputs.raster import check_libraries, rasterize, size_for
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -18,7 +18,7 @@ def _render_svg(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
 
 
 def _render_png(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
-    size = picture_size(spec, pairs, len(spec.frame_files()))
+    size = size_for(spec.width, pairs[0].views[0], spec.frame_count)
     return Rendered([rasterize(svg, size, spec.ground) for svg in frame_svgs(spec, pairs)])
 
 

@@ -14,7 +14,7 @@ from shapeblend_cli.svg.writing.rounding import number
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.easing import Ease
+    from shapeblend_cli.easing import Ease, Timing
     from shapeblend_cli.model import Box, CubicPath, Pair
     from shapeblend_cli.outputs.move import Move, MovedShape, Section
 
@@ -40,21 +40,10 @@ LINE_CAPS = {"butt": 1, "round": 2, "square": 3}
 LINE_JOINS = {"miter": 1, "round": 2, "bevel": 3}
 
 
-def lottie(moves: Sequence[Move], seconds: float, ease: Ease, decimals: int) -> str:
-    """Return a Lottie animation of drawings that become one another in turn.
+def lottie(moves: Sequence[Move], timing: Timing, decimals: int) -> str:
+    """Return a Lottie animation of one move after another, coordinates with so many decimals.
 
-    The frame named by `op` is not shown, so there is one more than `seconds` has: the last one shows the last drawing.
-
-    Parameters
-    ----------
-    moves : sequence of Move
-        Each begins with the picture the one before ends with.
-    seconds : float
-        Duration of each move.
-    ease : Ease
-        Of each move.
-    decimals : int
-        Of coordinates.
+    The frame named by `op` is not shown, so there is one more than in the seconds: the last one shows the last drawing.
     """
     import json
 
@@ -65,13 +54,13 @@ def lottie(moves: Sequence[Move], seconds: float, ease: Ease, decimals: int) -> 
     scale = 1.0 if is_whole and view.larger_side in OWN_SIZES else SIZE / view.larger_side
     size = max(1, round(scale * view.width)), max(1, round(scale * view.height))
     placement = _placement(view, scale, size, decimals)
-    frames = max(1, round(FRAME_RATE * seconds))
+    frames = max(1, round(FRAME_RATE * timing.seconds))
     last = frames * len(moves) + 1
     layers = []
     for k, move in enumerate(moves):
-        keys = _Keyframes(frames * k, frames * (k + 1), ease, decimals)
+        keys = _Keyframes(frames * k, frames * (k + 1), timing.ease, decimals)
         until = keys.end if k + 1 < len(moves) else last
-        for shape in move.shapes():
+        for shape in move.shapes:
             placed = {"ks": placement, "ao": 0, "shapes": [_group(shape, keys)]}
             times = {"ip": keys.start, "op": until, "st": 0}
             layers.append({"ddd": 0, "ty": 4, "nm": shape.name, "sr": 1, **placed, **times, "bm": 0})
@@ -204,8 +193,8 @@ def _rounded(value: float, decimals: int) -> float:
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     from shapeblend_cli.outputs.move import moves_of
 
-    moves, timing = moves_of(pairs), spec.timing
-    text = lottie(moves, timing.seconds, timing.ease, spec.decimals(pairs))
+    moves = moves_of(pairs)
+    text = lottie(moves, spec.timing, spec.decimals(pairs))
     return Rendered([text], [note for move in moves for note in move.unsupported_in("Lottie")])
 
 
@@ -215,6 +204,5 @@ FORMAT = Format(
     _render,
     emit="lottie",
     suffix=".json",
-    default_path="blend.json",
     to_standard_output=True,
 )

@@ -23,15 +23,7 @@ FIXED = {
 
 
 class Section(NamedTuple):
-    """A part of a motion in which every number is interpolated linearly, but for the easing.
-
-    Attributes
-    ----------
-    start, end : tuple of CubicPath
-    times : (float, float)
-        When it begins and ends.
-    ease : Ease
-    """
+    """A part of a motion, with the times it begins and ends, that interpolates every number linearly but for easing."""
 
     start: tuple[CubicPath, ...]
     end: tuple[CubicPath, ...]
@@ -48,16 +40,9 @@ class MovedShape(NamedTuple):
     waypoints: tuple[Waypoint, ...]
 
     def sections(self, length: float, ease: Ease, decimals: int) -> list[Section]:
-        """Return the motion from waypoint to waypoint.
+        """Return the sections of a motion from waypoint to waypoint, given the length in time and the easing of all.
 
-        Parameters
-        ----------
-        length : float
-            Time of the whole motion.
-        ease : Ease
-            Of the whole motion.
-        decimals : int
-            Of times. A waypoint at the time of another one, or of an end, is left out.
+        Times have so many decimals; a waypoint at the time of another one, or of an end, is left out.
         """
         stops = [(0.0, 0.0, self.start.paths)]
         for waypoint in self.waypoints:
@@ -72,48 +57,10 @@ class MovedShape(NamedTuple):
 
 
 class Move(NamedTuple):
-    """From one picture to another.
+    """From one picture to another: shapes in paint order, and the part of the plane to show of each picture."""
 
-    Attributes
-    ----------
-    start, end : tuple of PaintedShape
-        With the same paths, segment for segment.
-    views : (Box, Box)
-        The part of the plane to show of each.
-    waypoints : tuple of tuple of Waypoint
-        Of each shape; empty if it moves on straight lines.
-    """
-
-    start: tuple[PaintedShape, ...]
-    end: tuple[PaintedShape, ...]
+    shapes: tuple[MovedShape, ...]
     views: tuple[Box, Box]
-    waypoints: tuple[tuple[Waypoint, ...], ...]
-
-    def shapes(self) -> list[MovedShape]:
-        """Return the shapes in paint order, their paint such that programs can interpolate it.
-
-        Paint that only one side shows has its fill rule, line cap and line join from there. The point that a hole
-        grows from would be painted as a dot by round or square line caps, which nothing else of closed paths
-        shows: they are left out there.
-        """
-        shapes = []
-        for number, (start, end, between) in enumerate(
-            zip(self.start, self.end, self.waypoints, strict=True), 1
-        ):
-            # Where one paint dissolves into another, A's is below B's, and all there is to see at first.
-            start_style, end_style = start.below or start.style, end.style
-            for paint, names in FIXED.items():
-                if not _shows(start_style, paint):
-                    start_style = start_style._replace(**{name: getattr(end_style, name) for name in names})
-                elif not _shows(end_style, paint):
-                    end_style = end_style._replace(**{name: getattr(start_style, name) for name in names})
-            paths = start.paths + end.paths
-            if all(path.closed for path in paths) and any(path.is_point for path in paths):
-                start_style = start_style._replace(stroke_linecap="butt")
-                end_style = end_style._replace(stroke_linecap="butt")
-            start, end = start._replace(style=start_style), end._replace(style=end_style)
-            shapes.append(MovedShape(f"shape-{number}", start, end, between))
-        return shapes
 
     @property
     def view(self) -> Box:
@@ -124,12 +71,12 @@ class Move(NamedTuple):
         """Return a phrase for each property that a program cannot show, or not animate."""
         plain = [
             f"{name}: its gradient is a plain colour in {program}"
-            for name, start, end, _ in self.shapes()
+            for name, start, end, _ in self.shapes
             if any(s.style.fill_gradient or s.style.stroke_gradient for s in (start, end))
         ]
         return plain + [
             f"{name}: {program} cannot change the {words} on the way; that of the first drawing stays"
-            for name, start, end, _ in self.shapes()
+            for name, start, end, _ in self.shapes
             for paint, names in FIXED.items()
             for key, words in names.items()
             if _shows(start.style, paint) and getattr(start.style, key) != getattr(end.style, key)
@@ -139,17 +86,42 @@ class Move(NamedTuple):
         """Return a phrase for each shape whose waypoints are lost where there are two pictures and no more."""
         return [
             f"{shape.name}: moves on curved paths, which two files cannot show: straight between them"
-            for shape in self.shapes()
+            for shape in self.shapes
             if shape.waypoints
         ]
 
 
 def moves_of(pairs: Sequence[Pair]) -> list[Move]:
-    """Return the moves from drawing to drawing."""
-    return [
-        Move(shapes_at(pair, 0.0), shapes_at(pair, 1.0), pair.views, tuple(map(waypoints, pair.shapes)))
-        for pair in pairs
-    ]
+    """Return the move from each drawing to the next."""
+    moves = []
+    for pair in pairs:
+        shapes = zip(shapes_at(pair, 0.0), shapes_at(pair, 1.0), map(waypoints, pair.shapes), strict=True)
+        moved = (moved_shape(f"shape-{number}", *shape) for number, shape in enumerate(shapes, 1))
+        moves.append(Move(tuple(moved), pair.views))
+    return moves
+
+
+def moved_shape(
+    name: str, start: PaintedShape, end: PaintedShape, waypoints: tuple[Waypoint, ...] = ()
+) -> MovedShape:
+    """Return a shape whose paint programs can interpolate; both sides have the same paths, segment for segment.
+
+    Paint that only one side shows has its fill rule, line cap and line join from there. The point that a hole grows
+    from would be painted as a dot by round or square line caps, which nothing else of closed paths shows: they are left
+    out there.
+    """
+    # Where one paint dissolves into another, A's is below B's, and all there is to see at first.
+    start_style, end_style = start.below or start.style, end.style
+    for paint, names in FIXED.items():
+        if not _shows(start_style, paint):
+            start_style = start_style._replace(**{name: getattr(end_style, name) for name in names})
+        elif not _shows(end_style, paint):
+            end_style = end_style._replace(**{name: getattr(start_style, name) for name in names})
+    paths = start.paths + end.paths
+    if all(path.closed for path in paths) and any(path.is_point for path in paths):
+        start_style = start_style._replace(stroke_linecap="butt")
+        end_style = end_style._replace(stroke_linecap="butt")
+    return MovedShape(name, start._replace(style=start_style), end._replace(style=end_style), waypoints)
 
 
 def _shows(style: Style, paint: str) -> bool:

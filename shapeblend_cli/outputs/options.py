@@ -11,7 +11,7 @@ from shapeblend_cli.fields import Record, option
 from shapeblend_cli.outputs.formats import OutputSpec
 from shapeblend_cli.outputs.raster import MOST_SIDE
 from shapeblend_cli.outputs.raster_animation import FASTEST
-from shapeblend_cli.outputs.registry import EMITS, FORMATS, FRAME_FORMATS, alternatives, choose
+from shapeblend_cli.outputs.registry import DEFAULT, EMITS, FORMATS, FRAME_FORMATS, alternatives, choose
 from shapeblend_cli.settings import ANIMATIONS, IN_BETWEENS, OUTPUT, PICTURES, Settings
 
 SHARED = {
@@ -53,8 +53,12 @@ class OutputOptions(Record, section=PICTURES):
         help=f"A folder: one file for each frame. A name ending in {_by_suffix()}. -: an animated SVG on standard "
         "output.",
         default_text="; ".join(
-            ["blend"]
-            + [f"{f.default_path} with --emit {f.emit}" for f in FORMATS if f.default_path != "blend"]
+            [DEFAULT]
+            + [
+                f"{DEFAULT}{f.suffix} with --emit {f.emit}"
+                for f in FORMATS
+                if f.suffix and f.emit != EMITS[0]
+            ]
         ),
     )
     emit: str = option(
@@ -161,8 +165,8 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
         path,
         settings,
         drawings,
-        options.animate,
         Timing(options.duration, settings.ease, options.repeat),
+        options.animate,
         options.precision,
         **{name: getattr(options, name) or defaults.get(name) for name in SHARED},
     )

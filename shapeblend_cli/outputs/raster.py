@@ -9,12 +9,9 @@ from typing import TYPE_CHECKING, NamedTuple
 from shapeblend_cli.errors import PictureError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from PIL import Image
 
-    from shapeblend_cli.model import Pair
-    from shapeblend_cli.outputs.formats import OutputSpec
+    from shapeblend_cli.model import Box
 
 MOST_SIDE = 16_383
 """Pixels; WebP has no more."""
@@ -31,12 +28,7 @@ class Size(NamedTuple):
 
 
 def check_libraries() -> None:
-    """Refuse pictures where they cannot be drawn.
-
-    Raises
-    ------
-    PictureError
-    """
+    """Raise PictureError where pictures cannot be drawn."""
     try:
         for name in ("resvg_py", "PIL.Image"):
             import_module(name)
@@ -46,70 +38,35 @@ def check_libraries() -> None:
         ) from error
 
 
-def picture_size(spec: OutputSpec, pairs: Sequence[Pair], count: int) -> Size:
-    """Return the size of so many pictures, proportioned like the view of the first drawing.
-
-    Raises
-    ------
-    PictureError
-        They have no height, or are too large.
-    """
-    view = pairs[0].views[0]
-    assert spec.width is not None, "formats of pixels have a default"
-    size = size_for(spec.width, (view.width, view.height))
-    check_pixels(count, size)
-    return size
-
-
-def size_for(width: int, shape: tuple[float, float]) -> Size:
-    """Return the size of pictures of a given width.
-
-    Parameters
-    ----------
-    width : int
-    shape : (float, float)
-        Width and height of what is shown.
-
-    Raises
-    ------
-    PictureError
-        They have no height, or too much.
-    """
-    height = round(width * shape[1] / shape[0])
+def size_for(width: int | None, view: Box, count: int = 1) -> Size:
+    """Return the size of `count` pictures of a view, or raise PictureError if they are too large or have no height."""
+    assert width is not None, "formats of pixels have a default"
+    height = round(width * view.height / view.width)
     if not 1 <= height <= MOST_SIDE:
         raise PictureError(
-            f"{shape[0]:g} x {shape[1]:g} is shown of the first drawing, and that would be {width} x {height} "
+            f"{view.width:g} x {view.height:g} is shown of the first drawing, and that would be {width} x {height} "
             f"pixels; pictures can be 1 to {MOST_SIDE} high, so a {'larger' if height < 1 else 'smaller'} --width "
             "or a viewBox of other proportions would work"
         )
-    return Size(width, height)
+    return check_pixels(Size(width, height), count)
 
 
-def check_pixels(count: int, size: Size) -> None:
-    """Refuse more than `MOST_PIXELS`.
-
-    Raises
-    ------
-    PictureError
-    """
+def check_pixels(size: Size, count: int = 1) -> Size:
+    """Return the size of `count` pictures, or raise PictureError if they have more than `MOST_PIXELS`."""
     if count * size.width * size.height > MOST_PIXELS:
         pictures = f"{count} pictures of " if count > 1 else ""
         raise PictureError(
             f"{pictures}{size.width} x {size.height} pixels are more than {MOST_PIXELS // 1_000_000} million; "
             "a smaller --width or fewer frames would work"
         )
+    return size
 
 
 def rasterize(svg: str, size: Size, background: str | None = None) -> bytes:
     """Return a document as a PNG, fitted into the picture as large as possible, centre on centre.
 
-    Parameters
-    ----------
-    svg : str
-        Without an XML declaration.
-    size : Size
-    background : str, optional
-        A colour; without one what is not painted is transparent.
+    The document is without an XML declaration. Where nothing is painted, the picture has the colour `background`, or
+    without one is transparent.
     """
     import resvg_py
 

@@ -11,16 +11,10 @@ import math
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from shapeblend_cli.easing import Timing
 from shapeblend_cli.errors import OptionError, PictureError
-from shapeblend_cli.outputs.formats import (
-    TRANSPARENT,
-    WHITE,
-    Format,
-    OutputSpec,
-    Rendered,
-    frame_svgs,
-)
-from shapeblend_cli.outputs.raster import Size, check_libraries, picture_size, rasterize, read_png
+from shapeblend_cli.outputs.formats import TRANSPARENT, WHITE, Format, OutputSpec, Rendered, frame_svgs
+from shapeblend_cli.outputs.raster import Size, check_libraries, rasterize, read_png, size_for
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -40,41 +34,31 @@ COLOURS = 256
 
 
 class Run(NamedTuple):
-    """One run of an animation, forwards and perhaps backwards.
+    """One run of an animation, with so many pairs of drawings and steps from one drawing to the next.
 
-    All its pictures are shown for the same time. All drawings are among them.
-
-    Attributes
-    ----------
-    pairs : int > 0
-    steps : int > 0
-        From one drawing to the next.
-    duration : float > 0
-        Seconds from one drawing to the next.
-    back : bool
-        Whether it runs backwards too; then neither end is shown twice.
+    All its pictures are shown for the same time, and all drawings are among them. If it runs backwards after forwards,
+    neither end is shown twice.
     """
 
     pairs: int
     steps: int
-    duration: float
-    back: bool
+    timing: Timing
 
     @property
     def pictures(self) -> int:
         """Number of pictures that are shown."""
         forwards = self.pairs * self.steps
-        return 2 * forwards if self.back else forwards + 1
+        return 2 * forwards if self.timing.is_pingpong else forwards + 1
 
     @property
     def seconds(self) -> float:
         """Duration of the run."""
-        return self.duration * self.pairs * (2 if self.back else 1)
+        return self.timing.seconds * self.pairs * (2 if self.timing.is_pingpong else 1)
 
     def order(self) -> list[int]:
         """Return the numbers of the pictures, from the first drawing to the last, in the order they are shown."""
         forwards = list(range(self.pairs * self.steps + 1))
-        return forwards + forwards[-2:0:-1] if self.back else forwards
+        return forwards + forwards[-2:0:-1] if self.timing.is_pingpong else forwards
 
     def delays(self, units: int) -> list[int]:
         """Return how long each picture is shown, in so many units a second, rounded without drift."""
@@ -82,59 +66,43 @@ class Run(NamedTuple):
         return [end - start for start, end in pairwise(ends)]
 
 
-def run_for(fps: int | None, frames: int, pairs: int, duration: float, back: bool) -> Run:
-    """Return the run with the most pictures that are no more than `fps` a second, or with the given in-betweens.
-
-    Parameters
-    ----------
-    fps : int or None
-        None for `frames`.
-    frames : int >= 0
-        In-betweens of each pair.
-    pairs : int > 0
-    duration : float > 0
-        Seconds from one drawing to the next.
-    back : bool
-        Whether it runs backwards too.
+def run_for(fps: int | None, frames: int, pairs: int, timing: Timing) -> Run:
+    """Return the run with the most pictures, no more than `fps` a second, or without that with `frames` in-betweens.
 
     Examples
     --------
-    >>> run_for(25, 5, 1, 2.0, False).pictures, run_for(25, 5, 1, 2.0, True).pictures
-    (50, 100)
+    >>> [run_for(25, 5, 1, Timing(2.0, repeat=repeat)).pictures for repeat in (1, "pingpong")]
+    [50, 100]
     """
     if fps is None:
-        return Run(pairs, frames + 1, duration, back)
-    # Forwards one picture more is shown than there are steps: see `Run.pictures`.
-    steps = fps * duration - (0.0 if back else 1.0 / pairs)
-    return Run(pairs, max(1, math.floor(steps + 1e-9)), duration, back)
+        return Run(pairs, frames + 1, timing)
+    # Forwards one picture more is shown than there are steps.
+    steps = fps * timing.seconds - (0.0 if timing.is_pingpong else 1.0 / pairs)
+    return Run(pairs, max(1, math.floor(steps + 1e-9)), timing)
 
 
-def encode(
-    kind: str, svgs: Sequence[str], size: Size, run: Run, runs: int | None, background: str | None
-) -> bytes:
+def encode(kind: str, svgs: Sequence[str], size: Size, run: Run, background: str | None) -> bytes:
     """Return the file of an animation.
 
     Parameters
     ----------
     kind : {'gif', 'webp', 'apng'}
     svgs : sequence of str
-        Documents without an XML declaration, from the first drawing to the last.
+        From the first drawing to the last; see `rasterize`.
     size : Size
-        Drawings are fitted into it as large as possible.
     run : Run
-    runs : int or None
-        How often it runs; None is forever.
     background : str or None
-        A colour, which a GIF needs; without one what is not painted is transparent.
+        See `rasterize`; a GIF needs one.
     """
     pngs = [rasterize(svg, size, background) for svg in svgs]
     pictures = (read_png(pngs[k]) for k in run.order())
+    runs = run.timing.repeat if isinstance(run.timing.repeat, int) else 0  # 0 is forever
     if kind == "gif":
-        # The file has the number of repetitions: none for one run, and 0 for forever.
-        loop = {} if runs == 1 else {"loop": 0 if runs is None else runs - 1}
+        # The file has the number of repetitions, and nothing for one run.
+        loop = {} if runs == 1 else {"loop": max(0, runs - 1)}
         delays = [10 * delay for delay in run.delays(100)]
         return _save("GIF", map(_reduce_colours, pictures), duration=delays, **loop)
-    timing = {"duration": run.delays(1000), "loop": runs or 0}
+    timing = {"duration": run.delays(1000), "loop": runs}
     if kind == "webp":
         # Without loss quality is effort; more than this takes twice as long for a hundredth.
         return _save("WEBP", pictures, **timing, lossless=True, quality=40)
@@ -157,16 +125,14 @@ def _save(form: str, pictures: Iterable[Image.Image], **options: Any) -> bytes:
 
 
 def _run_of(spec: OutputSpec) -> Run:
-    frames, timing = spec.settings.frames, spec.timing
-    return run_for(spec.fps, frames, spec.drawings - 1, timing.seconds, timing.is_pingpong)
+    return run_for(spec.fps, spec.settings.frames, spec.drawings - 1, spec.timing)
 
 
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
-    run, repeat = _run_of(spec), spec.timing.repeat
-    size = picture_size(spec, pairs, run.pictures)
+    run = _run_of(spec)
+    size = size_for(spec.width, pairs[0].views[0], run.pictures)
     svgs = frame_svgs(spec, pairs, spec.settings.replace(frames=run.steps - 1, ends=True))
-    runs = repeat if isinstance(repeat, int) else None
-    return Rendered([encode(spec.format.name, svgs, size, run, runs, spec.ground)])
+    return Rendered([encode(spec.format.name, svgs, size, run, spec.ground)])
 
 
 def _check(spec: OutputSpec) -> None:

@@ -37,6 +37,9 @@ EMITS = tuple(dict.fromkeys(format.emit for format in FORMATS))
 FRAME_FORMATS = tuple(format.name for format in FORMATS if format.has_frame_files)
 """The values of ``--format``, the default first."""
 
+DEFAULT = "blend"
+"""The folder that is written to by default, and the beginning of the names of files."""
+
 PAGES = (".htm", ".html")
 """Suffixes of web pages, which ``--preview`` writes."""
 
@@ -55,7 +58,7 @@ def choose(emit: str, path: str | None, frame_format: str | None, drawings: int)
     emit : str
         One of `EMITS`.
     path : str or None
-        A folder, the name of a file, or ``-``; None for the default of the format.
+        A folder, the name of a file, or ``-``.
     frame_format : str or None
         One of `FRAME_FORMATS`, for folders.
     drawings : int
@@ -67,7 +70,7 @@ def choose(emit: str, path: str | None, frame_format: str | None, drawings: int)
         No format is written so.
     """
     formats = [format for format in FORMATS if format.emit == emit]
-    path = path or formats[0].default_path
+    path = path or DEFAULT + formats[0].suffix
     if drawings > 2 and not formats[0].takes_sequences:
         raise OptionError(f"--emit {emit} takes two files; {drawings} given")
     suffix = _suffix(path)

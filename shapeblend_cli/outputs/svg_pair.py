@@ -29,7 +29,7 @@ def svg_pair(move: Move, decimals: int) -> list[str]:
 
     drawings = [document.empty(view, decimals) for view in move.views]
     gradients = [Gradients(decimals) for _ in drawings]
-    for name, *shapes, _ in move.shapes():
+    for name, *shapes, _ in move.shapes:
         paints = [paint_attributes(shape.style, decimals) for shape in shapes]
         shown = without_defaults(paints[0]).keys() | without_defaults(paints[1]).keys()
         for drawing, shape, paint, defined in zip(drawings, shapes, paints, gradients, strict=True):

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.easing import LINEAR, Ease
+from shapeblend_cli.easing import LINEAR, Ease, Timing
 from shapeblend_cli.outputs.lottie import lottie
 from shapeblend_cli.pipeline import frame_at
 from shapeblend_cli.svg.writing.document import frame_svg
@@ -96,11 +96,12 @@ def test_lottie_web_plays_curved_paths(played, ease):
     move, pair = turned_move(B, EIGHT, attributes='fill="#c04020" fill-rule="evenodd"')
     times = (0.1, 0.3, 0.5, 0.62, 0.9)
     frames = [frame_svg(frame_at(pair, ease.at(t), as_drawn=False), 3) for t in times]
-    pictures = played(lottie([move], SECONDS, ease, 3), frames, times)
+    pictures = played(lottie([move], Timing(SECONDS, ease), 3), frames, times)
     for shown, frame in pictures:
         assert (frame < 200).any()
         assert difference(shown, frame) < 5e-3
-    straight = lottie([move._replace(waypoints=((),))], SECONDS, ease, 3)
+    straight = move._replace(shapes=tuple(shape._replace(waypoints=()) for shape in move.shapes))
+    straight = lottie([straight], Timing(SECONDS, ease), 3)
     (shown, frame), *_ = played(straight, frames[2:3], times[2:3])
     assert difference(shown, frame) > 0.02
 

@@ -1,5 +1,8 @@
 """Blends to write in every form: what is hard about each is in its name."""
 
+import pytest
+
+from shapeblend_cli.cli import run
 from tests.support.drawings import BAR, EIGHT, I_DOT, J_DOT, LEAF, RING, SQUARES, B, svg
 
 ROUND = 'stroke="#204080" stroke-width="1.5" stroke-linecap="round" stroke-linejoin="round"'
@@ -41,10 +44,17 @@ BLENDS = {
 }
 
 
+each_blend = pytest.mark.parametrize("blend", BLENDS)
+
+
 def written(folder, blend):
     """Write the two drawings of a blend; gives their names."""
-    names = []
     for name, text in zip(("from.svg", "to.svg"), BLENDS[blend], strict=True):
         (folder / name).write_text(text, encoding="utf-8")
-        names.append(name)
-    return names
+    return ["from.svg", "to.svg"]
+
+
+def emitted(folder, blend, emit, file, *options):
+    """Write the two drawings of a blend, and emit it; gives the text of a file."""
+    assert run([*written(folder, blend), "--emit", emit, *options]) == 0
+    return (folder / file).read_text(encoding="utf-8")

@@ -8,17 +8,18 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.easing import LINEAR, Ease
+from shapeblend_cli.easing import LINEAR, Ease, Timing
 from shapeblend_cli.model import Box, CubicPath, PaintedShape, Style
 from shapeblend_cli.outputs.avd import animated_vector
-from shapeblend_cli.outputs.move import Move
+from shapeblend_cli.outputs.move import Move, moved_shape
 from shapeblend_cli.svg.writing.path_data import path_data
-from tests.outputs.blends import BLENDS, written
+from tests.outputs.blends import BLENDS, each_blend, emitted, written
 from tests.support.contours import polygon_contour
 from tests.support.drawings import BAR, LEAF
 from tests.support.motions import turned_move
 from tests.support.pictures import difference, pixels
 
+EASE = Ease(0.42, 0.0, 0.58, 1.0)
 ANDROID = "{http://schemas.android.com/apk/res/android}"
 AAPT = "{http://schemas.android.com/aapt}"
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
@@ -31,34 +32,18 @@ PATH = {
 }
 MOVES = {
     "pathData": "pathType",
-    "fillColor": "colorType",
-    "strokeColor": "colorType",
-    "fillAlpha": "floatType",
-    "strokeAlpha": "floatType",
-    "strokeWidth": "floatType",
+    **dict.fromkeys(("fillColor", "strokeColor"), "colorType"),
+    **dict.fromkeys(("fillAlpha", "strokeAlpha", "strokeWidth"), "floatType"),
 }
 TO_SVG = {
-    "pathData": "d",
-    "fillColor": "fill",
-    "fillAlpha": "fill-opacity",
-    "fillType": "fill-rule",
-    "strokeColor": "stroke",
-    "strokeAlpha": "stroke-opacity",
-    "strokeWidth": "stroke-width",
-    "strokeLineCap": "stroke-linecap",
-    "strokeLineJoin": "stroke-linejoin",
+    **{"pathData": "d", "fillColor": "fill", "fillAlpha": "fill-opacity", "fillType": "fill-rule"},
+    **{"strokeColor": "stroke", "strokeAlpha": "stroke-opacity", "strokeWidth": "stroke-width"},
+    **{"strokeLineCap": "stroke-linecap", "strokeLineJoin": "stroke-linejoin"},
 }
-
-
-@pytest.fixture
-def here(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
 
 
 def emit_avd(here, blend):
-    assert run([*written(here, blend), "--emit", "avd", "--motion", "linear"]) == 0
-    return ElementTree.parse(here / "blend.xml").getroot()
+    return ElementTree.fromstring(emitted(here, blend, "avd", "blend.xml", "--motion", "linear"))
 
 
 def android(element):
@@ -105,8 +90,8 @@ def shown(root, at_the_end):
     )
 
 
-@pytest.mark.parametrize("blend", BLENDS)
-def test_it_is_what_the_reference_describes(here, blend):
+@each_blend
+def test_it_is_what_the_reference_describes_and_paths_agree_command_for_command(here, blend):
     root = emit_avd(here, blend)
     assert root.tag == "animated-vector"
     vector = inline(root, "drawable")
@@ -122,18 +107,12 @@ def test_it_is_what_the_reference_describes(here, blend):
     targets = [android(target)["name"] for target in root.findall("target")]
     assert len(set(targets)) == len(targets)
     assert set(targets) <= set(names)
-    for _, animator in animators(root):
-        assert animator["valueType"] == MOVES[animator["propertyName"]]
-        assert animator["duration"] == "2000"
-        assert animator["valueFrom"] != animator["valueTo"]
-
-
-@pytest.mark.parametrize("blend", BLENDS)
-def test_paths_agree_command_for_command(here, blend):
-    root = emit_avd(here, blend)
-    paths = {android(path)["name"]: android(path) for path in inline(root, "drawable").iter("path")}
+    paths = {android(path)["name"]: android(path) for path in vector.iter("path")}
     for name, animator in animators(root):
         key = animator["propertyName"]
+        assert animator["valueType"] == MOVES[key]
+        assert animator["duration"] == "2000"
+        assert animator["valueFrom"] != animator["valueTo"]
         assert paths[name].get(key, "1") == animator["valueFrom"]  # only an opacity has a default
         if key == "pathData":
             assert NUMBER.sub("0", animator["valueFrom"]) == NUMBER.sub("0", animator["valueTo"])
@@ -160,8 +139,8 @@ def test_seconds_ease_and_size():
     contour = polygon_contour([0j, 1000 + 0j, 1000 + 500j])
     shape = PaintedShape((CubicPath(contour.segments, contour.straight, True),), Style("#000000"))
     view = Box(0.0, 0.0, 1000.0, 500.0)
-    move = Move((shape,), (shape._replace(style=Style("#ffffff")),), (view, view), ((),))
-    root = ElementTree.fromstring(animated_vector(move, 0.3, Ease(0.42, 0.0, 0.58, 1.0), 3))
+    move = Move((moved_shape("shape-1", shape, shape._replace(style=Style("#ffffff"))),), (view, view))
+    root = ElementTree.fromstring(animated_vector(move, Timing(0.3, EASE), 3))
     ((_, animator),) = animators(root)
     assert animator == {
         "propertyName": "fillColor",
@@ -176,13 +155,13 @@ def test_seconds_ease_and_size():
     assert (size["width"], size["height"], size["viewportWidth"]) == ("200dp", "100dp", "1000")
 
 
-@pytest.mark.parametrize("ease", [LINEAR, Ease(0.42, 0.0, 0.58, 1.0)])
+@pytest.mark.parametrize("ease", [LINEAR, EASE])
 @pytest.mark.parametrize(("colours", "seconds"), [(("#333333", "#999999"), 2.0), (("#333333",) * 2, 0.05)])
 def test_paths_go_from_waypoint_to_waypoint_one_after_the_other(ease, colours, seconds):
     leaf, bar = (f'<path d="{d}" fill="{c}"/>' for d, c in zip((LEAF, BAR), colours, strict=True))
     move, _ = turned_move(leaf, bar)
-    root = ElementTree.fromstring(animated_vector(move, seconds, ease, 3))
-    (shape,) = move.shapes()
+    root = ElementTree.fromstring(animated_vector(move, Timing(seconds, ease), 3))
+    (shape,) = move.shapes
     animation = inline(root.find("target"), "animation")
     assert animation.tag == "set"
     if colours[0] == colours[1]:

@@ -8,39 +8,27 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.easing import LINEAR, Ease
+from shapeblend_cli.easing import LINEAR, Ease, Timing
 from shapeblend_cli.model import Box, CubicPath, PaintedShape, Style
 from shapeblend_cli.outputs.lottie import lottie
-from shapeblend_cli.outputs.move import Move
-from tests.outputs.blends import BLENDS, written
+from shapeblend_cli.outputs.move import Move, moved_shape
+from tests.outputs.blends import each_blend, emitted, written
 from tests.support.contours import circle_contour, polygon_contour
 from tests.support.drawings import BAR, EYED, LEAF, RING, svg
 from tests.support.motions import turned_move
 
 VIEW = Box(0.0, 0.0, 24.0, 24.0)
+TWO_SECONDS = Timing(2.0)
 
 
-@pytest.fixture
-def here(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+def painted(contour, style=None):
+    return PaintedShape((CubicPath(contour.segments, contour.straight, contour.closed),), style or Style())
 
 
-def emit_lottie(here, blend):
-    assert run([*written(here, blend), "--emit", "lottie", "--motion", "linear"]) == 0
-    return json.loads((here / "blend.json").read_text(encoding="utf-8"))
-
-
-def outline(contour):
-    return CubicPath(contour.segments, contour.straight, contour.closed)
-
-
-def of(contour, target, style=None, target_style=None, view=VIEW, seconds=2.0, ease=LINEAR):
+def of(contour, target, style=None, target_style=None, view=VIEW, timing=TWO_SECONDS):
     """A Lottie of one shape of one contour, and its items by type."""
-    start, end = (
-        PaintedShape((outline(c),), s or Style()) for c, s in ((contour, style), (target, target_style))
-    )
-    found = json.loads(lottie([Move((start,), (end,), (view, view), ((),))], seconds, ease, 4))
+    shape = moved_shape("shape-1", painted(contour, style), painted(target, target_style))
+    found = json.loads(lottie([Move((shape,), (view, view))], timing, 4))
     return found, {item["ty"]: item for item in found["layers"][0]["shapes"][0]["it"]}
 
 
@@ -56,14 +44,15 @@ def properties(value):
             yield from properties(inner)
 
 
+LINEAR_LOTTIE = ("lottie", "blend.json", "--motion", "linear")
 EASE = Ease(0.42, 0.0, 0.58, 1.0)
 SQUARE = polygon_contour([2 + 2j, 10 + 2j, 10 + 10j, 2 + 10j])
 DIAMOND = polygon_contour([6 + 0j, 12 + 6j, 6 + 12j, 6j])
 
 
-@pytest.mark.parametrize("blend", BLENDS)
-def test_every_path_has_as_many_vertices_at_the_end_as_at_the_start(here, blend):
-    found = emit_lottie(here, blend)
+@each_blend
+def test_paths_have_as_many_vertices_at_both_ends_and_properties_two_keyframes_if_any(here, blend):
+    found = json.loads(emitted(here, blend, *LINEAR_LOTTIE))
     assert found["layers"]
     for layer in found["layers"]:
         assert (layer["ty"], layer["ip"], layer["op"]) == (4, 0, 121)
@@ -75,25 +64,19 @@ def test_every_path_has_as_many_vertices_at_the_end_as_at_the_start(here, blend)
                 beziers = [key["s"][0] for key in keys] if item["ks"]["a"] else [keys]
                 assert len({len(b[name]) for b in beziers for name in "vio"}) == 1
                 assert len({b["c"] for b in beziers}) == 1
-
-
-@pytest.mark.parametrize("blend", BLENDS)
-def test_properties_either_stay_or_have_two_keyframes(here, blend):
-    for found in properties(emit_lottie(here, blend)):
-        if found["a"]:
-            first, last = found["k"]
+    for moving in properties(found):
+        if moving["a"]:
+            first, last = moving["k"]
             assert (first["t"], last["t"]) == (0, 120)
             assert set(first) == {"t", "s", "o", "i"}
             assert set(last) == {"t", "s"}
             assert isinstance(first["s"], list)
 
 
-@pytest.mark.parametrize("blend", BLENDS)
+@each_blend
 def test_same_input_same_bytes_and_finite_short_numbers(here, blend):
-    emit_lottie(here, blend)
-    before = (here / "blend.json").read_text(encoding="utf-8")
-    assert run(["from.svg", "to.svg", "--emit", "lottie", "--motion", "linear", "-f"]) == 0
-    assert (here / "blend.json").read_text(encoding="utf-8") == before
+    before = emitted(here, blend, *LINEAR_LOTTIE)
+    assert emitted(here, blend, *LINEAR_LOTTIE, "-f") == before
     seen = []
     json.loads(before, parse_float=seen.append, parse_constant=lambda text: pytest.fail(text))
     assert all(math.isfinite(float(text)) and len(text) <= 12 for text in seen)
@@ -103,12 +86,8 @@ def test_same_input_same_bytes_and_finite_short_numbers(here, blend):
 def test_straight_segments_have_no_tangents_and_the_first_vertex_is_not_repeated():
     _, items = of(SQUARE, DIAMOND)
     start, end = (key["s"][0] for key in items["sh"]["ks"]["k"])
-    assert start == {
-        "c": True,
-        "v": [[2, 2], [10, 2], [10, 10], [2, 10]],
-        "i": [[0, 0]] * 4,
-        "o": [[0, 0]] * 4,
-    }
+    still = [[0, 0]] * 4
+    assert start == {"c": True, "v": [[2, 2], [10, 2], [10, 10], [2, 10]], "i": still, "o": still}
     assert end["v"] == [[6, 0], [12, 6], [6, 12], [0, 6]]
 
 
@@ -126,12 +105,8 @@ def test_tangents_are_relative_and_the_closing_segment_comes_in_at_the_first_ver
 def test_an_open_line_has_one_vertex_more_than_segments():
     line = polygon_contour([2 + 2j, 10 + 2j, 10 + 10j], closed=False)
     _, items = of(line, line)
-    assert items["sh"]["ks"]["k"] == {
-        "c": False,
-        "v": [[2, 2], [10, 2], [10, 10]],
-        "i": [[0, 0]] * 3,
-        "o": [[0, 0]] * 3,
-    }
+    still = [[0, 0]] * 3
+    assert items["sh"]["ks"]["k"] == {"c": False, "v": [[2, 2], [10, 2], [10, 10]], "i": still, "o": still}
 
 
 def test_paint():
@@ -168,7 +143,7 @@ def test_the_size_is_whole_and_the_view_is_in_its_middle(view, size, percent, ce
 
 
 def test_seconds_and_ease():
-    found, items = of(SQUARE, DIAMOND, seconds=0.5, ease=Ease(0.42, 0.0, 0.58, 1.0))
+    found, items = of(SQUARE, DIAMOND, timing=Timing(0.5, EASE))
     assert (found["fr"], found["op"]) == (60, 31)
     first, last = items["sh"]["ks"]["k"]
     assert (first["t"], first["o"], first["i"]) == (0, {"x": 0.42, "y": 0}, {"x": 0.58, "y": 1})
@@ -178,8 +153,8 @@ def test_seconds_and_ease():
 @pytest.mark.parametrize("ease", [LINEAR, EASE])
 def test_paths_have_keyframes_at_their_waypoints(ease):
     move, _ = turned_move(LEAF, EYED, attributes='fill="#333"')
-    (shape,) = move.shapes()
-    found = json.loads(lottie([move, move], 2.0, ease, 4))
+    (shape,) = move.shapes
+    found = json.loads(lottie([move, move], Timing(2.0, ease), 4))
     for layer, begin in zip(found["layers"], (120, 0), strict=True):
         items = layer["shapes"][0]["it"]
         paths = [item["ks"] for item in items if item["ty"] == "sh"]
@@ -201,7 +176,7 @@ def test_paths_have_keyframes_at_their_waypoints(ease):
 
 def test_pieces_of_an_ease_are_the_ease():
     move, _ = turned_move(LEAF, BAR)
-    (shape,) = move.shapes()
+    (shape,) = move.shapes
     legs = shape.sections(100.0, EASE, 3)
     assert len(legs) == len(shape.waypoints) + 1
     progress = [0.0, *(way.t for way in shape.waypoints), 1.0]
@@ -217,7 +192,7 @@ def test_pieces_of_an_ease_are_the_ease():
 
 def test_waypoints_too_near_in_time_are_left_out():
     move, _ = turned_move(LEAF, BAR)
-    (shape,) = move.shapes()
+    (shape,) = move.shapes
     legs = shape.sections(3.0, LINEAR, 0)
     assert [leg.times for leg in legs] == [(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)]
     (leg,) = shape.sections(1.0, EASE, 0)
@@ -227,7 +202,7 @@ def test_waypoints_too_near_in_time_are_left_out():
 
 
 def test_what_is_painted_last_is_the_first_layer(here):
-    found = emit_lottie(here, "shapes on top of one another")
+    found = json.loads(emitted(here, "shapes on top of one another", *LINEAR_LOTTIE))
     names = [layer["nm"] for layer in found["layers"]]
     assert names == sorted(names, reverse=True)
     assert [layer["ind"] for layer in found["layers"]] == list(range(1, len(names) + 1))
@@ -250,8 +225,8 @@ def test_standard_output(here, capfdbinary):
 
 def test_what_cannot_change_on_the_way_is_said():
     style = Style("#000000", stroke="#000000", stroke_linecap="round")
-    shapes = [(PaintedShape((outline(SQUARE),), s),) for s in (style, style._replace(stroke_linecap="butt"))]
-    move = Move(*shapes, (VIEW, VIEW), ((),))
+    sides = (painted(SQUARE, s) for s in (style, style._replace(stroke_linecap="butt")))
+    move = Move((moved_shape("shape-1", *sides),), (VIEW, VIEW))
     assert move.unsupported_in("Lottie") == [
         "shape-1: Lottie cannot change the line cap on the way; that of the first drawing stays"
     ]

@@ -1,16 +1,17 @@
-"""Animations read back: pictures, times, runs and transparency."""
+"""Animations of pixels read back: pictures, times, runs and transparency."""
 
 import io
 
 import pytest
 from PIL import Image, ImageChops
 
+from shapeblend_cli.easing import Timing
+from shapeblend_cli.outputs.formats import WHITE
 from shapeblend_cli.outputs.raster import Size, rasterize, read_png
-from shapeblend_cli.outputs.raster_animation import Run, encode
+from shapeblend_cli.outputs.raster_animation import FASTEST, Run, encode, run_for
 from tests.support.drawings import svg
 
-FORMS = {"gif": "GIF", "webp": "WEBP", "apng": "PNG"}
-WHITE = "#ffffff"
+each_kind = pytest.mark.parametrize("kind", ["gif", "webp", "apng"])
 SIZE = Size(40, 30)
 SQUARES = [
     svg(f"M{x} 4H{x + 8}V12H{x}Z", attributes=f'fill="#{40 * x:02x}0080" stroke="#000"', viewbox="0 0 16 12")
@@ -22,10 +23,15 @@ GRADIENT = svg(
     '<stop offset="1" stop-color="#000" stop-opacity="0.9"/></linearGradient>',
     '<circle cx="12" cy="12" r="9" fill="url(#g)"/><circle cx="12" cy="12" r="9" fill="url(#h)"/>',
 )
+ONCE = Run(1, 2, Timing(1.0, repeat=1))
+
+
+def to_and_fro(seconds):
+    return Timing(seconds, repeat="pingpong")
 
 
 def read_back(content):
-    """The pictures, how long each is shown, and what the file says of repeating."""
+    """The pictures, how long each is shown, and the loop count of the file."""
     image = Image.open(io.BytesIO(content))
     pictures, delays = [], []
     for k in range(image.n_frames):
@@ -36,16 +42,16 @@ def read_back(content):
     return image.format, pictures, delays, image.info.get("loop")
 
 
-def made(kind, run, runs=None, background=None):
+def made(kind, run, background=None):
     background = WHITE if kind == "gif" and background is None else background
-    return encode(kind, SQUARES[: run.pairs * run.steps + 1], SIZE, run, runs, background)
+    return encode(kind, SQUARES[: run.pairs * run.steps + 1], SIZE, run, background)
 
 
-@pytest.mark.parametrize("kind", FORMS)
+@each_kind
 def test_every_picture_is_shown_in_its_turn_for_its_time(kind):
-    run = Run(2, 2, 0.07, True)
+    run = Run(2, 2, to_and_fro(0.07))
     form, pictures, delays, _ = read_back(made(kind, run))
-    assert form == FORMS[kind]
+    assert form == {"gif": "GIF", "webp": "WEBP", "apng": "PNG"}[kind]
     unit = 100 if kind == "gif" else 1000
     assert delays == [d * 1000 // unit for d in run.delays(unit)]
     assert sum(delays) == 280
@@ -60,48 +66,95 @@ def test_every_picture_is_shown_in_its_turn_for_its_time(kind):
 
 
 @pytest.mark.parametrize(
-    ("kind", "runs", "loop"),
+    ("kind", "repeat", "loop"),
     [
-        ("gif", None, 0),
+        *[(kind, "forever", 0) for kind in ("gif", "webp", "apng")],
         ("gif", 1, None),  # nothing is said, which is once
         ("gif", 2, 1),  # how often again
         ("gif", 65_535, 65_534),
-        ("webp", None, 0),
-        ("webp", 1, 1),
-        ("webp", 65_535, 65_535),
-        ("apng", None, 0),
-        ("apng", 1, 1),
-        ("apng", 3, 3),
+        *[(kind, count, count) for kind, count in (("webp", 1), ("webp", 65_535), ("apng", 1), ("apng", 3))],
     ],
 )
-def test_how_often_it_runs(kind, runs, loop):
-    assert read_back(made(kind, Run(1, 2, 1.0, False), runs))[3] == loop
+def test_how_often_it_runs(kind, repeat, loop):
+    assert read_back(made(kind, Run(1, 2, Timing(1.0, repeat=repeat))))[3] == loop
 
 
-@pytest.mark.parametrize("kind", FORMS)
+@each_kind
 def test_a_background_leaves_nothing_transparent(kind):
-    _, pictures, _, _ = read_back(made(kind, Run(1, 2, 1.0, False), background="#aabbcc"))
+    _, pictures, _, _ = read_back(made(kind, ONCE, background="#aabbcc"))
     assert {picture.getpixel((0, 0)) for picture in pictures} == {(0xAA, 0xBB, 0xCC, 255)}
 
 
-@pytest.mark.parametrize("kind", FORMS)
+@each_kind
 def test_the_same_bytes_again(kind):
-    run = Run(1, 3, 0.5, True)
+    run = Run(1, 3, to_and_fro(0.5))
     assert made(kind, run) == made(kind, run)
 
 
-@pytest.mark.parametrize("kind", FORMS)
+@each_kind
 def test_drawings_that_are_all_the_same_make_a_picture(kind):
-    content = encode(kind, [SQUARES[0]] * 3, SIZE, Run(1, 2, 1.0, False), None, WHITE)
-    assert read_png(content).size == SIZE
+    assert read_png(encode(kind, [SQUARES[0]] * 3, SIZE, ONCE, WHITE)).size == SIZE
 
 
 def test_a_gif_of_more_colours_than_it_can_have_stays_near_them_and_its_ground_white():
     size = Size(120, 120)
-    content = encode("gif", [GRADIENT, SQUARES[0]], size, Run(1, 1, 1.0, False), None, WHITE)
+    content = encode("gif", [GRADIENT, SQUARES[0]], size, ONCE._replace(steps=1), WHITE)
     shown = read_back(content)[1][0].convert("RGB")
     wanted = read_png(rasterize(GRADIENT, size, WHITE)).convert("RGB")
     assert wanted.getcolors(256) is None
     assert shown.getpixel((0, 0)) == (255, 255, 255)
     histogram = ImageChops.difference(shown, wanted).convert("L").histogram()
     assert sum(histogram[17:]) < 0.01 * sum(histogram)
+
+
+@pytest.mark.parametrize("timing", [Timing, to_and_fro])
+@pytest.mark.parametrize("pairs", [1, 2, 3])
+@pytest.mark.parametrize("duration", [0.3, 1.0, 2.0, 7.77])
+@pytest.mark.parametrize("fps", [1, 7, 25, 30, 50])
+def test_a_run_takes_its_time_and_never_more_pictures_than_are_allowed(fps, duration, pairs, timing):
+    run = run_for(fps, 5, pairs, timing(duration))
+    assert run.seconds == pytest.approx(duration * pairs * (2 if timing is to_and_fro else 1))
+    if run.steps > 1:
+        assert run.pictures <= fps * run.seconds + 1e-6
+    one_more = run._replace(steps=run.steps + 1)
+    assert one_more.pictures > fps * run.seconds - 1e-6
+    assert len(run.order()) == run.pictures
+    for units in (100, 1000):
+        delays = run.delays(units)
+        assert len(delays) == run.pictures
+        assert sum(delays) == round(run.seconds * units)
+        assert max(delays) - min(delays) <= 1
+
+
+def test_common_numbers_come_out_even():
+    assert run_for(25, 5, 1, Timing(2.0)).delays(100) == [4] * 50
+    assert run_for(25, 5, 2, to_and_fro(2.0)).delays(1000) == [40] * 200
+
+
+def test_delays_do_not_drift():
+    delays = run_for(30, 5, 1, Timing(2.0)).delays(100)
+    assert set(delays) == {3, 4}
+    shown = 0
+    for k, delay in enumerate(delays):
+        assert abs(shown - k * 200 / 60) <= 0.5
+        shown += delay
+    assert shown == 200
+
+
+def test_frames_that_are_asked_for_are_shown_with_both_ends():
+    assert run_for(None, 3, 1, Timing(2.0)) == Run(1, 4, Timing(2.0))
+    assert run_for(None, 3, 1, Timing(2.0)).order() == [0, 1, 2, 3, 4]
+    assert run_for(None, 0, 2, Timing(2.0)).order() == [0, 1, 2]
+
+
+def test_back_neither_end_is_shown_twice():
+    run = run_for(None, 1, 2, to_and_fro(1.0))
+    assert run.order() == [0, 1, 2, 3, 4, 3, 2, 1]
+    assert run.pictures == len(run.order())
+    assert run_for(None, 0, 1, to_and_fro(1.0)).order() == [0, 1]
+
+
+def test_what_is_allowed_browsers_do_not_slow_down():
+    for fps in range(1, FASTEST + 1):
+        for pairs in (1, 2, 3):
+            assert min(run_for(fps, 5, pairs, Timing(1.3)).delays(100)) >= 100 / FASTEST

@@ -9,7 +9,7 @@ import pytest
 from shapeblend_cli.cli import run
 from shapeblend_cli.outputs.options import OutputOptions, specify
 from shapeblend_cli.settings import Settings
-from tests.outputs.blends import BLENDS, written
+from tests.outputs.blends import BLENDS, each_blend, emitted
 from tests.support.drawings import BAR, LEAF, svg
 from tests.support.motions import turned_move
 from tests.support.pictures import difference, pixels
@@ -17,15 +17,9 @@ from tests.support.pictures import difference, pixels
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 
 
-@pytest.fixture
-def here(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
 def emit_pair(here, blend, *options):
-    assert run([*written(here, blend), "--emit", "pair", "-q", *options]) == 0
-    return [(here / "blend" / name).read_text(encoding="utf-8") for name in ("a.svg", "b.svg")]
+    a = emitted(here, blend, "pair", "blend/a.svg", "-q", *options)
+    return a, (here / "blend" / "b.svg").read_text(encoding="utf-8")
 
 
 def mixed(a, b, t):
@@ -50,7 +44,7 @@ def mixed(a, b, t):
     return ElementTree.tostring(root, encoding="unicode")
 
 
-@pytest.mark.parametrize("blend", BLENDS)
+@each_blend
 def test_paths_attributes_and_commands_agree(here, blend):
     a, b = (list(ElementTree.fromstring(text)) for text in emit_pair(here, blend))
     assert [path.get("id") for path in a] == [f"shape-{k + 1}" for k in range(len(a))]
@@ -60,7 +54,7 @@ def test_paths_attributes_and_commands_agree(here, blend):
         assert NUMBER.sub("0", one.get("d")) == NUMBER.sub("0", other.get("d"))
 
 
-@pytest.mark.parametrize("blend", BLENDS)
+@each_blend
 def test_each_file_shows_what_its_drawing_shows(here, blend):
     for text, drawing in zip(emit_pair(here, blend), BLENDS[blend], strict=True):
         assert difference(pixels(text), pixels(drawing)) < 1e-3
@@ -121,11 +115,10 @@ GRADIENTS = [
 
 @pytest.mark.parametrize("first", [0, 1])
 @pytest.mark.parametrize("second", [0, 1])
-def test_gradients_stay(tmp_path, monkeypatch, first, second):
-    monkeypatch.chdir(tmp_path)
+def test_gradients_stay(here, first, second):
     for name, kind in (("from", first), ("to", second)):
-        (tmp_path / f"{name}.svg").write_text(svg(GRADIENTS[kind]))
+        (here / f"{name}.svg").write_text(svg(GRADIENTS[kind]))
     assert run(["from.svg", "to.svg", "--emit", "pair"]) == 0
-    for name, source in (("a", "from"), ("b", "to")):
-        written, given = ((tmp_path / f).read_text() for f in (f"blend/{name}.svg", f"{source}.svg"))
-        assert difference(pixels(written), pixels(given)) < 0.001
+    for name, kind in (("a", first), ("b", second)):
+        written = (here / "blend" / f"{name}.svg").read_text()
+        assert difference(pixels(written), pixels(svg(GRADIENTS[kind]))) < 0.001

@@ -7,11 +7,10 @@ import math
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import ContourBlend, CubicPath, ShapeBlend, Style
 from shapeblend_cli.motion.alignment import Alignment, PointPairs, Rigid, align
-from shapeblend_cli.outputs.move import Move
-from shapeblend_cli.pipeline import match_all, shapes_at
+from shapeblend_cli.outputs.move import moves_of
+from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
 from tests.support.drawings import drawing
 
@@ -31,8 +30,7 @@ def turned_move(*paths, degrees=120.0, **options):
     """The move between two documents of such paths that turns, and the pair that it shows."""
     pairs, _ = match_all([drawing(path, **options) for path in paths], Settings())
     (pair,) = (turned(pair, degrees) for pair in pairs)
-    ways = tuple(waypoints(shape) for shape in pair.shapes)
-    return Move(shapes_at(pair, 0.0), shapes_at(pair, 1.0), pair.views, ways), pair
+    return moves_of([pair])[0], pair
 
 
 def outline(vertices, closed=True):
