@@ -12,9 +12,8 @@ from tests.svg.reading.drawings import svg
 
 def run(code):
     """Run `code` in a new interpreter, warnings being errors, and return what it prints."""
-    done = subprocess.run(
-        [sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, check=True
-    )
+    command = [sys.executable, "-W", "error", "-c", code]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert done.stderr == ""
     return done.stdout.split()
 
@@ -37,8 +36,8 @@ def test_a_plain_file_needs_no_css_library():
 
 def test_stand_ins_leave_no_trace_and_call_through():
     code = (
-        "import shapeblend_cli.svg.libraries as foreign, sys, webbrowser, tempfile;"
-        "called = foreign.svgpathtools.paths2svg.gettempdir();"
+        "from shapeblend_cli.svg import libraries; import sys, webbrowser, tempfile;"
+        "called = libraries.svgpathtools.paths2svg.gettempdir();"
         "print(hasattr(webbrowser, 'open_new_tab'), called == tempfile.gettempdir())"
     )
     assert run(code) == ["True", "True"]
@@ -56,7 +55,7 @@ def test_arc_lengths_still_work():
 
 def test_a_module_imported_before_stays_as_it_is():
     code = (
-        "import webbrowser; before = webbrowser; import shapeblend_cli.svg.libraries as foreign;"
-        "import webbrowser; print(webbrowser is before, foreign.svgpathtools.misctools.webbrowser is before)"
+        "import webbrowser; before = webbrowser; from shapeblend_cli.svg import libraries;"
+        "import webbrowser; print(webbrowser is before, libraries.svgpathtools.misctools.webbrowser is before)"
     )
     assert run(code) == ["True", "True"]

@@ -5,158 +5,80 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.svg.reading.drawings import boxes, drawn, length
+from tests.svg.reading.drawings import RECT, boxes, drawn, length, table
 
-SHAPES = {
-    "rect": ('<rect x="1" y="2" width="3" height="4"/>', [1, 2, 4, 6], 14),
-    "rect with round corners": ('<rect width="20" height="10" rx="5"/>', [0, 0, 20, 10], 20 + 10 * np.pi),
-    "auto radius is the other one": (
-        '<rect width="20" height="10" ry="5"/>',
-        [0, 0, 20, 10],
-        20 + 10 * np.pi,
-    ),
-    "radii are at most half a side": (
-        '<rect width="20" height="10" rx="50" ry="5"/>',
-        [0, 0, 20, 10],
-        48.4422,
-    ),
-    "one radius of 0 is no radius": ('<rect width="20" height="10" rx="5" ry="0"/>', [0, 0, 20, 10], 60),
-    "circle": ('<circle cx="5" cy="5" r="5"/>', [0, 0, 10, 10], 10 * np.pi),
-    "ellipse": ('<ellipse cx="5" cy="5" rx="5" ry="2"/>', [0, 3, 10, 7], 23.0131),
-    "ellipse with one radius": ('<ellipse cx="5" cy="5" ry="5"/>', [0, 0, 10, 10], 10 * np.pi),
-    "line": ('<line x1="1" x2="4" y2="4" stroke="red"/>', [1, 0, 4, 4], 5),
-    "polyline": ('<polyline points="0,0 3-4,6 0"/>', [0, -4, 6, 0], 10),
-    "polygon": ('<polygon points="0 0 3 4 0 4"/>', [0, 0, 3, 4], 12),
-    "path": ('<path d="M1 1h2v2z"/>', [1, 1, 3, 3], 4 + 8**0.5),
-    "path as a property": ("<path style=\"d: path('M1 1h2v2z')\"/>", [1, 1, 3, 3], 4 + 8**0.5),
-    "sizes as properties": ('<rect style="width: 3px; height: 4px"/>', [0, 0, 3, 4], 14),
-}
+SHAPES = table("""
+rect | <rect x="1" y="2" width="3" height="4"/> | 1 2 4 6 | 14
+rect with round corners | <rect width="20" height="10" rx="5"/> | 0 0 20 10 | 51.4159265
+auto radius is the other one | <rect width="20" height="10" ry="5"/> | 0 0 20 10 | 51.4159265
+radii are at most half a side | <rect width="20" height="10" rx="50" ry="5"/> | 0 0 20 10 | 48.4422
+one radius of 0 is no radius | <rect width="20" height="10" rx="5" ry="0"/> | 0 0 20 10 | 60
+circle | <circle cx="5" cy="5" r="5"/> | 0 0 10 10 | 31.4159265
+ellipse | <ellipse cx="5" cy="5" rx="5" ry="2"/> | 0 3 10 7 | 23.0131
+ellipse with one radius | <ellipse cx="5" cy="5" ry="5"/> | 0 0 10 10 | 31.4159265
+line | <line x1="1" x2="4" y2="4" stroke="red"/> | 1 0 4 4 | 5
+polyline | <polyline points="0,0 3-4,6 0"/> | 0 -4 6 0 | 10
+polygon | <polygon points="0 0 3 4 0 4"/> | 0 0 3 4 | 12
+path | <path d="M1 1h2v2z"/> | 1 1 3 3 | 6.82842712
+path as a property | <path style="d: path('M1 1h2v2z')"/> | 1 1 3 3 | 6.82842712
+sizes as properties | <rect style="width: 3px; height: 4px"/> | 0 0 3 4 | 14
+""")
 
 
-@pytest.mark.parametrize(("markup", "box", "total"), SHAPES.values(), ids=SHAPES)
-def test_shape_has_the_outline_the_specification_gives_it(markup, box, total):
+@pytest.mark.parametrize("name", SHAPES)
+def test_shape_has_the_outline_the_specification_gives_it(name):
+    markup, box, total = SHAPES[name]
     drawing = drawn(markup)
-    assert boxes(drawing) == [box]
-    assert length(drawing) == pytest.approx(total, rel=1e-5)
+    assert boxes(drawing) == [[float(value) for value in box.split()]]
+    assert length(drawing) == pytest.approx(float(total), rel=1e-5)
 
 
-PLACES = {
-    "inches": ('<rect width="1in" height="10"/>', "", [0, 0, 96, 10]),
-    "millimetres": ('<rect width="25.4mm" height="2.54cm"/>', "", [0, 0, 96, 96]),
-    "points and picas": ('<rect width="3pt" height="1pc"/>', "", [0, 0, 4, 16]),
-    "quarter millimetres": ('<rect width="101.6Q" height="1"/>', "", [0, 0, 96, 1]),
-    "em": (
-        '<g font-size="10"><rect width="2em" height="1rem" style="font-size:200%"/></g>',
-        "",
-        [0, 0, 40, 16],
-    ),
-    "percentages of the viewBox": (
-        '<rect width="50%" height="50%"/>',
-        'viewBox="-9 -9 80 40"',
-        [0, 0, 40, 20],
-    ),
-    "percentages of the size": ('<rect width="50%" height="50%"/>', 'width="80" height="40"', [0, 0, 40, 20]),
-    "percentage of the diagonal": ('<circle r="10%"/>', 'viewBox="0 0 70 10"', [-5, -5, 5, 5]),
-    "translate and scale": (
-        '<rect width="1" height="2" transform="translate(5) scale(2 3)"/>',
-        "",
-        [5, 0, 7, 6],
-    ),
-    "rotate about a point": ('<rect width="4" height="2" transform="rotate(90,4,0)"/>', "", [2, -4, 4, 0]),
-    "matrix": ('<rect width="1" height="1" transform="matrix(1 0 1 1 5 6)"/>', "", [5, 6, 7, 7]),
-    "skew": ('<rect width="1" height="1" transform="skewX(45)skewY(0)"/>', "", [0, 0, 2, 1]),
-    "groups around it": (
-        '<g transform="scale(2)"><a transform="translate(1)"><rect width="1" height="1"/></a></g>',
-        "",
-        [2, 0, 4, 2],
-    ),
-    "property": (
-        '<rect width="4" height="2" style="transform: translate(50%, 1px) rotate(0.25turn)"/>',
-        'viewBox="0 0 20 20"',
-        [8, 1, 10, 5],
-    ),
-    "property beats attribute": (
-        '<rect width="1" height="1" transform="scale(9)" style="transform: none"/>',
-        "",
-        [0, 0, 1, 1],
-    ),
-    "single properties": (
-        '<rect width="4" height="2" style="translate: 1px 2px; rotate: 90deg; scale: 2"/>',
-        "",
-        [-3, 2, 1, 10],
-    ),
-    "origin": (
-        '<rect width="4" height="2" transform="rotate(90)" transform-origin="4 0"/>',
-        "",
-        [2, -4, 4, 0],
-    ),
-    "origin in words": (
-        '<rect width="4" height="2" style="transform: scale(2); transform-origin: right 1px"/>',
-        'viewBox="0 0 4 4"',
-        [-4, -1, 4, 3],
-    ),
-    "units are no attribute": ('<rect width="4" height="2" transform="rotate(90deg)"/>', "", [0, 0, 4, 2]),
-    "no units are no property": (
-        '<rect width="4" height="2" style="transform: rotate(90)"/>',
-        "",
-        [0, 0, 4, 2],
-    ),
-    "nested viewport": (
-        '<svg x="10%" y="1" width="50%" height="20" viewBox="0 0 10 10"><rect width="10" height="5"/></svg>',
-        'viewBox="0 0 40 40"',
-        [4, 1, 24, 11],
-    ),
-    "viewport without a viewBox": (
-        '<svg x="1" width="40" height="20"><rect width="50%" height="50%"/></svg>',
-        "",
-        [1, 0, 21, 10],
-    ),
-    "viewport to the right": (
-        '<svg width="40" height="20" viewBox="5 5 10 10" preserveAspectRatio="xMaxYMin">'
-        '<rect x="5" y="5" width="10" height="10"/></svg>',
-        "",
-        [20, 0, 40, 20],
-    ),
-    "viewport sliced": (
-        '<svg width="40" height="20" viewBox="0 0 10 10" preserveAspectRatio="xMidYMax slice">'
-        '<rect width="10" height="10"/></svg>',
-        "",
-        [0, -20, 40, 20],
-    ),
-    "viewport stretched": (
-        '<svg width="40" height="20" viewBox="0 0 10 10" preserveAspectRatio="none">'
-        '<rect width="10" height="10"/></svg>',
-        "",
-        [0, 0, 40, 20],
-    ),
-    "use": (
-        '<defs><rect id="r" width="3" height="4"/></defs><use href="#r" x="1" y="2" transform="scale(2)"/>',
-        "",
-        [2, 4, 8, 12],
-    ),
-    "use of a symbol": (
-        '<symbol id="s" viewBox="0 0 10 10"><rect width="10" height="5"/></symbol>'
-        '<use xlink:href="#s" x="10" y="20" width="40" height="20"/>',
-        "",
-        [20, 20, 40, 30],
-    ),
-    "use of a whole viewport": (
-        '<symbol id="s" viewBox="0 0 10 10"><rect width="10" height="5"/></symbol><use href="#s"/>',
-        'viewBox="0 0 40 40"',
-        [0, 0, 40, 20],
-    ),
-    "use sizes an svg": (
-        '<defs><svg id="s" x="3" width="1" height="1" viewBox="0 0 5 5"><rect width="5" height="5"/>'
-        '</svg></defs><use href="#s" x="20" width="30" height="30"/>',
-        "",
-        [23, 0, 53, 30],
-    ),
-}
+PLACES = table("""
+inches | <rect width="1in" height="10"/> | 0 0 96 10
+millimetres | <rect width="25.4mm" height="2.54cm"/> | 0 0 96 96
+points and picas | <rect width="3pt" height="1pc"/> | 0 0 4 16
+quarter millimetres | <rect width="101.6Q" height="1"/> | 0 0 96 1
+em | <g font-size="10"><rect width="2em" height="1rem" style="font-size:200%"/></g> | 0 0 40 16
+percentages of the viewBox | <rect width="50%" height="50%"/> | 0 0 40 20 | viewBox="-9 -9 80 40"
+percentages of the size | <rect width="50%" height="50%"/> | 0 0 40 20 | width="80" height="40"
+percentage of the diagonal | <circle r="10%"/> | -5 -5 5 5 | viewBox="0 0 70 10"
+translate and scale | <rect width="1" height="2" transform="translate(5) scale(2 3)"/> | 5 0 7 6
+rotate about a point | <rect width="4" height="2" transform="rotate(90,4,0)"/> | 2 -4 4 0
+matrix | <rect width="1" height="1" transform="matrix(1 0 1 1 5 6)"/> | 5 6 7 7
+skew | <rect width="1" height="1" transform="skewX(45)skewY(0)"/> | 0 0 2 1
+groups around it | <g transform="scale(2)"><a transform="translate(1)"><rect width="1" height="1"/></a></g> | 2 0 4 2
+property | <rect width="4" height="2" style="transform: translate(50%, 1px) rotate(0.25turn)"/> | 8 1 10 5 | \
+viewBox="0 0 20 20"
+property beats attribute | <rect width="1" height="1" transform="scale(9)" style="transform: none"/> | 0 0 1 1
+single properties | <rect width="4" height="2" style="translate: 1px 2px; rotate: 90deg; scale: 2"/> | -3 2 1 10
+origin | <rect width="4" height="2" transform="rotate(90)" transform-origin="4 0"/> | 2 -4 4 0
+origin in words | <rect width="4" height="2" style="transform: scale(2); transform-origin: right 1px"/> | \
+-4 -1 4 3 | viewBox="0 0 4 4"
+units are no attribute | <rect width="4" height="2" transform="rotate(90deg)"/> | 0 0 4 2
+no units are no property | <rect width="4" height="2" style="transform: rotate(90)"/> | 0 0 4 2
+nested viewport | <svg x="10%" y="1" width="50%" height="20" viewBox="0 0 10 10"><rect width="10" height="5"/></svg>\
+ | 4 1 24 11 | viewBox="0 0 40 40"
+viewport without a viewBox | <svg x="1" width="40" height="20"><rect width="50%" height="50%"/></svg> | 1 0 21 10
+viewport to the right | <svg width="40" height="20" viewBox="5 5 10 10" preserveAspectRatio="xMaxYMin">\
+<rect x="5" y="5" width="10" height="10"/></svg> | 20 0 40 20
+viewport sliced | <svg width="40" height="20" viewBox="0 0 10 10" preserveAspectRatio="xMidYMax slice">\
+<rect width="10" height="10"/></svg> | 0 -20 40 20
+viewport stretched | <svg width="40" height="20" viewBox="0 0 10 10" preserveAspectRatio="none">\
+<rect width="10" height="10"/></svg> | 0 0 40 20
+use | <defs><rect id="r" width="3" height="4"/></defs><use href="#r" x="1" y="2" transform="scale(2)"/> | 2 4 8 12
+use of a symbol | <symbol id="s" viewBox="0 0 10 10"><rect width="10" height="5"/></symbol>\
+<use xlink:href="#s" x="10" y="20" width="40" height="20"/> | 20 20 40 30
+use of a whole viewport | <symbol id="s" viewBox="0 0 10 10"><rect width="10" height="5"/></symbol><use href="#s"/>\
+ | 0 0 40 20 | viewBox="0 0 40 40"
+use sizes an svg | <defs><svg id="s" x="3" width="1" height="1" viewBox="0 0 5 5"><rect width="5" height="5"/></svg>\
+</defs><use href="#s" x="20" width="30" height="30"/> | 23 0 53 30
+""")
 
 
-@pytest.mark.parametrize(("markup", "root", "box"), PLACES.values(), ids=PLACES)
-def test_shape_lies_where_browsers_put_it(markup, root, box):
-    assert boxes(drawn(markup, root or 'viewBox="0 0 100 100"')) == [box]
+@pytest.mark.parametrize("name", PLACES)
+def test_shape_lies_where_browsers_put_it(name):
+    markup, box, *root = PLACES[name]
+    assert boxes(drawn(markup, *root)) == [[float(value) for value in box.split()]]
 
 
 def test_the_roots_viewport_does_not_move_anything():
@@ -209,7 +131,7 @@ def test_a_stroke_that_does_not_scale_keeps_its_width():
     ],
 )
 def test_what_has_no_extent_is_not_a_shape(markup):
-    assert boxes(drawn(markup + '<rect width="1" height="2"/>')) == [[0, 0, 1, 2]]
+    assert boxes(drawn(markup + RECT)) == [[0, 0, 1, 2]]
 
 
 def test_joints_are_exact_after_a_transform():

@@ -79,20 +79,8 @@ def test_paint_servers():
 
 @pytest.mark.parametrize(
     "text",
-    [
-        "rotate",
-        "rotate(",
-        "rotate()",
-        "rotate(1 2)",
-        "scale(1,,2)",
-        "scale(,1)",
-        "foo(1)",
-        "matrix(1 2 3)",
-        "scale(1) x",
-        "translate(1e999)",
-        "rotate(1deg)",
-        "scale(1),",
-    ],
+    "rotate|rotate(|rotate()|rotate(1 2)|scale(1,,2)|scale(,1)|foo(1)|matrix(1 2 3)|scale(1) x|translate(1e999)"
+    "|rotate(1deg)|scale(1),".split("|"),
 )
 def test_what_is_no_transform_attribute(text):
     assert transforms.parse(text) is None
