@@ -18,9 +18,6 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, CubicPath, FloatArray, IntArray
 
-POINT_LENGTH = 1e-9
-"""An edge of less length, with the whole chain's as 1, is a point."""
-
 LEAST_CHANGE = 0.2
 """The floor under the relative change of length in an edge's compliance, the paper's ``L_tol``."""
 
@@ -30,54 +27,79 @@ MULTIPLIER_LIMIT = 4.0
 NEWTON_STEPS = 40
 """Newton steps at most; four to six are usual."""
 
-CLOSED = 1e-13
-"""What may be open after Newton's method, with the whole chain's length as 1; it is closed exactly then."""
+POINT, CLOSED = 1e-9, 1e-13
+"""With the whole chain's length as 1: edges of less length are points, and less may be open after Newton's method; the
+chain is closed exactly then."""
 
 
-class MovingPolygon(NamedTuple):
-    """A contour by lengths and directions of its control polygon's edges, both with the similarity undone.
+class ControlPolygons(NamedTuple):
+    """The control polygons of a contour at the start and the end, edge for edge.
 
     Attributes
     ----------
+    path : CubicPath
+        Its segments' control points have the indices `control_points`, (s, 4).
+    points : pair of (n + 1,) complex
+        At the start and the end; those of closed contours repeat the first.
     moves : (n,) bool
-        Which of the control polygon's edges are ever more than a point, m of them.
+        Which edges are ever more than a point, m of them.
     start, end : (m,) float
         Lengths, ``L_A`` and ``L_B``.
     direction, direction_change : (m,) float
         The directions at the start, and by how much they change: radians.
+    share : (m,) float
+        How much of the contour each edge is, of both lengths; of sum 1.
+    """
+
+    path: CubicPath
+    control_points: IntArray
+    points: tuple[ComplexArray, ComplexArray]
+    moves: BoolArray
+    start: FloatArray
+    end: FloatArray
+    direction: FloatArray
+    direction_change: FloatArray
+    share: FloatArray
+
+    def changes_near(self, rotation: float) -> FloatArray:
+        """Return the changes of direction, with whole rounds that bring their mean nearest to a rotation."""
+        mean = float((self.share * self.direction_change).sum())
+        return self.direction_change - FULL_TURN * round((mean - rotation) / FULL_TURN)
+
+
+class MovingPolygon(NamedTuple):
+    """How a control polygon moves: lengths and changes of direction with the similarity undone.
+
+    Attributes
+    ----------
+    polygons : ControlPolygons
+        With the lengths and the directions at the start.
+    end, direction_change : (m,) float
     compliance : (m,) float
         How readily a length changes to close the polygon; 1 in the mean.
     weight : (n + 1,) float
         How much each control point counts for the position of the contour; of sum 1.
     positions : (complex, complex)
         The mean of the control points, so weighted, at the start and the end.
-    control_points : (s, 4) int
-        Indices of each segment's.
-    straight : (s,) bool
-    closed : bool
     """
 
-    moves: BoolArray
-    start: FloatArray
+    polygons: ControlPolygons
     end: FloatArray
-    direction: FloatArray
     direction_change: FloatArray
     compliance: FloatArray
     weight: FloatArray
     positions: tuple[complex, complex]
-    control_points: IntArray
-    straight: BoolArray
-    closed: bool
 
     def at(self, t: float) -> ComplexArray:
         """Return the control points at time t, (n + 1,) complex, with the similarity undone."""
-        length = (1.0 - t) * self.start + t * self.end
-        u = np.exp(1j * (self.direction + t * self.direction_change))
-        if self.closed:
+        moves = self.polygons.moves
+        length = (1.0 - t) * self.polygons.start + t * self.end
+        u = np.exp(1j * (self.polygons.direction + t * self.direction_change))
+        if self.polygons.path.closed:
             length = closing_lengths(length, u, self.compliance)
             u = u - (length * u).sum() / length.sum()
-        points = np.zeros(len(self.moves) + 1, np.complex128)
-        points[1:][self.moves] = length * u
+        points = np.zeros(len(moves) + 1, np.complex128)
+        points[1:][moves] = length * u
         points = points.cumsum()
         position = (1.0 - t) * self.positions[0] + t * self.positions[1]
         return points + (position - (self.weight * points).sum())
@@ -109,11 +131,12 @@ class Intrinsic(NamedTuple):
             if polygon is None:
                 every += Rigid(self.alignment).segments([contour], t)
                 continue
-            segments = self.alignment.apply(polygon.at(t), t)[polygon.control_points]
-            lines = segments[polygon.straight]
+            straight = contour.start.straight
+            segments = self.alignment.apply(polygon.at(t), t)[polygon.polygons.control_points]
+            lines = segments[straight]
             chord = lines[:, 3] - lines[:, 0]
             lines[:, 1], lines[:, 2] = lines[:, 0] + chord / 3.0, lines[:, 0] + chord * (2.0 / 3.0)
-            segments[polygon.straight] = lines
+            segments[straight] = lines
             every.append(segments)
         return every
 
@@ -164,34 +187,7 @@ def intrinsic(contours: Sequence[ContourBlend], alignment: Alignment) -> Intrins
     return Intrinsic(alignment, tuple(polygon and _moving(polygon, alignment) for polygon in polygons))
 
 
-class _MatchedPolygons(NamedTuple):
-    """A contour's control polygons; as in `MovingPolygon` but for the similarity, which is not yet undone.
-
-    Attributes
-    ----------
-    points : pair of (n + 1,) complex
-        Control points at the start and the end; those of closed contours repeat the first.
-    share : (m,) float
-        How much of the contour each edge is, of both lengths; of sum 1.
-    """
-
-    path: CubicPath
-    points: tuple[ComplexArray, ComplexArray]
-    control_points: IntArray
-    moves: BoolArray
-    start: FloatArray
-    end: FloatArray
-    direction: FloatArray
-    direction_change: FloatArray
-    share: FloatArray
-
-    def changes_near(self, rotation: float) -> FloatArray:
-        """Return the changes of direction, with whole rounds that bring their mean nearest to a rotation."""
-        mean = float((self.share * self.direction_change).sum())
-        return self.direction_change - FULL_TURN * round((mean - rotation) / FULL_TURN)
-
-
-def _matched_polygons(contour: ContourBlend) -> _MatchedPolygons | None:
+def _matched_polygons(contour: ContourBlend) -> ControlPolygons | None:
     """Return the control polygons of a contour, or None if there are no directions to move by."""
     if contour.grows or contour.shrinks:
         return None
@@ -209,7 +205,7 @@ def _matched_polygons(contour: ContourBlend) -> _MatchedPolygons | None:
         control_points[-1, 3] = 0  # to the bit the same point
     edges_a, edges_b = np.diff(a), np.diff(b)
     for edges in (edges_a, edges_b):
-        edges[np.abs(edges) <= POINT_LENGTH * np.abs(edges).sum()] = 0.0
+        edges[np.abs(edges) <= POINT * np.abs(edges).sum()] = 0.0
     moves = (edges_a != 0.0) | (edges_b != 0.0)
     edges_a, edges_b = edges_a[moves], edges_b[moves]
     both = directions(edges_a, edges_b, segment[moves], closed)
@@ -219,10 +215,10 @@ def _matched_polygons(contour: ContourBlend) -> _MatchedPolygons | None:
     share = start / start.sum() + end / end.sum()
     share /= share.sum()
     change = both[1] - both[0]
-    return _MatchedPolygons(contour.start, (a, b), control_points, moves, start, end, both[0], change, share)
+    return ControlPolygons(contour.start, control_points, (a, b), moves, start, end, both[0], change, share)
 
 
-def _median_rotation(polygons: Sequence[_MatchedPolygons], rotation: float) -> float:
+def _median_rotation(polygons: Sequence[ControlPolygons], rotation: float) -> float:
     """Return the change of direction with as much of the contours' length below as above, in rounds near a rotation."""
     change = np.concatenate([polygon.changes_near(rotation) for polygon in polygons])
     start = np.concatenate([polygon.start for polygon in polygons])
@@ -235,29 +231,19 @@ def _median_rotation(polygons: Sequence[_MatchedPolygons], rotation: float) -> f
     return 0.5 * float(change[low] + change[min(high, len(change) - 1)])
 
 
-def _moving(polygon: _MatchedPolygons, alignment: Alignment) -> MovingPolygon:
+def _moving(polygon: ControlPolygons, alignment: Alignment) -> MovingPolygon:
     """Return how a control polygon moves, once a similarity is undone."""
     start, end = polygon.start, polygon.end / alignment.scale
     change = polygon.changes_near(alignment.rotation) - alignment.rotation
     compliance = ((start - end) / (start + end)) ** 2 + LEAST_CHANGE**2
+    compliance /= (polygon.share * compliance).sum()
     of_edge = np.zeros(len(polygon.moves))
     of_edge[polygon.moves] = polygon.share * (np.cos(0.5 * np.clip(change, -np.pi, np.pi)) ** 2 + 1e-6)
     weight = np.append(of_edge, 0.0) + np.append(0.0, of_edge)
     weight /= weight.sum()
     a, b = polygon.points[0] - alignment.centre_a, alignment.undo(polygon.points[1])
-    return MovingPolygon(
-        polygon.moves,
-        start,
-        end,
-        polygon.direction,
-        change,
-        compliance / (polygon.share * compliance).sum(),
-        weight,
-        (complex((weight * a).sum()), complex((weight * b).sum())),
-        polygon.control_points,
-        polygon.path.straight,
-        polygon.path.closed,
-    )
+    positions = complex((weight * a).sum()), complex((weight * b).sum())
+    return MovingPolygon(polygon, end, change, compliance, weight, positions)
 
 
 def closing_lengths(length: FloatArray, u: ComplexArray, compliance: FloatArray) -> FloatArray:

@@ -1,15 +1,8 @@
 """Motion that never crosses itself, as long as its ends do not.
 
-Published solutions are compatible triangulations (C. Gotsman, V. Surazhsky, "Guaranteed intersection-free polygon
-morphing", Computers & Graphics 25, 2001) and refolding by energy descent (H. N. Iben, J. F. O'Brien, E. D. Demaine,
-"Refolding planar polygons", Discrete & Computational Geometry 41, 2009). This is of the second kind: both outlines
-descend in an energy until the way between them is free, and the energy is their length. Its descent, the curve
-shortening flow, takes every outline without crossings to a circle without crossing itself (`flow`), where repulsion
-between vertices can get stuck; and a triangulation of both shapes at once needs many further vertices, whose thin
-triangles show.
-
-Rather than down, across and up again, the route is planned. Let ``A_s`` and ``B_s`` be the outlines smoothed for a time
-s of the flow, B's rotated back by what rotates ``A_s`` best into ``B_s``. The space of all in-betweens
+The curve shortening flow takes every outline without crossings to a circle without crossing itself (`flow`);
+docs/motion.md says what other solutions are known. Let ``A_s`` and ``B_s`` be the outlines smoothed for a time s of the
+flow, B's rotated back by what rotates ``A_s`` best into ``B_s``. The space of all in-betweens
 ``(1 - u) A_s + u B_s``, placed as in rigid motion, is free of crossings along three of its sides: at u = 0 and u = 1
 because the flow never crosses itself, and at the largest s because there two circles with evenly spread vertices
 coincide. So there is a route from A to B, and the one is taken that smooths least. Rigid motion without crossings is
@@ -47,14 +40,9 @@ if TYPE_CHECKING:
 COLUMNS = 24
 """Steps of the search from A to B; their middles are checked too."""
 
-LENGTH_COST, LEVEL_COST, LEVEL_CHANGE_COST = 0.02, 1.0, 0.1
-"""What a route costs from A to B: for its length, for its level (1 at the top), and for changing levels."""
-
-BLOCKED_COST = 20.0
-"""What an edge costs that is not free: more than any route that is free."""
-
-CROSSED_COST = 2.0
-"""What the part of a route costs on which there are crossings, no more than A or B have themselves."""
+LENGTH_COST, LEVEL_COST, LEVEL_CHANGE_COST, CROSSED_COST, BLOCKED_COST = 0.02, 1.0, 0.1, 2.0, 20.0
+"""What a route costs from A to B: for its length, for its level (1 at the top), for changing levels, for the part of it
+on which there are crossings that A or B have themselves, and for an edge that is not free: more than all that is."""
 
 TOGETHER_LEVEL, ALONE_LEVEL = 12, 24
 """Up to the first level contours rotate together; from the second on each by its own best angle."""
@@ -62,30 +50,22 @@ TOGETHER_LEVEL, ALONE_LEVEL = 12, 24
 SAMPLES = 8
 """Points of a segment by which smoothed outlines are rotated onto each other."""
 
-MOST_SEARCHES = 40
-"""How often a route is searched again because on closer inspection one of its edges is not free."""
+CLOSELY, MOST_SEARCHES = (0.125, 0.25, 0.375, 0.625, 0.75, 0.875), 40
+"""Where edges of the route are inspected closely, and how often it is searched again if one of them is not free."""
 
-CLOSELY = (0.125, 0.25, 0.375, 0.625, 0.75, 0.875)
-"""Where an edge of the route is inspected more closely."""
-
-LIFTS = (1.5, 0.75)
-"""By how many levels the route is lifted if it can be, so that narrow places are not as narrow as they might be."""
+LIFTS, SMOOTHINGS = (1.5, 0.75), 4
+"""By how many levels the route is lifted if it can be, so that narrow places are less narrow, and how often it is then
+evened out, as long as it stays free."""
 
 MOST_POSITIONS = 4000
 """Number of positions checked before the search is given up; most routes take a few hundred."""
-
-SMOOTHINGS = 4
-"""How often the route is evened out, as long as it stays free."""
 
 LEVEL_TIME = 0.01
 """A change by one level takes as much time as moving all points by this share of the size: or details, which are all
 that moves then, would vanish at once."""
 
-LEAST_AREA = 0.95
-"""An in-between is scaled up to have this share of the straight line between the ends' areas."""
-
-MOST_SCALE = 2.0
-"""But by no more."""
+LEAST_AREA, MOST_SCALE = 0.95, 2.0
+"""An in-between is scaled up to have this share of the straight line between the ends' areas, but by no more."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -149,13 +129,8 @@ class BlendSpace:
 class Safe:
     """Motion along a route through a space of smoothed in-betweens.
 
-    Attributes
-    ----------
-    space : BlendSpace
-    times : (k,) float
-        Rising from 0 to 1, evenly by how far the points move.
-    shares, levels, scales : (k,) float
-        At each of these times: the position, and how many times as large.
+    Times, (k,) float, rise from 0 to 1, evenly by how far the points move. At each there is a position, share and
+    level, and a scale.
     """
 
     space: BlendSpace

@@ -38,14 +38,10 @@ class PlacedContour(NamedTuple):
 
     Attributes
     ----------
-    number : int
-        Counted through the drawing's shapes in file order.
-    shape : int
-        Index of the shape it belongs to.
-    contour : Contour
+    number, shape : int
+        Counted through the drawing's shapes in file order; index of the shape.
+    contour, polygon
         Exteriors run one way round and holes the other, where that paints the same.
-    polygon : Polygon
-        The contour, flattened.
     role : {EXTERIOR, HOLE, LINE}
     exterior : int or None
         Number of the contour that a hole is in.
@@ -114,14 +110,7 @@ def decompose(
 ) -> tuple[list[PlacedContour], list[str]]:
     """Flatten the contours of a drawing laid over A, find their roles, and orient exteriors alike.
 
-    Parameters
-    ----------
-    drawing : Drawing
-    to_a : Similarity
-    vertices : int >= 0
-        Of each contour, about.
-    exterior_orientation : {1, -1}, optional
-        By default that of the largest closed contour.
+    Each gets so many vertices, about. By default exteriors are oriented as the largest closed contour.
 
     Returns
     -------

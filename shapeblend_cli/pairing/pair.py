@@ -44,18 +44,8 @@ def pair_contours(
     one now on top and now below, the larger one keeps its partner and the other gets another one, or none. Only if
     the drawings have no kind in common is an exterior paired with an open line.
 
-    Parameters
-    ----------
-    a, b : sequence of PlacedContour
-        At least one each.
-    settings : Settings
-    required : sequence of (int, int)
-        Numbers of contours that are pairs whatever they cost; so are the exteriors of paired holes.
-
-    Returns
-    -------
-    list of (PlacedContour, PlacedContour)
-        By A's number. Pieces, if exteriors without a partner are to have them, have the number of what was cut.
+    Required pairs are pairs whatever they cost, and so are the exteriors of paired holes. With ``unmatched="split"``
+    exteriors without a partner get pieces, which have the number of what was cut. The pairs are sorted by A's number.
 
     Raises
     ------
