@@ -4,47 +4,34 @@ Cython resolves ``import cython`` while it compiles, so compiled kernels never c
 where Cython is not installed: every declaration below then means nothing, and the code runs as plain Python.
 """
 
+from collections import namedtuple
 from typing import Any, Final
 
 compiled: Final = False
 
 
 class _Type:
-    """A C type; calling it converts nothing."""
+    """A C type."""
 
-    def __getitem__(self, _what: object) -> "_Type":
-        """Declare a memoryview, as in ``double[:, ::1]``, or qualify a type, as in ``const[double]``."""
+    def __getitem__(self, _axes: object) -> "_Type":
+        """Declare a memoryview, as in ``double[:, ::1]``."""
         return self
 
-    def __call__(self, value: Any = None) -> Any:
-        return value
+
+def _unchanged(decorated: Any) -> Any:
+    """A directive without settings: ``@cfunc``."""
+    return decorated
 
 
-class _Directive:
-    """A directive in each of its three uses: ``@d``, ``@d(...)`` and ``with d:``."""
-
-    def __call__(self, *args: Any, **_settings: Any) -> Any:
-        if len(args) == 1 and callable(args[0]) and not isinstance(args[0], _Type | type):
-            return args[0]
-        return _unchanged
-
-    def __enter__(self) -> None:
-        pass
-
-    def __exit__(self, *_exc_info: object) -> None:
-        pass
+def _directive(*_settings: object, **_named: object) -> Any:
+    """A directive with settings: ``@boundscheck(False)``."""
+    return _unchanged
 
 
-def _unchanged(function: Any) -> Any:
-    return function
+int = bint = uchar = Py_ssize_t = double = doublecomplex = _Type()
 
-
-void = char = uchar = bint = short = int = uint = long = longlong = Py_ssize_t = size_t = _Type()
-float = double = complex = floatcomplex = doublecomplex = const = _Type()
-
-cfunc = ccall = inline = nogil = gil = _Directive()
-returns = locals = exceptval = _Directive()
-boundscheck = wraparound = cdivision = initializedcheck = infer_types = _Directive()
+cclass = cfunc = inline = _unchanged
+exceptval = boundscheck = wraparound = cdivision = _directive
 
 
 def cast(_type: object, value: Any) -> Any:
@@ -55,3 +42,8 @@ def cast(_type: object, value: Any) -> Any:
 def declare(_type: object = None, value: Any = None, **_variables: object) -> Any:
     """Return the value as it is."""
     return value
+
+
+def struct(**members: object) -> type:
+    """Make a type with these members."""
+    return namedtuple("struct", members)

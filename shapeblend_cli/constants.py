@@ -33,10 +33,6 @@ class WorkConstants(Record, section=WIRE):
         help="How easily edges collapse to points: hardly ever near 0, freely at 1.",
     )
 
-    def bending(self) -> tuple[float, float, float, float]:
-        """The constants of eq (17) in the order the kernels take them: k_b, m_b, e_b, p_b."""
-        return self.k_b, self.m_b, self.e_b, self.p_b
-
 
 PRESETS: dict[str, dict[str, float]] = {
     name: dict(zip((*WorkConstants.options, "band"), row, strict=True))

@@ -291,8 +291,10 @@ class Correspondence:
     closed : bool
     stretching, bending : float
         Work, eqs (16) and (17), summed along the path.
-    lower_bound : float or None
-        No path that is allowed costs less, to rounding; None where nothing is proven.
+    lower_bound : float
+        No correspondence of the two polygons, in these directions, takes less work: from any start, through any
+        vertices, in no band, exactly solved. It is the work itself where all of that was searched, and 0 where nothing
+        is known.
     zero_angles : int
         Dots whose angle reaches zero.
     diagonal_deviation : float
@@ -305,7 +307,7 @@ class Correspondence:
     closed: bool
     stretching: float
     bending: float
-    lower_bound: float | None
+    lower_bound: float
     zero_angles: int
     diagonal_deviation: float
     sweeps: int
@@ -319,10 +321,8 @@ class Correspondence:
         return self.stretching + self.bending
 
     @property
-    def gap(self) -> float | None:
-        """How much less work an undiscovered path could cost, as a share of this one's."""
-        if self.lower_bound is None:
-            return None
+    def gap(self) -> float:
+        """How much less work another path could cost, as a share of this one's; 0 where none costs less."""
         return (self.work - self.lower_bound) / self.work if self.work > 0.0 else 0.0
 
 

@@ -80,13 +80,6 @@ TOO_MANY_PARAMETERS = {
     "geometry.crossings._leaves",
     "geometry.crossings._passes",
     "geometry.crossings._cross_inside",
-    "match.angles._bend",
-    "match.angles.fill_bends",
-    "match.angles.bends_along",
-    "match.graph.cost_to_go",
-    "match.graph.sweep",
-    "match.graph.sweep_simplified",
-    "match.solve.least_work",
 }
 
 

@@ -14,13 +14,14 @@ import time
 
 import numpy as np
 
-from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polygons import orientation, reverse_polygon
-from shapeblend_cli.match import starts
-from shapeblend_cli.match.solve import least_work
-from shapeblend_cli.match.work import Window, Wires
+from shapeblend_cli.match.graph import Graph
+from shapeblend_cli.match.solve import Search, least_work
+from shapeblend_cli.match.starts import least_from
+from shapeblend_cli.match.tables import Window
+from shapeblend_cli.match.work import Wires
 from shapeblend_cli.svg.reading.read import read
 from tools.quality.data import ROOT, icon_pairs
 from tools.quality.raw import text
@@ -50,7 +51,7 @@ def divide_and_conquer(p0, p1):
 
     The least path from a row in the middle is looked for only between those from the rows on both sides.
     """
-    wires = Wires(p0, p1, True, WorkConstants())
+    wires = Wires(p0, p1)
     m, n = wires.m, wires.n
 
     def least(row, above, below):
@@ -61,7 +62,7 @@ def divide_and_conquer(p0, p1):
             for c, r in below:
                 high[c] = min(row + n, r)  # its last
         low, high = np.maximum.accumulate(low), np.minimum.accumulate(high[::-1])[::-1]
-        return starts.least_from(starts.Search(wires, Window.between(low, np.maximum(high, low))))
+        return least_from(Graph(wires, Window.between(low, np.maximum(high, low))))
 
     top = least(0, None, None)
     best = top.work
@@ -95,13 +96,13 @@ def on_icon(p0, p1):
         runs = []
         for _ in range(3):
             before = time.perf_counter()
-            found = least_work(p0, p1, start=start)
+            found = least_work(Wires(p0, p1), Search(start=start))
             runs.append(time.perf_counter() - before)
             if start is None:
                 exact = found.work
         seconds[start] = min(runs)
     return {
-        "simplified": least_work(p0, p1, solver="simplified").work / exact - 1.0,
+        "simplified": least_work(Wires(p0, p1), Search(solver="simplified")).work / exact - 1.0,
         "divided": divide_and_conquer(p0, p1) / exact - 1.0,
         "times": seconds[None] / seconds[0, 0],
     }
@@ -112,7 +113,7 @@ def on_fine_icon(p0, p1):
     work, seconds = {}, {}
     for effort in ("auto", "exact"):
         before = time.perf_counter()
-        work[effort] = least_work(p0, p1, effort=effort).work
+        work[effort] = least_work(Wires(p0, p1), Search(effort=effort)).work
         seconds[effort] = time.perf_counter() - before
     return {"coarse": work["auto"] / work["exact"] - 1.0, **seconds}
 
@@ -174,9 +175,9 @@ def on_family():
     for p0 in shapes.values():
         for p1 in shapes.values():
             before = time.perf_counter()
-            found = least_work(p0, p1)
+            found = least_work(Wires(p0, p1))
             between = time.perf_counter()
-            least_work(p0, p1, start=(0, 0))
+            least_work(Wires(p0, p1), Search(start=(0, 0)))
             ratio = (between - before) / (time.perf_counter() - between)
             records.append({"sweeps": found.sweeps, "proven": int(found.gap == 0.0), "times": ratio})
     names = [f"{name0} to {name1}" for name0 in shapes for name1 in shapes]
@@ -187,6 +188,7 @@ LARGE = """
 import resource, sys, time
 import numpy as np
 from shapeblend_cli.match.solve import least_work
+from shapeblend_cli.match.work import Wires
 
 def coast(m, seed):
     rng = np.random.default_rng(seed)
@@ -199,7 +201,7 @@ def coast(m, seed):
 m = int(sys.argv[1])
 p0, p1 = coast(m, 0), coast(m, 50)
 before = time.perf_counter()
-least_work(p0, p1)
+least_work(Wires(p0, p1))
 print(time.perf_counter() - before, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
 """
 

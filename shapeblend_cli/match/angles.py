@@ -1,3 +1,4 @@
+# cython: boundscheck=False, wraparound=False, cdivision=True, initializedcheck=False
 """How an angle moves during a blend, and what bending it costs.
 
 Sections 2.1, 2.2 and 3.2 of Sederberg and Greenwood, "A Physically Based Approach to 2-D Shape
@@ -33,6 +34,12 @@ Departures
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.match import steps
+
 try:
     import cython
 except ImportError:  # Cython is needed to build, not to run
@@ -42,6 +49,10 @@ if cython.compiled:
     from cython.cimports.libc.math import atan2, fabs, pow, sqrt
 else:
     from math import atan2, fabs, pow, sqrt
+
+if TYPE_CHECKING:
+    from shapeblend_cli.match.tables import Window
+    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
 COMPILED = cython.compiled
 
@@ -55,26 +66,84 @@ ANGLE_NOISE = cython.declare(cython.double, 1e-9)
 # d is nothing but rounding when it is this small beside the products it is the difference of.
 CROSS_NOISE = cython.declare(cython.double, 1e-12)
 
-# The columns of an array of corners, as `work.corners` makes it.
-THETA = cython.declare(cython.int, 0)
-BACK_X = cython.declare(cython.int, 1)
-BACK_Y = cython.declare(cython.int, 2)
-FWD_X = cython.declare(cython.int, 3)
-FWD_Y = cython.declare(cython.int, 4)
-BACK_ARG = cython.declare(cython.int, 5)
-FWD_ARG = cython.declare(cython.int, 6)
-BASE_ARG = cython.declare(cython.int, 7)
-BASE_X = cython.declare(cython.int, 8)
-BASE_Y = cython.declare(cython.int, 9)
+EE = cython.declare(cython.int, steps.EE)
+ED = cython.declare(cython.int, steps.ED)
+DE = cython.declare(cython.int, steps.DE)
+SS = cython.declare(cython.int, steps.SS)
+SD = cython.declare(cython.int, steps.SD)
+DS = cython.declare(cython.int, steps.DS)
+DD = cython.declare(cython.int, steps.DD)
 
-# The bends of a dot, by the step into it and the step out of it: the last axis of a table.
-EE = cython.declare(cython.int, 0)
-ED = cython.declare(cython.int, 1)
-DE = cython.declare(cython.int, 2)
-SS = cython.declare(cython.int, 3)
-SD = cython.declare(cython.int, 4)
-DS = cython.declare(cython.int, 5)
-DD = cython.declare(cython.int, 6)
+
+# The control points Q0, Q1 and Q2 of Q(t).
+Curve = cython.struct(
+    x0=cython.double, y0=cython.double, x1=cython.double, y1=cython.double, x2=cython.double, y2=cython.double
+)
+
+
+@cython.cclass
+class Bending:
+    """The constants of eq (17), see `constants.WorkConstants`."""
+
+    k_b: cython.double
+    m_b: cython.double
+    e_b: cython.double
+    p_b: cython.double
+
+    def __init__(
+        self, k_b: cython.double, m_b: cython.double, e_b: cython.double, p_b: cython.double
+    ) -> None:
+        self.k_b = k_b
+        self.m_b = m_b
+        self.e_b = e_b
+        self.p_b = p_b
+
+
+@cython.cclass
+class Corners:
+    """What the bends need to know of each vertex of a wire.
+
+    Parameters
+    ----------
+    vertices : (m,) complex
+        No two neighbours are equal. m >= 2 when open, >= 3 when closed.
+    closed : bool
+        An open wire goes straight on beyond its ends: the missing edge of an end vertex is the other one
+        reversed, so a run of coincident vertices on it lies along the wire.
+
+    Attributes
+    ----------
+    theta : (m,) float
+        The angle arg(conj(F) B) in [0, 2 pi).
+    back, fwd : (m,) complex
+        B and F.
+    base : (m,) complex
+        The direction of the base on which coincident vertices lie (section 2.2), B turned by
+        -(90 degrees + theta / 2).
+    back_arg, fwd_arg, base_arg : (m,) float
+        Their angles in [-pi, pi].
+    """
+
+    theta = cython.declare(cython.double[::1], visibility="readonly")
+    back = cython.declare(cython.doublecomplex[::1], visibility="readonly")
+    fwd = cython.declare(cython.doublecomplex[::1], visibility="readonly")
+    base = cython.declare(cython.doublecomplex[::1], visibility="readonly")
+    back_arg: cython.double[::1]
+    fwd_arg: cython.double[::1]
+    base_arg: cython.double[::1]
+
+    def __init__(self, vertices: ComplexArray, closed: bool) -> None:
+        fwd = np.roll(vertices, -1) - vertices
+        back = np.roll(vertices, 1) - vertices
+        if not closed:
+            last = len(vertices) - 1
+            fwd[last] = -back[last]
+            back[0] = -fwd[0]
+        theta = np.angle(fwd.conj() * back)
+        theta = np.where(theta < 0.0, theta + 2.0 * np.pi, theta)
+        base = back / np.abs(back) * np.exp(-1j * (0.5 * np.pi + 0.5 * theta))
+        self.theta, self.back, self.fwd, self.base = theta, back, fwd, base
+        self.back_arg, self.fwd_arg, self.base_arg = np.angle(back), np.angle(fwd), np.angle(base)
 
 
 @cython.cfunc
@@ -101,59 +170,39 @@ def _is_zero(theta: cython.double) -> cython.bint:
 @cython.inline
 @cython.exceptval(check=False)
 def _work_of_turns(
-    theta: cython.double,
-    s1: cython.double,
-    s2: cython.double,
-    s3: cython.double,
-    k_b: cython.double,
-    m_b: cython.double,
-    e_b: cython.double,
-    p_b: cython.double,
+    theta: cython.double, s1: cython.double, s2: cython.double, s3: cython.double, bending: Bending
 ) -> cython.double:
     """Bending work, eq (17), of an angle that starts at theta and turns by s1, then s2, then s3."""
     delta_theta: cython.double = fabs(s1 + s2 + s3)
     delta_theta_star: cython.double = 0.5 * (fabs(s1) + fabs(s2) + fabs(s3) - delta_theta)
-    work: cython.double = delta_theta + m_b * delta_theta_star
-    if e_b != 1.0:
-        work = pow(work, e_b)
-    work *= k_b
+    work: cython.double = delta_theta + bending.m_b * delta_theta_star
+    if bending.e_b != 1.0:
+        work = pow(work, bending.e_b)
+    work *= bending.k_b
     if _is_zero(theta) or _is_zero(theta + s1) or _is_zero(theta + s1 + s2) or _is_zero(theta + s1 + s2 + s3):
-        work += p_b
+        work += bending.p_b
     return work
 
 
 @cython.cfunc
-@cython.cdivision(True)
 @cython.exceptval(check=False)
-def _bend(
-    theta0: cython.double,
-    theta2: cython.double,
-    x0: cython.double,
-    y0: cython.double,
-    x1: cython.double,
-    y1: cython.double,
-    x2: cython.double,
-    y2: cython.double,
-    k_b: cython.double,
-    m_b: cython.double,
-    e_b: cython.double,
-    p_b: cython.double,
-) -> cython.double:
-    """Bending work along ``Q(t)`` with the control points (x0, y0), (x1, y1), (x2, y2)."""
+def _bend(theta0: cython.double, theta2: cython.double, q: Curve, bending: Bending) -> cython.double:
+    """Bending work along Q(t) from theta0 to theta2."""
+    x0, y0, x1, y1, x2, y2 = q.x0, q.y0, q.x1, q.y1, q.x2, q.y2  # type: ignore[attr-defined]
     d0: cython.double = x0 * y1 - y0 * x1
     d1: cython.double = 0.5 * (x0 * y2 - y0 * x2)
     d2: cython.double = x1 * y2 - y1 * x2
     net: cython.double = theta2 - theta0
     one_way: cython.bint = (d0 >= 0.0 and d1 >= 0.0 and d2 >= 0.0) or (d0 <= 0.0 and d1 <= 0.0 and d2 <= 0.0)
     if one_way and net * (d0 + d1 + d2) >= 0.0:  # the usual case, without a square root or an arc tangent
-        return _work_of_turns(theta0, net, 0.0, 0.0, k_b, m_b, e_b, p_b)
+        return _work_of_turns(theta0, net, 0.0, 0.0, bending)
 
     size0: cython.double = x0 * x0 + y0 * y0
     size1: cython.double = x1 * x1 + y1 * y1
     size2: cython.double = x2 * x2 + y2 * y2
     noise: cython.double = CROSS_NOISE * CROSS_NOISE * (size0 * size1 + size0 * size2 + size1 * size2)
     if d0 * d0 + d1 * d1 + d2 * d2 <= noise:
-        return _work_of_turns(theta0, _short_way(net), 0.0, 0.0, k_b, m_b, e_b, p_b)
+        return _work_of_turns(theta0, _short_way(net), 0.0, 0.0, bending)
 
     # Ends of one sign with the middle control value of the other: two roots inside or none. Ends of
     # different sign, or one end 0 and the middle of the other sign: one root inside.
@@ -163,7 +212,7 @@ def _bend(
         # Monotonic: theta turns the way d points, if need be by more than pi.
         if net * (d0 + d1 + d2) < 0.0:
             net += TWO_PI if net < 0.0 else -TWO_PI
-        return _work_of_turns(theta0, net, 0.0, 0.0, k_b, m_b, e_b, p_b)
+        return _work_of_turns(theta0, net, 0.0, 0.0, bending)
 
     # With d = a t^2 + 2 b t + d0 the roots are big / a and d0 / big, big being the one of -b -+ root whose
     # terms cannot cancel.
@@ -179,7 +228,7 @@ def _bend(
     y: cython.double = u * u * y0 + 2.0 * u * t * y1 + t * t * y2
     s1: cython.double = atan2(x0 * y - y0 * x, x0 * x + y0 * y)
     if not two_roots:
-        return _work_of_turns(theta0, s1, _short_way(_short_way(net) - s1), 0.0, k_b, m_b, e_b, p_b)
+        return _work_of_turns(theta0, s1, _short_way(_short_way(net) - s1), 0.0, bending)
 
     t = d0 / (a * t)  # the product of the roots is d0 / a
     u = 1.0 - t
@@ -187,264 +236,163 @@ def _bend(
     y = u * u * y0 + 2.0 * u * t * y1 + t * t * y2
     s3: cython.double = atan2(x * y2 - y * x2, x * x2 + y * y2)
     s2: cython.double = _short_way(_short_way(_short_way(net) - s1) - s3)
-    return _work_of_turns(theta0, s1, s2, s3, k_b, m_b, e_b, p_b)
+    return _work_of_turns(theta0, s1, s2, s3, bending)
 
 
 @cython.cfunc
 @cython.exceptval(check=False)
 def _bend_at_run(
-    theta: cython.double,
-    s1: cython.double,
-    s2: cython.double,
-    k_b: cython.double,
-    m_b: cython.double,
-    e_b: cython.double,
-    p_b: cython.double,
+    theta: cython.double, s1: cython.double, s2: cython.double, bending: Bending
 ) -> cython.double:
     """Bending work of the pieces Q0 -> Q1 -> Q2 beside coincident vertices (section 2.2).
 
-    A half turn goes the cheaper way round.
+    A half turn takes the cheaper direction.
     """
-    work: cython.double = _work_of_turns(theta, s1, s2, 0.0, k_b, m_b, e_b, p_b)
+    work: cython.double = _work_of_turns(theta, s1, s2, 0.0, bending)
     half1: cython.bint = fabs(s1) > PI - ANGLE_NOISE
     half2: cython.bint = fabs(s2) > PI - ANGLE_NOISE
     other1: cython.double = s1 - TWO_PI if s1 > 0.0 else s1 + TWO_PI
     other2: cython.double = s2 - TWO_PI if s2 > 0.0 else s2 + TWO_PI
     if half1:
-        work = min(work, _work_of_turns(theta, other1, s2, 0.0, k_b, m_b, e_b, p_b))
+        work = min(work, _work_of_turns(theta, other1, s2, 0.0, bending))
     if half2:
-        work = min(work, _work_of_turns(theta, s1, other2, 0.0, k_b, m_b, e_b, p_b))
+        work = min(work, _work_of_turns(theta, s1, other2, 0.0, bending))
     if half1 and half2:
-        work = min(work, _work_of_turns(theta, other1, other2, 0.0, k_b, m_b, e_b, p_b))
+        work = min(work, _work_of_turns(theta, other1, other2, 0.0, bending))
     return work
 
 
 @cython.cfunc
-@cython.boundscheck(False)
-@cython.wraparound(False)
 @cython.exceptval(check=False)
 def _bend_moving(
-    p: cython.double[:, ::1],
-    i: cython.Py_ssize_t,
-    q: cython.double[:, ::1],
-    j: cython.Py_ssize_t,
-    k_b: cython.double,
-    m_b: cython.double,
-    e_b: cython.double,
-    p_b: cython.double,
+    p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t, bending: Bending
 ) -> cython.double:
     """Bend where both wires move on the way in and on the way out: eqs (7)-(9)."""
-    b0x: cython.double = p[i, BACK_X]
-    b0y: cython.double = p[i, BACK_Y]
-    f0x: cython.double = p[i, FWD_X]
-    f0y: cython.double = p[i, FWD_Y]
-    b1x: cython.double = q[j, BACK_X]
-    b1y: cython.double = q[j, BACK_Y]
-    f1x: cython.double = q[j, FWD_X]
-    f1y: cython.double = q[j, FWD_Y]
-    return _bend(
-        p[i, THETA],
-        q[j, THETA],
+    b0x: cython.double = p.back[i].real
+    b0y: cython.double = p.back[i].imag
+    f0x: cython.double = p.fwd[i].real
+    f0y: cython.double = p.fwd[i].imag
+    b1x: cython.double = q.back[j].real
+    b1y: cython.double = q.back[j].imag
+    f1x: cython.double = q.fwd[j].real
+    f1y: cython.double = q.fwd[j].imag
+    curve: Curve = Curve(
         f0x * b0x + f0y * b0y,
         f0x * b0y - f0y * b0x,
         0.5 * ((f1x * b0x + f1y * b0y) + (f0x * b1x + f0y * b1y)),
         0.5 * ((f1x * b0y - f1y * b0x) + (f0x * b1y - f0y * b1x)),
         f1x * b1x + f1y * b1y,
         f1x * b1y - f1y * b1x,
-        k_b,
-        m_b,
-        e_b,
-        p_b,
     )
+    return _bend(p.theta[i], q.theta[j], curve, bending)
 
 
 @cython.cfunc
-@cython.boundscheck(False)
-@cython.wraparound(False)
 @cython.exceptval(check=False)
 def _bend_into_run(
-    p: cython.double[:, ::1],
-    i: cython.Py_ssize_t,
-    q: cython.double[:, ::1],
-    j: cython.Py_ssize_t,
-    k_b: cython.double,
-    m_b: cython.double,
-    e_b: cython.double,
-    p_b: cython.double,
+    p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t, bending: Bending
 ) -> cython.double:
-    """Bend where q moves on the way in and stands still on the way out; p moves on both.
+    """Bend where q moves on the way in and rests on the way out; p moves on both.
 
     F1 := base of q, so Q1 is conj(F0) B1 to leading order. From Q0 to Q1 only B turns, then only F.
     """
-    s1: cython.double = _short_way(q[j, BACK_ARG] - p[i, BACK_ARG])
-    s2: cython.double = _short_way(p[i, FWD_ARG] - q[j, BASE_ARG])
-    return _bend_at_run(p[i, THETA], s1, s2, k_b, m_b, e_b, p_b)
+    s1: cython.double = _short_way(q.back_arg[j] - p.back_arg[i])
+    s2: cython.double = _short_way(p.fwd_arg[i] - q.base_arg[j])
+    return _bend_at_run(p.theta[i], s1, s2, bending)
 
 
 @cython.cfunc
-@cython.boundscheck(False)
-@cython.wraparound(False)
 @cython.exceptval(check=False)
 def _bend_out_of_run(
-    p: cython.double[:, ::1],
-    i: cython.Py_ssize_t,
-    q: cython.double[:, ::1],
-    j: cython.Py_ssize_t,
-    k_b: cython.double,
-    m_b: cython.double,
-    e_b: cython.double,
-    p_b: cython.double,
+    p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t, bending: Bending
 ) -> cython.double:
-    """Bend where q stands still on the way in and moves on the way out; p moves on both.
+    """Bend where q rests on the way in and moves on the way out; p moves on both.
 
     B1 := minus the base of q, so Q1 is conj(F1) B0 to leading order. First only F turns, then only B.
     """
-    s1: cython.double = _short_way(p[i, FWD_ARG] - q[j, FWD_ARG])
-    s2: cython.double = _short_way(_short_way(q[j, BASE_ARG] + PI) - p[i, BACK_ARG])
-    return _bend_at_run(p[i, THETA], s1, s2, k_b, m_b, e_b, p_b)
+    s1: cython.double = _short_way(p.fwd_arg[i] - q.fwd_arg[j])
+    s2: cython.double = _short_way(_short_way(q.base_arg[j] + PI) - p.back_arg[i])
+    return _bend_at_run(p.theta[i], s1, s2, bending)
 
 
 @cython.cfunc
-@cython.boundscheck(False)
-@cython.wraparound(False)
 @cython.exceptval(check=False)
 def _bend_inside_run(
-    p: cython.double[:, ::1],
-    i: cython.Py_ssize_t,
-    q: cython.double[:, ::1],
-    j: cython.Py_ssize_t,
-    k_b: cython.double,
-    m_b: cython.double,
-    e_b: cython.double,
-    p_b: cython.double,
+    p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t, bending: Bending
 ) -> cython.double:
-    """Bend where q stands still on the way in and on the way out: its angle there is pi.
+    """Bend where q rests on the way in and on the way out: its angle there is pi.
 
     F1 := base, B1 := minus base, so both products of Q1 are of one order: Q1 = conj(d) B0 - conj(F0) d.
     """
-    dx: cython.double = q[j, BASE_X]
-    dy: cython.double = q[j, BASE_Y]
-    b0x: cython.double = p[i, BACK_X]
-    b0y: cython.double = p[i, BACK_Y]
-    f0x: cython.double = p[i, FWD_X]
-    f0y: cython.double = p[i, FWD_Y]
+    dx: cython.double = q.base[j].real
+    dy: cython.double = q.base[j].imag
+    b0x: cython.double = p.back[i].real
+    b0y: cython.double = p.back[i].imag
+    f0x: cython.double = p.fwd[i].real
+    f0y: cython.double = p.fwd[i].imag
     x1: cython.double = (dx * b0x + dy * b0y) - (f0x * dx + f0y * dy)
     y1: cython.double = (dx * b0y - dy * b0x) - (f0x * dy - f0y * dx)
-    theta: cython.double = p[i, THETA]
+    theta: cython.double = p.theta[i]
     longest: cython.double = b0x * b0x + b0y * b0y + f0x * f0x + f0y * f0y
     if x1 * x1 + y1 * y1 <= CROSS_NOISE * CROSS_NOISE * longest:  # Q1 = 0 points nowhere
-        return _work_of_turns(theta, PI - theta, 0.0, 0.0, k_b, m_b, e_b, p_b)
+        return _work_of_turns(theta, PI - theta, 0.0, 0.0, bending)
     theta1: cython.double = atan2(y1, x1)
     if theta1 < 0.0:
         theta1 += TWO_PI
-    return _bend_at_run(theta, _short_way(theta1 - theta), _short_way(PI - theta1), k_b, m_b, e_b, p_b)
+    return _bend_at_run(theta, _short_way(theta1 - theta), _short_way(PI - theta1), bending)
 
 
-@cython.boundscheck(False)
-@cython.wraparound(False)
-@cython.cdivision(True)
 def fill_bends(
-    p: cython.double[:, ::1],
-    q: cython.double[:, ::1],
-    weight: cython.double[::1],
-    origin: cython.Py_ssize_t[::1],
-    place: cython.Py_ssize_t[::1],
-    k_b: cython.double,
-    m_b: cython.double,
-    e_b: cython.double,
-    p_b: cython.double,
-    bends: cython.double[:, ::1],
+    p: Corners,
+    q: Corners,
+    bending: Bending,
+    columns: IntArray,
+    weight: FloatArray,
+    window: Window,
+    bends: FloatArray,
 ) -> None:
-    """Fill in the seven bends of every pair of corners in a window.
+    """Fill in the seven bends of every dot of a window.
 
     Parameters
     ----------
-    p, q : (m, 10) and (n, 10) float
-        Corners of the two wires, from `work.corners`.
-    weight : (m,) float
-        What k_b is multiplied by at each corner of the first wire.
-    origin : (m,) int
-        The corner of q, modulo n, with which the window of each corner of p begins.
-    place : (m,) int
-        Where the window of each corner of p begins in `bends`; it ends where the next begins.
-    k_b, m_b, e_b, p_b : float
-        The constants of eq (17).
+    p, q : Corners
+        Those of the two wires, with m and n vertices.
+    bending : Bending
+    columns : (columns,) int
+        The vertex of the first wire that each column of the window is.
+    weight : (columns,) float
+        What k_b is multiplied by there.
+    window : Window
+        Its rows are vertices of the second wire, modulo n.
     bends : (dots, 7) float
-        Overwritten. The last axis is the step into the dot and the step out of it, in the order EE, ED,
-        DE, SS, SD, DS, DD: E moves on the first wire alone, S on the second alone, D (Southeast) on both.
+        Overwritten; the last axis is one of the bends of `steps`.
     """
-    m: cython.Py_ssize_t = p.shape[0]
-    n: cython.Py_ssize_t = q.shape[0]
+    vertices: cython.Py_ssize_t[::1] = columns
+    stiffness: cython.double[::1] = weight
+    low: cython.Py_ssize_t[::1] = window.low
+    high: cython.Py_ssize_t[::1] = window.high
+    column_offset: cython.Py_ssize_t[::1] = window.column_offset
+    work: cython.double[:, ::1] = bends
+    n: cython.Py_ssize_t = q.theta.shape[0]
+    c: cython.Py_ssize_t
     i: cython.Py_ssize_t
     j: cython.Py_ssize_t
     k: cython.Py_ssize_t
-    end: cython.Py_ssize_t
-    stiff: cython.double
-    for i in range(m):
-        end = place[i + 1] if i + 1 < m else bends.shape[0]
-        j = origin[i] % n
-        stiff = k_b * weight[i]
-        for k in range(place[i], end):
-            bends[k, EE] = _bend_inside_run(p, i, q, j, stiff, m_b, e_b, p_b)
-            bends[k, ED] = _bend_out_of_run(p, i, q, j, stiff, m_b, e_b, p_b)
-            bends[k, DE] = _bend_into_run(p, i, q, j, stiff, m_b, e_b, p_b)
-            bends[k, SS] = _bend_inside_run(q, j, p, i, stiff, m_b, e_b, p_b)
-            bends[k, SD] = _bend_out_of_run(q, j, p, i, stiff, m_b, e_b, p_b)
-            bends[k, DS] = _bend_into_run(q, j, p, i, stiff, m_b, e_b, p_b)
-            bends[k, DD] = _bend_moving(p, i, q, j, stiff, m_b, e_b, p_b)
+    for c in range(vertices.shape[0]):
+        i = vertices[c]
+        j = low[c] % n
+        stiff: Bending = Bending(bending.k_b * stiffness[c], bending.m_b, bending.e_b, bending.p_b)
+        for k in range(column_offset[c], column_offset[c] + high[c] - low[c] + 1):
+            work[k, EE] = _bend_inside_run(p, i, q, j, stiff)
+            work[k, ED] = _bend_out_of_run(p, i, q, j, stiff)
+            work[k, DE] = _bend_into_run(p, i, q, j, stiff)
+            work[k, SS] = _bend_inside_run(q, j, p, i, stiff)
+            work[k, SD] = _bend_out_of_run(q, j, p, i, stiff)
+            work[k, DS] = _bend_into_run(q, j, p, i, stiff)
+            work[k, DD] = _bend_moving(p, i, q, j, stiff)
             j += 1
             if j == n:
                 j = 0
-
-
-@cython.boundscheck(False)
-@cython.wraparound(False)
-def bends_along(
-    p: cython.double[:, ::1],
-    q: cython.double[:, ::1],
-    weight: cython.double[::1],
-    dots: cython.Py_ssize_t[:, ::1],
-    kinds: cython.Py_ssize_t[::1],
-    k_b: cython.double,
-    m_b: cython.double,
-    e_b: cython.double,
-    p_b: cython.double,
-    work: cython.double[::1],
-) -> None:
-    """Bending work at single dots.
-
-    Parameters
-    ----------
-    p, q, weight, k_b, m_b, e_b, p_b
-        As in `fill_bends`.
-    dots : (k, 2) int
-    kinds : (k,) int
-        The steps into and out of each dot: a place on the last axis of `fill_bends`.
-    work : (k,) float
-        Overwritten.
-    """
-    i: cython.Py_ssize_t
-    j: cython.Py_ssize_t
-    k: cython.Py_ssize_t
-    stiff: cython.double
-    for k in range(dots.shape[0]):
-        i = dots[k, 0]
-        j = dots[k, 1]
-        stiff = k_b * weight[i]
-        if kinds[k] == EE:
-            work[k] = _bend_inside_run(p, i, q, j, stiff, m_b, e_b, p_b)
-        elif kinds[k] == ED:
-            work[k] = _bend_out_of_run(p, i, q, j, stiff, m_b, e_b, p_b)
-        elif kinds[k] == DE:
-            work[k] = _bend_into_run(p, i, q, j, stiff, m_b, e_b, p_b)
-        elif kinds[k] == SS:
-            work[k] = _bend_inside_run(q, j, p, i, stiff, m_b, e_b, p_b)
-        elif kinds[k] == SD:
-            work[k] = _bend_out_of_run(q, j, p, i, stiff, m_b, e_b, p_b)
-        elif kinds[k] == DS:
-            work[k] = _bend_into_run(q, j, p, i, stiff, m_b, e_b, p_b)
-        else:
-            work[k] = _bend_moving(p, i, q, j, stiff, m_b, e_b, p_b)
 
 
 def angle_change(q0: complex, q1: complex, q2: complex) -> tuple[float, float, bool]:
@@ -481,8 +429,9 @@ def angle_change(q0: complex, q1: complex, q2: complex) -> tuple[float, float, b
         theta0 += TWO_PI
     if theta2 < 0.0:
         theta2 += TWO_PI
+    curve: Curve = Curve(q0.real, q0.imag, q1.real, q1.imag, q2.real, q2.imag)
     work = [
-        _bend(theta0, theta2, q0.real, q0.imag, q1.real, q1.imag, q2.real, q2.imag, k_b, m_b, 1.0, p_b)
+        _bend(theta0, theta2, curve, Bending(k_b, m_b, 1.0, p_b))
         for k_b, m_b, p_b in ((1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     ]
     return work[0], work[1] - work[0], work[2] > 0.0

@@ -17,14 +17,15 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.match import starts
-from shapeblend_cli.match.work import Window, Wires, corners
+from shapeblend_cli.match.angles import Corners
+from shapeblend_cli.match.graph import Graph, Path
+from shapeblend_cli.match.tables import Window
+from shapeblend_cli.match.work import Wires
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from shapeblend_cli.constants import WorkConstants
-    from shapeblend_cli.match.starts import Path, Search
-    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, IntArray
 
     Dot = tuple[int, int]
 
@@ -62,28 +63,19 @@ LEAST_VERTICES = 100
 
 
 class Problem(NamedTuple):
-    """Two polygons whose vertices 0 are column 0 and row 0, and what is asked of a path between them.
+    """Wires whose vertices 0 are column 0 and row 0, and what is asked of a path between them.
 
-    See `solve.least_work`. Where any start is asked for, it lies in the first `start_rows` rows, if that is a number.
+    See `solve.Search`. Where any start is asked for, it lies in the first `start_rows` rows, if that is a number.
     """
 
-    p0: ComplexArray
-    p1: ComplexArray
-    closed: bool
-    constants: WorkConstants
-    weight: FloatArray | None
-    band: float | None
-    solver: str
-    start_rows: int | None
-    watch: Callable[[float], None]
-
-    @property
-    def wires(self) -> Wires:
-        """The polygons, ready to be priced."""
-        return Wires(self.p0, self.p1, self.closed, self.constants, self.weight)
+    wires: Wires
+    band: float | None = None
+    solver: str = "exact"
+    start_rows: int | None = None
+    watch: Callable[[float], None] = lambda share: None
 
 
-def solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[Path | None, bool]:
+def solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[Path | None, float]:
     """Find the least path.
 
     Parameters
@@ -99,94 +91,101 @@ def solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[
     -------
     path : Path or None
         None when the band or the pins leave none.
-    proven : bool
-        Whether the path is the least, and not only the best in a corridor.
+    lower_bound : float
+        No path of these wires costs less, through the pins or not, in the band or not, from any start; infinite where
+        none costs less than this one, 0 where nothing is known.
     """
-    path, search = _solve(problem, pins, exact_dots)
-    return path, search.proves and problem.solver == "exact"
+    path, graph = _solve(problem, pins, exact_dots)
+    if not _is_small(problem.wires, exact_dots) or problem.start_rows is not None:
+        return path, 0.0
+    is_free = problem.band is None and (pins is None if problem.wires.closed else not pins)
+    return path, np.inf if is_free and problem.solver == "exact" else graph.lower_bound()
 
 
-def _solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[Path | None, Search]:
-    """Find a path, and the search it comes from."""
-    m, n = len(problem.p0), len(problem.p1)
-    if m * n <= exact_dots or max(m, n) <= LEAST_VERTICES:
+def _is_small(wires: Wires, exact_dots: float) -> bool:
+    return wires.m * wires.n <= exact_dots or max(wires.m, wires.n) <= LEAST_VERTICES
+
+
+def _solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[Path | None, Graph]:
+    """Find a path, and the graph that was searched for it."""
+    if _is_small(problem.wires, exact_dots):
         return _search(problem, _region(problem, pins), pins)
     return _refine(problem, pins)
 
 
 def _region(problem: Problem, pins: list[Dot] | None) -> Window:
     """The part of the graph that paths through the pins may go through."""
-    m, n = len(problem.p0), len(problem.p1)
-    columns = m + 1 if problem.closed else m
+    m, n, closed = problem.wires.m, problem.wires.n, problem.wires.closed
+    columns = m + 1 if closed else m
     if pins is None:
         if problem.start_rows is None:
             return Window.full(columns, 2 * n)
         low, high = np.zeros(columns, np.intp), np.full(columns, problem.start_rows - 1 + n)
         low[-1], high[0] = n, problem.start_rows - 1
         return Window.between(low, high)
-    region = Window.full(columns, n + 1 if problem.closed else n)
+    region = Window.full(columns, n + 1 if closed else n)
     for c, r in pins:
         region.low[c + 1 :] = np.maximum(region.low[c + 1 :], r)
         region.high[:c] = np.minimum(region.high[:c], r)
     return Window.between(region.low, region.high)
 
 
-def _search(problem: Problem, region: Window, pins: list[Dot] | None) -> tuple[Path | None, Search]:
+def _search(problem: Problem, region: Window, pins: list[Dot] | None) -> tuple[Path | None, Graph]:
     """Search a region exactly."""
-    m, n = len(problem.p0), len(problem.p1)
+    m, n = problem.wires.m, problem.wires.n
+    graph = Graph(problem.wires, region, problem.band, problem.watch)
     # A Southeast step past a pin would leave it out: into the row below it, or from the row above it.
     past = [dot for c, r in pins or [] for dot in ((c - 1, r), (c, r - 1))]
-    forbidden = [(c, r) for c, r in past if 0 <= c < m and 0 <= r < n]
-    search = starts.Search(problem.wires, region, problem.band, forbidden, problem.watch)
+    graph.forbid([(c, r) for c, r in past if 0 <= c < m and 0 <= r < n])
     if problem.solver == "simplified":
         find = starts.simplified_of_all if pins is None else starts.simplified_from
     else:
         find = starts.least_of_all if pins is None else starts.least_from
-    return find(search), search
+    return find(graph), graph
 
 
-def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Search]:
+def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Graph]:
     """Solve a coarser problem and search a corridor around its best paths."""
-    m, n, watch = len(problem.p0), len(problem.p1), problem.watch
-    thin0, kept0 = thin(problem.p0, problem.closed, {c % m for c, _ in pins or []})
-    thin1, kept1 = thin(problem.p1, problem.closed, {r % n for _, r in pins or []})
+    wires, watch = problem.wires, problem.watch
+    m, n = wires.m, wires.n
+    thin0, kept0 = thin(wires.p0, wires.closed, {c % m for c, _ in pins or []})
+    thin1, kept1 = thin(wires.p1, wires.closed, {r % n for _, r in pins or []})
     walls = _region(problem, pins)
     if len(thin0) + len(thin1) == m + n:  # pins everywhere
         return _search(problem, walls, pins)
     coarser = problem._replace(
-        p0=thin0,
-        p1=thin1,
-        weight=None if problem.weight is None else problem.weight[kept0],
+        wires=Wires(thin0, thin1, wires.closed, wires.constants, wires.weight[kept0]),
         start_rows=None if problem.start_rows is None else int(np.searchsorted(kept1, problem.start_rows)),
         watch=lambda share: watch(share / FACTOR),
     )
     problem = problem._replace(watch=lambda share: watch((1.0 + (FACTOR - 1.0) * share) / FACTOR))
     coarse_pins = None
     if pins is not None:
-        coarse_pins = [(_place_of(c, kept0, m), _place_of(r, kept1, n)) for c, r in pins]
+        coarse_pins = [(_coarse_row(c, kept0, m), _coarse_row(r, kept1, n)) for c, r in pins]
 
-    path, coarse_search = _solve(coarser, coarse_pins, COARSEST_DOTS)
+    path, coarse_graph = _solve(coarser, coarse_pins, COARSEST_DOTS)
     if path is None:  # what fits in full need not fit at a third of the vertices
         return _search(problem, walls, pins)
-    columns = _laid(np.arange(coarse_search.columns), kept0, m)
+    columns = _fine_rows(np.arange(coarse_graph.columns), kept0, m)
     inside = None if pins is None else walls
 
     def around(pad: IntArray) -> Window:
-        return corridor(columns, rows, pad, (m, n) if problem.closed else None, inside)
+        return corridor(columns, rows, pad, (m, n) if wires.closed else None, inside)
 
     room = max(CORRIDOR_DOTS, CORRIDOR_ROWS * m)
     pads = [np.full(len(walls.low), pad) for pad in PADS]
     for slack, reach in FOLLOWED:
-        rows = _laid(coarse_search.rows_near(path, slack, None if pins is not None else reach), kept1, n)
+        covered = coarse_graph.rows_near(path, slack, None if pins is not None else reach)
+        rows = _fine_rows(covered, kept1, n)
         if around(pads[0]).dots <= room:
             break
     pad = max((p for p in pads if around(p).dots <= room), key=lambda p: int(p[0]), default=pads[0])
-    del coarse_search  # its tables are not needed beside those of the corridor
+    del coarse_graph  # its tables are not needed beside those of the corridor
 
     sweeps = path.sweeps
     for _ in range(MOST_WIDENINGS):
         region = around(pad)
-        found, search = _search(problem, region, pins)
+        found, graph = _search(problem, region, pins)
         widen = np.ones(len(pad), bool)
         if found is not None:
             sweeps += found.sweeps
@@ -198,9 +197,8 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Sear
         if not widen.any() or (found is not None and around(pad).dots > 2 * room):
             break
     if found is None:
-        found, search = _search(problem, walls, pins)
-    search.proves = False
-    return (found._replace(sweeps=sweeps) if found else None), search
+        found, graph = _search(problem, walls, pins)
+    return (found._replace(sweeps=sweeps) if found else None), graph
 
 
 def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> tuple[ComplexArray, IntArray]:
@@ -219,7 +217,7 @@ def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> tuple[ComplexA
     m = len(vertices)
     if m <= LEAST_VERTICES:
         return vertices, np.arange(m)
-    sharpness = np.abs(corners(vertices, closed)[:, 0] - np.pi)
+    sharpness = np.abs(np.asarray(Corners(vertices, closed).theta) - np.pi)
     runs = -(-m // FACTOR)
     padded = np.zeros(runs * FACTOR)
     padded[:m] = sharpness
@@ -239,11 +237,6 @@ def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> tuple[ComplexA
     number = np.arange(m + 1)
     points = np.interp(at, number, outline.real) + 1j * np.interp(at, number, outline.imag)
     return points, np.round(at).astype(np.intp)
-
-
-def sharpest(vertices: ComplexArray) -> int:
-    """The vertex of a closed polygon whose angle is furthest from straight."""
-    return int(np.abs(corners(vertices, closed=True)[:, 0] - np.pi).argmax())
 
 
 def corridor(
@@ -303,11 +296,11 @@ def _touching(path: IntArray, region: Window, walls: Window | None) -> BoolArray
     return touching
 
 
-def _laid(rows: IntArray, kept: IntArray, period: int) -> IntArray:
+def _fine_rows(rows: IntArray, kept: IntArray, period: int) -> IntArray:
     """Vertex numbers of the full polygon, counted on beyond its period, nearest to those of the thinned one."""
     return kept[rows % len(kept)] + period * (rows // len(kept))
 
 
-def _place_of(row: int, kept: IntArray, period: int) -> int:
-    """The inverse of `_laid` for a vertex that was kept."""
+def _coarse_row(row: int, kept: IntArray, period: int) -> int:
+    """The inverse of `_fine_rows` for a vertex that was kept."""
     return int(np.searchsorted(kept, row % period)) + len(kept) * (row // period)

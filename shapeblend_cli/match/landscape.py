@@ -12,22 +12,24 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.match.work import BEND_OF_STEPS, EAST, SOUTH, SOUTHEAST, Wires
+from shapeblend_cli.match.steps import (
+    BEND_OF_STEPS,
+    EAST,
+    MIRRORED_BENDS,
+    MOVES,
+    NO_BEND,
+    SOUTH,
+    SOUTHEAST,
+    STEPS,
+    paired_step,
+)
+from shapeblend_cli.match.sweeps import cost_to_go
+from shapeblend_cli.match.tables import Tables, Terminals, Window
 from shapeblend_cli.model import frozen
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
+    from shapeblend_cli.match.work import Wires
     from shapeblend_cli.model import FloatArray, IntArray, UIntArray
-
-MOVES = {EAST: (1, 0), SOUTH: (0, 1), SOUTHEAST: (1, 1)}
-"""Columns and rows of each step."""
-
-BEFORE_AND_AFTER = {EAST: (EAST, SOUTHEAST), SOUTH: (SOUTH, SOUTHEAST), SOUTHEAST: (EAST, SOUTH, SOUTHEAST)}
-"""Steps that may come before a step, or after it: no turns of 90 degrees."""
-
-BITS = {EAST: 0, SOUTH: 2, SOUTHEAST: 4}
-"""Where a byte of `Landscape.before` and `Landscape.after` has the step that belongs to each step, two bits each."""
 
 
 class Landscape(NamedTuple):
@@ -43,11 +45,11 @@ class Landscape(NamedTuple):
     works : (columns, rows) float
         Work of the least path through each dot; infinite where there is none.
     step : (columns, rows) uint8
-        The step that leads to the dot on that path: 0 East, 1 South, 2 Southeast.
+        The step that leads to the dot on that path.
     before : (columns, rows) uint8
-        For each step out of the dot, the best step in: bits 0 and 1 for East, 2 and 3 for South, 4 and 5 for Southeast.
+        For each step out of the dot, the step in that costs least, see `steps.paired_step`.
     after : (columns, rows) uint8
-        For each step into the dot, the best step out, in the same bits.
+        For each step into the dot, the step out that costs least.
     """
 
     start: tuple[int, int]
@@ -77,18 +79,14 @@ class Landscape(NamedTuple):
         while dot.any():
             back.append(dot)
             dot = dot - MOVES[step]
-            step = _decoded(self.before[tuple(dot)], step)
+            step = paired_step(self.before[tuple(dot)], step)
         path = [dot, *reversed(back)]
         dot, step = np.array([column, row]), int(self.step[column, row])
         while (dot != end).any():
-            step = _decoded(self.after[tuple(dot)], step)
+            step = paired_step(self.after[tuple(dot)], step)
             dot = dot + MOVES[step]
             path.append(dot)
         return np.array(path)
-
-
-def _decoded(byte: int, step: int) -> int:
-    return int(byte) >> BITS[step] & 3
 
 
 def landscape(wires: Wires, dots: IntArray, band: float | None = None) -> Landscape:
@@ -102,113 +100,76 @@ def landscape(wires: Wires, dots: IntArray, band: float | None = None) -> Landsc
     band : float, optional
         Diagonal deviation, eq (30), that paths may have from the start.
     """
-    graph = _Graph(wires, dots, band)
-    reach, before = _work_to(graph)
-    to_go, after = _work_from(graph)
-    shape = (graph.columns, graph.rows)
-    through = np.stack([(reach[s] + to_go[s]).reshape(graph.padded)[: shape[0], : shape[1]] for s in MOVES])
-    through[:, graph.outside] = np.inf
+    tables = _unrolled(wires, dots[0], band)
+    shape = len(tables.east), len(tables.south)
+    # Closed paths end in the state in which they begin; at the ends of open wires there is no state yet.
+    states = list(STEPS)
+    if wires.closed:
+        states = [MOVES.index(tuple(((dots[0] - dots[-1]) % (wires.m, wires.n)).tolist()))]
+    ends = np.full(3, np.inf)
+    ends[states] = 0.0
+    to_go, after = _works(tables, ends)
+
+    # The mirrored graph has the work from the start to every dot by the step out of it, the bend there included.
+    bends = np.where(BEND_OF_STEPS == NO_BEND, np.inf, tables.bends[0, BEND_OF_STEPS])
+    starts = bends[states].min(axis=0)
+    gone, before = (values[::-1, ::-1] for values in _works(_mirrored(tables), starts))
+    before[0, 0] = sum(
+        (states[0] if BEND_OF_STEPS[states[0], step] != NO_BEND else step) << 2 * step for step in STEPS
+    )
+    through = np.full((*shape, 3), np.inf)
+    through[0, 0] = ends
+    through[1:, :, EAST] = gone[:-1, :, EAST] + tables.east[:-1, None]
+    through[:, 1:, SOUTH] = gone[:, :-1, SOUTH] + (tables.weight[:, None] * tables.south)[:, :-1]
+    through[1:, 1:, SOUTHEAST] = (gone[..., SOUTHEAST] + tables.southeast.reshape(shape))[:-1, :-1]
+    through += to_go
     return Landscape(
         start=(int(dots[0, 0]), int(dots[0, 1])),
-        works=frozen(through.min(axis=0), np.float64),
-        step=frozen(through.argmin(axis=0), np.uint8),
-        before=frozen(before.reshape(graph.padded)[: shape[0], : shape[1]], np.uint8),
-        after=frozen(after.reshape(graph.padded)[: shape[0], : shape[1]], np.uint8),
+        works=frozen(through.min(axis=2), np.float64),
+        step=frozen(through.argmin(axis=2), np.uint8),
+        before=frozen(before, np.uint8),
+        after=frozen(after, np.uint8),
     )
 
 
-class _Graph:
-    """Every step and every bend from a start on, in flat arrays with a column and a row of nothing beyond the end.
-
-    A bend is 0 at the ends of open wires. Steps and bends outside the band are infinite.
-    """
-
-    def __init__(self, wires: Wires, dots: IntArray, band: float | None) -> None:
-        m, n, closed = wires.m, wires.n, wires.closed
-        self.columns, self.rows = (m + 1, n + 1) if closed else (m, n)
-        self.padded = (self.columns + 1, self.rows + 1)
-        at = (dots[0, 0] + np.arange(self.columns)) % m, (dots[0, 1] + np.arange(self.rows)) % n
-        tables = wires.tables()
-        bends = tables.bends.reshape(m, n, 7)[np.ix_(*at)]
-        if not closed:
-            bends[0, 0] = bends[-1, -1] = 0.0
-        share = np.linspace(0.0, 1.0, self.columns)[:, None] - np.linspace(0.0, 1.0, self.rows)
-        self.outside = np.zeros(share.shape, np.bool_) if band is None else np.abs(share) > band + 1e-9 / n
-        bends[self.outside] = np.inf
-        ones = np.ones((self.columns, self.rows))
-        stretching = {
-            EAST: tables.east[at[0]][:, None] * ones,
-            SOUTH: tables.weight[at[0]][:, None] * tables.south[at[1]],
-            SOUTHEAST: tables.southeast.reshape(m, n)[np.ix_(*at)],
-        }
-        self.bends = {
-            (step_in, step_out): self._flat(bends[:, :, BEND_OF_STEPS[step_in, step_out]])
-            for step_in, outs in BEFORE_AND_AFTER.items()
-            for step_out in outs
-        }
-        self.stretching = {step: self._flat(work) for step, work in stretching.items()}
-        # Closed paths end in the state in which they begin; at the ends of open wires there is no state yet.
-        states: list[int] = list(MOVES)
-        if closed:
-            columns, rows = ((dots[0] - dots[-1]) % (m, n)).tolist()
-            states = [columns + 2 * rows - 1]
-        self.states = states
-        self.start, self.end = 0, (self.columns - 1) * self.padded[1] + self.rows - 1
-
-    def _flat(self, values: FloatArray) -> FloatArray:
-        padded = np.full(self.padded, np.inf)
-        padded[: self.columns, : self.rows] = values
-        return padded.ravel()
-
-    def diagonals(self) -> Iterator[slice]:
-        """The dots with equal column + row, from the start to the end: no step leads from one to another of them."""
-        stride = self.padded[1]
-        for total in range(self.columns + self.rows - 1):
-            first = max(0, total - self.rows + 1)
-            last = min(self.columns - 1, total)
-            begin = first * stride + total - first
-            yield slice(begin, begin + (last - first) * (stride - 1) + 1, stride - 1)
-
-    def moved(self, diagonal: slice, step: int) -> slice:
-        """The dots one step on."""
-        by = MOVES[step][0] * self.padded[1] + MOVES[step][1]
-        return slice(diagonal.start + by, diagonal.stop + by, diagonal.step)
+def _unrolled(wires: Wires, start: IntArray, band: float | None) -> Tables:
+    """Tables of every dot from a start on, none of them repeated; bends outside the band are infinite."""
+    m, n, again = wires.m, wires.n, int(wires.closed)
+    columns, rows = m + again, n + again
+    i, j = (start[0] + np.arange(columns)) % m, (start[1] + np.arange(rows)) % n
+    tables = wires.tables()
+    bends = tables.bends.reshape(m, n, 7)[np.ix_(i, j)]
+    if band is not None:
+        share = np.linspace(0.0, 1.0, columns)[:, None] - np.linspace(0.0, 1.0, rows)
+        bends[np.abs(share) > band + 1e-9 / n] = np.inf
+    return Tables(
+        window=Window.full(columns, rows),
+        first_column=0,
+        weight=tables.weight[i],
+        east=tables.east[i],
+        south=tables.south[j],
+        southeast=tables.southeast.reshape(m, n)[np.ix_(i, j)].ravel(),
+        bends=bends.reshape(-1, 7),
+    )
 
 
-def _nowhere(graph: _Graph, dot: int) -> tuple[dict[int, FloatArray], UIntArray]:
-    """Work by state, nothing known but the states of one dot; and a byte a dot."""
-    size = graph.padded[0] * graph.padded[1]
-    works = {step: np.full(size, np.inf) for step in MOVES}
-    for step in graph.states:
-        works[step][dot] = 0.0
-    return works, np.zeros(size, np.uint8)
+def _mirrored(tables: Tables) -> Tables:
+    """The tables for paths that are followed backwards."""
+    shape = len(tables.east), len(tables.south)
+    southeast = np.roll(tables.southeast[::-1].reshape(shape), (-1, -1), (0, 1))
+    return tables._replace(
+        weight=tables.weight[::-1].copy(),
+        east=np.roll(tables.east[::-1], -1),  # the step that leads to a column is the one that leaves it
+        south=np.roll(tables.south[::-1], -1),
+        southeast=southeast.ravel(),
+        bends=tables.bends[::-1, MIRRORED_BENDS].copy(),
+    )
 
 
-def _work_to(graph: _Graph) -> tuple[dict[int, FloatArray], UIntArray]:
-    """Least work from the start to every state, the bend there not included, eqs (20)-(22); and the steps in."""
-    reach, before = _nowhere(graph, graph.start)
-    for here in graph.diagonals():
-        for step_out, ins in BEFORE_AND_AFTER.items():
-            offers = np.stack(
-                [reach[step_in][here] + graph.bends[step_in, step_out][here] for step_in in ins]
-            )
-            best = offers.argmin(axis=0)
-            there = graph.moved(here, step_out)
-            reach[step_out][there] = offers.min(axis=0) + graph.stretching[step_out][here]
-            before[here] |= np.array(ins, np.uint8)[best] << np.uint8(BITS[step_out])
-    return reach, before
-
-
-def _work_from(graph: _Graph) -> tuple[dict[int, FloatArray], UIntArray]:
-    """Least work from every state to the end, the bend there included; and the steps out."""
-    to_go, after = _nowhere(graph, graph.end)
-    for here in reversed(list(graph.diagonals())):
-        if here.start == graph.end:
-            continue
-        onward = {step: graph.stretching[step][here] + to_go[step][graph.moved(here, step)] for step in MOVES}
-        for step_in, outs in BEFORE_AND_AFTER.items():
-            offers = np.stack([graph.bends[step_in, step_out][here] + onward[step_out] for step_out in outs])
-            best = offers.argmin(axis=0)
-            to_go[step_in][here] = offers.min(axis=0)
-            after[here] |= np.array(outs, np.uint8)[best] << np.uint8(BITS[step_in])
-    return to_go, after
+def _works(tables: Tables, ends: FloatArray) -> tuple[FloatArray, UIntArray]:
+    """Work from every state to the last dot, where it is given by the step in; and the steps out."""
+    shape = len(tables.east), len(tables.south)
+    to_go, following = np.empty((tables.window.dots, 3)), np.empty(tables.window.dots, np.uint8)
+    last_row = shape[1] - 1
+    cost_to_go(tables, tables.window, Terminals(last_row, last_row, ends), to_go, following)
+    return to_go.reshape(*shape, 3), following.reshape(shape)

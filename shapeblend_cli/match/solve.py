@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from itertools import pairwise, product
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.match import angles, coarse
-from shapeblend_cli.match import starts as searches
-from shapeblend_cli.match.work import Wires
+from shapeblend_cli.match import angles, coarse, graph
 from shapeblend_cli.model import Correspondence
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.match.work import Wires
+    from shapeblend_cli.model import IntArray
 
     Dot = tuple[int, int]
 
@@ -28,98 +26,98 @@ EXACT_DOTS = {"exact": np.inf, "auto": 2_500_000, "fast": 40_000}
 """Up to how many dots, m n, the search is exact, by effort; beyond that it goes from coarse to fine."""
 
 
-def least_work(
-    p0: ComplexArray,
-    p1: ComplexArray,
-    closed: bool = True,
-    constants: WorkConstants | None = None,
-    *,
-    start: Dot | None = None,
-    pins: Sequence[Dot] = (),
-    starts: tuple[int, int, int] | None = None,
-    band: float | None = None,
-    weight: FloatArray | None = None,
-    solver: str = "exact",
-    effort: str = "auto",
-    watch: Callable[[float], None] | None = None,
-) -> Correspondence:
-    """Find the correspondence that takes the least work.
+class Search(NamedTuple):
+    """Where the least path is looked for, and how; by default everywhere.
 
-    Parameters
+    Attributes
     ----------
-    p0, p1 : (m,) and (n,) complex
-        Vertices in the unit box (section 3.3), both polygons in the same direction, neighbours distinct,
-        the first vertex not repeated. m, n >= 3 when closed, >= 2 when open.
-    closed : bool
-        Open polygons correspond end to end, first vertex to first.
-    constants : WorkConstants, optional
-    start : (int, int), optional
-        A vertex of `p0` and the vertex of `p1` it must correspond to. Without it, and without pins, every
-        start is considered, and the result is the least over all of them.
+    start : (int, int) or None
+        A vertex of the first polygon and the vertex of the second it must correspond to. Without it, and without pins,
+        every start is considered, and the result is the least over all of them.
     pins : sequence of (int, int)
         Further vertices that must correspond.
-    starts : (int, int, int), optional
-        A vertex of `p0`, and the first and the last vertex of `p1` it may correspond to when a closed path comes to it;
-        the last may be counted on beyond n. Without it, and without `start` and pins, that may be any.
-    band : float, optional
+    starts : (int, int, int) or None
+        A vertex of the first polygon, and the first and the last vertex of the second it may correspond to when a
+        closed path comes to it; the last may be counted on beyond n. Without it, and without `start` and pins, that may
+        be any.
+    band : float or None
         Largest diagonal deviation, eq (30), of the path, measured from `start`, else from the first pin, else
-        from where the path comes to vertex 0 of `p0` (section 5.2).
-    weight : (m,) float > 0, optional
-        Stiffness along the first wire (section 6): multiplies k_s and k_b there.
+        from where the path comes to vertex 0 of the first polygon (section 5.2).
     solver : {'exact', 'simplified'}
         The rigorous algorithm, or that of section 4.1.
     effort : {'auto', 'exact', 'fast'}
         `exact` proves the result however long it takes; `auto` does where it is quick; otherwise a
         coarser problem is solved exactly and refined, and nothing is proven.
+    """
+
+    start: Dot | None = None
+    pins: Sequence[Dot] = ()
+    starts: tuple[int, int, int] | None = None
+    band: float | None = None
+    solver: str = "exact"
+    effort: str = "auto"
+
+
+EVERYWHERE = Search()
+
+
+def least_work(
+    wires: Wires, search: Search = EVERYWHERE, watch: Callable[[float], None] | None = None
+) -> Correspondence:
+    """Find the correspondence that takes the least work.
+
+    Parameters
+    ----------
+    wires : Wires
+        Open polygons correspond end to end, first vertex to first.
+    search : Search
     watch : callable, optional
-        Told now and then which share of the work is done, from 0 to 1.
+        Called with the share of the work that is done, from 0 to 1.
 
     Returns
     -------
     Correspondence
-        Closed paths begin at `start`, else at the first pin, else where they come to vertex 0 of `p0`.
+        Closed paths begin at the search's start, else at the first pin, else where they come to vertex 0 of the first
+        polygon. Its lower bound is that of all paths between these wires: from any start, through any vertices, in no
+        band, by the exact solver. It is the work itself where that was searched, 0 where nothing cheap is known: where
+        `starts` are given, and beyond the effort.
 
     Raises
     ------
     MatchError
         Pins that name no vertex or cross each other, or a band that no path fits into.
     """
-    constants = constants or WorkConstants()
-    m, n = len(p0), len(p1)
-    pins = _checked_pins(([start] if start else []) + list(pins), m, n)
+    m, n, closed, band = wires.m, wires.n, wires.closed, search.band
+    pins = _checked_pins(([search.start] if search.start else []) + list(search.pins), m, n)
 
     # Column 0 of the graph: the first pin, or the sharpest corner, where the fewest rows are worth a look.
     # A band is measured from vertex 0.
     first0, first1 = 0, 0
     if closed and pins:
         first0, first1 = pins[0]
-    elif closed and starts:
-        first0, first1 = starts[0], starts[1] % n
+    elif closed and search.starts:
+        first0, first1 = search.starts[0], search.starts[1] % n
     elif closed and band is None:
-        first0 = coarse.sharpest(p0)
+        first0 = int(np.abs(np.asarray(wires.corners0.theta) - np.pi).argmax())
     problem = coarse.Problem(
-        p0=np.roll(p0, -first0),
-        p1=np.roll(p1, -first1),
-        closed=closed,
-        constants=constants,
-        weight=None if weight is None else np.roll(np.asarray(weight, np.float64), -first0),
+        wires=wires.beginning_at(first0, first1),
         band=band,
-        solver=solver,
-        start_rows=starts[2] - starts[1] + 1 if starts else None,
+        solver=search.solver,
+        start_rows=search.starts[2] - search.starts[1] + 1 if search.starts else None,
         watch=watch or (lambda share: None),
     )
-    limit = EXACT_DOTS[effort]
-    if solver == "simplified":  # it works on tables that are all there
-        limit = min(limit, searches.STORED_DOTS)
+    limit = EXACT_DOTS[search.effort]
+    if search.solver == "simplified":  # it works on tables that are all there
+        limit = min(limit, graph.STORED_DOTS)
     if closed and not pins:
-        found, proven = coarse.solve(problem, None, limit)
+        found, lower_bound = coarse.solve(problem, None, limit)
     else:
         rolled = [((i - first0) % m, (j - first1) % n) for i, j in pins]
         placements = _placements(rolled[1:] if closed else rolled, m, n, closed)
         if not placements:
             raise MatchError(_crossing(rolled, pins, closed))
         solved = [coarse.solve(problem, placement, limit) for placement in placements]
-        found, proven = min(solved, key=lambda s: s[0].work if s[0] else np.inf)
+        found, lower_bound = min(solved, key=lambda s: s[0].work if s[0] else np.inf)
     if found is None:
         raise MatchError(
             f"no path stays within {band:g} of the diagonal of {m} and {n} vertices; a wider band would work"
@@ -133,13 +131,13 @@ def least_work(
     dots = (dots + np.array([first0, first1])) % np.array([m, n])
     if closed and not pins:
         dots = np.roll(dots, -_enters_column_0(dots[:, 0]), axis=0)
-    price = Wires(p0, p1, closed, constants, weight).path_work(dots)
+    price = wires.path_work(dots)
     return Correspondence(
         dots=dots,
         closed=closed,
         stretching=price.stretching,
         bending=price.bending,
-        lower_bound=price.total if proven else None,
+        lower_bound=min(lower_bound, price.total),
         zero_angles=price.zero_angles,
         diagonal_deviation=diagonal_deviation(dots, m, n, closed),
         sweeps=found.sweeps,

@@ -9,6 +9,7 @@ import numpy as np
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polyline import distinct
 from shapeblend_cli.match.solve import least_work
+from shapeblend_cli.match.work import Wires
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -96,7 +97,7 @@ def coarse_work(p0: ComplexArray, p1: ComplexArray, closed: bool, constants: Wor
     if min(len(p), len(q)) < (3 if closed else 2):
         return np.inf
     directions = [q] if closed else [q, q[::-1]]
-    return min(least_work(p, directed, closed, constants).work for directed in directions)
+    return min(least_work(Wires(p, directed, closed, constants)).work for directed in directions)
 
 
 def _thinned(vertices: ComplexArray, closed: bool) -> ComplexArray:

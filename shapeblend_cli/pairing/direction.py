@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from functools import partial
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polygons import orientation, reverse_polygon
-from shapeblend_cli.match.solve import least_work
+from shapeblend_cli.match.solve import Search, least_work
+from shapeblend_cli.match.work import Wires
 from shapeblend_cli.pairing.constraints import Constraints, stiffness
 from shapeblend_cli.pairing.upright import upright
 
@@ -36,28 +36,21 @@ def choose_direction(
         # Only the vertices count here, and they do not depend on the number of segments.
         directed = reverse_polygon(b, 1) if is_reversed else b
         unit_b = to_unit_box(directed)
-        solve = partial(
-            least_work,
-            unit_a,
-            unit_b,
-            a.closed,
-            settings.constants,
-            weight=stiffness(a, settings),
+        wires = Wires(unit_a, unit_b, a.closed, settings.constants, stiffness(a, settings))
+        search = Search(
+            start=constraints.start,
+            pins=constraints.pinned_vertices(a, directed),
+            band=settings.band,
             solver=settings.solver,
             effort=settings.effort,
         )
         try:
-            least = solve(
-                start=constraints.start,
-                pins=constraints.pinned_vertices(a, directed),
-                band=settings.band,
-                watch=watch_part(watch, run, len(candidates)),
-            )
+            least = least_work(wires, search, watch_part(watch, run, len(candidates)))
         except MatchError as error:  # pins that cross in one direction need not cross in the other
             errors.append(error)
             continue
         if a.closed and not constraints.start and not constraints.pins and settings.band is None:
-            least = upright(unit_a, unit_b, least, solve, settings.constants, alone=constraints.is_alone)
+            least = upright(wires, least, search, alone=constraints.is_alone)
         solved.append((is_reversed, least))
     if not solved:
         raise errors[0]

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import cmath
 from contextlib import suppress
+from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -18,11 +19,13 @@ import numpy as np
 
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, points_at
+from shapeblend_cli.match.solve import least_work
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.constants import WorkConstants
+    from shapeblend_cli.match.solve import Search
+    from shapeblend_cli.match.work import Wires
     from shapeblend_cli.model import ComplexArray, Correspondence, FloatArray, IntArray
 
 TURNED = np.radians(8.0)
@@ -52,29 +55,26 @@ RUNS = (-1.0, -0.5, -0.2, -0.05, 0.05, 0.2, 0.5, 1.0)
 run after the other is tried, from the middle on."""
 
 
-def upright(
-    p0: ComplexArray,
-    p1: ComplexArray,
-    least: Correspondence,
-    solve: Callable[..., Correspondence],
-    constants: WorkConstants,
-    *,
-    alone: bool,
-) -> Correspondence:
+def upright(wires: Wires, least: Correspondence, search: Search, *, alone: bool) -> Correspondence:
     """Choose between the least path and one that turns less.
 
     Parameters
     ----------
-    p0, p1 : (m,) and (n,) complex
-        Closed polygons, as solved.
+    wires : Wires
+        Closed, as solved.
     least : Correspondence
         Found over all starts.
-    solve : callable
-        `match.solve.least_work` of these polygons, to be told which `starts`.
-    constants : WorkConstants
+    search : Search
+        How it was found; the other one is looked for in some `starts`.
     alone : bool
         Whether it is the only contour that is matched.
+
+    Returns
+    -------
+    Correspondence
+        Its lower bound is that over all starts.
     """
+    p0, p1, constants = wires.p0, wires.p1, wires.constants
     turned = abs(turn_along(p0, p1, least.dots))
     if turned < TURNED or (alone and not (may_turn_onto_itself(p0) or may_turn_onto_itself(p1))):
         return least
@@ -86,7 +86,8 @@ def upright(
     runs = starts_laid_over(p0, p1, (-1.0, 1.0) if alone else RUNS)
     found = [least]
     with suppress(MatchError):  # no path through these
-        found.append(_downhill([partial(solve, starts=run) for run in runs], cost))
+        tries = [partial(least_work, wires, search._replace(starts=run)) for run in runs]
+        found.append(replace(_downhill(tries, cost), lower_bound=least.lower_bound))
     limit = min(map(cost, found)) * (1.0 + SAME) + SAME
     return min(
         (one for one in found if cost(one) <= limit), key=lambda one: abs(turn_along(p0, p1, one.dots))

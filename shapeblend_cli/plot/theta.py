@@ -14,11 +14,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.match.work import DD, DE, ED, EE, SS
+from shapeblend_cli.match.steps import DD, DE, ED, EE, SS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from shapeblend_cli.match.angles import Corners
     from shapeblend_cli.match.work import Wires
     from shapeblend_cli.model import ComplexArray, FloatArray
 
@@ -102,22 +103,21 @@ class Theta(NamedTuple):
         ends = [end for piece in self.pieces for end in (piece.angles[0], piece.angles[-1])]
         return min(ends) < NOISE or max(ends) > TWO_PI - NOISE
 
-    def bending(self, k_b: float, m_b: float, e_b: float, p_b: float) -> float:
-        """Return the work by eq (17)."""
-        work = k_b * (self.delta + m_b * self.delta_star) ** e_b
-        return work + p_b if self.reaches_zero else work
+    def bending(self, wires: Wires, i: int) -> float:
+        """Return the work by eq (17) at a vertex of the first wire."""
+        c = wires.constants
+        work = c.k_b * float(wires.weight[i]) * (self.delta + c.m_b * self.delta_star) ** c.e_b
+        return work + c.p_b if self.reaches_zero else work
 
 
 def theta_of(wires: Wires, dot: Dot, bend: int) -> Theta:
-    """Return the motion of the angle at a dot, for a bend of `match.work.BEND_OF_STEPS`."""
-    p, q = _corner(wires.corners0[dot[0]]), _corner(wires.corners1[dot[1]])
+    """Return the motion of the angle at a dot, for a bend of `match.steps`."""
+    p, q = _corner(wires.corners0, dot[0]), _corner(wires.corners1, dot[1])
     if bend == DD:
         return _moving(p, q)
-    weight = float(wires.weight[dot[0]])
-    k_b, m_b, e_b, p_b = wires.constants.bending()
 
     def price(theta: Theta) -> float:
-        return theta.bending(k_b * weight, m_b, e_b, p_b)
+        return theta.bending(wires, dot[0])
 
     if bend in (EE, ED, DE):
         return min(_into_a_point(p, q, bend), key=price)
@@ -132,9 +132,8 @@ class _Corner(NamedTuple):
     base: complex
 
 
-def _corner(row: FloatArray) -> _Corner:
-    theta, back_x, back_y, fwd_x, fwd_y, _, _, _, base_x, base_y = row.tolist()
-    return _Corner(theta, complex(back_x, back_y), complex(fwd_x, fwd_y), complex(base_x, base_y))
+def _corner(corners: Corners, k: int) -> _Corner:
+    return _Corner(corners.theta[k], corners.back[k], corners.fwd[k], corners.base[k])
 
 
 def _moving(p: _Corner, q: _Corner) -> Theta:

@@ -12,10 +12,10 @@ from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.interpolate.common_segments import TOLERANCE, common_segments
 from shapeblend_cli.interpolate.continuous_match import match_continuously
 from shapeblend_cli.interpolate.parametrization import CORNER, parametrize
-from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.model import Contour, Polygon
 from shapeblend_cli.svg.reading.read import read
 from tests.support.contours import circle_contour, furthest, polygon_contour
+from tests.support.solver import find_least
 
 TIMES = (0.25, 0.5, 0.75)
 
@@ -47,7 +47,7 @@ def rounded_square(side=2.0, radius=0.4, centre=0j):
 def solved(a, b, vertices=120):
     """What the solver is given and what it says."""
     polygon_a, polygon_b = flatten(a, vertices), flatten(b, vertices)
-    found = least_work(to_unit_box(polygon_a), to_unit_box(polygon_b), a.closed, WorkConstants())
+    found = find_least(to_unit_box(polygon_a), to_unit_box(polygon_b), a.closed, WorkConstants())
     return a, polygon_a, b, polygon_b, found.dots
 
 

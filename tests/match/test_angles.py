@@ -9,14 +9,14 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.match import angles
-from shapeblend_cli.match.work import BEND_OF_STEPS, EAST, NO_BEND, SOUTH, SOUTHEAST, Window, corners
+from shapeblend_cli.match.steps import BEND_OF_STEPS, MOVES, NO_BEND
+from shapeblend_cli.match.tables import Window
 from tests.support import oracle
 from tests.support.shapes import random_polygon
 
 edge = st.builds(
     lambda r, a: r * np.exp(1j * a), st.floats(0.05, 1.0), st.floats(0.0, 2.0 * np.pi, exclude_max=True)
 )
-STEP = {EAST: oracle.EAST, SOUTH: oracle.SOUTH, SOUTHEAST: oracle.SOUTHEAST}
 
 
 def control_points(back0, fwd0, back1, fwd1):
@@ -96,10 +96,10 @@ def test_an_edge_that_turns_right_round_through_nothing_costs_no_angle():
 def all_bends(kernel, p0, p1, closed, constants):
     """The seven bends of every pair of corners, (m, n, 7)."""
     m, n = len(p0), len(p1)
-    window = Window.full(m, n)
     bends = np.empty((m * n, 7))
-    ends = corners(p0, closed), corners(p1, closed), np.ones(m)
-    kernel.fill_bends(*ends, window.low, window.place, *constants.bending(), bends)
+    bending = kernel.Bending(constants.k_b, constants.m_b, constants.e_b, constants.p_b)
+    corners = kernel.Corners(p0, closed), kernel.Corners(p1, closed)
+    kernel.fill_bends(*corners, bending, np.arange(m), np.ones(m), Window.full(m, n), bends)
     return bends.reshape(m, n, 7)
 
 
@@ -113,7 +113,7 @@ def test_every_bend_of_a_graph_agrees_with_the_oracle(rng, closed):
             for (step_in, step_out), kind in np.ndenumerate(BEND_OF_STEPS):
                 if kind == NO_BEND:
                     continue
-                moves_in, moves_out = STEP[step_in], STEP[step_out]
+                moves_in, moves_out = MOVES[step_in], MOVES[step_out]
                 # No step leads over the end of an open wire.
                 columns, rows = (
                     range(k) if closed else range(move_in, k - move_out)

@@ -5,10 +5,10 @@ import pytest
 
 from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.match import coarse, solve, starts
-from shapeblend_cli.match.solve import least_work
+from shapeblend_cli.match import coarse, graph, solve
 from shapeblend_cli.match.work import Wires
 from tests.support.shapes import gear, star_polygon, unit_box
+from tests.support.solver import find_least
 
 
 @pytest.fixture
@@ -45,14 +45,15 @@ CASES = {
 @pytest.mark.parametrize("seed", range(4))
 def test_paths_are_legal_and_not_below_the_least(small, case, seed):
     p0, p1, given = wavy(150, seed), wavy(170, seed + 50), CASES[case]
-    found = least_work(p0, p1, effort="fast", **given)
-    exact = least_work(p0, p1, effort="exact", **{**given, "solver": "exact"})
+    found = find_least(p0, p1, effort="fast", **given)
+    exact = find_least(p0, p1, effort="exact", **{**given, "solver": "exact"})
     wires = Wires(p0, p1, given.get("closed", True), WorkConstants(), given.get("weight"))
     assert wires.path_work(found.dots).total == pytest.approx(found.work)
     assert exact.work * (1 - 1e-9) <= found.work <= 2.0 * exact.work
-    assert found.lower_bound is None
-    assert found.gap is None
-    assert exact.gap == 0.0
+    assert (found.lower_bound, found.gap) == (0.0, 1.0)
+    least = find_least(p0, p1, wires.closed, weight=given.get("weight"), effort="exact").work
+    restricted = set(given) & {"start", "pins", "band"}
+    assert 0.5 * least <= exact.lower_bound <= least * (1 + 1e-9) if restricted else exact.gap == 0.0
     assert set(given.get("pins", [])) <= set(map(tuple, found.dots.tolist()))
     if "start" in given:
         assert tuple(found.dots[0].tolist()) == given["start"]
@@ -61,29 +62,29 @@ def test_paths_are_legal_and_not_below_the_least(small, case, seed):
 
 
 def test_the_simplified_solver_goes_coarse_where_tables_would_not_fit(small, monkeypatch):
-    monkeypatch.setattr(starts, "STORED_DOTS", 900)
+    monkeypatch.setattr(graph, "STORED_DOTS", 900)
     monkeypatch.setattr(coarse, "CORRIDOR_DOTS", 500)
     p0, p1 = wavy(60, 1), wavy(50, 2)
-    exact = least_work(p0, p1, effort="exact")
-    assert exact.gap == 0.0  # block by block
-    monkeypatch.setattr(starts, "STORED_DOTS", 2500)
-    assert least_work(p0, p1, solver="simplified", effort="exact").work >= exact.work * (1 - 1e-9)
+    exact = find_least(p0, p1, effort="exact")
+    assert (exact.lower_bound, exact.gap) == (exact.work, 0.0)  # block by block
+    assert find_least(p0, p1, start=(0, 0), effort="exact").lower_bound == 0.0  # nothing cheap is known
+    monkeypatch.setattr(graph, "STORED_DOTS", 2500)
+    assert find_least(p0, p1, solver="simplified", effort="exact").work >= exact.work * (1 - 1e-9)
 
 
 def test_smooth_outlines_come_out_exact(small):
     for seed in range(6):
         p0, p1 = wavy(300, seed), wavy(280, seed + 20)
-        assert least_work(p0, p1, effort="fast").work == pytest.approx(
-            least_work(p0, p1, effort="exact").work, rel=0.01
+        assert find_least(p0, p1, effort="fast").work == pytest.approx(
+            find_least(p0, p1, effort="exact").work, rel=0.01
         )
 
 
 def test_a_short_outline_and_a_very_long_one():
     p0, p1 = star_polygon(np.random.default_rng(1), 9), wavy(1200, 2)
-    least = least_work(p0, p1, effort="exact")
-    problem = coarse.Problem(p0, p1, True, WorkConstants(), None, None, "exact", None, lambda share: None)
-    path, proven = coarse.solve(problem, None, 100)
-    assert not proven
+    least = find_least(p0, p1, effort="exact")
+    path, lower_bound = coarse.solve(coarse.Problem(Wires(p0, p1)), None, 100)
+    assert lower_bound == 0.0
     assert least.work <= path.work * (1 + 1e-9)
 
 
@@ -91,12 +92,12 @@ def test_a_short_outline_and_a_very_long_one():
     "shape", [gear(40), star_polygon(np.random.default_rng(3), 200)], ids=["gear", "star"]
 )
 def test_a_shape_and_itself_cost_nothing(small, shape):
-    assert least_work(shape, np.roll(shape, 33), effort="fast").work < 1e-9
+    assert find_least(shape, np.roll(shape, 33), effort="fast").work < 1e-9
 
 
 def test_a_band_that_no_path_fits_into_is_an_error_here_too(small):
     with pytest.raises(MatchError, match=r"within 0 of the diagonal"):
-        least_work(wavy(150, 1), wavy(171, 2), effort="fast", band=0.0)
+        find_least(wavy(150, 1), wavy(171, 2), effort="fast", band=0.0)
 
 
 def test_thinning_keeps_corners_ends_and_what_it_is_told_to_keep(small):
@@ -116,8 +117,8 @@ def test_large_outlines_take_bounded_memory():
 
     p0, p1 = wavy(4000, 1), wavy(4000, 2)
     tracemalloc.start()
-    found = least_work(p0, p1)
+    found = find_least(p0, p1)
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
-    assert found.lower_bound is None
+    assert found.lower_bound == 0.0
     assert peak < 250e6  # all tables at once would take a gigabyte

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.constants import WorkConstants
-from shapeblend_cli.match.landscape import MOVES, landscape
-from shapeblend_cli.match.solve import least_work
+from shapeblend_cli.match.landscape import landscape
+from shapeblend_cli.match.steps import MOVES
 from shapeblend_cli.match.work import Wires
 from tests.support.oracle import legal_turn, paths
+from tests.support.solver import find_least
 
 
 def polygon(seed, count):
@@ -46,7 +47,7 @@ def test_every_dot_has_the_least_work_of_all_paths_through_it(closed, band, weig
     p0, p1 = polygon(m, m), polygon(10 + n, n)
     weight = np.linspace(0.5, 3.0, m) if weighted else None
     constants = WorkConstants(k_b=0.4)
-    dots = least_work(p0, p1, closed, constants, band=band, weight=weight).dots
+    dots = find_least(p0, p1, closed, constants, band=band, weight=weight).dots
     wires = Wires(p0, p1, closed, constants, weight)
     found = landscape(wires, dots, band)
     np.testing.assert_allclose(found.works, cheapest(wires, dots, band), rtol=1e-12)
@@ -55,12 +56,12 @@ def test_every_dot_has_the_least_work_of_all_paths_through_it(closed, band, weig
 @pytest.mark.parametrize("closed", [True, False])
 def test_the_path_through_a_dot_costs_what_is_said_of_the_dot(closed):
     wires = Wires(polygon(1, 17), polygon(2, 23), closed, WorkConstants())
-    dots = least_work(polygon(1, 17), polygon(2, 23), closed).dots
+    dots = find_least(polygon(1, 17), polygon(2, 23), closed).dots
     found = landscape(wires, dots)
     for column, row in np.argwhere(np.isfinite(found.works))[::7]:
         path = found.path_through(column, row)
         assert [column, row] in path.tolist()
-        assert {tuple(step) for step in np.diff(path, axis=0).tolist()} <= set(MOVES.values())
+        assert {tuple(step) for step in np.diff(path, axis=0).tolist()} <= set(MOVES)
         at = (path + found.start) % (wires.m, wires.n)
         work = wires.path_work(at[:-1] if closed else at).total
         assert work == pytest.approx(found.works[column, row], rel=1e-12)
@@ -68,7 +69,7 @@ def test_the_path_through_a_dot_costs_what_is_said_of_the_dot(closed):
 
 def test_the_least_path_is_the_valley():
     p0, p1 = polygon(3, 30), polygon(4, 40)
-    found = least_work(p0, p1)
+    found = find_least(p0, p1)
     land = landscape(Wires(p0, p1, True, WorkConstants()), found.dots)
     places = (found.dots - found.dots[0]) % (30, 40)
     np.testing.assert_allclose(land.works[tuple(places.T)], found.work, rtol=1e-12)
@@ -78,7 +79,7 @@ def test_the_least_path_is_the_valley():
 
 def test_where_no_path_goes_there_is_none_to_follow():
     wires = Wires(polygon(5, 12), polygon(6, 12), True, WorkConstants())
-    land = landscape(wires, least_work(polygon(5, 12), polygon(6, 12), band=0.3).dots, 0.3)
+    land = landscape(wires, find_least(polygon(5, 12), polygon(6, 12), band=0.3).dots, 0.3)
     assert np.isinf(land.works[0, 6])
     with pytest.raises(ValueError, match="no path goes through dot 0,6"):
         land.path_through(0, 6)

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.pairing.upright import RUNS, TURNED, may_turn_onto_itself, starts_laid_over, turn_along
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
 from tests.support.drawings import drawing
 from tests.support.shapes import regular_polygon, star_with
+from tests.support.solver import find_least
 
 SETTINGS = Settings(motion="linear")
 
@@ -40,18 +40,21 @@ def test_a_hole_does_not_turn_in_its_outline():
     pair, found = turns(around + TALL, oval(12, 12, 11, 10) + FLAT)
     assert max(found) < TURNED
     hole = pair.contours[1]
-    free = least_work(hole.polygon_a.vertices / hole.scale_a, hole.polygon_b.vertices / hole.scale_b)
+    free = find_least(hole.polygon_a.vertices / hole.scale_a, hole.polygon_b.vertices / hole.scale_b)
     assert free.work < hole.correspondence.work
+    assert hole.correspondence.lower_bound == pytest.approx(free.work, rel=1e-9)
+    assert hole.correspondence.gap > 0.1
     assert abs(turn_along(hole.polygon_a.vertices, hole.polygon_b.vertices, free.dots)) > np.radians(45)
 
 
-def test_alone_it_takes_the_least_work():
+def test_alone_it_takes_the_find_least():
     pair, (turn,) = turns(TALL, FLAT)
     (contour,) = pair.contours
-    free = least_work(
+    free = find_least(
         contour.polygon_a.vertices / contour.scale_a, contour.polygon_b.vertices / contour.scale_b
     )
     assert contour.correspondence.work == pytest.approx(free.work, rel=1e-9)
+    assert contour.correspondence.gap == pytest.approx(0.0, abs=1e-9)
     assert turn > np.radians(45)
 
 

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.match import angles
-from shapeblend_cli.match.work import DE, ED, EE, corners
+from shapeblend_cli.match.steps import DE, ED, EE
+from shapeblend_cli.match.tables import Window
 
 
 def wedge(alpha, length=1.0):
@@ -15,19 +16,22 @@ def wedge(alpha, length=1.0):
 
 def bend(p, q, i, j, kind):
     """delta_theta in degrees, delta_theta_star in degrees, and whether theta reaches zero."""
-    ends = corners(p, closed=True), corners(q, closed=True), np.ones(len(p))
-    at = np.array([[i, j]]), np.array([kind])
-    work = np.empty((3, 1))
-    for row, (k_b, m_b, p_b) in enumerate(((1, 0, 0), (1, 1, 0), (0, 0, 1))):
-        angles.bends_along(*ends, *at, k_b, m_b, 1.0, p_b, work[row])
-    return np.degrees(work[0, 0]), np.degrees(work[1, 0] - work[0, 0]), work[2, 0] > 0
+    corners = angles.Corners(p, True), angles.Corners(q, True)
+    dot = Window.between(np.array([j]), np.array([j]))
+    bends = np.empty((3, 1, 7))
+    for work, (k_b, m_b, p_b) in zip(bends, ((1, 0, 0), (1, 1, 0), (0, 0, 1)), strict=True):
+        bending = angles.Bending(k_b, m_b, 1.0, p_b)
+        angles.fill_bends(*corners, bending, np.array([i]), np.ones(1), dot, work)
+    delta, with_star, zero = bends[:, 0, kind]
+    return np.degrees(delta), np.degrees(with_star - delta), zero > 0
 
 
 @pytest.mark.parametrize("alpha", [20.0, 40.0, 90.0, 150.0])
 def test_ends_of_a_run_have_90_degrees_and_half_the_angle(alpha):
     # Figure 19: theta_2 = theta_4 = 90 + alpha / 2 at the ends of the base, 180 in between.
-    theta, _, _, _, _, _, _, base_arg, *_ = corners(wedge(alpha), closed=True)[1]
-    back, base = wedge(alpha)[0], np.exp(1j * base_arg)
+    corners = angles.Corners(wedge(alpha), True)
+    theta, back, base = corners.theta[1], corners.back[1], corners.base[1]
+    assert back == wedge(alpha)[0]
     into = np.degrees(np.angle(base.conjugate() * back)) % 360.0
     out_of = np.degrees(np.angle(1.0 * -base)) % 360.0
     assert np.degrees(theta) == pytest.approx(alpha)

@@ -16,8 +16,7 @@ def test_the_dot_is_the_one_of_most_bending_work(subject_of):
     _, _, bending = subject.wires.bends_on(subject.correspondence.dots)
     assert found.bending == bending.max()
     assert bending.sum() == pytest.approx(subject.correspondence.bending)
-    k_b, m_b, e_b, p_b = subject.wires.constants.bending()
-    assert found.theta.bending(k_b, m_b, e_b, p_b) == pytest.approx(found.bending)
+    assert found.theta.bending(subject.wires, found.dot[0]) == pytest.approx(found.bending)
 
 
 def test_a_dot_that_is_named_is_taken(subject_of):

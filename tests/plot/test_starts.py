@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.plot import starts
 from tests.plot.conftest import pieces, words
 from tests.support.shapes import star_polygon, unit_box
+from tests.support.solver import find_least
 
 
 @pytest.mark.parametrize("vertex", [0, 11])
@@ -23,7 +23,7 @@ def test_each_is_what_a_given_start_costs(subject_of):
     works = starts.works_of(subject)
     a, b = (unit_box(p.vertices) for p in (subject.contour.polygon_a, subject.contour.polygon_b))
     for j in range(0, len(b), 9):
-        assert works[j] == pytest.approx(least_work(a, b, start=(7, j), band=0.2).work, rel=1e-9)
+        assert works[j] == pytest.approx(find_least(a, b, start=(7, j), band=0.2).work, rel=1e-9)
 
 
 def test_starts_that_no_path_comes_back_to_are_gaps(subject_of, rng):
@@ -71,7 +71,7 @@ def test_wires_that_begin_elsewhere_price_the_same(rng):
 
     p, q, weight = star_polygon(rng, 9), star_polygon(rng, 8), 0.5 + rng.random(9)
     wires = Wires(p, q, True, WorkConstants(), weight)
-    rolled = wires.beginning_at(4)
+    rolled = wires.beginning_at(4, 0)
     again = Wires(np.roll(p, -4), q, True, WorkConstants(), np.roll(weight, -4))
     dots = np.array([[k % 9, k % 8] for k in range(8)] + [[8, 7]])
     assert rolled.path_work(dots).total == pytest.approx(again.path_work(dots).total, rel=1e-12)

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.constants import WorkConstants
-from shapeblend_cli.match.work import DD, DE, DS, ED, EE, SD, SS, Wires
+from shapeblend_cli.match.steps import DD, DE, DS, ED, EE, SD, SS
+from shapeblend_cli.match.work import Wires
 from shapeblend_cli.plot.theta import theta_of
 from tests.support.shapes import random_polygon, star_polygon
 
@@ -27,10 +28,9 @@ def test_turns_cost_what_the_kernel_says(rng, kind, bend):
     for _ in range(1 if kind == "square" else 6):
         wire = wires(rng, kind)
         bends = wire.tables().bends.reshape(wire.m, wire.n, 7)
-        k_b, m_b, e_b, p_b = wire.constants.bending()
         for i in range(wire.m):
             for j in range(wire.n):
-                work = theta_of(wire, (i, j), bend).bending(k_b * wire.weight[i], m_b, e_b, p_b)
+                work = theta_of(wire, (i, j), bend).bending(wire, i)
                 assert work == pytest.approx(bends[i, j, bend], abs=1e-7)
 
 
@@ -40,7 +40,7 @@ def test_it_is_the_angle_of_the_polygon_at_that_time(subject_of, names):
     wire, dots = subject.wires, subject.correspondence.dots
     at, kinds, _ = wire.bends_on(dots)
     assert len(set(kinds.tolist())) > 4
-    ends = [np.cumsum(c[:, 3] + 1j * c[:, 4]) for c in (wire.corners0, wire.corners1)]
+    ends = [np.cumsum(c.fwd) for c in (wire.corners0, wire.corners1)]
     p, q = (np.roll(end, 1)[dots[:, axis]] for axis, end in enumerate(ends))
     for place, (dot, kind) in enumerate(zip(at.tolist(), kinds.tolist(), strict=True)):
         theta = theta_of(wire, tuple(dot), kind)

@@ -7,10 +7,10 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.match import coarse, solve, starts
-from shapeblend_cli.match.solve import least_work
+from shapeblend_cli.match import coarse, graph, solve
 from shapeblend_cli.match.work import Wires
 from tests.support.shapes import gear, random_polygon, regular_polygon, star_polygon
+from tests.support.solver import find_least
 
 dots = st.tuples(st.integers(0, 200), st.integers(0, 200))
 polygons = st.builds(
@@ -58,8 +58,8 @@ def test_any_problem(monkeypatch, p0, p1, closed, constants, start, pins, band, 
 
     with monkeypatch.context() as limits:  # sizes that make small problems take the ways of large ones
         if mode == "blocks" and solver == "exact":
-            limits.setattr(starts, "STORED_DOTS", 0)
-            limits.setattr(starts, "BLOCK_DOTS", 90)
+            limits.setattr(graph, "STORED_DOTS", 0)
+            limits.setattr(graph, "BLOCK_DOTS", 90)
         if mode == "coarse":
             limits.setitem(solve.EXACT_DOTS, "fast", 60)
             limits.setattr(coarse, "COARSEST_DOTS", 60)
@@ -69,7 +69,7 @@ def test_any_problem(monkeypatch, p0, p1, closed, constants, start, pins, band, 
             limits.setattr(coarse, "CORRIDOR_ROWS", 1)
         effort = "fast" if mode == "coarse" else "exact"
         try:
-            found = least_work(p0, p1, closed, constants, solver=solver, effort=effort, **asked)
+            found = find_least(p0, p1, closed, constants, solver=solver, effort=effort, **asked)
         except MatchError:
             found = None
     if found is None:
@@ -83,7 +83,7 @@ def test_any_problem(monkeypatch, p0, p1, closed, constants, start, pins, band, 
     assert priced.total == pytest.approx(found.work)
     if band is not None and (start or not pins):
         assert found.diagonal_deviation <= band + 1e-6
-    least = least_work(p0, p1, closed, constants, effort="exact", **asked)
+    least = find_least(p0, p1, closed, constants, effort="exact", **asked)
     assert least.work <= found.work * (1 + 1e-9) + 1e-12
     if mode != "coarse" and solver == "exact":
         assert least.work == pytest.approx(found.work, rel=1e-9, abs=1e-12)

@@ -7,12 +7,12 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.geometry.similarity import Similarity
-from shapeblend_cli.match.solve import least_work
 from shapeblend_cli.model import Contour, Style
 from shapeblend_cli.pipeline import blend
 from shapeblend_cli.settings import Settings
 from tests.support.contours import circle_contour, drawing, polygon_contour
 from tests.support.shapes import random_polygon, regular_polygon, star_polygon
+from tests.support.solver import find_least
 
 seeds = st.integers(0, 10**9)
 counts = st.integers(3, 30)
@@ -66,7 +66,7 @@ def test_a_shape_reversed_costs_nothing(seed, m):
 def test_swapping_keeps_the_work(seed, m, n, closed, constants):
     rng = np.random.default_rng(seed)
     p0, p1 = random_polygon(rng, m), random_polygon(rng, n)
-    there, back = least_work(p0, p1, closed, constants), least_work(p1, p0, closed, constants)
+    there, back = find_least(p0, p1, closed, constants), find_least(p1, p0, closed, constants)
     assert there.work == pytest.approx(back.work, rel=1e-9, abs=1e-9)
 
 
@@ -74,9 +74,9 @@ def test_swapping_keeps_the_work(seed, m, n, closed, constants):
 def test_reversing_or_mirroring_both_keeps_the_work(seed, m, n, constants):
     rng = np.random.default_rng(seed)
     p0, p1 = random_polygon(rng, m), random_polygon(rng, n)
-    work = least_work(p0, p1, True, constants).work
-    assert least_work(p0[::-1], p1[::-1], True, constants).work == pytest.approx(work, rel=1e-9, abs=1e-9)
-    assert least_work(p0.conj(), p1.conj(), True, constants).work == pytest.approx(work, rel=1e-9, abs=1e-9)
+    work = find_least(p0, p1, True, constants).work
+    assert find_least(p0[::-1], p1[::-1], True, constants).work == pytest.approx(work, rel=1e-9, abs=1e-9)
+    assert find_least(p0.conj(), p1.conj(), True, constants).work == pytest.approx(work, rel=1e-9, abs=1e-9)
 
 
 @given(seeds, counts, counts, similarities)
@@ -93,17 +93,17 @@ def test_place_and_size_do_not_matter(seed, m, n, similarity):
 @given(seeds, counts, counts)
 def test_the_best_start_is_no_worse_than_any(seed, m, n):
     p0, p1 = star(seed, m), star(seed + 1, n)
-    best = least_work(p0, p1, True)
+    best = find_least(p0, p1, True)
     for j in range(0, n, max(1, n // 5)):
-        assert least_work(p0, p1, True, start=(0, j)).work >= best.work - 1e-9
+        assert find_least(p0, p1, True, start=(0, j)).work >= best.work - 1e-9
     start = tuple(best.dots[len(best.dots) // 2].tolist())
-    assert least_work(p0, p1, True, start=start).work == pytest.approx(best.work, rel=1e-9, abs=1e-9)
+    assert find_least(p0, p1, True, start=start).work == pytest.approx(best.work, rel=1e-9, abs=1e-9)
 
 
 @given(seeds, counts, counts, st.booleans())
 def test_dots_are_a_path_that_leaves_out_no_vertex(seed, m, n, closed):
     p0, p1 = star(seed, m), star(seed + 1, n)
-    dots = least_work(p0, p1, closed).dots
+    dots = find_least(p0, p1, closed).dots
     assert set(dots[:, 0].tolist()) == set(range(m))
     assert set(dots[:, 1].tolist()) == set(range(n))
     assert max(m, n) <= len(dots) <= m + n
@@ -145,7 +145,7 @@ def test_curves_and_lines_of_any_mixture_blend(seed, count):
 
 def test_two_circles_of_other_counts_stay_round():
     p0, p1 = regular_polygon(60), regular_polygon(47)
-    dots = least_work(p0, p1, True).dots
+    dots = find_least(p0, p1, True).dots
     halfway = (p0[dots[:, 0]] + p1[dots[:, 1]]) / 2
     centre = (p0.mean() + p1.mean()) / 2
     assert abs(halfway - centre).min() > 0.4

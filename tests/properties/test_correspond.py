@@ -6,9 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import shapeblend_cli as sb
-from shapeblend_cli.match.work import BEND_OF_STEPS, Wires
-from tests.support.oracle import EAST, SOUTH, SOUTHEAST, Oracle
 from tests.support.shapes import random_polygon, star_polygon
+from tests.support.solver import exhaustive
 
 seeds = st.integers(0, 10**9)
 
@@ -55,13 +54,7 @@ def test_a_given_direction_is_solved_as_exhaustively(seed, reverse):
     p0, p1 = random_polygon(rng, 5), random_polygon(rng, 4)
     way = p1[::-1] if reverse == "yes" else p1
     found = sb.correspond(p0, p1, settings=sb.Settings(reverse=reverse))
-    priced = Wires(p0, way, True, sb.WorkConstants()).tables().bends.reshape(5, 4, 7)
-    code = {EAST: 0, SOUTH: 1, SOUTHEAST: 2}
-
-    def bend(i, j, step_in, step_out):
-        return priced[i, j, BEND_OF_STEPS[code[step_in], code[step_out]]]
-
-    least = Oracle(p0, way, True, sb.WorkConstants()).least(bend)
+    least = exhaustive(p0, way, True, sb.WorkConstants())
     assert found.work == pytest.approx(least, rel=1e-9, abs=1e-9)
 
 

@@ -1,0 +1,33 @@
+"""Steps and bends of a path through the graph: their numbers and which may follow which.
+
+Paths go East (i + 1), South (j + 1) or Southeast (both). A bend is named after the step into a dot and the step out of
+it: E moves on the first wire alone, S on the second alone, D (Southeast) on both.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+EAST, SOUTH, SOUTHEAST = range(3)
+STEPS = (EAST, SOUTH, SOUTHEAST)
+
+ENTERING = (EAST, SOUTHEAST)
+"""The steps that enter a column."""
+
+MOVES = ((1, 0), (0, 1), (1, 1))
+"""Columns and rows of each step."""
+
+EE, ED, DE, SS, SD, DS, DD = range(7)
+"""The last axis of `Tables.bends`."""
+
+NO_BEND = -1
+BEND_OF_STEPS = np.array([[EE, NO_BEND, ED], [NO_BEND, SS, SD], [DE, DS, DD]])
+"""The bend by the step into a dot and the step out of it. Turns of 90 degrees are none: section 4 forbids them."""
+
+MIRRORED_BENDS = (EE, DE, ED, SS, DS, SD, DD)
+"""Which bend each one is when the path is followed backwards."""
+
+
+def paired_step(byte: int, step: int) -> int:
+    """Return the step that a byte of parents (see `graph`) pairs with a step."""
+    return int(byte) >> 2 * step & 3

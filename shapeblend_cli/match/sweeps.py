@@ -1,0 +1,441 @@
+# cython: boundscheck=False, wraparound=False, cdivision=True
+"""The graph of all correspondences, and the least-work paths through it.
+
+Section 4 of Sederberg and Greenwood, "A Physically Based Approach to 2-D Shape Blending", Computer
+Graphics 26(2), 1992 (SIGGRAPH '92). This file is compiled by Cython and runs uncompiled as well.
+
+A dot [i, j] says that vertex i of the first polygon corresponds to vertex j of the second. The three
+work values of a dot, W-left, W-up and W-diagonal in eqs (20)-(22), belong to the step that led to the dot:
+East (i + 1), South (j + 1) or Southeast (both). Work is added in the order of the path: the bend at
+a dot is charged on leaving it, when both of its steps are known.
+
+The graph of closed polygons is periodic: dot [i + m, j] is dot [i, j], and so is [i, j + n]. A closed path
+leaves column 0 in row j and meets column m in row j + n. Column c is vertex ``c mod m``, row r vertex ``r mod n``;
+rows are counted on without end. A South step on the first wire's vertex i stretches a stiffness ``weight[i]`` times
+(section 6).
+
+Kernels use the paper's letters: W-left, W-up and W-diagonal are ``w_e``, ``w_s`` and ``w_d``.
+
+Departures
+----------
+* Eqs (20)-(22) read literally make every first step infinite, because no dot comes before [0, 0], and they
+  never charge the angle there. Here a path starts in a *state*, a dot together with the step that led
+  to it, and a closed path has to end in the state it started from.
+* No back-pointers are followed per step direction: one byte a dot says, for each of the three
+  steps out of it, which step in costs least, see `steps.paired_step`.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from shapeblend_cli.match import steps
+
+try:
+    import cython
+except ImportError:  # Cython is needed to build, not to run
+    from shapeblend_cli import _cython as cython
+
+if TYPE_CHECKING:
+    from shapeblend_cli.match.tables import Bounds, Progress, Tables, Terminals, Window
+
+COMPILED = cython.compiled
+
+INFINITY = cython.declare(cython.double, float("inf"))
+
+EAST = cython.declare(cython.int, steps.EAST)
+SOUTH = cython.declare(cython.int, steps.SOUTH)
+SOUTHEAST = cython.declare(cython.int, steps.SOUTHEAST)
+EE = cython.declare(cython.int, steps.EE)
+ED = cython.declare(cython.int, steps.ED)
+DE = cython.declare(cython.int, steps.DE)
+SS = cython.declare(cython.int, steps.SS)
+SD = cython.declare(cython.int, steps.SD)
+DS = cython.declare(cython.int, steps.DS)
+DD = cython.declare(cython.int, steps.DD)
+
+
+def cost_to_go(
+    tables: Tables,
+    window: Window,
+    ends: Terminals,
+    to_go: cython.double[:, ::1],
+    following: cython.uchar[::1],
+) -> None:
+    """Least work from every state to the nearest end, from the last column backwards.
+
+    Parameters
+    ----------
+    tables : Tables
+    window : Window
+        The columns and rows to go through.
+    ends : Terminals
+        In the last column. A path ends where it meets one.
+    to_go : (dots, 3) float
+        Overwritten: the work from a dot onwards, the bend at the dot included, by the step that led to
+        it. Infinite where no path leads to an end.
+    following : (dots,) uint8, or empty
+        Overwritten: for each step into a dot, the step out that costs least, see `steps.paired_step`.
+    """
+    east: cython.double[::1] = tables.east
+    south: cython.double[::1] = tables.south
+    southeast: cython.double[::1] = tables.southeast
+    bends: cython.double[:, ::1] = tables.bends
+    weight: cython.double[::1] = tables.weight
+    origin: cython.Py_ssize_t[::1] = tables.window.low
+    offset: cython.Py_ssize_t[::1] = tables.window.column_offset
+    low: cython.Py_ssize_t[::1] = window.low
+    high: cython.Py_ssize_t[::1] = window.high
+    here_offset: cython.Py_ssize_t[::1] = window.column_offset
+    end_work: cython.double[::1] = ends.work
+    first_end: cython.Py_ssize_t = ends.first_row
+    last_end: cython.Py_ssize_t = ends.last_row
+    last_column: cython.Py_ssize_t = low.shape[0] - 1
+    m: cython.Py_ssize_t = weight.shape[0]
+    n: cython.Py_ssize_t = south.shape[0]
+    follows: cython.bint = following.shape[0] > 0
+    cython.declare(c=cython.Py_ssize_t, r=cython.Py_ssize_t, i=cython.Py_ssize_t, j=cython.Py_ssize_t)
+    cython.declare(k=cython.Py_ssize_t, t=cython.Py_ssize_t, here=cython.Py_ssize_t)
+    cython.declare(beyond=cython.Py_ssize_t, beyond_low=cython.Py_ssize_t, beyond_high=cython.Py_ssize_t)
+    cython.declare(e=cython.double, s=cython.double, d=cython.double)
+    cython.declare(south_of_here=cython.double, southeast_of_here=cython.double)
+    cython.declare(after_e=cython.int, after_s=cython.int, after_d=cython.int)
+
+    for c in range(last_column, -1, -1):
+        i = c % m
+        r = high[c]
+        j = r % n
+        t = (r - origin[i]) % n
+        k = offset[i] + t
+        here = here_offset[c] + r - low[c]
+        beyond = 0  # the dot to the East
+        beyond_low = 0
+        beyond_high = -1
+        if c < last_column:
+            beyond_low = low[c + 1]
+            beyond_high = high[c + 1]
+            beyond = here_offset[c + 1] + r - beyond_low
+        south_of_here = INFINITY
+        southeast_of_here = INFINITY
+        if beyond_low <= r + 1 <= beyond_high:
+            southeast_of_here = to_go[beyond + 1, SOUTHEAST]
+        while r >= low[c]:
+            # What each step out of the dot costs from here on, the bend at the dot apart.
+            e = INFINITY
+            d = southeast[k] + southeast_of_here
+            southeast_of_here = INFINITY
+            if beyond_low <= r <= beyond_high:
+                e = east[i] + to_go[beyond, EAST]
+                southeast_of_here = to_go[beyond, SOUTHEAST]
+            s = south[j] * weight[i] + south_of_here
+            if c == last_column and first_end <= r <= last_end:
+                south_of_here = end_work[SOUTH]
+                to_go[here, EAST] = end_work[EAST]
+                to_go[here, SOUTHEAST] = end_work[SOUTHEAST]
+                if follows:
+                    following[here] = 0
+            else:
+                south_of_here = min(bends[k, SS] + s, bends[k, SD] + d)
+                to_go[here, EAST] = min(bends[k, EE] + e, bends[k, ED] + d)
+                to_go[here, SOUTHEAST] = min(min(bends[k, DE] + e, bends[k, DS] + s), bends[k, DD] + d)
+                if follows:
+                    after_e = EAST if bends[k, EE] + e <= bends[k, ED] + d else SOUTHEAST
+                    after_s = SOUTH if bends[k, SS] + s <= bends[k, SD] + d else SOUTHEAST
+                    after_d = EAST if bends[k, DE] + e <= bends[k, DS] + s else SOUTH
+                    if bends[k, DD] + d < min(bends[k, DE] + e, bends[k, DS] + s):
+                        after_d = SOUTHEAST
+                    following[here] = after_d << 4 | after_s << 2 | after_e
+            to_go[here, SOUTH] = south_of_here
+            r -= 1
+            here -= 1
+            beyond -= 1
+            j -= 1
+            if j < 0:
+                j = n - 1
+            k -= 1
+            t -= 1
+            if t < 0:
+                t = n - 1
+                k += n
+
+
+def sweep(
+    tables: Tables,
+    window: Window,
+    starts: Terminals,
+    bounds: Bounds,
+    progress: Progress,
+    last_column: cython.Py_ssize_t,
+) -> None:
+    """Least work to every state from any start, eqs (20)-(22), column by column.
+
+    Parameters
+    ----------
+    tables : Tables
+        Of these columns at least.
+    window : Window
+        The columns and rows to go through.
+    starts : Terminals
+        In column 0; of open wires there is one.
+    bounds : Bounds
+    progress : Progress
+        Carried on. South steps are made in the last column only where the path may have begun in the middle of the
+        same run.
+    last_column : int
+        As far as this one.
+    """
+    east: cython.double[::1] = tables.east
+    south: cython.double[::1] = tables.south
+    southeast: cython.double[::1] = tables.southeast
+    bends: cython.double[:, ::1] = tables.bends
+    weight: cython.double[::1] = tables.weight
+    origin: cython.Py_ssize_t[::1] = tables.window.low
+    offset: cython.Py_ssize_t[::1] = tables.window.column_offset
+    first_column: cython.Py_ssize_t = tables.first_column
+    low: cython.Py_ssize_t[::1] = window.low
+    high: cython.Py_ssize_t[::1] = window.high
+    parent_offset: cython.Py_ssize_t[::1] = window.column_offset
+    start_work: cython.double[::1] = starts.work
+    to_go: cython.double[:, ::1] = bounds.to_go
+    to_go_low: cython.Py_ssize_t[::1] = bounds.window.low
+    to_go_offset: cython.Py_ssize_t[::1] = bounds.window.column_offset
+    limit: cython.double = bounds.limit
+    leaving: cython.double[:, ::1] = progress.leaving
+    parents: cython.uchar[::1] = progress.parents
+    visited: cython.Py_ssize_t[:, ::1] = progress.visited
+    ends: cython.double[:, ::1] = progress.ends
+    columns: cython.Py_ssize_t = low.shape[0]
+    m: cython.Py_ssize_t = weight.shape[0]
+    n: cython.Py_ssize_t = south.shape[0]
+    pruning: cython.bint = to_go.shape[0] > 0
+    south_at_end: cython.bint = start_work[SOUTH] < INFINITY
+    base: cython.Py_ssize_t = low[0]
+    first: cython.Py_ssize_t = progress.live_rows[0]
+    last: cython.Py_ssize_t = progress.live_rows[1]
+    previous: cython.Py_ssize_t = progress.current
+    cython.declare(c=cython.Py_ssize_t, r=cython.Py_ssize_t, i=cython.Py_ssize_t, j=cython.Py_ssize_t)
+    cython.declare(k=cython.Py_ssize_t, t=cython.Py_ssize_t, current=cython.Py_ssize_t)
+    cython.declare(new_first=cython.Py_ssize_t, new_last=cython.Py_ssize_t)
+    cython.declare(w_e=cython.double, w_s=cython.double, w_d=cython.double, leaving_south=cython.double)
+    cython.declare(by_e=cython.double, by_s=cython.double, by_d=cython.double)
+    cython.declare(parent_e=cython.int, parent_s=cython.int, parent_d=cython.int)
+    g: cython.Py_ssize_t = 0
+
+    column: cython.Py_ssize_t = progress.column
+
+    for c in range(column, last_column + 1):
+        i = (c - first_column) % m
+        current = 2 - previous
+        new_first = -1
+        new_last = -1
+        leaving_south = INFINITY
+        r = max(low[c], first)
+        j = r % n
+        t = (r - origin[i]) % n
+        k = offset[i] + t
+        if pruning:
+            g = to_go_offset[c] + r - to_go_low[c]
+        while r <= high[c]:
+            w_e = INFINITY
+            w_s = leaving_south
+            w_d = INFINITY
+            if c == 0:
+                if r <= last:
+                    w_e = start_work[EAST]
+                    w_s = min(w_s, start_work[SOUTH])
+                    w_d = start_work[SOUTHEAST]
+            else:
+                if r <= last:
+                    w_e = leaving[previous, r - base]
+                if first < r <= last + 1:
+                    w_d = leaving[previous + 1, r - 1 - base]
+                if c == columns - 1 and not south_at_end:
+                    w_s = INFINITY
+            if pruning:
+                if w_e + to_go[g, EAST] >= limit:
+                    w_e = INFINITY
+                if w_s + to_go[g, SOUTH] >= limit:
+                    w_s = INFINITY
+                if w_d + to_go[g, SOUTHEAST] >= limit:
+                    w_d = INFINITY
+                g += 1
+            if w_e < INFINITY or w_s < INFINITY or w_d < INFINITY:
+                if new_first < 0:
+                    new_first = r
+                new_last = r
+            elif r > last:
+                break  # nothing leads to the rows below either
+
+            # Leaving Southeast, after any step.
+            by_e = w_e + bends[k, ED]
+            by_s = w_s + bends[k, SD]
+            by_d = w_d + bends[k, DD]
+            parent_d = SOUTHEAST
+            if by_d > by_e or by_d > by_s:
+                parent_d = SOUTH if by_s < by_e else EAST
+                by_d = min(by_e, by_s)
+            leaving[current + 1, r - base] = by_d + southeast[k]
+            # Leaving South, after South or Southeast.
+            by_s = w_s + bends[k, SS]
+            by_d = w_d + bends[k, DS]
+            parent_s = SOUTH
+            if by_d < by_s:
+                by_s = by_d
+                parent_s = SOUTHEAST
+            leaving_south = by_s + south[j] * weight[i]
+            # Leaving East, after East or Southeast.
+            by_e = w_e + bends[k, EE]
+            by_d = w_d + bends[k, DE]
+            parent_e = EAST
+            if by_d < by_e:
+                by_e = by_d
+                parent_e = SOUTHEAST
+            leaving[current, r - base] = by_e + east[i]
+            parents[parent_offset[c] + r - low[c]] = parent_d << 4 | parent_s << 2 | parent_e
+
+            if c == columns - 1:
+                ends[r - low[c], EAST] = w_e
+                ends[r - low[c], SOUTH] = w_s
+                ends[r - low[c], SOUTHEAST] = w_d
+            r += 1
+            j += 1
+            if j == n:
+                j = 0
+            k += 1
+            t += 1
+            if t == n:
+                t = 0
+                k -= n
+        if new_first < 0:  # no path costs less than the limit
+            progress.live_rows = (0, -1)
+            return
+        visited[c, 0] = new_first
+        visited[c, 1] = new_last
+        first = new_first
+        last = new_last
+        previous = current
+    progress.column = last_column + 1
+    progress.live_rows = (first, last)
+    progress.current = previous
+
+
+def sweep_simplified(tables: Tables, window: Window, first_step: cython.int, progress: Progress) -> None:
+    """The simplified algorithm of section 4.1, eqs (23)-(28): one work value and one step in for each dot.
+
+    Departure: eqs (23)-(25) allow turns of 90 degrees, which section 4 forbids; here they cost infinitely much.
+
+    Parameters
+    ----------
+    tables : Tables
+    window : Window
+        The columns and rows to go through; the path leads from ``low[0]`` to ``high[-1]``.
+    first_step : int
+        The step that leads to the first dot.
+    progress : Progress
+        Its `parents` are overwritten, and the last of its `ends`.
+    """
+    east: cython.double[::1] = tables.east
+    south: cython.double[::1] = tables.south
+    southeast: cython.double[::1] = tables.southeast
+    bends: cython.double[:, ::1] = tables.bends
+    weight: cython.double[::1] = tables.weight
+    origin: cython.Py_ssize_t[::1] = tables.window.low
+    offset: cython.Py_ssize_t[::1] = tables.window.column_offset
+    low: cython.Py_ssize_t[::1] = window.low
+    high: cython.Py_ssize_t[::1] = window.high
+    parent_offset: cython.Py_ssize_t[::1] = window.column_offset
+    leaving: cython.double[:, ::1] = progress.leaving
+    parents: cython.uchar[::1] = progress.parents
+    ends: cython.double[:, ::1] = progress.ends
+    columns: cython.Py_ssize_t = low.shape[0]
+    m: cython.Py_ssize_t = weight.shape[0]
+    n: cython.Py_ssize_t = south.shape[0]
+    base: cython.Py_ssize_t = low[0]
+    previous: cython.Py_ssize_t = 0
+    cython.declare(c=cython.Py_ssize_t, r=cython.Py_ssize_t, i=cython.Py_ssize_t, j=cython.Py_ssize_t)
+    cython.declare(k=cython.Py_ssize_t, current=cython.Py_ssize_t)
+    cython.declare(w_e=cython.double, w_s=cython.double, w_d=cython.double)
+    cython.declare(leaving_east=cython.double, leaving_south=cython.double, leaving_southeast=cython.double)
+    parent: cython.int
+
+    for c in range(columns):
+        i = c % m
+        current = 2 - previous
+        leaving_south = INFINITY
+        for r in range(low[c], high[c] + 1):
+            j = r % n
+            k = offset[i] + (r - origin[i]) % n
+            w_e = INFINITY
+            w_s = leaving_south
+            w_d = INFINITY
+            if c > 0:
+                if low[c - 1] <= r <= high[c - 1]:
+                    w_e = leaving[previous, r - base]
+                if low[c - 1] <= r - 1 <= high[c - 1]:
+                    w_d = leaving[previous + 1, r - 1 - base]
+            if c == columns - 1 and r == high[c]:
+                ends[r - low[c], EAST] = w_e
+                ends[r - low[c], SOUTH] = w_s
+                ends[r - low[c], SOUTHEAST] = w_d
+            leaving_east = INFINITY
+            leaving_south = INFINITY
+            if c == 0 and r == base:
+                w_e = 0.0 if first_step == EAST else INFINITY
+                w_s = 0.0 if first_step == SOUTH else INFINITY
+                w_d = 0.0 if first_step == SOUTHEAST else INFINITY
+            if w_e <= w_s and w_e <= w_d:  # eq 26
+                parent = EAST
+                leaving_east = w_e + bends[k, EE] + east[i]
+                leaving_southeast = w_e + bends[k, ED] + southeast[k]
+            elif w_s <= w_d:  # eq 27
+                parent = SOUTH
+                leaving_south = w_s + bends[k, SS] + south[j] * weight[i]
+                leaving_southeast = w_s + bends[k, SD] + southeast[k]
+            else:  # eq 28
+                parent = SOUTHEAST
+                leaving_east = w_d + bends[k, DE] + east[i]
+                leaving_south = w_d + bends[k, DS] + south[j] * weight[i]
+                leaving_southeast = w_d + bends[k, DD] + southeast[k]
+            parents[parent_offset[c] + r - low[c]] = parent << 4 | parent << 2 | parent
+            leaving[current, r - base] = leaving_east
+            leaving[current + 1, r - base] = leaving_southeast
+        previous = current
+
+
+def backtrack(
+    parents: cython.uchar[::1], window: Window, row: cython.Py_ssize_t, step: cython.int
+) -> tuple[list[tuple[int, int]], int]:
+    """Follow the parents from a state of the last column back to its start.
+
+    Parameters
+    ----------
+    parents : (dots,) uint8
+        As filled in by `sweep`.
+    window : Window
+        What it went through.
+    row : int
+        Row of the end of the path.
+    step : int
+        The step that led there.
+
+    Returns
+    -------
+    dots : list of (int, int)
+        Columns and rows from the start to the end, both included.
+    step : int
+        The step that led to the start.
+    """
+    low: cython.Py_ssize_t[::1] = window.low
+    offset: cython.Py_ssize_t[::1] = window.column_offset
+    c: cython.Py_ssize_t = low.shape[0] - 1
+    r: cython.Py_ssize_t = row
+    dots: list[tuple[int, int]] = [(c, r)]
+    while c > 0 or (step == SOUTH and r > low[0]):
+        if step != SOUTH:
+            c -= 1
+        if step != EAST:
+            r -= 1
+        step = parents[offset[c] + r - low[c]] >> 2 * step & 3
+        dots.append((c, r))
+    dots.reverse()
+    return dots, step

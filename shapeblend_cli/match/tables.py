@@ -1,0 +1,161 @@
+"""What sweeps through a graph take: windows of it, the work of steps and bends, where paths begin and end, bounds."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from shapeblend_cli.model import FloatArray, IntArray
+
+
+class Window(NamedTuple):
+    """A part of a graph, column by column.
+
+    Attributes
+    ----------
+    low, high : (columns,) int
+        First and last row of each column; neither ever falls.
+    column_offset : (columns,) int
+        Where each column begins in a flat array of the window's dots.
+    """
+
+    low: IntArray
+    high: IntArray
+    column_offset: IntArray
+
+    @classmethod
+    def between(cls, low: IntArray, high: IntArray) -> Window:
+        """Lay out the columns one after the other."""
+        heights = high - low + 1
+        return cls(np.ascontiguousarray(low), np.ascontiguousarray(high), np.cumsum(heights) - heights)
+
+    @classmethod
+    def full(cls, columns: int, rows: int) -> Window:
+        """Every row of every column."""
+        return cls.between(np.zeros(columns, np.intp), np.full(columns, rows - 1, np.intp))
+
+    @property
+    def dots(self) -> int:
+        """How many dots there are in all columns."""
+        return int(self.column_offset[-1] + self.high[-1] - self.low[-1]) + 1
+
+    def blocks(self, dots: int) -> Iterator[slice]:
+        """Cut the columns into runs of about so many dots."""
+        ends = np.append(self.column_offset[1:], self.dots)
+        first = 0
+        while first < len(ends):
+            last = max(int(np.searchsorted(ends, self.column_offset[first] + dots, "right")), first + 1)
+            yield slice(first, last)
+            first = last
+
+
+class Tables(NamedTuple):
+    """The work of every step and every bend in a window of a graph.
+
+    Attributes
+    ----------
+    window : Window
+        Has each row once: a row r of the graph is the row of the window that is equal to it modulo n.
+    first_column : int
+        The column of the graph that column 0 of the window is; the graph repeats the window's columns.
+    weight : (columns,) float
+        Stiffness of the first wire.
+    east : (columns,) float
+        Stretching work of the East step that leaves each column.
+    south : (n,) float
+        Stretching work of the South step that leaves row j, where the first wire's stiffness is 1.
+    southeast : (dots,) float
+        Stretching work of the Southeast step that leaves each dot.
+    bends : (dots, 7) float
+        Bending work at each dot, see `steps`; 0 at the ends of open wires.
+    """
+
+    window: Window
+    first_column: int
+    weight: FloatArray
+    east: FloatArray
+    south: FloatArray
+    southeast: FloatArray
+    bends: FloatArray
+
+
+class Terminals(NamedTuple):
+    """The dots of a column at which paths may begin, or end.
+
+    Attributes
+    ----------
+    first_row, last_row : int
+    work : (3,) float
+        Work there by the step that leads to the dot; infinite forbids the step.
+    """
+
+    first_row: int
+    last_row: int
+    work: FloatArray
+
+
+class Bounds(NamedTuple):
+    """What paths that are looked for must stay below.
+
+    Attributes
+    ----------
+    window : Window
+        Holds the window of a sweep.
+    to_go : (dots, 3) float
+        A lower bound on the work from each state onwards, by `graph.cost_to_go`; or empty, where none is known.
+    limit : float
+        Where bounds are known, states that no path of less work than this goes through are left out.
+    """
+
+    window: Window
+    to_go: FloatArray
+    limit: float
+
+
+class Progress:
+    """How far a sweep is, and what it found.
+
+    Parameters
+    ----------
+    window : Window
+        What it goes through.
+    starts : Terminals
+    visited : (columns, 2) int
+
+    Attributes
+    ----------
+    column : int
+        The next column.
+    live_rows : (int, int)
+        First and last row of the column before that a path can come from; the last is the smaller one when no path
+        costs less than the limit.
+    leaving : (4, rows) float
+        Room for two columns: the work of having left each dot by East, and by Southeast.
+    current : int
+        The row of `leaving` at which the column before is kept.
+    parents : (dots,) uint8
+        For each step out of a dot, the step in that costs least, see `steps.paired_step`. Set where a path can come by.
+    visited : (columns, 2) int
+        The first and the last row of each column that a path can come by.
+    ends : (rows, 3) float
+        Work at the dots of the last column by the step in.
+    """
+
+    __slots__ = ("column", "current", "ends", "leaving", "live_rows", "parents", "visited")
+
+    def __init__(self, window: Window, starts: Terminals, visited: IntArray) -> None:
+        self.column = self.current = 0
+        self.live_rows = starts.first_row, starts.last_row
+        self.leaving = np.empty((4, int(window.high[-1] - window.low[0]) + 1))
+        self.parents = np.empty(window.dots, np.uint8)
+        self.visited = visited
+        self.ends = np.full((int(window.high[-1] - window.low[-1]) + 1, 3), np.inf)
+
+    @property
+    def is_dead(self) -> bool:
+        """Whether no path costs less than the limit."""
+        return self.live_rows[1] < self.live_rows[0]

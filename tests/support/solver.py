@@ -1,0 +1,21 @@
+"""The solver for polygons without a drawing, and the search through every path beside it."""
+
+from shapeblend_cli.match.solve import Search, least_work
+from shapeblend_cli.match.steps import BEND_OF_STEPS, MOVES
+from shapeblend_cli.match.work import Wires
+from tests.support.oracle import Oracle
+
+
+def find_least(p0, p1, closed=True, constants=None, weight=None, **search):
+    """The least-work correspondence of two polygons; `search` as in `Search`."""
+    return least_work(Wires(p0, p1, closed, constants, weight), Search(**search))
+
+
+def exhaustive(p0, p1, closed, constants, weight=None, **restrictions):
+    """Least work over all paths; bends come from the tables, which have a test of their own."""
+    priced = Wires(p0, p1, closed, constants, weight).tables().bends.reshape(len(p0), len(p1), 7)
+
+    def bend(i, j, step_in, step_out):
+        return priced[i, j, BEND_OF_STEPS[MOVES.index(step_in), MOVES.index(step_out)]]
+
+    return Oracle(p0, p1, closed, constants, weight).least(bend, **restrictions)
