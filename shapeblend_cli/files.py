@@ -15,7 +15,7 @@ from shapeblend_cli.match.solve import COMPILED
 from shapeblend_cli.measure import measure
 from shapeblend_cli.output import check_targets, write_files
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
-from shapeblend_cli.pipeline import make_frames, match_all
+from shapeblend_cli.pipeline import make_frames, match_all, times_of_frames
 from shapeblend_cli.report import report
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, read
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
     from shapeblend_cli.measure import Measures
-    from shapeblend_cli.model import Frame, Pair
+    from shapeblend_cli.model import Pair
     from shapeblend_cli.outputs.formats import OutputSpec
     from shapeblend_cli.settings import ReadOptions, RunOptions, Settings
 
@@ -66,14 +66,9 @@ class Run:
         self.seconds = seconds
 
     @cached_property
-    def frames(self) -> list[Frame]:
-        """The frames of the settings, whether they are written or not."""
-        return make_frames(self.pairs, self.settings)
-
-    @cached_property
     def measures(self) -> list[Measures]:
-        """Measures of each frame."""
-        return [measure(self.pairs[frame.pair], frame.t) for frame in self.frames]
+        """Measures of the frames that settings ask for, written or not."""
+        return [measure(pair, t) for pair, t in times_of_frames(self.pairs, self.settings)]
 
 
 def blend_files(job: Job, note: Callable[[str], None], progress: Callable[[float], None]) -> Run:
@@ -119,14 +114,7 @@ def blend_files(job: Job, note: Callable[[str], None], progress: Callable[[float
     standard_output = rendered.contents[0] if output.path == STANDARD_OUTPUT else ""
     if job.run.report or job.run.preview:
         found = report(
-            __version__,
-            job.files,
-            job.reported,
-            pairs,
-            run.frames,
-            run.measures,
-            output.frame_files(),
-            clock.seconds,
+            __version__, job.files, job.reported, pairs, run.measures, output.frame_files(), clock.seconds
         )
         if job.run.report:
             import json  # most runs write no report

@@ -17,12 +17,17 @@ class Measures(NamedTuple):
 
     Attributes
     ----------
+    t : float in [0, 1]
+    pair : int
+        The number of the pair's first drawing.
     self_crossings : int
         How often outlines that are painted together cross themselves and each other, on their curves.
     area : float
         Inside the outlines, in square units of A.
     """
 
+    t: float
+    pair: int
     self_crossings: int
     area: float
 
@@ -31,6 +36,8 @@ def measure(pair: Pair, t: float) -> Measures:
     """Measure the in-between at time t; also at both ends as it moves, not as the drawing has it."""
     shapes = [between(shape, t) for shape in pair.shapes]
     return Measures(
+        t,
+        pair.a,
         self_crossings=sum(path_crossings(paths) for paths in shapes),
         area=sum(abs(sum(cubics.signed_area(path.segments) for path in paths)) for paths in shapes),
     )

@@ -342,16 +342,17 @@ def _with_curves(shape: ShapeBlend, settings: Settings) -> ShapeBlend:
     return shape._replace(contours=tuple(map(with_curves, shape.contours)))
 
 
+def times_of_frames(pairs: Sequence[Pair], settings: Settings) -> list[tuple[Pair, float]]:
+    """Return the pair and the time of each in-between, and with `settings.ends` of the drawings, in order."""
+    times = frame_times(settings.frames, settings.ends, settings.ease)
+    # A pair but the first begins with the drawing that the one before has ended with.
+    return [(pair, t) for pair in pairs for t in (times[1:] if settings.ends and pair.a else times)]
+
+
 def make_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
-    """Make the in-betweens of all pairs, and with `settings.ends` the drawings, in order of time."""
-    frames = []
-    for pair in pairs:
-        times = frame_times(settings.frames, settings.ends, settings.ease)
-        if settings.ends and pair.a:
-            times = times[1:]  # the pair before has ended with this one's start
-        as_drawn = settings.curves and settings.style == "blend"
-        frames += [frame_at(pair, t, as_drawn=as_drawn) for t in times]
-    return frames
+    """Draw the frames that settings ask for."""
+    as_drawn = settings.curves and settings.style == "blend"
+    return [frame_at(pair, t, as_drawn=as_drawn) for pair, t in times_of_frames(pairs, settings)]
 
 
 def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:

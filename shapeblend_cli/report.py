@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.measure import Measures
-    from shapeblend_cli.model import ComplexArray, ContourBlend, Drawing, Frame, Pair, Shape
+    from shapeblend_cli.model import ComplexArray, ContourBlend, Drawing, Pair, Shape
 
 REPORT_FORMAT = 1
 
@@ -23,7 +23,6 @@ def report(
     inputs: Sequence[str],
     settings: dict[str, Any],
     pairs: Sequence[Pair],
-    frames: Sequence[Frame],
     measures: Sequence[Measures],
     files: Sequence[str | None],
     seconds: dict[str, float],
@@ -38,7 +37,6 @@ def report(
     settings : dict
         Every option's value in force.
     pairs : sequence of Pair
-    frames : sequence of Frame
     measures : sequence of Measures
         Of each frame.
     files : sequence of str or None
@@ -64,8 +62,8 @@ def report(
             for pair in pairs
         ],
         "frames": [
-            {"t": f.t, "pair": f.pair, "file": file, **m._asdict()}
-            for f, m, file in zip(frames, measures, files, strict=True)
+            {"t": m.t, "pair": m.pair, "file": file, "self_crossings": m.self_crossings, "area": m.area}
+            for m, file in zip(measures, files, strict=True)
         ],
         "seconds": seconds,
     }

@@ -82,19 +82,19 @@ def details(run: Run) -> Iterator[str]:
             name = f"shape {number}: " if len(pair.shapes) > 1 else ""
             if shape.is_matched:
                 yield f"{name}motion {shape.motion_name}: {shape.reason}"
-    yield f"{_count(len(run.frames), 'frame')}: {_crossings(run)}"
+    yield f"{_count(len(run.measures), 'frame')}: {_crossings(run)}"
     yield ", ".join(f"{stage} {1000 * seconds:.1f} ms" for stage, seconds in run.seconds.items())
 
 
 def _crossings(run: Run) -> str:
     """Say which frames cross themselves, and how often."""
-    counts = [measures.self_crossings for measures in run.measures]
-    crossed = [frame for frame, count in zip(run.frames, counts, strict=True) if count]
+    crossed = [frame for frame in run.measures if frame.self_crossings]
     if not crossed:
         return "none crosses itself"
     several = len(run.pairs) > 1
     times = ", ".join(f"{frame.t:.3g}" + f" of pair {frame.pair}" * several for frame in crossed)
-    return f"{_count(sum(counts), 'crossing')} in {len(crossed)} of them, at t = {times}"
+    count = sum(frame.self_crossings for frame in crossed)
+    return f"{_count(count, 'crossing')} in {len(crossed)} of them, at t = {times}"
 
 
 def _count(count: int, what: str) -> str:

@@ -1,6 +1,7 @@
 """`--emit`, `--output` and `--format`: what is written where, and what is refused."""
 
 import json
+import subprocess
 import sys
 
 import pytest
@@ -345,3 +346,20 @@ def test_a_folder_of_the_name_of_a_picture_stays(here, capsys):
     assert run([*AB, "-o", "x.png"]) == 1
     assert "is a folder" in capsys.readouterr().err
     assert list((here / "x.png").iterdir()) == []
+
+
+def test_frames_that_nobody_sees_are_neither_drawn_nor_measured(here, monkeypatch):
+    for name in ("pipeline.frame_at", "files.measure"):
+        monkeypatch.setattr(f"shapeblend_cli.{name}", None)
+    for arguments in ("-o x.svg", "-o y.svg --animate css", "--emit pair", "--emit lottie", "--emit avd"):
+        assert run([*AB, *arguments.split()]) == 0
+
+
+def test_a_format_is_chosen_without_what_renders_it():
+    code = (
+        "import sys; from shapeblend_cli.cli import run; run('a.svg b.svg -o x.gif --fps 9 -n 3'.split());"
+        "print({'numpy', 'svgwrite', 'PIL', 'resvg_py', 'xml.etree.ElementTree'} & sys.modules.keys())"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert "one will do" in done.stderr
+    assert done.stdout == "set()\n"
