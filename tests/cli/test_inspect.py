@@ -2,7 +2,6 @@
 
 import json
 import os
-import pty
 import subprocess
 import sys
 
@@ -10,6 +9,7 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
+from tests.support.commands import read_to, start_on_terminal, write
 
 DRAWING = (
     '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 20">'
@@ -19,33 +19,49 @@ DRAWING = (
 
 
 @pytest.fixture
-def file(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "a.svg").write_text(DRAWING.format(name="r"))
-    return tmp_path / "a.svg"
+def file(here):
+    write(a=DRAWING.format(name="r"))
+    return here / "a.svg"
 
 
 def on_a_terminal(file, columns=80, **environment):
     """Return what a terminal of so many columns gets."""
-    ours, theirs = pty.openpty()
     command = [sys.executable, "-m", "shapeblend_cli", "inspect", file.name]
     settings = {**os.environ, "COLUMNS": str(columns), "TERM": "xterm-256color", **environment}
-    process = subprocess.Popen(
-        command, cwd=file.parent, stdin=subprocess.DEVNULL, stdout=theirs, env=settings
-    )
-    os.close(theirs)
-    seen = b""
-    while True:
-        try:
-            part = os.read(ours, 4096)
-        except OSError:  # the other side has closed
-            break
-        if not part:
-            break
-        seen += part
-    os.close(ours)
+    process, terminal = start_on_terminal(command, env=settings)
+    seen = read_to(terminal)
+    os.close(terminal)
     assert process.wait(timeout=60) == 0
     return seen.decode()
+
+
+def test_json_and_table_of_transformed_shapes(here, capsys):
+    write(
+        a='<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 20">'
+        '<g transform="translate(5 5)" fill="#123456">'
+        '<rect id="r" width="4" height="2"/><path d="M0 0H3" stroke="red" fill="none"/></g></svg>'
+    )
+    assert run(["inspect", "a.svg", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out) == {
+        "file": "a.svg",
+        "viewbox": [0, 0, 20, 20],
+        "shapes": [
+            {
+                "index": 0, "id": "r", "element": "rect", "contours": 1, "closed": True,
+                "length": pytest.approx(12), "bbox": pytest.approx([5, 5, 9, 7]),
+                "fill": "#123456", "stroke": None, "fill_rule": "nonzero",
+            },
+            {
+                "index": 1, "id": None, "element": "path", "contours": 1, "closed": False,
+                "length": pytest.approx(3), "bbox": pytest.approx([5, 5, 8, 5]),
+                "fill": None, "stroke": "#ff0000", "fill_rule": "nonzero",
+            },
+        ],
+    }  # fmt: skip
+    assert run(["inspect", "a.svg"]) == 0
+    text = capsys.readouterr().out
+    assert "rect" in text
+    assert "#123456" in text
 
 
 def test_columns_are_aligned_and_every_cell_is_one_word(file, capsys):

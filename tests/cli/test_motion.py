@@ -1,6 +1,5 @@
 """`--motion`, as its users see it."""
 
-import json
 import re
 from xml.etree import ElementTree
 
@@ -8,6 +7,7 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
+from tests.support.commands import contours, report, write
 from tests.support.drawings import BAR, LEAF, SQUARES, svg
 
 L = "M3 3H9V17H19V21H3Z"
@@ -15,21 +15,9 @@ L_TURNED = "M21 3V9H7V19H3V3Z"
 
 
 @pytest.fixture
-def here(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    for name, d in (("l", L), ("turned", L_TURNED), ("bar", BAR), ("leaf", LEAF), ("squares", SQUARES)):
-        (tmp_path / f"{name}.svg").write_text(svg(d), encoding="utf-8")
-    return tmp_path
-
-
-def report(*arguments):
-    assert run([*arguments, "--report", "r.json", "-f"]) == 0
-    with open("r.json") as file:
-        return json.load(file)
-
-
-def contours(*arguments):
-    return [c for pair in report(*arguments)["pairs"] for c in pair["contours"]]
+def here(here):
+    write(l=svg(L), turned=svg(L_TURNED), bar=svg(BAR), leaf=svg(LEAF), squares=svg(SQUARES))
+    return here
 
 
 def written(folder):
@@ -54,11 +42,8 @@ def test_the_report_says_how_each_contour_moves_and_why(here):
     assert contour["turned_back"] == pytest.approx(90, abs=1.5)
     assert contour["motion_because"] == "B is A turned by 90 degrees"
     (contour,) = contours("bar.svg", "leaf.svg")
-    assert (contour["motion"], contour["motion_because"], contour["turned_back"]) == (
-        "linear",
-        "no fault",
-        0.0,
-    )
+    told = [contour[name] for name in ("motion", "motion_because", "turned_back")]
+    assert told == ["linear", "no fault", 0.0]
     for motion in ("linear", "rigid", "intrinsic", "safe"):
         (contour,) = contours("bar.svg", "leaf.svg", "--motion", motion)
         assert (contour["motion"], contour["motion_because"]) == (motion, "asked for")
@@ -78,20 +63,11 @@ def test_verbose_says_the_motion_and_why(here, capsys):
 
 
 def test_verbose_names_the_shapes_where_there_are_several(here, capsys):
-    (here / "two.svg").write_text(svg(L, "M14 3H20V9Z"), encoding="utf-8")
+    write(two=svg(L, "M14 3H20V9Z"))
     assert run(["two.svg", "two.svg", "-v"]) == 0
     said = capsys.readouterr().err
     for number in (1, 2):
         assert f"shapeblend: shape {number}: motion linear: no fault\n" in said
-
-
-@pytest.mark.parametrize("value", ["straight", "", "AUTO!"])
-def test_another_motion_is_exit_2(here, capsys, value):
-    assert run(["l.svg", "turned.svg", "--motion", value]) == 2
-    (line,) = capsys.readouterr().err.splitlines()
-    for name in ("auto", "linear", "rigid", "intrinsic", "safe"):
-        assert name in line
-    assert not (here / "blend").exists()
 
 
 @pytest.mark.parametrize(
@@ -157,10 +133,9 @@ def test_three_files_move_each_pair_in_its_way(here, method):
 
 
 def test_a_pair_goes_straight_unless_asked(here, capsys):
-    assert run(["l.svg", "turned.svg", "--emit", "pair", "--report", "r.json"]) == 0
+    (contour,) = contours("l.svg", "turned.svg", "--emit", "pair")
+    assert contour["motion"] == "linear"
     assert capsys.readouterr().err == ""
-    with open("r.json") as file:
-        assert json.load(file)["pairs"][0]["contours"][0]["motion"] == "linear"
     assert run(["l.svg", "turned.svg", "--emit", "pair", "--motion", "rigid", "-f"]) == 0
     (line,) = capsys.readouterr().err.splitlines()
     assert "moves on curved paths, which two files cannot show" in line
@@ -168,8 +143,7 @@ def test_a_pair_goes_straight_unless_asked(here, capsys):
 
 @pytest.mark.parametrize("output", [["-n", "5", "--ends"], ["-n", "0", "--ends"]])
 def test_what_leaves_the_viewbox_on_its_way_is_shown(here, output):
-    for name, d in (("a", "M0 0H24V24H0V10H4V6H0Z"), ("b", "M24 0V24H0V0H14V4H18V0Z")):
-        (here / f"{name}.svg").write_text(svg(d), encoding="utf-8")
+    write(a=svg("M0 0H24V24H0V10H4V6H0Z"), b=svg("M24 0V24H0V0H14V4H18V0Z"))
     (contour,) = contours("a.svg", "b.svg", *output)
     assert contour["motion"] == "rigid"
     found = views(here / "blend")
@@ -190,7 +164,6 @@ def test_what_leaves_the_viewbox_on_its_way_is_shown(here, output):
 
 
 def test_what_stays_inside_leaves_the_viewbox_as_it_is(here):
-    for name, d in (("l", L), ("turned", L_TURNED)):
-        (here / f"{name}.svg").write_text(svg(d, viewbox="-4 -4 32 32"), encoding="utf-8")
+    write(l=svg(L, viewbox="-4 -4 32 32"), turned=svg(L_TURNED, viewbox="-4 -4 32 32"))
     assert run(["l.svg", "turned.svg", "-o", "out", "--ends"]) == 0
     assert views(here / "out") == [[-4, -4, 32, 32]] * 7

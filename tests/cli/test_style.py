@@ -1,14 +1,16 @@
 """Paint, as users blend it."""
 
-import json
 import re
 from pathlib import Path
 
 import pytest
 
 from shapeblend_cli.cli import run
+from tests.support.commands import report, write
+from tests.support.drawings import svg
 
 SQUARE = "M2 2H22V22H2Z"
+VIEWBOX = "0 0 50 50"
 DOT = "M40 40H44V44H40Z"
 A = f'<path d="{SQUARE}" fill="#ff0000"/>'
 B = (
@@ -18,15 +20,8 @@ B = (
 
 
 @pytest.fixture(autouse=True)
-def here(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    write("a.svg", A)
-    write("b.svg", B)
-    return tmp_path
-
-
-def write(name, markup, viewbox="0 0 50 50"):
-    Path(name).write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{viewbox}">{markup}</svg>')
+def here(here):
+    write(a=svg(A, viewbox=VIEWBOX), b=svg(B, viewbox=VIEWBOX))
 
 
 def frame(number, *options):
@@ -55,25 +50,24 @@ def test_a_shape_without_a_partner_keeps_its_own_paint(style):
 
 
 def test_the_report_has_the_style():
-    frame(1, "--style", "b", "--report", "r.json")
-    assert json.loads(Path("r.json").read_text())["settings"]["style"] == "b"
+    assert report("a.svg", "b.svg", "--style", "b")["settings"]["style"] == "b"
 
 
 def test_dashes_are_laid_over_a_with_the_drawing():
-    write("b.svg", B.replace("3 1", "30 10").replace('"2"', '"20"'), viewbox="0 0 500 500")
+    write(b=svg(B.replace("3 1", "30 10").replace('"2"', '"20"'), viewbox="0 0 500 500"))
     path = frame(3)[0]
     assert (path["stroke-width"], path["stroke-dasharray"], path["stroke-dashoffset"]) == ("2", "3 1", "0.1")
 
 
 def test_gaps_open_between_the_dashes_of_a_solid_line():
-    write("a.svg", A.replace("/>", ' stroke="#00ff00"/>'))
+    write(a=svg(A.replace("/>", ' stroke="#00ff00"/>'), viewbox=VIEWBOX))
     paths = [frame(number)[0] for number in (1, 2, 3)]
     assert [path.get("stroke-dasharray") for path in paths] == [None, "3.5 0.5", "3 1"]
     assert [path.get("stroke-dashoffset") for path in paths] == [None, "1", "1"]
 
 
 def test_the_animation_has_dashes_at_both_ends():
-    write("a.svg", A.replace("/>", ' stroke="#00ff00"/>'))
+    write(a=svg(A.replace("/>", ' stroke="#00ff00"/>'), viewbox=VIEWBOX))
     assert run(["a.svg", "b.svg", "-o", "moving.svg", "--match", "0=0"]) == 0
     assert 'attributeName="stroke-dasharray"' in Path("moving.svg").read_text()
     assert 'values="4 0;3 1"' in Path("moving.svg").read_text()

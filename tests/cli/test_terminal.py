@@ -4,7 +4,6 @@ import contextlib
 import os
 import pty
 import signal
-import subprocess
 import sys
 from functools import partial
 
@@ -12,18 +11,9 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run, terminal
+from shapeblend_cli.clock import Clock
+from tests.support.commands import names, read_to, start_on_terminal, write
 from tests.support.drawings import LEAF, SQUARES, svg
-
-
-def read_to(ours, end=None):
-    """What is written on a terminal, up to some text or until its other side is closed."""
-    seen = b""
-    while end is None or end not in seen:
-        try:
-            seen += os.read(ours, 4096)
-        except OSError:
-            break
-    return seen
 
 
 def on_screen(action):
@@ -37,29 +27,23 @@ def on_screen(action):
 
 
 @pytest.fixture
-def files(tmp_path, monkeypatch):
+def files(here):
     """The arguments for two small drawings."""
-    monkeypatch.chdir(tmp_path)
-    for name, path in (("a.svg", LEAF), ("b.svg", SQUARES)):
-        (tmp_path / name).write_text(svg(path), encoding="utf-8")
+    write(a=svg(LEAF), b=svg(SQUARES))
     return ["a.svg", "b.svg", "--effort", "exact"]
 
 
-def test_ctrl_c_leaves_nothing_behind(tmp_path):
+def test_ctrl_c_leaves_nothing_behind(here):
     rng = np.random.default_rng(3)
     for name, m in (("a", 2900), ("b", 3100)):
         angle = 2 * np.pi * np.arange(m) / m
         waves = sum(rng.normal() / k * np.cos(k * angle + rng.uniform(0, 7)) for k in range(1, 200))
         points = " ".join(f"{z.real:.5f},{z.imag:.5f}" for z in np.exp(0.1 * waves + 1j * angle))
-        (tmp_path / f"{name}.svg").write_text(svg(f"M{points}Z", viewbox="-2 -2 4 4"))
-    ours, theirs = pty.openpty()
+        write(**{name: svg(f"M{points}Z", viewbox="-2 -2 4 4")})
     command = [sys.executable, "-m", "shapeblend_cli", "a.svg", "b.svg", "--effort", "exact"]
     # Shells have what runs in the background ignore the signal, and this one too if the tests do.
     heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
-    process = subprocess.Popen(
-        command, cwd=tmp_path, stdin=subprocess.DEVNULL, stdout=theirs, stderr=theirs, preexec_fn=heard
-    )
-    os.close(theirs)
+    process, ours = start_on_terminal(command, preexec_fn=heard)
     seen = read_to(ours, b"%")
     assert b"matching" in seen
     process.send_signal(signal.SIGINT)
@@ -67,7 +51,7 @@ def test_ctrl_c_leaves_nothing_behind(tmp_path):
     os.close(ours)
     assert process.wait(timeout=60) == 1
     assert said.split() == b"shapeblend: interrupted; nothing was written".split()
-    assert sorted(os.listdir(tmp_path)) == ["a.svg", "b.svg"]
+    assert names() == ["a.svg", "b.svg"]
 
 
 def test_a_bar_shows_on_a_terminal_when_it_takes_long():
@@ -97,3 +81,9 @@ def test_no_bar_where_there_is_no_terminal(files, monkeypatch, capfd):
     monkeypatch.setattr(terminal, "PATIENCE", 0.0)
     assert run(files) == 0
     assert capfd.readouterr() == ("", "")
+
+
+def test_a_clock_adds_up_the_laps_of_a_stage():
+    clock = Clock(now=iter((1.0, 3.0, 7.0, 8.0)).__next__)
+    assert [clock.lap(stage) for stage in ("read", "match", "read")] == [2.0, 4.0, 1.0]
+    assert list(clock.seconds.items()) == [("read", 3.0), ("match", 4.0)]

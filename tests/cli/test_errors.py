@@ -1,0 +1,148 @@
+"""What is refused, and in which words."""
+
+import shlex
+
+import pytest
+
+from tests.support.commands import write
+from tests.support.drawings import BAR, RING, svg
+
+OPTIONS = {
+    "--nope": "--nope",
+    "-n -1": "--frames must be 0 or more, not -1",
+    "--cs 0": "--cs must be greater than 0, not 0",
+    "--cs 2": "--cs must be at most 1, not 2",
+    "--ks nan": "--ks must be a number, not nan",
+    "--kb -1": "--kb must be 0 or more, not -1",
+    "--eb x": "--eb must be a number, not x",
+    "--start 3": "--start must be auto, or two vertex numbers such as 0,3, not '3'",
+    "--start 0,-3": "--start must be two vertex numbers, and these begin at 0, not 0,-3",
+    "--pin 3": "--pin must be two vertex numbers",
+    "--pin 1,2:3": "two points such as 1.5,2:3,4, not '1,2:3'",
+    "--pin 1,x:3,4": "two points such as 1.5,2:3,4, not '1,x:3,4'",
+    "--stiff 1,2=3": "--stiff must be of the form x,y,r=W",
+    "--stiff 1,2,0=3": "a radius and a weight greater than 0, not 0 and 3",
+    "--band 2": "--band must be none, or a number between 0 and 1, not '2'",
+    "--reverse maybe": "--reverse must be auto, yes or no, not 'maybe'",
+    "--preset fig9": "not 'fig9'",
+    "--match 0": "--match must be of the form A=B",
+    "--match =1": "--match must be of the form A=B",
+    "--select-a 'g >'": "--select-a must be #id or a CSS selector: 'g >' is no CSS selector",
+    "--select-b 'g >'": "--select-b",
+    **{f"--motion '{value}'": f"--motion must be auto, linear, rigid, intrinsic or safe, not '{value}'"
+       for value in ("straight", "", "AUTO!")},
+    "--ease easy": "--ease must be linear, ease, ease-in, ease-out, ease-in-out, or cubic-bezier",
+    "--ease 'cubic-bezier(0,2,1,1)'": "numbers between 0 and 1",
+    "--repeat 0": "--repeat must be forever, pingpong, or a number from 1",
+    "--repeat often": "pingpong",
+    "--duration 0": "--duration must be 0.01 or more, not 0",
+    "--precision 11": "--precision must be at most 10, not 11",
+    "--preview x.txt": "--preview must be a file name ending in .htm or .html, not 'x.txt'",
+    "-o - --report -": "--output and --report cannot both be standard output",
+    "-q -v": "--quiet and --verbose contradict each other",
+    "c.svg --start 0,0": "--start, --pin, --match and --stiff are about two files; 3 given",
+    "c.svg --match 0=0": "are about two files; 3 given",
+    "--emit gif": "--emit must be frames, pair, lottie or avd, not 'gif'",
+    "--emit pair -o -": "writes a.svg and b.svg, so --output takes a folder; - given",
+    "--emit pair -o x.svg": "a folder; x.svg given",
+    "--emit pair -o x.png": "a folder; x.png given",
+    "--emit lottie -o x": "ending in .json, or -; x given",
+    "--emit lottie -o x.svg": "ending in .json",
+    "--emit lottie -o x.gif": "ending in .json",
+    "--emit avd -o x.json": "ending in .xml",
+    "--emit avd -o - --report -": "standard output",
+    "c.svg --emit pair": "two files; 3 given",
+    "c.svg --emit avd": "two files; 3 given",
+    "--emit pair --format png": "--emit pair is none",
+    "-o x.json": "--emit lottie",
+    "-o x.xml": "--emit avd",
+    "-o x.html": "x.html: such a page is written with --preview x.html",
+    "-o x.jpg": "x.jpg: .jpg is not written; .svg, .png, .gif, .webp, .apng are",
+    "-o X.MP4": "X.MP4: .mp4 is not written",
+    "-o x.svg --columns 3": "--columns is for a contact sheet, a name ending in .png; --output x.svg",
+    "-o x.gif --columns 3": "--columns is for a contact sheet",
+    "--columns 3": "--output blend is none",
+    "--columns 0 -o x.png": "--columns must be 1 or more, not 0",
+    "--width 100": "--width is for pictures",
+    "--width 100 -o -": "--width is for pictures",
+    "--width 0 -o x.png": "--width must be 1 or more, not 0",
+    "-o x.png --fps 9": "--fps is for an animation of pixels",
+    "-o x.svg --fps 9": "--fps is for an animation of pixels",
+    "-o x.gif --fps 51": "--fps must be at most 50, not 51",
+    "-o x.gif --fps 9 -n 3": "one will do",
+    "-o x.gif --background transparent": "half transparent",
+    "-o x.png --background nope": "--background must be transparent, or an opaque CSS colour",
+    "-o x.png --background '#ff000080'": "an opaque CSS colour such as white or #f4f4f0, not '#ff000080'",
+    "--background red": "--background is for pictures",
+    "-o x.png --format png": "--format is for a folder",
+    "-o x.svg --format svg": "--format is for a folder",
+    "-o - --format png": "--format is for a folder",
+    "-o x.png -n 0": "--ends would work",
+    "-o x.gif -n 200": "202 pictures in 2 seconds",
+    "-o x.webp --duration 0.03": "2 pictures in 0.03 seconds",
+    "-o x.apng --repeat 65536": "65535 times at most",
+}  # fmt: skip
+"""Further arguments of a blend of a.svg and b.svg."""
+
+COMMANDS = {
+    "": "A.svg B.svg",
+    "a.svg": "two files or more are blended, A.svg and B.svg; 1 given",
+    "- -": "standard input can be one of the files, not more",
+    "nowhere.svg b.svg --select-b 'g >'": "--select-b must be",
+    "inspect": "FILE",
+    "inspect a.svg --select :x": "an unknown pseudo-class",
+    "plot graph a.svg": "a plot is of two files, A.svg and B.svg; 1 given",
+    "plot graph a.svg b.svg a.svg": "a plot is of two files, A.svg and B.svg; 3 given",
+    "plot pie a.svg b.svg": "'pie' is not one of 'graph', 'surface', 'angle', 'starts'",
+    "plot graph a.svg b.svg --dot 0,0": "--dot is for angle and starts; graph shows all dots",
+    "plot starts a.svg b.svg --start 0,0": "--start and --pin would leave one",
+    "plot starts a.svg b.svg --pin 0,0": "--start and --pin would leave one",
+}
+
+FAILURES = {
+    "-o a.svg --force": "a.svg: is an input",
+    "--report b.svg --force": "b.svg: is an input",
+    "-o sub": "sub: is a file",
+    "-o sub/x.svg": "sub: is a file",
+    "--report .": ".: is a folder",
+    "-o x.svg --report x.svg": "x.svg: is named for two",
+    "--start 900,0": "a.svg and b.svg: pin 900,0 names no vertices",
+    "--start 0,900": "0,900 names no vertices",
+    "--pin 0,0 --pin 40,190 --pin 190,40": "cross each other",
+    "--preset fig8 --vertices 0": "within 0 of the diagonal",
+    "--stiff 500,500,1=2": "no vertex of A lies within 1",
+    "--emit pair -o . --force": "a.svg: is an input",
+    "--emit pair -o c.svg/x": "c.svg: is a file",
+    "--emit lottie --report blend.json": "blend.json: is named for two",
+    "-o sheet.png": "sheet.png: is a folder",
+    "-o mine.gif": "mine.gif: exists; --force replaces it",
+    "-o x.gif --width 9000": "x.gif: 50 pictures of 9000 x 9000 pixels",
+    "-o x.png --width 9000": "x.png: 5 pictures of 9000 x 9000 pixels",
+    "-o f --format png --width 9000": "f: 5 pictures",
+    "--select-a '#smal'": "a.svg: nothing in it matches '#smal'; #small would",
+    "--select-b '#x'": "b.svg: nothing in it matches '#x'",
+    "--match 0=9": "a.svg and b.svg: B has no contour 9 to match; its contours are 0 to 1",
+    "--match 0=1": "contour 0 of A is an outline and contour 1 of B a hole in contour 0",
+    "--match smal=0": "a.svg paints no shape with the id 'smal'; there is small",
+    "--match small=nothing": "b.svg paints no shape with the id 'nothing', nor any other; a contour number would work",
+}
+"""Further arguments of a blend of a.svg and b.svg that are well-formed, but do not fit the files."""
+
+
+@pytest.mark.parametrize(("options", "words"), OPTIONS.items())
+def test_wrong_options(three, refused, options, words):
+    refused(["a.svg", "b.svg", *shlex.split(options)], 2, words)
+
+
+@pytest.mark.parametrize(("command", "words"), COMMANDS.items())
+def test_wrong_commands(three, refused, command, words):
+    refused(shlex.split(command), 2, words)
+
+
+@pytest.mark.parametrize(("options", "words"), FAILURES.items())
+def test_what_does_not_fit_the_files(here, refused, options, words):
+    write(a=svg(f'<path id="small" d="{BAR}"/>'), b=svg(RING, attributes='fill-rule="evenodd"'), c=svg(BAR))
+    (here / "sub").write_text("a file")
+    (here / "mine.gif").write_text("mine")
+    (here / "sheet.png").mkdir()
+    refused(["a.svg", "b.svg", *shlex.split(options)], 1, words)

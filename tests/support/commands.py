@@ -1,0 +1,63 @@
+"""Running the command in the working folder."""
+
+from __future__ import annotations
+
+import json
+import os
+import pty
+import subprocess
+from pathlib import Path
+
+from shapeblend_cli.cli import run
+
+
+def write(**drawings):
+    """Write drawings to files of their names."""
+    for name, text in drawings.items():
+        Path(f"{name}.svg").write_text(text, encoding="utf-8")
+
+
+def names(folder="."):
+    """What is in a folder and in those inside it."""
+    return sorted(path.relative_to(folder).as_posix() for path in Path(folder).rglob("*"))
+
+
+def made():
+    """What is in the working folder beside a.svg, b.svg and c.svg."""
+    return [name for name in names() if name not in ("a.svg", "b.svg", "c.svg")]
+
+
+def contents(folder="."):
+    """The bytes of all files in a folder and in those inside it."""
+    return {path: path.is_file() and path.read_bytes() for path in sorted(Path(folder).rglob("*"))}
+
+
+def report(*arguments):
+    """The report of a run."""
+    assert run([*arguments, "--report", "r.json", "-f"]) == 0
+    return json.loads(Path("r.json").read_text(encoding="utf-8"))
+
+
+def contours(*arguments):
+    """What the report of a run says of contours."""
+    return [contour for pair in report(*arguments)["pairs"] for contour in pair["contours"]]
+
+
+def read_to(terminal, end=None):
+    """What is written on a terminal, up to some text or until its other side is closed."""
+    seen = b""
+    while end is None or end not in seen:
+        try:
+            seen += os.read(terminal, 4096)
+        except OSError:
+            break
+    return seen
+
+
+def start_on_terminal(command, **options):
+    """A process with a terminal for its standard output and error, and our side of that."""
+    ours, theirs = pty.openpty()
+    streams = {"stdin": subprocess.DEVNULL, "stdout": theirs, "stderr": theirs}
+    process = subprocess.Popen(command, **streams, **options)
+    os.close(theirs)
+    return process, ours
