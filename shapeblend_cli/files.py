@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from shapeblend_cli import __version__
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
-from shapeblend_cli.match.solve import COMPILED
+from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.measure import measure
 from shapeblend_cli.output import check_targets, write_files
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT

@@ -37,9 +37,9 @@ from shapeblend_cli.pairing.constraints import (
     point_pins,
     required_pairs,
 )
+from shapeblend_cli.pairing.contour_blends import match_contours
 from shapeblend_cli.pairing.decompose import PlacedDrawing, decompose, main_orientation
 from shapeblend_cli.pairing.direction import choose_direction, watch_part
-from shapeblend_cli.pairing.matching import match_contours
 from shapeblend_cli.pairing.pair import pair_rotated_contours
 from shapeblend_cli.pairing.shapes import Match, shape_blends
 from shapeblend_cli.settings import Settings

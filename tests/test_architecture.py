@@ -19,9 +19,9 @@ PACKAGE = Path(shapeblend_cli.__file__).parent
 ROOMS = {
     "__main__": "cli",
     "cli": "plot files outputs report svg.reading settings fields field_types easing errors __init__",
-    "plot": "files outputs output svg.reading svg.writing pairing interpolate settings match model clock errors",
-    "files": "preview report measure outputs output pipeline svg.reading settings match model clock errors __init__",
-    "preview": "svg.reading svg.writing pairing interpolate paint settings match model easing",
+    "plot": "files outputs output svg.reading svg.writing pairing interpolate settings matching model clock errors",
+    "files": "preview report measure outputs output pipeline svg.reading settings matching model clock errors __init__",
+    "preview": "svg.reading svg.writing pairing interpolate paint settings matching model easing",
     "report": "measure geometry model",
     "outputs": "pipeline interpolate svg.writing settings fields field_types model easing errors",
     "output": "errors",
@@ -29,10 +29,10 @@ ROOMS = {
     "pipeline": "views pairing motion interpolate paint geometry settings model clock easing",
     "measure": "interpolate geometry model",
     "views": "interpolate geometry model",
-    "pairing": "geometry settings match constants model errors",
+    "pairing": "geometry settings matching constants model errors",
     "motion": "interpolate geometry model _cython",
     "interpolate": "paint geometry model",
-    "match": "constants model errors _cython",
+    "matching": "constants model errors _cython",
     "settings": "constants fields field_types easing",
     "constants": "fields field_types",
     "fields": "field_types",
@@ -62,7 +62,7 @@ LIBRARIES = {
     "resvg_py": "outputs",
     "coloraide": "paint",
     "lap": "pairing",
-    "cython": "geometry match motion",
+    "cython": "geometry matching motion",
 }
 SHARED = {"numpy", *sys.stdlib_module_names}
 

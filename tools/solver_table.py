@@ -17,11 +17,11 @@ import numpy as np
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polygons import orientation, reverse_polygon
-from shapeblend_cli.match.graph import Graph
-from shapeblend_cli.match.solve import Search, least_work
-from shapeblend_cli.match.starts import least_from
-from shapeblend_cli.match.tables import Window
-from shapeblend_cli.match.work import Wires
+from shapeblend_cli.matching.graph import Graph
+from shapeblend_cli.matching.solve import Search, least_work
+from shapeblend_cli.matching.starts import least_from
+from shapeblend_cli.matching.tables import Window
+from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.svg.reading.read import read
 from tools.quality.data import ROOT, icon_pairs
 from tools.quality.raw import text
@@ -187,8 +187,8 @@ def on_family():
 LARGE = """
 import resource, sys, time
 import numpy as np
-from shapeblend_cli.match.solve import least_work
-from shapeblend_cli.match.work import Wires
+from shapeblend_cli.matching.solve import least_work
+from shapeblend_cli.matching.work import Wires
 
 def coast(m, seed):
     rng = np.random.default_rng(seed)

@@ -8,8 +8,8 @@ import numpy as np
 
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polyline import distinct
-from shapeblend_cli.match.solve import least_work
-from shapeblend_cli.match.work import Wires
+from shapeblend_cli.matching.solve import least_work
+from shapeblend_cli.matching.work import Wires
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polygons import orientation, reverse_polygon
-from shapeblend_cli.match.solve import Search, least_work
-from shapeblend_cli.match.work import Wires
+from shapeblend_cli.matching.solve import Search, least_work
+from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.pairing.constraints import Constraints, stiffness
 from shapeblend_cli.pairing.upright import upright
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.match.landscape import landscape
+from shapeblend_cli.matching.landscape import landscape
 from shapeblend_cli.model import unroll
 from shapeblend_cli.plot.axes import (
     INK,

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.match.solve import EXACT_DOTS
-from shapeblend_cli.match.starts import least_by_start
+from shapeblend_cli.matching.solve import EXACT_DOTS
+from shapeblend_cli.matching.starts import least_by_start
 from shapeblend_cli.plot.axes import (
     COLOUR_A,
     LEFT,

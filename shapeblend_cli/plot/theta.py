@@ -14,13 +14,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.match.steps import DD, DE, ED, EE, SS
+from shapeblend_cli.matching.steps import DD, DE, ED, EE, SS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.match.angles import Corners
-    from shapeblend_cli.match.work import Wires
+    from shapeblend_cli.matching.angles import Corners
+    from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import ComplexArray, FloatArray
 
     Control = tuple[complex, complex, complex]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError
 from shapeblend_cli.files import SLOW, match_files, print_text
-from shapeblend_cli.match.solve import COMPILED
+from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.output import check_targets, write_files
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.plot.subject import choose_subject

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from shapeblend_cli.match.landscape import landscape
-from shapeblend_cli.pairing.matching import solved_wires
+from shapeblend_cli.matching.landscape import landscape
+from shapeblend_cli.pairing.contour_blends import solved_wires
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.match.landscape import Landscape
+    from shapeblend_cli.matching.landscape import Landscape
     from shapeblend_cli.model import ContourBlend, IntArray
     from shapeblend_cli.settings import Settings
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.match.landscape import landscape
-from shapeblend_cli.pairing.matching import solved_wires
+from shapeblend_cli.matching.landscape import landscape
+from shapeblend_cli.pairing.contour_blends import solved_wires
 from shapeblend_cli.pipeline import blend
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read

@@ -3,7 +3,7 @@
 import pytest
 
 import shapeblend_cli as sb
-from shapeblend_cli.pairing.matching import solved_wires
+from shapeblend_cli.pairing.contour_blends import solved_wires
 
 
 @pytest.mark.parametrize(

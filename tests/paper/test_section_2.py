@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from shapeblend_cli.match import angles
-from shapeblend_cli.match.steps import DE, ED, EE
-from shapeblend_cli.match.tables import Window
+from shapeblend_cli.matching import angles
+from shapeblend_cli.matching.steps import DE, ED, EE
+from shapeblend_cli.matching.tables import Window
 
 
 def wedge(alpha, length=1.0):

@@ -67,7 +67,7 @@ def test_too_much_is_refused(subject_of):
 
 def test_wires_that_begin_elsewhere_price_the_same(rng):
     from shapeblend_cli.constants import WorkConstants
-    from shapeblend_cli.match.work import Wires
+    from shapeblend_cli.matching.work import Wires
 
     p, q, weight = star_polygon(rng, 9), star_polygon(rng, 8), 0.5 + rng.random(9)
     wires = Wires(p, q, True, WorkConstants(), weight)

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.constants import WorkConstants
-from shapeblend_cli.match.steps import DD, DE, DS, ED, EE, SD, SS
-from shapeblend_cli.match.work import Wires
+from shapeblend_cli.matching.steps import DD, DE, DS, ED, EE, SD, SS
+from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.plot.theta import theta_of
 from tests.support.shapes import random_polygon, star_polygon
 

@@ -13,8 +13,8 @@ import pytest
 from shapeblend_cli.cli import run
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.paths import between, waypoints
-from shapeblend_cli.match.landscape import landscape
-from shapeblend_cli.pairing.matching import solved_wires
+from shapeblend_cli.matching.landscape import landscape
+from shapeblend_cli.pairing.contour_blends import solved_wires
 from shapeblend_cli.pipeline import blend, frame_at, match_all
 from shapeblend_cli.preview import graphs as graphs_module
 from shapeblend_cli.preview.graphs import graphs

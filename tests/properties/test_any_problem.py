@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.match import coarse, graph, solve
-from shapeblend_cli.match.work import Wires
+from shapeblend_cli.matching import coarse, graph, solve
+from shapeblend_cli.matching.work import Wires
 from tests.support.shapes import gear, random_polygon, regular_polygon, star_polygon
 from tests.support.solver import find_least
 

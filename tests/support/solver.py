@@ -1,8 +1,8 @@
 """The solver for polygons without a drawing, and the search through every path beside it."""
 
-from shapeblend_cli.match.solve import Search, least_work
-from shapeblend_cli.match.steps import BEND_OF_STEPS, MOVES
-from shapeblend_cli.match.work import Wires
+from shapeblend_cli.matching.solve import Search, least_work
+from shapeblend_cli.matching.steps import BEND_OF_STEPS, MOVES
+from shapeblend_cli.matching.work import Wires
 from tests.support.oracle import Oracle
 
 

@@ -5,11 +5,11 @@ import pytest
 
 from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.match import graph, sweeps
-from shapeblend_cli.match.graph import Graph, Starts
-from shapeblend_cli.match.steps import BEND_OF_STEPS, ENTERING, MOVES
-from shapeblend_cli.match.tables import Window
-from shapeblend_cli.match.work import Wires
+from shapeblend_cli.matching import graph, sweeps
+from shapeblend_cli.matching.graph import Graph, Starts
+from shapeblend_cli.matching.steps import BEND_OF_STEPS, ENTERING, MOVES
+from shapeblend_cli.matching.tables import Window
+from shapeblend_cli.matching.work import Wires
 from tests.support.oracle import SOUTH, Oracle, legal_turn, paths
 from tests.support.shapes import gear, random_polygon, regular_polygon, star_polygon
 from tests.support.solver import exhaustive, find_least
@@ -304,7 +304,7 @@ def test_compiled_and_uncompiled_kernels_agree_to_the_bit(rng, load_uncompiled, 
     assert sweeps.COMPILED
     p0, p1 = gear(4), star_polygon(rng, 13)
     compiled = [find_least(p0, p1, closed) for closed in (True, False)]
-    monkeypatch.setattr(graph, "sweeps", load_uncompiled("shapeblend_cli.match.sweeps"))
+    monkeypatch.setattr(graph, "sweeps", load_uncompiled("shapeblend_cli.matching.sweeps"))
     uncompiled = [find_least(p0, p1, closed) for closed in (True, False)]
     for one, other in zip(compiled, uncompiled, strict=True):
         np.testing.assert_array_equal(one.dots, other.dots)

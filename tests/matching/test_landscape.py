@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.constants import WorkConstants
-from shapeblend_cli.match.landscape import landscape
-from shapeblend_cli.match.steps import MOVES
-from shapeblend_cli.match.work import Wires
+from shapeblend_cli.matching.landscape import landscape
+from shapeblend_cli.matching.steps import MOVES
+from shapeblend_cli.matching.work import Wires
 from tests.support.oracle import legal_turn, paths
 from tests.support.solver import find_least
 

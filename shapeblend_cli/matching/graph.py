@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.match import sweeps
-from shapeblend_cli.match.steps import ENTERING, STEPS
-from shapeblend_cli.match.tables import Bounds, Progress, Terminals, Window
+from shapeblend_cli.matching import sweeps
+from shapeblend_cli.matching.steps import ENTERING, STEPS
+from shapeblend_cli.matching.tables import Bounds, Progress, Terminals, Window
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from shapeblend_cli.match.tables import Tables
-    from shapeblend_cli.match.work import Wires
+    from shapeblend_cli.matching.tables import Tables
+    from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import FloatArray, IntArray
 
 Dots = list[tuple[int, int]]

@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.constants import WorkConstants
-from shapeblend_cli.match.angles import Bending, Corners, fill_bends
-from shapeblend_cli.match.steps import BEND_OF_STEPS, NO_BEND
-from shapeblend_cli.match.tables import Tables, Window
+from shapeblend_cli.matching.angles import Bending, Corners, fill_bends
+from shapeblend_cli.matching.steps import BEND_OF_STEPS, NO_BEND
+from shapeblend_cli.matching.tables import Tables, Window
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray

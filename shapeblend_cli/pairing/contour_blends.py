@@ -11,7 +11,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polygons import reverse_contour, reverse_polygon
 from shapeblend_cli.geometry.similarity import Similarity
-from shapeblend_cli.match.work import Wires
+from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.model import Contour, ContourBlend, Correspondence, CubicPath, Polygon, unroll
 from shapeblend_cli.pairing.constraints import Constraints, stiffness
 from shapeblend_cli.pairing.costs import coarse_work

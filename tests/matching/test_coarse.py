@@ -5,8 +5,8 @@ import pytest
 
 from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.match import coarse, graph, solve
-from shapeblend_cli.match.work import Wires
+from shapeblend_cli.matching import coarse, graph, solve
+from shapeblend_cli.matching.work import Wires
 from tests.support.shapes import gear, star_polygon, unit_box
 from tests.support.solver import find_least
 

@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from shapeblend_cli.constants import WorkConstants
-from shapeblend_cli.match import angles
-from shapeblend_cli.match.steps import BEND_OF_STEPS, MOVES, NO_BEND
-from shapeblend_cli.match.tables import Window
+from shapeblend_cli.matching import angles
+from shapeblend_cli.matching.steps import BEND_OF_STEPS, MOVES, NO_BEND
+from shapeblend_cli.matching.tables import Window
 from tests.support import oracle
 from tests.support.shapes import random_polygon
 
@@ -126,7 +126,7 @@ def test_every_bend_of_a_graph_agrees_with_the_oracle(rng, closed):
 
 def test_compiled_and_uncompiled_kernels_agree_to_the_bit(rng, load_uncompiled):
     assert angles.COMPILED
-    uncompiled = load_uncompiled("shapeblend_cli.match.angles")
+    uncompiled = load_uncompiled("shapeblend_cli.matching.angles")
     assert not uncompiled.COMPILED
     for m, n, constants in ((7, 9, WorkConstants()), (12, 5, WorkConstants(k_b=0.3, e_b=0.5, m_b=4.0))):
         p, q = random_polygon(rng, m), random_polygon(rng, n)

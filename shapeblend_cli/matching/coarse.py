@@ -16,11 +16,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.match import starts
-from shapeblend_cli.match.angles import Corners
-from shapeblend_cli.match.graph import Graph, Path
-from shapeblend_cli.match.tables import Window
-from shapeblend_cli.match.work import Wires
+from shapeblend_cli.matching import starts
+from shapeblend_cli.matching.angles import Corners
+from shapeblend_cli.matching.graph import Graph, Path
+from shapeblend_cli.matching.tables import Window
+from shapeblend_cli.matching.work import Wires
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.match import angles, coarse, graph
+from shapeblend_cli.matching import angles, coarse, graph
 from shapeblend_cli.model import Correspondence
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.match.work import Wires
+    from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import IntArray
 
     Dot = tuple[int, int]

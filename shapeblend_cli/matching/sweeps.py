@@ -29,7 +29,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.match import steps
+from shapeblend_cli.matching import steps
 
 try:
     import cython
@@ -37,7 +37,7 @@ except ImportError:  # Cython is needed to build, not to run
     from shapeblend_cli import _cython as cython
 
 if TYPE_CHECKING:
-    from shapeblend_cli.match.tables import Bounds, Progress, Tables, Terminals, Window
+    from shapeblend_cli.matching.tables import Bounds, Progress, Tables, Terminals, Window
 
 COMPILED = cython.compiled
 

@@ -38,7 +38,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.match import steps
+from shapeblend_cli.matching import steps
 
 try:
     import cython
@@ -51,7 +51,7 @@ else:
     from math import atan2, fabs, pow, sqrt
 
 if TYPE_CHECKING:
-    from shapeblend_cli.match.tables import Window
+    from shapeblend_cli.matching.tables import Window
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
 COMPILED = cython.compiled

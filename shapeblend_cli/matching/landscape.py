@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.match.steps import (
+from shapeblend_cli.matching.steps import (
     BEND_OF_STEPS,
     EAST,
     MIRRORED_BENDS,
@@ -23,12 +23,12 @@ from shapeblend_cli.match.steps import (
     STEPS,
     paired_step,
 )
-from shapeblend_cli.match.sweeps import cost_to_go
-from shapeblend_cli.match.tables import Tables, Terminals, Window
+from shapeblend_cli.matching.sweeps import cost_to_go
+from shapeblend_cli.matching.tables import Tables, Terminals, Window
 from shapeblend_cli.model import frozen
 
 if TYPE_CHECKING:
-    from shapeblend_cli.match.work import Wires
+    from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import FloatArray, IntArray, UIntArray
 
 

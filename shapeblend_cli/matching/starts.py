@@ -24,14 +24,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.match.graph import FIRST_SWEPT, ROUNDING, Graph, Path, Starts
-from shapeblend_cli.match.steps import ENTERING, SOUTHEAST, STEPS
-from shapeblend_cli.match.tables import Window
+from shapeblend_cli.matching.graph import FIRST_SWEPT, ROUNDING, Graph, Path, Starts
+from shapeblend_cli.matching.steps import ENTERING, SOUTHEAST, STEPS
+from shapeblend_cli.matching.tables import Window
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from shapeblend_cli.match.work import Wires
+    from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import FloatArray
 
 SLACKS = (0.02, 0.2)
