@@ -1,7 +1,5 @@
 """Shared settings and fixtures."""
 
-from __future__ import annotations
-
 import importlib.util
 import sys
 from pathlib import Path

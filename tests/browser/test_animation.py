@@ -69,12 +69,6 @@ def assert_alike(moving, still, number=None, most=0.004):
     assert (seen > 0.01, mean < most, share < 0.004) == (True, True, True), (seen, mean, share, number)
 
 
-@pytest.fixture
-def here(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
 COLOURS = (
     '<rect x="2" y="2" width="14" height="14" fill="#eeeeee"/>'
     '<circle cx="14" cy="14" r="7" fill="#8080c0" fill-opacity="0.5" stroke="#303030" stroke-width="2"/>'

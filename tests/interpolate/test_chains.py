@@ -18,6 +18,7 @@ from tests.support.contours import polygon_contour, polyline
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing
 from tests.support.motions import contour_blend, turned
 from tests.support.shapes import star_polygon
+from tests.support.strategies import rngs
 
 EVENODD = 'fill-rule="evenodd"'
 CIRCLE = "M22 12A10 10 0 1 0 2 12A10 10 0 1 0 22 12Z"
@@ -186,9 +187,8 @@ def test_an_outline_that_was_opened_for_a_line_does_not_go_on_closed():
     assert [(t.first, len(t.keys)) for t in found] == [(0, 2), (1, 2)]
 
 
-@given(st.integers(0, 10**9), st.lists(st.integers(3, 12), min_size=3, max_size=4), st.booleans())
-def test_any_polygons_in_any_direction(seed, counts, curves):
-    rng = np.random.default_rng(seed)
+@given(rngs, st.lists(st.integers(3, 12), min_size=3, max_size=4), st.booleans())
+def test_any_polygons_in_any_direction(rng, counts, curves):
     drawings = []
     for count in counts:
         z = star_polygon(rng, count) * 10

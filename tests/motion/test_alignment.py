@@ -6,8 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from shapeblend_cli.motion.alignment import PointPairs, align, residual
-
-seeds = st.integers(0, 10**9)
+from tests.support.strategies import rngs
 
 
 def matched(a, b, weight=None):
@@ -21,14 +20,13 @@ def random_points(rng, k=12):
 
 
 @given(
-    seeds,
+    rngs,
     st.floats(0.01, 100.0),
     st.floats(-3.1, 3.1),
     st.complex_numbers(max_magnitude=1e3),
     st.integers(2, 40),
 )
-def test_a_similarity_is_found_whatever_the_weights(seed, scale, turn, shift, k):
-    rng = np.random.default_rng(seed)
+def test_a_similarity_is_found_whatever_the_weights(rng, scale, turn, shift, k):
     a = random_points(rng, k)
     points = matched(a, scale * np.exp(1j * turn) * a + shift, 0.01 + rng.random(k))
     found = align(points)
@@ -41,9 +39,8 @@ def test_a_similarity_is_found_whatever_the_weights(seed, scale, turn, shift, k)
     np.testing.assert_allclose(found.undo(points.b), a - found.centre_a, atol=1e-6)
 
 
-@given(seeds)
-def test_no_similarity_leaves_less_but_for_its_scale(seed):
-    rng = np.random.default_rng(seed)
+@given(rngs)
+def test_no_similarity_leaves_less_but_for_its_scale(rng):
     points = matched(random_points(rng), random_points(rng))
     found = align(points)
     for change in (
@@ -55,9 +52,8 @@ def test_no_similarity_leaves_less_but_for_its_scale(seed):
         assert residual(points, found) < residual(points, change)
 
 
-@given(seeds)
-def test_from_b_to_a_it_is_the_inverse(seed):
-    rng = np.random.default_rng(seed)
+@given(rngs)
+def test_from_b_to_a_it_is_the_inverse(rng):
     points = matched(random_points(rng), random_points(rng), rng.random(12))
     there, back = align(points), align(points._replace(a=points.b, b=points.a))
     assert back.rotation == pytest.approx(-there.rotation)

@@ -16,9 +16,9 @@ from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support.motions import contour_blend
 from tests.support.shapes import random_polygon, star_polygon
+from tests.support.strategies import rngs
 
 TIMES = (0.1, 0.25, 0.5, 0.75, 0.9)
-seeds = st.integers(0, 10**9)
 counts = st.integers(3, 24)
 
 
@@ -103,9 +103,8 @@ def test_samples_start_and_end_as_drawn_and_stay_closed(samples, names):
                 np.testing.assert_allclose(lines, thirds, atol=1e-9)
 
 
-@given(seeds, counts, st.floats(-3.0, 3.0), st.floats(0.1, 10.0), st.complex_numbers(max_magnitude=20))
-def test_a_shape_and_the_same_turned_scaled_and_moved_have_it_between_them(seed, m, turn, scale, shift):
-    rng = np.random.default_rng(seed)
+@given(rngs, counts, st.floats(-3.0, 3.0), st.floats(0.1, 10.0), st.complex_numbers(max_magnitude=20))
+def test_a_shape_and_the_same_turned_scaled_and_moved_have_it_between_them(rng, m, turn, scale, shift):
     a = smooth_contour(rng, m)
     contour = outlines(a, scale * np.exp(1j * turn) * a + shift)
     centre, centre_b = contour.start.segments.mean(), contour.end.segments.mean()
@@ -114,9 +113,8 @@ def test_a_shape_and_the_same_turned_scaled_and_moved_have_it_between_them(seed,
         np.testing.assert_allclose(at(contour, t), expected, atol=1e-9 * (1.0 + abs(shift) + scale))
 
 
-@given(seeds, st.integers(4, 16), st.sampled_from(["plain", "handles", "points"]))
-def test_what_is_smooth_in_both_drawings_stays_smooth(seed, m, kind):
-    rng = np.random.default_rng(seed)
+@given(rngs, st.integers(4, 16), st.sampled_from(["plain", "handles", "points"]))
+def test_what_is_smooth_in_both_drawings_stays_smooth(rng, m, kind):
     a, b = smooth_contour(rng, m), smooth_contour(rng, m)
     if kind == "handles":  # some without length: the next control point gives the tangent
         for segments in (a, b):
@@ -200,9 +198,8 @@ def test_figure_28_the_dancers_arm_does_not_wither(samples):
     assert max(reach(shape, t) for t in TIMES) < 1.02 * max(ends)
 
 
-@given(seeds, counts, st.integers(0, 8))
-def test_any_outlines_with_vertices_that_wait_move_continuously(seed, m, more):
-    rng = np.random.default_rng(seed)
+@given(rngs, counts, st.integers(0, 8))
+def test_any_outlines_with_vertices_that_wait_move_continuously(rng, m, more):
     a, b = (with_repeats(rng, star_polygon(rng, m), more) for _ in range(2))
     contour = polygons(a, b)
     moved = motion(contour)
@@ -215,10 +212,9 @@ def test_any_outlines_with_vertices_that_wait_move_continuously(seed, m, more):
     assert abs(np.diff(every, axis=0)).max() < 0.1
 
 
-@given(seeds, counts, st.booleans(), st.integers(0, 4))
-def test_nothing_is_not_a_number_and_the_ends_are_reached(seed, m, closed, more):
+@given(rngs, counts, st.booleans(), st.integers(0, 4))
+def test_nothing_is_not_a_number_and_the_ends_are_reached(rng, m, closed, more):
     # Any points, so outlines cross themselves and go round anyhow.
-    rng = np.random.default_rng(seed)
     a, b = (with_repeats(rng, random_polygon(rng, m), more) for _ in range(2))
     contour = polygons(a, b, closed)
     for t in (1e-9, *TIMES, 1 - 1e-9):
@@ -227,9 +223,8 @@ def test_nothing_is_not_a_number_and_the_ends_are_reached(seed, m, closed, more)
     assert abs(at(contour, 1 - 1e-7) - contour.end.segments).max() < 1e-4
 
 
-@given(seeds, counts, st.floats(-3.0, 3.0), st.floats(0.1, 10.0), st.complex_numbers(max_magnitude=20))
-def test_moving_scaling_and_turning_both_drawings_does_so_to_what_is_between(seed, m, turn, scale, shift):
-    rng = np.random.default_rng(seed)
+@given(rngs, counts, st.floats(-3.0, 3.0), st.floats(0.1, 10.0), st.complex_numbers(max_magnitude=20))
+def test_moving_scaling_and_turning_both_drawings_does_so_to_what_is_between(rng, m, turn, scale, shift):
     a, b = smooth_contour(rng, m), smooth_contour(rng, m)
     factor = scale * np.exp(1j * turn)
     for t in TIMES:
@@ -238,9 +233,8 @@ def test_moving_scaling_and_turning_both_drawings_does_so_to_what_is_between(see
         np.testing.assert_allclose(found, expected, atol=1e-6 * scale)
 
 
-@given(seeds, counts)
-def test_backwards_in_time_it_is_the_same(seed, m):
-    rng = np.random.default_rng(seed)
+@given(rngs, counts)
+def test_backwards_in_time_it_is_the_same(rng, m):
     a, b = smooth_contour(rng, m), 3.0 * smooth_contour(rng, m)
     for t in TIMES:
         np.testing.assert_allclose(at(outlines(b, a), 1.0 - t), at(outlines(a, b), t), atol=1e-6)

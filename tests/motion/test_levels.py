@@ -13,6 +13,7 @@ from shapeblend_cli.motion.levels import TIMES, smoothing_levels
 from tests.support.contours import circle_contour
 from tests.support.motions import outline
 from tests.support.shapes import arm, bar, comb, random_polygon, spiral, star_polygon
+from tests.support.strategies import rngs
 
 BY_HAND = {
     "spiral": spiral(2.0),
@@ -62,9 +63,9 @@ def test_at_every_level_the_area_is_kept(name):
 
 
 @settings(max_examples=25)
-@given(st.integers(0, 10**9), st.integers(20, 60), st.floats(0.0, 0.9))
-def test_any_simple_outline_becomes_round(seed, m, roughness):
-    z = star_polygon(np.random.default_rng(seed), m, roughness)
+@given(rngs, st.integers(20, 60), st.floats(0.0, 0.9))
+def test_any_simple_outline_becomes_round(rng, m, roughness):
+    z = star_polygon(rng, m, roughness)
     levels = alone(z)
     assert len(levels) == len(TIMES) + 1
     assert roundness(levels[-1][:, 0]) > 0.985
@@ -191,9 +192,9 @@ def test_whatever_it_is_it_is_finite(name, closed):
 
 
 @settings(max_examples=30)
-@given(st.integers(0, 10**9), st.integers(2, 12), st.booleans(), st.booleans())
-def test_any_points_give_something_finite(seed, m, closed, on_a_grid):
-    z = random_polygon(np.random.default_rng(seed), max(m, 3))
+@given(rngs, st.integers(2, 12), st.booleans(), st.booleans())
+def test_any_points_give_something_finite(rng, m, closed, on_a_grid):
+    z = random_polygon(rng, max(m, 3))
     if on_a_grid:
         z = np.round(2.0 * z)
     assert all(np.isfinite(level).all() for level in alone(z, closed))

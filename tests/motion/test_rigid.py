@@ -15,6 +15,7 @@ from tests.support import drawings
 from tests.support.contours import drawing, polygon_contour
 from tests.support.motions import moving_polygons, reasons, similarity_of
 from tests.support.shapes import regular_polygon, star_polygon, star_with
+from tests.support.strategies import rngs
 
 TIMES = (0.1, 0.25, 0.5, 0.75, 0.9)
 ANGLES = (10, 90, -90, 170, 180)
@@ -100,11 +101,9 @@ def test_polygons_only_move_too(samples, name):
 
 
 @settings(max_examples=10, phases=[Phase.explicit, Phase.generate])
-@given(
-    st.integers(0, 10**9), st.integers(8, 20), st.floats(5.0, 175.0), st.floats(0.2, 5.0), st.integers(0, 19)
-)
-def test_any_star_turned_only_moves(seed, m, degrees, scale, start):
-    a = drawing(polygon_contour(star_with(np.random.default_rng(seed), m)))
+@given(rngs, st.integers(8, 20), st.floats(5.0, 175.0), st.floats(0.2, 5.0), st.integers(0, 19))
+def test_any_star_turned_only_moves(rng, m, degrees, scale, start):
+    a = drawing(polygon_contour(star_with(rng, m)))
     b = placed(a, scale * np.exp(1j * np.radians(degrees)), 3.0, start % m)
     assert_only_moves(pair_of(a, b), degrees, scale)
 
@@ -151,9 +150,8 @@ def test_what_is_not_moved_goes_straight():
     )
 
 
-@given(st.integers(0, 10**9), st.integers(3, 20))
-def test_between_unlike_outlines_it_starts_and_ends_as_they_are(seed, m):
-    rng = np.random.default_rng(seed)
+@given(rngs, st.integers(3, 20))
+def test_between_unlike_outlines_it_starts_and_ends_as_they_are(rng, m):
     shape = moving_polygons((star_polygon(rng, m), 3.0 * star_polygon(rng, m) + 2j))
     shape = shape._replace(motion=Rigid(similarity_of(shape)))
     for t, side in ((0.0, "start"), (1.0, "end")):
@@ -163,9 +161,8 @@ def test_between_unlike_outlines_it_starts_and_ends_as_they_are(seed, m):
         np.testing.assert_allclose(near, drawn, atol=1e-5)
 
 
-@given(st.integers(0, 10**9), st.integers(3, 20))
-def test_backwards_in_time_it_is_the_same(seed, m):
-    rng = np.random.default_rng(seed)
+@given(rngs, st.integers(3, 20))
+def test_backwards_in_time_it_is_the_same(rng, m):
     a, b = star_polygon(rng, m), 3.0 * star_polygon(rng, m)
     there, back = (moving_polygons(pair) for pair in ((a, b), (b, a)))
     there, back = (shape._replace(motion=Rigid(similarity_of(shape))) for shape in (there, back))

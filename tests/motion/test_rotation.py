@@ -9,8 +9,7 @@ from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.motion.rotation import rotation_between
 from tests.support.contours import circle_contour, polygon
 from tests.support.shapes import arm, comb, regular_polygon, spiral, star_polygon, star_with
-
-seeds = st.integers(0, 10**9)
+from tests.support.strategies import rngs
 
 
 def finer(z, rng):
@@ -22,10 +21,9 @@ def finer(z, rng):
 
 @settings(max_examples=30, phases=[Phase.explicit, Phase.generate])
 @given(
-    seeds, st.integers(1, 5), st.floats(4.0, 178.0), st.booleans(), st.floats(0.01, 50.0), st.integers(0, 29)
+    rngs, st.integers(1, 5), st.floats(4.0, 178.0), st.booleans(), st.floats(0.01, 50.0), st.integers(0, 29)
 )
-def test_a_known_turn_is_found_from_any_start(seed, m, degrees, negative, scale, start):
-    rng = np.random.default_rng(seed)
+def test_a_known_turn_is_found_from_any_start(rng, m, degrees, negative, scale, start):
     degrees = -degrees if negative else degrees
     a = arm(*rng.uniform(-70.0, 70.0, m).cumsum())
     b = np.roll(finer(a, rng), start) * scale * np.exp(1j * np.radians(degrees)) + 7.0
@@ -63,9 +61,8 @@ def test_a_circle_is_not_turned(degrees):
     assert rotation_between(one, other) is None
 
 
-@given(seeds, st.integers(5, 20))
-def test_unlike_outlines_are_not(seed, m):
-    rng = np.random.default_rng(seed)
+@given(rngs, st.integers(5, 20))
+def test_unlike_outlines_are_not(rng, m):
     a = star_with(rng, m, teeth=3)
     assert rotation_between(polygon(a), polygon(arm(20, 60, 120))) is None
 

@@ -18,6 +18,7 @@ from tests.conftest import SAMPLES
 from tests.support.contours import circle_contour
 from tests.support.motions import moving_polygons, outline, similarity_of
 from tests.support.shapes import arm, bar, comb, spiral, star_polygon
+from tests.support.strategies import rngs
 
 TIMES = np.linspace(0.0, 1.0, 52)[1:-1]
 
@@ -61,9 +62,8 @@ def test_where_straight_paths_cross_it_does_not(name):
 
 
 @settings(max_examples=15)
-@given(st.integers(0, 10**9), st.integers(4, 40), st.floats(0.2, 0.9))
-def test_any_two_simple_outlines_have_a_way(seed, m, roughness):
-    rng = np.random.default_rng(seed)
+@given(rngs, st.integers(4, 40), st.floats(0.2, 0.9))
+def test_any_two_simple_outlines_have_a_way(rng, m, roughness):
     a, b = (star_polygon(rng, m, roughness) for _ in range(2))
     assert crossed(made_safe(moving_polygons((a, np.roll(b, rng.integers(0, m)))))) == 0
 

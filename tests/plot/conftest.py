@@ -1,7 +1,5 @@
 """What plots are made of, and ways to read them."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 from xml.etree import ElementTree

@@ -13,8 +13,8 @@ from shapeblend_cli.settings import Settings
 from tests.support.contours import circle_contour, drawing, polygon_contour
 from tests.support.shapes import random_polygon, regular_polygon, star_polygon
 from tests.support.solver import find_least
+from tests.support.strategies import rngs, seeds
 
-seeds = st.integers(0, 10**9)
 counts = st.integers(3, 30)
 constants = st.builds(
     WorkConstants,
@@ -62,17 +62,15 @@ def test_a_shape_reversed_costs_nothing(seed, m):
     assert pair.contours[0].correspondence.work < 1e-7
 
 
-@given(seeds, counts, counts, st.booleans(), constants)
-def test_swapping_keeps_the_work(seed, m, n, closed, constants):
-    rng = np.random.default_rng(seed)
+@given(rngs, counts, counts, st.booleans(), constants)
+def test_swapping_keeps_the_work(rng, m, n, closed, constants):
     p0, p1 = random_polygon(rng, m), random_polygon(rng, n)
     there, back = find_least(p0, p1, closed, constants), find_least(p1, p0, closed, constants)
     assert there.work == pytest.approx(back.work, rel=1e-9, abs=1e-9)
 
 
-@given(seeds, counts, counts, constants)
-def test_reversing_or_mirroring_both_keeps_the_work(seed, m, n, constants):
-    rng = np.random.default_rng(seed)
+@given(rngs, counts, counts, constants)
+def test_reversing_or_mirroring_both_keeps_the_work(rng, m, n, constants):
     p0, p1 = random_polygon(rng, m), random_polygon(rng, n)
     work = find_least(p0, p1, True, constants).work
     assert find_least(p0[::-1], p1[::-1], True, constants).work == pytest.approx(work, rel=1e-9, abs=1e-9)
@@ -126,9 +124,8 @@ def test_frames_at_both_ends_are_the_drawings(seed, m, n, curves):
         )
 
 
-@given(seeds, counts)
-def test_curves_and_lines_of_any_mixture_blend(seed, count):
-    rng = np.random.default_rng(seed)
+@given(rngs, counts)
+def test_curves_and_lines_of_any_mixture_blend(rng, count):
     nodes = rng.random(count) + 1j * rng.random(count)
     inner = rng.random((count, 2)) + 1j * rng.random((count, 2))
     segments = np.column_stack([nodes, inner, np.roll(nodes, -1)])

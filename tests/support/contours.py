@@ -1,7 +1,5 @@
 """Contours to test with."""
 
-from __future__ import annotations
-
 import numpy as np
 import shapely
 

@@ -1,7 +1,5 @@
 """Pairs that move otherwise than straight."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -5,8 +5,6 @@ really placing them along a tiny base, and least paths by trying every path from
 run of coincident vertices the motion is not sampled: there section 2.2 is read as the pieces Q0 - Q1 - Q2.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

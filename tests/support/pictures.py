@@ -1,7 +1,5 @@
 """SVG documents as pixels."""
 
-from __future__ import annotations
-
 import io
 
 import numpy as np

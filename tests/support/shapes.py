@@ -1,7 +1,5 @@
 """Polygons to test with, as complex vertices."""
 
-from __future__ import annotations
-
 import numpy as np
 
 

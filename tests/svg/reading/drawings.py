@@ -1,7 +1,5 @@
 """Drawings written out in the tests, and what is asked of them."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

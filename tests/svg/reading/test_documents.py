@@ -1,7 +1,5 @@
 """Documents: encodings, namespaces, entities, and files that are something else."""
 
-from __future__ import annotations
-
 import gzip
 import re
 

@@ -1,7 +1,5 @@
 """Files made to break a reader: each is refused, or read without harm, in little time."""
 
-from __future__ import annotations
-
 import gzip
 import io
 

@@ -1,7 +1,5 @@
 """Broken path data and points: refused, or drawn up to the error as browsers do."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

@@ -1,7 +1,5 @@
 """What is painted, in which style, and in which order."""
 
-from __future__ import annotations
-
 import pytest
 
 from shapeblend_cli.model import Stop

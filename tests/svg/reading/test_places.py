@@ -1,7 +1,5 @@
 """Where shapes end up: sizes, units, transforms, viewports, use. The boxes are Chromium's."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Real files of several editors and icon sets, against Chromium."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

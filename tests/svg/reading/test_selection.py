@@ -1,7 +1,5 @@
 """Which shapes a selector takes out of a drawing, and what is said when it takes none."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

@@ -1,7 +1,5 @@
 """Lengths, colours and transforms by themselves."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given
