@@ -137,10 +137,11 @@ $(VENV)/.installed: $(VENV)/.created pyproject.toml
 	@SHAPEBLEND_PURE=1 $(BIN)/python -m pip install --quiet --editable '.[dev]'
 	@touch $@
 
-# A binary beside its source hides it, so an old one goes before anything else can fail. The stamp is set only when
-# all binaries are there: after installing a compiler, `make` tries again.
+# A binary beside its source hides it, so all old ones go before anything else can fail, also those of modules that are
+# compiled no longer. The stamp is set only when all are there: after installing a compiler, `make` tries again.
 $(VENV)/.compiled: $(VENV)/.installed setup.py $(KERNEL_SOURCES)
-	@rm -f $@ $(KERNELS:.py=.*.so)
+	@rm -f $@
+	@find shapeblend_cli -name "*.so" -exec rm -f {} +
 	@$(BIN)/python setup.py --quiet build_ext --inplace
 	@for kernel in $(KERNELS:.py=); do \
 	    ls $$kernel.*.so >/dev/null 2>&1 && continue; \
