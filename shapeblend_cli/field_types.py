@@ -1,4 +1,4 @@
-"""The types of fields: how a value is typed, checked, and written as JSON.
+"""The types of fields: how a value is typed, and what it must be.
 
 Errors are phrased so that the name of a field or of an option goes before them: "must be 0 or more, not -3".
 """
@@ -19,10 +19,6 @@ class Unfit(ValueError):
     """Says what a value must be and what it is, where `FieldType.expected` would not say it well."""
 
 
-def _unchanged(value: Any) -> Any:
-    return value
-
-
 class FieldType(NamedTuple):
     """A type of fields.
 
@@ -31,13 +27,11 @@ class FieldType(NamedTuple):
     expected : str
         What a value must be, for errors.
     canonical : callable
-        Returns a value of Python in the one form it is kept in, or raises ValueError or TypeError.
+        Returns a value in the one form it is kept in, or raises ValueError or TypeError.
     metavar : str
         How help shows a value.
     split : callable
-        Returns a typed text as a value of Python.
-    plain : callable
-        Returns a canonical value as JSON has it.
+        Turns what is typed into a value for `canonical`.
     choices : tuple of str
         All values, if they are a few words.
     is_file : bool
@@ -47,21 +41,20 @@ class FieldType(NamedTuple):
     expected: str
     canonical: Callable[[Any], Any]
     metavar: str
-    split: Callable[[str], Any] = _unchanged
-    plain: Callable[[Any], Any] = _unchanged
+    split: Callable[[str], Any] = str
     choices: tuple[str, ...] = ()
     is_file: bool = False
 
     def check(self, value: Any) -> Any:
         """Return a value in its canonical form, or raise ValueError."""
-        return self._tried(self.canonical, value, repr(value))
+        return self._try(self.canonical, value, repr(value))
 
     def parse(self, text: str) -> Any:
-        """Return a typed text as a canonical value, or raise ValueError."""
+        """Return the value that a typed text stands for, or raise ValueError."""
         shown = text if self.split in (int, float) else repr(text)
-        return self._tried(lambda typed: self.canonical(self.split(typed)), text, shown)
+        return self._try(lambda typed: self.canonical(self.split(typed)), text, shown)
 
-    def _tried(self, read: Callable[[Any], Any], value: Any, shown: str) -> Any:
+    def _try(self, read: Callable[[Any], Any], value: Any, shown: str) -> Any:
         try:
             return read(value)
         except Unfit as error:
@@ -72,33 +65,18 @@ class FieldType(NamedTuple):
 
 def choice(*words: str) -> FieldType:
     """One of a few words."""
-
-    def canonical(value: Any) -> Any:
-        if value not in words:
-            raise ValueError
-        return value
-
-    return FieldType(
-        f"{', '.join(words[:-1])} or {words[-1]}", canonical, f"[{'|'.join(words)}]", choices=words
-    )
+    expected = f"{', '.join(words[:-1])} or {words[-1]}"
+    return FieldType(expected, lambda value: words[words.index(value)], f"[{'|'.join(words)}]", choices=words)
 
 
 def number(low: float, high: float = math.inf, *, above: bool = False) -> FieldType:
     """A finite number within limits; with `above`, greater than the lower one."""
-
-    def canonical(value: Any) -> float:
-        return _within(_finite(value), low, high, above)
-
-    return FieldType("a number", canonical, "X", float)
+    return FieldType("a number", lambda value: _within(_finite(value), low, high, above), "X", float)
 
 
 def whole(low: int, high: float = math.inf) -> FieldType:
     """A whole number within limits."""
-
-    def canonical(value: Any) -> int:
-        return _within(_integer(value), low, high, False)
-
-    return FieldType("a whole number", canonical, "N", int)
+    return FieldType("a whole number", lambda value: _within(_integer(value), low, high), "N", int)
 
 
 def file(*suffixes: str) -> FieldType:
@@ -129,7 +107,7 @@ def _selector(value: Any) -> Any:
 
 
 def _start(value: Any) -> tuple[int, int] | None:
-    if value is None:
+    if value == "auto":
         return None
     i, j = map(_integer, value)
     if min(i, j) < 0:
@@ -137,25 +115,9 @@ def _start(value: Any) -> tuple[int, int] | None:
     return i, j
 
 
-def _split_start(text: str) -> Any:
-    return None if text == "auto" else _integers(text)
-
-
-def _plain_start(value: Any) -> Any:
-    return list(value) if value else "auto"
-
-
 def _pin(value: Any) -> Any:
     a, b = value
     return _start(value) if hasattr(a, "__index__") else (_point(a), _point(b))
-
-
-def _split_pin(text: str) -> Any:
-    return [_floats(side) for side in text.split(":")] if ":" in text else _integers(text)
-
-
-def _plain_pin(value: Any) -> Any:
-    return [side if isinstance(side, int) else [side.real, side.imag] for side in value]
 
 
 def _stiff(value: Any) -> tuple[complex, float, float]:
@@ -171,11 +133,6 @@ def _split_stiff(text: str) -> Any:
     return (x, y), radius, float(weight)
 
 
-def _plain_stiff(value: Any) -> Any:
-    point, radius, weight = value
-    return [[point.real, point.imag], radius, weight]
-
-
 def _match(value: Any) -> tuple[str, str]:
     a, b = (str(side).strip() for side in value)
     if not (a and b):
@@ -189,10 +146,6 @@ def _band(value: Any) -> float | None:
     if not 0.0 <= _finite(value) <= 1.0:
         raise ValueError
     return float(value)
-
-
-def _ease(value: Any) -> easing.Ease:
-    return value if isinstance(value, easing.Ease) else easing.parse(str(value))
 
 
 MOST_RUNS = 1_000_000
@@ -218,41 +171,6 @@ def _colour(value: Any) -> str:
     return colour.rgb
 
 
-FLAG = FieldType("True or False", _flag, "")
-SELECTOR = FieldType("", _selector, "SEL")
-START = FieldType("auto, or two vertex numbers such as 0,3", _start, "auto|I,J", _split_start, _plain_start)
-PIN = FieldType(
-    "two vertex numbers such as 0,3, or two points such as 1.5,2:3,4",
-    _pin,
-    "I,J|x,y:x,y",
-    _split_pin,
-    _plain_pin,
-)
-STIFF = FieldType("of the form x,y,r=W, such as 10,20,5=3", _stiff, "x,y,r=W", _split_stiff, _plain_stiff)
-MATCH = FieldType(
-    "of the form A=B, such as 0=1 or left=right", _match, "A=B", lambda text: text.split("=", 1), list
-)
-BAND = FieldType(
-    "none, or a number between 0 and 1",
-    _band,
-    "DD|none",
-    lambda text: text if text == "none" else float(text),
-)
-EASE = FieldType(
-    f"{', '.join(easing.NAMES)}, or cubic-bezier(x1,y1,x2,y2) of numbers between 0 and 1",
-    _ease,
-    "NAME",
-    plain=str,
-)
-REPEAT = FieldType(
-    f"forever, pingpong, or a number from 1 to {MOST_RUNS}",
-    _repeat,
-    "N|forever|pingpong",
-    lambda text: int(text) if text.isdecimal() else text,
-)
-COLOUR = FieldType("transparent, or an opaque CSS colour such as white or #f4f4f0", _colour, "COLOUR")
-
-
 def _finite(value: Any) -> float:
     if isinstance(value, str) or not math.isfinite(value):
         raise TypeError
@@ -265,15 +183,7 @@ def _integer(value: Any) -> int:
     return index(value)
 
 
-def _integers(text: str) -> list[int]:
-    return [int(part) for part in text.split(",")]
-
-
-def _floats(text: str) -> list[float]:
-    return [float(part) for part in text.split(",")]
-
-
-def _within(number: Any, low: float, high: float, above: bool) -> Any:
+def _within(number: Any, low: float, high: float, above: bool = False) -> Any:
     if number < low or (above and number == low):
         raise Unfit(f"{f'greater than {low:g}' if above else f'{low:g} or more'}, not {number:g}")
     if number > high:
@@ -285,3 +195,49 @@ def _point(value: Any) -> complex:
     """A complex number, or two numbers."""
     x, y = (value.real, value.imag) if isinstance(value, complex) else value
     return complex(_finite(x), _finite(y))
+
+
+def _integers(text: str) -> list[int]:
+    return [int(part) for part in text.split(",")]
+
+
+def _floats(text: str) -> list[float]:
+    return [float(part) for part in text.split(",")]
+
+
+FLAG = FieldType("True or False", _flag, "")
+SELECTOR = FieldType("", _selector, "SEL")
+START = FieldType(
+    "auto, or two vertex numbers such as 0,3",
+    _start,
+    "auto|I,J",
+    lambda text: text if text == "auto" else _integers(text),
+)
+PIN = FieldType(
+    "two vertex numbers such as 0,3, or two points such as 1.5,2:3,4",
+    _pin,
+    "I,J|x,y:x,y",
+    lambda text: [_floats(side) for side in text.split(":")] if ":" in text else _integers(text),
+)
+STIFF = FieldType("of the form x,y,r=W, such as 10,20,5=3", _stiff, "x,y,r=W", _split_stiff)
+MATCH = FieldType(
+    "of the form A=B, such as 0=1 or left=right", _match, "A=B", lambda text: text.split("=", 1)
+)
+BAND = FieldType(
+    "none, or a number between 0 and 1",
+    _band,
+    "DD|none",
+    lambda text: text if text == "none" else float(text),
+)
+EASE = FieldType(
+    f"{', '.join(easing.NAMES)}, or cubic-bezier(x1,y1,x2,y2) of numbers between 0 and 1",
+    lambda value: value if isinstance(value, easing.Ease) else easing.parse(str(value)),
+    "NAME",
+)
+REPEAT = FieldType(
+    f"forever, pingpong, or a number from 1 to {MOST_RUNS}",
+    _repeat,
+    "N|forever|pingpong",
+    lambda text: int(text) if text.isdecimal() else text,
+)
+COLOUR = FieldType("transparent, or an opaque CSS colour such as white or #f4f4f0", _colour, "COLOUR")

@@ -89,10 +89,6 @@ class Option(NamedTuple):
         except ValueError as error:
             raise ValueError(f"{self.name} {error}") from None
 
-    def plain(self, value: Any) -> Any:
-        """Return a value of the field as JSON has it."""
-        return [self.kind.plain(one) for one in value] if self.many else self.kind.plain(value)
-
 
 def option(kind: FieldType, *, default: Any, help: str, **more: Any) -> Any:
     """Declare a field of a `Record`; see `Option`."""
@@ -136,10 +132,6 @@ class Record:
     def replace(self, **changes: Any) -> Self:
         """Return a record with other values in some fields; None stands for the default."""
         return type(self)(**self._given | changes)
-
-    def plain(self) -> dict[str, Any]:
-        """Return all values as JSON has them, by their names in the report."""
-        return {option.key: option.plain(getattr(self, name)) for name, option in self.options.items()}
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"{type(self).__name__} is frozen; replace({name}=...) makes a changed copy")

@@ -255,5 +255,15 @@ REPORTED = (
 
 def report_settings(*records: Record) -> dict[str, Any]:
     """Return the values of records as the report lists them."""
-    values = {key: value for record in records for key, value in record.plain().items()}
+    values = {o.key: _plain(getattr(record, o.name)) for record in records for o in record.options.values()}
+    values["start"] = values["start"] or "auto"
     return {key: values[key] for key in (*REPORTED.split(), *values) if key in values}
+
+
+def _plain(value: Any) -> Any:
+    """Return a value as JSON has it."""
+    if isinstance(value, complex):
+        return [value.real, value.imag]
+    if isinstance(value, tuple):
+        return str(value) if isinstance(value, Ease) else [_plain(one) for one in value]
+    return value
