@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.measure import Measures
     from shapeblend_cli.model import Pair
     from shapeblend_cli.outputs.formats import OutputSpec
-    from shapeblend_cli.settings import ReadOptions, RunOptions, Settings
+    from shapeblend_cli.settings import ReadOptions, Settings, WriteOptions
 
 SLOW = (
     "the solver was installed without a C compiler and runs uncompiled, far slower; "
@@ -42,7 +42,7 @@ class Job(NamedTuple):
         Two or more. One of them may be ``-``, standard input.
     read : ReadOptions
     output : OutputSpec
-    run : RunOptions
+    write : WriteOptions
     reported : dict
         Every option's value in force, for the report.
     command : tuple of str
@@ -52,7 +52,7 @@ class Job(NamedTuple):
     files: tuple[str, ...]
     read: ReadOptions
     output: OutputSpec
-    run: RunOptions
+    write: WriteOptions
     reported: dict[str, Any]
     command: tuple[str, ...]
 
@@ -100,7 +100,7 @@ def blend_files(job: Job, note: Callable[[str], None], progress: Callable[[float
     with _named(output.path):
         output.format.check_libraries()
     check_targets(
-        _all_targets(job), [Path(file) for file in job.files if file != STANDARD_INPUT], job.run.force
+        _all_targets(job), [Path(file) for file in job.files if file != STANDARD_INPUT], job.write.force
     )
 
     pairs = match_files(job.files, job.read, settings, clock, note_and_keep, progress)
@@ -112,20 +112,20 @@ def blend_files(job: Job, note: Callable[[str], None], progress: Callable[[float
         note_and_keep(text)
     contents = dict(zip(map(Path, output.files()), rendered.contents, strict=False))
     standard_output = rendered.contents[0] if output.path == STANDARD_OUTPUT else ""
-    if job.run.report or job.run.preview:
+    if job.write.report or job.write.preview:
         found = report(
             __version__, job.files, job.reported, pairs, run.measures, output.frame_files(), clock.seconds
         )
-        if job.run.report:
+        if job.write.report:
             import json  # most runs write no report
 
             text = json.dumps(found, allow_nan=False) + "\n"
-            if job.run.report == STANDARD_OUTPUT:
+            if job.write.report == STANDARD_OUTPUT:
                 standard_output = text
             else:
-                contents[Path(job.run.report)] = text
-        if job.run.preview:
-            contents[Path(job.run.preview)] = _preview(job, found, pairs, notes)
+                contents[Path(job.write.report)] = text
+        if job.write.preview:
+            contents[Path(job.write.preview)] = _preview(job, found, pairs, notes)
             clock.lap("preview")
     write_files(contents)
     print_text(standard_output)
@@ -188,7 +188,7 @@ def _preview(job: Job, found: dict[str, Any], pairs: Sequence[Pair], notes: Sequ
 
 def _all_targets(job: Job) -> list[Path]:
     """Return every file that the job will write."""
-    names = [*job.output.files(), job.run.report, job.run.preview]
+    names = [*job.output.files(), job.write.report, job.write.preview]
     targets = [Path(name) for name in names if name and name != STANDARD_OUTPUT]
     twice = [target for k, target in enumerate(targets) if target in targets[:k]]
     if twice:

@@ -189,7 +189,7 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         return WorkConstants.of(vars(self))
 
 
-class RunOptions(Record, section=OUTPUT):
+class WriteOptions(Record, section=OUTPUT):
     """Which files a run writes."""
 
     force: bool = option(FLAG, default=False, flags=("-f", "--force"), help="Replace existing files.")

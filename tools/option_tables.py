@@ -10,9 +10,9 @@ from shapeblend_cli.settings import (
     SECTIONS,
     PlotOptions,
     ReadOptions,
-    RunOptions,
     Settings,
     TerminalOptions,
+    WriteOptions,
 )
 from tools.quality.data import ROOT
 from tools.quality.tables import Table, with_figures
@@ -24,7 +24,7 @@ README = ROOT / "README.md"
 
 BEGIN, END = "<!-- options: written by make options -->", "<!-- end of options -->"
 
-RECORDS = (ReadOptions, Settings, OutputOptions, RunOptions, TerminalOptions, PlotOptions)
+RECORDS = (ReadOptions, Settings, OutputOptions, WriteOptions, TerminalOptions, PlotOptions)
 
 
 def tables() -> str:

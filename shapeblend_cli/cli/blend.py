@@ -11,7 +11,7 @@ from shapeblend_cli.cli.options import options_of
 from shapeblend_cli.cli.terminal import Terminal, details
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.outputs.options import OutputOptions, specify
-from shapeblend_cli.settings import ReadOptions, RunOptions, Settings, TerminalOptions, report_settings
+from shapeblend_cli.settings import ReadOptions, Settings, TerminalOptions, WriteOptions, report_settings
 
 if TYPE_CHECKING:
     from shapeblend_cli.files import Job
@@ -32,7 +32,7 @@ ABOUT_TWO_FILES = ("start", "pins", "match", "stiff")
 @click.command(
     cls=SectionedCommand,
     examples=EXAMPLES,
-    params=options_of(ReadOptions, Settings, OutputOptions, RunOptions, TerminalOptions),
+    params=options_of(ReadOptions, Settings, OutputOptions, WriteOptions, TerminalOptions),
 )
 @click.argument("files", type=click.Path(), nargs=-1, required=True, metavar="A.svg B.svg [C.svg ...]")
 def blend(files: tuple[str, ...], **given: Any) -> None:
@@ -71,11 +71,11 @@ def check_files(files: tuple[str, ...], settings: Settings) -> None:
 
 def _job(files: tuple[str, ...], given: dict[str, Any]) -> Job:
     """Make a job of files and options, or raise an error if they do not go together."""
-    read, settings, run = ReadOptions.of(given), Settings.of(given), RunOptions.of(given)
+    read, settings, write = ReadOptions.of(given), Settings.of(given), WriteOptions.of(given)
     options = OutputOptions.of(given)
     check_files(files, settings)
     output = specify(options, settings, len(files))
-    if output.path == run.report == STANDARD_OUTPUT:
+    if output.path == write.report == STANDARD_OUTPUT:
         raise click.UsageError("--output and --report cannot both be standard output")
 
     from shapeblend_cli.files import Job
@@ -84,7 +84,7 @@ def _job(files: tuple[str, ...], given: dict[str, Any]) -> Job:
         files,
         read,
         output,
-        run,
-        reported=report_settings(read, output.settings, options.replace(**output.decided()), run),
+        write,
+        reported=report_settings(read, output.settings, options.replace(**output.decided()), write),
         command=("shapeblend", *click.get_current_context().meta[TYPED]),
     )
