@@ -23,7 +23,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser docs-check lint type fmt golden fuzz bench bench-quality bench-truth sweep worst pictures gallery plots options tables install clean
+.PHONY: help demo test test-browser docs-check lint type fmt golden fuzz bench bench-quality bench-truth sweep worst pictures gallery plots options api tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -81,6 +81,9 @@ gallery: install ## draw pairs beside flubber for docs/gallery.md; needs node an
 
 plots: install ## draw the plots of docs/plots.md
 	$(BIN)/python tools/plots.py
+
+api: install ## write the reference of the Python API, docs/api.md
+	$(BIN)/python -m tools.api_reference
 
 options: install ## write the tables of options in the README
 	$(BIN)/python -m tools.option_tables

@@ -8,7 +8,6 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from shapeblend_cli import __version__
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
 from shapeblend_cli.matching.solve import COMPILED
@@ -18,6 +17,7 @@ from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.pipeline import make_frames, match_all, times_of_frames
 from shapeblend_cli.report import report
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, read
+from shapeblend_cli.version import __version__
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence

@@ -316,6 +316,11 @@ class Correspondence:
         object.__setattr__(self, "dots", frozen(self.dots, np.intp))
 
     @property
+    def pairs(self) -> IntArray:
+        """The dots: pairs of vertex numbers."""
+        return self.dots
+
+    @property
     def work(self) -> float:
         """Stretching and bending work together."""
         return self.stretching + self.bending

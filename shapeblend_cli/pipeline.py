@@ -5,11 +5,8 @@ Each stage is a function from values to values. Polygons are normalised, section
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
-
-import numpy as np
 
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.easing import frame_times
@@ -17,13 +14,11 @@ from shapeblend_cli.geometry.placement import place_over
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.paths import between, with_curves
 from shapeblend_cli.model import (
-    Correspondence,
     CubicPath,
     Drawing,
     Frame,
     PaintedShape,
     Pair,
-    Polygon,
     ShapeBlend,
 )
 from shapeblend_cli.motion.alignment import align, point_pairs
@@ -39,7 +34,7 @@ from shapeblend_cli.pairing.constraints import (
 )
 from shapeblend_cli.pairing.contour_blends import match_contours
 from shapeblend_cli.pairing.decompose import PlacedDrawing, decompose, main_orientation
-from shapeblend_cli.pairing.direction import choose_direction, watch_part
+from shapeblend_cli.pairing.direction import watch_part
 from shapeblend_cli.pairing.pair import pair_rotated_contours
 from shapeblend_cli.pairing.shapes import Match, shape_blends
 from shapeblend_cli.settings import Settings
@@ -53,8 +48,6 @@ SAME_ANGLE = 2e-3
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
-
-    from numpy.typing import ArrayLike
 
     from shapeblend_cli.motion.alignment import Alignment
     from shapeblend_cli.pairing.decompose import ContourPair
@@ -73,68 +66,6 @@ def blend(a: Drawing, b: Drawing, settings: Settings) -> tuple[Pair, list[Frame]
     """
     (pair,), _ = match_all([a, b], settings)
     return pair, make_frames([pair], settings)
-
-
-def correspond(
-    p0: ArrayLike, p1: ArrayLike, closed: bool = True, settings: Settings | None = None
-) -> Correspondence:
-    """Find the least-work correspondence of two polygons, without any SVG.
-
-    Parameters
-    ----------
-    p0, p1 : (m,) and (n,) complex
-        Vertices, ``x + 1j * y``, in any unit; the first is not repeated at the end. Each polygon is scaled to the
-        unit box (section 3.3).
-    closed : bool
-        Open polygons correspond end to end.
-    settings : Settings, optional
-        Its start, pins, reverse, stiff, solver, band, effort and constants count; points are those of `p0` and `p1`.
-
-    Returns
-    -------
-    Correspondence
-        Its dots number the vertices as they were given, also where `p1` was gone through backwards.
-
-    Raises
-    ------
-    ValueError
-        Vertices that are not finite, neighbours that coincide, or too few.
-    MatchError
-        Starts, pins, bands and stiff regions that do not fit the polygons.
-
-    Examples
-    --------
-    The triangle and the square of figures 23 and 24:
-
-    >>> found = correspond([0, 1j, 1], [0, 1j, 1 + 1j, 1])
-    >>> len(found.dots), round(found.stretching, 4), found.gap
-    (4, 2.1421, 0.0)
-    """
-    a, b = _polygon(p0, closed), _polygon(p1, closed)
-    settings = settings or Settings()
-    check_stiff([a], settings)
-    is_reversed, correspondence = choose_direction(a, b, settings, Constraints(settings.start, settings.pins))
-    if not is_reversed:
-        return correspondence
-    # Reversed, a closed polygon keeps its first vertex, and an open one begins at its last.
-    last = len(b.vertices) - (0 if closed else 1)
-    i, j = correspondence.dots.T
-    return replace(correspondence, dots=np.stack([i, (last - j) % len(b.vertices)], axis=1))
-
-
-def _polygon(points: ArrayLike, closed: bool) -> Polygon:
-    """Return a polygon on a contour of straight segments, one for each vertex."""
-    vertices = np.array(points, np.complex128)
-    least = 3 if closed else 2
-    if vertices.ndim != 1 or len(vertices) < least:
-        raise ValueError(f"a polygon is a list of {least} or more complex numbers")
-    if not np.isfinite(vertices).all():
-        raise ValueError("a vertex is not finite")
-    if (np.diff(vertices) == 0.0).any() or (closed and vertices[0] == vertices[-1]):
-        raise ValueError(
-            "neighbouring vertices coincide; leave out repetitions, also of the first vertex at the end"
-        )
-    return Polygon(vertices, np.arange(len(vertices)), np.zeros(len(vertices)), closed)
 
 
 def match_all(

@@ -18,14 +18,15 @@ PACKAGE = Path(shapeblend_cli.__file__).parent
 # A room is a module or a folder; the longest name that fits a module is its room.
 ROOMS = {
     "__main__": "cli",
-    "cli": "plot files outputs report svg.reading settings fields field_types easing errors __init__",
+    "cli": "plot files outputs report svg.reading settings fields field_types easing errors version",
+    "__init__": "api outputs model settings errors version",
+    "api": "pipeline outputs output report measure pairing svg.reading svg.writing settings model clock version",
     "plot": "files outputs output svg.reading svg.writing pairing interpolate settings matching model clock errors",
-    "files": "preview report measure outputs output pipeline svg.reading settings matching model clock errors __init__",
+    "files": "preview report measure outputs output pipeline svg.reading settings matching model clock errors version",
     "preview": "svg.reading svg.writing pairing interpolate paint settings matching model easing",
     "report": "measure geometry model",
     "outputs": "pipeline interpolate svg.writing settings fields field_types model easing errors",
     "output": "errors",
-    "__init__": "pipeline svg.reading settings constants errors",
     "pipeline": "views pairing motion interpolate paint geometry settings model clock easing",
     "measure": "interpolate geometry model",
     "views": "interpolate geometry model",
@@ -47,6 +48,7 @@ ROOMS = {
     "clock": "",
     "easing": "",
     "errors": "",
+    "version": "",
     "_cython": "",
 }
 

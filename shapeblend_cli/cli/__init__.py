@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 import click
 
-from shapeblend_cli import __version__
 from shapeblend_cli.cli.blend import blend
 from shapeblend_cli.cli.completion import completion
 from shapeblend_cli.cli.group import DefaultGroup
@@ -18,6 +17,7 @@ from shapeblend_cli.cli.inspect import inspect
 from shapeblend_cli.cli.plot import plot
 from shapeblend_cli.cli.terminal import Terminal
 from shapeblend_cli.errors import OptionError, ShapeblendError
+from shapeblend_cli.version import __version__
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -15,8 +15,8 @@ from shapeblend_cli.pairing.contour_blends import solved_wires
     ],
 )
 def test_the_path_costs_on_them_what_was_found(a, b, settings):
-    pair, _ = sb.blend(sb.read(f"samples/{a}.svg"), sb.read(f"samples/{b}.svg"), settings)
-    for contour in pair.contours:
+    blend = sb.blend(f"samples/{a}.svg", f"samples/{b}.svg", settings)
+    for contour in blend.pairs[0].contours:
         found = contour.correspondence
         assert solved_wires(contour, settings).path_work(found.dots).total == pytest.approx(
             found.work, rel=1e-9

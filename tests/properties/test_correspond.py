@@ -19,10 +19,10 @@ def polygons(seed, m=20, n=17):
 @given(seeds, st.booleans(), st.booleans())
 def test_numbers_are_those_given_whichever_way_round(seed, flip0, flip1):
     p0, p1 = polygons(seed)
-    plain = sb.correspond(p0, p1)
+    plain = sb.match(p0, p1)
     order0 = np.arange(20)[::-1] if flip0 else np.arange(20)
     order1 = np.arange(17)[::-1] if flip1 else np.arange(17)
-    found = sb.correspond(p0[order0], p1[order1])
+    found = sb.match(p0[order0], p1[order1])
     assert found.work == pytest.approx(plain.work, rel=1e-9)
     there = {(int(order0[i]), int(order1[j])) for i, j in found.dots.tolist()}
     assert len(there & set(map(tuple, plain.dots.tolist()))) >= 0.9 * len(plain.dots)
@@ -30,10 +30,10 @@ def test_numbers_are_those_given_whichever_way_round(seed, flip0, flip1):
 
 def test_an_open_line_backwards_costs_nothing():
     line = np.array([0, 2, 2 + 1j, 3 + 1j, 5 + 4j])
-    found = sb.correspond(line, 10 * line[::-1] + 7, closed=False)
+    found = sb.match(line, 10 * line[::-1] + 7, closed=False)
     assert found.work == pytest.approx(0.0, abs=1e-9)
     assert found.dots.tolist() == [[k, 4 - k] for k in range(5)]
-    forced = sb.correspond(line, 10 * line[::-1] + 7, closed=False, settings=sb.Settings(reverse="no"))
+    forced = sb.match(line, 10 * line[::-1] + 7, closed=False, settings=sb.Settings(reverse="no"))
     assert forced.work > 0.1
 
 
@@ -41,18 +41,18 @@ def test_pins_that_cross_one_way_round_decide_for_the_other():
     line = np.array([0, 2, 2 + 1j, 3 + 1j, 5 + 4j])
     other = 3 * line[::-1] + 1
     pins = ((complex(line[1]), complex(other[3])), (complex(line[3]), complex(other[1])))
-    found = sb.correspond(line, other, closed=False, settings=sb.Settings(pins=pins))
+    found = sb.match(line, other, closed=False, settings=sb.Settings(pins=pins))
     assert found.dots.tolist() == [[k, 4 - k] for k in range(5)]
     with pytest.raises(sb.ShapeblendError, match=r"cross each other"):
-        sb.correspond(line, other, closed=False, settings=sb.Settings(pins=pins, reverse="no"))
+        sb.match(line, other, closed=False, settings=sb.Settings(pins=pins, reverse="no"))
 
 
 @given(rngs, st.sampled_from(["yes", "no"]))
 def test_a_given_direction_is_solved_as_exhaustively(rng, reverse):
     p0, p1 = random_polygon(rng, 5), random_polygon(rng, 4)
     way = p1[::-1] if reverse == "yes" else p1
-    found = sb.correspond(p0, p1, settings=sb.Settings(reverse=reverse))
-    least = exhaustive(p0, way, True, sb.WorkConstants())
+    found = sb.match(p0, p1, settings=sb.Settings(reverse=reverse))
+    least = exhaustive(p0, way, True, sb.Settings().constants)
     assert found.work == pytest.approx(least, rel=1e-9, abs=1e-9)
 
 
@@ -62,14 +62,14 @@ def test_a_figure_of_eight_is_tried_both_ways():
     lopsided = np.where(eight.real > 0, 1.3, 1.0) * eight
     # Backwards an eight is another curve; the better of both ways is found whichever is given.
     for other in (lopsided, lopsided[::-1]):
-        assert sb.correspond(lopsided, np.roll(other, 7)).work == pytest.approx(0.0, abs=1e-6)
+        assert sb.match(lopsided, np.roll(other, 7)).work == pytest.approx(0.0, abs=1e-6)
 
 
 def test_pins_and_stiff_points_are_those_of_the_polygons():
     p0, p1 = polygons(5)
     pin = (complex(p0[3]) + 1e-6, complex(p1[9]) + 1e-6)
     settings = sb.Settings(pins=(pin,), stiff=((complex(p0[3]), 0.2, 4.0),))
-    assert [3, 9] in sb.correspond(p0, p1, settings=settings).dots.tolist()
+    assert [3, 9] in sb.match(p0, p1, settings=settings).dots.tolist()
 
 
 @pytest.mark.parametrize(
@@ -84,4 +84,4 @@ def test_pins_and_stiff_points_are_those_of_the_polygons():
 )
 def test_what_is_no_polygon_is_refused(points, words):
     with pytest.raises(ValueError, match=words):
-        sb.correspond(points, [0, 1, 1j])
+        sb.match(points, [0, 1, 1j])

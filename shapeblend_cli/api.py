@@ -1,0 +1,344 @@
+"""The Python API: drawings are read and blended, blends are looked at, measured and saved, polygons are matched."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from shapeblend_cli.clock import Clock
+from shapeblend_cli.measure import measure
+from shapeblend_cli.model import Drawing, Polygon
+from shapeblend_cli.output import check_targets, write_files
+from shapeblend_cli.outputs.options import OutputOptions, specify
+from shapeblend_cli.pairing.constraints import Constraints, check_stiff
+from shapeblend_cli.pairing.direction import choose_direction
+from shapeblend_cli.pipeline import frame_at, match_all, times_of_frames
+from shapeblend_cli.report import report
+from shapeblend_cli.settings import Settings
+from shapeblend_cli.svg.reading.read import read as read_file
+from shapeblend_cli.svg.writing.document import frame_svg
+from shapeblend_cli.svg.writing.rounding import decimals_for
+from shapeblend_cli.version import __version__
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from os import PathLike
+
+    from numpy.typing import ArrayLike
+
+    from shapeblend_cli.model import Correspondence, Frame, PaintedShape
+
+    File = str | PathLike[str]
+
+
+def read(file: File, *, select: str | None = None, lenient: bool = False) -> Drawing:
+    """Read an SVG file.
+
+    Parameters
+    ----------
+    file : str or path
+        ``-`` is standard input.
+    select : str, optional
+        ``#id`` or a CSS selector: take only the shapes it matches, and those in groups it matches.
+    lenient : bool
+        Draw broken path data up to the error, as browsers do, instead of refusing the file.
+
+    Raises
+    ------
+    ShapeblendError
+        The file cannot be read, is not SVG, or paints nothing that can be blended.
+
+    Examples
+    --------
+    >>> drawing = read("samples/bird-1.svg")
+    >>> len(drawing.shapes), drawing.viewbox.width
+    (1, 350.0)
+    """
+    return read_file(str(file), select=select, lenient=lenient)
+
+
+def blend(
+    a: Drawing | File | Sequence[Drawing | File],
+    b: Drawing | File | Settings | None = None,
+    settings: Settings | None = None,
+    **options: Any,
+) -> Blend:
+    """Blend a drawing into another one, or several drawings in order.
+
+    Parameters
+    ----------
+    a, b : Drawing, or the name of an SVG file
+        Or `a` alone: a list of two or more of these. The second argument may then be the settings.
+    settings : Settings, optional
+    **options
+        Fields of `Settings`, instead of those in `settings`.
+
+    Raises
+    ------
+    ShapeblendError
+        A file or a drawing that cannot be blended, or settings that do not fit the drawings.
+    ValueError
+        A field with a value that it cannot have; the message names it.
+
+    Examples
+    --------
+    >>> blend("samples/e.svg", "samples/f.svg", motion="linear")
+    <Blend of samples/e.svg and samples/f.svg>
+    >>> blend(["samples/triangle.svg", "samples/square.svg", "samples/e.svg"], Settings(vertices=50))
+    <Blend of samples/triangle.svg, samples/square.svg and samples/e.svg>
+    """
+    if isinstance(b, Settings):
+        b, settings = None, b
+    several = b is None and not isinstance(a, str | Path | Drawing)
+    given = list(a) if several else [a] if b is None else [a, b]  # type: ignore[arg-type]
+    if len(given) < 2:
+        raise ValueError(f"two drawings or more are blended; {len(given)} given")
+    drawings = [one if isinstance(one, Drawing) else read(one) for one in given]  # type: ignore[arg-type]
+    return Blend(drawings, (settings or Settings()).replace(**options))
+
+
+class Blend:
+    """Drawings that are blended, each into the next one.
+
+    Attributes
+    ----------
+    drawings : list of Drawing
+    settings : Settings
+    pairs : list of Pair
+        What was matched, and how it moves: shapes of contours with their correspondences.
+    notes : list of str
+        What was left out of the blend, one phrase each.
+    """
+
+    def __init__(self, drawings: Sequence[Drawing], settings: Settings) -> None:
+        self.drawings = list(drawings)
+        self.settings = settings
+        self._clock = Clock()
+        self.pairs, self.notes = match_all(self.drawings, settings, self._clock)
+
+    def __repr__(self) -> str:
+        """Name the files."""
+        names = [drawing.file for drawing in self.drawings]
+        return f"<Blend of {', '.join(names[:-1])} and {names[-1]}>"
+
+    def _repr_svg_(self) -> str:
+        """Show the blend half way, in a notebook."""
+        return self.frame(0.5 * len(self.pairs)).svg
+
+    def frame(self, t: float) -> Picture:
+        """Return the in-between at a time.
+
+        Parameters
+        ----------
+        t : float
+            0 is the first drawing, 1 the second, 2 the third, and so on.
+
+        Raises
+        ------
+        ValueError
+            A time outside the blend.
+
+        Examples
+        --------
+        >>> blend("samples/e.svg", "samples/f.svg").frame(0.5).svg[:4]
+        '<svg'
+        """
+        if not 0.0 <= t <= len(self.pairs):
+            raise ValueError(f"t must lie between 0 and {len(self.pairs)}, not {t}")
+        pair = self.pairs[min(int(t), len(self.pairs) - 1)]
+        as_drawn = self.settings.curves and self.settings.style == "blend"
+        return Picture(frame_at(pair, t - pair.a, as_drawn=as_drawn), self._decimals)
+
+    def save(
+        self,
+        path: File,
+        *,
+        n: int | None = None,
+        ends: bool | None = None,
+        force: bool = False,
+        **options: Any,
+    ) -> list[Path]:
+        """Write the blend to files, all of them or none, in any format that the command has.
+
+        Parameters
+        ----------
+        path : str or path
+            A folder gets one file for each frame. The suffix of a file chooses the format: ``.svg`` is one animated
+            SVG, ``.gif``, ``.webp`` and ``.apng`` are animations of pixels, ``.png`` is a contact sheet.
+        n : int, optional
+            In-betweens of each pair of drawings; by default those of the settings.
+        ends : bool, optional
+            Include the drawings themselves.
+        force : bool
+            Replace existing files.
+        **options
+            Fields of `OutputOptions`: ``duration=3.0``, ``emit="lottie"``, ``width=300`` and so on.
+
+        Returns
+        -------
+        list of Path
+            The files.
+
+        Raises
+        ------
+        ShapeblendError
+            A file exists or cannot be written, or options do not go together.
+        ValueError
+            An option with a value that it cannot have; the message names it.
+
+        Examples
+        --------
+        >>> import tempfile
+        >>> letters = blend("samples/e.svg", "samples/f.svg")
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     [file.name for file in letters.save(folder + "/frames", n=2, ends=True)]
+        ['frame-1.svg', 'frame-2.svg', 'frame-3.svg', 'frame-4.svg']
+        """
+        settings = self.settings.replace(frames=n) if n is not None else self.settings
+        settings = settings.replace(ends=ends) if ends is not None else settings
+        spec = specify(OutputOptions(output=str(path), **options), settings, len(self.drawings))
+        files = [Path(name) for name in spec.files()]
+        spec.format.check_libraries()
+        check_targets(files, [Path(drawing.file) for drawing in self.drawings], force)
+        pairs = self.pairs
+        if spec.settings.motion != self.settings.motion:
+            pairs, _ = match_all(self.drawings, spec.settings)
+        rendered = spec.format.render(spec, pairs)
+        write_files(dict(zip(files, rendered.contents, strict=True)))
+        return files
+
+    def report(self) -> dict[str, Any]:
+        """Return what the command's ``--report`` writes, with frames at the times of the settings.
+
+        Examples
+        --------
+        >>> found = blend("samples/triangle.svg", "samples/square.svg", frames=1).report()
+        >>> [contour["motion"] for contour in found["pairs"][0]["contours"]]
+        ['linear']
+        """
+        measures = [measure(pair, t) for pair, t in times_of_frames(self.pairs, self.settings)]
+        return report(
+            __version__,
+            [drawing.file for drawing in self.drawings],
+            self.settings.plain(),
+            self.pairs,
+            measures,
+            [None] * len(measures),
+            self._clock.seconds,
+        )
+
+    def crossings(self, n: int = 20) -> int:
+        """Count how often outlines cross themselves and others of their shape, in n in-betweens of each pair.
+
+        Examples
+        --------
+        >>> blend("samples/e.svg", "samples/f.svg").crossings()
+        0
+        """
+        times = [k / (n + 1) for k in range(1, n + 1)]
+        return sum(measure(pair, t).self_crossings for pair in self.pairs for t in times)
+
+    @cached_property
+    def _decimals(self) -> int:
+        return decimals_for([view for pair in self.pairs for view in pair.views])
+
+
+class Picture:
+    """A drawing at one time of a blend. In a notebook it shows itself.
+
+    Attributes
+    ----------
+    t : float
+        Time within its pair of drawings.
+    shapes : tuple of PaintedShape
+        Paths of cubic Bézier segments with their paint, the lowest first.
+    svg : str
+        An SVG document.
+    """
+
+    def __init__(self, frame: Frame, decimals: int) -> None:
+        self.t: float = frame.t
+        self.shapes: tuple[PaintedShape, ...] = frame.shapes
+        self.svg: str = frame_svg(frame, decimals)
+
+    def __repr__(self) -> str:
+        """Name the time."""
+        return f"<Picture at t = {self.t:g}>"
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+
+def match(
+    p0: ArrayLike,
+    p1: ArrayLike,
+    closed: bool = True,
+    settings: Settings | None = None,
+    **options: Any,
+) -> Correspondence:
+    """Find the least-work correspondence of two polygons, without any SVG.
+
+    Parameters
+    ----------
+    p0, p1 : (m, 2) and (n, 2) float, or (m,) and (n,) complex
+        Vertices, in any unit; the first is not repeated at the end. Each polygon is scaled to the unit box
+        (section 3.3).
+    closed : bool
+        Open polygons correspond end to end.
+    settings : Settings, optional
+        Its start, pins, reverse, stiff, solver, band, effort and constants count; points are those of `p0` and `p1`.
+    **options
+        Fields of `Settings`, instead of those in `settings`.
+
+    Returns
+    -------
+    Correspondence
+        Its `pairs` number the vertices as they were given, also where `p1` is traversed backwards.
+
+    Raises
+    ------
+    ValueError
+        Vertices that are not finite, neighbours that coincide, or too few; a field with a value it cannot have.
+    MatchError
+        Starts, pins, bands and stiff regions that do not fit the polygons.
+
+    Examples
+    --------
+    The triangle and the square of figures 23 and 24:
+
+    >>> found = match([(0, 0), (0, 1), (1, 0)], [(0, 0), (0, 1), (1, 1), (1, 0)])
+    >>> found.pairs.tolist()[0], round(found.stretching, 4), found.gap
+    ([0, 0], 2.1421, 0.0)
+    """
+    a, b = _polygon(p0, closed), _polygon(p1, closed)
+    settings = (settings or Settings()).replace(**options)
+    check_stiff([a], settings)
+    is_reversed, found = choose_direction(a, b, settings, Constraints(settings.start, settings.pins))
+    if not is_reversed:
+        return found
+    # Reversed, a closed polygon keeps its first vertex, and an open one begins at its last.
+    last = len(b.vertices) - (0 if closed else 1)
+    i, j = found.dots.T
+    return replace(found, dots=np.stack([i, (last - j) % len(b.vertices)], axis=1))
+
+
+def _polygon(points: ArrayLike, closed: bool) -> Polygon:
+    """Return a polygon on a contour of straight segments, one for each vertex."""
+    vertices = np.asarray(points)
+    if vertices.ndim == 2 and vertices.shape[1] == 2:
+        vertices = vertices @ (1, 1j)
+    vertices = vertices.astype(np.complex128)
+    least = 3 if closed else 2
+    if vertices.ndim != 1 or len(vertices) < least:
+        raise ValueError(f"a polygon is a list of {least} or more points, (x, y) or complex numbers")
+    if not np.isfinite(vertices).all():
+        raise ValueError("a vertex is not finite")
+    if (np.diff(vertices) == 0.0).any() or (closed and vertices[0] == vertices[-1]):
+        raise ValueError(
+            "neighbouring vertices coincide; leave out repetitions, also of the first vertex at the end"
+        )
+    return Polygon(vertices, np.arange(len(vertices)), np.zeros(len(vertices)), closed)

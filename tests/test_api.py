@@ -1,0 +1,130 @@
+"""The Python API."""
+
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import shapeblend_cli as sb
+from shapeblend_cli.cli import run
+from tools import api_reference
+
+ROOT = Path(__file__).parents[1]
+E, F = (str(ROOT / "samples" / f"{name}.svg") for name in "ef")
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+@pytest.fixture(scope="module")
+def letters():
+    return sb.blend(E, F)
+
+
+def test_the_reference_is_current():
+    assert api_reference.PAGE.read_text(encoding="utf-8") == api_reference.page()
+    assert {*api_reference.ORDER, "ShapeblendError", "__version__"} == {*sb.__all__} == {*dir(sb)}
+
+
+def test_the_code_of_the_readme_runs(tmp_path, monkeypatch):
+    blocks = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
+    assert len(blocks) == 2
+    (tmp_path / "samples").symlink_to(ROOT / "samples")
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    for block in blocks:
+        exec(block, names)
+    assert len(list((tmp_path / "frames").iterdir())) == 11
+    assert "<animate" in (tmp_path / "moving.svg").read_text(encoding="utf-8")
+    assert 0.0 < names["match"].lower_bound < names["match"].work
+
+
+@pytest.mark.parametrize(
+    ("target", "options", "typed"),
+    [
+        ("x.svg", {"duration": 3.0, "repeat": "pingpong"}, ["--duration", "3", "--repeat", "pingpong"]),
+        ("x.svg", {"animate": "css", "precision": 1}, ["--animate", "css", "--precision", "1"]),
+        ("x", {"n": 3, "ends": True}, ["-n", "3", "--ends"]),
+        ("x", {"emit": "pair"}, ["--emit", "pair"]),
+        ("x.json", {"emit": "lottie"}, ["--emit", "lottie"]),
+        ("x.png", {"n": 2, "width": 40}, ["-n", "2", "--width", "40"]),
+    ],
+)
+def test_what_is_saved_is_what_the_command_writes(letters, tmp_path, target, options, typed):
+    files = letters.save(tmp_path / "api" / target, **options)
+    assert run([E, F, "-o", str(tmp_path / "command" / target), *typed]) == 0
+    assert files
+    for file in files:
+        written = tmp_path / "command" / file.relative_to(tmp_path / "api")
+        assert file.read_bytes() == written.read_bytes()
+
+
+def test_nothing_is_replaced_without_force(letters, tmp_path):
+    (file,) = letters.save(tmp_path / "x.svg")
+    with pytest.raises(sb.ShapeblendError, match=r"x\.svg: exists"):
+        letters.save(file)
+    assert letters.save(file, force=True) == [file]
+
+
+def test_a_report_is_that_of_the_command(letters, tmp_path):
+    assert run([E, F, "-o", str(tmp_path / "x.svg"), "--report", str(tmp_path / "r.json")]) == 0
+    written = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))
+    found = json.loads(json.dumps(letters.report()))
+    assert found["inputs"] == [E, F]
+    assert found["frames"] == written["frames"]
+    assert found["pairs"][0]["contours"][0]["dots"] == written["pairs"][0]["contours"][0]["dots"]
+    assert found["settings"].items() <= written["settings"].items()
+
+
+def test_frames_are_pictures(letters):
+    first, half = letters.frame(0), letters.frame(0.5)
+    assert half._repr_svg_() == half.svg == letters._repr_svg_()
+    assert (repr(half), half.t) == ("<Picture at t = 0.5>", 0.5)
+    start = sb.read(E).shapes[0].contours[0].segments
+    np.testing.assert_array_equal(first.shapes[0].paths[0].segments, start)
+    with pytest.raises(ValueError, match="t must lie between 0 and 1, not 2"):
+        letters.frame(2)
+
+
+def test_several_drawings_are_counted_through():
+    blend = sb.blend([E, F, sb.read(E)], sb.Settings(vertices=40), frames=1, motion="linear")
+    assert blend.settings == sb.Settings(vertices=40, frames=1, motion="linear")
+    assert [(pair.a, pair.b) for pair in blend.pairs] == [(0, 1), (1, 2)]
+    assert (blend.frame(1.25).t, blend.frame(2).t) == (0.25, 1.0)
+    np.testing.assert_array_equal(
+        blend.frame(2).shapes[0].paths[0].segments, sb.read(E).shapes[0].contours[0].segments
+    )
+    assert blend.crossings(n=3) == 0
+
+
+def test_points_are_pairs_or_complex_numbers():
+    p, q = np.random.default_rng(3).normal(size=(2, 9, 2))
+    pairs, numbers = sb.match(p, q), sb.match(p @ (1, 1j), q @ (1, 1j))
+    np.testing.assert_array_equal(pairs.pairs, numbers.dots)
+    assert pairs.work == numbers.work
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        (lambda: sb.Settings(vertices=-3), "vertices must be"),
+        (lambda: sb.Settings(solver="magic"), "solver must be"),
+        (lambda: sb.blend(E, F, k_b=-1.0), "k_b must be"),
+        (lambda: sb.blend([E]), "two drawings or more are blended; 1 given"),
+        (lambda: sb.blend(E, F).save("x.svg", duration=0), "duration must be"),
+        (lambda: sb.blend(E, F).save("x.svg", fps=3), "--fps is for"),
+        (lambda: sb.match([0, 1, 2, 2], [0, 1, 1j]), "neighbouring vertices coincide"),
+        (lambda: sb.match([0, 1], [0, 1, 1j]), "a list of 3 or more points"),
+        (lambda: sb.match([0, 1, np.nan], [0, 1, 1j]), "a vertex is not finite"),
+    ],
+)
+def test_errors_name_the_field(wrong, message, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ValueError, match=message):
+        wrong()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_name_that_is_not_there():
+    with pytest.raises(AttributeError, match="has no attribute 'morph'"):
+        sb.morph  # noqa: B018
