@@ -18,7 +18,7 @@ from shapeblend_cli.pairing.constraints import Constraints, check_stiff
 from shapeblend_cli.pairing.direction import choose_direction
 from shapeblend_cli.pipeline import frame_at, match_all, times_of_frames
 from shapeblend_cli.report import report
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.settings import Settings, report_settings
 from shapeblend_cli.svg.reading.read import read as read_file
 from shapeblend_cli.svg.writing.document import frame_svg
 from shapeblend_cli.svg.writing.rounding import decimals_for
@@ -224,7 +224,7 @@ class Blend:
         return report(
             __version__,
             [drawing.file for drawing in self.drawings],
-            self.settings.plain(),
+            report_settings(self.settings),
             self.pairs,
             measures,
             [None] * len(measures),
