@@ -1,10 +1,9 @@
-"""svgpathtools and svgwrite, imported without the modules that cost more than they do.
+"""svgpathtools and svgwrite, imported without modules that cost more time than the two themselves.
 
-Both import modules for things this program never asks of them: `scipy.integrate` for the length of an arc,
-`urllib.request` to embed web fonts, `webbrowser` and `tempfile` to show a drawing, `xml.dom.minidom` to
-read one, and `svgwrite.data.svgparser`, the regular expressions of a validator that is switched off.
-While the two are imported a stand-in takes the place of each of these; it imports the real module
-when one of its functions is called, so nothing is lost, only put off.
+Both import modules for features this program does not use: `scipy.integrate` for the length of an arc, `urllib.request`
+to embed web fonts, `webbrowser` and `tempfile` to show a drawing, `xml.dom.minidom` to read one, and
+`svgwrite.data.svgparser`, the regular expressions of a validator that is switched off. During the import each is
+replaced by a stand-in, which imports the real module when one of its functions is called.
 """
 
 from __future__ import annotations

@@ -54,10 +54,9 @@ _TO_LINEAR_SRGB = {
 }
 
 NONE = Paint("none")
-CURRENT = Paint("current")
 BLACK = Colour("#000000")
 
-_KEYWORDS = {"none": NONE, "currentcolor": CURRENT}
+_KEYWORDS = {"none": NONE, "currentcolor": Paint("current")}
 _COMMON = {"black": BLACK, "white": Colour("#ffffff"), "transparent": Colour("#000000", 0.0)}
 
 
@@ -130,17 +129,17 @@ def _srgb(colour: Any) -> tuple[float, float, float]:
         except NotImplementedError:
             continue
         if space == "display-p3":
-            linear = [_expanded(part) for part in linear]
+            linear = [_linearize(part) for part in linear]
         mixed = (sum(m * part for m, part in zip(row, linear, strict=True)) for row in matrix)
-        red, green, blue = (_companded(part) for part in mixed)
+        red, green, blue = (_gamma_encode(part) for part in mixed)
         return red, green, blue
     red, green, blue = colour.to("srgb").coordinates
     return red, green, blue
 
 
-def _expanded(part: float) -> float:
+def _linearize(part: float) -> float:
     return part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4
 
 
-def _companded(part: float) -> float:
+def _gamma_encode(part: float) -> float:
     return 12.92 * part if part <= 0.0031308 else 1.055 * part ** (1 / 2.4) - 0.055

@@ -69,23 +69,10 @@ def read_stops(links: list[Node], cascade: Cascade, inherited: Inherited) -> tup
 def place(
     links: list[Node], stops: tuple[Stop, ...], matrix: Affine, box: Box, lengths: Lengths
 ) -> Gradient | Stop | None:
-    """Return a gradient in the root's coordinates.
+    """Return a chain of gradients as one gradient in the root's coordinates.
 
-    Parameters
-    ----------
-    links : list of Node
-        The gradient and those it refers to.
-    stops : tuple of Stop
-    matrix : Affine
-        From the coordinates of the shape to those of the root.
-    box : Box
-        Around the shape, in its own coordinates, without the width of strokes.
-    lengths : Lengths
-
-    Returns
-    -------
-    LinearGradient, RadialGradient, Stop or None
-        One stop where the same is painted everywhere, None where nothing is: without stops, or without an extent.
+    If it paints a single colour, return a stop; if it paints nothing, without stops or extent, None. The `matrix` maps
+    the shape's coordinates to the root's; the `box` is around the shape, without the width of strokes.
     """
     if not stops:
         return None
@@ -135,7 +122,7 @@ class _Attributes:
         self._lengths = Lengths(1.0, 1.0, lengths.font_size) if self.in_box else lengths
 
     def get(self, name: str) -> str:
-        return next((node.attrib[name] for node in self._links if name in node.attrib), "")
+        return self._first(name, self._links)
 
     def x(self, name: str, default: str | float) -> float:
         return self._length(name, default, self._lengths.width)
@@ -147,11 +134,13 @@ class _Attributes:
         return self._length(name, default, self._lengths.diagonal)
 
     def _length(self, name: str, default: str | float, whole: float) -> float:
-        text = next((node.attrib[name] for node in self._own_kind if name in node.attrib), "")
-        value = length(text, whole, self._lengths.font_size)
+        value = length(self._first(name, self._own_kind), whole, self._lengths.font_size)
         if value is None:
             value = length(default, whole) if isinstance(default, str) else default
         return value or 0.0
+
+    def _first(self, name: str, nodes: list[Node]) -> str:
+        return next((node.attrib[name] for node in nodes if name in node.attrib), "")
 
 
 def _linear(m: Affine, stops: tuple[Stop, ...], spread: str) -> LinearGradient:

@@ -28,15 +28,7 @@ _STAND_IN = "a gradient or pattern read as a plain colour"
 
 
 class Painter:
-    """Makes a `Style` of the properties in force for an element.
-
-    Parameters
-    ----------
-    ids : dict
-        The nodes of the document by id.
-    cascade : Cascade
-    notes : Notes
-    """
+    """Makes a `Style` of the properties in force for an element of a document, whose nodes it knows by their ids."""
 
     def __init__(self, ids: dict[str, Node], cascade: Cascade, notes: Notes) -> None:
         self._ids = ids

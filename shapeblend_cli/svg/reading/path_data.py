@@ -20,7 +20,7 @@ from shapeblend_cli.svg.reading.units import (
     GAP,
     LIMIT,
     NUMBER,
-    NumberError,
+    GrammarError,
     is_end,
     numbers,
     one_blank,
@@ -44,14 +44,6 @@ Arc = tuple[tuple[float, float], float, bool, bool]
 """Radii, rotation, and the two flags."""
 
 
-class PathDataError(ValueError):
-    """Path data that breaks the grammar: at which offset from 0, and what was found there."""
-
-    def __init__(self, offset: int, found: str) -> None:
-        super().__init__(f"at character {offset + 1} of its path data: {found}")
-        self.offset = offset
-
-
 class TooManySegments(ValueError):
     """Path data longer than what is read, whether it keeps to the grammar or not."""
 
@@ -61,21 +53,10 @@ class TooManySegments(ValueError):
 
 @dataclass(slots=True)
 class Subpath:
-    """One subpath as text that ``parse_path`` reads correctly.
+    """One subpath as the text of commands that ``parse_path`` reads correctly.
 
-    Attributes
-    ----------
-    move : complex or None
-        The point of its moveto; None if it begins where the one before it closed.
-    is_relative : bool
-        Whether the moveto is.
-    text : list of str
-        Commands; arcs are written as lines.
-    arcs : dict
-        The arcs by the numbers of their segments.
-    count : int
-        Of segments, without the closing line.
-    closed : bool
+    `move` is the point of its moveto, None if it begins where the one before it closed. In `text` arcs are lines;
+    `arcs` has them by the numbers of their segments. `count` is the number of segments without the closing line.
     """
 
     move: complex | None
@@ -86,10 +67,10 @@ class Subpath:
     closed: bool = False
 
 
-def scan(data: str) -> tuple[list[Subpath], PathDataError | None]:
+def scan(data: str) -> tuple[list[Subpath], GrammarError | None]:
     """Cut path data into subpaths, up to the first error.
 
-    https://www.w3.org/TR/SVG2/paths.html#PathDataErrorHandling: browsers draw all segments before it, those of the
+    https://www.w3.org/TR/SVG2/paths.html#GrammarErrorHandling: browsers draw all segments before it, those of the
     command with the error among them.
 
     Raises
@@ -101,7 +82,7 @@ def scan(data: str) -> tuple[list[Subpath], PathDataError | None]:
         return subpaths, None
     start = _skip_blanks(data, 0)
     if data[start] not in "Mm":
-        return subpaths, PathDataError(start, f"found '{printable(data[start])}' where it must begin with M")
+        return subpaths, GrammarError(start, f"found '{printable(data[start])}' where it must begin with M")
     count = 0
     for match in _COMMAND.finditer(data, start):
         added, error = _append(subpaths, match)
@@ -117,7 +98,7 @@ def _skip_blanks(text: str, start: int) -> int:
     return len(text) - len(text[start:].lstrip(BLANKS))
 
 
-def _append(subpaths: list[Subpath], match: re.Match[str]) -> tuple[int, PathDataError | None]:
+def _append(subpaths: list[Subpath], match: re.Match[str]) -> tuple[int, GrammarError | None]:
     """Append a command to its subpath; return the number of its segments, and the error that follows them."""
     letter = match[1]
     if letter in "Zz":
@@ -145,32 +126,32 @@ def _append(subpaths: list[Subpath], match: re.Match[str]) -> tuple[int, PathDat
     return count, error
 
 
-def _unexpected(match: re.Match[str], end: int, most: int, expected: str) -> PathDataError:
+def _unexpected(match: re.Match[str], end: int, most: int, expected: str) -> GrammarError:
     """Return the error of what follows `end` in a command's arguments."""
     start = _skip_blanks(match[2], end)
     found = printable(match[2][start : start + most])
-    return PathDataError(match.start(2) + start, f"found '{found}' where {expected}")
+    return GrammarError(match.start(2) + start, f"found '{found}' where {expected}")
 
 
-def _read_numbers(match: re.Match[str]) -> tuple[str, list[float], PathDataError | None]:
+def _read_numbers(match: re.Match[str]) -> tuple[str, list[float], GrammarError | None]:
     """Return a command's whole segments as text, their numbers, and the error that follows them."""
     letter, arguments = match[1], match[2]
     arity = _ARITY[letter.upper()]
     try:
         values = numbers(arguments, "a number or a command")
-    except NumberError as wrong:
+    except GrammarError as wrong:
         values = wrong.before
-        error = PathDataError(match.start(2) + wrong.offset, f"found {wrong.found}")
+        error = GrammarError(match.start(2) + wrong.offset, str(wrong))
     else:
         if values and len(values) % arity == 0:
             return _POINT_EXPONENT.sub("", letter + one_blank(arguments)), values, None
         found = f"{letter} with {len(values)} number{'' if len(values) == 1 else 's'}"
-        error = PathDataError(match.start(), f"found {found} where {arity} or a multiple belong")
+        error = GrammarError(match.start(), f"found {found} where {arity} or a multiple belong")
     values = values[: len(values) // arity * arity]
     return letter + " ".join(map(repr, values)), values, error
 
 
-def _read_arcs(match: re.Match[str]) -> tuple[str, list[Arc | None], PathDataError | None]:
+def _read_arcs(match: re.Match[str]) -> tuple[str, list[Arc | None], GrammarError | None]:
     """Return lines to the ends of a command's arcs, the arcs, None for straight ones, and the error that follows."""
     letter = "L" if match[1] == "A" else "l"
     arguments = match[2]
@@ -183,7 +164,7 @@ def _read_arcs(match: re.Match[str]) -> tuple[str, list[Arc | None], PathDataErr
             break
         rx, ry, rotation, x, y = (float(arc[k]) for k in (1, 2, 3, 6, 7))
         if not max(map(abs, (rx, ry, rotation, x, y))) < LIMIT:
-            error = PathDataError(match.start(), f"{match[1]} has a number beyond {LIMIT:g}")
+            error = GrammarError(match.start(), f"{match[1]} has a number beyond {LIMIT:g}")
             break
         is_line = min(abs(rx), abs(ry)) < _NO_RADIUS
         arcs.append(None if is_line else ((rx, ry), rotation, arc[4] == "1", arc[5] == "1"))

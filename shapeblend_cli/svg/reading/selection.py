@@ -129,18 +129,9 @@ def ancestors(root: Node, node: Node) -> list[Node]:
 def paints_nothing(
     root: Node, text: str, nodes: Sequence[Node], reason: str | None, painted: Sequence[str]
 ) -> Problem:
-    """Return the problem of a selector whose elements paint nothing.
+    """Return the problem of a selector that matches `nodes` which paint nothing.
 
-    Parameters
-    ----------
-    root : Node
-    text : str
-    nodes : sequence of Node
-        Elements it matches.
-    reason : str or None
-        Why the first shape among them is not painted, if the walk reached it.
-    painted : sequence of str
-        Ids that would work.
+    The `reason` is that of the first shape among them, if the walk reached it; the ids of what is `painted` would work.
     """
     others = f" and {len(nodes) - 1} more" if len(nodes) > 1 else ""
     why = f"it is {reason}" if reason else _why(root, nodes[0])
@@ -180,19 +171,12 @@ def _suggestion(root: Node, text: str) -> str:
 
 
 def _names(root: Node) -> list[str]:
-    """Return the ids, the classes and the types of what can be drawn."""
-    ids: dict[str, None] = {}
-    classes: dict[str, None] = {}
-    types: dict[str, None] = {}
-    for node in root.walk():
-        if node.tag in SHAPES or node.tag in GROUPS or node.tag == "symbol":
-            name = node.get("id")
-            if name:
-                ids[f"#{name}"] = None
-            for word in (node.get("class") or "")[:_MAX_WORD].split():
-                classes[f".{word}"] = None
-            types[node.tag] = None
-    return [*ids, *classes, *sorted(types, key=lambda tag: tag not in SHAPES)]
+    """Return the ids, the classes and the types of what can be drawn, those of shapes before those of groups."""
+    nodes = [node for node in root.walk() if node.tag in SHAPES or node.tag in GROUPS or node.tag == "symbol"]
+    ids = [f"#{node.attrib['id']}" for node in nodes if node.get("id")]
+    classes = [f".{word}" for node in nodes for word in (node.get("class") or "")[:_MAX_WORD].split()]
+    types = sorted((node.tag for node in nodes), key=lambda tag: tag not in SHAPES)
+    return list(dict.fromkeys([*ids, *classes, *types]))
 
 
 def _similar(text: str, names: list[str]) -> list[str]:

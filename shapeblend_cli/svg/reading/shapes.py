@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.svg.reading import contours, path_data
 from shapeblend_cli.svg.reading.messages import Problem
-from shapeblend_cli.svg.reading.units import NumberError, length, numbers
+from shapeblend_cli.svg.reading.units import GrammarError, length, numbers
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import Contour
@@ -25,23 +25,10 @@ _VERTICAL = frozenset(("y", "y1", "y2", "cy", "ry", "height"))
 def contours_of(
     node: Node, declared: Declarations, lengths: Lengths, notes: Notes, lenient: bool = False
 ) -> list[Contour]:
-    """Return the contours of a shape; none when it has no extent.
+    """Return the contours of an element whose tag is one of `xmltree.SHAPES`; none when it has no extent.
 
-    Parameters
-    ----------
-    node : Node
-        With a tag out of `xmltree.SHAPES`.
-    declared : dict
-        What the cascade gives it: in SVG 2 sizes are properties too.
-    lengths : Lengths
-    notes : Notes
-    lenient : bool
-        Read path data and points that break the grammar up to the error, and note that.
-
-    Raises
-    ------
-    Problem
-        If they break the grammar and `lenient` is not given, or if they exceed a limit.
+    What is `declared` for it counts because in SVG 2 sizes are properties too. Path data and points that break the
+    grammar raise a Problem, or if `lenient` are read up to the error and noted.
     """
     if node.tag == "path":
         return _path(node, declared, notes, lenient)
@@ -60,7 +47,8 @@ def _path(node: Node, declared: Declarations, notes: Notes, lenient: bool) -> li
     try:
         subpaths, error = path_data.scan(data)
         if error is not None:
-            _report(f"{node}: {error}", any(subpath.count for subpath in subpaths), notes, lenient)
+            has_more = any(subpath.count for subpath in subpaths)
+            _report(f"{node}: {error.message_in('path data')}", has_more, notes, lenient)
         return path_data.trace(subpaths)
     except path_data.TooManySegments as limit:
         raise Problem(f"{node}: {limit}") from None
@@ -69,11 +57,10 @@ def _path(node: Node, declared: Declarations, notes: Notes, lenient: bool) -> li
 def _points(node: Node, notes: Notes, lenient: bool) -> Contour | None:
     try:
         values = numbers(node.get("points") or "")
-    except NumberError as error:
+    except GrammarError as error:
         # Firefox draws what stands before the error, Chromium nothing.
         values = error.before
-        message = f"{node}: at character {error.offset + 1} of its points: found {error.found}"
-        _report(message, len(values) > 3, notes, lenient)
+        _report(f"{node}: {error.message_in('points')}", len(values) > 3, notes, lenient)
     if len(values) > 2 * path_data.MAX_SEGMENTS:
         raise Problem(f"{node}: more than {path_data.MAX_SEGMENTS} points, the most that are read")
     if len(values) % 2:

@@ -53,32 +53,28 @@ def match(root: Node, texts: list[str]) -> dict[int, tuple[Declarations, Declara
     Problem
         If the sheets, in document order, are too long or take too long to match.
     """
+    budget = Budget("its style sheet takes too long to match; without it the file would work")
+    matcher = cssselect2.Matcher()
+    found = {}
     try:
         rules = list(_rules(texts))
-        matcher = cssselect2.Matcher()
         for rule in rules:
             matcher.add_selector(*rule)
-        return _match(root, matcher) if rules else {}
+        # Each selector is tried on the elements of its class, id or type: those without one, on all.
+        matcher.add_relevant_selectors = _paid(matcher.add_relevant_selectors, budget)
+        for element in elements(root, budget) if rules else ():
+            normal: Declarations = {}
+            important: Declarations = {}
+            matches = matcher.match(element)
+            budget.pay(4 * len(matches))
+            for _, _, pseudo_element, payload in matches:
+                if pseudo_element is None:
+                    normal.update(payload[0])
+                    important.update(payload[1])
+            if normal or important:
+                found[id(element.etree_element)] = (normal, important)
     except RecursionError:
         raise Problem("its style sheet is nested too deep; without it the file would work") from None
-
-
-def _match(root: Node, matcher: Any) -> dict[int, tuple[Declarations, Declarations]]:
-    budget = Budget("its style sheet takes too long to match; without it the file would work")
-    # Each selector is tried on the elements of its class, id or type: those without one, on all.
-    matcher.add_relevant_selectors = _paid(matcher.add_relevant_selectors, budget)
-    found = {}
-    for element in elements(root, budget):
-        normal: Declarations = {}
-        important: Declarations = {}
-        rules = matcher.match(element)
-        budget.pay(4 * len(rules))
-        for _, _, pseudo_element, payload in rules:
-            if pseudo_element is None:
-                normal.update(payload[0])
-                important.update(payload[1])
-        if normal or important:
-            found[id(element.etree_element)] = (normal, important)
     return found
 
 

@@ -36,14 +36,8 @@ class Affine(NamedTuple):
         """Return the map that applies `first`, then this one."""
         a, b, c, d, e, f = self
         p, q, r, s, t, u = first
-        return Affine(
-            a * p + c * q,
-            b * p + d * q,
-            a * r + c * s,
-            b * r + d * s,
-            a * t + c * u + e,
-            b * t + d * u + f,
-        )
+        linear = a * p + c * q, b * p + d * q, a * r + c * s, b * r + d * s
+        return Affine(*linear, a * t + c * u + e, b * t + d * u + f)
 
     def points(self, z: ComplexArray) -> ComplexArray:
         """Map points."""
@@ -113,23 +107,30 @@ def parse(text: str, viewport: Lengths | None = None) -> Affine | None:
     text = text.strip()
     if text in ("", "none"):
         return IDENTITY
-    if text.startswith(",") or len(text) > _MAX_LENGTH:
-        return None
+    calls = _split(_CALL, text) if len(text) <= _MAX_LENGTH else []
     result = IDENTITY
-    end = 0
-    pattern = re.compile(_CALL)
-    while match := pattern.match(text, end):
-        step = _function(match[1].lower(), match[2], viewport)
+    for call in calls:
+        step = _function(call[1].lower(), call[2], viewport)
         if step is None:
             return None
         result = result @ step
+    return result if calls else None
+
+
+def _split(pattern: str, text: str) -> list[re.Match[str]]:
+    """Return the matches of which a text consists; none if there is anything else in it."""
+    compiled = re.compile(pattern)
+    matches: list[re.Match[str]] = []
+    end = 0
+    while match := compiled.match(text, end):
+        matches.append(match)
         end = match.end()
-    return result if end and not text[end:].strip() else None
+    return [] if text.lstrip().startswith(",") or text[end:].strip() else matches
 
 
 def _function(name: str, text: str, viewport: Lengths | None) -> Affine | None:
     """Return the map of one function: https://www.w3.org/TR/css-transforms-1/#two-d-transform-functions."""
-    arguments = _arguments(text) or []
+    arguments = [(float(match[1]), match[2].lower()) for match in _split(_ARGUMENT, text)]
     kinds, counts, affine = _FUNCTIONS.get(name, ("", (), Affine))
     if len(arguments) not in counts or not all(abs(value) < LIMIT for value, _ in arguments):
         return None
@@ -152,19 +153,6 @@ def _argument(kind: str, value: float, unit: str, viewport: Lengths | None) -> f
     if kind == "s" and unit == "%":
         return value / 100
     return None if unit else value
-
-
-def _arguments(text: str) -> list[tuple[float, str]] | None:
-    """Return numbers with their units."""
-    if text.lstrip()[:1] == ",":
-        return None
-    found = []
-    end = 0
-    pattern = re.compile(_ARGUMENT)
-    while match := pattern.match(text, end):
-        found.append((float(match[1]), match[2].lower()))
-        end = match.end()
-    return found if not text[end:].strip() else None
 
 
 def origin(text: str, lengths: Lengths) -> tuple[float, float]:

@@ -50,14 +50,17 @@ _NUMBERS = re.compile(rf"{BLANK}*+(?:{NUMBER}(?:{GAP}{NUMBER})*+)?+{BLANK}*+,?{B
 _END = re.compile(rf"{BLANK}*+,?{BLANK}*+")
 
 
-class NumberError(ValueError):
-    """Something else than a number: its offset from 0, what it is, and the numbers that stand before it."""
+class GrammarError(ValueError):
+    """What was found at an offset from 0 instead of what belongs there; in a list, the numbers that stand before it."""
 
-    def __init__(self, offset: int, found: str, before: list[float]) -> None:
-        super().__init__(f"at character {offset + 1}: found {found}")
+    def __init__(self, offset: int, message: str, before: list[float] | None = None) -> None:
+        super().__init__(message)
         self.offset = offset
-        self.found = found
-        self.before = before
+        self.before = before or []
+
+    def message_in(self, text: str) -> str:
+        """Return the message with its place in a text."""
+        return f"at character {self.offset + 1} of its {text}: {self}"
 
 
 class Lengths(NamedTuple):
@@ -122,7 +125,7 @@ def is_end(text: str, start: int) -> bool:
 def numbers(text: str, expected: str = "a number") -> list[float]:
     """Read numbers separated by blanks, single commas, or nothing where that is clear.
 
-    Anything else, or a number beyond the limit, raises a NumberError that says what was `expected`.
+    Anything else, or a number beyond the limit, raises a GrammarError that says what was `expected`.
     """
     if not _NUMBERS.fullmatch(text):
         raise _error(text, expected)
@@ -132,7 +135,7 @@ def numbers(text: str, expected: str = "a number") -> list[float]:
     return values
 
 
-def _error(text: str, expected: str) -> NumberError:
+def _error(text: str, expected: str) -> GrammarError:
     """Return the first error of a list of numbers that has one."""
     end = 0
     before: list[float] = []
@@ -142,8 +145,9 @@ def _error(text: str, expected: str) -> NumberError:
         if end == 0 and "," in match[0]:
             break
         if not abs(float(number)) < LIMIT:
-            return NumberError(start, f"{printable(number, 20)}, which is beyond {LIMIT:g}", before)
+            return GrammarError(start, f"found {printable(number, 20)}, which is beyond {LIMIT:g}", before)
         before.append(float(number))
         end = match.end()
     rest = text[end:].lstrip(BLANKS)
-    return NumberError(len(text) - len(rest), f"'{printable(rest[:12])}' where {expected} belongs", before)
+    message = f"found '{printable(rest[:12])}' where {expected} belongs"
+    return GrammarError(len(text) - len(rest), message, before)

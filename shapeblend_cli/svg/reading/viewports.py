@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.model import Box
 from shapeblend_cli.svg.reading.transforms import Affine, translation
-from shapeblend_cli.svg.reading.units import Lengths, NumberError, length, numbers
+from shapeblend_cli.svg.reading.units import Lengths, length, numbers
 
 if TYPE_CHECKING:
     from shapeblend_cli.svg.reading.messages import Notes
@@ -28,7 +28,7 @@ def viewbox(node: Node, notes: Notes) -> Box | None:
         return None
     try:
         x, y, width, height = numbers(text[:_MAX_LENGTH])
-    except (NumberError, ValueError):
+    except ValueError:
         width = height = 0.0
     if width <= 0 or height <= 0:
         notes.add("an invalid viewBox ignored")
@@ -89,9 +89,5 @@ def _fit(box: Box, width: float, height: float, preserve_aspect_ratio: str) -> A
     free_x, free_y = width - x_scale * box.width, height - y_scale * box.height
     match = re.fullmatch(r"x(min|mid|max)y(min|mid|max)", align)
     share_x, share_y = (_SHARES[word] for word in (match.groups() if match else ("mid", "mid")))
-    return Affine(
-        a=x_scale,
-        d=y_scale,
-        e=share_x * free_x - x_scale * box.x,
-        f=share_y * free_y - y_scale * box.y,
-    )
+    x, y = share_x * free_x - x_scale * box.x, share_y * free_y - y_scale * box.y
+    return Affine(x_scale, 0.0, 0.0, y_scale, x, y)

@@ -25,14 +25,8 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Contour
     from shapeblend_cli.svg.reading.xmltree import Node
 
-_EFFECTS = {
-    "clip-path": "not applied",
-    "mask": "not applied",
-    "filter": "not applied",
-    "marker-start": "not drawn",
-    "marker-mid": "not drawn",
-    "marker-end": "not drawn",
-}
+_EFFECTS = dict.fromkeys(("clip-path", "mask", "filter"), "not applied")
+_EFFECTS |= dict.fromkeys(("marker-start", "marker-mid", "marker-end"), "not drawn")
 # CSS properties that come before `transform`, in this order.
 _SINGLE_TRANSFORMS = ("translate", "rotate", "scale")
 _TRANSFORMS = frozenset(("transform", *_SINGLE_TRANSFORMS))
@@ -82,8 +76,7 @@ class Walk:
         self._cascade = Cascade(root)
         self._ids: dict[str, Node] = {}
         for node in root.walk():
-            name = node.get("id")
-            if name:
+            if name := node.get("id"):
                 self._ids.setdefault(name, node)
         self._painter = Painter(self._ids, self._cascade, notes)
         self._stack: list[_Visit] = []
@@ -134,19 +127,22 @@ class Walk:
         declared = self._cascade.declared(node, keep=bool(visit.used))
         if declared:
             declared, visit = self._apply(declared, visit)
+        reason = None
         if declared.get("display", "").strip().lower() == "none":
-            self._skip(visit, "not displayed")
+            reason = "not displayed"
         elif visit.opacity == 0:
             # Icon sets put a frame of opacity 0 around every drawing.
-            self._skip(visit, "of opacity 0")
+            reason = "of opacity 0"
         elif visit.matrix.determinant == 0:
-            self._skip(visit, "without extent")
+            reason = "without extent"
         elif node.tag in SHAPES:
-            self._draw(visit, declared)
+            reason = self._draw(visit, declared)
         elif node.tag == "use":
             self._use(visit)
         else:
             self._descend(visit)
+        if reason:
+            self._skip(visit, reason)
 
     def _apply(self, declared: Declarations, visit: _Visit) -> tuple[Declarations, _Visit]:
         """Return what is declared with variables substituted, and the visit with the element's style and transform."""
@@ -223,23 +219,20 @@ class Walk:
             )
         )
 
-    def _draw(self, visit: _Visit, declared: Declarations) -> None:
-        """Add a shape, if it is painted and has an extent."""
+    def _draw(self, visit: _Visit, declared: Declarations) -> str | None:
+        """Add a shape, or return why it is not painted."""
         node = visit.node
         if visit.inherited.visibility != "visible":
-            self._skip(visit, "hidden")
-            return
+            return "hidden"
         scale = math.sqrt(abs(visit.matrix.determinant))
         if declared.get("vector-effect") == "non-scaling-stroke":
             scale = 1.0
         style = self._painter.style(visit.inherited, visit.opacity, scale, visit.lengths)
         if style.fill is None and style.stroke is None:
-            self._skip(visit, "with neither fill nor stroke")
-            return
+            return "with neither fill nor stroke"
         own_contours = self._contours(visit, declared)
         if not own_contours:
-            self._skip(visit, "without extent")
-            return
+            return "without extent"
         self._segments += sum(len(contour.segments) for contour in own_contours)
         check_limit(self._segments, MAX_SEGMENTS, "segments")
         index = self._painted
@@ -248,7 +241,7 @@ class Walk:
         if not visit.chosen:
             if name and len(self._other_names) < _MAX_NAMES:
                 self._other_names[name] = None
-            return
+            return None
         placed = tuple(contours.transform(contour, visit.matrix) for contour in own_contours)
         if not all(np.abs(contour.segments).max() < LIMIT for contour in placed):
             raise Problem(f"{node}: coordinates beyond {LIMIT:g}; smaller ones would work")
@@ -258,6 +251,7 @@ class Walk:
         if style.stroke_dasharray and node.get("pathLength") is not None:
             self._notes.add("pathLength not applied to dashes")
         self._shapes.append(Shape(index, name, node.tag, placed, style))
+        return None
 
     def _contours(self, visit: _Visit, declared: Declarations) -> list[Contour]:
         node = visit.node

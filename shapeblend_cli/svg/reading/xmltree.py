@@ -195,7 +195,12 @@ class _Builder:
         if len(self._open) > MAX_DEPTH:
             raise Problem(f"elements nested deeper than {MAX_DEPTH}, the deepest that is read")
         if self._has_defaults:
-            self._count(attrib)
+            # Expat adds default values to every element: they multiply.
+            self._default_text += sum(map(len, attrib.values()))
+            if self._default_text > MAX_BYTES:
+                raise Problem(
+                    f"attributes longer than {MAX_BYTES // 2**20} MB together, the most that is read"
+                )
         namespaces = self._namespaces[-1]
         declared = [key for key in attrib if key.startswith("xmlns")]
         if declared:
@@ -218,12 +223,6 @@ class _Builder:
         if node.tag == "style":
             node.text = "".join(self._text)
             self._parser.CharacterDataHandler = None
-
-    def _count(self, attrib: dict[str, str]) -> None:
-        # Default values are added by expat to every element: they multiply.
-        self._default_text += sum(map(len, attrib.values()))
-        if self._default_text > MAX_BYTES:
-            raise Problem(f"attributes longer than {MAX_BYTES // 2**20} MB together, the most that is read")
 
     def _default(self, *declaration: object) -> None:
         self._has_defaults = True

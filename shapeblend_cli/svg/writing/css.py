@@ -34,9 +34,8 @@ def css_svg(shapes: Sequence[KeyframedShape], view: Box, timing: Timing, decimal
     curved = [section for attributes in values_by_shape for section in attributes["d"].waypoints if section]
     prefix = f"b{zlib.crc32(repr((keys, timing, *curved)).encode()):08x}"
     last = max(shape.first + len(shape.keys) for shape in shapes) - 1
-    counts = {FOREVER: "infinite", PINGPONG: "infinite alternate"}
-    count = counts.get(str(timing.repeat), f"{timing.repeat} forwards")
-    run = f"{number(timing.seconds * last, 4)}s {count}"
+    endless: dict[int | str, str] = {FOREVER: "infinite", PINGPONG: "infinite alternate"}
+    run = f"{number(timing.seconds * last, 4)}s {endless.get(timing.repeat, f'{timing.repeat} forwards')}"
     drawing = document.empty(view, decimals)
     rules = []
     for k, (shape, attributes) in enumerate(zip(shapes, values_by_shape, strict=True)):
@@ -78,7 +77,7 @@ def _keyframes(name: str, declarations: dict[float, list[str]]) -> str:
     times = sorted(declarations)
     rules = []
     for time in times:
-        at = [_percent(time)]
+        at = [f"{number(100.0 * time, TIME_DIGITS)}%"]
         if time == times[0] and time > 0.0:
             at.insert(0, "0%")
         if time == times[-1] and time < 1.0:
@@ -95,10 +94,6 @@ def _declarations(name: str, timed: Sequence[Moment], last: int) -> dict[float, 
         if not moment.ease.is_linear and moment is not timed[-1]:
             found[moment.time / last].append(f"animation-timing-function:{moment.ease.css()}")
     return found
-
-
-def _percent(time: float) -> str:
-    return f"{number(100.0 * time, TIME_DIGITS)}%"
 
 
 def _declaration(name: str, value: str) -> str:

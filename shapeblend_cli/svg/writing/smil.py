@@ -74,11 +74,9 @@ def stacked_svg(frames: Sequence[Frame], timing: Timing, pairs: int, decimals: i
         if frame.view == view:
             layer = drawing.g()
         else:  # fitted into what the first frame shows
-            layer = drawing.svg(
-                insert=(number(view.x, decimals), number(view.y, decimals)),
-                size=(number(view.width, decimals), number(view.height, decimals)),
-                viewBox=document.box_text(frame.view, decimals),
-            )
+            x, y, width, height = (number(value, decimals) for value in view)
+            box = document.box_text(frame.view, decimals)
+            layer = drawing.svg(insert=(x, y), size=(width, height), viewBox=box)
         layer["visibility"] = "hidden" if k else "visible"
         states = {n / len(order): "visible" if k == shown else "hidden" for n, shown in enumerate(order)}
         layer.add(timeline.steps("visibility", states))
