@@ -15,8 +15,8 @@ class WorkConstants(Record, section=WIRE):
 
     k_s: float = option(NOT_NEGATIVE, default=1.0, key="ks", help="Stiffness against stretching.")
     k_b: float = option(NOT_NEGATIVE, default=1.0, key="kb", help="Stiffness against bending.")
-    e_s: float = option(POSITIVE, default=2.0, key="es", help="Exponent of stretching.")
-    e_b: float = option(POSITIVE, default=1.0, key="eb", help="Exponent of bending.")
+    e_s: float = option(POSITIVE, default=2.0, key="es", help="Exponent of the stretching work.")
+    e_b: float = option(POSITIVE, default=1.0, key="eb", help="Exponent of the bending work.")
     p_b: float = option(
         NOT_NEGATIVE, default=1000.0, key="pb", help="Penalty for an angle that closes to zero."
     )

@@ -47,7 +47,9 @@ class ReadOptions(Record, section=SHAPES):
         help="Blend only these shapes of A: #id or a CSS selector.",
         default_text="all painted shapes",
     )
-    select_b: str | None = option(SELECTOR, default=None, help="Likewise of B, and of further files.")
+    select_b: str | None = option(
+        SELECTOR, default=None, help="Blend only these shapes of B and of further files."
+    )
     lenient: bool = option(
         FLAG,
         default=False,
@@ -70,8 +72,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         default=5,
         section=OUTPUT,
         flags=("-n", "--frames"),
-        help="In-betweens of each pair of drawings.",
-        default_text="5; as --fps gives in .gif, .webp and .apng",
+        help="Number of in-betweens between each drawing and the next.",
+        default_text="5; in .gif, .webp and .apng as --fps says",
     )
     ends: bool = option(
         FLAG, default=False, section=OUTPUT, help="Include the drawings themselves, t = 0 and t = 1."
@@ -80,18 +82,19 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         choice("viewbox", "bbox", "asis"),
         default="viewbox",
         section=SHAPES,
-        help="How B is laid over A: viewBox on viewBox, bounding box on bounding box, or in the coordinates of its "
-        "file.",
+        help="How B is laid over A: viewBox on viewBox, bounding box on bounding box, or in the "
+        "coordinates of its file.",
     )
     vertices: int = option(
         whole(0, 100_000),
         default=200,
-        help="Vertices of each contour, about. The drawing's own are always kept; 0 adds only those that curves need.",
+        help="Approximate number of vertices per contour. Those of the drawing are always kept; 0 adds only what "
+        "curves need.",
     )
     start: tuple[int, int] | None = option(
         START,
         default=None,
-        help="Starting correspondence: the best of all, or vertex I of A with vertex J of B.",
+        help="Starting correspondence: the best one overall, or vertex I of A with vertex J of B.",
         default_text="auto",
     )
     pins: tuple[Vertices, ...] = option(
@@ -104,8 +107,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
     reverse: str = option(
         choice("auto", "yes", "no"),
         default="auto",
-        help="Traverse B's contours backwards. auto: closed contours run in the same direction; where that does not "
-        "decide, and for open ones, both are tried.",
+        help="Traverse B's contours in reverse. auto: so that closed contours run in the same direction; where that is "
+        "ambiguous, and for open contours, both directions are tried.",
     )
     stiff: tuple[tuple[complex, float, float], ...] = option(
         STIFF,
@@ -130,12 +133,12 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
     solver: str = option(
         choice("exact", "simplified"),
         default="exact",
-        help="The algorithm of the paper's section 4, or that of 4.1.",
+        help="The paper's rigorous algorithm (section 4), or the simplified one (4.1).",
     )
     band: float | None = option(
         BAND,
         default=None,
-        help="Largest diagonal deviation of a path, from its start, 0 to 1 (section 5.2).",
+        help="Largest diagonal deviation of the path from its start, 0 to 1 (section 5.2).",
         default_text="none",
     )
     effort: str = option(
@@ -148,27 +151,27 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         choice(*PRESETS),
         default=None,
         section=WIRE,
-        help="The constants and the band of a row of the paper's table 1; options given beside it win.",
+        help="The constants and the band of a row of the paper's table 1; options given beside it take precedence.",
     )
     motion: str = option(
         choice("auto", "linear", "rigid", "intrinsic", "safe"),
         default="auto",
         section=IN_BETWEENS,
-        help="How shapes move. linear: on straight lines; rigid: turned as a whole; intrinsic: by lengths and angles; "
-        "safe: without crossing themselves; auto: linear, else the first of these without a defect.",
+        help="How shapes move. linear: along straight lines; rigid: rotated as a whole; intrinsic: by their lengths "
+        "and angles; safe: without crossing themselves; auto: linear, or else the first of these without a defect.",
     )
     style: str = option(
         choice("blend", "a", "b"),
         default="blend",
         section=IN_BETWEENS,
-        help="Blend the paint too, or paint all frames like A, or like B.",
+        help="Blend the paint as well, or paint all frames like A or like B.",
     )
     curves: bool = option(
         FLAG,
         default=True,
         flags=("--curves/--polygons",),
         section=IN_BETWEENS,
-        help="Draw frames with the drawings' own curves, or as the polygons that were matched.",
+        help="Draw frames with the drawings' own curves, or as the matched polygons.",
         default_text="curves",
     )
     ease: Ease = option(

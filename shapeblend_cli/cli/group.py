@@ -34,7 +34,8 @@ class SectionedCommand(click.Command):
                 formatter.write_dl(self.examples)
         sections: dict[str, list[tuple[str, str]]] = {}
         for option in self.get_params(ctx):
-            if record := option.get_help_record(ctx):
+            record = option.get_help_record(ctx) if isinstance(option, click.Option) else None
+            if record:
                 rows = sections.setdefault(getattr(option, "section", OTHER), [])
                 rows.append((record[0].ljust(NAMES), record[1]))
         for title in sorted(sections, key=SECTIONS.index):

@@ -74,15 +74,15 @@ class OutputOptions(Record, section=PICTURES):
         whole(0, 10),
         default=None,
         section=IN_BETWEENS,
-        help="Decimals of coordinates.",
+        help="Decimal places of coordinates.",
         default_text="by the size of the drawings",
     )
     animate: str = option(
         choice("smil", "css", "frames"),
         default="smil",
         section=ANIMATIONS,
-        help="How an animated SVG moves. CSS animations respect prefers-reduced-motion; Safari does not play them. "
-        "frames shows all frames in turn, which works everywhere.",
+        help="How an animated SVG moves: SMIL or CSS animations of its paths, or all frames in turn, which works "
+        "everywhere. CSS animations respect prefers-reduced-motion; Safari does not play them.",
     )
     duration: float = option(
         number(0.01, 3600.0),

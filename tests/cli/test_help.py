@@ -26,10 +26,12 @@ def test_every_option_stands_in_a_section_that_has_a_place(name):
 
 def test_the_help_says_every_option_once(capsys):
     assert run(["--help"]) == 0
-    lines = capsys.readouterr().out.splitlines()
+    text = capsys.readouterr().out
+    lines = text.splitlines()
     said = Counter(line.split()[0].strip(",") for line in lines if line.startswith("  -"))
     assert said["--motion"] == said["--ks"] == said["--output"] + said["-o"] == said["-h"] == 1
     assert max(said.values()) == 1
+    assert text.count("A.svg B.svg") == 1
     assert "Examples:" in lines
 
 
