@@ -1,1 +1,1 @@
-"""What a blend is written as: files for each format, and which options a format takes."""
+"""The formats of outputs, a module each."""

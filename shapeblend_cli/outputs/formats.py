@@ -1,7 +1,7 @@
-"""What a format is, and what is asked of an output.
+"""What a format is, and an output in a format.
 
-All formats are looked through before any file is read. Their modules therefore import numpy, svgwrite, Pillow and
-resvg_py only in the functions that need them.
+A format is chosen, and its options are checked, before anything heavy is imported: the modules of formats import
+numpy, svgwrite, Pillow and resvg_py only in the functions that need them.
 """
 
 from __future__ import annotations

@@ -24,21 +24,17 @@ def svg_pair(move: Move, decimals: int) -> list[str]:
     file; paint without a partner is there with an opacity of 0, so that it can fade in.
     """
     from shapeblend_cli.svg.writing import document
-    from shapeblend_cli.svg.writing.paint import Gradients, paint_attributes, without_defaults
+    from shapeblend_cli.svg.writing.paint import Gradients, paint_attributes
     from shapeblend_cli.svg.writing.path_data import path_data
 
     drawings = [document.empty(view, decimals) for view in move.views]
     gradients = [Gradients(decimals) for _ in drawings]
     for name, *shapes, _ in move.shapes:
-        paints = [paint_attributes(shape.style, decimals) for shape in shapes]
-        shown = without_defaults(paints[0]).keys() | without_defaults(paints[1]).keys()
-        for drawing, shape, paint, defined in zip(drawings, shapes, paints, gradients, strict=True):
-            attributes = {key: value for key, value in paint.items() if key in shown}
-            for key in ("fill", "stroke"):
-                gradient = getattr(shape.style, f"{key}_gradient")
-                if gradient is not None:
-                    attributes[key] = defined.link(gradient)
-            drawing.add(drawing.path(d=path_data(shape.paths, decimals), id=name, **attributes))
+        sides = [defined.attributes(shape.style) for defined, shape in zip(gradients, shapes, strict=True)]
+        for drawing, shape, side in zip(drawings, shapes, sides, strict=True):
+            paint = paint_attributes(shape.style, decimals) | side
+            shown = {key: value for key, value in paint.items() if any(key in other for other in sides)}
+            drawing.add(drawing.path(d=path_data(shape.paths, decimals), id=name, **shown))
     return [
         document.text(drawing, definitions=defined.elements)
         for drawing, defined in zip(drawings, gradients, strict=True)

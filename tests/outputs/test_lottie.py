@@ -12,7 +12,7 @@ from shapeblend_cli.easing import LINEAR, Ease, Timing
 from shapeblend_cli.model import Box, CubicPath, PaintedShape, Style
 from shapeblend_cli.outputs.lottie import lottie
 from shapeblend_cli.outputs.move import Move, moved_shape
-from tests.outputs.blends import each_blend, emitted, written
+from tests.outputs.blends import each_blend, emitted
 from tests.support.contours import circle_contour, polygon_contour
 from tests.support.drawings import BAR, EYED, LEAF, RING, svg
 from tests.support.motions import turned_move
@@ -53,7 +53,10 @@ DIAMOND = polygon_contour([6 + 0j, 12 + 6j, 6 + 12j, 6j])
 @each_blend
 def test_paths_have_as_many_vertices_at_both_ends_and_properties_two_keyframes_if_any(here, blend):
     found = json.loads(emitted(here, blend, *LINEAR_LOTTIE))
-    assert found["layers"]
+    names = [layer["nm"] for layer in found["layers"]]
+    assert names
+    assert names == sorted(names, reverse=True)  # what is painted last is the first layer
+    assert [layer["ind"] for layer in found["layers"]] == list(range(1, len(names) + 1))
     for layer in found["layers"]:
         assert (layer["ty"], layer["ip"], layer["op"]) == (4, 0, 121)
         (group,) = layer["shapes"]
@@ -174,53 +177,33 @@ def test_paths_have_keyframes_at_their_waypoints(ease):
                     assert (key["o"], key["i"]) == ({"x": 0, "y": 0}, {"x": 1, "y": 1})
 
 
-def test_pieces_of_an_ease_are_the_ease():
+def test_sections_between_waypoints_have_their_share_of_the_ease_and_none_is_without_time():
     move, _ = turned_move(LEAF, BAR)
     (shape,) = move.shapes
-    legs = shape.sections(100.0, EASE, 3)
-    assert len(legs) == len(shape.waypoints) + 1
+    sections = shape.sections(100.0, EASE, 3)
+    assert len(sections) == len(shape.waypoints) + 1
     progress = [0.0, *(way.t for way in shape.waypoints), 1.0]
-    for leg, low, high in zip(legs, progress[:-1], progress[1:], strict=True):
-        begin, until = leg.times
+    for section, low, high in zip(sections, progress[:-1], progress[1:], strict=True):
+        begin, until = section.times
         for share in (0.2, 0.5, 0.9):
             whole = EASE.at((begin + share * (until - begin)) / 100.0)
-            assert low + leg.ease.at(share) * (high - low) == pytest.approx(whole, abs=1e-4)
-    for leg, following in pairwise(legs):
-        assert leg.end is following.start
-        assert leg.times[1] == following.times[0]
+            assert low + section.ease.at(share) * (high - low) == pytest.approx(whole, abs=1e-4)
+    for section, following in pairwise(sections):
+        assert section.end is following.start
+        assert section.times[1] == following.times[0]
+    rounded = shape.sections(3.0, LINEAR, 0)
+    assert [section.times for section in rounded] == [(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)]
+    assert shape.sections(1.0, EASE, 0) == [(shape.start.paths, shape.end.paths, (0.0, 1.0), EASE)]
 
 
-def test_waypoints_too_near_in_time_are_left_out():
-    move, _ = turned_move(LEAF, BAR)
-    (shape,) = move.shapes
-    legs = shape.sections(3.0, LINEAR, 0)
-    assert [leg.times for leg in legs] == [(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)]
-    (leg,) = shape.sections(1.0, EASE, 0)
-    assert (leg.start, leg.end, leg.times, leg.ease) == (
-        shape.start.paths, shape.end.paths, (0.0, 1.0), EASE
-    )  # fmt: skip
-
-
-def test_what_is_painted_last_is_the_first_layer(here):
-    found = json.loads(emitted(here, "shapes on top of one another", *LINEAR_LOTTIE))
-    names = [layer["nm"] for layer in found["layers"]]
-    assert names == sorted(names, reverse=True)
-    assert [layer["ind"] for layer in found["layers"]] == list(range(1, len(names) + 1))
-
-
-def test_a_sequence_has_the_layers_of_one_move_after_those_of_another(here):
+def test_a_sequence_has_the_layers_of_one_move_after_those_of_another(here, capfdbinary):
     for name, d in (("a", BAR), ("b", LEAF), ("c", RING)):
         (here / f"{name}.svg").write_text(svg(d))
-    assert run(["a.svg", "b.svg", "c.svg", "--emit", "lottie", "-o", "all.json"]) == 0
-    found = json.loads((here / "all.json").read_text(encoding="utf-8"))
+    assert run(["a.svg", "b.svg", "c.svg", "--emit", "lottie", "-o", "-"]) == 0
+    assert sorted(path.name for path in here.iterdir()) == ["a.svg", "b.svg", "c.svg"]
+    found = json.loads(capfdbinary.readouterr().out)
     assert found["op"] == 241
     assert sorted({(layer["ip"], layer["op"]) for layer in found["layers"]}) == [(0, 120), (120, 241)]
-
-
-def test_standard_output(here, capfdbinary):
-    assert run([*written(here, "holes"), "--emit", "lottie", "-o", "-"]) == 0
-    assert json.loads(capfdbinary.readouterr().out)["layers"]
-    assert sorted(path.name for path in here.iterdir()) == ["from.svg", "to.svg"]
 
 
 def test_what_cannot_change_on_the_way_is_said():

@@ -45,18 +45,15 @@ def mixed(a, b, t):
 
 
 @each_blend
-def test_paths_attributes_and_commands_agree(here, blend):
-    a, b = (list(ElementTree.fromstring(text)) for text in emit_pair(here, blend))
+def test_paths_attributes_and_commands_agree_and_each_file_shows_its_drawing(here, blend):
+    texts = emit_pair(here, blend)
+    a, b = (list(ElementTree.fromstring(text)) for text in texts)
     assert [path.get("id") for path in a] == [f"shape-{k + 1}" for k in range(len(a))]
     for one, other in zip(a, b, strict=True):
         assert one.get("id") == other.get("id")
         assert list(one.keys()) == list(other.keys())
         assert NUMBER.sub("0", one.get("d")) == NUMBER.sub("0", other.get("d"))
-
-
-@each_blend
-def test_each_file_shows_what_its_drawing_shows(here, blend):
-    for text, drawing in zip(emit_pair(here, blend), BLENDS[blend], strict=True):
+    for text, drawing in zip(texts, BLENDS[blend], strict=True):
         assert difference(pixels(text), pixels(drawing)) < 1e-3
 
 
