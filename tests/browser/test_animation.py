@@ -5,6 +5,7 @@ Every comparison is of pixels. A browser takes a second or two to start, so all 
 
 import base64
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -41,32 +42,44 @@ onload = () => {
 
 
 @pytest.fixture
-def cells_drawn(screenshot):
-    """Draw cells, from 0 to 1, (cells, SIZE, SIZE, 3)."""
+def draw(screenshot):
+    """Draw the bodies of cells, each stopped at a time if it has one, as (cells, SIZE, SIZE, 3) from 0 to 1."""
     style = f"body{{margin:0;background:#fff}}div{{position:absolute;left:0;width:{SIZE}px;height:{SIZE}px}}"
     style += f"svg,img{{width:{SIZE}px;height:{SIZE}px;display:block}}"
 
-    def draw(cells, script=STOP):
+    def drawn(cells):
         boxes = "".join(
-            f'<div style="top:{k * SIZE}px" {attributes}>{body}</div>'
-            for k, (attributes, body) in enumerate(cells)
+            f'<div style="top:{k * SIZE}px" {"" if time is None else f"data-time={time}"}>{own_ids(body, k)}</div>'
+            for k, (body, time) in enumerate(cells)
         )
-        pixels = screenshot(style, boxes + script, SIZE, SIZE * len(cells)) / 255.0
+        pixels = screenshot(style, boxes + STOP, SIZE, SIZE * len(cells)) / 255.0
         return pixels.reshape(len(cells), SIZE, SIZE, 3)
 
-    return draw
+    return drawn
+
+
+@pytest.fixture
+def assert_shown(draw):
+    """Compare rows of an animation, a time, a frame, and, if need be, by how much they may differ in the mean."""
+
+    def compare(rows):
+        pixels = draw([cell for moving, time, still, *_ in rows for cell in ((moving, time), (still, None))])
+        for moving, still, (_, time, _, *most) in zip(pixels[::2], pixels[1::2], rows, strict=True):
+            assert_alike(moving, still, time, *most)
+
+    return compare
 
 
 def own_ids(text, number):
-    """Several drawings on one page: gradients of each with names of its own."""
+    """A drawing beside others on a page: its gradients have names of their own."""
     return re.sub(r"gradient-(?=\d)", f"gradient-{number}-", text)
 
 
-def assert_alike(moving, still, number=None, most=0.004):
+def assert_alike(moving, still, time=None, most=0.004):
     """Two pictures differ in the rounding of edges alone."""
     seen, off = float(np.abs(still - 1.0).mean()), np.abs(moving - still)
     mean, share = float(off.mean()), float((off.max(axis=2) > 0.35).mean())
-    assert (seen > 0.01, mean < most, share < 0.004) == (True, True, True), (seen, mean, share, number)
+    assert (seen > 0.01, mean < most, share < 0.004) == (True, True, True), (seen, mean, share, time)
 
 
 COLOURS = (
@@ -114,13 +127,19 @@ CASES = {
 
 
 def blended(here, paths, options):
-    names = []
-    for k, path in enumerate(paths):
-        names.append(f"{k}.svg")
-        (here / names[-1]).write_text(svg(path, attributes=EVENODD))
+    """Write drawings; the names of the files, and the frames between them."""
+    names = [f"{k}.svg" for k in range(len(paths))]
+    for name, path in zip(names, paths, strict=True):
+        (here / name).write_text(svg(path, attributes=EVENODD))
     folder = here / f"frames-{len(list(here.iterdir()))}"
     assert run([*names, "-n", "3", "--ends", "-o", str(folder), "-q", *options]) == 0
     return names, [path.read_text() for path in sorted(folder.glob("*.svg"))]
+
+
+def animated(*arguments):
+    """The text of an animated SVG."""
+    assert run([*arguments, "-o", "moving.svg", "-f", "-q"]) == 0
+    return Path("moving.svg").read_text()
 
 
 GRADIENTS = {
@@ -133,44 +152,29 @@ GRADIENTS = {
 
 
 @pytest.mark.parametrize("method", ["smil", "css"])
-def test_animations_show_what_the_frames_show(here, cells_drawn, method):
-    cells, pairs = [], []
-    cases = CASES | (GRADIENTS if method == "smil" else {})
-    for name, (paths, options) in cases.items():
+def test_animations_show_what_the_frames_show(here, assert_shown, method):
+    rows = []
+    for name, (paths, options) in (CASES | (GRADIENTS if method == "smil" else {})).items():
         names, frames = blended(here, paths, options)
-        assert run([*names, "-o", "moving.svg", "-f", "-q", "--animate", method, *options]) == 0
-        moving = (here / "moving.svg").read_text()
-        # Frames are eased themselves, so they are evenly spaced in time.
-        for k in range(1, len(frames) - 1):
-            if k % 4 == 0:
-                continue  # at a drawing itself what is a point elsewhere may be a dot
-            # Between two colours there are as few in between as the eye asks for.
-            most = 0.015 if name == "colours" or name in GRADIENTS else 0.004
-            pairs.append((len(cells), len(cells) + 1, most))
-            cells.append((f'data-time="{0.5 * k}"', own_ids(moving, len(cells))))
-            cells.append(("", own_ids(frames[k], len(cells))))
-    pixels = cells_drawn(cells)
-    for moving, still, most in pairs:
-        assert_alike(pixels[moving], pixels[still], (moving, cells[moving][0]), most)
+        moving = animated(*names, "--animate", method, *options)
+        # Between two colours there are as few in between as the eye asks for.
+        most = 0.015 if name == "colours" or name in GRADIENTS else 0.004
+        # Frames are eased themselves, so they are evenly spaced in time. At a drawing itself what is a point elsewhere
+        # may be a dot.
+        rows += [(moving, 0.5 * k, frames[k], most) for k in range(1, len(frames) - 1) if k % 4]
+    assert_shown(rows)
 
 
-def test_pingpong_comes_back_the_way_it_went(here, cells_drawn):
+def test_pingpong_comes_back_the_way_it_went(here, draw):
     names, frames = blended(here, *CASES["one path through four"])
-    assert run([*names, "-o", "moving.svg", "--repeat", "pingpong", "--ease", "ease-in"]) == 0
-    assert (
-        run([*names, "-o", "css.svg", "--repeat", "pingpong", "--ease", "ease-in", "--animate", "css"]) == 0
+    options = ["--repeat", "pingpong", "--ease", "ease-in"]
+    files = [animated(*names, *options, "--animate", method) for method in ("smil", "css")]
+    first, *others, start = draw(
+        [(text, time) for text in files for time in (1.3, 12.0 - 1.3)] + [(frames[0], None)]
     )
-    there, back = 1.3, 12.0 - 1.3
-    cells = []
-    for file in ("moving.svg", "css.svg"):
-        text = (here / file).read_text()
-        cells += [
-            (f'data-time="{time}"', own_ids(text, len(cells) + k)) for k, time in enumerate((there, back))
-        ]
-    pixels = cells_drawn(cells)
-    for picture in pixels[1:]:
-        assert_alike(picture, pixels[0])
-    assert np.abs(pixels[0] - cells_drawn([("", frames[0])])[0]).mean() > 0.01
+    for picture in others:
+        assert_alike(picture, first)
+    assert np.abs(first - start).mean() > 0.01
 
 
 TURNING = {
@@ -184,9 +188,9 @@ TURNING = {
 
 
 @pytest.mark.parametrize("method", ["smil", "css"])
-def test_what_moves_on_curved_paths_is_shown_there(here, cells_drawn, method):
-    cells, pairs = [], []
-    for name, (paths, timing) in TURNING.items():
+def test_what_moves_on_curved_paths_is_shown_there(assert_shown, method):
+    rows = []
+    for paths, timing in TURNING.values():
         straight, _ = match_all([drawing(p, attributes=EVENODD) for p in paths], Settings(motion="linear"))
         moved = [turned(pair) if k % 2 == 0 else pair for k, pair in enumerate(straight)]
         views = [moved[0].views[0], *(pair.views[1] for pair in moved)]
@@ -200,63 +204,44 @@ def test_what_moves_on_curved_paths_is_shown_there(here, cells_drawn, method):
                 if timing.repeat == PINGPONG:
                     times.append(2.0 * timing.seconds * len(moved) - times[0])
                 frame = frame_svg(frame_at(pair, timing.ease.at(share), as_drawn=False), 3)
-                for time in times:
-                    pairs.append((name, time))
-                    cells += [(f'data-time="{time}"', own_ids(moving, len(cells))), ("", frame)]
-    pixels = cells_drawn(cells)
-    for k, number in enumerate(pairs):
-        assert_alike(pixels[2 * k], pixels[2 * k + 1], number)
+                rows += [(moving, time, frame) for time in times]
+    assert_shown(rows)
 
 
-def test_stacked_frames_are_shown_in_turn(here, cells_drawn):
+def test_stacked_frames_are_shown_in_turn(here, assert_shown):
     paths, options = CASES["three drawings"]
     names, frames = blended(here, paths, options)
-    cells = []
-    assert run([*names, "-n", "3", "-o", "moving.svg", "--animate", "frames", *options]) == 0
-    text = (here / "moving.svg").read_text()
-    for k, frame in enumerate(frames):
-        cells += [(f'data-time="{4.0 * (k + 0.5) / len(frames)}"', text), ("", frame)]
-    pixels = cells_drawn(cells)
-    for k in range(len(frames)):
-        assert_alike(pixels[2 * k], pixels[2 * k + 1])
+    moving = animated(*names, "-n", "3", "--animate", "frames", *options)
+    assert_shown([(moving, 4.0 * (k + 0.5) / len(frames), frame) for k, frame in enumerate(frames)])
 
 
-def test_the_viewbox_moves_with_the_drawings(here, cells_drawn):
+def test_the_viewbox_moves_with_the_drawings(here, assert_shown):
     (here / "a.svg").write_text(svg(B, attributes=EVENODD))
     (here / "b.svg").write_text(svg(EIGHT, attributes=EVENODD, viewbox="-24 -12 72 48"))
     files = ["a.svg", "b.svg", "--place", "asis", "-q"]
     assert run([*files, "-n", "1", "--ends", "-o", "frames"]) == 0
-    assert run([*files, "-o", "moving.svg"]) == 0
     frames = [path.read_text() for path in sorted((here / "frames").glob("*.svg"))]
-    moving = (here / "moving.svg").read_text()
-    cells = [('data-time="1"', moving), ("", frames[1]), ('data-time="1.99999"', moving), ("", frames[2])]
-    pixels = cells_drawn(cells)
-    assert_alike(pixels[0], pixels[1])
-    assert_alike(pixels[2], pixels[3])
+    moving = animated(*files)
+    assert_shown([(moving, 1, frames[1]), (moving, 1.99999, frames[2])])
 
 
 @pytest.mark.parametrize("method", ["smil", "css"])
-def test_it_moves_inside_an_image(here, cells_drawn, method):
+def test_it_moves_inside_an_image(here, assert_shown, method):
     names, frames = blended(here, *CASES["holes"])
-    assert run([*names, "-o", "moving.svg", "--animate", method, "--duration", "3600"]) == 0
-    text = (here / "moving.svg").read_text()
-    cells = []
+    text = animated(*names, "--animate", method, "--duration", "3600")
+    rows = []
     for k in (1, 2, 3):
         # Nothing can be stopped inside an image, but an hour that has begun before hardly moves.
         begun = {"smil": ('dur="3600s"', f'dur="3600s" begin="-{900 * k}s"')}
         begun["css"] = ("3600s infinite", f"3600s -{900 * k}s infinite")
         assert begun[method][0] in text
         data = base64.b64encode(text.replace(*begun[method]).encode()).decode()
-        cells += [("", f'<img src="data:image/svg+xml;base64,{data}">'), ("", frames[k])]
-    pixels = cells_drawn(cells, script="")
-    for k in range(3):
-        assert_alike(pixels[2 * k], pixels[2 * k + 1], k)
+        rows.append((f'<img src="data:image/svg+xml;base64,{data}">', None, frames[k]))
+    assert_shown(rows)
 
 
-def test_css_stands_still_for_who_prefers_reduced_motion(here, cells_drawn):
+def test_css_stands_still_for_who_prefers_reduced_motion(here, assert_shown):
     names, frames = blended(here, *CASES["holes"])
-    assert run([*names, "-o", "moving.svg", "--animate", "css"]) == 0
     # What the media query holds is applied here to all.
-    text = (here / "moving.svg").read_text().replace("(prefers-reduced-motion:reduce)", "all")
-    pixels = cells_drawn([("", text), ("", frames[0])])
-    assert_alike(pixels[0], pixels[1])
+    text = animated(*names, "--animate", "css").replace("(prefers-reduced-motion:reduce)", "all")
+    assert_shown([(text, None, frames[0])])

@@ -14,7 +14,7 @@ from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, SQUARES, B, svg
 
-VERTICES = 40
+SETTINGS = Settings(vertices=40, motion="linear")
 EVENODD = 'fill-rule="evenodd" fill="{}"'
 COLOURS = ("#804000", "#206080", "#308030")
 DRAWINGS = {
@@ -37,7 +37,16 @@ def pages(tmp_path_factory):
         for file, path, colour in zip(files, paths, COLOURS, strict=False):
             file.write_text(svg(path, attributes=EVENODD.format(colour)))
         page = folder / f"{name}.html"
-        arguments = [*map(str, files), "-n", "3", "-o", str(folder / name), "--vertices", str(VERTICES), "-q"]
+        arguments = [
+            *map(str, files),
+            "-n",
+            "3",
+            "-o",
+            str(folder / name),
+            "--vertices",
+            str(SETTINGS.vertices),
+            "-q",
+        ]
         arguments += OPTIONS.get(name, [])
         assert run([*arguments, "--motion", "linear", "--preview", str(page)]) == 0
         found[name] = (page, files)
@@ -83,6 +92,10 @@ def shape(page):
     return page.get_attribute("#picture path", "d")
 
 
+def overlaid(page):
+    return page.locator("#overlay path").count()
+
+
 def seek(page, time):
     page.evaluate(
         "time => { const e = document.getElementById('time'); e.value = time; e.dispatchEvent(new Event('input')) }",
@@ -118,19 +131,6 @@ def test_it_does_not_start_for_who_prefers_reduced_motion(opened):
     page.wait_for_function("() => Number(document.getElementById('time').value) > 0")
 
 
-# Times as they are shown, from now until some after it first went back.
-WATCHED = """() => new Promise(done => {
-  const seen = [];
-  const look = () => {
-    seen.push(Number(document.getElementById("time").value));
-    const back = seen.findIndex((time, k) => k && time < seen[k - 1]);
-    if (back > 0 && seen.length > back + 3) done(seen);
-    else requestAnimationFrame(look);
-  };
-  look();
-})"""
-
-
 @pytest.mark.parametrize("repeat", ["once", "forever", "ping-pong"])
 def test_at_its_end_it_does_what_was_chosen(opened, repeat):
     page = opened("one")
@@ -143,7 +143,11 @@ def test_at_its_end_it_does_what_was_chosen(opened, repeat):
         page.click("#play")  # again, from the beginning
         page.wait_for_function("() => Number(document.getElementById('time').value) < 0.9")
     else:
-        steps = np.diff(page.evaluate(WATCHED))
+        times = []
+        for _ in range(40):
+            times.append(time_of(page))
+            page.clock.run_for(25)
+        steps = np.diff(times)
         assert steps.min() < 0
         assert (steps.min() < -0.5) == (repeat == "forever")
 
@@ -168,24 +172,22 @@ def test_the_slider_shows_what_frames_show(opened, pages):
 
 def test_keys_move_in_time(opened):
     page = opened("one")
-    body = page.locator("body")
-    body.press("ArrowRight")
-    assert time_of(page) == pytest.approx(0.02)
-    seen = shape(page)
-    body.press("Shift+ArrowRight")
-    assert time_of(page) == pytest.approx(0.25)
-    body.press("Shift+ArrowLeft")
-    assert time_of(page) == 0.0
-    body.press("End")
-    assert time_of(page) == 1.0
-    body.press("ArrowLeft")
-    assert time_of(page) == pytest.approx(0.98)
-    body.press("Home")
-    assert time_of(page) == 0.0
+    shapes = {}
+    for key, time in (
+        ("ArrowRight", 0.02),
+        ("Shift+ArrowRight", 0.25),
+        ("Shift+ArrowLeft", 0.0),
+        ("End", 1.0),
+        ("ArrowLeft", 0.98),
+        ("Home", 0.0),
+    ):
+        page.locator("body").press(key)
+        assert time_of(page) == pytest.approx(time)
+        shapes[key] = shape(page)
     page.focus("#time")
     page.keyboard.press("ArrowRight")
     assert time_of(page) == pytest.approx(0.02)
-    assert shape(page) == seen
+    assert shape(page) == shapes["ArrowRight"]
 
 
 def test_all_that_is_operated_can_be_reached_by_keyboard_and_has_a_name(opened):
@@ -209,25 +211,31 @@ def test_all_that_is_operated_can_be_reached_by_keyboard_and_has_a_name(opened):
 def test_toggles_show_and_hide(opened):
     page = opened("one")
     seek(page, 0.5)
-    assert page.locator("#onion path").count() == 0
-    page.check("#show-onion")
-    assert page.locator("#onion path").count() == 5  # three frames and two drawings
-    page.uncheck("#show-onion")
-    assert page.locator("#onion path").count() == 0
+    onions = [page.locator("#onion path").count()]
+    for press in (page.check, page.uncheck):
+        press("#show-onion")
+        onions.append(page.locator("#onion path").count())
+    assert onions == [0, 5, 0]  # three frames and two drawings
     page.check("#show-points")
     assert (page.locator("#overlay .points").count(), page.locator("#overlay .paths").count()) == (3, 0)
     page.check("#show-paths")
     page.uncheck("#show-points")
     assert (page.locator("#overlay .points").count(), page.locator("#overlay .paths").count()) == (0, 1)
     page.uncheck("#show-paths")
-    assert page.locator("#overlay path").count() == 0
+    assert overlaid(page) == 0
 
 
-def contour_of(pages, name):
-    a, b = (read(str(file)) for file in pages[name][1])
-    settings = Settings(vertices=VERTICES, motion="linear")
-    pair, _ = blend(a, b, settings)
-    return max(pair.contours, key=lambda contour: contour.scale_a), settings
+@pytest.fixture(scope="module")
+def contour(pages):
+    """The contour of the page called one."""
+    pair, _ = blend(*(read(str(file)) for file in pages["one"][1]), SETTINGS)
+    return pair.contours[0]
+
+
+@pytest.fixture(scope="module")
+def expected(contour):
+    """What the graph of that page shows."""
+    return landscape(solved_wires(contour, SETTINGS), contour.correspondence.dots, None)
 
 
 def screen(page, point):
@@ -239,8 +247,7 @@ def screen(page, point):
 
 
 @pytest.mark.parametrize("way", ["mouse", "finger", "keyboard"])
-def test_a_dot_shows_its_pair(opened, pages, way):
-    contour, _ = contour_of(pages, "one")
+def test_a_dot_shows_its_pair(opened, contour, way):
     page = opened("one", touch=way == "finger")
     page.check("#show-points")
     found = contour.correspondence.dots
@@ -280,18 +287,15 @@ def assert_other_path_is_shown(page, contour, expected, column, row, time):
     """The polygon of eq (2) by the least path through a dot, over the picture."""
     m, n = len(contour.polygon_a.vertices), len(contour.polygon_b.vertices)
     path = expected.path_through(column, row)[:-1] + np.array(expected.start)
-    polygon = (1 - time) * contour.polygon_a.vertices[path[:, 0] % m] + time * contour.polygon_b.vertices[
-        path[:, 1] % n
-    ]
+    at_a, at_b = contour.polygon_a.vertices[path[:, 0] % m], contour.polygon_b.vertices[path[:, 1] % n]
+    polygon = (1 - time) * at_a + time * at_b
     data = page.get_attribute("#overlay .other", "d")
     np.testing.assert_allclose(numbers(data).reshape(-1, 2) @ [1, 1j], polygon, atol=1e-2)
     work = float(re.search(r"least work ([\d.]+)", page.inner_text("#cell")).group(1))
     assert work == pytest.approx(expected.works[column, row], rel=2e-3)
 
 
-def test_a_click_on_the_graph_shows_the_other_correspondence_and_escape_goes_back(opened, pages):
-    contour, settings = contour_of(pages, "one")
-    expected = landscape(solved_wires(contour, settings), contour.correspondence.dots, None)
+def test_a_click_on_the_graph_shows_the_other_correspondence_and_escape_goes_back(opened, contour, expected):
     columns, rows = expected.works.shape
     page = opened("one")
     seek(page, 0.25)
@@ -304,17 +308,15 @@ def test_a_click_on_the_graph_shows_the_other_correspondence_and_escape_goes_bac
     assert_other_path_is_shown(page, contour, expected, columns - 4, rows // 2, 0.5)
     seek(page, 0.25)
     page.keyboard.press("Escape")
-    assert page.locator("#overlay path").count() == 0
+    assert overlaid(page) == 0
     assert shape(page) == before
     # The button does the same.
     page.mouse.click(*cell_of(page, columns // 2, rows // 3, columns, rows))
     page.click("#back")
-    assert page.locator("#overlay path").count() == 0
+    assert overlaid(page) == 0
 
 
-def test_the_graph_is_used_by_keyboard(opened, pages):
-    contour, settings = contour_of(pages, "one")
-    expected = landscape(solved_wires(contour, settings), contour.correspondence.dots, None)
+def test_the_graph_is_used_by_keyboard(opened, contour, expected):
     page = opened("one")
     page.focus("#graph")
     for press in ["Shift+ArrowRight", *["ArrowRight"] * 2, *["ArrowDown"] * 7, "+", "-", "Enter"]:
@@ -322,11 +324,16 @@ def test_the_graph_is_used_by_keyboard(opened, pages):
     assert_other_path_is_shown(page, contour, expected, 12, 7, 0.0)
     assert time_of(page) == 0.0  # arrows stay in the graph
     page.keyboard.press("Escape")
-    assert page.locator("#overlay path").count() == 0
+    assert overlaid(page) == 0
 
 
 def pixels(page):
     return page.evaluate("document.getElementById('graph').toDataURL()")
+
+
+def middle_of_graph(page):
+    box = page.locator("#graph").bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
 def test_the_graph_is_zoomed_and_moved(opened):
@@ -336,13 +343,12 @@ def test_the_graph_is_zoomed_and_moved(opened):
     page.mouse.wheel(0, -400)
     page.wait_for_function("seen => document.getElementById('graph').toDataURL() !== seen", arg=seen[0])
     seen.append(pixels(page))
-    box = page.locator("#graph").bounding_box()
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    x, y = middle_of_graph(page)
     page.mouse.down()
     page.mouse.move(x - 60, y - 40, steps=4)
     page.mouse.up()
     seen.append(pixels(page))
-    assert page.locator("#overlay path").count() == 0  # that was no click
+    assert overlaid(page) == 0  # that was no click
     page.click("#zoom-in")
     seen.append(pixels(page))
     assert all(p != q for p, q in itertools.pairwise(seen))
@@ -355,8 +361,7 @@ def test_two_fingers_zoom(opened):
     page = opened("one", width=390, height=844, touch=True)
     page.locator("#graph").scroll_into_view_if_needed()
     before = pixels(page)
-    box = page.locator("#graph").bounding_box()
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    x, y = middle_of_graph(page)
     fingers = page.context.new_cdp_session(page)
     for kind, apart in (("touchStart", 20), *(("touchMove", 20 + 8 * k) for k in range(1, 8))):
         points = [{"x": x + way * apart, "y": y + way * apart / 2, "id": way + 1} for way in (-1, 1)]
@@ -364,7 +369,7 @@ def test_two_fingers_zoom(opened):
     fingers.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
     assert "zoomed" in page.get_attribute("#graph", "class")
     assert pixels(page) != before
-    assert page.locator("#overlay path").count() == 0
+    assert overlaid(page) == 0
 
 
 def test_a_graph_that_is_too_large_is_its_path_alone(opened):
@@ -374,7 +379,7 @@ def test_a_graph_that_is_too_large_is_its_path_alone(opened):
     before = pixels(page)
     page.locator("#graph").click()
     page.mouse.move(0, 0)
-    assert page.locator("#overlay path").count() == 0
+    assert overlaid(page) == 0
     assert pixels(page) == before
     assert "No frames were asked for" in page.inner_text("#strip-says")
     assert page.locator("#repeat option:checked").inner_text() == "3 times"
@@ -407,11 +412,8 @@ def test_three_drawings_run_through_or_one_pair_at_a_time(opened):
         ends.append(page.get_attribute("#picture path", "fill"))
     assert ends == list(COLOURS)
     page.select_option("#scope", "1")
-    assert (page.get_attribute("#time", "min"), page.get_attribute("#time", "max"), time_of(page)) == (
-        "1",
-        "2",
-        1.0,
-    )
+    assert [page.get_attribute("#time", name) for name in ("min", "max")] == ["1", "2"]
+    assert time_of(page) == 1.0
     assert page.inner_text("#clock") == "B → C 0.00"
     page.select_option("#scope", "all")
     page.click("summary:has-text('Frames')")
