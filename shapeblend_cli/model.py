@@ -92,6 +92,11 @@ class Box(NamedTuple):
         x0, y0, x1, y1 = other.bounds
         return left < x1 and x0 < right and top < y1 and y0 < bottom
 
+    def grid(self, side: int) -> ComplexArray:
+        """Return points evenly spread over the box, so many along each side."""
+        across = (np.arange(side) + 0.5) / side
+        return (self.x + self.width * across[:, None] + 1j * (self.y + self.height * across)).ravel()
+
     def interpolate(self, other: Box, t: float) -> Box:
         """Return the box at time t between this one and another."""
         return Box(*((1.0 - t) * p + t * q for p, q in zip(self, other, strict=True)))

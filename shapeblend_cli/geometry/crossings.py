@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry.polyline import from_end_to_end
+from shapeblend_cli.model import Box
 
 try:
     import cython
@@ -127,7 +128,7 @@ def chain_crossings(
     """
     bends = np.abs(segments[:, :2] - 2.0 * segments[:, 1:3] + segments[:, 2:]).max(axis=1)
     bends[straight] = 0.0
-    tolerance = CHORD_ERROR * _size(segments)
+    tolerance = CHORD_ERROR * Box.around(segments).larger_side
     if tolerance == 0.0:
         return 0
     # A piece of 1/n of a segment deviates from its chord by at most 1/8 of its second derivative over n^2.
@@ -147,15 +148,11 @@ def chain_crossings(
 
 def _count(points: ComplexArray, starts: IntArray, noise: float, most: int | None) -> int:
     """Count the crossings of chains, with noise as a share of their size."""
-    size = _size(points)
+    size = Box.around(points).larger_side
     # Far from the origin rounding is more than the share.
     noise = max(noise * size, ROUNDING * float(np.abs(points).max()))
     chains = _Chains(_xy(points), starts, noise, REACH * size)
     return _count_crossings(chains, len(points) ** 2 if most is None else most)
-
-
-def _size(points: ComplexArray) -> float:
-    return max(float(np.ptp(points.real)), float(np.ptp(points.imag)))
 
 
 def _xy(points: ComplexArray) -> FloatArray:

@@ -1,4 +1,4 @@
-"""Cubic Bezier segments in one array, all of them worked on at once.
+"""Cubic Bezier segments, all in one array and computed at once.
 
 A chain of k segments is a (k, 4) complex array of control points, as in `model.Contour`.
 """
@@ -27,19 +27,16 @@ _THIRDS = np.array([0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0])
 
 
 def evaluate(segments: ComplexArray, t: FloatArray) -> ComplexArray:
-    """Points at parameters `t`, which broadcast against the segments' leading axes."""
+    """Return points at parameters `t`, which broadcast against the segments' leading axes."""
     p0, p1, p2, p3 = np.moveaxis(segments, -1, 0)
     u = 1.0 - t
     return u * u * (u * p0 + 3.0 * t * p1) + t * t * (3.0 * u * p2 + t * p3)
 
 
 def arc_lengths(segments: ComplexArray) -> FloatArray:
-    """Lengths of the `ARC_PIECES` pieces of equal parameter of each segment.
+    """Return lengths of `ARC_PIECES` pieces of equal parameter of each segment, (k, ARC_PIECES) float.
 
-    Returns
-    -------
-    (k, ARC_PIECES) float
-        Four-point Gauss quadrature of the speed on each piece.
+    They are four-point Gauss quadratures of the speed.
     """
     t = (np.arange(ARC_PIECES)[:, None] + _NODES).ravel() / ARC_PIECES
     hodograph = 3.0 * np.diff(segments, axis=1)
@@ -49,22 +46,12 @@ def arc_lengths(segments: ComplexArray) -> FloatArray:
 
 
 def lengths(segments: ComplexArray) -> FloatArray:
-    """Arc length of each segment, (k,) float."""
+    """Return the arc length of each segment, (k,) float."""
     return arc_lengths(segments).sum(axis=1)
 
 
 def pieces(segments: ComplexArray, start: FloatArray, end: FloatArray) -> ComplexArray:
-    """Control points of the part of each segment between two parameters, by blossoming.
-
-    Parameters
-    ----------
-    segments : (k, 4) complex
-    start, end : (k,) float in [0, 1]
-
-    Returns
-    -------
-    (k, 4) complex
-    """
+    """Return the part of each segment between two parameters in [0, 1], (k, 4) complex, by blossoming."""
 
     def blossom(r: FloatArray, s: FloatArray, t: FloatArray) -> ComplexArray:
         points = segments
@@ -84,7 +71,7 @@ def pieces(segments: ComplexArray, start: FloatArray, end: FloatArray) -> Comple
 
 
 def chord_deviation(segments: ComplexArray) -> FloatArray:
-    """Bound on each segment's distance from its chord, (k,) float.
+    """Return a bound on each segment's distance from its chord, (k,) float.
 
     The distance to a convex set is convex, and at parameter t the two inner control points weigh
     ``3 t (1 - t) <= 3/4`` together; the ends lie on the chord. So three quarters of the larger distance
@@ -100,7 +87,7 @@ def chord_deviation(segments: ComplexArray) -> FloatArray:
 
 
 def extremal_parameters(segments: ComplexArray) -> tuple[IntArray, FloatArray]:
-    """Where x or y of a segment is extremal inside it: segment numbers and parameters in (0, 1)."""
+    """Return where x or y is extremal inside a segment: segment numbers, and parameters in (0, 1)."""
     d0, d1, d2 = np.moveaxis(np.diff(segments, axis=1), -1, 0)
     found: list[tuple[IntArray, FloatArray]] = []
     for part in (np.real, np.imag):
@@ -117,14 +104,14 @@ def extremal_parameters(segments: ComplexArray) -> tuple[IntArray, FloatArray]:
 
 
 def bounds(segments: ComplexArray) -> Box:
-    """The smallest box around the curves, from their ends and extrema."""
+    """Return the smallest box around the curves."""
     which, t = extremal_parameters(segments)
     points = np.concatenate([segments[:, 0], segments[:, 3], evaluate(segments[which], t)])
     return Box.around(points)
 
 
 def signed_area(segments: ComplexArray) -> float:
-    """Area between a chain of segments and the line from its end to its start; see `polygons.signed_area`."""
+    """Return the area between a chain of segments and the line from its end to its start, see `polygons`."""
     points = evaluate(segments[:, None, :], _NODES)
     hodograph = 3.0 * np.diff(segments, axis=1)
     basis = np.stack([(1.0 - _NODES) ** 2, 2.0 * _NODES * (1.0 - _NODES), _NODES**2])
@@ -133,18 +120,18 @@ def signed_area(segments: ComplexArray) -> float:
 
 
 def line(start: complex, end: complex) -> ComplexArray:
-    """A straight segment, (4,) complex, its inner points at thirds."""
+    """Return a straight segment, (4,) complex, its inner points at thirds."""
     return start + (end - start) * _THIRDS
 
 
 def lines(vertices: ComplexArray, closed: bool) -> ComplexArray:
-    """Straight segments from vertex to vertex, (k, 4) complex; of a closed polygon as many as it has vertices."""
+    """Return straight segments from vertex to vertex, (k, 4) complex; of a closed polygon as many as its vertices."""
     starts, ends = (vertices, np.roll(vertices, -1)) if closed else (vertices[:-1], vertices[1:])
     return starts[:, None] + (ends - starts)[:, None] * _THIRDS
 
 
 def directions(segments: ComplexArray) -> tuple[ComplexArray, ComplexArray]:
-    """Unit tangents at the start and the end of each segment, both (k,) complex, in the direction of travel.
+    """Return unit tangents at the start and the end of each segment, both (k,) complex, in the direction of travel.
 
     Where a handle has no length the next control point that lies elsewhere gives the direction, as it does in
     the limit. A segment that is a point has none: zero.

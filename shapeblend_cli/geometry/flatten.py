@@ -1,4 +1,4 @@
-"""Contours to polygons: every node stays a vertex, and further ones follow the curves evenly."""
+"""Flatten contours to polygons: every node is a vertex, and further vertices lie evenly along the curves."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ TOLERANCE = 5e-4
 """How far a polygon may lie from its curve, as a share of the larger side of the contour's box."""
 
 MOST_CUTS = 32
-"""Rounds of cutting; a handful is enough for any curve, cusps included."""
+"""Rounds of cutting; a few are enough for any curve, cusps included."""
 
 MOST_GROWTH = 3
 """A segment is divided evenly by at most so many times the pieces it would get by its length."""
@@ -33,8 +33,8 @@ def flatten(contour: Contour, vertices: int) -> Polygon:
     ----------
     contour : Contour
     vertices : int >= 0
-        How many vertices are wanted. Every node of the drawing is one whatever this says; the others are
-        spread over curves and long edges evenly by arc length. 0 adds none but what a curve needs.
+        How many vertices are wanted. Every node of the drawing is one in any case; the others are spread evenly by
+        arc length over curves and long edges. 0 adds only those that a curve needs.
 
     Returns
     -------
@@ -58,7 +58,7 @@ def flatten(contour: Contour, vertices: int) -> Polygon:
         if not coarse.any():
             break
         counts[coarse] = np.maximum(more, counts + 1)[coarse]
-    # What still strays is a sharp bend in a long segment: cut there alone.
+    # What still deviates is a sharp bend in a long segment: cut there alone.
     for _ in range(MOST_CUTS):
         if deviation.max() <= tolerance:
             break
@@ -79,20 +79,20 @@ def flatten(contour: Contour, vertices: int) -> Polygon:
 
 
 def _even(counts: IntArray) -> tuple[IntArray, FloatArray]:
-    """Segments cut evenly: the segment of each piece, and the share of its length at which the piece begins."""
+    """Return the segment of each piece, and the share of the segment's length at which it begins."""
     segment = np.repeat(np.arange(len(counts)), counts)
     return segment, _numbered(counts) / counts[segment]
 
 
 def _numbered(counts: IntArray) -> IntArray:
-    """Numbers from 0 in each of the runs of these lengths, one run after the other."""
+    """Return numbers from 0 for each of several runs of these lengths."""
     return np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
 
 
 def _measure(
     contour: Contour, ladders: FloatArray, segment: IntArray, share: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """The parameter at which each piece begins, and how far the piece may stray from its chord."""
+    """Return the parameter at which each piece begins, and a bound on its distance from its chord."""
     parameter = _parameters(ladders, segment, share)
     last = np.append(segment[1:] != segment[:-1], True)
     end = np.where(last, 1.0, np.roll(parameter, -1))
@@ -101,7 +101,7 @@ def _measure(
 
 
 def _length_ladders(segments: np.ndarray) -> FloatArray:
-    """Arc length from the start of each segment at equal steps of its parameter, (k, pieces + 1)."""
+    """Return arc lengths from the start of each segment at equal steps of its parameter, (k, pieces + 1)."""
     ladders = np.zeros((len(segments), cubics.ARC_PIECES + 1))
     np.cumsum(cubics.arc_lengths(segments), axis=1, out=ladders[:, 1:])
     return ladders
@@ -125,7 +125,7 @@ def _share_out(lengths: FloatArray, pieces: int) -> IntArray:
 
 
 def _parameters(ladders: FloatArray, segment: IntArray, share: FloatArray) -> FloatArray:
-    """The parameter at which each segment has gone the given share of its length, in [0, 1)."""
+    """Return the parameter in [0, 1) at which a given share of a segment's length is reached."""
     # One interpolation for all segments: each ladder is lifted above the one before it.
     lift = 2.0 * np.arange(len(ladders))
     totals = np.where(ladders[:, -1:] > 0.0, ladders[:, -1:], 1.0)

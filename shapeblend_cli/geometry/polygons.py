@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry.crossings import polygon_crossings
-from shapeblend_cli.model import Contour, Polygon
+from shapeblend_cli.model import Box, Contour, Polygon
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
@@ -56,10 +56,7 @@ def orientation(polygon: Polygon) -> int:
 
 def _share_with_sign(vertices: ComplexArray, sign: int) -> float:
     """Return the share of the interior, at a grid of points, whose winding number has the given sign."""
-    across = (np.arange(GRID) + 0.5) / GRID
-    x = vertices.real.min() + np.ptp(vertices.real) * across
-    y = vertices.imag.min() + np.ptp(vertices.imag) * across
-    numbers = winding_numbers((x[:, None] + 1j * y).ravel(), vertices)
+    numbers = winding_numbers(Box.around(vertices).grid(GRID), vertices)
     inside = np.count_nonzero(numbers)
     return float(np.count_nonzero(numbers * sign > 0) / inside) if inside else 0.0
 

@@ -73,9 +73,7 @@ def growth_point_inside(
 def _candidates(hole: ComplexArray, exterior: MatchedPoints) -> Iterator[complex]:
     first = complex(mean_value_weights(centroid(hole), exterior.here) @ exterior.there)
     yield first
-    box = Box.around(exterior.there)
-    steps = (np.arange(GRID) + 0.5) / GRID
-    grid = (box.x + box.width * steps[:, None] + 1j * (box.y + box.height * steps)).ravel()
+    grid = Box.around(exterior.there).grid(GRID)
     inside = grid[winding_numbers(grid, exterior.there) != 0]
     yield from inside[np.argsort(np.abs(inside - first), kind="stable")].tolist()
 

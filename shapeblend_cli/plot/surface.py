@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.interpolate.paths import between
+from shapeblend_cli.model import Box
 from shapeblend_cli.plot.axes import COLOUR_A, COLOUR_B, INK, SOFT, TOP, page_points, titled_figure
 from shapeblend_cli.svg.writing.figure import line_data
 
@@ -58,10 +59,10 @@ def draw(subject: Subject) -> str:
     solid = _solid(vertices_at(subject, times)[:, drawn], times)
     page, depth = project(solid)
     low, high = (project(_corners(solid, t))[0] for t in (0.0, 1.0))
-    everything = np.concatenate([page.ravel(), low, high])
-    shift = complex(96.0 - float(everything.real.min()), TOP - 6.0 - float(everything.imag.min()))
+    box = Box.around(np.concatenate([page.ravel(), low, high]))
+    shift = complex(96.0 - box.x, TOP - 6.0 - box.y)
     page, low, high = page + shift, low + shift, high + shift
-    width, height = float(np.ptp(everything.real)) + 132.0, float(np.ptp(everything.imag)) + TOP + 34.0
+    width, height = box.width + 132.0, box.height + TOP + 34.0
     work = f"{subject.work}; moving {subject.shape.motion_name}"
     figure = titled_figure(max(width, 480.0), height, _STYLE, subject.title, subject.contours, work)
     figure.line(page_points(low), "floor", closed=True)

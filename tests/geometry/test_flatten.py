@@ -7,8 +7,9 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import TOLERANCE, flatten
+from shapeblend_cli.geometry.polyline import from_end_to_end
 from shapeblend_cli.model import Contour
-from tests.support.contours import circle_contour, polygon_contour
+from tests.support.contours import circle_contour, furthest, polygon_contour
 
 coordinate = st.floats(-100.0, 100.0).map(lambda v: round(v, 3))
 point = st.builds(complex, coordinate, coordinate)
@@ -28,14 +29,6 @@ def contours(draw):
         inner = [nodes[k] + (nodes[k + 1] - nodes[k]) * s for s in (1 / 3, 2 / 3)]
         segments.append([nodes[k], *(inner if straight[k] else draw(st.tuples(point, point))), nodes[k + 1]])
     return Contour(np.array(segments), np.array(straight), closed)
-
-
-def distance_to_polygon(points, vertices, closed):
-    ends = np.roll(vertices, -1) if closed else vertices[1:]
-    starts = vertices if closed else vertices[:-1]
-    along = ends - starts
-    u = ((points[:, None] - starts).conj() * along).real / np.abs(along) ** 2
-    return np.abs(points[:, None] - starts - np.clip(u, 0, 1) * along).min(axis=1)
 
 
 @given(contours(), st.sampled_from([0, 10, 60, 200]))
@@ -59,8 +52,8 @@ def test_promises_of_flatten(contour, vertices):
     # The curve is never further away than the tolerance.
     if len(polygon.vertices) > 2:
         on_curve = cubics.evaluate(contour.segments[:, None, :], np.linspace(0, 1, 301)).ravel()
-        far = distance_to_polygon(on_curve, polygon.vertices, contour.closed)
-        assert far.max() <= TOLERANCE * size * (1 + 1e-6) + 2e-9 * size
+        far = furthest(on_curve, from_end_to_end(polygon.vertices, contour.closed))
+        assert far <= TOLERANCE * size * (1 + 1e-6) + 2e-9 * size
 
 
 def test_a_circle_gets_the_vertices_asked_for_evenly():

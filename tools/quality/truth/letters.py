@@ -19,6 +19,7 @@ from fontTools.pens.basePen import BasePen
 from fontTools.ttLib import TTFont
 
 from shapeblend_cli.geometry.polygons import signed_area
+from shapeblend_cli.model import Box
 from tools.quality.data import ROOT
 from tools.quality.npm import install
 from tools.quality.scores import is_crossed, is_overlapping
@@ -232,8 +233,7 @@ def _centred(p: Frame, q: Frame) -> tuple[Frame, Frame]:
 
 
 def _middle(frame: Frame) -> complex:
-    points = np.concatenate(frame)
-    return complex(np.ptp(points.real) / 2 + points.real.min(), np.ptp(points.imag) / 2 + points.imag.min())
+    return Box.around(np.concatenate(frame)).centre
 
 
 def _pieces(segment: np.ndarray) -> int:
@@ -330,11 +330,8 @@ def _points(contour: np.ndarray) -> list[list[float]]:
 def _svg(outline: Outline) -> str:
     """A file that draws an outline with room around it."""
     points = np.concatenate([np.concatenate(contour) for contour in outline])
-    room = 0.05 * extent([points])
-    box = points.real.min() - room, points.imag.min() - room, np.ptp(points.real), np.ptp(points.imag)
-    x, y, width, height = (
-        round(float(value)) for value in (box[0], box[1], box[2] + 2 * room, box[3] + 2 * room)
-    )
+    box = Box.around(points).expanded(0.05 * extent([points]))
+    x, y, width, height = map(round, box)
     data = "".join(_data(contour) for contour in outline)
     return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{x} {y} {width} {height}"><path d="{data}"/></svg>\n'
 

@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
+from shapeblend_cli.model import Box
 from tools.quality.scores import inside, is_crossed
 from tools.quality.truth.form import TIMES
 
@@ -174,8 +175,7 @@ def _is_corner(contour: np.ndarray, reach: float) -> np.ndarray:
 
 def extent(frame: Frame) -> float:
     """The diagonal of the box around it."""
-    points = np.concatenate(frame)
-    return float(np.hypot(np.ptp(points.real), np.ptp(points.imag)))
+    return Box.around(np.concatenate(frame)).diagonal
 
 
 def turns(contour: np.ndarray, reach: float = 0.0) -> np.ndarray:
