@@ -1,5 +1,6 @@
-"""Sequences: what goes on from pair to pair as one path."""
+"""Chains: what continues from pair to pair as one path."""
 
+from dataclasses import replace
 from itertools import pairwise, product
 
 import numpy as np
@@ -10,13 +11,12 @@ from shapely import LineString
 
 from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.interpolate.paths import between, waypoints
-from shapeblend_cli.model import ShapeBlend, Style
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
 from tests.support.contours import drawing as contour_drawing
 from tests.support.contours import polygon_contour, polyline
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing
-from tests.support.motions import contour_blend, turned
+from tests.support.motions import turned
 from tests.support.shapes import star_polygon
 from tests.support.strategies import rngs
 
@@ -57,59 +57,57 @@ SAME_CONTOURS = [
 NEAR = 0.15
 
 
-def outlines_at(track, k, t):
-    """The outlines of a track at a time after its key k, straight from waypoint to waypoint."""
-    stations = [
-        (0.0, track.keys[k].paths),
-        *((waypoint.t, waypoint.paths) for waypoint in track.waypoints[k]),
-        (1.0, track.keys[k + 1].paths),
-    ]
+def paths_at(shape, k, t):
+    """The paths of a keyframed shape at a time after its key k, straight from waypoint to waypoint."""
+    stations = [(0.0, shape.keys[k].paths), *shape.waypoints[k], (1.0, shape.keys[k + 1].paths)]
     for (low, before), (high, after) in pairwise(stations):
         if low <= t <= high:
-            contours = tuple(
-                contour_blend(start, end, (np.zeros(1), np.zeros(1)))
-                for start, end in zip(before, after, strict=True)
-            )
-            return between(ShapeBlend(contours, Style(), Style()), (t - low) / (high - low))
+            u = (t - low) / (high - low)
+            return [
+                replace(p, segments=(1 - u) * p.segments + u * q.segments)
+                for p, q in zip(before, after, strict=True)
+            ]
     raise AssertionError("waypoints out of order")
 
 
-def assert_goes_the_same_way(pairs, found, times=(0.5,)):
-    """Within each pair every outline of the tracks is one of the pair's own."""
+def chained(pairs, times=(0.5,)):
+    """The keyframed shapes of pairs; within each pair every outline must be one of the pair's own."""
+    shapes = keyframed_shapes(pairs)
     for pair, t in product(pairs, times):
-        own = [line(outline) for shape in pair.shapes for outline in between(shape, t)]
-        here = [track for track in found if track.first <= pair.a < track.first + len(track.keys) - 1]
-        outlines = [line(o) for track in here for o in outlines_at(track, pair.a - track.first, t)]
-        assert len(outlines) == len(own)
-        for outline in own:
-            assert min(outline.hausdorff_distance(other) for other in outlines) < NEAR
+        own = [line(path) for shape in pair.shapes for path in between(shape, t)]
+        here = [shape for shape in shapes if shape.first <= pair.a < shape.first + len(shape.keys) - 1]
+        lines = [line(path) for shape in here for path in paths_at(shape, pair.a - shape.first, t)]
+        assert len(lines) == len(own)
+        for one in own:
+            assert min(one.hausdorff_distance(other) for other in lines) < NEAR
+    return shapes
+
+
+def assert_alike(paths):
+    """All have the same commands, and are joined without gaps."""
+    assert len({(p.segments.shape, p.straight.tobytes(), p.closed) for p in paths}) == 1
+    for path in paths:
+        assert np.abs(path.segments[1:, 0] - path.segments[:-1, 3]).max(initial=0.0) < 1e-9
 
 
 @pytest.mark.parametrize("curves", [True, False])
 @pytest.mark.parametrize("paths", SAME_CONTOURS)
 def test_equal_contours_make_one_path_of_equal_commands(paths, curves):
     pairs = pairs_of(*paths, curves=curves)
-    found = keyframed_shapes(pairs)
-    (track,) = found
-    assert (track.first, len(track.keys)) == (0, len(paths))
-    assert track.waypoints == ((),) * (len(paths) - 1)
-    for outlines in zip(*(key.paths for key in track.keys), strict=True):
-        assert len({o.segments.shape for o in outlines}) == 1
-        assert len({o.straight.tobytes() for o in outlines}) == 1
-        for o in outlines:
-            joints = np.abs(o.segments[1:, 0] - o.segments[:-1, 3])
-            assert joints.max(initial=0.0) < 1e-9
-    assert_goes_the_same_way(pairs, found)
+    (shape,) = chained(pairs)
+    assert (shape.first, len(shape.keys)) == (0, len(paths))
+    assert shape.waypoints == ((),) * (len(paths) - 1)
+    for outlines in zip(*(key.paths for key in shape.keys), strict=True):
+        assert_alike(outlines)
     for k, pair in enumerate(pairs):
-        for shapes, key in ((pair.drawn[0], track.keys[k]), (pair.drawn[1], track.keys[k + 1])):
-            drawn = [line(o) for shape in shapes for o in shape.paths]
-            for outline in key.paths:
-                assert min(line(outline).hausdorff_distance(other) for other in drawn) < (
-                    0.01 if curves else 0.05
-                )
+        for shapes, key in ((pair.drawn[0], shape.keys[k]), (pair.drawn[1], shape.keys[k + 1])):
+            drawn = [line(path) for painted in shapes for path in painted.paths]
+            for path in key.paths:
+                apart = min(line(path).hausdorff_distance(other) for other in drawn)
+                assert apart < (0.01 if curves else 0.05)
 
 
-# The last turns back, and the others turn by different angles, so each has waypoints of its own.
+# The last rotates back, and the others by different angles, so each has waypoints of its own.
 TURNS = (120.0, 45.0, -75.0, 170.0)
 
 
@@ -119,29 +117,20 @@ def test_waypoints_are_cut_as_the_keys_are(paths, curves):
     pairs = [
         turned(pair, degrees) for pair, degrees in zip(pairs_of(*paths, curves=curves), TURNS, strict=False)
     ]
-    found = keyframed_shapes(pairs)
-    (track,) = found
-    assert len(track.waypoints) == len(track.keys) - 1
-    for pair, ways in zip(pairs, track.waypoints, strict=True):
-        (shape,) = pair.shapes
-        assert [waypoint.t for waypoint in ways] == [waypoint.t for waypoint in waypoints(shape)]
-        assert len(ways) > 3
-        for waypoint in ways:
-            for outline, key in zip(waypoint.paths, track.keys[0].paths, strict=True):
-                assert outline.segments.shape == key.segments.shape
-                assert (outline.closed, outline.straight.tobytes()) == (key.closed, key.straight.tobytes())
-                joints = np.abs(outline.segments[1:, 0] - outline.segments[:-1, 3])
-                assert joints.max(initial=0.0) < 1e-9
-    assert_goes_the_same_way(pairs, found, (0.01, 0.25, 0.5, 0.8, 0.99))
+    (shape,) = chained(pairs, (0.01, 0.25, 0.5, 0.8, 0.99))
+    assert len(shape.waypoints) == len(shape.keys) - 1
+    for pair, points in zip(pairs, shape.waypoints, strict=True):
+        assert [point.t for point in points] == [point.t for point in waypoints(pair.shapes[0])]
+        assert (len(pair.shapes), len(points) > 3) == (1, True)
+        for outlines in zip(shape.keys[0].paths, *(point.paths for point in points), strict=True):
+            assert_alike(outlines)
 
 
-def test_pairs_that_go_straight_have_no_waypoints_among_others_that_do_not():
+def test_pairs_that_move_straight_have_no_waypoints_among_others_that_do_not():
     pairs = pairs_of(STAR, DROP, CIRCLE, STAR)
     pairs[1] = turned(pairs[1])
-    found = keyframed_shapes(pairs)
-    (track,) = found
-    assert [len(ways) > 0 for ways in track.waypoints] == [False, True, False]
-    assert_goes_the_same_way(pairs, found, (0.01, 0.3, 0.99))
+    (shape,) = chained(pairs, (0.01, 0.3, 0.99))
+    assert [len(points) > 0 for points in shape.waypoints] == [False, True, False]
 
 
 def test_each_coat_of_paint_has_the_waypoints():
@@ -155,18 +144,19 @@ def test_each_coat_of_paint_has_the_waypoints():
     assert len(above.waypoints[0]) > 3
 
 
-def test_a_shape_that_does_not_go_on_as_it_came_ends_there():
-    pairs = pairs_of(EYED, LEAF, EYED)
-    found = keyframed_shapes(pairs)
-    assert [(t.first, len(t.keys)) for t in found] == [(0, 2), (1, 2)]
-    assert_goes_the_same_way(pairs, found)
+def spans(shapes):
+    """Of each shape its first drawing and the number of its keys."""
+    return [(shape.first, len(shape.keys)) for shape in shapes]
+
+
+def test_a_shape_of_other_contours_than_before_ends_there():
+    assert spans(chained(pairs_of(EYED, LEAF, EYED))) == [(0, 2), (1, 2)]
     pairs = pairs_of(SQUARES, BAR, SQUARES)
-    assert_goes_the_same_way(pairs, keyframed_shapes(pairs))
-    pairs = [turned(pair) for pair in pairs]
-    assert_goes_the_same_way(pairs, keyframed_shapes(pairs), (0.01, 0.2, 0.99))
+    chained(pairs)
+    chained([turned(pair) for pair in pairs], (0.01, 0.2, 0.99))
 
 
-def test_some_shapes_go_on_and_others_do_not():
+def test_some_shapes_continue_and_others_do_not():
     def shapes(*paths):
         return "".join(
             f'<path d="{p}" fill="{c}"/>' for p, c in zip(paths, ("#f00", "#0a0", "#00f"), strict=False)
@@ -174,17 +164,13 @@ def test_some_shapes_go_on_and_others_do_not():
 
     corner, other = "M0 0H3V3H0Z", "M20 0L24 0L24 4Z"
     pairs = pairs_of(shapes(STAR, corner, other), shapes(DROP, corner), shapes(LEAF, other, corner))
-    found = keyframed_shapes(pairs)
-    assert sorted((t.first, len(t.keys)) for t in found) == [(0, 2), (0, 3), (0, 3), (1, 2)]
-    assert_goes_the_same_way(pairs, found)
+    assert sorted(spans(chained(pairs))) == [(0, 2), (0, 3), (0, 3), (1, 2)]
 
 
-def test_an_outline_that_was_opened_for_a_line_does_not_go_on_closed():
+def test_an_outline_that_was_opened_for_a_line_does_not_continue_closed():
     ring = '<circle cx="12" cy="12" r="8" fill="none" stroke="#000"/>'
     square = '<path d="M4 4H20V20H4Z" fill="none" stroke="#000"/>'
-    pairs = pairs_of(LINES[0], ring, square)
-    found = keyframed_shapes(pairs)
-    assert [(t.first, len(t.keys)) for t in found] == [(0, 2), (1, 2)]
+    assert spans(keyframed_shapes(pairs_of(LINES[0], ring, square))) == [(0, 2), (1, 2)]
 
 
 @given(rngs, st.lists(st.integers(3, 12), min_size=3, max_size=4), st.booleans())
@@ -194,8 +180,5 @@ def test_any_polygons_in_any_direction(rng, counts, curves):
         z = star_polygon(rng, count) * 10
         drawings.append(contour_drawing(polygon_contour(z[::-1] if rng.random() < 0.5 else z)))
     pairs, _ = match_all(drawings, Settings(vertices=20, curves=curves, place="asis", motion="linear"))
-    found = keyframed_shapes(pairs)
-    assert [len(t.keys) for t in found] == [len(counts)]
-    assert_goes_the_same_way(pairs, found)
-    pairs = [turned(pair, 100.0, 5 + 5j) for pair in pairs]
-    assert_goes_the_same_way(pairs, keyframed_shapes(pairs), (0.01, 0.4))
+    assert [len(shape.keys) for shape in chained(pairs)] == [len(counts)]
+    chained([turned(pair, 100.0, 5 + 5j) for pair in pairs], (0.01, 0.4))
