@@ -1,7 +1,6 @@
 """What plots are made of, and ways to read them."""
 
 import re
-from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
@@ -14,6 +13,7 @@ from shapeblend_cli.svg.reading.read import read
 SVG = "{http://www.w3.org/2000/svg}"
 NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)")
 OPEN = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"><path fill="none" stroke="red" d="{}"/></svg>'
+LINES = "M0 0L5 5L9 1", "M0 9L3 2L8 8L9 0"
 
 
 def pieces(text, kind):
@@ -37,23 +37,20 @@ def points(data):
 
 
 @pytest.fixture
-def two_lines(tmp_path):
-    """Give two files of open lines of 3 and 4 vertices."""
-    paths = []
-    for name, data in (("a.svg", "M0 0L5 5L9 1"), ("b.svg", "M0 9L3 2L8 8L9 0")):
-        paths.append(tmp_path / name)
-        paths[-1].write_text(OPEN.format(data))
-    return paths
-
-
-@pytest.fixture
-def subject_of(samples):
-    """Match two drawings, samples by name, and give what a plot gets of them."""
+def subject_of(samples, tmp_path):
+    """Match two drawings, samples by name or open lines by their path data, and give what a plot gets of them."""
 
     def match(a, b, contour=None, dot=None, **settings):
-        files = tuple(str(f if isinstance(f, Path) else samples / f"{f}.svg") for f in (a, b))
+        files = []
+        for name, drawing in (("a", a), ("b", b)):
+            file = samples / f"{drawing}.svg"
+            if drawing.startswith("M"):
+                file = tmp_path / f"{name}.svg"
+                file.write_text(OPEN.format(drawing))
+            files.append(str(file))
         wanted = Settings(curves=False, **settings)
         (pair,), _ = match_all([read(file) for file in files], wanted)
-        return choose_subject(files, pair, wanted, PlotOptions(contour=contour, dot=dot), lambda share: None)
+        options = PlotOptions(contour=contour, dot=dot)
+        return choose_subject(tuple(files), pair, wanted, options, lambda share: None)
 
     return match

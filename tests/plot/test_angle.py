@@ -7,7 +7,7 @@ import pytest
 
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.plot import angle
-from tests.plot.conftest import pieces, points, words
+from tests.plot.conftest import LINES, pieces, points, words
 
 
 def test_the_dot_is_the_one_of_most_bending_work(subject_of):
@@ -25,25 +25,22 @@ def test_a_dot_that_is_named_is_taken(subject_of):
     assert angle.angle_of(subject_of("e", "f", dot=(i, j))).dot == (i, j)
 
 
-def test_a_dot_beside_the_path_is_told_of_one_near_by(subject_of):
-    with pytest.raises(
-        MatchError, match=r"vertices 3 of A and 100 of B do not correspond; 3,56 is a dot of the path"
-    ):
-        angle.angle_of(subject_of("e", "f", dot=(3, 100)))
-
-
-def test_ends_of_open_lines_have_no_angle(subject_of, two_lines):
-    with pytest.raises(MatchError, match="0,0 is an end of an open contour and has no angle; "):
-        angle.angle_of(subject_of(*two_lines, vertices=0, dot=(0, 0)))
-
-
-def test_a_line_of_two_ends_has_none_at_all(subject_of, tmp_path):
-    for name in ("a.svg", "b.svg"):
-        (tmp_path / name).write_text(
-            '<svg xmlns="http://www.w3.org/2000/svg"><path fill="none" stroke="red" d="M0 0L3 5"/></svg>'
-        )
-    with pytest.raises(MatchError, match="more vertices would work"):
-        angle.angle_of(subject_of(tmp_path / "a.svg", tmp_path / "b.svg", vertices=0))
+@pytest.mark.parametrize(
+    ("drawings", "settings", "message"),
+    [
+        (
+            ("e", "f"),
+            {"dot": (3, 100)},
+            "vertices 3 of A and 100 of B do not correspond; 3,56 is a dot of the path",
+        ),
+        (LINES, {"vertices": 0, "dot": (0, 0)}, "0,0 is an end of an open contour and has no angle; "),
+        (("M0 0L3 5",) * 2, {"vertices": 0}, "more vertices would work"),
+    ],
+    ids=["not on the path", "an end of an open line", "a line of two ends"],
+)
+def test_a_dot_without_an_angle_is_refused(subject_of, drawings, settings, message):
+    with pytest.raises(MatchError, match=message):
+        angle.angle_of(subject_of(*drawings, **settings))
 
 
 def test_the_curve_that_is_drawn_goes_through_theta(subject_of):

@@ -8,7 +8,7 @@ import pytest
 from shapeblend_cli.cli import run
 from shapeblend_cli.plot import graph
 from shapeblend_cli.plot.axes import LEFT, TOP
-from tests.plot.conftest import pieces, points, words
+from tests.plot.conftest import LINES, pieces, points, words
 
 GOLDEN = Path(__file__).parent / "golden" / "triangle-to-square.svg"
 
@@ -33,8 +33,8 @@ def test_the_path_that_is_drawn_is_the_correspondence(subject_of, names):
     assert dots[-1].tolist() == [subject.wires.m, subject.wires.n]
 
 
-def test_an_open_path_leads_from_end_to_end(subject_of, two_lines):
-    subject = subject_of(*two_lines, vertices=0)
+def test_an_open_path_leads_from_end_to_end(subject_of):
+    subject = subject_of(*LINES, vertices=0)
     dots = drawn_dots(graph.draw(subject), 3, 4)
     assert dots.tolist() == subject.correspondence.dots.tolist()
     assert dots[[0, -1]].tolist() == [[0, 0], [2, 3]]
@@ -81,9 +81,9 @@ def test_what_is_said_of_the_work(subject_of):
     found = subject.correspondence
     text = graph.draw(subject)
     line = next(line for line in words(text) if line.startswith("work"))
-    assert [
-        float(w) for w in line.replace("in a band of", "").split() if w[0].isdigit() and ";" not in w
-    ] == (pytest.approx([found.work, found.stretching, found.diagonal_deviation, 0.1], rel=1e-3))
+    numbers = [float(w) for w in line.replace("in a band of", "").split() if w[0].isdigit() and ";" not in w]
+    expected = [found.work, found.stretching, found.diagonal_deviation, 0.1]
+    assert numbers == pytest.approx(expected, rel=1e-3)
     assert {"no path", "band", "least-work path", "vertex of A", "vertex of B"} <= set(words(text))
     assert len(text) < 300_000
 

@@ -5,7 +5,7 @@ import pytest
 
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.plot import starts
-from tests.plot.conftest import pieces, words
+from tests.plot.conftest import LINES, pieces, words
 from tests.support.shapes import star_polygon, unit_box
 from tests.support.solver import find_least
 
@@ -28,18 +28,17 @@ def test_each_is_what_a_given_start_costs(subject_of):
 
 def test_starts_that_no_path_comes_back_to_are_gaps(subject_of, rng):
     subject = subject_of("e", "f", vertices=60)
-    works = np.array([2.0, np.inf, 3.0, 4.0])
-    scale = starts.scale_for(works)
-    assert scale.least is None
-    assert scale.low == 0.0
+    scale = starts.scale_for(np.array([2.0, np.inf, 3.0, 4.0]))
+    assert (scale.least, scale.low) == (None, 0.0)
     assert scale.high > 4.0
     with pytest.raises(MatchError, match="a wider band would work"):
         starts.works_of(subject._replace(band=0.0))
 
 
 def test_works_that_differ_much_are_drawn_by_powers_of_ten():
-    scale = starts.scale_for(np.array([1e-13, 2.0, 500.0]))
-    low, two, most = scale.heights(np.array([1e-13, 2.0, 500.0]))
+    works = np.array([1e-13, 2.0, 500.0])
+    scale = starts.scale_for(works)
+    low, two, most = scale.heights(works)
     assert (low, two, most) == (scale.low, np.log10(2.0), np.log10(500.0))
     assert scale.ticks[0] == (scale.low, 0.0)
     assert scale.low < two < most < scale.high
@@ -48,21 +47,21 @@ def test_works_that_differ_much_are_drawn_by_powers_of_ten():
 def test_the_best_start_is_marked_and_named(subject_of):
     text = starts.draw(subject_of("e", "f"))
     (best,) = pieces(text, "best")
-    lines = [points for points in pieces(text, "work")]
-    assert len(lines) == 1
+    assert len(pieces(text, "work")) == 1
     assert "least with vertex 0 of A at vertex 53 of B: work 5.228" in words(text)
     assert float(best.get("cy")) > 300.0
 
 
-def test_open_contours_have_no_starts(subject_of, two_lines):
-    with pytest.raises(MatchError, match="closed ones would work"):
-        starts.works_of(subject_of(*two_lines))
-
-
-def test_too_much_is_refused(subject_of):
-    subject = subject_of("e", "f", vertices=1700)
-    with pytest.raises(MatchError, match="a smaller --vertices would work"):
-        starts.works_of(subject)
+@pytest.mark.parametrize(
+    ("drawings", "settings", "message"),
+    [
+        (LINES, {}, "closed ones would work"),
+        (("e", "f"), {"vertices": 1700}, "a smaller --vertices would work"),
+    ],
+)
+def test_open_contours_and_too_many_vertices_are_refused(subject_of, drawings, settings, message):
+    with pytest.raises(MatchError, match=message):
+        starts.works_of(subject_of(*drawings, **settings))
 
 
 def test_wires_that_begin_elsewhere_price_the_same(rng):

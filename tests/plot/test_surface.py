@@ -4,23 +4,21 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.plot import surface
-from tests.plot.conftest import pieces, points, words
+from tests.plot.conftest import LINES, pieces, points, words
 
 
 @pytest.mark.parametrize("names", [("e", "f"), ("bird-1", "bird-2")])
 def test_polygons_are_those_of_equation_2(subject_of, names):
     subject = subject_of(*names, motion="linear")
-    a = subject.contour.polygon_a.vertices[subject.correspondence.dots[:, 0]]
-    b = subject.contour.polygon_b.vertices[subject.correspondence.dots[:, 1]]
+    a, b = subject.contour.dot_points()
     rows = surface.vertices_at(subject, np.array([0.0, 0.3, 1.0]))
     assert np.abs(rows - np.array([a, 0.7 * a + 0.3 * b, b])).max() < 1e-9
 
 
-def test_an_open_line_keeps_its_last_vertex(subject_of, two_lines):
-    subject = subject_of(*two_lines, vertices=0)
+def test_an_open_line_keeps_its_last_vertex(subject_of):
+    subject = subject_of(*LINES, vertices=0)
     rows = surface.vertices_at(subject, np.array([0.0, 1.0]))
-    assert rows[0].tolist() == subject.contour.polygon_a.vertices[subject.correspondence.dots[:, 0]].tolist()
-    assert rows[1].tolist() == subject.contour.polygon_b.vertices[subject.correspondence.dots[:, 1]].tolist()
+    assert rows.tolist() == [vertices.tolist() for vertices in subject.contour.dot_points()]
 
 
 def test_a_turned_step_keeps_its_size_where_it_turns(subject_of):
