@@ -23,7 +23,7 @@ def test_every_option_in_the_readme_exists():
         for p in command.params
         for name in (*p.opts, *p.secondary_opts)
     }
-    code = " ".join(re.findall(r"`[^`]*`|^    shapeblend .*$", README, re.MULTILINE))
+    code = " ".join(re.findall(r"`[^`\n]*`|^ *shapeblend .*$", README, re.MULTILINE))
     told = set(re.findall(r"(?<![\w-])--[a-z]+(?:-[a-z]+)*", code))
     assert told
     assert told <= known | {"--preset", "--help"}

@@ -2,8 +2,6 @@
 
 import json
 import re
-import subprocess
-import sys
 from xml.etree import ElementTree
 
 import numpy as np
@@ -11,7 +9,7 @@ import pytest
 
 from shapeblend_cli import output
 from shapeblend_cli.cli import run
-from tests.support.commands import contours, names, write
+from tests.support.commands import contours, names, points, process, viewbox, write
 
 SVG = "{http://www.w3.org/2000/svg}"
 SQUARE = "M0 0H10V10H0Z"
@@ -26,15 +24,6 @@ def svg(d, attributes=""):
 def here(here):
     write(a=svg(SQUARE, 'fill="#ff0000"'), b=svg(TRIANGLE, 'fill="#0000ff"'))
     return here
-
-
-def numbers(text):
-    return [float(v) for v in re.findall(r"-?[\d.]+(?:e-?\d+)?", text)]
-
-
-def points(path):
-    pairs = np.array(numbers(path)).reshape(-1, 2)
-    return pairs @ [1, 1j]
 
 
 def path_of(file):
@@ -72,29 +61,22 @@ def test_frames_at_the_ends_are_the_polygons_of_the_inputs(here):
 
 def test_the_viewbox_is_that_of_the_inputs(here):
     assert run(["a.svg", "b.svg", "--ends", "-o", "out"]) == 0
-    for file in (here / "out").iterdir():
-        root = ElementTree.parse(file).getroot()
-        assert dict(root.attrib) == {"viewBox": "0 0 10 10"}
+    assert [viewbox(file) for file in here.glob("out/*")] == [[0, 0, 10, 10]] * 7
     write(b=svg(TRIANGLE).replace("0 0 10 10", "-5 0 20 10"))
     assert run(["a.svg", "b.svg", "-n", "1", "--ends", "-o", "out", "--place", "asis", "-f"]) == 0
-    boxes = [ElementTree.parse(here / f"out/frame-{k}.svg").getroot().get("viewBox") for k in (1, 2, 3)]
-    assert boxes == ["0 0 10 10", "-2.5 0 15 10", "-5 0 20 10"]
+    boxes = [viewbox(f"out/frame-{k}.svg") for k in (1, 2, 3)]
+    assert boxes == [[0, 0, 10, 10], [-2.5, 0, 15, 10], [-5, 0, 20, 10]]
 
 
-@pytest.mark.parametrize("viewbox", ["", 'viewBox="2 2 4 4"'], ids=["none", "too small"])
-def test_the_viewbox_holds_what_is_drawn(here, viewbox):
+@pytest.mark.parametrize("given", ["", 'viewBox="2 2 4 4"'], ids=["none", "too small"])
+def test_the_viewbox_holds_what_is_drawn(here, given):
     write(
-        **{
-            name: svg(d).replace('viewBox="0 0 10 10"', viewbox)
-            for name, d in (("a", SQUARE), ("b", TRIANGLE))
-        }
+        **{name: svg(d).replace('viewBox="0 0 10 10"', given) for name, d in (("a", SQUARE), ("b", TRIANGLE))}
     )
     assert run(["a.svg", "b.svg", "--ends", "-o", "out"]) == 0
-    for file in (here / "out").iterdir():
-        root = ElementTree.parse(file).getroot()
-        assert set(root.attrib) == {"viewBox"}
-        x, y, width, height = numbers(root.get("viewBox"))
-        z = points(path_of(file).get("d"))
+    for file in here.glob("out/*"):
+        x, y, width, height = viewbox(file)
+        z = points(file.read_text())
         assert x < z.real.min() < z.real.max() < x + width
         assert y < z.imag.min() < z.imag.max() < y + height
         assert width < 12
@@ -278,7 +260,4 @@ def test_nothing_is_left_when_writing_fails_half_way(here, monkeypatch, refused,
 
 
 def test_as_a_module_and_its_version():
-    done = subprocess.run(
-        [sys.executable, "-m", "shapeblend_cli", "--version"], capture_output=True, text=True, check=True
-    )
-    assert re.fullmatch(r"shapeblend \d+\.\d+\.\d+\n", done.stdout)
+    assert re.fullmatch(rb"shapeblend \d+\.\d+\.\d+\n", process("--version").stdout)

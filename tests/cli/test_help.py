@@ -36,11 +36,7 @@ def test_the_help_says_every_option_once(capsys):
 
 
 @pytest.mark.parametrize("line", [line for line, _ in EXAMPLES])
-def test_the_examples_work(line, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    for name in ("a.svg", "b.svg", "c.svg"):
-        svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M0 0H{len(name)}L1 7Z"/></svg>'
-        (tmp_path / name).write_text(svg, encoding="utf-8")
+def test_the_examples_work(line, three):
     assert run(line.split()[1:]) == 0
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
-from tests.support.commands import read_to, start_on_terminal, write
+from tests.support.commands import process, read_to, start_on_terminal, write
 
 DRAWING = (
     '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 20">'
@@ -22,6 +22,12 @@ DRAWING = (
 def file(here):
     write(a=DRAWING.format(name="r"))
     return here / "a.svg"
+
+
+def inspected(capsys):
+    """What --json prints of a.svg."""
+    assert run(["inspect", "a.svg", "--json"]) == 0
+    return json.loads(capsys.readouterr().out)
 
 
 def on_a_terminal(file, columns=80, **environment):
@@ -41,8 +47,7 @@ def test_json_and_table_of_transformed_shapes(here, capsys):
         '<g transform="translate(5 5)" fill="#123456">'
         '<rect id="r" width="4" height="2"/><path d="M0 0H3" stroke="red" fill="none"/></g></svg>'
     )
-    assert run(["inspect", "a.svg", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out) == {
+    assert inspected(capsys) == {
         "file": "a.svg",
         "viewbox": [0, 0, 20, 20],
         "shapes": [
@@ -78,15 +83,9 @@ def test_length_and_box_of_straight_and_curved_pieces_together(file, capsys):
     file.write_text(
         '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0h10a5 5 0 0 1 0 10h-10zM3 3h2M1 1C1 9 4 9 4 1"/></svg>'
     )
-    assert run(["inspect", "a.svg", "--json"]) == 0
-    (shape,) = json.loads(capsys.readouterr().out)["shapes"]
+    (shape,) = inspected(capsys)["shapes"]
     t = np.linspace(0, 1, 20001)
-    curve = (
-        3 * t * (1 - t) ** 2 * (1 + 9j)
-        + (1 - t) ** 3 * (1 + 1j)
-        + 3 * t**2 * (1 - t) * (4 + 9j)
-        + t**3 * (4 + 1j)
-    )
+    curve = np.polynomial.Polynomial([1 + 1j, 24j, 9 - 24j, -6])(t)
     total = 30 + 5 * np.pi + 2 + np.abs(np.diff(curve)).sum()
     assert shape["length"] == pytest.approx(total, rel=1e-5)
     assert shape["bbox"] == pytest.approx([0, 0, 15, 10], abs=1e-4)
@@ -96,8 +95,7 @@ def test_length_and_box_of_straight_and_curved_pieces_together(file, capsys):
 @pytest.mark.parametrize("count", [1, 3000])
 def test_curves_are_measured_in_slices(file, capsys, count):
     file.write_text(f'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0{"q1 2 2 0" * count}"/></svg>')
-    assert run(["inspect", "a.svg", "--json"]) == 0
-    (shape,) = json.loads(capsys.readouterr().out)["shapes"]
+    (shape,) = inspected(capsys)["shapes"]
     assert shape["length"] == pytest.approx(count * 2.9578857, rel=1e-6)
     assert shape["bbox"] == pytest.approx([0, 0, 2 * count, 1])
 
@@ -115,12 +113,9 @@ def test_nothing_is_cut_and_one_long_id_widens_no_other_line(file, capsys, name)
 
 @pytest.mark.parametrize("variable", ["FORCE_COLOR", "COLUMNS"])
 def test_a_pipe_gets_no_colours_and_no_line_breaks(file, variable):
-    done = subprocess.run(
-        [sys.executable, "-m", "shapeblend_cli", "inspect", "a.svg"],
-        capture_output=True, text=True, check=True, env={**os.environ, variable: "20"},
-    )  # fmt: skip
-    assert "\x1b" not in done.stdout
-    assert len(done.stdout.splitlines()) == 4
+    shown = process("inspect", "a.svg", **{variable: "20"}).stdout
+    assert b"\x1b" not in shown
+    assert len(shown.splitlines()) == 4
 
 
 def test_rich_is_imported_for_terminals_alone(file):
@@ -129,10 +124,8 @@ def test_rich_is_imported_for_terminals_alone(file):
         "print(*(name for name in ('rich', 'json') if name in sys.modules), file=sys.stderr)"
     )
     for arguments in (["inspect", "a.svg"], ["a.svg", "a.svg", "-o", "out"]):
-        done = subprocess.run(
-            [sys.executable, "-c", code, *arguments], capture_output=True, text=True, check=True
-        )
-        assert done.stderr.splitlines()[-1] == ""
+        done = subprocess.run([sys.executable, "-c", code, *arguments], capture_output=True, check=True)
+        assert done.stderr.splitlines()[-1] == b""
 
 
 def test_a_terminal_gets_colours_within_its_width(file):
@@ -152,11 +145,7 @@ def test_ids_are_no_markup(file):
 
 def test_an_id_that_the_terminal_cannot_show(file):
     file.write_text(DRAWING.format(name="\N{SNOWMAN}"), encoding="utf-8")
-    done = subprocess.run(
-        [sys.executable, "-m", "shapeblend_cli", "inspect", "a.svg"],
-        capture_output=True, check=True, env={**os.environ, "PYTHONIOENCODING": "ascii"},
-    )  # fmt: skip
-    assert rb"\u2603" in done.stdout
+    assert rb"\u2603" in process("inspect", "a.svg", PYTHONIOENCODING="ascii").stdout
 
 
 def test_wide_characters_take_two_columns(file, capsys):

@@ -1,13 +1,12 @@
 """`--motion`, as its users see it."""
 
 import re
-from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
-from tests.support.commands import contours, report, write
+from tests.support.commands import contents, contours, points, report, viewbox, write
 from tests.support.drawings import BAR, LEAF, SQUARES, svg
 
 L = "M3 3H9V17H19V21H3Z"
@@ -18,22 +17,6 @@ L_TURNED = "M21 3V9H7V19H3V3Z"
 def here(here):
     write(l=svg(L), turned=svg(L_TURNED), bar=svg(BAR), leaf=svg(LEAF), squares=svg(SQUARES))
     return here
-
-
-def written(folder):
-    return [path.read_bytes() for path in sorted(folder.iterdir())]
-
-
-def views(folder):
-    return [
-        [float(v) for v in ElementTree.parse(path).getroot().get("viewBox").split()]
-        for path in sorted(folder.glob("*.svg"))
-    ]
-
-
-def points(path):
-    (d,) = re.findall(r' d="([^"]*)"', path.read_text())
-    return np.array([complex(*map(float, p.split(","))) for p in re.findall(r"-?[\d.]+,-?[\d.]+", d)])
 
 
 def test_the_report_says_how_each_contour_moves_and_why(here):
@@ -73,35 +56,32 @@ def test_verbose_names_the_shapes_where_there_are_several(here, capsys):
 @pytest.mark.parametrize(
     "options",
     [
-        ["-o", "out"],
-        ["-o", "out/x.svg"],
-        ["-o", "out/x.svg", "--animate", "css"],
-        ["-o", "out/x.svg", "--animate", "frames"],
-        ["-o", "out/x.json", "--emit", "lottie"],
-        ["-o", "out/x.xml", "--emit", "avd"],
-        ["-o", "out", "--polygons", "--ends"],
+        "-o out",
+        *(f"-o out/x.svg --animate {method}" for method in ("smil", "css", "frames")),
+        "-o out/x.json --emit lottie",
+        "-o out/x.xml --emit avd",
+        "-o out --polygons --ends",
     ],
-    ids=" ".join,
 )
 @pytest.mark.parametrize("names", [("bar", "leaf"), ("squares", "bar")], ids=" ".join)
 def test_without_a_fault_files_are_those_of_straight_paths(here, names, options):
     files = [f"{name}.svg" for name in names]
     if any(contour["motion"] != "linear" for contour in contours(*files, "-n", "5")):
         pytest.fail("these have to be without a fault")
-    assert run([*files, *options]) == 0
-    auto = written(here / "out")
-    assert run([*files, *options, "--motion", "linear", "-f"]) == 0
-    assert written(here / "out") == auto
+    assert run([*files, *options.split()]) == 0
+    auto = contents("out")
+    assert run([*files, *options.split(), "--motion", "linear", "-f"]) == 0
+    assert contents("out") == auto
 
 
 def test_frames_turn_and_straight_ones_do_not(here):
     assert run(["l.svg", "turned.svg", "-n", "1", "--polygons", "--vertices", "0"]) == 0
-    edges = abs(np.diff(points(here / "blend/frame-1.svg")))
+    edges = abs(np.diff(points((here / "blend/frame-1.svg").read_text())))
     np.testing.assert_allclose(edges, [6, 14, 10, 4, 16], atol=0.01)
     straight = ["--motion", "linear", "-f"]
     assert run(["l.svg", "turned.svg", "-n", "1", "--polygons", "--vertices", "0", *straight]) == 0
     np.testing.assert_allclose(
-        abs(np.diff(points(here / "blend/frame-1.svg"))), edges / np.sqrt(2.0), atol=0.01
+        abs(np.diff(points((here / "blend/frame-1.svg").read_text()))), edges / np.sqrt(2.0), atol=0.01
     )
 
 
@@ -110,7 +90,7 @@ def test_the_ends_are_the_drawings_whatever_the_motion(here, kind):
     for motion in ("linear", "rigid", "intrinsic", "safe"):
         assert run(["l.svg", "turned.svg", "-n", "1", "--ends", "--motion", motion, "-f", *kind]) == 0
         for frame, vertices in ((1, 3 + 3j), (3, 21 + 3j)):
-            assert abs(points(here / f"blend/frame-{frame}.svg") - vertices).min() < 1e-3
+            assert abs(points((here / f"blend/frame-{frame}.svg").read_text()) - vertices).min() < 1e-3
 
 
 def test_no_frames(here):
@@ -146,7 +126,7 @@ def test_what_leaves_the_viewbox_on_its_way_is_shown(here, output):
     write(a=svg("M0 0H24V24H0V10H4V6H0Z"), b=svg("M24 0V24H0V0H14V4H18V0Z"))
     (contour,) = contours("a.svg", "b.svg", *output)
     assert contour["motion"] == "rigid"
-    found = views(here / "blend")
+    found = [viewbox(file) for file in here.glob("blend/*")]
     assert all(view == found[0] for view in found)
     x, y, width, height = found[0]
     reach = 12 * 2**0.5  # the corners', half way
@@ -156,14 +136,14 @@ def test_what_leaves_the_viewbox_on_its_way_is_shown(here, output):
     assert y + height > 12 + reach
     assert max(width, height) < 40
     for path in (here / "blend").glob("*.svg"):
-        z = points(path)
+        z = points(path.read_text())
         assert x < z.real.min() < z.real.max() < x + width
         assert y < z.imag.min() < z.imag.max() < y + height
     assert run(["a.svg", "b.svg", "-o", "straight", "--motion", "linear"]) == 0
-    assert views(here / "straight") == [[0, 0, 24, 24]] * 5
+    assert [viewbox(file) for file in here.glob("straight/*")] == [[0, 0, 24, 24]] * 5
 
 
 def test_what_stays_inside_leaves_the_viewbox_as_it_is(here):
     write(l=svg(L, viewbox="-4 -4 32 32"), turned=svg(L_TURNED, viewbox="-4 -4 32 32"))
     assert run(["l.svg", "turned.svg", "-o", "out", "--ends"]) == 0
-    assert views(here / "out") == [[-4, -4, 32, 32]] * 7
+    assert [viewbox(file) for file in here.glob("out/*")] == [[-4, -4, 32, 32]] * 7

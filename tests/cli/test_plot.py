@@ -1,15 +1,13 @@
 """`shapeblend plot` as its users run it."""
 
 import re
-import subprocess
-import sys
 from xml.etree import ElementTree
 
 import pytest
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.cli.plot import KINDS
-from tests.support.commands import names, write
+from tests.support.commands import names, process, write
 
 TWO = (
     '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 30 20"><path d="M0 0h4v4h-4z"/>'
@@ -33,33 +31,21 @@ def test_there_is_a_module_for_every_kind(here):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_same_input_same_bytes(here, kind):
-    written = []
-    for name in ("one.svg", "two.svg"):
-        command = [sys.executable, "-m", "shapeblend_cli", "plot", kind, "a.svg", "b.svg", "-o", name]
-        subprocess.run(command, check=True, stdin=subprocess.DEVNULL)
-        written.append((here / name).read_bytes())
-    assert written[0] == written[1]
+    one, two = (process("plot", kind, "a.svg", "b.svg", "-o", "-").stdout for _ in range(2))
+    assert one == two
 
 
 def test_standard_output_and_standard_input(here):
-    done = subprocess.run(
-        [sys.executable, "-m", "shapeblend_cli", "plot", "graph", "-", "b.svg", "-o", "-"],
-        input=(here / "a.svg").read_bytes(),
-        capture_output=True,
-        check=True,
-    )
+    done = process("plot", "graph", "-", "b.svg", "-o", "-", stdin=(here / "a.svg").read_bytes())
     assert "standard input → b.svg" in done.stdout.decode("utf-8")
     assert names() == ["a.svg", "b.svg"]
 
 
-def test_a_file_that_exists_stays_without_force(here, capsys):
+def test_a_file_that_exists_stays_without_force(here, refused):
     (here / "graph.svg").write_text("mine")
-    assert run(["plot", "graph", "a.svg", "b.svg"]) == 1
-    assert capsys.readouterr().err == "shapeblend: graph.svg: exists; --force replaces it\n"
-    assert (here / "graph.svg").read_text() == "mine"
+    refused(["plot", "graph", "a.svg", "b.svg"], 1, "shapeblend: graph.svg: exists; --force replaces it")
     assert run(["plot", "graph", "a.svg", "b.svg", "--force"]) == 0
-    assert run(["plot", "graph", "a.svg", "b.svg", "-f", "-o", "a.svg"]) == 1
-    assert "is an input" in capsys.readouterr().err
+    refused(["plot", "graph", "a.svg", "b.svg", "-f", "-o", "a.svg"], 1, "is an input")
 
 
 def test_the_largest_contour_is_drawn_unless_another_is_named(here):

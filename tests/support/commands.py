@@ -5,8 +5,13 @@ from __future__ import annotations
 import json
 import os
 import pty
+import re
 import subprocess
+import sys
 from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
 
 from shapeblend_cli.cli import run
 
@@ -41,6 +46,28 @@ def report(*arguments):
 def contours(*arguments):
     """What the report of a run says of contours."""
     return [contour for pair in report(*arguments)["pairs"] for contour in pair["contours"]]
+
+
+def process(*arguments, stdin=None, **environment):
+    """Run the command in a process of its own, which has to succeed."""
+    command = [sys.executable, "-m", "shapeblend_cli", *arguments]
+    return subprocess.run(
+        command, input=stdin, capture_output=True, check=True, env={**os.environ, **environment}
+    )
+
+
+def points(text):
+    """The points in path data, or in the text of a file with one path."""
+    path = re.search(r' d="([^"]*)"', text)
+    numbers = re.findall(r"-?[\d.]+(?:e-?\d+)?", path[1] if path else text)
+    return np.array(numbers, float).reshape(-1, 2) @ [1, 1j]
+
+
+def viewbox(file):
+    """The viewBox of an SVG file, which has no other attributes."""
+    root = ElementTree.parse(file).getroot()
+    assert root.keys() == ["viewBox"]
+    return [float(number) for number in root.get("viewBox").split()]
 
 
 def read_to(terminal, end=None):
