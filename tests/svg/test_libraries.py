@@ -16,20 +16,17 @@ def run(code):
     return done.stdout.split()
 
 
-MODULES = "import sys; print(*(name for name in {names!r} if name in sys.modules))"
 EXPENSIVE = ["scipy", "scipy.integrate", "urllib.request", "svgwrite.data.svgparser", "webbrowser"]
 ON_DEMAND = ["tinycss2", "cssselect2", "gzip"]
+PLAIN = svg('<g style="fill:#123;stroke:none"><path d="M0 0h5v5z"/></g>')
 
 
-def test_expensive_modules_are_not_imported():
-    names = EXPENSIVE + ON_DEMAND
-    assert run("import shapeblend_cli.svg.reading.read;" + MODULES.format(names=names)) == []
-
-
-def test_a_plain_file_needs_no_css_library():
-    data = svg('<g style="fill:#123;stroke:none"><path d="M0 0h5v5z"/></g>')
-    code = f"from shapeblend_cli.svg.reading.read import read; read('a', {data!r});"
-    assert run(code + MODULES.format(names=ON_DEMAND)) == []
+@pytest.mark.parametrize(
+    ("code", "names"), [("", EXPENSIVE + ON_DEMAND), (f"read.read('a', {PLAIN!r});", ON_DEMAND)]
+)
+def test_expensive_modules_are_not_imported_nor_css_libraries_for_a_plain_file(code, names):
+    imported = f"import sys; print(*(name for name in {names!r} if name in sys.modules))"
+    assert run(f"from shapeblend_cli.svg.reading import read; {code}{imported}") == []
 
 
 def test_stand_ins_leave_no_trace_and_call_through():

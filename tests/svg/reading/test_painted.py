@@ -168,10 +168,7 @@ def test_all_style_properties_are_read():
     assert painted.stroke_width == pytest.approx(5)
 
 
-GRADIENT = (
-    '<linearGradient id="g" href="#h"/>'
-    '<linearGradient id="h"><stop stop-color="#0a0"/><stop/></linearGradient>'
-)
+STOPS = '<linearGradient id="h"><stop stop-color="#0a0"/><stop/></linearGradient>'
 
 
 @pytest.mark.parametrize(
@@ -196,7 +193,7 @@ def test_a_plain_colour_for_a_pattern_is_noted():
 
 @pytest.mark.parametrize("fill", ["url(#g)", "url('#g') none", "url(#g) red"])
 def test_a_gradient_is_read_with_a_colour_that_stands_for_it(fill):
-    drawing = drawn(f'<defs>{GRADIENT}</defs><g fill="{fill}">{RECT}</g>')
+    drawing = drawn(f'<linearGradient id="g" href="#h"/>{STOPS}<g fill="{fill}">{RECT}</g>')
     painted = drawing.shapes[0].style
     assert painted.fill == "#00aa00"
     assert painted.fill_gradient.stops == (Stop(0, "#00aa00"), Stop(0, "#000000"))

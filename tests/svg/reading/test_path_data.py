@@ -155,9 +155,6 @@ def test_what_precedes_an_error_is_kept():
     subpaths, error = path_data.scan("M0 0h5v5L1")
     assert error is not None
     assert [len(contour.segments) for contour in path_data.trace(subpaths)] == [2]
-
-
-def test_sound_data_has_no_error():
     assert path_data.scan("M0 0h5z")[1] is None
 
 

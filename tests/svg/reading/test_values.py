@@ -8,11 +8,24 @@ from hypothesis import strategies as st
 from shapeblend_cli.svg.reading import colours, transforms, units
 
 
+def transform_property(text):
+    return transforms.parse(text, units.Lengths(1, 1))
+
+
+UNREADABLE = {
+    units.length: "|x|1 px x|1..2|nan|inf|1e999|1e9|1foo|--1|1%|1_0|calc(1px)",
+    colours.parse: f"|oops|#12|#ggg|rgb(|rgb(1,2)|url(|red blue|((((|\0|{'#' * 2000}",
+    transforms.parse: "rotate|rotate(|rotate()|rotate(1 2)|scale(1,,2)|scale(,1)|foo(1)|matrix(1 2 3)|scale(1) x"
+    "|translate(1e999)|rotate(1deg)|scale(1),",
+    transform_property: "rotate(1)|translate(1)|rotate(1deg 2deg 3deg)|translateX(1px, 2px)|scale(1px)",
+}
+
+
 @pytest.mark.parametrize(
-    "text", ["", "x", "1 px x", "1..2", "nan", "inf", "1e999", "1e9", "1foo", "--1", "1%", "1_0", "calc(1px)"]
+    ("parse", "text"), [(f, t) for f, texts in UNREADABLE.items() for t in texts.split("|")]
 )
-def test_what_is_no_length(text):
-    assert units.length(text) is None
+def test_what_cannot_be_read_is_nothing(parse, text):
+    assert parse(text) is None
 
 
 @pytest.mark.parametrize(
@@ -63,32 +76,9 @@ def test_how_opaque_a_colour_is(text, alpha):
     assert colours.parse_colour(text).alpha == pytest.approx(alpha)
 
 
-@pytest.mark.parametrize(
-    "text", ["", "oops", "#12", "#ggg", "rgb(", "rgb(1,2)", "url(", "red blue", "((((", "\0", "#" * 2000]
-)
-def test_what_is_no_paint(text):
-    assert colours.parse(text) is None
-
-
 def test_paint_servers():
     assert colours.parse("url(#a)") == colours.Paint("server", link="#a")
     assert colours.parse("url( '#a' ) none").fallback == colours.NONE
-
-
-@pytest.mark.parametrize(
-    "text",
-    "rotate|rotate(|rotate()|rotate(1 2)|scale(1,,2)|scale(,1)|foo(1)|matrix(1 2 3)|scale(1) x|translate(1e999)"
-    "|rotate(1deg)|scale(1),".split("|"),
-)
-def test_what_is_no_transform_attribute(text):
-    assert transforms.parse(text) is None
-
-
-@pytest.mark.parametrize(
-    "text", ["rotate(1)", "translate(1)", "rotate(1deg 2deg 3deg)", "translateX(1px, 2px)", "scale(1px)"]
-)
-def test_what_is_no_transform_property(text):
-    assert transforms.parse(text, units.Lengths(1, 1)) is None
 
 
 small = st.floats(-9, 9)

@@ -19,9 +19,9 @@ NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)")
 SLOW_START = Ease(0.42, 0.0, 1.0, 1.0)
 
 
-def pairs_of(*paths):
-    pairs, _ = match_all([drawing(p, attributes='fill="#333"') for p in paths], Settings())
-    return pairs
+def pairs_of(*paths, fills=("#333",) * 3):
+    drawings = [drawing(p, attributes=f'fill="{fill}"') for p, fill in zip(paths, fills, strict=False)]
+    return match_all(drawings, Settings())[0]
 
 
 def smil(pairs, timing):
@@ -66,11 +66,8 @@ def test_without_waypoints_there_is_a_value_for_each_drawing_and_no_word_of_time
 
 
 def test_only_the_path_has_keyframes_at_waypoints():
-    pairs, _ = match_all(
-        [drawing(f'<path d="{d}" fill="{c}"/>') for d, c in ((LEAF, "#333333"), (BAR, "#343434"))],
-        Settings(),
-    )
-    root = smil([turned(pair) for pair in pairs], Timing())
+    (pair,) = pairs_of(LEAF, BAR, fills=("#333333", "#343434"))
+    root = smil([turned(pair)], Timing())
     (data,), (fill,) = animations(root, "d"), animations(root, "fill")
     assert len(data.get("values").split(";")) > len(fill.get("values").split(";")) == 2
 

@@ -16,7 +16,7 @@ points = st.builds(complex, coordinates, coordinates)
 
 
 @st.composite
-def outlines(draw):
+def cubic_paths(draw):
     count = draw(st.integers(2, 6))
     segments = np.array(draw(st.lists(points, min_size=4 * count, max_size=4 * count))).reshape(count, 4)
     segments[1:, 0] = segments[:-1, 3]
@@ -31,34 +31,34 @@ def kinds(text):
 
 
 @pytest.mark.parametrize("write", [path_data, short_path_data])
-@given(st.lists(outlines(), min_size=1, max_size=3), st.integers(0, 5))
+@given(st.lists(cubic_paths(), min_size=1, max_size=3), st.integers(0, 5))
 def test_what_is_written_is_read_again(write, given, decimals):
     text = write(given, decimals)
     read = path_contours(text)
     within = 0.71 * 10.0**-decimals
     # What rounding has made a point is not read.
     if len(read) == len(given):
-        for outline, contour in zip(given, read, strict=True):
-            if len(contour.segments) == len(outline.segments):
-                ends = contour.segments[:, 3] - outline.segments[:, 3]
+        for path, contour in zip(given, read, strict=True):
+            if len(contour.segments) == len(path.segments):
+                ends = contour.segments[:, 3] - path.segments[:, 3]
                 assert np.abs(ends).max() <= within + 1e-9
-                inner = np.abs(contour.segments - outline.segments)[~outline.straight]
+                inner = np.abs(contour.segments - path.segments)[~path.straight]
                 assert inner.max(initial=0.0) <= within + 1e-9
     assert len(read) <= len(given)
 
 
-@given(outlines())
-def test_letters_depend_on_the_kinds_of_segments_alone(outline):
-    moved = CubicPath(outline.segments * 1j + 3, outline.straight, outline.closed)
+@given(cubic_paths())
+def test_letters_depend_on_the_kinds_of_segments_alone(path):
+    moved = CubicPath(path.segments * 1j + 3, path.straight, path.closed)
     for write in (path_data, short_path_data):
-        assert kinds(write([outline], 3)) == kinds(write([moved], 3))
+        assert kinds(write([path], 3)) == kinds(write([moved], 3))
 
 
 def test_short_data_is_short():
     square = polygon_contour([0, 0.5, 0.5 + 0.25j, 10 - 3j])
-    outline = CubicPath(square.segments, square.straight, True)
-    assert path_data([outline], 2) == "M0,0 0.5,0 0.5,0.25 10,-3Z"
-    assert short_path_data([outline], 2) == "M0 0l.5 0 0 .25 9.5-3.25z"
+    path = CubicPath(square.segments, square.straight, True)
+    assert path_data([path], 2) == "M0,0 0.5,0 0.5,0.25 10,-3Z"
+    assert short_path_data([path], 2) == "M0 0l.5 0 0 .25 9.5-3.25z"
     circle = circle_contour(500 + 500j, 3)
     small = CubicPath(circle.segments, circle.straight, True)
     assert len(short_path_data([small], 3)) < 0.8 * len(path_data([small], 3))
@@ -66,10 +66,10 @@ def test_short_data_is_short():
 
 def test_what_is_not_finite_is_not_written():
     segments = polygon_contour([0, 1, np.nan]).segments
-    outline = CubicPath(segments, np.ones(3, bool), True)
+    path = CubicPath(segments, np.ones(3, bool), True)
     for write in (path_data, short_path_data):
         with pytest.raises(ValueError, match="cannot be written"):
-            write([outline], 3)
+            write([path], 3)
 
 
 @pytest.mark.parametrize(
