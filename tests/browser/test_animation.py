@@ -20,7 +20,7 @@ from shapeblend_cli.svg.writing.css import css_svg
 from shapeblend_cli.svg.writing.document import frame_svg
 from shapeblend_cli.svg.writing.smil import smil_svg
 from tests.support.drawings import EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
-from tests.support.motions import turned
+from tests.support.motions import rotated
 
 SIZE = 120
 EVENODD = 'fill-rule="evenodd"'
@@ -192,7 +192,7 @@ def test_what_moves_on_curved_paths_is_shown_there(assert_shown, method):
     rows = []
     for paths, timing in TURNING.values():
         straight, _ = match_all([drawing(p, attributes=EVENODD) for p in paths], Settings(motion="linear"))
-        moved = [turned(pair) if k % 2 == 0 else pair for k, pair in enumerate(straight)]
+        moved = [rotated(pair) if k % 2 == 0 else pair for k, pair in enumerate(straight)]
         views = [moved[0].views[0], *(pair.views[1] for pair in moved)]
         if method == "smil":
             moving = smil_svg(keyframed_shapes(moved), views, timing, 3)

@@ -18,7 +18,7 @@ from shapeblend_cli.svg.writing.document import frame_svg
 from tests.outputs.blends import BLENDS, written
 from tests.support.drawings import EIGHT, B
 from tests.support.equipment import LOTTIE_WEB, require
-from tests.support.motions import turned_move
+from tests.support.motions import rotated_move
 from tests.support.pictures import difference
 
 SIZE = 160
@@ -93,7 +93,7 @@ def test_lottie_web_plays_the_frames(tmp_path, monkeypatch, played, blend):
 
 @pytest.mark.parametrize("ease", [LINEAR, Ease(0.42, 0.0, 0.58, 1.0)])
 def test_lottie_web_plays_curved_paths(played, ease):
-    move, pair = turned_move(B, EIGHT, attributes='fill="#c04020" fill-rule="evenodd"')
+    move, pair = rotated_move(B, EIGHT, attributes='fill="#c04020" fill-rule="evenodd"')
     times = (0.1, 0.3, 0.5, 0.62, 0.9)
     frames = [frame_svg(frame_at(pair, ease.at(t), as_drawn=False), 3) for t in times]
     pictures = played(lottie([move], Timing(SECONDS, ease), 3), frames, times)

@@ -2,10 +2,18 @@
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.polygons import reverse_contour, reverse_polygon, signed_area, winding_numbers
+from shapeblend_cli.geometry.polygons import (
+    mean_value_weights,
+    reverse_contour,
+    reverse_polygon,
+    signed_area,
+    winding_numbers,
+)
 from tests.support.contours import circle_contour, polygon_contour
 
 
@@ -33,3 +41,23 @@ def test_winding_numbers():
     assert winding_numbers(points, square).tolist() == [1, 0, 0, 0, 0, 1]
     assert winding_numbers(points, square[::-1]).tolist() == [-1, 0, 0, 0, 0, -1]
     assert winding_numbers(points[:2], np.concatenate([square, square])).tolist() == [2, 0]
+
+
+def test_mean_value_weights_give_back_the_point():
+    square = np.array([0, 4, 4 + 4j, 4j])
+    for point in (1 + 1j, 3.9 + 0.1j, 2 + 2j):
+        weights = mean_value_weights(point, square)
+        assert (weights > 0).all()
+        assert weights.sum() == pytest.approx(1.0)
+        assert complex(weights @ square) == pytest.approx(point)
+    np.testing.assert_allclose(mean_value_weights(2 + 2j, square), 0.25)
+
+
+points = st.complex_numbers(max_magnitude=10, allow_nan=False)
+
+
+@given(st.lists(points, min_size=3, max_size=12), points)
+def test_mean_value_weights_are_finite_and_of_sum_1(vertices, point):
+    weights = mean_value_weights(point, np.array(vertices))
+    assert np.isfinite(weights).all()
+    assert weights.sum() == pytest.approx(1.0)

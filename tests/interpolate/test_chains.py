@@ -16,7 +16,7 @@ from shapeblend_cli.settings import Settings
 from tests.support.contours import drawing as contour_drawing
 from tests.support.contours import polygon_contour, polyline
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing
-from tests.support.motions import turned
+from tests.support.motions import rotated
 from tests.support.shapes import star_polygon
 from tests.support.strategies import rngs
 
@@ -115,7 +115,7 @@ TURNS = (120.0, 45.0, -75.0, 170.0)
 @pytest.mark.parametrize("paths", SAME_CONTOURS)
 def test_waypoints_are_cut_as_the_keys_are(paths, curves):
     pairs = [
-        turned(pair, degrees) for pair, degrees in zip(pairs_of(*paths, curves=curves), TURNS, strict=False)
+        rotated(pair, degrees) for pair, degrees in zip(pairs_of(*paths, curves=curves), TURNS, strict=False)
     ]
     (shape,) = chained(pairs, (0.01, 0.25, 0.5, 0.8, 0.99))
     assert len(shape.waypoints) == len(shape.keys) - 1
@@ -128,7 +128,7 @@ def test_waypoints_are_cut_as_the_keys_are(paths, curves):
 
 def test_pairs_that_move_straight_have_no_waypoints_among_others_that_do_not():
     pairs = pairs_of(STAR, DROP, CIRCLE, STAR)
-    pairs[1] = turned(pairs[1])
+    pairs[1] = rotated(pairs[1])
     (shape,) = chained(pairs, (0.01, 0.3, 0.99))
     assert [len(points) > 0 for points in shape.waypoints] == [False, True, False]
 
@@ -138,7 +138,7 @@ def test_each_coat_of_paint_has_the_waypoints():
     leaf = f'<path d="{LEAF}" fill="url(#g)"/>'
     gradients = [f'<{kind}Gradient id="g">{stops}</{kind}Gradient>{leaf}' for kind in ("linear", "radial")]
     (pair,) = pairs_of(*gradients)
-    below, above = keyframed_shapes([turned(pair)])
+    below, above = keyframed_shapes([rotated(pair)])
     assert below.keys[0].style != above.keys[0].style
     assert below.waypoints == above.waypoints
     assert len(above.waypoints[0]) > 3
@@ -153,7 +153,7 @@ def test_a_shape_of_other_contours_than_before_ends_there():
     assert spans(chained(pairs_of(EYED, LEAF, EYED))) == [(0, 2), (1, 2)]
     pairs = pairs_of(SQUARES, BAR, SQUARES)
     chained(pairs)
-    chained([turned(pair) for pair in pairs], (0.01, 0.2, 0.99))
+    chained([rotated(pair) for pair in pairs], (0.01, 0.2, 0.99))
 
 
 def test_some_shapes_continue_and_others_do_not():
@@ -181,4 +181,4 @@ def test_any_polygons_in_any_direction(rng, counts, curves):
         drawings.append(contour_drawing(polygon_contour(z[::-1] if rng.random() < 0.5 else z)))
     pairs, _ = match_all(drawings, Settings(vertices=20, curves=curves, place="asis", motion="linear"))
     assert [len(shape.keys) for shape in chained(pairs)] == [len(counts)]
-    chained([turned(pair, 100.0, 5 + 5j) for pair in pairs], (0.01, 0.4))
+    chained([rotated(pair, 100.0, 5 + 5j) for pair in pairs], (0.01, 0.4))

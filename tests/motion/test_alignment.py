@@ -9,10 +9,9 @@ from shapeblend_cli.motion.alignment import PointPairs, align, residual
 from tests.support.strategies import rngs
 
 
-def matched(a, b, weight=None):
-    a, b = np.asarray(a, complex), np.asarray(b, complex)
+def pairs_of(a, b, weight=None):
     weight = np.ones(len(a)) if weight is None else weight
-    return PointPairs(a, b, weight / weight.sum())
+    return PointPairs(np.asarray(a, complex), np.asarray(b, complex), weight / weight.sum())
 
 
 def random_points(rng, k=12):
@@ -26,71 +25,71 @@ def random_points(rng, k=12):
     st.complex_numbers(max_magnitude=1e3),
     st.integers(2, 40),
 )
-def test_a_similarity_is_found_whatever_the_weights(rng, scale, turn, shift, k):
+def test_a_similarity_is_found_whatever_the_weights(rng, scale, rotation, shift, k):
     a = random_points(rng, k)
-    points = matched(a, scale * np.exp(1j * turn) * a + shift, 0.01 + rng.random(k))
+    points = pairs_of(a, scale * np.exp(1j * rotation) * a + shift, 0.01 + rng.random(k))
     found = align(points)
     assert found.scale == pytest.approx(scale)
-    assert found.rotation == pytest.approx(turn, abs=1e-6)
+    assert found.rotation == pytest.approx(rotation, abs=1e-6)
     assert residual(points, found) < 1e-6
-    np.testing.assert_allclose(
-        found.apply(a - found.centre_a, 1.0), points.b, atol=1e-6 * (scale + abs(shift))
-    )
+    there = found.apply(a - found.centre_a, 1.0)
+    np.testing.assert_allclose(there, points.b, atol=1e-6 * (scale + abs(shift)))
     np.testing.assert_allclose(found.undo(points.b), a - found.centre_a, atol=1e-6)
 
 
 @given(rngs)
 def test_no_similarity_leaves_less_but_for_its_scale(rng):
-    points = matched(random_points(rng), random_points(rng))
+    points = pairs_of(random_points(rng), random_points(rng))
     found = align(points)
     for change in (
-        found._replace(rotation=found.rotation + 0.05),
-        found._replace(rotation=found.rotation - 0.05),
-        found._replace(centre_b=found.centre_b + 0.05),
-        found._replace(centre_b=found.centre_b - 0.05j),
+        {"rotation": found.rotation + 0.05},
+        {"rotation": found.rotation - 0.05},
+        {"centre_b": found.centre_b + 0.05},
+        {"centre_b": found.centre_b - 0.05j},
     ):
-        assert residual(points, found) < residual(points, change)
+        assert residual(points, found) < residual(points, found._replace(**change))
 
 
 @given(rngs)
 def test_from_b_to_a_it_is_the_inverse(rng):
-    points = matched(random_points(rng), random_points(rng), rng.random(12))
+    points = pairs_of(random_points(rng), random_points(rng), rng.random(12))
     there, back = align(points), align(points._replace(a=points.b, b=points.a))
     assert back.rotation == pytest.approx(-there.rotation)
     assert back.scale == pytest.approx(1.0 / there.scale)
     assert (back.centre_a, back.centre_b) == (there.centre_b, there.centre_a)
 
 
-def test_half_way_it_is_turned_by_half_and_scaled_by_the_root():
+def test_half_way_it_is_rotated_by_half_and_scaled_by_the_root():
     a = np.array([1, 1j, -1, -1j, 2 + 1j])
-    points = matched(a, 9.0 * np.exp(0.8j) * a + 10.0)
+    points = pairs_of(a, 9.0 * np.exp(0.8j) * a + 10.0)
     found = align(points)
-    placed = found.apply(a - found.centre_a, 0.5)
     expected = 3.0 * np.exp(0.4j) * (a - a.mean()) + 0.5 * (a.mean() + points.b.mean())
-    np.testing.assert_allclose(placed, expected)
+    np.testing.assert_allclose(found.apply(a - found.centre_a, 0.5), expected)
+
+
+LINE, SQUARE, POINT = [0, 1, 2, 3], [0, 1, 1 + 1j, 1j], [5, 5, 5, 5]
 
 
 @pytest.mark.parametrize(
     ("a", "b"),
     [
-        ([0, 1, 2, 3], [0, 1j, 2j, 3j]),
-        ([0, 1, 2, 3], [0, 1, 1 + 1j, 1j]),
-        ([0, 1, 0, 1], [0, 1, 1 + 1j, 1j]),
-        ([5, 5, 5, 5], [0, 1, 1 + 1j, 1j]),
-        ([0, 1, 1 + 1j, 1j], [5, 5, 5, 5]),
-        ([5, 5, 5, 5], [5, 5, 5, 5]),
-        ([1, 1j, -1, -1j], [1, -1j, -1, 1j]),  # a mirror: no turn is better than another
+        (LINE, [0, 1j, 2j, 3j]),
+        (LINE, SQUARE),
+        ([0, 1, 0, 1], SQUARE),
+        (POINT, SQUARE),
+        (SQUARE, POINT),
+        (POINT, POINT),
+        ([1, 1j, -1, -1j], [1, -1j, -1, 1j]),  # a mirror: no rotation is better than another
     ],
     ids=["lines", "line-square", "there-and-back", "point-square", "square-point", "points", "mirror"],
 )
 def test_lines_and_points_have_a_finite_one(a, b):
-    points = matched(a, b)
+    points = pairs_of(a, b)
     found = align(points)
     assert np.isfinite(found).all()
     assert found.scale > 0.0
     assert np.isfinite(residual(points, found))
 
 
-def test_collinear_points_turn_with_their_line():
-    found = align(matched([0, 1, 2, 3], [0, 1j, 2j, 3j]))
-    assert found.rotation == pytest.approx(np.pi / 2.0)
+def test_collinear_points_rotate_with_their_line():
+    assert align(pairs_of(LINE, [0, 1j, 2j, 3j])).rotation == pytest.approx(np.pi / 2.0)

@@ -16,7 +16,7 @@ from shapeblend_cli.svg.writing.path_data import path_data
 from tests.outputs.blends import BLENDS, each_blend, emitted, written
 from tests.support.contours import polygon_contour
 from tests.support.drawings import BAR, LEAF
-from tests.support.motions import turned_move
+from tests.support.motions import rotated_move
 from tests.support.pictures import difference, pixels
 
 EASE = Ease(0.42, 0.0, 0.58, 1.0)
@@ -155,7 +155,7 @@ def test_seconds_ease_and_size():
 @pytest.mark.parametrize(("colours", "seconds"), [(("#333333", "#999999"), 2.0), (("#333333",) * 2, 0.05)])
 def test_paths_go_from_waypoint_to_waypoint_one_after_the_other(ease, colours, seconds):
     leaf, bar = (f'<path d="{d}" fill="{c}"/>' for d, c in zip((LEAF, BAR), colours, strict=True))
-    move, _ = turned_move(leaf, bar)
+    move, _ = rotated_move(leaf, bar)
     root = ElementTree.fromstring(animated_vector(move, Timing(seconds, ease), 3))
     (shape,) = move.shapes
     animation = inline(root.find("target"), "animation")

@@ -15,7 +15,7 @@ from shapeblend_cli.outputs.move import Move, moved_shape
 from tests.outputs.blends import each_blend, emitted
 from tests.support.contours import circle_contour, polygon_contour
 from tests.support.drawings import BAR, EYED, LEAF, RING, svg
-from tests.support.motions import turned_move
+from tests.support.motions import rotated_move
 
 VIEW = Box(0.0, 0.0, 24.0, 24.0)
 TWO_SECONDS = Timing(2.0)
@@ -155,7 +155,7 @@ def test_seconds_and_ease():
 
 @pytest.mark.parametrize("ease", [LINEAR, EASE])
 def test_paths_have_keyframes_at_their_waypoints(ease):
-    move, _ = turned_move(LEAF, EYED, attributes='fill="#333"')
+    move, _ = rotated_move(LEAF, EYED, attributes='fill="#333"')
     (shape,) = move.shapes
     found = json.loads(lottie([move, move], Timing(2.0, ease), 4))
     for layer, begin in zip(found["layers"], (120, 0), strict=True):
@@ -178,7 +178,7 @@ def test_paths_have_keyframes_at_their_waypoints(ease):
 
 
 def test_sections_between_waypoints_have_their_share_of_the_ease_and_none_is_without_time():
-    move, _ = turned_move(LEAF, BAR)
+    move, _ = rotated_move(LEAF, BAR)
     (shape,) = move.shapes
     sections = shape.sections(100.0, EASE, 3)
     assert len(sections) == len(shape.waypoints) + 1

@@ -11,7 +11,7 @@ from shapeblend_cli.outputs.options import OutputOptions, specify
 from shapeblend_cli.settings import Settings
 from tests.outputs.blends import BLENDS, each_blend, emitted
 from tests.support.drawings import BAR, LEAF, svg
-from tests.support.motions import turned_move
+from tests.support.motions import rotated_move
 from tests.support.pictures import difference, pixels
 
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
@@ -84,7 +84,7 @@ def test_paint_without_a_partner_is_there_and_not_seen(here):
 
 
 def test_curved_paths_are_said_to_be_lost():
-    _, pair = turned_move(LEAF, BAR)
+    _, pair = rotated_move(LEAF, BAR)
     straight = pair._replace(shapes=tuple(shape._replace(motion=None) for shape in pair.shapes))
 
     def render(emit, pair):

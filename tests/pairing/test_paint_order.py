@@ -1,9 +1,9 @@
 import pytest
 
-from shapeblend_cli.geometry.similarity import Similarity
-from shapeblend_cli.pairing.decompose import decompose
 from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
-from tests.support.drawings import drawing
+from tests.support.drawings import contours_of
+
+TWO_COLOURS = 'fill="#fff" stroke="#000"'
 
 
 @pytest.mark.parametrize(
@@ -21,22 +21,18 @@ def test_what_is_on_top_stays_on_top(groups, a, b, expected):
     assert paint_order(groups, a, b) == expected
 
 
-def below(*elements):
-    parts, _ = decompose(drawing(*elements), Similarity(), 0)
-    return visible_overlaps(parts)
-
-
-def rect(x, paint='fill="#f00"', size=4):
-    return f'<rect x="{x}" y="0" width="{size}" height="{size}" {paint}/>'
-
-
-def test_shapes_that_meet_in_other_paint_are_above_each_other():
-    assert below(rect(0), rect(2, 'fill="#00f"')) == [(0, 1)]
-    assert below(rect(0), rect(2)) == []  # of the same colour: nobody can tell
-    assert below(rect(0), rect(9, 'fill="#00f"')) == []
-    # A stroke reaches further than the outline.
-    wide = 'fill="none" stroke="#00f" stroke-width="4"'
-    assert below(rect(0), rect(5, wide)) == [(0, 1)]
-    # Of two colours each, even if the same two.
-    two = 'fill="#fff" stroke="#000"'
-    assert below(rect(0, two), rect(2, two)) == [(0, 1)]
+@pytest.mark.parametrize(
+    ("lower", "x", "upper", "expected"),
+    [
+        ('fill="#f00"', 2, 'fill="#00f"', [(0, 1)]),
+        ('fill="#f00"', 2, 'fill="#f00"', []),  # of the same colour: nobody can tell
+        ('fill="#f00"', 9, 'fill="#00f"', []),
+        # A stroke reaches further than the outline.
+        ('fill="#f00"', 5, 'fill="none" stroke="#00f" stroke-width="4"', [(0, 1)]),
+        # Of two colours each, even if the same two.
+        (TWO_COLOURS, 2, TWO_COLOURS, [(0, 1)]),
+    ],
+)
+def test_shapes_that_meet_in_other_paint_are_above_each_other(lower, x, upper, expected):
+    rects = [f'<rect x="{at}" y="0" width="4" height="4" {paint}/>' for at, paint in ((0, lower), (x, upper))]
+    assert visible_overlaps(contours_of(*rects, vertices=0)) == expected

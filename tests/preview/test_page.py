@@ -22,7 +22,7 @@ from shapeblend_cli.preview.graphs import graphs
 from shapeblend_cli.preview.pictures import dot_positions, picture
 from shapeblend_cli.settings import Settings
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
-from tests.support.motions import turned
+from tests.support.motions import rotated
 
 LINES = '<path id="{}" d="M2 2L22 20" fill="none" stroke="#000"/>'
 
@@ -75,7 +75,7 @@ def picture_of(pair, times, decimals):
 @pytest.mark.parametrize("is_turned", [False, True])
 def test_between_its_keys_the_picture_is_that_of_the_frames(is_turned):
     (pair,), _ = match_all([drawing(B), drawing(EIGHT)], Settings(motion="linear"))
-    pair = turned(pair) if is_turned else pair
+    pair = rotated(pair) if is_turned else pair
     own = (0.21, 0.64)
     for shape, moving in zip(picture_of(pair, own, 4)["shapes"], pair.shapes, strict=True):
         for t in (0.0, *own, 0.43, 1.0):

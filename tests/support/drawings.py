@@ -18,6 +18,8 @@ LEAF = "M3 14C4 4 20 3 21 9C22 16 12 22 3 14Z"
 SQUARES = "M2 2H10V10H2Z M14 2H22V10H14Z M2 14H10V22H2Z M14 14H22V22H14Z"
 BAR = "M2 6H22V18H2Z"
 
+EVENODD = 'fill-rule="evenodd"'
+
 
 def svg(*paths, attributes="", viewbox="0 0 24 24"):
     """An SVG document of paths: path data, or whole elements."""
@@ -30,3 +32,11 @@ def drawing(*paths, file="a.svg", **options):
     from shapeblend_cli.svg.reading.read import read
 
     return read(file, svg(*paths, **options).encode())
+
+
+def contours_of(*paths, vertices=200, **options):
+    """The contours of such a document, flattened and with their roles."""
+    from shapeblend_cli.geometry.similarity import Similarity
+    from shapeblend_cli.pairing.decompose import decompose
+
+    return decompose(drawing(*paths, **options), Similarity(), vertices)[0]

@@ -12,11 +12,26 @@ from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
 from tests.support.drawings import drawing
 
+TIMES = (0.1, 0.25, 0.5, 0.75, 0.9)
 
-def turned(pair, degrees=120.0, centre=12 + 12j):
-    """A pair whose shapes turn around a point on their way, as if B's were A's turned so far."""
+
+def rotated(pair, degrees=120.0, centre=12 + 12j):
+    """A pair whose shapes rotate about a point, as if B's were A's rotated so far."""
     motion = Rigid(Alignment(centre, centre, 1.0, math.radians(degrees)))
     return pair._replace(shapes=tuple(shape._replace(motion=motion) for shape in pair.shapes))
+
+
+def rotated_move(*paths, degrees=120.0, **options):
+    """The move between two documents of such paths that rotates, and the pair that it shows."""
+    pairs, _ = match_all([drawing(path, **options) for path in paths], Settings())
+    (pair,) = (rotated(pair, degrees) for pair in pairs)
+    return moves_of([pair])[0], pair
+
+
+def pair_of(a, b, **settings):
+    """Two drawings matched as they lie."""
+    (pair,), _ = match_all([a, b], Settings(place="asis", **settings))
+    return pair
 
 
 def reasons(pair):
@@ -24,42 +39,51 @@ def reasons(pair):
     return tuple(shape.reason for shape in pair.shapes)
 
 
-def turned_move(*paths, degrees=120.0, **options):
-    """The move between two documents of such paths that turns, and the pair that it shows."""
-    pairs, _ = match_all([drawing(path, **options) for path in paths], Settings())
-    (pair,) = (turned(pair, degrees) for pair in pairs)
-    return moves_of([pair])[0], pair
-
-
-def outline(vertices, closed=True):
+def polygon_path(vertices, closed=True):
     """A polygon to draw."""
     segments = cubics.lines(np.asarray(vertices, complex), closed)
     return CubicPath(segments, np.ones(len(segments), bool), closed)
 
 
-def contour_blend(start, end, cuts, *, grows=False, shrinks=False):
+def contour_blend(start, end, cuts=None, *, grows=False, shrinks=False):
     """A blend from path to path of contours that nobody matched."""
     numbers = None if grows else 0, None if shrinks else 0
+    cuts = cuts or (np.arange(len(start.segments) + 1.0),) * 2
     return ContourBlend(*numbers, *[None] * 4, 1.0, 1.0, None, start, end, cuts)
 
 
+def moving_curves(a, b):
+    """A closed contour of curves, from control points to control points."""
+    curved = np.zeros(len(a), bool)
+    return contour_blend(CubicPath(a, curved, True), CubicPath(b, curved, True))
+
+
+def moving_polygon(a, b, closed=True):
+    """A contour that moves from polygon to polygon, vertex by vertex; a number stands for a point."""
+    count = max(np.size(a), np.size(b))
+    start, end = (polygon_path(np.broadcast_to(z, count), closed) for z in (a, b))
+    return contour_blend(start, end, grows=np.size(a) == 1, shrinks=np.size(b) == 1)
+
+
+def moving_shape(*contours):
+    """A shape of such contours."""
+    return ShapeBlend(contours, Style(), Style())
+
+
 def moving_polygons(*pairs, closed=True):
-    """A shape of which each contour goes from polygon to polygon, vertex by vertex; a number stands for a point."""
-    contours = []
-    for a, b in pairs:
-        count = max(np.size(a), np.size(b))
-        sides = [outline(np.broadcast_to(z, count), closed) for z in (a, b)]
-        places = np.arange(len(sides[0].segments) + 1.0)
-        contours.append(
-            contour_blend(*sides, (places, places), grows=np.size(a) == 1, shrinks=np.size(b) == 1)
-        )
-    return ShapeBlend(tuple(contours), Style(), Style())
+    """A shape whose contours move from polygon to polygon."""
+    return moving_shape(*(moving_polygon(a, b, closed) for a, b in pairs))
 
 
 def similarity_of(shape):
-    """The best one between a shape's start and its end, by its nodes."""
+    """The best one between a shape's start and its end, by its control points."""
     a, b = (
-        np.concatenate([getattr(contour, side).segments[:, 0] for contour in shape.contours])
+        np.concatenate([getattr(contour, side).segments.ravel() for contour in shape.contours])
         for side in ("start", "end")
     )
     return align(PointPairs(a, b, np.full(len(a), 1.0 / len(a))))
+
+
+def rigidly(shape):
+    """The shape in rigid motion."""
+    return shape._replace(motion=Rigid(similarity_of(shape)))

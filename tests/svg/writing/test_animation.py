@@ -13,7 +13,7 @@ from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.writing.css import css_svg
 from shapeblend_cli.svg.writing.smil import smil_svg
 from tests.support.drawings import BAR, LEAF, RING, drawing
-from tests.support.motions import turned
+from tests.support.motions import rotated
 
 NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)")
 SLOW_START = Ease(0.42, 0.0, 1.0, 1.0)
@@ -43,7 +43,7 @@ def animations(root, name):
 @pytest.mark.parametrize("paths", [(LEAF, BAR), (LEAF, BAR, LEAF), (LEAF, RING, LEAF)])
 def test_every_waypoint_has_its_value_time_and_spline(paths, repeat, ease):
     straight, timing = pairs_of(*paths), Timing(ease=ease, repeat=repeat)
-    moved = [turned(straight[0]), *straight[1:]]
+    moved = [rotated(straight[0]), *straight[1:]]
     steps = len(straight) + sum(len(way) for way in keyframed_shapes(moved)[0].waypoints)
     found, *_ = animations(smil(moved, timing), "d")
     values, times = found.get("values").split(";"), [float(v) for v in found.get("keyTimes").split(";")]
@@ -67,14 +67,14 @@ def test_without_waypoints_there_is_a_value_for_each_drawing_and_no_word_of_time
 
 def test_only_the_path_has_keyframes_at_waypoints():
     (pair,) = pairs_of(LEAF, BAR, fills=("#333333", "#343434"))
-    root = smil([turned(pair)], Timing())
+    root = smil([rotated(pair)], Timing())
     (data,), (fill,) = animations(root, "d"), animations(root, "fill")
     assert len(data.get("values").split(";")) > len(fill.get("values").split(";")) == 2
 
 
 def test_css_gives_a_path_with_waypoints_keyframes_of_its_own():
     straight, timing = pairs_of(LEAF, BAR), Timing(ease=SLOW_START)
-    moved = [turned(pair) for pair in straight]
+    moved = [rotated(pair) for pair in straight]
     (way,) = keyframed_shapes(moved)[0].waypoints
     text = css(moved, timing)
     assert text.count("d:path(") == len(way) + 2
@@ -86,6 +86,6 @@ def test_drawings_that_move_differently_have_different_names_in_css():
     straight = pairs_of(LEAF, BAR)
     names = {
         re.search(r' id="([^"]*)"', css(pairs, Timing())).group(1)
-        for pairs in (straight, *([turned(straight[0], degrees)] for degrees in (90.0, 120.0)))
+        for pairs in (straight, *([rotated(straight[0], degrees)] for degrees in (90.0, 120.0)))
     }
     assert len(names) == 3
