@@ -1,4 +1,4 @@
-"""What a run can say of itself: the JSON report and the listing of `inspect`."""
+"""The JSON report of a run, and what `inspect` lists of a drawing."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.measure import Measures
-    from shapeblend_cli.model import ComplexArray, ContourBlend, Drawing, Pair, Shape
+    from shapeblend_cli.model import ComplexArray, ContourBlend, Drawing, Pair, Shape, ShapeBlend
 
 REPORT_FORMAT = 1
 
@@ -27,7 +27,7 @@ def report(
     files: Sequence[str | None],
     seconds: dict[str, float],
 ) -> dict[str, Any]:
-    """Everything about a run, ready for JSON.
+    """Return everything about a run, ready for JSON.
 
     Parameters
     ----------
@@ -53,11 +53,7 @@ def report(
             {
                 "a": pair.a,
                 "b": pair.b,
-                "contours": [
-                    _contour(contour, shape.motion_name, shape.reason)
-                    for shape in pair.shapes
-                    for contour in shape.contours
-                ],
+                "contours": [_contour(contour, shape) for shape in pair.shapes for contour in shape.contours],
             }
             for pair in pairs
         ],
@@ -69,30 +65,30 @@ def report(
     }
 
 
-def _contour(matched: ContourBlend, motion: str, because: str) -> dict[str, Any]:
-    found = matched.correspondence
+def _contour(contour: ContourBlend, shape: ShapeBlend) -> dict[str, Any]:
+    correspondence = contour.correspondence
     return {
-        "a": matched.a,
-        "b": matched.b,
-        "closed": found.closed,
-        "vertices_a": _points(matched.polygon_a.vertices),
-        "vertices_b": _points(matched.polygon_b.vertices),
-        "scale_a": matched.scale_a,
-        "scale_b": matched.scale_b,
-        "dots": found.dots.tolist(),
-        "start": found.dots[0].tolist(),
-        "work": found.work,
-        "stretching": found.stretching,
-        "bending": found.bending,
-        "lower_bound": found.lower_bound,
-        "gap": found.gap,
-        "diagonal_deviation": found.diagonal_deviation,
-        "zero_angles": found.zero_angles,
-        "sweeps": found.sweeps,
-        "seconds": matched.seconds,
-        "turned_back": float(np.degrees(matched.rotation)),
-        "motion": motion,
-        "motion_because": because,
+        "a": contour.a,
+        "b": contour.b,
+        "closed": correspondence.closed,
+        "vertices_a": _points(contour.polygon_a.vertices),
+        "vertices_b": _points(contour.polygon_b.vertices),
+        "scale_a": contour.scale_a,
+        "scale_b": contour.scale_b,
+        "dots": correspondence.dots.tolist(),
+        "start": correspondence.dots[0].tolist(),
+        "work": correspondence.work,
+        "stretching": correspondence.stretching,
+        "bending": correspondence.bending,
+        "lower_bound": correspondence.lower_bound,
+        "gap": correspondence.gap,
+        "diagonal_deviation": correspondence.diagonal_deviation,
+        "zero_angles": correspondence.zero_angles,
+        "sweeps": correspondence.sweeps,
+        "seconds": contour.seconds,
+        "turned_back": float(np.degrees(contour.rotation)),
+        "motion": shape.motion_name,
+        "motion_because": shape.reason,
     }
 
 
@@ -101,7 +97,7 @@ def _points(vertices: ComplexArray) -> list[list[float]]:
 
 
 def inspection(drawing: Drawing) -> dict[str, Any]:
-    """The shapes a file draws, ready for JSON; lengths and boxes without the width of strokes."""
+    """Return the shapes of a drawing, ready for JSON; lengths and boxes ignore the width of strokes."""
     return {
         "file": drawing.file,
         "viewbox": list(drawing.viewbox) if drawing.viewbox else None,
@@ -113,8 +109,8 @@ _SLICE = 2048
 """Curved segments measured at once; each takes 4 kB."""
 
 
-def _measured(shape: Shape) -> tuple[float, list[float]]:
-    """Return the length of a shape's contours together, and their box."""
+def _length_and_box(shape: Shape) -> tuple[float, list[float]]:
+    """Return the total length of a shape's contours, and their box."""
     segments = np.concatenate([contour.segments for contour in shape.contours])
     straight = np.concatenate([contour.straight for contour in shape.contours])
     curved = segments[~straight]
@@ -129,7 +125,7 @@ def _measured(shape: Shape) -> tuple[float, list[float]]:
 
 
 def _shape(shape: Shape) -> dict[str, Any]:
-    length, box = _measured(shape)
+    length, box = _length_and_box(shape)
     return {
         "index": shape.index,
         "id": shape.id,

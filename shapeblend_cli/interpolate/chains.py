@@ -223,20 +223,10 @@ def _roll_to(contour: _ContourChain, position: float) -> _ContourChain:
 def _common_parts(
     here: ComplexArray, cuts: FloatArray, there: ComplexArray, other_cuts: FloatArray
 ) -> tuple[list[_Part], list[_Part]]:
-    """Cut one outline, cut in two ways, at the positions of both.
+    """Cut an outline that is cut in two ways, `here` and `there`, at the positions of both.
 
-    Parameters
-    ----------
-    here, there : (s, 4) and (r, 4) complex
-        The same outline from the same position on.
-    cuts, other_cuts : (s + 1,) and (r + 1,) float
-        Where they are cut, rising.
-
-    Returns
-    -------
-    pair of list of _Part
-        Parts of the segments `here` and of those `there`, one for one. A part is a point where the other way of
-        cutting has a point and this one has not.
+    Both ways begin at the same position. Their parts correspond one for one; a part is a point where the other way of
+    cutting has a point and this one has not.
     """
     parts_here, parts_there = [], []
     i = j = 0

@@ -72,7 +72,7 @@ def common_segments(
 
     Every node of either drawing is an end of a segment, at its position on the other one; nodes of both at nearly the
     same position are merged, corners first. Further cuts are made only where the curves would deviate by more than
-    `TOLERANCE`.
+    `TOLERANCE`. The segments of closed contours begin at A's first node.
 
     Parameters
     ----------
@@ -83,15 +83,9 @@ def common_segments(
         out of which the other contour grows whole.
     dots : (k, 2) int
         The solver's correspondence, as in `model.Correspondence`: steps of one vertex or none on either side.
-
-    Returns
-    -------
-    CommonSegments
-        Closed ones begin at A's first node.
     """
     if len(polygon_a.vertices) == 1:
-        grown = _grow_from_point(polygon_a.vertices[0], contour_b, polygon_b)
-        return CommonSegments(grown.start, grown.end, grown.cuts)
+        return _grow_from_point(polygon_a.vertices[0], contour_b, polygon_b)
     if len(polygon_b.vertices) == 1:
         grown = _grow_from_point(polygon_b.vertices[0], contour_a, polygon_a)
         return CommonSegments(grown.end, grown.start, grown.cuts[::-1])
@@ -162,14 +156,7 @@ def _find_cuts(match: ContinuousMatch, distance: float) -> FloatArray:
 
 
 def _cuts_at_nodes(match: ContinuousMatch) -> tuple[FloatArray, BoolArray]:
-    """Return the positions of the match where a drawing has a node, and those that are fixed.
-
-    Returns
-    -------
-    cuts : (s, 2) float
-    nodes : (s, 2) bool
-        Whether A, and whether B, has a node there.
-    """
+    """Return the positions where a drawing has a node or the match is fixed, and whether A and B have a node there."""
     a, b = match.a, match.b
     fixed = match.positions[match.fixed]
     lengths = a.length_at(match.positions[:, 0]), b.length_at(match.positions[:, 1])

@@ -31,7 +31,7 @@ def deviation(
     Both are approximated by polygons, and the distance of each one's vertices from the other's edges is taken: what
     counts is where the outline runs, not which point is drawn where along it. Only edges nearby are considered, so
     that one limb lying on another does not hide that it has strayed. The result is never less than the true distance
-    between these polygons.
+    between these polygons. It is the largest at any of `TIMES`, in the drawing's unit.
 
     Parameters
     ----------
@@ -41,11 +41,6 @@ def deviation(
         Its k positions are the polygons' vertices.
     cuts : (s + 1, 2) float
         Positions where the pieces begin and end.
-
-    Returns
-    -------
-    (k,) float
-        The largest over `TIMES`, in the drawing's unit.
     """
     progress = match.progress(match.positions)
     cut_progress = match.progress(cuts)

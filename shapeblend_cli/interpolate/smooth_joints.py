@@ -80,20 +80,16 @@ def divide_lines(
     line_b: BoolArray,
     closed: bool,
 ) -> tuple[ComplexArray, ComplexArray]:
-    """Choose the inner points of lines that become curves so that smooth joints stay smooth.
+    """Return matched pieces of two contours, with lines divided so that smooth joints stay smooth.
+
+    Only the inner points of lines that become curves change; they stay on the line.
 
     Parameters
     ----------
     segments_a, segments_b : (s, 4) complex
-        Matched pieces of two contours.
     line_a, line_b : (s,) bool
-        Which of them are lines, or points.
+        Which pieces are lines, or points.
     closed : bool
-
-    Returns
-    -------
-    segments_a, segments_b : (s, 4) complex
-        As given, but for the inner points of lines matched with curves. Those stay on the line.
     """
     free = line_a ^ line_b
     if not free.any():
@@ -164,10 +160,6 @@ def slide_cuts(
         Which cuts may slide.
     distance : float
         How far the in-between may deviate, in the drawing's unit.
-
-    Returns
-    -------
-    (s + 1, 2) float
     """
     numbers = np.arange(len(cuts) - 1)
     parts = [one.pieces(cuts[:, side]) for side, one in enumerate((a, b))]

@@ -46,13 +46,9 @@ def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
     side has fades in or out as it is. Widths, dashes and opacities change evenly; joins, caps and the fill rule, which
     have nothing in between, change at half time.
 
-    Returns
-    -------
-    style : Style
-    below : Style or None
-        What is painted under it. A linear and a radial gradient have nothing in between, so B's dissolves into view
-        over A's: that weighs 1 - t in every point, and where both are opaque A's stays opaque until it is covered
-        altogether, for two half-transparent coats would let the ground shine through.
+    The second style, if any, is painted below. A linear and a radial gradient have nothing in between, so B's dissolves
+    into view over A's: that weighs 1 - t in every point, and where both are opaque A's stays opaque until it is covered
+    altogether, for two half-transparent coats would let the ground shine through.
     """
     a, b = _with_stroke_of(a, b), _with_stroke_of(b, a)
     fill, fill_below = _blend_paint(_fill(a), _fill(b), t)
@@ -169,18 +165,10 @@ def _without_gaps(dashes: tuple[float, ...]) -> tuple[float, ...]:
 
 
 def keyed_styles(styles: Sequence[Style]) -> list[list[Style]] | None:
-    """Return the paint of a shape at its keys so that a browser can interpolate from one to the next.
+    """Return the styles of a shape at two or more keys so that a browser can interpolate from one to the next.
 
-    Parameters
-    ----------
-    styles : sequence of Style
-        Two or more.
-
-    Returns
-    -------
-    list of list of Style, or None
-        A list of as many styles for every coat of paint, the lowest first: two, where one paint has to dissolve into
-        another. None where more than two keys have no common form: with gradients, and with different dashes.
+    There is a list of as many styles for every coat of paint, the lowest first: two, where one paint has to dissolve
+    into another. None where more than two keys have no common form: with gradients, and with different dashes.
     """
     if len(styles) == 2:
         ends = [blend_styles(styles[0], styles[1], t) for t in (0.0, 1.0)]

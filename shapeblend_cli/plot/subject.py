@@ -21,20 +21,10 @@ if TYPE_CHECKING:
 
 
 class Subject(NamedTuple):
-    """A contour of A and the contour of B it becomes.
+    """A contour of A and the contour of B it becomes, both files by name, and the dot that is asked for.
 
-    Attributes
-    ----------
-    names : (str, str)
-        Of the files.
-    wires : Wires
-        The contour of A and that of B, in the unit box.
-    shape, number : ShapeBlend, int
-        The shape that the contour is part of, and its number there.
-    dot : (int, int) or None
-        The dot that is asked for.
-    progress : callable
-        Takes the share of the work that is done, from 0 to 1, now and then.
+    The wires are the two in the unit box. The contour has a number in the shape that it is part of. `progress` takes
+    the share of the work that is done, from 0 to 1.
     """
 
     names: tuple[str, str]

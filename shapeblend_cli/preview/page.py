@@ -52,12 +52,8 @@ def preview(
 
     Parameters
     ----------
-    report : dict
-    pairs : sequence of Pair
     ends : sequence of Frame
         The drawings, as frames show them.
-    settings : Settings
-    timing : Timing
     command : sequence of str
         The command line, word by word.
     notes : sequence of str

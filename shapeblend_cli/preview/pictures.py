@@ -38,15 +38,7 @@ GRADIENTS = ("fill", "stroke")
 def picture(pair: Pair, ends: tuple[Frame, Frame], times: Sequence[float], decimals: int) -> dict[str, Any]:
     """Return a pair for the page: its `shapes` between the ends, and the `ends` themselves, in paint order.
 
-    Parameters
-    ----------
-    pair : Pair
-    ends : (Frame, Frame)
-        What is seen at t = 0 and t = 1.
-    times : sequence of float
-        Of the frames.
-    decimals : int
-        Of coordinates.
+    The ends are what is seen at t = 0 and t = 1, and the times those of the frames.
     """
     return {
         "shapes": [_moving_shape(shape, times, decimals) for shape in pair.shapes],
