@@ -30,12 +30,8 @@ class ContourParameter:
 
     Attributes
     ----------
-    segments : (k, 4) complex
-    straight : (k,) bool
-    vertices : (m,) complex
-    closed : bool
     segment : (e,) int
-        The segment on which each edge of the polygon lies; e = m if closed, else m - 1.
+        The segment on which each edge of the polygon lies; as many edges as vertices if closed, else one less.
     start, end : (e,) float
         The edge's parameters on that segment.
     lengths : (e + 1,) float

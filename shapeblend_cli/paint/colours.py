@@ -12,12 +12,14 @@ from contextlib import contextmanager
 from functools import cache
 from itertools import pairwise
 from types import ModuleType
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
-    Channels = tuple[float, float, float]
+    from coloraide.spaces.oklab import Oklab
+    from coloraide.spaces.srgb import sRGB
+    from coloraide.spaces.srgb_linear import sRGBLinear
 
 TOLERANCE = 0.02
 """The delta E OK up to which two colours look alike."""
@@ -39,8 +41,9 @@ def blend_colours(a: str, b: str, t: float, opacity_a: float = 1.0, opacity_b: f
         return a
     if share == 1.0:
         return b
-    lab = tuple((1.0 - share) * p + share * q for p, q in zip(_oklab(a), _oklab(b), strict=True))
-    channels = _conversions().to_srgb([*lab])
+    srgb, linear, oklab = _spaces()
+    lab = [(1.0 - share) * p + share * q for p, q in zip(_oklab(a), _oklab(b), strict=True)]
+    channels = srgb.from_base(linear.from_base(oklab.to_base(lab)))
     if _is_grey(a) and _is_grey(b):
         # The matrices leave a trace of colour, which rounding could make visible.
         channels = [channels[1]] * 3
@@ -102,28 +105,19 @@ def _is_grey(colour: str) -> bool:
 
 
 @cache
-def _oklab(colour: str) -> Channels:
-    red, green, blue = bytes.fromhex(colour[1:])
-    x, y, z = _conversions().to_oklab([red / 255.0, green / 255.0, blue / 255.0])
-    return x, y, z
-
-
-class _Conversions(NamedTuple):
-    to_oklab: Callable[[list[float]], list[float]]
-    to_srgb: Callable[[list[float]], list[float]]
+def _oklab(colour: str) -> tuple[float, ...]:
+    srgb, linear, oklab = _spaces()
+    channels = [v / 255.0 for v in bytes.fromhex(colour[1:])]
+    return tuple(oklab.from_base(linear.to_base(srgb.to_base(channels))))
 
 
 @cache
-def _conversions() -> _Conversions:
+def _spaces() -> tuple[sRGB, sRGBLinear, Oklab]:
     with _without_package("coloraide"):
         from coloraide.spaces.oklab import Oklab
         from coloraide.spaces.srgb import sRGB
         from coloraide.spaces.srgb_linear import sRGBLinear
-    srgb, linear, oklab = sRGB(), sRGBLinear(), Oklab()
-    return _Conversions(
-        to_oklab=lambda rgb: oklab.from_base(linear.to_base(srgb.to_base(rgb))),
-        to_srgb=lambda lab: srgb.from_base(linear.from_base(oklab.to_base(lab))),
-    )
+    return sRGB(), sRGBLinear(), Oklab()
 
 
 @contextmanager
