@@ -130,7 +130,7 @@ def blend_files(job: Job, note: Callable[[str], None], progress: Callable[[float
     write_files(contents)
     print_text(standard_output)
     if stale := _stale_frames(output):
-        note(f"{output.path}: {len(stale)} frame files of another run are left, {min(stale)} among them")
+        note(f"{output.path}: {len(stale)} frame files of another run remain, {min(stale)} among them")
     clock.lap("write")
     return run
 

@@ -7,21 +7,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from shapeblend_cli import field_types as types
 from shapeblend_cli.constants import PRESETS, WIRE, WorkConstants
 from shapeblend_cli.easing import LINEAR, Ease
-from shapeblend_cli.field_types import (
-    BAND,
-    EASE,
-    FLAG,
-    MATCH,
-    PIN,
-    SELECTOR,
-    START,
-    STIFF,
-    choice,
-    file,
-    whole,
-)
 from shapeblend_cli.fields import Record, option
 
 if TYPE_CHECKING:
@@ -42,16 +30,16 @@ class ReadOptions(Record, section=SHAPES):
     """Which shapes are taken from the files."""
 
     select_a: str | None = option(
-        SELECTOR,
+        types.SELECTOR,
         default=None,
         help="Blend only these shapes of A: #id or a CSS selector.",
         default_text="all painted shapes",
     )
     select_b: str | None = option(
-        SELECTOR, default=None, help="Blend only these shapes of B and of further files."
+        types.SELECTOR, default=None, help="Blend only these shapes of B and of further files."
     )
     lenient: bool = option(
-        FLAG,
+        types.FLAG,
         default=False,
         help="Draw broken path data up to the error, as browsers do, instead of refusing the file.",
     )
@@ -68,7 +56,7 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
     """
 
     frames: int = option(
-        whole(0, 10_000),
+        types.whole(0, 10_000),
         default=5,
         section=OUTPUT,
         flags=("-n", "--frames"),
@@ -76,98 +64,98 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         default_text="5; in .gif, .webp and .apng as --fps says",
     )
     ends: bool = option(
-        FLAG, default=False, section=OUTPUT, help="Include the drawings themselves, t = 0 and t = 1."
+        types.FLAG, default=False, section=OUTPUT, help="Include the drawings themselves, t = 0 and t = 1."
     )
     place: str = option(
-        choice("viewbox", "bbox", "asis"),
+        types.choice("viewbox", "bbox", "asis"),
         default="viewbox",
         section=SHAPES,
         help="How B is laid over A: viewBox on viewBox, bounding box on bounding box, or in the "
         "coordinates of its file.",
     )
     vertices: int = option(
-        whole(0, 100_000),
+        types.whole(0, 100_000),
         default=200,
         help="Approximate number of vertices per contour. Those of the drawing are always kept; 0 adds only what "
         "curves need.",
     )
     start: tuple[int, int] | None = option(
-        START,
+        types.START,
         default=None,
         help="Starting correspondence: the best one overall, or vertex I of A with vertex J of B.",
         default_text="auto",
     )
     pins: tuple[Vertices, ...] = option(
-        PIN,
+        types.PIN,
         default=(),
         many=True,
         flags=("--pin",),
         help="Vertices that must correspond: by number, or those nearest to a point of A and a point of B.",
     )
     reverse: str = option(
-        choice("auto", "yes", "no"),
+        types.choice("auto", "yes", "no"),
         default="auto",
         help="Traverse B's contours in reverse. auto: so that closed contours run in the same direction; where that is "
         "ambiguous, and for open contours, both directions are tried.",
     )
     stiff: tuple[tuple[complex, float, float], ...] = option(
-        STIFF,
+        types.STIFF,
         default=(),
         many=True,
         help="Make A's wire W times as stiff within the radius r of a point.",
     )
     match: tuple[tuple[str, str], ...] = option(
-        MATCH,
+        types.MATCH,
         default=(),
         many=True,
         section=SHAPES,
         help="Contours that become each other: a number or an id of A, and one of B.",
     )
     unmatched: str = option(
-        choice("point", "split"),
+        types.choice("point", "split"),
         default="point",
         section=SHAPES,
         help="What happens to a contour without a partner. point: it grows from a point or shrinks to one; split: an "
         "outline of the other drawing is cut for it.",
     )
     solver: str = option(
-        choice("exact", "simplified"),
+        types.choice("exact", "simplified"),
         default="exact",
         help="The paper's rigorous algorithm (section 4), or the simplified one (4.1).",
     )
     band: float | None = option(
-        BAND,
+        types.BAND,
         default=None,
         help="Largest diagonal deviation of the path from its start, 0 to 1 (section 5.2).",
         default_text="none",
     )
     effort: str = option(
-        choice("auto", "exact", "fast"),
+        types.choice("auto", "exact", "fast"),
         default="auto",
         help="exact: prove the least work, however long it takes; fast: solve from coarse to fine, without proof; "
         "auto: exact where that is quick.",
     )
     preset: str | None = option(
-        choice(*PRESETS),
+        types.choice(*PRESETS),
         default=None,
         section=WIRE,
         help="The constants and the band of a row of the paper's table 1; options given beside it take precedence.",
     )
     motion: str = option(
-        choice("auto", "linear", "rigid", "intrinsic", "safe"),
+        types.choice("auto", "linear", "rigid", "intrinsic", "safe"),
         default="auto",
         section=IN_BETWEENS,
         help="How shapes move. linear: along straight lines; rigid: rotated as a whole; intrinsic: by their lengths "
         "and angles; safe: without crossing themselves; auto: linear, or else the first of these without a defect.",
     )
     style: str = option(
-        choice("blend", "a", "b"),
+        types.choice("blend", "a", "b"),
         default="blend",
         section=IN_BETWEENS,
         help="Blend the paint as well, or paint all frames like A or like B.",
     )
     curves: bool = option(
-        FLAG,
+        types.FLAG,
         default=True,
         flags=("--curves/--polygons",),
         section=IN_BETWEENS,
@@ -175,7 +163,7 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         default_text="curves",
     )
     ease: Ease = option(
-        EASE,
+        types.EASE,
         default=LINEAR,
         section=ANIMATIONS,
         help="Easing of animations, and spacing of in-betweens in time: linear, ease, ease-in, ease-out, ease-in-out "
@@ -195,14 +183,14 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
 class WriteOptions(Record, section=OUTPUT):
     """Which files a run writes."""
 
-    force: bool = option(FLAG, default=False, flags=("-f", "--force"), help="Replace existing files.")
+    force: bool = option(types.FLAG, default=False, flags=("-f", "--force"), help="Replace existing files.")
     report: str | None = option(
-        file(),
+        types.file(),
         default=None,
         help="Write the correspondence, its work and measures of the frames as JSON; - for standard output.",
     )
     preview: str | None = option(
-        file(".htm", ".html"),
+        types.file(".htm", ".html"),
         default=None,
         metavar="FILE.html",
         help="Write a web page that shows the blend, its correspondence and its graph.",
@@ -213,22 +201,22 @@ class PlotOptions(Record, section=PLOT):
     """What is drawn, and where to."""
 
     output: str | None = option(
-        file(),
+        types.file(),
         default=None,
         flags=("-o", "--output"),
         help="The SVG file to write; - for standard output.",
         default_text="KIND.svg",
     )
-    force: bool = option(FLAG, default=False, flags=("-f", "--force"), help="Replace an existing file.")
+    force: bool = option(types.FLAG, default=False, flags=("-f", "--force"), help="Replace an existing file.")
     contour: int | None = option(
-        whole(0),
+        types.whole(0),
         default=None,
         metavar="K",
         help="A contour of A, by its number in the report.",
         default_text="the largest that is matched",
     )
     dot: tuple[int, int] | None = option(
-        START,
+        types.START,
         default=None,
         metavar="I,J",
         help="For angle: vertices of A and B that correspond. For starts: a vertex of A, I; J does not count.",
@@ -239,9 +227,9 @@ class PlotOptions(Record, section=PLOT):
 class TerminalOptions(Record, section=OTHER):
     """What a command prints."""
 
-    quiet: bool = option(FLAG, default=False, flags=("-q", "--quiet"), help="Print errors only.")
+    quiet: bool = option(types.FLAG, default=False, flags=("-q", "--quiet"), help="Print errors only.")
     verbose: bool = option(
-        FLAG,
+        types.FLAG,
         default=False,
         flags=("-v", "--verbose"),
         help="Print what was done and how long it took.",

@@ -62,6 +62,6 @@ def run(arguments: Sequence[str]) -> int:
         sys.stderr.close()  # whatever read our output is gone, and needs to be told nothing
         return FAILED
     except MemoryError:
-        note("not enough memory for outlines of so many vertices; a smaller --vertices would help")
+        note("not enough memory for contours of so many vertices; a smaller --vertices would help")
         return FAILED
     return 0

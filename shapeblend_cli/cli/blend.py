@@ -62,11 +62,11 @@ def check_files(files: tuple[str, ...], settings: Settings) -> None:
     click.UsageError
     """
     if len(files) < 2:
-        raise click.UsageError(f"two files or more are blended, A.svg and B.svg; {len(files)} given")
+        raise click.UsageError(f"a blend needs two files or more, A.svg and B.svg; {len(files)} given")
     if files.count(STANDARD_INPUT) > 1:
-        raise click.UsageError("standard input can be one of the files, not more")
+        raise click.UsageError("only one of the files can be standard input")
     if len(files) > 2 and any(getattr(settings, name) for name in ABOUT_TWO_FILES):
-        raise click.UsageError(f"--start, --pin, --match and --stiff are about two files; {len(files)} given")
+        raise click.UsageError(f"--start, --pin, --match and --stiff apply to two files; {len(files)} given")
 
 
 def _job(files: tuple[str, ...], given: dict[str, Any]) -> Job:

@@ -8,11 +8,9 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import click
 
-from shapeblend_cli.cli.options import FieldOption, options_of
+from shapeblend_cli.cli.options import FieldOption
 from shapeblend_cli.cli.terminal import Terminal
-from shapeblend_cli.field_types import FLAG, SELECTOR
-from shapeblend_cli.fields import Record, option
-from shapeblend_cli.settings import SHAPES, ReadOptions
+from shapeblend_cli.settings import ReadOptions
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -30,30 +28,22 @@ _MAX_ALIGNED = 60
 """A longer cell pushes the rest of its own line on, and no other line."""
 
 
-class InspectOptions(Record):
-    """What is listed, and how."""
-
-    select: str | None = option(
-        SELECTOR,
-        default=None,
-        section=SHAPES,
-        help="List only these shapes: #id or a CSS selector.",
-        default_text="all painted shapes",
-    )
-    json: bool = option(FLAG, default=False, section=SHAPES, help="Print JSON, for programs.")
+SELECT = ReadOptions.options["select_a"]._replace(
+    name="select", flags=("--select",), help="List only these shapes: #id or a CSS selector."
+)
 
 
-@click.command(params=[*options_of(InspectOptions), FieldOption(ReadOptions.options["lenient"])])
+@click.command(params=[FieldOption(SELECT), FieldOption(ReadOptions.options["lenient"])])
+@click.option("--json", "as_json", is_flag=True, help="Print JSON, for programs.")
 @click.argument("file", type=click.Path(), metavar="FILE")
-def inspect(file: str, lenient: bool | None, **given: Any) -> None:
+def inspect(file: str, select: str | None, lenient: bool | None, as_json: bool) -> None:
     """List the shapes a file draws; - is standard input."""
     from shapeblend_cli.report import inspection
     from shapeblend_cli.svg.reading.read import read
 
-    options = InspectOptions.of(given)
-    drawing = read(file, lenient=bool(lenient), select=options.select)
+    drawing = read(file, lenient=bool(lenient), select=select)
     found = inspection(drawing) | {"file": file}
-    if options.json:
+    if as_json:
         import json
 
         click.echo(json.dumps(found, indent=1, allow_nan=False))

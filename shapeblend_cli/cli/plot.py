@@ -39,7 +39,7 @@ def plot(kind: str, files: tuple[str, ...], **given: Any) -> None:
     """
     options, settings = PlotOptions.of(given), Settings.of(given)
     if len(files) != 2:
-        raise click.UsageError(f"a plot is of two files, A.svg and B.svg; {len(files)} given")
+        raise click.UsageError(f"a plot compares two files, A.svg and B.svg; {len(files)} given")
     check_files(files, settings)
     if options.dot is not None and kind not in DOTTED:
         raise click.UsageError(f"--dot is for {' and '.join(DOTTED)}; {kind} shows all dots")

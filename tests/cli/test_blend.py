@@ -155,7 +155,7 @@ def test_frames_of_a_longer_run_are_left_and_named(here, capsys):
     assert run(["a.svg", "b.svg", "-n", "4", "-o", "out"]) == 0
     assert run(["a.svg", "b.svg", "-n", "2", "-o", "out", "-f"]) == 0
     said = capsys.readouterr().err
-    assert said == "shapeblend: out: 2 frame files of another run are left, frame-3.svg among them\n"
+    assert said == "shapeblend: out: 2 frame files of another run remain, frame-3.svg among them\n"
     assert len(list((here / "out").iterdir())) == 4
 
 

@@ -169,7 +169,7 @@ def test_frames_of_another_run_are_spoken_of(here, capsys):
     assert capsys.readouterr().err == ""
     assert run([*AB, *png, "-n", "2", "-f"]) == 0
     (line,) = capsys.readouterr().err.splitlines()
-    assert "3 frame files of another run are left, frame-3.png among them" in line
+    assert "3 frame files of another run remain, frame-3.png among them" in line
 
 
 def test_backgrounds(here):
