@@ -213,23 +213,33 @@ class Graph:
         np.maximum.at(self._visited[:, 1], columns, rows)
         return self._visited.copy()
 
-    def sweep(self, starts: Starts, limit: float) -> tuple[float, Dots, bool] | None:
+    def sweep(
+        self, starts: Starts, limit: float = np.inf, simplified: bool = False
+    ) -> tuple[float, Dots, bool] | None:
         """Find the least path from a set of starts to the ends that belong to them.
+
+        Parameters
+        ----------
+        starts : Starts
+        limit : float
+            What it must cost less than.
+        simplified : bool
+            Use the simplified algorithm (section 4.1), from one start.
 
         Returns
         -------
         (work, dots, is_own) or None
             `dots` in columns and rows. `is_own`: the path ends in the state it started from and stays in
-            the band around its own start. None when every path costs at least `limit`.
+            the band around its own start. None when there is no path.
         """
         window = self.limits(starts)
         if window is None:
             return None
         sources = starts.terminals()
         progress = Progress(window, sources, self._visited)
-        bounds = Bounds(self.region, self._to_go, limit)
+        bounds = Bounds(self.region, self._to_go[:0] if simplified else self._to_go, limit)
         for tables, last_column in self._blocks(window):
-            sweeps.sweep(tables, window, sources, bounds, progress, last_column)
+            sweeps.sweep(tables, window, sources, bounds, progress, last_column, simplified)
             if progress.is_dead:
                 break
             if self.sweeps == 0:
@@ -253,22 +263,6 @@ class Graph:
         dots, first_step = sweeps.backtrack(progress.parents, window, row, step)
         own = dots[0][1] + self.span == row and (first_step == step or not self.closed)
         return work, dots, own and self._in_band(dots)
-
-    def sweep_simplified(self, row: int, step: int) -> tuple[float, Dots] | None:
-        """Follow the simplified algorithm from one state; None where it finds no way back to it."""
-        start = Starts(0.0, row, row, (step,))
-        window = self.limits(start)
-        if window is None or self._tables is None or window.high[-1] != row + self.span:
-            return None
-        progress = Progress(window, start.terminals(), self._visited)
-        sweeps.sweep_simplified(self._tables, window, step, progress)
-        self.sweeps += 1
-        ends = progress.ends[-1]
-        last = step if self.closed else int(ends.argmin())
-        if not np.isfinite(ends[last]):
-            return None
-        dots, _ = sweeps.backtrack(progress.parents, window, row + self.span, last)
-        return float(ends[last]), dots
 
     def _blocks(self, window: Window) -> Iterable[tuple[Tables, int]]:
         """The tables for a window and the last column they have, all at once or in blocks of columns."""

@@ -109,10 +109,7 @@ def least_by_start(
 
 def simplified_from(graph: Graph) -> Path | None:
     """The simplified algorithm's best path from the first dot of the region."""
-    row = int(graph.region.low[0])
-    found = [graph.sweep_simplified(row, step) for step in (STEPS if graph.closed else (SOUTHEAST,))]
-    paths = [Path(dots, work, graph.sweeps) for work, dots in filter(None, found)]
-    return min(paths, key=lambda path: path.work, default=None)
+    return _simplified(graph, int(graph.region.low[0]), STEPS if graph.closed else (SOUTHEAST,))
 
 
 def simplified_of_all(graph: Graph) -> Path | None:
@@ -127,11 +124,16 @@ def simplified_of_all(graph: Graph) -> Path | None:
     for row in np.argsort(bounds, kind="stable").tolist():
         if best is not None and bounds[row] >= best.work:
             break
-        for step in ENTERING:
-            found = graph.sweep_simplified(first + row, step)
-            if found is not None and (best is None or found[0] < best.work):
-                best = Path(found[1], found[0], graph.sweeps)
+        path = _simplified(graph, first + row, ENTERING)
+        if path is not None and (best is None or path.work < best.work):
+            best = path
     return best._replace(sweeps=graph.sweeps) if best else None
+
+
+def _simplified(graph: Graph, row: int, steps: tuple[int, ...]) -> Path | None:
+    found = [graph.sweep(Starts(0.0, row, row, (step,)), simplified=True) for step in steps]
+    paths = [Path(dots, work, graph.sweeps) for work, dots, _ in filter(None, found)]
+    return min(paths, key=lambda path: path.work, default=None)
 
 
 def _branch_and_bound(graph: Graph, sets: list[Starts], limit: float) -> Path | None:

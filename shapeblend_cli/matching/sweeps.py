@@ -99,6 +99,7 @@ def cost_to_go(
     cython.declare(beyond=cython.Py_ssize_t, beyond_low=cython.Py_ssize_t, beyond_high=cython.Py_ssize_t)
     cython.declare(e=cython.double, s=cython.double, d=cython.double)
     cython.declare(south_of_here=cython.double, southeast_of_here=cython.double)
+    cython.declare(w_e=cython.double, w_s=cython.double, w_d=cython.double)
     cython.declare(after_e=cython.int, after_s=cython.int, after_d=cython.int)
 
     for c in range(last_column, -1, -1):
@@ -112,6 +113,7 @@ def cost_to_go(
         beyond_low = 0
         beyond_high = -1
         if c < last_column:
+            last_end = first_end - 1  # there are none
             beyond_low = low[c + 1]
             beyond_high = high[c + 1]
             beyond = here_offset[c + 1] + r - beyond_low
@@ -128,24 +130,24 @@ def cost_to_go(
                 e = east[i] + to_go[beyond, EAST]
                 southeast_of_here = to_go[beyond, SOUTHEAST]
             s = south[j] * weight[i] + south_of_here
-            if c == last_column and first_end <= r <= last_end:
-                south_of_here = end_work[SOUTH]
-                to_go[here, EAST] = end_work[EAST]
-                to_go[here, SOUTHEAST] = end_work[SOUTHEAST]
+            w_e = min(bends[k, EE] + e, bends[k, ED] + d)
+            w_s = min(bends[k, SS] + s, bends[k, SD] + d)
+            w_d = min(min(bends[k, DE] + e, bends[k, DS] + s), bends[k, DD] + d)
+            if follows:
+                after_e = EAST if w_e == bends[k, EE] + e else SOUTHEAST
+                after_s = SOUTH if w_s == bends[k, SS] + s else SOUTHEAST
+                after_d = EAST if w_d == bends[k, DE] + e else SOUTH if w_d == bends[k, DS] + s else SOUTHEAST
+                following[here] = after_d << 4 | after_s << 2 | after_e
+            if first_end <= r <= last_end:
+                w_e = end_work[EAST]
+                w_s = end_work[SOUTH]
+                w_d = end_work[SOUTHEAST]
                 if follows:
                     following[here] = 0
-            else:
-                south_of_here = min(bends[k, SS] + s, bends[k, SD] + d)
-                to_go[here, EAST] = min(bends[k, EE] + e, bends[k, ED] + d)
-                to_go[here, SOUTHEAST] = min(min(bends[k, DE] + e, bends[k, DS] + s), bends[k, DD] + d)
-                if follows:
-                    after_e = EAST if bends[k, EE] + e <= bends[k, ED] + d else SOUTHEAST
-                    after_s = SOUTH if bends[k, SS] + s <= bends[k, SD] + d else SOUTHEAST
-                    after_d = EAST if bends[k, DE] + e <= bends[k, DS] + s else SOUTH
-                    if bends[k, DD] + d < min(bends[k, DE] + e, bends[k, DS] + s):
-                        after_d = SOUTHEAST
-                    following[here] = after_d << 4 | after_s << 2 | after_e
-            to_go[here, SOUTH] = south_of_here
+            to_go[here, EAST] = w_e
+            to_go[here, SOUTH] = w_s
+            to_go[here, SOUTHEAST] = w_d
+            south_of_here = w_s
             r -= 1
             here -= 1
             beyond -= 1
@@ -166,6 +168,7 @@ def sweep(
     bounds: Bounds,
     progress: Progress,
     last_column: cython.Py_ssize_t,
+    simplified: cython.bint,
 ) -> None:
     """Least work to every state from any start, eqs (20)-(22), column by column.
 
@@ -183,6 +186,9 @@ def sweep(
         same run.
     last_column : int
         As far as this one.
+    simplified : bool
+        Follow the algorithm of section 4.1, eqs (23)-(28): of the states of a dot only the cheapest is kept. Turns of
+        90 degrees, which (23)-(25) allow and section 4 forbids, cost infinitely much all the same.
     """
     east: cython.double[::1] = tables.east
     south: cython.double[::1] = tables.south
@@ -208,7 +214,7 @@ def sweep(
     m: cython.Py_ssize_t = weight.shape[0]
     n: cython.Py_ssize_t = south.shape[0]
     pruning: cython.bint = to_go.shape[0] > 0
-    south_at_end: cython.bint = start_work[SOUTH] < INFINITY
+    south_at_end: cython.bint = simplified or start_work[SOUTH] < INFINITY
     base: cython.Py_ssize_t = low[0]
     first: cython.Py_ssize_t = progress.live_rows[0]
     last: cython.Py_ssize_t = progress.live_rows[1]
@@ -219,9 +225,8 @@ def sweep(
     cython.declare(w_e=cython.double, w_s=cython.double, w_d=cython.double, leaving_south=cython.double)
     cython.declare(by_e=cython.double, by_s=cython.double, by_d=cython.double)
     cython.declare(parent_e=cython.int, parent_s=cython.int, parent_d=cython.int)
-    g: cython.Py_ssize_t = 0
-
     column: cython.Py_ssize_t = progress.column
+    g: cython.Py_ssize_t = 0
 
     for c in range(column, last_column + 1):
         i = (c - first_column) % m
@@ -266,6 +271,18 @@ def sweep(
             elif r > last:
                 break  # nothing leads to the rows below either
 
+            if c == columns - 1:
+                ends[r - low[c], EAST] = w_e
+                ends[r - low[c], SOUTH] = w_s
+                ends[r - low[c], SOUTHEAST] = w_d
+            if simplified:
+                if w_e <= w_s and w_e <= w_d:  # eq 26
+                    w_s = w_d = INFINITY
+                elif w_s <= w_d:  # eq 27
+                    w_e = w_d = INFINITY
+                else:  # eq 28
+                    w_e = w_s = INFINITY
+
             # Leaving Southeast, after any step.
             by_e = w_e + bends[k, ED]
             by_s = w_s + bends[k, SD]
@@ -292,11 +309,6 @@ def sweep(
                 parent_e = SOUTHEAST
             leaving[current, r - base] = by_e + east[i]
             parents[parent_offset[c] + r - low[c]] = parent_d << 4 | parent_s << 2 | parent_e
-
-            if c == columns - 1:
-                ends[r - low[c], EAST] = w_e
-                ends[r - low[c], SOUTH] = w_s
-                ends[r - low[c], SOUTHEAST] = w_d
             r += 1
             j += 1
             if j == n:
@@ -317,89 +329,6 @@ def sweep(
     progress.column = last_column + 1
     progress.live_rows = (first, last)
     progress.current = previous
-
-
-def sweep_simplified(tables: Tables, window: Window, first_step: cython.int, progress: Progress) -> None:
-    """The simplified algorithm of section 4.1, eqs (23)-(28): one work value and one step in for each dot.
-
-    Departure: eqs (23)-(25) allow turns of 90 degrees, which section 4 forbids; here they cost infinitely much.
-
-    Parameters
-    ----------
-    tables : Tables
-    window : Window
-        The columns and rows to go through; the path leads from ``low[0]`` to ``high[-1]``.
-    first_step : int
-        The step that leads to the first dot.
-    progress : Progress
-        Its `parents` are overwritten, and the last of its `ends`.
-    """
-    east: cython.double[::1] = tables.east
-    south: cython.double[::1] = tables.south
-    southeast: cython.double[::1] = tables.southeast
-    bends: cython.double[:, ::1] = tables.bends
-    weight: cython.double[::1] = tables.weight
-    origin: cython.Py_ssize_t[::1] = tables.window.low
-    offset: cython.Py_ssize_t[::1] = tables.window.column_offset
-    low: cython.Py_ssize_t[::1] = window.low
-    high: cython.Py_ssize_t[::1] = window.high
-    parent_offset: cython.Py_ssize_t[::1] = window.column_offset
-    leaving: cython.double[:, ::1] = progress.leaving
-    parents: cython.uchar[::1] = progress.parents
-    ends: cython.double[:, ::1] = progress.ends
-    columns: cython.Py_ssize_t = low.shape[0]
-    m: cython.Py_ssize_t = weight.shape[0]
-    n: cython.Py_ssize_t = south.shape[0]
-    base: cython.Py_ssize_t = low[0]
-    previous: cython.Py_ssize_t = 0
-    cython.declare(c=cython.Py_ssize_t, r=cython.Py_ssize_t, i=cython.Py_ssize_t, j=cython.Py_ssize_t)
-    cython.declare(k=cython.Py_ssize_t, current=cython.Py_ssize_t)
-    cython.declare(w_e=cython.double, w_s=cython.double, w_d=cython.double)
-    cython.declare(leaving_east=cython.double, leaving_south=cython.double, leaving_southeast=cython.double)
-    parent: cython.int
-
-    for c in range(columns):
-        i = c % m
-        current = 2 - previous
-        leaving_south = INFINITY
-        for r in range(low[c], high[c] + 1):
-            j = r % n
-            k = offset[i] + (r - origin[i]) % n
-            w_e = INFINITY
-            w_s = leaving_south
-            w_d = INFINITY
-            if c > 0:
-                if low[c - 1] <= r <= high[c - 1]:
-                    w_e = leaving[previous, r - base]
-                if low[c - 1] <= r - 1 <= high[c - 1]:
-                    w_d = leaving[previous + 1, r - 1 - base]
-            if c == columns - 1 and r == high[c]:
-                ends[r - low[c], EAST] = w_e
-                ends[r - low[c], SOUTH] = w_s
-                ends[r - low[c], SOUTHEAST] = w_d
-            leaving_east = INFINITY
-            leaving_south = INFINITY
-            if c == 0 and r == base:
-                w_e = 0.0 if first_step == EAST else INFINITY
-                w_s = 0.0 if first_step == SOUTH else INFINITY
-                w_d = 0.0 if first_step == SOUTHEAST else INFINITY
-            if w_e <= w_s and w_e <= w_d:  # eq 26
-                parent = EAST
-                leaving_east = w_e + bends[k, EE] + east[i]
-                leaving_southeast = w_e + bends[k, ED] + southeast[k]
-            elif w_s <= w_d:  # eq 27
-                parent = SOUTH
-                leaving_south = w_s + bends[k, SS] + south[j] * weight[i]
-                leaving_southeast = w_s + bends[k, SD] + southeast[k]
-            else:  # eq 28
-                parent = SOUTHEAST
-                leaving_east = w_d + bends[k, DE] + east[i]
-                leaving_south = w_d + bends[k, DS] + south[j] * weight[i]
-                leaving_southeast = w_d + bends[k, DD] + southeast[k]
-            parents[parent_offset[c] + r - low[c]] = parent << 4 | parent << 2 | parent
-            leaving[current, r - base] = leaving_east
-            leaving[current + 1, r - base] = leaving_southeast
-        previous = current
 
 
 def backtrack(
