@@ -30,7 +30,7 @@ def _directive(*_settings: object, **_named: object) -> Any:
 
 int = bint = uchar = Py_ssize_t = double = doublecomplex = _Type()
 
-cclass = cfunc = inline = _unchanged
+cclass = final = cfunc = inline = _unchanged
 exceptval = boundscheck = wraparound = cdivision = _directive
 
 

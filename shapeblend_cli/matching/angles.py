@@ -74,29 +74,10 @@ SD = cython.declare(cython.int, steps.SD)
 DS = cython.declare(cython.int, steps.DS)
 DD = cython.declare(cython.int, steps.DD)
 
-
 # The control points Q0, Q1 and Q2 of Q(t).
 Curve = cython.struct(
     x0=cython.double, y0=cython.double, x1=cython.double, y1=cython.double, x2=cython.double, y2=cython.double
 )
-
-
-@cython.cclass
-class Bending:
-    """The constants of eq (17), see `constants.WorkConstants`."""
-
-    k_b: cython.double
-    m_b: cython.double
-    e_b: cython.double
-    p_b: cython.double
-
-    def __init__(
-        self, k_b: cython.double, m_b: cython.double, e_b: cython.double, p_b: cython.double
-    ) -> None:
-        self.k_b = k_b
-        self.m_b = m_b
-        self.e_b = e_b
-        self.p_b = p_b
 
 
 @cython.cclass
@@ -166,180 +147,192 @@ def _is_zero(theta: cython.double) -> cython.bint:
     return theta < ANGLE_NOISE or theta > TWO_PI - ANGLE_NOISE
 
 
-@cython.cfunc
-@cython.inline
-@cython.exceptval(check=False)
-def _work_of_turns(
-    theta: cython.double, s1: cython.double, s2: cython.double, s3: cython.double, bending: Bending
-) -> cython.double:
-    """Bending work, eq (17), of an angle that starts at theta and turns by s1, then s2, then s3."""
-    delta_theta: cython.double = fabs(s1 + s2 + s3)
-    delta_theta_star: cython.double = 0.5 * (fabs(s1) + fabs(s2) + fabs(s3) - delta_theta)
-    work: cython.double = delta_theta + bending.m_b * delta_theta_star
-    if bending.e_b != 1.0:
-        work = pow(work, bending.e_b)
-    work *= bending.k_b
-    if _is_zero(theta) or _is_zero(theta + s1) or _is_zero(theta + s1 + s2) or _is_zero(theta + s1 + s2 + s3):
-        work += bending.p_b
-    return work
+@cython.final
+@cython.cclass
+class Bending:
+    """What an angle costs, eq (17), with the constants of `constants.WorkConstants`.
 
-
-@cython.cfunc
-@cython.exceptval(check=False)
-def _bend(theta0: cython.double, theta2: cython.double, q: Curve, bending: Bending) -> cython.double:
-    """Bending work along Q(t) from theta0 to theta2."""
-    x0, y0, x1, y1, x2, y2 = q.x0, q.y0, q.x1, q.y1, q.x2, q.y2  # type: ignore[attr-defined]
-    d0: cython.double = x0 * y1 - y0 * x1
-    d1: cython.double = 0.5 * (x0 * y2 - y0 * x2)
-    d2: cython.double = x1 * y2 - y1 * x2
-    net: cython.double = theta2 - theta0
-    one_way: cython.bint = (d0 >= 0.0 and d1 >= 0.0 and d2 >= 0.0) or (d0 <= 0.0 and d1 <= 0.0 and d2 <= 0.0)
-    if one_way and net * (d0 + d1 + d2) >= 0.0:  # the usual case, without a square root or an arc tangent
-        return _work_of_turns(theta0, net, 0.0, 0.0, bending)
-
-    size0: cython.double = x0 * x0 + y0 * y0
-    size1: cython.double = x1 * x1 + y1 * y1
-    size2: cython.double = x2 * x2 + y2 * y2
-    noise: cython.double = CROSS_NOISE * CROSS_NOISE * (size0 * size1 + size0 * size2 + size1 * size2)
-    if d0 * d0 + d1 * d1 + d2 * d2 <= noise:
-        return _work_of_turns(theta0, _short_way(net), 0.0, 0.0, bending)
-
-    # Ends of one sign with the middle control value of the other: two roots inside or none. Ends of
-    # different sign, or one end 0 and the middle of the other sign: one root inside.
-    two_roots: cython.bint = not one_way and d0 * d2 > 0.0
-    discriminant: cython.double = d1 * d1 - d0 * d2
-    if one_way or (two_roots and discriminant <= CROSS_NOISE * d1 * d1):
-        # Monotonic: theta turns the way d points, if need be by more than pi.
-        if net * (d0 + d1 + d2) < 0.0:
-            net += TWO_PI if net < 0.0 else -TWO_PI
-        return _work_of_turns(theta0, net, 0.0, 0.0, bending)
-
-    # With d = a t^2 + 2 b t + d0 the roots are big / a and d0 / big, big being the one of -b -+ root whose
-    # terms cannot cancel.
-    root: cython.double = sqrt(discriminant)
-    b: cython.double = d1 - d0
-    big: cython.double = -b - root if b > 0.0 else -b + root
-    a: cython.double = d0 - 2.0 * d1 + d2
-    t: cython.double = d0 / big
-    if not 0.0 < t < 1.0 or (two_roots and big / a < t):  # of two roots the first
-        t = big / a
-    u: cython.double = 1.0 - t
-    x: cython.double = u * u * x0 + 2.0 * u * t * x1 + t * t * x2
-    y: cython.double = u * u * y0 + 2.0 * u * t * y1 + t * t * y2
-    s1: cython.double = atan2(x0 * y - y0 * x, x0 * x + y0 * y)
-    if not two_roots:
-        return _work_of_turns(theta0, s1, _short_way(_short_way(net) - s1), 0.0, bending)
-
-    t = d0 / (a * t)  # the product of the roots is d0 / a
-    u = 1.0 - t
-    x = u * u * x0 + 2.0 * u * t * x1 + t * t * x2
-    y = u * u * y0 + 2.0 * u * t * y1 + t * t * y2
-    s3: cython.double = atan2(x * y2 - y * x2, x * x2 + y * y2)
-    s2: cython.double = _short_way(_short_way(_short_way(net) - s1) - s3)
-    return _work_of_turns(theta0, s1, s2, s3, bending)
-
-
-@cython.cfunc
-@cython.exceptval(check=False)
-def _bend_at_run(
-    theta: cython.double, s1: cython.double, s2: cython.double, bending: Bending
-) -> cython.double:
-    """Bending work of the pieces Q0 -> Q1 -> Q2 beside coincident vertices (section 2.2).
-
-    A half turn takes the cheaper direction.
+    A dot takes one of four methods, by which wires move on the way in and on the way out; the others are the same with
+    the wires exchanged. Another kind of bending has the same four.
     """
-    work: cython.double = _work_of_turns(theta, s1, s2, 0.0, bending)
-    half1: cython.bint = fabs(s1) > PI - ANGLE_NOISE
-    half2: cython.bint = fabs(s2) > PI - ANGLE_NOISE
-    other1: cython.double = s1 - TWO_PI if s1 > 0.0 else s1 + TWO_PI
-    other2: cython.double = s2 - TWO_PI if s2 > 0.0 else s2 + TWO_PI
-    if half1:
-        work = min(work, _work_of_turns(theta, other1, s2, 0.0, bending))
-    if half2:
-        work = min(work, _work_of_turns(theta, s1, other2, 0.0, bending))
-    if half1 and half2:
-        work = min(work, _work_of_turns(theta, other1, other2, 0.0, bending))
-    return work
 
+    k_b: cython.double
+    m_b: cython.double
+    e_b: cython.double
+    p_b: cython.double
 
-@cython.cfunc
-@cython.exceptval(check=False)
-def _bend_moving(
-    p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t, bending: Bending
-) -> cython.double:
-    """Bend where both wires move on the way in and on the way out: eqs (7)-(9)."""
-    b0x: cython.double = p.back[i].real
-    b0y: cython.double = p.back[i].imag
-    f0x: cython.double = p.fwd[i].real
-    f0y: cython.double = p.fwd[i].imag
-    b1x: cython.double = q.back[j].real
-    b1y: cython.double = q.back[j].imag
-    f1x: cython.double = q.fwd[j].real
-    f1y: cython.double = q.fwd[j].imag
-    curve: Curve = Curve(
-        f0x * b0x + f0y * b0y,
-        f0x * b0y - f0y * b0x,
-        0.5 * ((f1x * b0x + f1y * b0y) + (f0x * b1x + f0y * b1y)),
-        0.5 * ((f1x * b0y - f1y * b0x) + (f0x * b1y - f0y * b1x)),
-        f1x * b1x + f1y * b1y,
-        f1x * b1y - f1y * b1x,
-    )
-    return _bend(p.theta[i], q.theta[j], curve, bending)
+    def __init__(
+        self, k_b: cython.double, m_b: cython.double, e_b: cython.double, p_b: cython.double
+    ) -> None:
+        self.k_b = k_b
+        self.m_b = m_b
+        self.e_b = e_b
+        self.p_b = p_b
 
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def _of_turns(
+        self, theta: cython.double, s1: cython.double, s2: cython.double, s3: cython.double
+    ) -> cython.double:
+        """Bending work, eq (17), of an angle that starts at theta and turns by s1, then s2, then s3."""
+        delta_theta: cython.double = fabs(s1 + s2 + s3)
+        delta_theta_star: cython.double = 0.5 * (fabs(s1) + fabs(s2) + fabs(s3) - delta_theta)
+        work: cython.double = delta_theta + self.m_b * delta_theta_star
+        if self.e_b != 1.0:
+            work = pow(work, self.e_b)
+        work *= self.k_b
+        if (
+            _is_zero(theta)
+            or _is_zero(theta + s1)
+            or _is_zero(theta + s1 + s2)
+            or _is_zero(theta + s1 + s2 + s3)
+        ):
+            work += self.p_b
+        return work
 
-@cython.cfunc
-@cython.exceptval(check=False)
-def _bend_into_run(
-    p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t, bending: Bending
-) -> cython.double:
-    """Bend where q moves on the way in and rests on the way out; p moves on both.
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def _along(self, theta0: cython.double, theta2: cython.double, q: Curve) -> cython.double:
+        """Bending work along Q(t) from theta0 to theta2."""
+        x0, y0, x1, y1, x2, y2 = q.x0, q.y0, q.x1, q.y1, q.x2, q.y2  # type: ignore[attr-defined]
+        d0: cython.double = x0 * y1 - y0 * x1
+        d1: cython.double = 0.5 * (x0 * y2 - y0 * x2)
+        d2: cython.double = x1 * y2 - y1 * x2
+        net: cython.double = theta2 - theta0
+        one_way: cython.bint = (d0 >= 0.0 and d1 >= 0.0 and d2 >= 0.0) or (
+            d0 <= 0.0 and d1 <= 0.0 and d2 <= 0.0
+        )
+        if one_way and net * (d0 + d1 + d2) >= 0.0:  # the usual case, without a square root or an arc tangent
+            return self._of_turns(theta0, net, 0.0, 0.0)
 
-    F1 := base of q, so Q1 is conj(F0) B1 to leading order. From Q0 to Q1 only B turns, then only F.
-    """
-    s1: cython.double = _short_way(q.back_arg[j] - p.back_arg[i])
-    s2: cython.double = _short_way(p.fwd_arg[i] - q.base_arg[j])
-    return _bend_at_run(p.theta[i], s1, s2, bending)
+        size0: cython.double = x0 * x0 + y0 * y0
+        size1: cython.double = x1 * x1 + y1 * y1
+        size2: cython.double = x2 * x2 + y2 * y2
+        noise: cython.double = CROSS_NOISE * CROSS_NOISE * (size0 * size1 + size0 * size2 + size1 * size2)
+        if d0 * d0 + d1 * d1 + d2 * d2 <= noise:
+            return self._of_turns(theta0, _short_way(net), 0.0, 0.0)
 
+        # Ends of one sign with the middle control value of the other: two roots inside or none. Ends of
+        # different sign, or one end 0 and the middle of the other sign: one root inside.
+        two_roots: cython.bint = not one_way and d0 * d2 > 0.0
+        discriminant: cython.double = d1 * d1 - d0 * d2
+        if one_way or (two_roots and discriminant <= CROSS_NOISE * d1 * d1):
+            # Monotonic: theta turns the way d points, if need be by more than pi.
+            if net * (d0 + d1 + d2) < 0.0:
+                net += TWO_PI if net < 0.0 else -TWO_PI
+            return self._of_turns(theta0, net, 0.0, 0.0)
 
-@cython.cfunc
-@cython.exceptval(check=False)
-def _bend_out_of_run(
-    p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t, bending: Bending
-) -> cython.double:
-    """Bend where q rests on the way in and moves on the way out; p moves on both.
+        # With d = a t^2 + 2 b t + d0 the roots are big / a and d0 / big, big being the one of -b -+ root whose
+        # terms cannot cancel.
+        root: cython.double = sqrt(discriminant)
+        b: cython.double = d1 - d0
+        big: cython.double = -b - root if b > 0.0 else -b + root
+        a: cython.double = d0 - 2.0 * d1 + d2
+        t: cython.double = d0 / big
+        if not 0.0 < t < 1.0 or (two_roots and big / a < t):  # of two roots the first
+            t = big / a
+        u: cython.double = 1.0 - t
+        x: cython.double = u * u * x0 + 2.0 * u * t * x1 + t * t * x2
+        y: cython.double = u * u * y0 + 2.0 * u * t * y1 + t * t * y2
+        s1: cython.double = atan2(x0 * y - y0 * x, x0 * x + y0 * y)
+        if not two_roots:
+            return self._of_turns(theta0, s1, _short_way(_short_way(net) - s1), 0.0)
 
-    B1 := minus the base of q, so Q1 is conj(F1) B0 to leading order. First only F turns, then only B.
-    """
-    s1: cython.double = _short_way(p.fwd_arg[i] - q.fwd_arg[j])
-    s2: cython.double = _short_way(_short_way(q.base_arg[j] + PI) - p.back_arg[i])
-    return _bend_at_run(p.theta[i], s1, s2, bending)
+        t = d0 / (a * t)  # the product of the roots is d0 / a
+        u = 1.0 - t
+        x = u * u * x0 + 2.0 * u * t * x1 + t * t * x2
+        y = u * u * y0 + 2.0 * u * t * y1 + t * t * y2
+        s3: cython.double = atan2(x * y2 - y * x2, x * x2 + y * y2)
+        s2: cython.double = _short_way(_short_way(_short_way(net) - s1) - s3)
+        return self._of_turns(theta0, s1, s2, s3)
 
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def _at_run(self, theta: cython.double, s1: cython.double, s2: cython.double) -> cython.double:
+        """Bending work of the pieces Q0 -> Q1 -> Q2 beside coincident vertices (section 2.2).
 
-@cython.cfunc
-@cython.exceptval(check=False)
-def _bend_inside_run(
-    p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t, bending: Bending
-) -> cython.double:
-    """Bend where q rests on the way in and on the way out: its angle there is pi.
+        A half turn takes the cheaper direction.
+        """
+        work: cython.double = self._of_turns(theta, s1, s2, 0.0)
+        half1: cython.bint = fabs(s1) > PI - ANGLE_NOISE
+        half2: cython.bint = fabs(s2) > PI - ANGLE_NOISE
+        other1: cython.double = s1 - TWO_PI if s1 > 0.0 else s1 + TWO_PI
+        other2: cython.double = s2 - TWO_PI if s2 > 0.0 else s2 + TWO_PI
+        if half1:
+            work = min(work, self._of_turns(theta, other1, s2, 0.0))
+        if half2:
+            work = min(work, self._of_turns(theta, s1, other2, 0.0))
+        if half1 and half2:
+            work = min(work, self._of_turns(theta, other1, other2, 0.0))
+        return work
 
-    F1 := base, B1 := minus base, so both products of Q1 are of one order: Q1 = conj(d) B0 - conj(F0) d.
-    """
-    dx: cython.double = q.base[j].real
-    dy: cython.double = q.base[j].imag
-    b0x: cython.double = p.back[i].real
-    b0y: cython.double = p.back[i].imag
-    f0x: cython.double = p.fwd[i].real
-    f0y: cython.double = p.fwd[i].imag
-    x1: cython.double = (dx * b0x + dy * b0y) - (f0x * dx + f0y * dy)
-    y1: cython.double = (dx * b0y - dy * b0x) - (f0x * dy - f0y * dx)
-    theta: cython.double = p.theta[i]
-    longest: cython.double = b0x * b0x + b0y * b0y + f0x * f0x + f0y * f0y
-    if x1 * x1 + y1 * y1 <= CROSS_NOISE * CROSS_NOISE * longest:  # Q1 = 0 points nowhere
-        return _work_of_turns(theta, PI - theta, 0.0, 0.0, bending)
-    theta1: cython.double = atan2(y1, x1)
-    if theta1 < 0.0:
-        theta1 += TWO_PI
-    return _bend_at_run(theta, _short_way(theta1 - theta), _short_way(PI - theta1), bending)
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def moving(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
+        """Bend where both wires move on the way in and on the way out: eqs (7)-(9)."""
+        b0x: cython.double = p.back[i].real
+        b0y: cython.double = p.back[i].imag
+        f0x: cython.double = p.fwd[i].real
+        f0y: cython.double = p.fwd[i].imag
+        b1x: cython.double = q.back[j].real
+        b1y: cython.double = q.back[j].imag
+        f1x: cython.double = q.fwd[j].real
+        f1y: cython.double = q.fwd[j].imag
+        curve: Curve = Curve(
+            f0x * b0x + f0y * b0y,
+            f0x * b0y - f0y * b0x,
+            0.5 * ((f1x * b0x + f1y * b0y) + (f0x * b1x + f0y * b1y)),
+            0.5 * ((f1x * b0y - f1y * b0x) + (f0x * b1y - f0y * b1x)),
+            f1x * b1x + f1y * b1y,
+            f1x * b1y - f1y * b1x,
+        )
+        return self._along(p.theta[i], q.theta[j], curve)
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def into_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
+        """Bend where q moves on the way in and rests on the way out; p moves on both.
+
+        F1 := base of q, so Q1 is conj(F0) B1 to leading order. From Q0 to Q1 only B turns, then only F.
+        """
+        s1: cython.double = _short_way(q.back_arg[j] - p.back_arg[i])
+        s2: cython.double = _short_way(p.fwd_arg[i] - q.base_arg[j])
+        return self._at_run(p.theta[i], s1, s2)
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def out_of_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
+        """Bend where q rests on the way in and moves on the way out; p moves on both.
+
+        B1 := minus the base of q, so Q1 is conj(F1) B0 to leading order. First only F turns, then only B.
+        """
+        s1: cython.double = _short_way(p.fwd_arg[i] - q.fwd_arg[j])
+        s2: cython.double = _short_way(_short_way(q.base_arg[j] + PI) - p.back_arg[i])
+        return self._at_run(p.theta[i], s1, s2)
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def inside_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
+        """Bend where q rests on the way in and on the way out: its angle there is pi.
+
+        F1 := base, B1 := minus base, so both products of Q1 are of one order: Q1 = conj(d) B0 - conj(F0) d.
+        """
+        dx: cython.double = q.base[j].real
+        dy: cython.double = q.base[j].imag
+        b0x: cython.double = p.back[i].real
+        b0y: cython.double = p.back[i].imag
+        f0x: cython.double = p.fwd[i].real
+        f0y: cython.double = p.fwd[i].imag
+        x1: cython.double = (dx * b0x + dy * b0y) - (f0x * dx + f0y * dy)
+        y1: cython.double = (dx * b0y - dy * b0x) - (f0x * dy - f0y * dx)
+        theta: cython.double = p.theta[i]
+        longest: cython.double = b0x * b0x + b0y * b0y + f0x * f0x + f0y * f0y
+        if x1 * x1 + y1 * y1 <= CROSS_NOISE * CROSS_NOISE * longest:  # Q1 = 0 points nowhere
+            return self._of_turns(theta, PI - theta, 0.0, 0.0)
+        theta1: cython.double = atan2(y1, x1)
+        if theta1 < 0.0:
+            theta1 += TWO_PI
+        return self._at_run(theta, _short_way(theta1 - theta), _short_way(PI - theta1))
 
 
 def fill_bends(
@@ -383,13 +376,13 @@ def fill_bends(
         j = low[c] % n
         stiff: Bending = Bending(bending.k_b * stiffness[c], bending.m_b, bending.e_b, bending.p_b)
         for k in range(column_offset[c], column_offset[c] + high[c] - low[c] + 1):
-            work[k, EE] = _bend_inside_run(p, i, q, j, stiff)
-            work[k, ED] = _bend_out_of_run(p, i, q, j, stiff)
-            work[k, DE] = _bend_into_run(p, i, q, j, stiff)
-            work[k, SS] = _bend_inside_run(q, j, p, i, stiff)
-            work[k, SD] = _bend_out_of_run(q, j, p, i, stiff)
-            work[k, DS] = _bend_into_run(q, j, p, i, stiff)
-            work[k, DD] = _bend_moving(p, i, q, j, stiff)
+            work[k, EE] = stiff.inside_run(p, i, q, j)
+            work[k, ED] = stiff.out_of_run(p, i, q, j)
+            work[k, DE] = stiff.into_run(p, i, q, j)
+            work[k, SS] = stiff.inside_run(q, j, p, i)
+            work[k, SD] = stiff.out_of_run(q, j, p, i)
+            work[k, DS] = stiff.into_run(q, j, p, i)
+            work[k, DD] = stiff.moving(p, i, q, j)
             j += 1
             if j == n:
                 j = 0
@@ -431,7 +424,7 @@ def angle_change(q0: complex, q1: complex, q2: complex) -> tuple[float, float, b
         theta2 += TWO_PI
     curve: Curve = Curve(q0.real, q0.imag, q1.real, q1.imag, q2.real, q2.imag)
     work = [
-        _bend(theta0, theta2, curve, Bending(k_b, m_b, 1.0, p_b))
+        Bending(k_b, m_b, 1.0, p_b)._along(theta0, theta2, curve)
         for k_b, m_b, p_b in ((1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     ]
     return work[0], work[1] - work[0], work[2] > 0.0
