@@ -26,57 +26,54 @@ def frames(*contours):
     return [list(contours)] * (STEPS + 1)
 
 
-@pytest.mark.parametrize(
-    ("contour", "crossed"),
-    [
-        pytest.param(SQUARE, False, id="square"),
-        pytest.param(SQUARE[::-1], False, id="square, the other way round"),
-        pytest.param(np.repeat(SQUARE, 3), False, id="square with repeated vertices"),
-        pytest.param(
-            np.append(SQUARE, SQUARE[0] + 1e-7), False, id="square with two vertices nearly the same"
-        ),
-        pytest.param(BOW_TIE, True, id="bow tie"),
-        pytest.param(TOUCHING, True, id="a vertex touches a side"),
-        pytest.param(np.array([0, 10, 10 + 10j, 10, 20]), True, id="a spike without width"),
-        pytest.param(POINT, False, id="point"),
-        pytest.param(np.array([0, 10]), False, id="line"),
-    ],
-)
-def test_crossed(contour, crossed):
+CONTOURS = {
+    "square": (SQUARE, False),
+    "square, the other way round": (SQUARE[::-1], False),
+    "square with repeated vertices": (np.repeat(SQUARE, 3), False),
+    "square with two vertices nearly the same": (np.append(SQUARE, SQUARE[0] + 1e-7), False),
+    "bow tie": (BOW_TIE, True),
+    "a vertex touches a side": (TOUCHING, True),
+    "a spike without width": (np.array([0, 10, 10 + 10j, 10, 20]), True),
+    "point": (POINT, False),
+    "line": (np.array([0, 10]), False),
+}
+
+
+@pytest.mark.parametrize("name", CONTOURS)
+def test_crossed(name):
+    contour, crossed = CONTOURS[name]
     assert is_crossed(contour) is crossed
 
 
-def test_a_frame_is_crossed_if_one_of_its_contours_is():
+def test_a_frame_is_crossed_if_one_of_its_contours_is_and_overlapping_if_they_cross_each_other():
     assert not score(frames(SQUARE, SQUARE + 50), (2, 2)).crossed
     assert score(frames(SQUARE, BOW_TIE + 50), (2, 2)).crossed
-
-
-def test_contours_that_cross_each_other_are_not_crossed_but_overlapping():
     found = score(frames(SQUARE, SQUARE + 5 + 5j), (2, 2))
     assert (found.crossed, found.overlapping) == (False, True)
 
 
-@pytest.mark.parametrize(
-    ("others", "overlapping"),
-    [
-        pytest.param([], False, id="none"),
-        pytest.param([SQUARE + 20], False, id="apart"),
-        pytest.param([SQUARE / 2 + 1], False, id="inside"),
-        pytest.param([SQUARE], False, id="the same"),
-        pytest.param([SQUARE + 10], False, id="side by side"),
-        pytest.param([SQUARE + 10 + 5j], False, id="sharing a part of a side"),
-        pytest.param([SQUARE / 2], False, id="inside, sharing two sides"),
-        pytest.param([SQUARE + 9.995], False, id="off by less than files are precise"),
-        pytest.param([SQUARE + 9.9], True, id="a little"),
-        pytest.param([SQUARE[::-1] + 5], True, id="the other way round"),
-        pytest.param([SQUARE + 50, SQUARE + 55], True, id="two others"),
-        pytest.param([BOW_TIE + 5], True, id="a bow tie"),
-        pytest.param([BOW_TIE / 4 + 3], False, id="a bow tie inside"),
-        pytest.param([POINT], False, id="point"),
-        pytest.param([np.array([-5 + 5j, 15 + 5j])], False, id="line"),
-    ],
-)
-def test_overlapping(others, overlapping):
+OTHERS = {
+    "none": ([], False),
+    "apart": ([SQUARE + 20], False),
+    "inside": ([SQUARE / 2 + 1], False),
+    "the same": ([SQUARE], False),
+    "side by side": ([SQUARE + 10], False),
+    "sharing a part of a side": ([SQUARE + 10 + 5j], False),
+    "inside, sharing two sides": ([SQUARE / 2], False),
+    "off by less than files are precise": ([SQUARE + 9.995], False),
+    "a little": ([SQUARE + 9.9], True),
+    "the other way round": ([SQUARE[::-1] + 5], True),
+    "two others": ([SQUARE + 50, SQUARE + 55], True),
+    "a bow tie": ([BOW_TIE + 5], True),
+    "a bow tie inside": ([BOW_TIE / 4 + 3], False),
+    "point": ([POINT], False),
+    "line": ([np.array([-5 + 5j, 15 + 5j])], False),
+}
+
+
+@pytest.mark.parametrize("name", OTHERS)
+def test_overlapping(name):
+    others, overlapping = OTHERS[name]
     assert is_overlapping([SQUARE, *others]) is overlapping
 
 
@@ -92,19 +89,17 @@ def test_only_in_betweens_count():
     assert score(one, (2, 2)).overlapping
 
 
-def test_area_share_of_a_shape_that_collapses_on_its_way():
-    assert area_share([[SQUARE * abs(1 - 2 * k / STEPS)] for k in range(STEPS + 1)]) == 0.0
-    assert area_share(
-        [[SQUARE * (1 if k in (0, STEPS) else 0.8)] for k in range(STEPS + 1)]
-    ) == pytest.approx(0.64)
+def scaled(size):
+    """Frames of a square whose size is a function of time."""
+    return [[SQUARE * size(k / STEPS)] for k in range(STEPS + 1)]
 
 
 def test_area_share_is_beside_the_straight_line_between_the_ends():
+    assert area_share(scaled(lambda t: abs(1 - 2 * t))) == 0.0
+    assert area_share(scaled(lambda t: 1 if t in (0, 1) else 0.8)) == pytest.approx(0.64)
     # Areas 100 and 400: at t = .5 a square of side 15 has 225, and 250 lies on the line.
-    growing = [[SQUARE * (1 + k / STEPS)] for k in range(STEPS + 1)]
-    line = [100 + 300 * k / STEPS for k in range(STEPS + 1)]
-    expected = min(100 * (1 + k / STEPS) ** 2 / line[k] for k in range(1, STEPS))
-    assert area_share(growing) == pytest.approx(expected)
+    expected = min((10 * (1 + t)) ** 2 / (100 + 300 * t) for t in np.arange(1, STEPS) / STEPS)
+    assert area_share(scaled(lambda t: 1 + t)) == pytest.approx(expected)
 
 
 def test_areas_of_contours_add_up_whichever_way_round():
@@ -204,11 +199,8 @@ def test_arc_length_pairs_by_size_and_lets_the_rest_grow():
     np.testing.assert_allclose(blend[0][1], 55 + 5j)
 
 
-def test_rounding_path_data_keeps_its_points_apart():
+def test_animated_holds_all_frames_and_rounding_keeps_points_apart():
     assert sizes.rounded("M1.23456,-0.0001L10,1e-7L-2.5000001,33.9999Z") == "M1.235,0L10,0L-2.5,34Z"
-
-
-def test_animated_holds_all_frames():
     text = sizes.animated(["M0,0L1,0L1,1Z", "M0,0L2,0L2,2Z"])
     assert 'values="M0,0L1,0L1,1Z;M0,0L2,0L2,2Z"' in text
     assert shapeblend.drawn(text.replace("<path>", '<path d="M0,0L2,0L2,2Z">'))
