@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.fields import Option, Record
 
 
-class FieldText(click.ParamType[Any]):
+class FieldText(click.ParamType):  # type: ignore[type-arg]  # generic only in newer releases
     """Text that stands for the value of a field."""
 
     name = "text"
