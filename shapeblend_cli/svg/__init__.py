@@ -1,1 +1,1 @@
-"""SVG in and out: the only package that imports svgpathtools or svgwrite."""
+"""SVG files read and written: the only package that imports svgpathtools or svgwrite."""

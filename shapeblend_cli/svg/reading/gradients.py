@@ -32,13 +32,13 @@ _CIRCLE = 1e-9
 
 def chain(gradient: Node, ids: Mapping[str, Node]) -> list[Node]:
     """Return a gradient and those it refers to, the nearest first; a link to anything else is not followed."""
-    found: list[Node] = []
+    links: list[Node] = []
     node: Node | None = gradient
-    while node is not None and node.tag in KINDS and len(found) < _MAX_LINKS:
-        found.append(node)
+    while node is not None and node.tag in KINDS and len(links) < _MAX_LINKS:
+        links.append(node)
         link = node.link().strip()
         node = ids.get(link[1:]) if link.startswith("#") else None
-    return found
+    return links
 
 
 def read_stops(links: list[Node], cascade: Cascade, inherited: Inherited) -> tuple[Stop, ...]:
@@ -48,7 +48,7 @@ def read_stops(links: list[Node], cascade: Cascade, inherited: Inherited) -> tup
     where they are set on the root.
     """
     stop_nodes = ([child for child in node.children if child.tag == "stop"] for node in links)
-    found: list[Stop] = []
+    stops: list[Stop] = []
     offset = 0.0
     for node in next(filter(None, stop_nodes), []):
         declared = substitute(cascade.declared(node, keep=True), inherited.variables)
@@ -62,11 +62,11 @@ def read_stops(links: list[Node], cascade: Cascade, inherited: Inherited) -> tup
         opacity = share(declared.get("stop-opacity", "1"))
         # An offset before that of the stop before it counts as that.
         offset = max(offset, share(node.get("offset") or "0") or 0.0)
-        found.append(Stop(offset, colour.rgb, colour.alpha * (1.0 if opacity is None else opacity)))
-    return tuple(found)
+        stops.append(Stop(offset, colour.rgb, colour.alpha * (1.0 if opacity is None else opacity)))
+    return tuple(stops)
 
 
-def place(
+def resolve(
     links: list[Node], stops: tuple[Stop, ...], matrix: Affine, box: Box, lengths: Lengths
 ) -> Gradient | Stop | None:
     """Return a chain of gradients as one gradient in the root's coordinates.

@@ -83,15 +83,15 @@ class Painter:
                 box = cubics.bounds(np.concatenate([contour.segments for contour in contours]))
             links = self._links(given)
             stops = self._stops_of(links, inherited)
-            found = gradients.place(links, stops, matrix, box, lengths) if links else None
-            if found is None:
+            gradient = gradients.resolve(links, stops, matrix, box, lengths) if links else None
+            if gradient is None:
                 self._notes.add(_STAND_IN)
-            elif isinstance(found, Stop):
-                style = style.with_plain(name, found)
+            elif isinstance(gradient, Stop):
+                style = style.with_plain(name, gradient)
             elif name == "fill":
-                style = style._replace(fill_gradient=found)
+                style = style._replace(fill_gradient=gradient)
             else:
-                style = style._replace(stroke_gradient=found)
+                style = style._replace(stroke_gradient=gradient)
         return style
 
     def _server(self, given: colours.Paint) -> Node | None:

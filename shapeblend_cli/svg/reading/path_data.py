@@ -1,4 +1,4 @@
-"""Path data into contours: the only place that calls svgpathtools' ``parse_path``.
+"""Path data into contours: the only module that calls svgpathtools' ``parse_path``.
 
 ``parse_path`` is fast and right on valid data. On other data it drops letters it does not know, reads ``nan`` and
 ``1e999``, and fails with an AssertionError on an arc whose ends coincide. So data is first checked against the grammar
@@ -183,7 +183,7 @@ def trace(subpaths: list[Subpath]) -> list[Contour]:
     TooManySegments
         An arc is several cubics, so their number is known only here.
     """
-    found = []
+    traced = []
     position = 0j
     for subpath in subpaths:
         # The text of a relative moveto is relative to where the last subpath ended.
@@ -196,11 +196,11 @@ def trace(subpaths: list[Subpath]) -> list[Contour]:
             path = list(parse_path(" ".join(subpath.text), current_pos=before))
             contour = _contour(path, subpath)
             if contour is not None:
-                found.append(contour)
+                traced.append(contour)
             position = path[-1].end
         if subpath.closed:
             position = start
-    return found
+    return traced
 
 
 def _contour(path: list[Any], subpath: Subpath) -> Contour | None:

@@ -45,18 +45,18 @@ def select(root: Node, text: str) -> list[Node]:
     Problem
         If there is none, or matching takes too long.
     """
-    found = []
+    nodes = []
     if _is_id(text):
-        found = [node for node in root.walk() if node.get("id") == text[1:]]
-    if not found:
+        nodes = [node for node in root.walk() if node.get("id") == text[1:]]
+    if not nodes:
         try:
-            found = _match(root, text, _compile(text))
+            nodes = _match(root, text, _compile(text))
         except SelectorError as error:
             if not _is_id(text):
                 raise Problem(str(error)) from None
-    if not found:
+    if not nodes:
         raise Problem(f"nothing in it matches '{printable(text, 60)}'; {_suggestion(root, text)}")
-    return found
+    return nodes
 
 
 def _is_id(text: str) -> bool:
@@ -101,15 +101,15 @@ def _match(root: Node, text: str, tests: list[Any]) -> list[Node]:
     budget = stylesheets.Budget(
         f"the selector '{printable(text)}' takes too long to match; a simpler one would work"
     )
-    found = []
+    nodes = []
     try:
         for element in stylesheets.elements(root, budget):
             budget.pay(len(tests))
             if any(test(element) for test in tests):
-                found.append(element.etree_element)
+                nodes.append(element.etree_element)
     except RecursionError:
         raise Problem("its elements are nested too deep for that selector; an id would work") from None
-    return found
+    return nodes
 
 
 def ancestors(root: Node, node: Node) -> list[Node]:
@@ -186,7 +186,7 @@ def _similar(text: str, names: list[str]) -> list[str]:
     known = set(names)
     words = [text] if _is_id(text) else []
     words += [word for word in _WORD.findall(_OTHER_PARTS.sub(" ", text)) if word not in known]
-    found: dict[str, None] = {}
+    similar: dict[str, None] = {}
     for word in words[:_MAX_WORDS]:
         wanted = word[:_MAX_WORD].casefold()
         likely = [name for name in names if abs(len(name) - len(wanted)) <= 3 + len(wanted) // 4]
@@ -196,10 +196,10 @@ def _similar(text: str, names: list[str]) -> list[str]:
             name.casefold(): name for name in reversed(likely[:_MAX_COMPARED]) if len(name) <= _MAX_WORD
         }
         for name in difflib.get_close_matches(wanted, folded, n=_MAX_SUGGESTED, cutoff=0.65):
-            found[folded[name]] = None
-        if found and word is text:
+            similar[folded[name]] = None
+        if similar and word is text:
             break
-    return list(found)[:_MAX_SUGGESTED]
+    return list(similar)[:_MAX_SUGGESTED]
 
 
 def _common_prefix(a: str, b: str) -> int:

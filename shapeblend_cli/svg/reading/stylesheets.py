@@ -55,7 +55,7 @@ def match(root: Node, texts: list[str]) -> dict[int, tuple[Declarations, Declara
     """
     budget = Budget("its style sheet takes too long to match; without it the file would work")
     matcher = cssselect2.Matcher()
-    found = {}
+    declared = {}
     try:
         rules = list(_rules(texts))
         for rule in rules:
@@ -72,10 +72,10 @@ def match(root: Node, texts: list[str]) -> dict[int, tuple[Declarations, Declara
                     normal.update(payload[0])
                     important.update(payload[1])
             if normal or important:
-                found[id(element.etree_element)] = (normal, important)
+                declared[id(element.etree_element)] = (normal, important)
     except RecursionError:
         raise Problem("its style sheet is nested too deep; without it the file would work") from None
-    return found
+    return declared
 
 
 def _rules(texts: list[str]) -> Iterator[tuple[Any, tuple[Declarations, Declarations]]]:

@@ -59,7 +59,7 @@ class GrammarError(ValueError):
         self.before = before or []
 
     def message_in(self, text: str) -> str:
-        """Return the message with its place in a text."""
+        """Return the message with its position in a text."""
         return f"at character {self.offset + 1} of its {text}: {self}"
 
 

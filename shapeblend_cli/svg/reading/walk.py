@@ -259,10 +259,10 @@ class Walk:
         is_repeated = bool(visit.used) and node.tag in POINT_LISTS
         if is_repeated and id(node) in self._used_contours:
             return self._used_contours[id(node)]
-        found = contours_of(node, declared, visit.lengths, self._notes, self._lenient)
+        own_contours = contours_of(node, declared, visit.lengths, self._notes, self._lenient)
         if is_repeated:
-            self._used_contours[id(node)] = found
-        return found
+            self._used_contours[id(node)] = own_contours
+        return own_contours
 
     def _skip(self, visit: _Visit, reason: str) -> None:
         node = visit.node
@@ -275,13 +275,13 @@ class Walk:
 
     def _reasons(self) -> str:
         """Return why nothing was painted."""
-        found = [f"{_shapes(count)} {reason}" for reason, count in self._skipped.items() if count]
+        reasons = [f"{_shapes(count)} {reason}" for reason, count in self._skipped.items() if count]
         total = sum(node.tag in SHAPES for node in self._root.walk())
         unseen = total - sum(self._skipped.values())
         if unseen > 0:
-            found.append(f"{_shapes(unseen)} in defs, symbols, clip paths or groups that are not displayed")
-        found += self._notes.phrases()
-        return ", ".join(found) or "it has no shape elements"
+            reasons.append(f"{_shapes(unseen)} in defs, symbols, clip paths or groups that are not displayed")
+        reasons += self._notes.phrases()
+        return ", ".join(reasons) or "it has no shape elements"
 
 
 def _shapes(count: int) -> str:

@@ -77,12 +77,12 @@ def attribute_values(shape: KeyframedShape, decimals: int) -> dict[str, Values]:
 
 def moments(values: Values, ease: Ease, first: int = 0) -> list[Moment]:
     """Return keys, counted from `first`, and waypoints in order of time."""
-    found = []
+    timed = []
     for k, (key, waypoints) in enumerate(zip(values.keys[:-1], values.waypoints, strict=True), first):
         starts = [(0.0, key), *waypoints]
         ends = [*(share for share, _ in waypoints), 1.0]
-        found += [
+        timed += [
             Moment(k + ease.time_of(start), value, ease.piece(start, end) if waypoints else ease)
             for (start, value), end in zip(starts, ends, strict=True)
         ]
-    return [*found, Moment(first + len(values.waypoints), values.keys[-1], ease)]
+    return [*timed, Moment(first + len(values.waypoints), values.keys[-1], ease)]

@@ -88,12 +88,12 @@ def _keyframes(name: str, declarations: dict[float, list[str]]) -> str:
 
 def _declarations(name: str, timed: Sequence[Moment], last: int) -> dict[float, list[str]]:
     """Return declarations of an attribute by time, as a share of the time up to the last key, with their easing."""
-    found = {}
+    declarations = {}
     for moment in timed:
-        found[moment.time / last] = [_declaration(name, moment.value)]
+        declarations[moment.time / last] = [_declaration(name, moment.value)]
         if not moment.ease.is_linear and moment is not timed[-1]:
-            found[moment.time / last].append(f"animation-timing-function:{moment.ease.css()}")
-    return found
+            declarations[moment.time / last].append(f"animation-timing-function:{moment.ease.css()}")
+    return declarations
 
 
 def _declaration(name: str, value: str) -> str:

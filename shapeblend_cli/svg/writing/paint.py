@@ -86,14 +86,14 @@ def gradient_attributes(
 
     An ellipse is written as a unit circle under ``translate(x y) rotate(angle) scale(rx ry)``, a circle only if asked.
     """
-    found = {"gradientUnits": "userSpaceOnUse"}
+    attributes = {"gradientUnits": "userSpaceOnUse"}
     if isinstance(gradient, LinearGradient):
         (x1, y1), (x2, y2) = (_coordinates(point, decimals) for point in (gradient.start, gradient.end))
-        found |= {"x1": x1, "y1": y1, "x2": x2, "y2": y2}
+        attributes |= {"x1": x1, "y1": y1, "x2": x2, "y2": y2}
     else:
-        found |= _radial_attributes(gradient, decimals, as_ellipse)
+        attributes |= _radial_attributes(gradient, decimals, as_ellipse)
     if gradient.spread != "pad":
-        found["spreadMethod"] = gradient.spread
+        attributes["spreadMethod"] = gradient.spread
     stops = [
         {
             "offset": number(stop.offset, SHARE_DIGITS),
@@ -102,7 +102,7 @@ def gradient_attributes(
         }
         for stop in gradient.stops
     ]
-    return found, stops
+    return attributes, stops
 
 
 def _radial_attributes(gradient: RadialGradient, decimals: int, as_ellipse: bool) -> dict[str, str]:

@@ -173,16 +173,16 @@ def test_any_other_text_is_read_or_refused(data):
     assert error is None or str(error).isprintable()
 
 
-WAYS = st.sampled_from(["{!r}", "{:+.17e}", "{:.17g}", "{:.30f}", "{:.17E}"])
+FORMATS = st.sampled_from(["{!r}", "{:+.17e}", "{:.17g}", "{:.30f}", "{:.17E}"])
 
 
 @given(
-    st.lists(st.tuples(st.floats(-1e6, 1e6), WAYS), min_size=4, max_size=12),
+    st.lists(st.tuples(st.floats(-1e6, 1e6), FORMATS), min_size=4, max_size=12),
     st.sampled_from([" ", ",", "\n, "]),
 )
 def test_numbers_round_trip_however_they_are_written(numbers, separator):
-    values = [float(way.format(value)) for value, way in numbers[: len(numbers) // 2 * 2]]
-    text = separator.join(way.format(value) for value, way in numbers[: len(numbers) // 2 * 2])
+    values = [float(template.format(value)) for value, template in numbers[: len(numbers) // 2 * 2]]
+    text = separator.join(template.format(value) for value, template in numbers[: len(numbers) // 2 * 2])
     points = [complex(x, y) for x, y in zip(values[::2], values[1::2], strict=True)]
     subpaths, error = path_data.scan("M" + text)
     assert error is None

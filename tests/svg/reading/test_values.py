@@ -36,8 +36,8 @@ def test_lengths(text, value):
 
 
 @given(st.floats(-1e8, 1e8), st.sampled_from(["{!r}", "{:.17e}", "{:+.20f}"]))
-def test_a_number_round_trips(value, way):
-    text = way.format(value)
+def test_a_number_round_trips(value, template):
+    text = template.format(value)
     assert units.length(text) == float(text)
     assert units.numbers(f" {text},{text} ") == [float(text)] * 2
 
