@@ -26,9 +26,8 @@ from shapeblend_cli.motion.choose import RotatedShape, choose_motion, is_as_good
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.paint.styles import blend_styles, painted_as
 from shapeblend_cli.pairing.constraints import (
-    Constraints,
     check_stiff,
-    constraints_of,
+    constrain,
     point_pins,
     required_pairs,
 )
@@ -50,22 +49,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.motion.alignment import Alignment
-    from shapeblend_cli.pairing.decompose import ContourPair
+    from shapeblend_cli.pairing.constraints import ConstrainedPairs, NumbersOrNone
     from shapeblend_cli.pairing.direction import Watch
-
-
-def blend(a: Drawing, b: Drawing, settings: Settings) -> tuple[Pair, list[Frame]]:
-    """Match two drawings and make the frames between them.
-
-    Raises
-    ------
-    InputError
-        A drawing in which nothing can be blended; its file is named.
-    MatchError
-        Starts, pins, bands, pairs and stiff regions that do not fit the outlines.
-    """
-    (pair,), _ = match_all([a, b], settings)
-    return pair, make_frames([pair], settings)
 
 
 def match_all(
@@ -93,7 +78,8 @@ def match_all(
         What was left out, one phrase each.
     """
     clock = clock or Clock()
-    maps = _place(drawings, settings.place)
+    first, *others = drawings
+    maps = [Similarity(), *(place_over(first, drawing, settings.place) for drawing in others)]
     placed, notes = _flatten(drawings, maps, settings.vertices)
     check_stiff([contour.polygon for contour in placed[0].contours], settings)
     drawn = [as_drawn(drawing, to_a) for drawing, to_a in zip(drawings, maps, strict=True)]
@@ -101,7 +87,7 @@ def match_all(
         drawing.viewbox and to_a.box(drawing.viewbox) for drawing, to_a in zip(drawings, maps, strict=True)
     ]
     if settings.place == "bbox":
-        viewboxes = [drawings[0].viewbox] * len(drawings)
+        viewboxes = [first.viewbox] * len(drawings)
     views = list(map(view_of, drawn, viewboxes))
     clock.lap("flatten")
     pairs = []
@@ -111,12 +97,6 @@ def match_all(
         clock.lap("interpolate")
     views = views_with_room(pairs)
     return [pair._replace(views=(views[pair.a], views[pair.b])) for pair in pairs], notes
-
-
-def _place(drawings: Sequence[Drawing], place: str) -> list[Similarity]:
-    """Return the maps that lay drawings over the first."""
-    first, *others = drawings
-    return [Similarity(), *(place_over(first, drawing, place) for drawing in others)]
 
 
 def as_drawn(drawing: Drawing, to_a: Similarity) -> tuple[PaintedShape, ...]:
@@ -154,48 +134,50 @@ def _blend_shapes(
         largest = [max(side.contours, key=lambda contour: contour.size) for side in (a, b)]
         rotation = rotation_between(*(contour.polygon for contour in largest)) or 0.0
     paired = _pair(a, b, settings, rotation, clock)
-    shapes = _match(paired, rotation, watch)
+    shapes = _match(paired, watch)
     if rotation and not is_rotated_copy([contour for shape in shapes for contour in shape.contours]):
-        rotation = 0.0
-        paired = _pair(a, b, settings, rotation, clock)
-        shapes = _match(paired, rotation, watch)
-    moved = _move(paired, shapes, is_rotated=rotation != 0.0)
+        paired = _pair(a, b, settings, 0.0, clock)
+        shapes = _match(paired, watch)
+    moved = _move(paired, shapes)
     clock.lap("interpolate")
     return moved
 
 
 class _PairedDrawings(NamedTuple):
-    """Two drawings whose contours are paired, and what matching them takes."""
+    """Two drawings whose contours are paired, B rotated back by an angle, and what matching them takes."""
 
     a: PlacedDrawing
     b: PlacedDrawing
-    pairs: list[ContourPair]
-    constraints: list[Constraints]
+    rotation: float
+    pairs: ConstrainedPairs
     settings: Settings
     clock: Clock
 
-    def match(self, k: int, rotation: float, watch: Watch | None = None) -> Match:
-        """Match a pair of contours, with B rotated back by an angle."""
-        pair = self.pairs[k]
-        blend = match_contours(*pair, self.settings, self.constraints[k], rotation, watch)
+    def match(self, numbers: NumbersOrNone, rotation: float, watch: Watch | None = None) -> Match:
+        """Match the pair of contours with two numbers, B rotated back by an angle."""
+        pair, constraints = self.pairs[numbers]
+        blend = match_contours(*pair, self.settings, constraints, rotation, watch)
         return Match(pair, blend._replace(seconds=self.clock.lap("match")))
 
 
 def _pair(
     a: PlacedDrawing, b: PlacedDrawing, settings: Settings, rotation: float, clock: Clock
 ) -> _PairedDrawings:
-    """Pair the contours of two drawings, with B rotated back by an angle."""
+    """Pair the contours of two drawings."""
     pins = point_pins(a, b, settings)
     required = required_pairs(a, b, settings) + [pin.pair for pin in pins]
     pairs = pair_rotated_contours(a.contours, b.contours, settings, required, rotation)
     clock.lap("match")
-    return _PairedDrawings(a, b, pairs, constraints_of(pairs, settings, pins), settings, clock)
+    return _PairedDrawings(a, b, rotation, constrain(pairs, settings, pins), settings, clock)
 
 
-def _match(paired: _PairedDrawings, rotation: float, watch: Watch | None) -> tuple[ShapeBlend, ...]:
+def _match(paired: _PairedDrawings, watch: Watch | None) -> tuple[ShapeBlend, ...]:
     """Match all pairs, and put them together to shapes, with the contours that grow or shrink."""
     count = len(paired.pairs)
-    matches = [paired.match(k, rotation, watch_part(watch, k, count)) for k in range(count)]
+    matches = [
+        paired.match(numbers, paired.rotation, watch_part(watch, k, count))
+        for k, numbers in enumerate(paired.pairs)
+    ]
     shapes = shape_blends(paired.a.contours, paired.b.contours, matches)
     styled = tuple(_in_style(shape, paired.settings.style) for shape in shapes)
     paired.clock.lap("match")
@@ -203,18 +185,14 @@ def _match(paired: _PairedDrawings, rotation: float, watch: Watch | None) -> tup
 
 
 def _match_again(paired: _PairedDrawings, shape: ShapeBlend, rotation: float) -> ShapeBlend:
-    """Match the contours of a shape for another angle by which B is rotated back."""
+    """Match the contours of a shape for another angle."""
     paired.clock.lap("interpolate")
-    indices: dict[tuple[int | None, int | None], int] = {
-        (p.number, q.number): k for k, (p, q) in enumerate(paired.pairs)
-    }
-    contours = [
-        paired.match(indices[contour.a, contour.b], rotation).blend
-        if (contour.a, contour.b) in indices
-        else contour
-        for contour in shape.contours
-    ]
-    return shape._replace(contours=tuple(contours))
+    return shape._replace(
+        contours=tuple(
+            paired.match((contour.a, contour.b), rotation).blend if contour.is_matched else contour
+            for contour in shape.contours
+        )
+    )
 
 
 def _in_style(shape: ShapeBlend, style: str) -> ShapeBlend:
@@ -225,24 +203,23 @@ def _in_style(shape: ShapeBlend, style: str) -> ShapeBlend:
     return shape._replace(style_a=style_a, style_b=style_b)
 
 
-def _move(
-    paired: _PairedDrawings, shapes: Sequence[ShapeBlend], *, is_rotated: bool
-) -> tuple[ShapeBlend, ...]:
-    """Choose how shapes move; those that are not to move straight are matched again first."""
+def _move(paired: _PairedDrawings, shapes: Sequence[ShapeBlend]) -> tuple[ShapeBlend, ...]:
+    """Choose how shapes move; those that are not to move straight are matched again first, unless B is rotated."""
     settings = paired.settings
     times = frame_times(settings.frames, settings.ends, settings.ease)
     common = None
-    if settings.motion != "linear" and (is_rotated or len(shapes) > 1):
+    if settings.motion != "linear" and (paired.rotation or len(shapes) > 1):
         common = align(point_pairs([contour for shape in shapes for contour in shape.contours]))
+    rotated_copy = common if paired.rotation else None
     straight = [_with_curves(shape, settings) for shape in shapes]
-    rotation = common.rotation if is_rotated and common else None
+    trials = try_straight(straight, settings.motion, times, rotated_copy and rotated_copy.rotation)
     moved = []
-    for matched, trial in zip(shapes, try_straight(straight, settings.motion, times, rotation), strict=True):
+    for matched, trial in zip(shapes, trials, strict=True):
         if trial.is_settled:
             moved.append(trial.shape)
             continue
-        if is_rotated and common:
-            rotated = RotatedShape(trial.shape, common)
+        if rotated_copy:
+            rotated = RotatedShape(trial.shape, rotated_copy)
         else:
             again, alignment = _rotate_back(paired, matched, common)
             rotated = RotatedShape(_with_curves(again, settings), alignment)

@@ -18,7 +18,9 @@ if TYPE_CHECKING:
     from shapeblend_cli.settings import Settings
 
     Numbers = tuple[int, int]
+    NumbersOrNone = tuple[int | None, int | None]
     Pin = tuple[complex, complex]
+    ConstrainedPairs = dict[NumbersOrNone, tuple[ContourPair, "Constraints"]]
 
 SUGGESTIONS = 5
 """Largest number of ids that an error suggests."""
@@ -27,13 +29,7 @@ SUGGESTIONS = 5
 class Constraints(NamedTuple):
     """What is required of the match of two contours.
 
-    Attributes
-    ----------
-    start : (int, int) or None
-    pins : sequence of (int, int) or (complex, complex)
-        Vertex numbers, or points in A's coordinates.
-    is_alone : bool
-        Whether no other contours are matched beside these; contours among others are kept upright.
+    Pins are vertex numbers, or points in A's coordinates. Contours that are not alone are kept upright.
     """
 
     start: Numbers | None = None
@@ -83,18 +79,17 @@ def point_pins(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> list[P
     return located
 
 
-def constraints_of(
-    pairs: Sequence[ContourPair], settings: Settings, pins: Sequence[PointPin]
-) -> list[Constraints]:
-    """Return the constraints of each pair of contours; starts and vertex numbers are those of the largest pair."""
+def constrain(pairs: Sequence[ContourPair], settings: Settings, pins: Sequence[PointPin]) -> ConstrainedPairs:
+    """Return pairs of contours by their numbers, with constraints; starts and vertex numbers are the largest pair's."""
     largest = max(pairs, key=lambda pair: pair[0].size)
-    constraints = []
+    constrained: ConstrainedPairs = {}
     for pair in pairs:
-        numbers = [pin for pin in settings.pins if pair is largest and _is_numbers(pin)]
-        points = [located.pin for located in pins if located.pair == (pair[0].number, pair[1].number)]
+        numbers = pair[0].number, pair[1].number
+        at_vertices = [pin for pin in settings.pins if pair is largest and _is_numbers(pin)]
+        at_points = [located.pin for located in pins if located.pair == numbers]
         start = settings.start if pair is largest else None
-        constraints.append(Constraints(start, numbers + points, len(pairs) == 1))
-    return constraints
+        constrained[numbers] = pair, Constraints(start, at_vertices + at_points, len(pairs) == 1)
+    return constrained
 
 
 def required_pairs(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> list[Numbers]:

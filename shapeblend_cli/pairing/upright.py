@@ -1,9 +1,9 @@
-"""Contours that would turn for no good reason kept upright.
+"""Contours that would rotate for no good reason are kept upright.
 
-To turn takes no work: a wire alone in space has no up and down. So where outlines have little to tell one start from
-another, an upright oval and one that lies flat for instance, the least path may turn one into the other by any angle,
-and of several contours each by its own. Here a contour among others has work to do for turning, and one that is alone
-turns only if that takes less work: not where two starts cost the same, as with the four corners of a square.
+Rotation takes no work: a wire alone in space has no up and down. So where outlines have little to tell one start from
+another, an upright oval and one that lies flat for instance, the least path may rotate one into the other by any angle,
+and of several contours each by its own. Here a contour among others has to work for its rotation, and one that is alone
+rotates only if that takes less work: not if two starts cost the same, as with the four corners of a square.
 """
 
 from __future__ import annotations
@@ -28,76 +28,58 @@ if TYPE_CHECKING:
     from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import ComplexArray, Correspondence, FloatArray, IntArray
 
-TURNED = np.radians(8.0)
-"""A contour that turns less is upright."""
+UPRIGHT = np.radians(8.0)
+"""A contour that rotates by less is upright."""
 
-ANGLES = 5.0
-"""Turning a contour by an angle costs as much as bending so many angles by it. An oval that is up to twice as high as
-wide then stays upright on its way to one that lies flat, and what has corners turns if they say so."""
+ROTATION_ANGLES = 5.0
+"""Rotating a contour by an angle costs as much as bending so many angles by it. An oval that is up to twice as high as
+wide then stays upright on its way to one that lies flat, and what has corners rotates if they say so."""
 
 SAME = 1e-9
 """Works that differ by less are the same, and so are those that differ by a smaller share."""
 
-PLACES = 72
-"""At so many even places outlines are laid over each other."""
+SAMPLES = 72
+"""Points, evenly spread along an outline, that are compared."""
 
-FOLDS = 12
-"""What looks the same turned by less than this part of a full turn is as good as round, and its turn no matter."""
+FOLDS, ALIKE = 12, 0.9995
+"""An outline looks the same rotated from this correlation with itself on: samples need not fall on corners. If that is
+by less than this part of a full turn, it is as good as round, and its rotation does not matter."""
 
-ALIKE = 0.9995
-"""Correlation of an outline with itself turned, from which on it is the same: places need not fall on corners."""
-
-REACH = 1.0 / 8.0
-"""How far from where they lie best over each other starts are looked for, as a share of B's outline."""
-
-RUNS = (-1.0, -0.5, -0.2, -0.05, 0.05, 0.2, 0.5, 1.0)
-"""In which runs of starts, within the reach: the least path of a run may well lie at its end, and turn that far. One
-run after the other is tried, from the middle on."""
+REACH, RUNS = 1.0 / 8.0, (-1.0, -0.5, -0.2, -0.05, 0.05, 0.2, 0.5, 1.0)
+"""Starts are searched within this share of B's outline from where both outlines overlap best, in runs between these
+shares of that: the least path of a run may well lie at its end, and rotate that far. Runs are tried one by one, from
+the middle on."""
 
 
 def upright(wires: Wires, least: Correspondence, search: Search, *, alone: bool) -> Correspondence:
-    """Choose between the least path and one that turns less.
+    """Choose between the least path over all starts, as searched, and one that rotates less.
 
-    Parameters
-    ----------
-    wires : Wires
-        Closed, as solved.
-    least : Correspondence
-        Found over all starts.
-    search : Search
-        How it was found; the other one is looked for in some `starts`.
-    alone : bool
-        Whether it is the only contour that is matched.
-
-    Returns
-    -------
-    Correspondence
-        Its lower bound is that over all starts.
+    The other one is searched over some starts. Its lower bound is that over all starts.
     """
     p0, p1, constants = wires.p0, wires.p1, wires.constants
-    turned = abs(turn_along(p0, p1, least.dots))
-    if turned < TURNED or (alone and not (may_turn_onto_itself(p0) or may_turn_onto_itself(p1))):
+    if abs(rotation_along(p0, p1, least.dots)) < UPRIGHT:
         return least
-    price = 0.0 if alone else ANGLES * constants.k_b
+    if alone and not (may_rotate_onto_itself(p0) or may_rotate_onto_itself(p1)):
+        return least
+    price = 0.0 if alone else ROTATION_ANGLES * constants.k_b
 
-    def cost(one: Correspondence) -> float:
-        return one.work + price * abs(turn_along(p0, p1, one.dots)) ** constants.e_b
+    def cost(found: Correspondence) -> float:
+        return found.work + price * abs(rotation_along(p0, p1, found.dots)) ** constants.e_b
 
-    runs = starts_laid_over(p0, p1, (-1.0, 1.0) if alone else RUNS)
-    found = [least]
-    with suppress(MatchError):  # no path through these
+    candidates = [least]
+    with suppress(MatchError):  # no path through these starts
+        runs = overlapping_starts(p0, p1, (-1.0, 1.0) if alone else RUNS)
         tries = [partial(least_work, wires, search._replace(starts=run)) for run in runs]
-        found.append(replace(_downhill(tries, cost), lower_bound=least.lower_bound))
-    limit = min(map(cost, found)) * (1.0 + SAME) + SAME
-    return min(
-        (one for one in found if cost(one) <= limit), key=lambda one: abs(turn_along(p0, p1, one.dots))
-    )
+        candidates.append(replace(_cheapest_from_middle(tries, cost), lower_bound=least.lower_bound))
+    limit = min(map(cost, candidates)) * (1.0 + SAME) + SAME
+    cheapest = [candidate for candidate in candidates if cost(candidate) <= limit]
+    return min(cheapest, key=lambda candidate: abs(rotation_along(p0, p1, candidate.dots)))
 
 
-def _downhill(
+def _cheapest_from_middle(
     tries: Sequence[Callable[[], Correspondence]], cost: Callable[[Correspondence], float]
 ) -> Correspondence:
-    """What the middle one of some tries gives, or those beside it as long as they cost less."""
+    """Return the result of the middle try, or of those beside it as long as they cost less."""
     middle = len(tries) // 2
     best = first = tries[middle]()
     for onwards in (tries[middle + 1 :], tries[:middle][::-1]):
@@ -111,42 +93,36 @@ def _downhill(
     return best
 
 
-def may_turn_onto_itself(p: ComplexArray) -> bool:
-    """Whether a closed polygon looks much like itself when it is turned by a part of a full turn.
+def may_rotate_onto_itself(p: ComplexArray) -> bool:
+    """Return whether a closed polygon looks much like itself when it is rotated by a part of a full turn.
 
-    Where neither of two does, no two starts cost the same.
+    If neither of two polygons does, no two starts cost the same.
     """
     q, _ = _even(p)
-    alike = [abs(np.vdot(q, np.roll(q, -shift))) for shift in range(PLACES // FOLDS, PLACES // 2 + 1)]
-    return max(alike) > ALIKE * abs(np.vdot(q, q))
+    overlaps = [abs(np.vdot(q, np.roll(q, -shift))) for shift in range(SAMPLES // FOLDS, SAMPLES // 2 + 1)]
+    return max(overlaps) > ALIKE * abs(np.vdot(q, q))
 
 
-def turn_along(p0: ComplexArray, p1: ComplexArray, dots: IntArray) -> float:
-    """By what angle edges turn on the whole, those of the first polygon to those of the second."""
+def rotation_along(p0: ComplexArray, p1: ComplexArray, dots: IntArray) -> float:
+    """Return the angle by which edges rotate on the whole, from the first polygon to the second."""
     edges = [np.diff(p[dots[:, side]], append=p[dots[:1, side]]) for side, p in enumerate((p0, p1))]
     return cmath.phase(complex(np.vdot(*edges)))
 
 
-def starts_laid_over(p0: ComplexArray, p1: ComplexArray, runs: Sequence[float]) -> list[tuple[int, int, int]]:
-    """Where a vertex of the first polygon may go on the second if both are to lie much as they do.
+def overlapping_starts(
+    p0: ComplexArray, p1: ComplexArray, runs: Sequence[float]
+) -> list[tuple[int, int, int]]:
+    """Return starts at which both polygons lie much as they do: vertex 0, and runs of vertices of the second.
 
-    Parameters
-    ----------
-    p0, p1 : (m,) and (n,) complex
-    runs : sequence of float
-        Where runs of starts begin and end, from where both lie best over each other, in units of `REACH`.
-
-    Returns
-    -------
-    list of (int, int, int)
-        The vertex, and the first and the last one of a run of the second polygon's, which may go on beyond its end.
+    Runs are from one of `runs` to the next, in units of `REACH` from where both overlap best. Each has a vertex, its
+    first and its last partner; the last may be counted on beyond the end.
     """
-    (q0, _), (q1, at1) = _even(p0), _even(p1)
-    overlap = [np.vdot(q0, np.roll(q1, -shift)).real for shift in range(PLACES)]
-    middle = float(np.argmax(overlap)) / PLACES  # where on the second the first one's vertex 0 goes
+    (q0, _), (q1, shares) = _even(p0), _even(p1)
+    overlap = [np.vdot(q0, np.roll(q1, -shift)).real for shift in range(SAMPLES)]
+    best = float(np.argmax(overlap)) / SAMPLES  # where on the second the first one's vertex 0 goes
     n = len(p1)
-    around = np.concatenate([at1 - 1.0, at1, at1 + 1.0])
-    first = np.searchsorted(around, middle + REACH * np.array(runs)).tolist()
+    around = np.concatenate([shares - 1.0, shares, shares + 1.0])
+    first = np.searchsorted(around, best + REACH * np.array(runs)).tolist()
     return [(0, begin % n, begin % n + end - begin) for begin, end in pairwise(first)]
 
 
@@ -155,5 +131,5 @@ def _even(p: ComplexArray) -> tuple[ComplexArray, FloatArray]:
     points = from_end_to_end(p, closed=True)
     shares = cumulative_lengths(points)
     shares /= shares[-1]
-    even = points_at(np.arange(PLACES) / PLACES, points, shares)
+    even = points_at(np.arange(SAMPLES) / SAMPLES, points, shares)
     return even - even.mean(), shares[:-1]

@@ -9,10 +9,10 @@ import pytest
 from shapeblend_cli.cli import run
 from shapeblend_cli.matching.landscape import landscape
 from shapeblend_cli.pairing.contour_blends import solved_wires
-from shapeblend_cli.pipeline import blend
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, SQUARES, B, svg
+from tests.support.motions import blend
 
 SETTINGS = Settings(vertices=40, motion="linear")
 EVENODD = 'fill-rule="evenodd" fill="{}"'

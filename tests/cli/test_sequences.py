@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.model import Box
-from shapeblend_cli.pipeline import blend
 from shapeblend_cli.settings import Settings
 from tests.support.commands import contents, names, report, write
 from tests.support.contours import drawing, polygon_contour
 from tests.support.drawings import BAR, EYED, LEAF, svg
+from tests.support.motions import blend
 
 SVG = "{http://www.w3.org/2000/svg}"
 

@@ -5,12 +5,11 @@ import pytest
 
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import between
-from shapeblend_cli.pipeline import blend
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support import drawings
 from tests.support.contours import drawing, polygon_contour
-from tests.support.motions import pair_of, reasons
+from tests.support.motions import blend, pair_of, reasons
 from tests.support.shapes import arm, bar, comb, spiral
 
 HARD = [(bar(30), spiral(1.5, 30)), (comb(4), spiral(1.0, 20)), (spiral(1.5), arm(20, 60, 120))]

@@ -16,13 +16,13 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.paths import between, waypoints
 from shapeblend_cli.matching.landscape import landscape
 from shapeblend_cli.pairing.contour_blends import solved_wires
-from shapeblend_cli.pipeline import blend, frame_at, match_all
+from shapeblend_cli.pipeline import frame_at, match_all
 from shapeblend_cli.preview import graphs as graphs_module
 from shapeblend_cli.preview.graphs import graphs
 from shapeblend_cli.preview.pictures import dot_positions, picture
 from shapeblend_cli.settings import Settings
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
-from tests.support.motions import rotated
+from tests.support.motions import blend, rotated
 
 LINES = '<path id="{}" d="M2 2L22 20" fill="none" stroke="#000"/>'
 

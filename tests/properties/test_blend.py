@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.model import Contour, Style
-from shapeblend_cli.pipeline import blend
 from shapeblend_cli.settings import Settings
 from tests.support.contours import circle_contour, drawing, polygon_contour
+from tests.support.motions import blend
 from tests.support.shapes import random_polygon, regular_polygon, star_polygon
 from tests.support.solver import find_least
 from tests.support.strategies import rngs, seeds

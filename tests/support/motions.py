@@ -8,11 +8,17 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import ContourBlend, CubicPath, ShapeBlend, Style
 from shapeblend_cli.motion.alignment import Alignment, PointPairs, Rigid, align
 from shapeblend_cli.outputs.move import moves_of
-from shapeblend_cli.pipeline import match_all
+from shapeblend_cli.pipeline import make_frames, match_all
 from shapeblend_cli.settings import Settings
 from tests.support.drawings import drawing
 
 TIMES = (0.1, 0.25, 0.5, 0.75, 0.9)
+
+
+def blend(a, b, settings):
+    """The pair of two drawings, and its frames."""
+    (pair,), _ = match_all([a, b], settings)
+    return pair, make_frames([pair], settings)
 
 
 def rotated(pair, degrees=120.0, centre=12 + 12j):

@@ -8,10 +8,10 @@ import resvg_py
 from PIL import Image
 
 from shapeblend_cli.model import Box, LinearGradient, RadialGradient, Stop
-from shapeblend_cli.pipeline import blend
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from shapeblend_cli.svg.writing.document import frame_svg
+from tests.support.motions import blend
 from tests.svg.reading.drawings import drawn, refused, svg
 
 STOPS = '<stop stop-color="red"/><stop offset="1" stop-color="blue"/>'
