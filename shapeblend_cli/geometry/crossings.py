@@ -64,7 +64,6 @@ SHORT = cython.declare(cython.double, 1e-3)
 FIRST = cython.declare(cython.int, 0)
 LAST = cython.declare(cython.int, 1)
 RUN = cython.declare(cython.int, 2)
-CHAIN = cython.declare(cython.int, 3)
 LEFT = cython.declare(cython.int, 0)
 TOP = cython.declare(cython.int, 1)
 RIGHT = cython.declare(cython.int, 2)
@@ -169,8 +168,11 @@ class _Chains:
     points : (n, 2) float
     starts : (c + 1,) int
         Where each chain begins in `points`, and the number of points.
-    blocks : (b, 4) int
-        The first and the last point, the run of edges that point into one quadrant, the chain; ordered by their left.
+    closed : (c,) bool
+    chain : (n,) int
+        Which chain each point belongs to.
+    blocks : (b, 3) int
+        The first and the last point, and the run of edges that point into one quadrant; ordered by their left.
     boxes : (b, 4) float
         Left, top, right and bottom of each block.
     noise : float > 0
@@ -178,21 +180,24 @@ class _Chains:
     reach : float
         Strands that stay together this far from where they meet run along each other.
     passages : dict
-        Where strands have been found to cross at a vertex, by their edges.
+        Pairs of strands that have been found to cross at a vertex, by their edges.
     """
 
     points: cython.double[:, ::1]
     starts: cython.Py_ssize_t[::1]
+    closed: cython.uchar[::1]
+    chain: cython.Py_ssize_t[::1]
     blocks: cython.Py_ssize_t[:, ::1]
     boxes: cython.double[:, ::1]
     noise: cython.double
     reach: cython.double
-    passages: dict[int, list[_Passage]]
+    passages: dict[int, list[tuple[_Strand, _Strand]]]
 
     def __init__(self, points: FloatArray, starts: IntArray, noise: float, reach: float) -> None:
         self.points, self.starts, self.noise, self.reach = points, starts, noise, reach
-        blocks, boxes = np.empty((len(points), 4), np.intp), np.empty((len(points), 4))
-        count = _cut_into_blocks(points, starts, blocks, boxes)
+        self.closed, self.chain = np.empty(len(starts) - 1, np.uint8), np.empty(len(points), np.intp)
+        blocks, boxes = np.empty((len(points), 3), np.intp), np.empty((len(points), 4))
+        count = _cut_into_blocks(self, blocks, boxes)
         order = np.argsort(boxes[:count, 0])
         self.blocks, self.boxes = blocks[order], boxes[order]
         self.passages = {}
@@ -204,9 +209,10 @@ class _Strand:
 
     Attributes
     ----------
+    x, y, radius : float
+        The circle.
     chain, begin, end : int
         The chain, its first and its last point.
-    closed : bool
     behind, ahead : int
         The points of the chain before and after the centre.
     first, last : int
@@ -215,10 +221,12 @@ class _Strand:
         Where it does, from the centre.
     """
 
+    x: cython.double
+    y: cython.double
+    radius: cython.double
     chain: cython.Py_ssize_t
     begin: cython.Py_ssize_t
     end: cython.Py_ssize_t
-    closed: cython.bint
     behind: cython.Py_ssize_t
     ahead: cython.Py_ssize_t
     first: cython.Py_ssize_t
@@ -227,22 +235,6 @@ class _Strand:
     in_y: cython.double
     out_x: cython.double
     out_y: cython.double
-
-
-@cython.cclass
-class _Passage:
-    """Two strands that pass through each other in a circle."""
-
-    x: cython.double
-    y: cython.double
-    radius: cython.double
-    one: _Strand
-    other: _Strand
-
-    def __init__(
-        self, x: cython.double, y: cython.double, radius: cython.double, one: _Strand, other: _Strand
-    ) -> None:
-        self.x, self.y, self.radius, self.one, self.other = x, y, radius, one, other
 
 
 @cython.cfunc
@@ -264,39 +256,41 @@ def _cut_into_chords(
     """
     k: cython.Py_ssize_t
     n: cython.Py_ssize_t
-    axis: cython.int
     for k in range(segments.shape[0]):
         for n in range(counts[k]):
             t = cython.cast(cython.double, n) / counts[k]
             u = 1.0 - t
             a, b, c, d = u * u * u, 3.0 * u * u * t, 3.0 * u * t * t, t * t * t
-            for axis in range(2):
-                points[places[k] + n, axis] = (
-                    a * segments[k, axis]
-                    + b * segments[k, 2 + axis]
-                    + c * segments[k, 4 + axis]
-                    + d * segments[k, 6 + axis]
-                )
+            points[places[k] + n, 0] = (
+                a * segments[k, 0] + b * segments[k, 2] + c * segments[k, 4] + d * segments[k, 6]
+            )
+            points[places[k] + n, 1] = (
+                a * segments[k, 1] + b * segments[k, 3] + c * segments[k, 5] + d * segments[k, 7]
+            )
 
 
 @cython.cfunc
 def _cut_into_blocks(
-    points: cython.double[:, ::1],
-    starts: cython.Py_ssize_t[::1],
-    blocks: cython.Py_ssize_t[:, ::1],
-    boxes: cython.double[:, ::1],
+    chains: _Chains, blocks: cython.Py_ssize_t[:, ::1], boxes: cython.double[:, ::1]
 ) -> cython.Py_ssize_t:
-    """Fill the blocks and boxes of chains, see `_Chains`; return how many they are, at most as many as points."""
+    """Find the blocks of chains and their boxes; return how many they are, at most as many as points."""
+    points: cython.double[:, ::1] = chains.points
     count: cython.Py_ssize_t = 0
     run: cython.Py_ssize_t = -1
     edges: cython.Py_ssize_t = 0
     k: cython.Py_ssize_t
     i: cython.Py_ssize_t
+    begin: cython.Py_ssize_t
+    end: cython.Py_ssize_t
     last_quadrant: cython.int
     quadrant: cython.int
-    for k in range(starts.shape[0] - 1):
+    for k in range(chains.closed.shape[0]):
+        begin, end = chains.starts[k], chains.starts[k + 1] - 1
+        chains.closed[k] = points[begin, 0] == points[end, 0] and points[begin, 1] == points[end, 1]
+        chains.chain[end] = k
         last_quadrant = -1
-        for i in range(starts[k], starts[k + 1] - 1):
+        for i in range(begin, end):
+            chains.chain[i] = k
             x, y = points[i, 0], points[i, 1]
             next_x, next_y = points[i + 1, 0], points[i + 1, 1]
             quadrant = (1 if next_x >= x else 0) + (2 if next_y >= y else 0)
@@ -305,7 +299,7 @@ def _cut_into_blocks(
                     run += 1
                 last_quadrant = quadrant
                 edges = 0
-                blocks[count, FIRST], blocks[count, RUN], blocks[count, CHAIN] = i, run, k
+                blocks[count, FIRST], blocks[count, RUN] = i, run
                 boxes[count, LEFT] = boxes[count, RIGHT] = x
                 boxes[count, TOP] = boxes[count, BOTTOM] = y
                 count += 1
@@ -347,17 +341,15 @@ def _count_crossings(chains: _Chains, most: cython.Py_ssize_t) -> cython.Py_ssiz
 def _block_crossings(chains: _Chains, p: cython.Py_ssize_t, q: cython.Py_ssize_t) -> cython.Py_ssize_t:
     """Count how often edges of one block cross edges of another."""
     noise: cython.double = chains.noise
-    chain_p: cython.Py_ssize_t = chains.blocks[p, CHAIN]
-    chain_q: cython.Py_ssize_t = chains.blocks[q, CHAIN]
     count: cython.Py_ssize_t = 0
     i: cython.Py_ssize_t
     j: cython.Py_ssize_t
     relation: cython.int
     for i in range(chains.blocks[p, FIRST], chains.blocks[p, LAST]):
-        left = min(chains.points[i, 0], chains.points[i + 1, 0]) - noise
-        right = max(chains.points[i, 0], chains.points[i + 1, 0]) + noise
-        top = min(chains.points[i, 1], chains.points[i + 1, 1]) - noise
-        bottom = max(chains.points[i, 1], chains.points[i + 1, 1]) + noise
+        ax, ay = chains.points[i, 0], chains.points[i, 1]
+        bx, by = chains.points[i + 1, 0], chains.points[i + 1, 1]
+        left, right = min(ax, bx) - noise, max(ax, bx) + noise
+        top, bottom = min(ay, by) - noise, max(ay, by) + noise
         if (
             left > chains.boxes[q, RIGHT]
             or right < chains.boxes[q, LEFT]
@@ -367,59 +359,37 @@ def _block_crossings(chains: _Chains, p: cython.Py_ssize_t, q: cython.Py_ssize_t
         ):
             continue
         for j in range(chains.blocks[q, FIRST], chains.blocks[q, LAST]):
+            cx, cy = chains.points[j, 0], chains.points[j, 1]
+            dx, dy = chains.points[j + 1, 0], chains.points[j + 1, 1]
             if (
-                (left > chains.points[j, 0] and left > chains.points[j + 1, 0])
-                or (right < chains.points[j, 0] and right < chains.points[j + 1, 0])
-                or (top > chains.points[j, 1] and top > chains.points[j + 1, 1])
-                or (bottom < chains.points[j, 1] and bottom < chains.points[j + 1, 1])
-                or max(
-                    fabs(chains.points[j, 0] - chains.points[j + 1, 0]),
-                    fabs(chains.points[j, 1] - chains.points[j + 1, 1]),
-                )
-                <= SHORT * noise
-                or _adjoin(chains, chain_p, chain_q, i, j)
+                (left > cx and left > dx)
+                or (right < cx and right < dx)
+                or (top > cy and top > dy)
+                or (bottom < cy and bottom < dy)
+                or max(fabs(cx - dx), fabs(cy - dy)) <= SHORT * noise
+                or _adjoin(chains, i, j)
             ):
                 continue
             relation = _relation(chains, i, j)
             if relation == CROSSING:
                 count += 1
             elif relation == TOUCHING:
-                if _is_on_edge(chains, i, j):
-                    count += _pass_through(
-                        chains, _strand(chains, chain_p, i - 1, i + 1), _strand(chains, chain_q, j, j + 1), i
-                    )
-                if _is_on_edge(chains, j, i):
-                    count += _pass_through(
-                        chains, _strand(chains, chain_q, j - 1, j + 1), _strand(chains, chain_p, i, i + 1), j
-                    )
+                count += _is_on_edge(chains, i, j) and _pass_through(chains, i, j)
+                count += _is_on_edge(chains, j, i) and _pass_through(chains, j, i)
     return count
 
 
 @cython.cfunc
 @cython.exceptval(check=False)
-def _adjoin(
-    chains: _Chains,
-    chain_i: cython.Py_ssize_t,
-    chain_j: cython.Py_ssize_t,
-    i: cython.Py_ssize_t,
-    j: cython.Py_ssize_t,
-) -> cython.bint:
+def _adjoin(chains: _Chains, i: cython.Py_ssize_t, j: cython.Py_ssize_t) -> cython.bint:
     """Return whether two edges are one or follow each other in a chain."""
-    if chain_i != chain_j:
+    chain: cython.Py_ssize_t = chains.chain[i]
+    if chain != chains.chain[j]:
         return False
-    if i - j == 1 or j - i == 1 or i == j:
+    if -1 <= i - j <= 1:
         return True
-    first: cython.Py_ssize_t = chains.starts[chain_i]
-    last: cython.Py_ssize_t = chains.starts[chain_i + 1] - 1
-    return min(i, j) == first and max(i, j) == last - 1 and _is_closed(chains, first, last)
-
-
-@cython.cfunc
-@cython.inline
-@cython.exceptval(check=False)
-def _is_closed(chains: _Chains, first: cython.Py_ssize_t, last: cython.Py_ssize_t) -> cython.bint:
-    x_is_same: cython.bint = chains.points[first, 0] == chains.points[last, 0]
-    return x_is_same and chains.points[first, 1] == chains.points[last, 1]
+    last: cython.Py_ssize_t = chains.starts[chain + 1] - 2
+    return chains.closed[chain] and min(i, j) == chains.starts[chain] and max(i, j) == last
 
 
 @cython.cfunc
@@ -463,39 +433,34 @@ def _is_on_edge(chains: _Chains, v: cython.Py_ssize_t, e: cython.Py_ssize_t) -> 
 
 @cython.cfunc
 def _strand(
-    chains: _Chains, chain: cython.Py_ssize_t, behind: cython.Py_ssize_t, ahead: cython.Py_ssize_t
+    chains: _Chains, v: cython.Py_ssize_t, behind: cython.Py_ssize_t, ahead: cython.Py_ssize_t
 ) -> _Strand:
+    """Return a strand through a circle around a vertex, between points of its chain behind and ahead."""
     strand: _Strand = _Strand.__new__(_Strand)  # a call of the class would pass arguments as Python objects
-    strand.chain, strand.behind, strand.ahead = chain, behind, ahead
-    strand.begin, strand.end = chains.starts[chain], chains.starts[chain + 1] - 1
-    strand.closed = _is_closed(chains, strand.begin, strand.end)
+    strand.x, strand.y = chains.points[v, 0], chains.points[v, 1]
+    strand.chain, strand.behind, strand.ahead = chains.chain[ahead - 1], behind, ahead
+    strand.begin, strand.end = chains.starts[strand.chain], chains.starts[strand.chain + 1] - 1
     return strand
 
 
 @cython.cfunc
 @cython.exceptval(check=False)
-def _leave(
-    points: cython.double[:, ::1],
-    strand: _Strand,
-    step: cython.int,
-    x: cython.double,
-    y: cython.double,
-    radius: cython.double,
-) -> cython.bint:
-    """Follow a strand onwards (step 1) or back (-1) until it leaves a circle; return whether it does before it ends."""
+def _leave(chains: _Chains, strand: _Strand, step: cython.int) -> cython.bint:
+    """Follow a strand onwards (step 1) or back (-1) until it leaves the circle; return whether it does."""
+    radius: cython.double = strand.radius
     count: cython.Py_ssize_t
     ahead: cython.Py_ssize_t = strand.ahead if step > 0 else strand.behind
     behind: cython.Py_ssize_t
     for count in range(min(FARTHEST, strand.end - strand.begin + 1)):  # noqa: B007
         if ahead < strand.begin or ahead > strand.end:
-            if not strand.closed:
+            if not chains.closed[strand.chain]:
                 return False
             ahead = strand.end - 1 if ahead < strand.begin else strand.begin + 1
-        ux, uy = points[ahead, 0] - x, points[ahead, 1] - y
+        ux, uy = chains.points[ahead, 0] - strand.x, chains.points[ahead, 1] - strand.y
         if ux * ux + uy * uy > radius * radius:
             behind = ahead - step
-            dx = points[ahead, 0] - points[behind, 0]
-            dy = points[ahead, 1] - points[behind, 1]
+            dx = chains.points[ahead, 0] - chains.points[behind, 0]
+            dy = chains.points[ahead, 1] - chains.points[behind, 1]
             length = sqrt(dx * dx + dy * dy)
             dx, dy = dx / length, dy / length
             # From the foot of the centre, so that nothing cancels where the circle is far smaller than the edge.
@@ -552,55 +517,54 @@ def _are_apart(one: _Strand, other: _Strand, distance: cython.double) -> cython.
 
 
 @cython.cfunc
-def _pass_through(chains: _Chains, one: _Strand, other: _Strand, v: cython.Py_ssize_t) -> cython.bint:
-    """Return whether two strands cross at a vertex and that has not been counted."""
-    points: cython.double[:, ::1] = chains.points
-    x: cython.double = points[v, 0]
-    y: cython.double = points[v, 1]
-    radius: cython.double = 2.0 * chains.noise
-    apart: cython.bint = False
-    while not apart:
-        radius *= 2.0
+def _pass_through(chains: _Chains, v: cython.Py_ssize_t, e: cython.Py_ssize_t) -> cython.bint:
+    """Return whether the strand through a vertex crosses that of an edge there, and that has not been counted."""
+    one: _Strand = _strand(chains, v, v - 1, v + 1)
+    other: _Strand = _strand(chains, v, e, e + 1)
+    one.radius = other.radius = 4.0 * chains.noise
+    while True:
         if not (
-            radius <= chains.reach
-            and _leave(points, one, -1, x, y, radius)
-            and _leave(points, one, 1, x, y, radius)
-            and _leave(points, other, -1, x, y, radius)
-            and _leave(points, other, 1, x, y, radius)
+            one.radius <= chains.reach
+            and _leave(chains, one, -1)
+            and _leave(chains, one, 1)
+            and _leave(chains, other, -1)
+            and _leave(chains, other, 1)
         ):
             return False
-        apart = _are_apart(one, other, 2.0 * chains.noise)
-    here = _Passage(x, y, radius, one, other)
+        if _are_apart(one, other, 2.0 * chains.noise):
+            break
+        one.radius = other.radius = 2.0 * one.radius
     # Inside the circle two edges may cross beyond doubt. That is this crossing, and counted.
-    if not _alternate(one, other) or _cross_inside(chains, here):
+    if not _alternate(one, other) or _cross_inside(chains, one, other):
         return False
     edges = [*_edges(one), *_edges(other)]
     for edge in edges:
-        for known in chains.passages.get(edge, ()):
-            if _is_same(here, known):
+        for p, q in chains.passages.get(edge, ()):
+            if _is_same(one, other, p, q):
                 return False
     for edge in edges:
-        chains.passages.setdefault(edge, []).append(here)
+        chains.passages.setdefault(edge, []).append((one, other))
     return True
 
 
 @cython.cfunc
-def _cross_inside(chains: _Chains, here: _Passage) -> cython.bint:
-    """Return whether two strands have an odd number of crossings beyond doubt in a circle."""
-    points: cython.double[:, ::1] = chains.points
+def _cross_inside(chains: _Chains, one: _Strand, other: _Strand) -> cython.bint:
+    """Return whether two strands have an odd number of crossings beyond doubt in their circle."""
     is_odd: cython.bint = False
     i: cython.Py_ssize_t
     j: cython.Py_ssize_t
-    for i in _edges(here.one):
-        for j in _edges(here.other):
-            if _adjoin(chains, here.one.chain, here.other.chain, i, j) or _relation(chains, i, j) != CROSSING:
+    for i in _edges(one):
+        for j in _edges(other):
+            if _adjoin(chains, i, j) or _relation(chains, i, j) != CROSSING:
                 continue
-            ax, ay, bx, by = points[i, 0], points[i, 1], points[i + 1, 0], points[i + 1, 1]
-            cx, cy, dx, dy = points[j, 0], points[j, 1], points[j + 1, 0], points[j + 1, 1]
+            ax, ay = chains.points[i, 0], chains.points[i, 1]
+            bx, by = chains.points[i + 1, 0], chains.points[i + 1, 1]
+            cx, cy = chains.points[j, 0], chains.points[j, 1]
+            dx, dy = chains.points[j + 1, 0], chains.points[j + 1, 1]
             c = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
             d = (bx - ax) * (dy - ay) - (by - ay) * (dx - ax)
             at = c / (c - d)
-            if not _is_beyond(cx + at * (dx - cx) - here.x, cy + at * (dy - cy) - here.y, here.radius):
+            if not _is_beyond(cx + at * (dx - cx) - one.x, cy + at * (dy - cy) - one.y, one.radius):
                 is_odd = not is_odd
     return is_odd
 
@@ -614,13 +578,11 @@ def _edges(strand: _Strand) -> list[int]:
 
 
 @cython.cfunc
-def _is_same(p: _Passage, q: _Passage) -> cython.bint:
-    """Return whether two passages are one: near each other, and of the same strands."""
-    if _is_beyond(p.x - q.x, p.y - q.y, p.radius + q.radius):
+def _is_same(one: _Strand, other: _Strand, p: _Strand, q: _Strand) -> cython.bint:
+    """Return whether two strands pass through each other where p and q do, being the same."""
+    if _is_beyond(one.x - p.x, one.y - p.y, one.radius + p.radius):
         return False
-    return (_overlap(p.one, q.one) and _overlap(p.other, q.other)) or (
-        _overlap(p.one, q.other) and _overlap(p.other, q.one)
-    )
+    return (_overlap(one, p) and _overlap(other, q)) or (_overlap(one, q) and _overlap(other, p))
 
 
 @cython.cfunc
