@@ -17,15 +17,7 @@ from shapeblend_cli.svg.reading.read import read
 from tests.support.contours import circle_contour, furthest, polygon_contour
 from tests.support.solver import find_least
 
-
-def four_arcs(radius=1.0, turn=0.0):
-    """A circle as drawing programs have it."""
-    node = radius * np.exp(1j * (turn + np.pi / 2 * np.arange(4)))
-    after, arc = np.roll(node, -1), 0.5522847498
-    segments = np.stack([node, node * (1 + 1j * arc), after * (1 - 1j * arc), after], axis=1)
-    segments[:-1, 3] = segments[1:, 0]
-    segments[-1, 3] = segments[0, 0]
-    return Contour(segments, np.zeros(4, bool), True)
+FOUR_ARCS = circle_contour(arcs=4)
 
 
 def rounded_square(side=2.0, radius=0.4, centre=0j):
@@ -130,7 +122,7 @@ def test_promises_on_the_samples(names, samples):
     assert common.distance_to_polygons() <= 6.0 * TOLERANCE
 
 
-@pytest.mark.parametrize("contour", [four_arcs(), rounded_square(), polygon_contour([0, 4, 4 + 3j, 3j])])
+@pytest.mark.parametrize("contour", [FOUR_ARCS, rounded_square(), polygon_contour([0, 4, 4 + 3j, 3j])])
 def test_an_outline_becomes_itself_unchanged(contour):
     polygon = flatten(contour, 50)
     dots = np.repeat(np.arange(len(polygon.vertices))[:, None], 2, axis=1)
@@ -142,7 +134,7 @@ def test_an_outline_becomes_itself_unchanged(contour):
 
 @pytest.mark.parametrize("turn", [0.0, 0.1, np.pi / 4])
 def test_a_circle_becomes_a_circle_in_few_cubics(turn):
-    common = cut(four_arcs(turn=turn), four_arcs(2.0))
+    common = cut(circle_contour(arcs=4, turn=turn), circle_contour(radius=2.0, arcs=4))
     assert 4 <= len(common.a) <= 8
     assert np.ptp(np.abs(outline(common.half, True))) <= 3 * TOLERANCE * 4
     assert common.smooth_bends().max() <= 1.0
@@ -186,7 +178,7 @@ def test_corners_go_to_corners():
 
 def test_a_circle_becomes_a_star():
     star = polygon_contour(np.exp(2j * np.pi * np.arange(10) / 10) * np.tile([1.0, 0.45], 5))
-    common = cut(four_arcs(), star)
+    common = cut(FOUR_ARCS, star)
     # Each of the star's corners is one in between as well.
     assert (bends(common.half) > 20.0).sum() >= 10
     assert not common.straight.any()
@@ -209,7 +201,7 @@ def test_a_point_grows_into_the_whole_outline():
 
 def test_a_loop_of_a_single_segment():
     loop = Contour([[0, 4 + 3j, -4 + 3j, 0]], [False], True)
-    assert cut(loop, four_arcs()).a[0, 0] == 0
+    assert cut(loop, FOUR_ARCS).a[0, 0] == 0
 
 
 def test_open_outlines_keep_their_ends():
@@ -247,7 +239,7 @@ def test_polygons_stay_polygons():
 
 def test_joined_segments_and_dots_that_repeat_are_not_lost():
     """Nodes that coincide are left out of polygons; the segments beside them must stay whole."""
-    circle = four_arcs().segments
+    circle = FOUR_ARCS.segments
     still = np.full((1, 4), circle[2, 0])
     cut(Contour(np.concatenate([circle[:2], still, circle[2:]]), np.zeros(5, bool), True), rounded_square())
 

@@ -1,5 +1,6 @@
 """Colours in OKLab, checked with the whole of coloraide, of which the program uses three modules."""
 
+import re
 import subprocess
 import sys
 
@@ -34,10 +35,6 @@ def test_halfway_between_red_and_blue():
 def test_it_is_what_coloraide_mixes(a, b, t):
     expected = [255 * value for value in in_oklab(a, b, t).coords()]
     assert channels(blend_colours(a, b, t)) == pytest.approx(expected, abs=0.501)
-
-
-@given(colours, colours)
-def test_ends_are_exact(a, b):
     assert (blend_colours(a, b, 0.0), blend_colours(a, b, 1.0)) == (a, b)
 
 
@@ -49,10 +46,7 @@ def test_grey_stays_grey(a, b, t):
 
 @given(colours, colours, times, opacities, opacities)
 def test_it_is_a_colour_of_srgb(a, b, t, opacity_a, opacity_b):
-    found = blend_colours(a, b, t, opacity_a, opacity_b)
-    assert len(found) == 7
-    assert found == found.lower()
-    assert len(channels(found)) == 3
+    assert re.fullmatch("#[0-9a-f]{6}", blend_colours(a, b, t, opacity_a, opacity_b))
 
 
 def test_what_is_less_opaque_has_less_say():

@@ -54,20 +54,18 @@ def test_dashes_are_repeated_to_one_length(a, b, common):
     assert common_dashes(a, b) == common
 
 
-def test_gaps_open_between_dashes_that_stay_where_they_are():
-    dashed = LINE._replace(stroke_dasharray=(6.0, 2.0), stroke_dashoffset=3.0)
-    found = at(LINE, dashed, 0.5)
-    assert found.stroke_dasharray == (7.0, 1.0)
-    assert found.stroke_dashoffset == 3.0
-    assert at(dashed, LINE, 0.5) == found
-
-
-def test_dashes_and_their_offset_blend():
-    a = LINE._replace(stroke_dasharray=(4.0, 2.0), stroke_dashoffset=0.0)
-    b = LINE._replace(stroke_dasharray=(8.0, 4.0, 2.0, 4.0), stroke_dashoffset=10.0)
-    found = at(a, b, 0.5)
-    assert found.stroke_dasharray == (6.0, 3.0, 3.0, 3.0)
-    assert found.stroke_dashoffset == 5.0
+@pytest.mark.parametrize(
+    ("a", "b", "halfway"),
+    [
+        # Gaps open between dashes that stay where they are.
+        (((), 0.0), ((6.0, 2.0), 3.0), ((7.0, 1.0), 3.0)),
+        (((6.0, 2.0), 3.0), ((), 0.0), ((7.0, 1.0), 3.0)),
+        (((4.0, 2.0), 0.0), ((8.0, 4.0, 2.0, 4.0), 10.0), ((6.0, 3.0, 3.0, 3.0), 5.0)),
+    ],
+)
+def test_dashes_and_their_offset_blend(a, b, halfway):
+    found = at(*(LINE._replace(stroke_dasharray=d, stroke_dashoffset=o) for d, o in (a, b)), 0.5)
+    assert (found.stroke_dasharray, found.stroke_dashoffset) == halfway
 
 
 def test_lists_of_dashes_with_too_little_in_common_change_at_half_time():

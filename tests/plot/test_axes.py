@@ -25,12 +25,9 @@ def test_ticks_are_round_and_few(low, high, most, steps, expected):
     ("value", "text"),
     [(5.33343, "5.333"), (0.0, "0"), (-4e-13, "0"), (-2.5, "−2.5"), (3.2e-7, "3.2·10⁻⁷"), (1284.6, "1285")],
 )
-def test_numbers_are_short(value, text):
+def test_numbers_are_short_and_more_work_has_a_sign(value, text):
     assert value_text(value) == text
-
-
-def test_more_work_has_a_sign():
-    assert signed(0.02) == "+0.02"
+    assert signed(value) == ("+" if value > 0 else "") + text
 
 
 def test_names_of_files_are_short():

@@ -24,20 +24,15 @@ def drawn_dots(text, columns, rows):
     return cells.round().astype(int)
 
 
-@pytest.mark.parametrize("names", [("triangle", "square"), ("e", "f"), ("cow", "deer")])
-def test_the_path_that_is_drawn_is_the_correspondence(subject_of, names):
-    subject = subject_of(*names)
-    found = subject.correspondence.dots
-    dots = drawn_dots(graph.draw(subject), *graph.shape_of(subject))
-    assert ((dots[:-1] + found[0]) % (subject.wires.m, subject.wires.n)).tolist() == found.tolist()
-    assert dots[-1].tolist() == [subject.wires.m, subject.wires.n]
-
-
-def test_an_open_path_leads_from_end_to_end(subject_of):
-    subject = subject_of(*LINES, vertices=0)
-    dots = drawn_dots(graph.draw(subject), 3, 4)
-    assert dots.tolist() == subject.correspondence.dots.tolist()
-    assert dots[[0, -1]].tolist() == [[0, 0], [2, 3]]
+@pytest.mark.parametrize("drawings", [("triangle", "square"), ("e", "f"), ("cow", "deer"), LINES])
+def test_the_path_that_is_drawn_is_the_correspondence(subject_of, drawings):
+    subject = subject_of(*drawings, vertices=0 if drawings == LINES else 200)
+    found, (columns, rows) = subject.correspondence.dots, graph.shape_of(subject)
+    dots = drawn_dots(graph.draw(subject), columns, rows)
+    assert dots[[0, -1]].tolist() == [[0, 0], [columns - 1, rows - 1]]
+    vertices = (dots + found[0]) % (subject.wires.m, subject.wires.n)
+    assert vertices[: len(found)].tolist() == found.tolist()
+    assert len(dots) == len(found) + subject.correspondence.closed
 
 
 @pytest.mark.parametrize("settings", [{}, {"band": 0.1}, {"solver": "simplified"}, {"start": (3, 40)}])

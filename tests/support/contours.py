@@ -6,8 +6,6 @@ import shapely
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import Contour, Drawing, Polygon, Shape, Style
 
-ARC = 4.0 / 3.0 * np.tan(np.pi / 16.0)  # inner points of a cubic for an eighth of a circle
-
 
 def polygon_contour(points, closed=True):
     """Straight lines from point to point."""
@@ -15,12 +13,12 @@ def polygon_contour(points, closed=True):
     return Contour(segments, np.ones(len(segments), bool), closed)
 
 
-def circle_contour(centre=0j, radius=1.0):
-    """A circle in eight cubics."""
-    node = np.exp(2j * np.pi * np.arange(8) / 8)
-    after = np.roll(node, -1)
-    segments = np.stack([node, node * (1 + 1j * ARC), after * (1 - 1j * ARC), after], axis=1)
-    return Contour(centre + radius * segments, np.zeros(8, bool), True)
+def circle_contour(centre=0j, radius=1.0, arcs=8, turn=0.0):
+    """A circle in so many cubics; four are what drawing programs write."""
+    node = np.exp(1j * (turn + 2.0 * np.pi * np.arange(arcs) / arcs))
+    after, handle = np.roll(node, -1), 4.0 / 3.0 * np.tan(np.pi / (2.0 * arcs))
+    segments = np.stack([node, node * (1 + 1j * handle), after * (1 - 1j * handle), after], axis=1)
+    return Contour(centre + radius * segments, np.zeros(arcs, bool), True)
 
 
 def polygon(points, closed=True):
