@@ -7,6 +7,7 @@ import re
 import zlib
 from collections import defaultdict
 from html.parser import HTMLParser
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -35,9 +36,27 @@ def here(tmp_path, monkeypatch):
     return tmp_path
 
 
-def data_of(text):
-    (found,) = re.findall(r'<script id="data" type="application/json">(.*?)</script>', text, re.DOTALL)
-    return json.loads(found)
+class Page(HTMLParser):
+    """The elements of a page with their attributes, their texts by tag, and its data."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.text, self.open, self.found, self.texts = text, None, [], defaultdict(list)
+        self.feed(text)
+        self.data = json.loads(self.texts["script"][0])
+        self.scenes = [json.loads(unpacked(pair["packed"])) for pair in self.data["pairs"]]
+
+    def handle_starttag(self, tag, attributes):
+        self.found.append((tag, dict(attributes)))
+        self.open = tag
+        self.texts[tag].append("")
+
+    def handle_endtag(self, tag):
+        self.open = None
+
+    def handle_data(self, data):
+        if self.open:
+            self.texts[self.open][-1] += data
 
 
 def unpacked(text):
@@ -46,8 +65,7 @@ def unpacked(text):
 
 def previewed(*arguments):
     assert run([*arguments, "-n", "3", "-o", "frames", "-q", "--preview", "x.html"]) == 0
-    with open("x.html", encoding="utf-8") as file:
-        return file.read()
+    return Page(Path("x.html").read_text(encoding="utf-8"))
 
 
 def points_at(shape, t, decimals):
@@ -86,8 +104,7 @@ def test_between_its_keys_the_picture_is_that_of_the_frames(is_turned):
 
 
 def test_the_ends_are_what_frames_have_there(here):
-    text = previewed("a.svg", "b.svg", "--ends")
-    scene = json.loads(unpacked(data_of(text)["pairs"][0]["packed"]))
+    (scene,) = previewed("a.svg", "b.svg", "--ends").scenes
     for end, name in zip(scene["ends"], ("frame-1", "frame-5"), strict=True):
         frame = (here / "frames" / f"{name}.svg").read_text()
         assert [path["path"]["d"] for path in end] == re.findall(r' d="([^"]*)"', frame)
@@ -111,12 +128,8 @@ def test_dots_lie_on_the_outline_that_moves(curves):
         number = np.minimum(positions.astype(int), len(contour.start.segments) - 1)
         for path, vertices in zip((contour.start, contour.end), contour.dot_points(), strict=True):
             # Polygons are cut at their dots; curves near by.
-            np.testing.assert_allclose(
-                cubics.evaluate(path.segments[number], positions - number),
-                vertices,
-                rtol=0,
-                atol=0.8 if curves else 1e-9,
-            )
+            points = cubics.evaluate(path.segments[number], positions - number)
+            np.testing.assert_allclose(points, vertices, rtol=0, atol=0.8 if curves else 1e-9)
 
 
 def levels_of(graph):
@@ -174,15 +187,14 @@ def test_what_grows_from_a_point_has_no_graph():
 
 
 def test_numbers_are_those_of_the_report(here):
-    text = previewed("a.svg", "b.svg", "c.svg", "--report", "r.json", "--preset", "fig27")
-    report, data = json.loads((here / "r.json").read_text()), data_of(text)
+    page = previewed("a.svg", "b.svg", "c.svg", "--report", "r.json", "--preset", "fig27")
+    report, data = json.loads((here / "r.json").read_text()), page.data
     for name in ("settings", "frames", "version"):
         assert data[name] == report[name]
     assert data["settings"]["preview"] == "x.html"
     assert set(report["seconds"]) <= set(data["seconds"])
-    for pair, told in zip(data["pairs"], report["pairs"], strict=True):
-        lists = json.loads(unpacked(pair["packed"]))["lists"]
-        for contour, one, long in zip(pair["contours"], told["contours"], lists, strict=True):
+    for pair, scene, told in zip(data["pairs"], page.scenes, report["pairs"], strict=True):
+        for contour, one, long in zip(pair["contours"], told["contours"], scene["lists"], strict=True):
             assert {name: contour[name] for name in one if name in contour} == {
                 name: value for name, value in one.items() if name not in ("vertices_a", "vertices_b", "dots")
             }
@@ -194,76 +206,49 @@ def test_numbers_are_those_of_the_report(here):
 
 def test_the_command_is_what_was_typed_quoted_for_a_shell(here):
     (here / "it's a.svg").write_text((here / "a.svg").read_text())
-    data = data_of(previewed("it's a.svg", "b.svg"))
+    data = previewed("it's a.svg", "b.svg").data
     assert data["command"][:3] == ["shapeblend", "'it'\"'\"'s a.svg'", "b.svg"]
     assert data["names"] == ["it's a.svg", "b.svg"]
-
-
-class Elements(HTMLParser):
-    """The elements of a page with their attributes, and their texts by tag."""
-
-    def __init__(self, text):
-        super().__init__()
-        self.found = []
-        self.texts = defaultdict(list)
-        self.feed(text)
-
-    def handle_starttag(self, tag, attributes):
-        self.found.append((tag, dict(attributes)))
-        self.open = tag
-        self.texts[tag].append("")
-
-    def handle_endtag(self, tag):
-        self.open = None
-
-    def handle_data(self, data):
-        if self.found and self.open:
-            self.texts[self.open][-1] += data
 
 
 def test_what_files_say_does_no_harm(here):
     evil = "</script><script>alert(1)</script><!--"
     name = evil.replace("/", "_") + "&.svg"
     (here / name).write_text(svg(f'<path id="{evil.replace("<", "&lt;")}" d="M2 2H22V18H2Z junk"/>'))
-    text = previewed(name, "b.svg", "--lenient")
-    data = data_of(text)
-    assert evil in data["notes"][0]
-    assert data["names"][0] == name
-    page = Elements(text)
+    page = previewed(name, "b.svg", "--lenient")
+    assert evil in page.data["notes"][0]
+    assert page.data["names"][0] == name
     assert [tag for tag, _ in page.found].count("script") == 2
-    assert "<!--" not in text
+    assert "<!--" not in page.text
     assert page.texts["h1"] == [f"{name} → b.svg"]
     assert all(not key.startswith("on") for _, attributes in page.found for key in attributes)
 
 
 def test_nothing_is_fetched_and_no_other_script_runs(here):
-    text = previewed("a.svg", "b.svg")
-    page = Elements(text)
+    page = previewed("a.svg", "b.svg")
     (policy,) = (a["content"] for _, a in page.found if a.get("http-equiv") == "Content-Security-Policy")
     rules = dict(rule.split(" ", 1) for rule in policy.split("; "))
     assert rules["default-src"] == "'none'"
     for kind, rule in (("script", "script-src"), ("style", "style-src")):
         digest = hashlib.sha256(page.texts[kind][-1].encode()).digest()
         assert rules[rule] == f"'sha256-{base64.b64encode(digest).decode()}'"
-    addresses = set(re.findall(r"https?://[^\"']*", text))
+    addresses = set(re.findall(r"https?://[^\"']*", page.text))
     assert addresses == {"http://www.w3.org/2000/svg"}  # a name, which is not fetched
     assert [a for _, a in page.found if {"src", "href"} & set(a)] == [{"rel": "icon", "href": "data:,"}]
 
 
 def test_same_input_same_bytes_but_for_how_long_it_took(here):
     timeless = re.compile(r'"seconds":(\{[^}]*\}|[-\d.e]+)')
-    first, second = (timeless.sub("", previewed("a.svg", "c.svg", "--force")) for _ in range(2))
+    first, second = (timeless.sub("", previewed("a.svg", "c.svg", "--force").text) for _ in range(2))
     assert first == second
 
 
 def test_a_pair_of_two_hundred_vertices_each_stays_small(here, samples):
-    for name in ("e", "f"):
-        (here / f"{name}.svg").write_text((samples / f"{name}.svg").read_text())
-    text = previewed("e.svg", "f.svg")
-    assert data_of(text)["pairs"][0]["contours"][0]["counts"] == [200, 197]
-    assert len(text.encode()) < 150_000
     # Outlines of all kinds of bends pack worse.
-    assert len(previewed(str(samples / "bird-1.svg"), str(samples / "bird-2.svg"), "-f").encode()) < 300_000
+    for a, b, counts, most in (("e", "f", [200, 197], 150_000), ("bird-1", "bird-2", [200, 200], 300_000)):
+        page = previewed(str(samples / f"{a}.svg"), str(samples / f"{b}.svg"), "-f")
+        assert page.data["pairs"][0]["contours"][0]["counts"] == counts
+        assert len(page.text.encode()) < most
 
 
 @pytest.mark.parametrize(
@@ -291,13 +276,12 @@ def test_a_page_that_cannot_be_written_is_refused_in_one_line(here, capsys, argu
 def test_names_of_pages_may_be_written_in_capitals_and_replaced_on_request(here):
     for _ in range(2):
         assert run(["a.svg", "b.svg", "-n", "0", "-q", "--preview", "X.HTM", "--force"]) == 0
-    data = data_of((here / "X.HTM").read_text())
+    data = Page((here / "X.HTM").read_text()).data
     assert (data["frames"], len(data["pairs"])) == ([], 1)
 
 
 def test_open_lines_and_empty_works_are_shown_too(here):
     for name in ("l", "m"):
         (here / f"{name}.svg").write_text(svg(LINES.format(name)))
-    data = data_of(previewed("l.svg", "m.svg"))
-    (contour,) = data["pairs"][0]["contours"]
+    (contour,) = previewed("l.svg", "m.svg").data["pairs"][0]["contours"]
     assert (contour["closed"], contour["work"]) == (False, pytest.approx(0.0, abs=1e-12))
