@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import path_crossings
-from shapeblend_cli.interpolate.paths import between
+from shapeblend_cli.interpolate.paths import paths_at
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import Pair
@@ -34,7 +34,7 @@ class Measures(NamedTuple):
 
 def measure(pair: Pair, t: float) -> Measures:
     """Measure the in-between at time t; also at both ends as it moves, not as the drawing has it."""
-    shapes = [between(shape, t) for shape in pair.shapes]
+    shapes = [paths_at(shape, t) for shape in pair.shapes]
     return Measures(
         t,
         pair.a,

@@ -12,7 +12,7 @@ from shapeblend_cli.clock import Clock
 from shapeblend_cli.easing import frame_times
 from shapeblend_cli.geometry.placement import place_over
 from shapeblend_cli.geometry.similarity import Similarity
-from shapeblend_cli.interpolate.paths import between, with_curves
+from shapeblend_cli.interpolate.paths import paths_at, with_curves
 from shapeblend_cli.model import (
     CubicPath,
     Drawing,
@@ -266,7 +266,7 @@ def make_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
 def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
     """Return the shapes of a pair at time t, at all times with the same commands; points are kept."""
     return tuple(
-        PaintedShape(between(shape, t), *blend_styles(shape.style_a, shape.style_b, t))
+        PaintedShape(paths_at(shape, t), *blend_styles(shape.style_a, shape.style_b, t))
         for shape in pair.shapes
     )
 

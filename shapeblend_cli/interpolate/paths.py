@@ -28,7 +28,7 @@ def with_curves(blend: ContourBlend) -> ContourBlend:
     return blend._replace(**common._asdict())
 
 
-def between(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
+def paths_at(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
     """Return the paths of a shape at time t: exactly its start at 0 and its end at 1.
 
     Without a motion every point moves straight, eq (2).
@@ -57,7 +57,7 @@ def waypoints(shape: ShapeBlend) -> tuple[Waypoint, ...]:
 
     def at(t: float) -> ComplexArray:
         if t not in cache:
-            cache[t] = np.concatenate([path.segments for path in between(shape, t)])
+            cache[t] = np.concatenate([path.segments for path in paths_at(shape, t)])
         return cache[t]
 
     def cut(low: float, high: float, depth: int) -> list[float]:
@@ -71,4 +71,4 @@ def waypoints(shape: ShapeBlend) -> tuple[Waypoint, ...]:
         middle = 0.5 * (low + high)
         return [*cut(low, middle, depth - 1), middle, *cut(middle, high, depth - 1)]
 
-    return tuple(Waypoint(t, between(shape, t)) for t in cut(0.0, 1.0, MOST_HALVINGS))
+    return tuple(Waypoint(t, paths_at(shape, t)) for t in cut(0.0, 1.0, MOST_HALVINGS))

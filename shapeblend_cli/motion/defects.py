@@ -8,7 +8,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import path_crossings
-from shapeblend_cli.interpolate.paths import between
+from shapeblend_cli.interpolate.paths import paths_at
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -71,16 +71,16 @@ def _crossings(shape: ShapeBlend, times: Sequence[float]) -> list[Defect]:
     """Find the first in-between with crossings, and the first of which a contour crosses itself."""
     checked = checked_contours(shape.contours)
 
-    def paths_at(t: float) -> list[CubicPath]:
-        paths = between(shape, t)
+    def checked_paths(t: float) -> list[CubicPath]:
+        paths = paths_at(shape, t)
         return [paths[k] for k in checked]
 
-    ends = [paths_at(t) for t in (0.0, 1.0)]
+    ends = [checked_paths(t) for t in (0.0, 1.0)]
     most = max(path_crossings(paths) for paths in ends)
     most_by_path: list[int] = []
     defects = []
     for t in sorted({*CHECKED_TIMES, *times} - {0.0, 1.0}):
-        paths = paths_at(t)
+        paths = checked_paths(t)
         if path_crossings(paths, most + 1) <= most:
             continue
         # Path by path only now: most shapes never come here.
@@ -117,11 +117,11 @@ def _strays(shape: ShapeBlend) -> list[Defect]:
     """Find the in-between that reaches furthest, if that is too far; on straight paths none does."""
     if shape.motion is None:
         return []
-    ends = np.concatenate([path.segments.ravel() for t in (0.0, 1.0) for path in between(shape, t)])
+    ends = np.concatenate([path.segments.ravel() for t in (0.0, 1.0) for path in paths_at(shape, t)])
     centre = 0.5 * complex(ends.real.min() + ends.real.max(), ends.imag.min() + ends.imag.max())
 
     def reach_at(t: float) -> float:
-        return max(float(np.abs(path.segments - centre).max()) for path in between(shape, t))
+        return max(float(np.abs(path.segments - centre).max()) for path in paths_at(shape, t))
 
     reach, t = max((reach_at(t), t) for t in MEASURED_TIMES)
     share = reach / float(np.abs(ends - centre).max())
@@ -133,10 +133,10 @@ def _strays(shape: ShapeBlend) -> list[Defect]:
 def _losses(shape: ShapeBlend) -> list[Defect]:
     """Find area that is lost or gained, and limbs that collapse."""
     defects = []
-    area_a, area_b = (_area(between(shape, t)) for t in (0.0, 1.0))
+    area_a, area_b = (_area(paths_at(shape, t)) for t in (0.0, 1.0))
     ends = [path.segments for contour in shape.contours for path in (contour.start, contour.end)]
     negligible = NEGLIGIBLE_AREA * max(float(np.abs(z - z[0, 0]).max()) for z in ends) ** 2
-    in_betweens = [between(shape, t) for t in MEASURED_TIMES]
+    in_betweens = [paths_at(shape, t) for t in MEASURED_TIMES]
     for t, paths in zip(MEASURED_TIMES, in_betweens, strict=True):
         most = (1.0 - t) * area_a + t * area_b
         # What grows evenly has less: on straight paths its size is linear in time, else geometric.

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.interpolate.paths import between
+from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import Box
 from shapeblend_cli.plot.axes import COLOUR_A, COLOUR_B, INK, SOFT, TOP, page_points, titled_figure
 from shapeblend_cli.svg.writing.figure import line_data
@@ -77,7 +77,7 @@ def vertices_at(subject: Subject, times: FloatArray) -> ComplexArray:
     """Return the vertices of the in-betweens: a row for every time, a column for every dot."""
     rows = []
     for t in times.tolist():
-        path = between(subject.shape, t)[subject.number]
+        path = paths_at(subject.shape, t)[subject.number]
         vertices = path.segments[:, 0]
         rows.append(vertices if path.closed else np.append(vertices, path.segments[-1, 3]))
     return np.array(rows)

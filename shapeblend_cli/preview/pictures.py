@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from shapeblend_cli.interpolate.paths import between, waypoints
+from shapeblend_cli.interpolate.paths import paths_at, waypoints
 from shapeblend_cli.model import RadialGradient, unroll
 from shapeblend_cli.paint.styles import blend_styles
 from shapeblend_cli.svg.writing.paint import gradient_attributes, paint_attributes, visible_styles
@@ -49,7 +49,7 @@ def picture(pair: Pair, ends: tuple[Frame, Frame], times: Sequence[float], decim
 def _moving_shape(shape: ShapeBlend, times: Sequence[float], decimals: int) -> dict[str, Any]:
     own_times = times if shape.motion is not None and len(times) <= MOST_OWN_TIMES else ()
     keys = sorted({0.0, 1.0, *(waypoint.t for waypoint in waypoints(shape)), *own_times})
-    grid = np.array([_on_grid(between(shape, t), decimals) for t in keys])
+    grid = np.array([_on_grid(paths_at(shape, t), decimals) for t in keys])
     # Of the first key the steps from point to point, of the others what changes: small numbers, which pack well.
     points = np.diff(np.diff(grid, axis=1, prepend=0), axis=0, prepend=0)
     return {

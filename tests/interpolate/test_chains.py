@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from shapely import LineString
 
 from shapeblend_cli.interpolate.chains import keyframed_shapes
-from shapeblend_cli.interpolate.paths import between, waypoints
+from shapeblend_cli.interpolate.paths import paths_at, waypoints
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
 from tests.support.contours import drawing as contour_drawing
@@ -57,7 +57,7 @@ SAME_CONTOURS = [
 NEAR = 0.15
 
 
-def paths_at(shape, k, t):
+def keyed_paths_at(shape, k, t):
     """The paths of a keyframed shape at a time after its key k, straight from waypoint to waypoint."""
     stations = [(0.0, shape.keys[k].paths), *shape.waypoints[k], (1.0, shape.keys[k + 1].paths)]
     for (low, before), (high, after) in pairwise(stations):
@@ -74,9 +74,9 @@ def chained(pairs, times=(0.5,)):
     """The keyframed shapes of pairs; within each pair every outline must be one of the pair's own."""
     shapes = keyframed_shapes(pairs)
     for pair, t in product(pairs, times):
-        own = [line(path) for shape in pair.shapes for path in between(shape, t)]
+        own = [line(path) for shape in pair.shapes for path in paths_at(shape, t)]
         here = [shape for shape in shapes if shape.first <= pair.a < shape.first + len(shape.keys) - 1]
-        lines = [line(path) for shape in here for path in paths_at(shape, pair.a - shape.first, t)]
+        lines = [line(path) for shape in here for path in keyed_paths_at(shape, pair.a - shape.first, t)]
         assert len(lines) == len(own)
         for one in own:
             assert min(one.hausdorff_distance(other) for other in lines) < NEAR

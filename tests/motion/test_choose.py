@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.geometry.crossings import path_crossings
-from shapeblend_cli.interpolate.paths import between
+from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support import drawings
@@ -66,7 +66,7 @@ def test_what_is_asked_for_is_taken(motion):
 
 def crossings(outlines, motion, times):
     (shape,) = polygon_pair(*outlines, motion=motion).shapes
-    return sum(path_crossings(between(shape, t)) for t in times)
+    return sum(path_crossings(paths_at(shape, t)) for t in times)
 
 
 @pytest.mark.parametrize("outlines", HARD)

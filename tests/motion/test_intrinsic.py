@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import signed_area
-from shapeblend_cli.interpolate.paths import between
+from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.motion.alignment import Rigid, align, point_pairs
 from shapeblend_cli.motion.intrinsic import closing_lengths, intrinsic
 from shapeblend_cli.pipeline import match_all
@@ -66,10 +66,10 @@ def test_samples_start_and_end_as_drawn_and_stay_closed(samples, names):
     for shape in moving_samples(samples, *names):
         assert None not in shape.motion.polygons
         for t, side in ((1e-6, "start"), (1.0 - 1e-6, "end")):
-            for contour, path in zip(shape.contours, between(shape, t), strict=True):
+            for contour, path in zip(shape.contours, paths_at(shape, t), strict=True):
                 z = getattr(contour, side).segments
                 assert abs(path.segments - z).max() < 1e-4 * abs(z - z.mean()).max()
-        for path in (path for t in TIMES for path in between(shape, t)):
+        for path in (path for t in TIMES for path in paths_at(shape, t)):
             assert np.array_equal(np.roll(path.segments[:, 3], 1), path.segments[:, 0])
             lines = path.segments[path.straight]
             np.testing.assert_allclose(lines, cubics.line(lines[:, :1], lines[:, 3:]), atol=1e-9)
@@ -147,7 +147,7 @@ def test_figure_28_the_dancers_arm_does_not_collapse(samples):
 
     def reach(shape, t):
         """From the neck to the end of the arm."""
-        arm = between(shape, t)[0].segments[neck:armpit, 0]
+        arm = paths_at(shape, t)[0].segments[neck:armpit, 0]
         return abs(arm - arm[0]).max()
 
     ends = reach(shape, 0.0), reach(shape, 1.0)

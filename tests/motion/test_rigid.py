@@ -7,7 +7,7 @@ import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
-from shapeblend_cli.interpolate.paths import between
+from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import Contour
 from shapeblend_cli.motion.alignment import PointPairs, align, residual
 from shapeblend_cli.svg.reading.read import read
@@ -38,7 +38,7 @@ def placed(one, factor, shift=0j, start=0):
 
 
 def points_at(pair, t):
-    return np.concatenate([path.segments.ravel() for shape in pair.shapes for path in between(shape, t)])
+    return np.concatenate([path.segments.ravel() for shape in pair.shapes for path in paths_at(shape, t)])
 
 
 def assert_only_moves(pair, degrees, scale=1.0):
@@ -124,7 +124,7 @@ def test_what_is_not_moved_stays():
     both = base._replace(shapes=(placed(base, 1j, 24).shapes[0], base.shapes[1]))
     _, still = pair_of(base, both).shapes
     assert still.motion is None
-    half_way, start = (between(still, t)[0].segments for t in (0.5, 0.0))
+    half_way, start = (paths_at(still, t)[0].segments for t in (0.5, 0.0))
     np.testing.assert_allclose(half_way, start, atol=1e-9)
 
 
@@ -133,8 +133,8 @@ def test_between_unlike_outlines_it_starts_and_ends_as_they_are(rng, m):
     shape = rigidly(moving_polygons((star_polygon(rng, m), 3.0 * star_polygon(rng, m) + 2j)))
     for t, side in ((0.0, "start"), (1.0, "end")):
         drawn = getattr(shape.contours[0], side).segments
-        near = between(shape, abs(t - 1e-7))[0].segments
-        np.testing.assert_array_equal(between(shape, t)[0].segments, drawn)
+        near = paths_at(shape, abs(t - 1e-7))[0].segments
+        np.testing.assert_array_equal(paths_at(shape, t)[0].segments, drawn)
         np.testing.assert_allclose(near, drawn, atol=1e-5)
 
 
@@ -144,5 +144,5 @@ def test_backwards_in_time_it_is_the_same(rng, m):
     there, back = (rigidly(moving_polygons(pair)) for pair in ((a, b), (b, a)))
     for t in TIMES:
         np.testing.assert_allclose(
-            between(there, t)[0].segments, between(back, 1.0 - t)[0].segments, atol=1e-9
+            paths_at(there, t)[0].segments, paths_at(back, 1.0 - t)[0].segments, atol=1e-9
         )

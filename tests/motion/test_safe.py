@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from shapeblend_cli.geometry.crossings import path_crossings
-from shapeblend_cli.interpolate.paths import between
+from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.measure import measure
 from shapeblend_cli.model import CubicPath
 from shapeblend_cli.motion.safe import find_route, follow_route
@@ -37,7 +37,7 @@ def safely(shape):
 
 def crossed(shape):
     """At how many times there are crossings."""
-    return sum(path_crossings(between(shape, t)) > 0 for t in TIMES)
+    return sum(path_crossings(paths_at(shape, t)) > 0 for t in TIMES)
 
 
 def mirrored(z):
@@ -60,12 +60,12 @@ BY_HAND = {
 @pytest.mark.parametrize("name", BY_HAND)
 def test_where_straight_paths_cross_it_does_not_and_goes_there_steadily(name):
     straight = moving_polygons(BY_HAND[name])
-    assert [path_crossings(between(straight, t)) for t in (0.0, 1.0)] == [0, 0]
+    assert [path_crossings(paths_at(straight, t)) for t in (0.0, 1.0)] == [0, 0]
     assert crossed(straight) > 0
     shape = safely(straight)
     assert shape.motion.name == "safe"
     assert crossed(shape) == 0
-    start, *others, end = (between(shape, t)[0].segments for t in np.linspace(0.0, 1.0, 101))
+    start, *others, end = (paths_at(shape, t)[0].segments for t in np.linspace(0.0, 1.0, 101))
     np.testing.assert_array_equal(start, shape.contours[0].start.segments)
     np.testing.assert_array_equal(end, shape.contours[0].end.segments)
     every = np.array([start, *others, end])
@@ -73,7 +73,7 @@ def test_where_straight_paths_cross_it_does_not_and_goes_there_steadily(name):
     assert np.isfinite(every).all()
     assert abs(np.diff(every, axis=0)).max() < 0.12 * size
     for t, side in ((1e-6, start), (1.0 - 1e-6, end)):
-        assert abs(between(shape, t)[0].segments - side).max() < 1e-4 * size
+        assert abs(paths_at(shape, t)[0].segments - side).max() < 1e-4 * size
 
 
 @settings(max_examples=15)
@@ -88,14 +88,14 @@ def test_without_crossings_on_its_way_it_is_the_rigid_motion(rng):
     shape = moving_polygons((a, a * np.exp(1.2j) + 5.0))
     safe, rigid = safely(shape), rigidly(shape)
     for t in (0.1, 0.25, 0.5, 0.75, 0.9):
-        np.testing.assert_allclose(between(safe, t)[0].segments, between(rigid, t)[0].segments, atol=1e-6)
+        np.testing.assert_allclose(paths_at(safe, t)[0].segments, paths_at(rigid, t)[0].segments, atol=1e-6)
     assert (safe.motion.levels == 0.0).all()
 
 
 def test_lines_stay_lines():
     shape = safely(moving_polygons(BY_HAND["a spiral and its mirror image"]))
     for t in (0.2, 0.5, 0.8):
-        (path,) = between(shape, t)
+        (path,) = paths_at(shape, t)
         assert path.straight.all()
         thirds = path.segments[:, :1] + np.diff(path.segments[:, ::3]) * [0, 1 / 3, 2 / 3, 1]
         np.testing.assert_allclose(path.segments, thirds, atol=1e-9)
@@ -124,8 +124,8 @@ def test_crossings_of_the_ends_are_allowed():
     eight = np.array([0, 3 + 1j, 3 - 1j, 0, -2 + 1j, -2 - 1j])
     shape = safely(moving_polygons((eight, 2.0 * np.roll(eight, 1))))
     for t in TIMES:
-        assert np.isfinite(between(shape, t)[0].segments).all()
-        assert path_crossings(between(shape, t)) <= 1
+        assert np.isfinite(paths_at(shape, t)[0].segments).all()
+        assert path_crossings(paths_at(shape, t)) <= 1
 
 
 def test_open_lines():
