@@ -111,21 +111,12 @@ class Stop(NamedTuple):
 
 
 class LinearGradient(NamedTuple):
-    """Colours along the line from `start` to `end`, in the coordinates of the drawing.
-
-    Attributes
-    ----------
-    start, end : complex
-    stops : tuple of Stop
-        Two or more, in order.
-    spread : {'pad', 'reflect', 'repeat'}
-        What is beyond the ends.
-    """
+    """Colours along the line from `start` to `end`, in the coordinates of the drawing."""
 
     start: complex
     end: complex
-    stops: tuple[Stop, ...]
-    spread: str = "pad"
+    stops: tuple[Stop, ...]  # two or more, in order
+    spread: str = "pad"  # what is beyond the ends: pad, reflect or repeat
 
 
 class RadialGradient(NamedTuple):
@@ -133,27 +124,13 @@ class RadialGradient(NamedTuple):
 
     The ellipse is the unit circle stretched by `radii`, turned by `angle` and moved to `centre`. Apart like this,
     rather than in a matrix, because SMIL can move each of them.
-
-    Attributes
-    ----------
-    centre : complex
-    radii : (float, float)
-        The larger first.
-    angle : float
-        In degrees; 0 for a circle.
-    focus : complex
-        In the unit circle, before it is stretched.
-    focal_radius : float
-        Where the colours begin, in radii.
-    stops, spread
-        As in `LinearGradient`.
     """
 
     centre: complex
-    radii: tuple[float, float]
-    angle: float
-    focus: complex
-    focal_radius: float
+    radii: tuple[float, float]  # the larger first
+    angle: float  # in degrees; 0 for a circle
+    focus: complex  # in the unit circle, before it is stretched
+    focal_radius: float  # where the colours begin, in radii
     stops: tuple[Stop, ...]
     spread: str = "pad"
 
@@ -165,14 +142,7 @@ if TYPE_CHECKING:
 class Style(NamedTuple):
     """How a shape is painted.
 
-    Attributes
-    ----------
-    fill, stroke : str or None
-        ``#rrggbb``; None is no paint. Where there is a gradient, the plain colour that stands for it.
-    fill_gradient, stroke_gradient : LinearGradient, RadialGradient or None
-        Painted instead of the plain colour.
-    stroke_dasharray : tuple of float
-        Lengths of dashes and gaps in turn; empty for a solid line.
+    Colours are ``#rrggbb``; None is no paint. A gradient is painted instead of the plain colour, which stands for it.
     """
 
     fill: str | None = "#000000"
@@ -184,7 +154,7 @@ class Style(NamedTuple):
     stroke_linecap: str = "butt"
     stroke_linejoin: str = "miter"
     stroke_miterlimit: float = 4.0
-    stroke_dasharray: tuple[float, ...] = ()
+    stroke_dasharray: tuple[float, ...] = ()  # lengths of dashes and gaps in turn; empty for a solid line
     stroke_dashoffset: float = 0.0
     fill_gradient: Gradient | None = None
     stroke_gradient: Gradient | None = None
@@ -199,18 +169,17 @@ class Style(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Contour:
-    """One subpath of a drawing as a chain of cubic Bezier segments, transforms applied.
+class CubicPath:
+    """A chain of cubic Bezier segments and lines to draw, some of them perhaps without extent.
 
     Attributes
     ----------
     segments : (k, 4) complex, k >= 1
-        Control points. A segment ends where the next begins; in a closed contour the last ends
-        where the first begins. A straight segment has its inner points at thirds.
+        Control points. A segment ends where the next begins; in a closed path the last ends where the first begins.
+        A straight segment has its inner points at thirds.
     straight : (k,) bool
-        Whether the drawing has a straight line there.
+        Which segments are drawn as lines.
     closed : bool
-        Whether the subpath ends in ``Z`` or where it began.
     """
 
     segments: ComplexArray
@@ -220,6 +189,17 @@ class Contour:
     def __post_init__(self) -> None:
         object.__setattr__(self, "segments", frozen(self.segments, np.complex128))
         object.__setattr__(self, "straight", frozen(self.straight, np.bool_))
+
+    @property
+    def is_point(self) -> bool:
+        """Whether all control points are one."""
+        return bool((self.segments == self.segments[0, 0]).all())
+
+
+class Contour(CubicPath):
+    """One subpath of a drawing, transforms applied; closed if it ends in ``Z`` or where it began."""
+
+    __slots__ = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -337,18 +317,10 @@ class Correspondence:
 
 
 def unroll(dots: IntArray, period: tuple[int, int] | None) -> FloatArray:
-    """Return dots as positions along both polygons that never fall.
+    """Return (k, 2) dots as positions along both polygons that never fall.
 
-    Parameters
-    ----------
-    dots : (k, 2) int
-    period : (int, int) or None
-        How many vertices closed polygons have; None for open ones.
-
-    Returns
-    -------
-    (k, 2) float
-        Those of closed polygons count on beyond the last vertex, and end with the first dot once more: (k + 1, 2).
+    Those of closed polygons, which have `period` vertices, count on beyond the last vertex, and end with the first dot
+    once more: (k + 1, 2).
     """
     if period is None:
         return dots.astype(np.float64)
@@ -356,72 +328,33 @@ def unroll(dots: IntArray, period: tuple[int, int] | None) -> FloatArray:
     return np.concatenate([dots[:1], dots[:1] + np.cumsum(steps, axis=0)]).astype(np.float64)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class CubicPath:
-    """A chain of cubics and lines to draw, some of them perhaps without extent.
-
-    Attributes
-    ----------
-    segments : (s, 4) complex
-        Control points, as in `Contour`.
-    straight : (s,) bool
-        Which segments are drawn as lines.
-    closed : bool
-    """
-
-    segments: ComplexArray
-    straight: BoolArray
-    closed: bool
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "segments", frozen(self.segments, np.complex128))
-        object.__setattr__(self, "straight", frozen(self.straight, np.bool_))
-
-    @property
-    def is_point(self) -> bool:
-        """Whether all control points are one."""
-        return bool((self.segments == self.segments[0, 0]).all())
-
-
 class ContourBlend(NamedTuple):
     """A contour of A, the contour of B it becomes, and the paths it moves between.
 
-    Attributes
-    ----------
-    a, b : int or None
-        Contour numbers, counted through each file in paint order; None where it grows from a point, or shrinks to one.
-    contour_a, contour_b : Contour
-        Both in A's coordinates and in the same direction. A point is a contour whose control points are all there.
-    polygon_a, polygon_b : Polygon
-        The contours flattened, as solved. A point is a polygon of one vertex.
-    scale_a, scale_b : float
-        What section 3.3's normalisation divided by.
-    correspondence : Correspondence
-    start, end : CubicPath
-        Segment for segment alike: lines along the polygons, a step of the correspondence each, until
-        `interpolate.paths.with_curves` takes the drawings' own curves.
-    cuts : pair of (s + 1,) float
-        Where the segments begin and end, in vertices of each polygon, rising; once round if closed.
-    rotation : float
-        By what angle B was turned back while it was solved, in radians.
-    seconds : float
-        How long that took.
+    Contours are numbered through each file in paint order; None is for one that grows from a point or shrinks to one.
+    Both are in A's coordinates and in the same direction. A point is a contour whose control points are all there, and
+    a polygon of one vertex.
+
+    Start and end are segment for segment alike: lines along the polygons, a step of the correspondence each, until
+    `interpolate.paths.with_curves` takes the drawings' own curves.
     """
 
     a: int | None
     b: int | None
     contour_a: Contour
     contour_b: Contour
-    polygon_a: Polygon
+    polygon_a: Polygon  # the contours flattened, as solved
     polygon_b: Polygon
-    scale_a: float
+    scale_a: float  # what section 3.3's normalisation divided by
     scale_b: float
     correspondence: Correspondence
     start: CubicPath
     end: CubicPath
-    cuts: tuple[FloatArray, FloatArray]
-    rotation: float = 0.0
-    seconds: float = 0.0
+    cuts: tuple[
+        FloatArray, FloatArray
+    ]  # where segments begin and end, in vertices, rising; once round if closed
+    rotation: float = 0.0  # by what angle B was turned back while it was solved, in radians
+    seconds: float = 0.0  # how long that took
 
     @property
     def grows(self) -> bool:
@@ -456,24 +389,13 @@ class Motion(Protocol):
 
 
 class ShapeBlend(NamedTuple):
-    """Contours that are painted together, from one paint to another.
-
-    Attributes
-    ----------
-    contours : tuple of ContourBlend
-    style_a, style_b : Style
-        B's lengths in A's coordinates.
-    motion : Motion or None
-        None is straight paths, eq (2).
-    reason : str
-        Why it moves so, a phrase.
-    """
+    """Contours that are painted together, from one paint to another."""
 
     contours: tuple[ContourBlend, ...]
     style_a: Style
-    style_b: Style
-    motion: Motion | None = None
-    reason: str = ""
+    style_b: Style  # its lengths in A's coordinates
+    motion: Motion | None = None  # None is straight paths, eq (2)
+    reason: str = ""  # why it moves so, a phrase
 
     @property
     def motion_name(self) -> str:
@@ -487,29 +409,15 @@ class ShapeBlend(NamedTuple):
 
 
 class PaintedShape(NamedTuple):
-    """Outlines that are painted together: one path of a frame.
-
-    Attributes
-    ----------
-    paths : tuple of CubicPath
-    style : Style
-    below : Style or None
-        What is painted first, under `style`, where one paint has to dissolve into another.
-    """
+    """Outlines that are painted together: one path of a frame."""
 
     paths: tuple[CubicPath, ...]
     style: Style
-    below: Style | None = None
+    below: Style | None = None  # painted first, under `style`, where one paint has to dissolve into another
 
 
 class Waypoint(NamedTuple):
-    """Where outlines are on their way from one drawing to the next.
-
-    Attributes
-    ----------
-    t : float in (0, 1)
-    paths : tuple of CubicPath
-    """
+    """Where outlines are at time t, within (0, 1), on their way from one drawing to the next."""
 
     t: float
     paths: tuple[CubicPath, ...]
@@ -518,42 +426,24 @@ class Waypoint(NamedTuple):
 class KeyframedShape(NamedTuple):
     """A shape over several keys, the drawings that are blended one after the other.
 
-    Attributes
-    ----------
-    keys : tuple of PaintedShape
-        Alike but for coordinates and paint.
-    first : int
-        Number of the drawing it begins with.
-    waypoints : tuple of tuple of Waypoint
-        For each key but the last, paths between it and the next one, in order of time and alike with the keys. From
-        one to the next all points move straight, near enough. Empty where they move straight from key to key.
+    The keys are alike but for coordinates and paint. For each but the last there are waypoints between it and the next
+    one, in order of time and alike with the keys: from one to the next all points move straight, near enough. They are
+    empty where points move straight from key to key.
     """
 
     keys: tuple[PaintedShape, ...]
-    first: int
+    first: int  # number of the drawing it begins with
     waypoints: tuple[tuple[Waypoint, ...], ...]
 
 
 class Pair(NamedTuple):
-    """Two drawings, matched shape by shape.
-
-    Attributes
-    ----------
-    a, b : int
-        Numbers of the input files.
-    shapes : tuple of ShapeBlend
-        In paint order.
-    drawn : (tuple of PaintedShape, tuple of PaintedShape)
-        The two drawings as they are, laid over A.
-    views : (Box, Box)
-        What part of the plane to show of each.
-    """
+    """Two drawings, matched shape by shape, with the numbers of their files."""
 
     a: int
     b: int
-    shapes: tuple[ShapeBlend, ...]
-    drawn: tuple[tuple[PaintedShape, ...], tuple[PaintedShape, ...]]
-    views: tuple[Box, Box]
+    shapes: tuple[ShapeBlend, ...]  # in paint order
+    drawn: tuple[tuple[PaintedShape, ...], tuple[PaintedShape, ...]]  # as they are, laid over A
+    views: tuple[Box, Box]  # what part of the plane to show of each
 
     @property
     def contours(self) -> list[ContourBlend]:
@@ -562,20 +452,9 @@ class Pair(NamedTuple):
 
 
 class Frame(NamedTuple):
-    """One in-between: what a frame file draws.
-
-    Attributes
-    ----------
-    t : float in [0, 1]
-        Time within the pair.
-    pair : int
-    shapes : tuple of PaintedShape
-        In paint order.
-    view : Box
-        What part of the plane to show.
-    """
+    """One in-between, at a time t within its pair: what a frame file draws."""
 
     t: float
     pair: int
-    shapes: tuple[PaintedShape, ...]
-    view: Box
+    shapes: tuple[PaintedShape, ...]  # in paint order
+    view: Box  # what part of the plane to show
