@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +12,7 @@ from shapeblend_cli.clock import Clock
 from shapeblend_cli.measure import measure
 from shapeblend_cli.model import Drawing, Polygon
 from shapeblend_cli.output import check_targets, write_files
+from shapeblend_cli.outputs.formats import views
 from shapeblend_cli.outputs.options import OutputOptions, specify
 from shapeblend_cli.pairing.constraints import Constraints, check_stiff
 from shapeblend_cli.pairing.direction import choose_direction
@@ -151,7 +151,8 @@ class Blend:
             raise ValueError(f"t must lie between 0 and {len(self.pairs)}, not {t}")
         pair = self.pairs[min(int(t), len(self.pairs) - 1)]
         as_drawn = self.settings.curves and self.settings.style == "blend"
-        return Picture(frame_at(pair, t - pair.a, as_drawn=as_drawn), self._decimals)
+        decimals = decimals_for(views(self.pairs))
+        return Picture(frame_at(pair, t - pair.a, as_drawn=as_drawn), decimals)
 
     def save(
         self,
@@ -241,10 +242,6 @@ class Blend:
         """
         times = [k / (n + 1) for k in range(1, n + 1)]
         return sum(measure(pair, t).self_crossings for pair in self.pairs for t in times)
-
-    @cached_property
-    def _decimals(self) -> int:
-        return decimals_for([view for pair in self.pairs for view in pair.views])
 
 
 class Picture:

@@ -92,20 +92,11 @@ class Timing(NamedTuple):
     """How an animation runs.
 
     The identifiers in CSS animations are made from the text of this value.
-
-    Attributes
-    ----------
-    seconds : float > 0
-        From one drawing to the next.
-    ease : Ease
-        From one drawing to the next.
-    repeat : int or str
-        How often it runs; ``forever``; or ``pingpong``: forwards and backwards forever.
     """
 
-    seconds: float = 2.0
+    seconds: float = 2.0  # > 0, from one drawing to the next, like the easing
     ease: Ease = LINEAR
-    repeat: int | str = FOREVER
+    repeat: int | str = FOREVER  # how often it runs; or "pingpong": forwards and backwards forever
 
     @property
     def is_pingpong(self) -> bool:
@@ -120,13 +111,7 @@ def frame_times(frames: int, ends: bool, ease: Ease = LINEAR) -> list[float]:
 
 
 def parse(text: str) -> Ease:
-    """Read ``linear``, ``ease``, ``ease-in``, ``ease-out``, ``ease-in-out`` or ``cubic-bezier(x1,y1,x2,y2)``.
-
-    Raises
-    ------
-    ValueError
-        With what would work.
-    """
+    """Read one of `NAMES` or ``cubic-bezier(x1,y1,x2,y2)``; a ValueError says what would work."""
     name = text.strip().lower()
     if name in NAMES:
         return Ease(*NAMES[name])

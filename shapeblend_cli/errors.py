@@ -13,12 +13,7 @@ class ShapeblendError(Exception):
 class InputError(ShapeblendError, ValueError):
     """A file that cannot be read, or that holds nothing to blend.
 
-    Parameters
-    ----------
-    file : str
-        The file as the user named it.
-    problem : str
-        What was found in it, where, and what would work.
+    The problem is what was found in it, where, and what would work; the file is named as the user did.
     """
 
     def __init__(self, file: str, problem: str) -> None:

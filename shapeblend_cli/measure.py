@@ -13,23 +13,14 @@ if TYPE_CHECKING:
 
 
 class Measures(NamedTuple):
-    """What is measured of an in-between.
-
-    Attributes
-    ----------
-    t : float in [0, 1]
-    pair : int
-        The number of the pair's first drawing.
-    self_crossings : int
-        How often outlines that are painted together cross themselves and each other, on their curves.
-    area : float
-        Inside the outlines, in square units of A.
-    """
+    """What is measured of an in-between at time t, within [0, 1]."""
 
     t: float
-    pair: int
-    self_crossings: int
-    area: float
+    pair: int  # the number of its first drawing
+    self_crossings: (
+        int  # how often outlines painted together cross themselves and each other, on their curves
+    )
+    area: float  # inside the outlines, in square units of A
 
 
 def measure(pair: Pair, t: float) -> Measures:

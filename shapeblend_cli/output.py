@@ -16,11 +16,8 @@ if TYPE_CHECKING:
 def check_targets(targets: Iterable[Path], inputs: Iterable[Path], force: bool) -> None:
     """Refuse targets that must not be written, before any work is done.
 
-    Raises
-    ------
-    OutputError
-        A target that is one of the inputs, is a folder, exists without `force`, or whose folder cannot
-        be made.
+    OutputError is raised for one that is an input or a folder, that exists without `force`, or whose folder cannot be
+    made.
     """
     sources = [path.resolve() for path in inputs]
     for target in targets:
@@ -43,12 +40,7 @@ def write_files(contents: Mapping[Path, str | bytes]) -> None:
     """Write all files or none, texts as UTF-8.
 
     Each file is first written in full in a folder of our own beside its target; only then are they moved into
-    place, one atomic step each.
-
-    Raises
-    ------
-    OutputError
-        The disk is full, a folder is read-only, and the like.
+    place, one atomic step each. OutputError is raised if the disk is full, a folder is read-only, and the like.
     """
     made: list[Path] = []  # folders, outermost first
     stages: dict[Path, Path] = {}

@@ -29,20 +29,8 @@ def report(
 ) -> dict[str, Any]:
     """Return everything about a run, ready for JSON.
 
-    Parameters
-    ----------
-    version : str
-    inputs : sequence of str
-        The files as the user named them.
-    settings : dict
-        Every option's value in force.
-    pairs : sequence of Pair
-    measures : sequence of Measures
-        Of each frame.
-    files : sequence of str or None
-        Where each frame was written.
-    seconds : dict
-        How long each stage took.
+    Inputs are as the user named them, settings every option's value in force, and seconds those of each stage. Each
+    frame has its measures, and a file or None.
     """
     return {
         "report": REPORT_FORMAT,

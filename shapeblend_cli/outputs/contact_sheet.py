@@ -48,22 +48,10 @@ def contact_sheet(
     ground: str | None = WHITE,
     page: str | None = PAGE,
 ) -> Image.Image:
-    """Return a picture of all drawings in rows, each in a cell of its own.
+    """Return a picture of one or more drawings in rows, each in a cell of its own.
 
-    Parameters
-    ----------
-    svgs : sequence of str
-        See `rasterize`; at least one.
-    cell : Size
-    columns : int, optional
-        By default `columns_for` so many drawings.
-    ground, page : str or None
-        Colours behind the drawings and between the cells; None is transparent.
-
-    Raises
-    ------
-    PictureError
-        It has too many pixels.
+    Without a number of columns there are `columns_for` so many. Colours of None, behind the drawings and between the
+    cells, are transparent. Raises PictureError if the picture has too many pixels.
     """
     from PIL import Image, ImageColor
 

@@ -31,41 +31,19 @@ class Rendered(NamedTuple):
 class Format(NamedTuple):
     """A format that a blend can be written in.
 
-    Attributes
-    ----------
-    name, help : str
-    render : callable
-        Returns the contents of an output from pairs.
-    emit : str
-        The value of ``--emit`` that asks for it; ``frames`` leaves the choice to ``--output`` and ``--format``.
-    suffix : str
-        Of its file; empty if it is a folder.
-    files : sequence of str
-        Names of the files in its folder; empty if that has a file for each frame.
-    to_standard_output : bool
-        Whether it can be written there.
-    takes_sequences : bool
-        Whether it shows more than two drawings.
-    defaults : mapping
-        The options that formats share but not all take, with their defaults.
-    motion : str
-        What the motion ``auto`` stands for.
-    check : callable
-        Raises `OptionError` for options that it cannot be written with.
-    check_libraries : callable
-        Raises `PictureError` if libraries are missing.
+    Checks raise `OptionError` for options that it cannot be written with, and `PictureError` for missing libraries.
     """
 
     name: str
     help: str
     render: Callable[[OutputSpec, Sequence[Pair]], Rendered]
-    emit: str = "frames"
-    suffix: str = ""
-    files: Sequence[str] = ()
-    to_standard_output: bool = False
-    takes_sequences: bool = True
-    defaults: Mapping[str, str | int | None] = {}
-    motion: str = "auto"
+    emit: str = "frames"  # the value of --emit for it; frames leaves the choice to --output and --format
+    suffix: str = ""  # of its file; empty if it is a folder
+    files: Sequence[str] = ()  # names in its folder; empty if that has a file for each frame
+    to_standard_output: bool = False  # whether it can be written there
+    takes_sequences: bool = True  # whether it shows more than two drawings
+    defaults: Mapping[str, str | int | None] = {}  # of the shared options that it takes
+    motion: str = "auto"  # what the motion auto stands for
     check: Callable[[OutputSpec], None] = lambda spec: None
     check_libraries: Callable[[], None] = lambda: None
 
@@ -79,18 +57,11 @@ class OutputSpec(NamedTuple):
     """An output with nothing left to choose, of so many drawings; see `options.specify`.
 
     `options.OutputOptions` describes the fields after `timing`; None is what the format has no use for.
-
-    Attributes
-    ----------
-    path : str
-        A folder, the name of a file, or ``-``.
-    settings : Settings
-        Reads frames, ends, curves and style.
     """
 
     format: Format
-    path: str
-    settings: Settings
+    path: str  # a folder, the name of a file, or "-"
+    settings: Settings  # reads frames, ends, curves and style
     drawings: int
     timing: Timing
     animate: str

@@ -133,18 +133,8 @@ class OutputOptions(Record, section=PICTURES):
 def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> OutputSpec:
     """Choose the format that is asked for, check the options, and fill in the defaults of the format.
 
-    Parameters
-    ----------
-    options : OutputOptions
-    settings : Settings
-        Its motion ``auto`` becomes that of the format.
-    drawings : int
-        How many are blended, >= 2.
-
-    Raises
-    ------
-    OptionError
-        Options that contradict each other or do not go with the format.
+    The motion ``auto`` becomes that of the format. Options that contradict each other, or do not go with the format,
+    raise OptionError.
     """
     format, path = choose(options.emit, options.output, options.format, drawings)
     asked = f"--output {path}" if options.emit == "frames" else f"--emit {options.emit}"
@@ -160,16 +150,9 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
             raise OptionError("--frames and --fps both say how many pictures there are; one will do")
     if settings.motion == "auto":
         settings = settings.replace(motion=format.motion)
-    spec = OutputSpec(
-        format,
-        path,
-        settings,
-        drawings,
-        Timing(options.duration, settings.ease, options.repeat),
-        options.animate,
-        options.precision,
-        **{name: getattr(options, name) or defaults.get(name) for name in SHARED},
-    )
+    timing = Timing(options.duration, settings.ease, options.repeat)
+    shared = {name: getattr(options, name) or defaults.get(name) for name in SHARED}
+    spec = OutputSpec(format, path, settings, drawings, timing, options.animate, options.precision, **shared)
     format.check(spec)
     return spec
 

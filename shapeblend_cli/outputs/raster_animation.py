@@ -82,17 +82,9 @@ def run_for(fps: int | None, frames: int, pairs: int, timing: Timing) -> Run:
 
 
 def encode(kind: str, svgs: Sequence[str], size: Size, run: Run, background: str | None) -> bytes:
-    """Return the file of an animation.
+    """Return a GIF, a WebP or an animated PNG of documents from the first drawing to the last; see `rasterize`.
 
-    Parameters
-    ----------
-    kind : {'gif', 'webp', 'apng'}
-    svgs : sequence of str
-        From the first drawing to the last; see `rasterize`.
-    size : Size
-    run : Run
-    background : str or None
-        See `rasterize`; a GIF needs one.
+    A GIF needs a background.
     """
     pngs = [rasterize(svg, size, background) for svg in svgs]
     pictures = (read_png(pngs[k]) for k in run.order())

@@ -53,21 +53,8 @@ UNSUPPORTED = tuple(
 def choose(emit: str, path: str | None, frame_format: str | None, drawings: int) -> tuple[Format, str]:
     """Return the format that is asked for, and the path that is written to.
 
-    Parameters
-    ----------
-    emit : str
-        One of `EMITS`.
-    path : str or None
-        A folder, the name of a file, or ``-``.
-    frame_format : str or None
-        One of `FRAME_FORMATS`, for folders.
-    drawings : int
-        How many are blended, >= 2.
-
-    Raises
-    ------
-    OptionError
-        No format is written so.
+    The path is a folder, the name of a file, or ``-``; of `FRAME_FORMATS`, folders alone have one. Two or more drawings
+    are blended. Raises OptionError if no format is written so.
     """
     formats = [format for format in FORMATS if format.emit == emit]
     path = path or DEFAULT + formats[0].suffix
