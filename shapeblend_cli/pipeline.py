@@ -39,11 +39,9 @@ from shapeblend_cli.pairing.shapes import Match, shape_blends
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.views import view_of, views_with_room
 
-ROUNDS = 5
-"""How often a shape is aligned and matched again, at most; two or three are enough."""
-
-SAME_ANGLE = 2e-3
-"""An angle stays that changes by less, in radians."""
+ROUNDS, SAME_ANGLE = 5, 2e-3
+"""A shape is aligned and matched again until the angle changes by less, in radians, or so often; two or three times are
+enough."""
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

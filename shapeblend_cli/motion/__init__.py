@@ -1,1 +1,1 @@
-"""Vertex paths that are not straight: how outlines go from one drawing to the next."""
+"""How shapes move from one drawing to the next otherwise than on straight vertex paths."""

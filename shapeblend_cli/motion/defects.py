@@ -15,28 +15,19 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import ComplexArray, ContourBlend, CubicPath, FloatArray, ShapeBlend
 
-CHECKED_TIMES = tuple(k / 20 for k in range(1, 20))
-"""Times at which crossings are counted, besides those of the frames."""
+CHECKED_TIMES, MEASURED_TIMES = tuple(k / 20 for k in range(1, 20)), tuple(k / 8 for k in range(1, 8))
+"""Times at which crossings are counted, besides those of the frames, and at which the rest is measured."""
 
-MEASURED_TIMES = tuple(k / 8 for k in range(1, 8))
-"""Times at which area, reach and lengths are measured."""
-
-LEAST_AREA, MOST_AREA = 0.72, 1.6
-"""An in-between has at least that share of the area it would have if it only grew, and at most this share of the
-straight line between the ends' areas."""
+LEAST_AREA, MOST_AREA, COLLAPSE_AREA = 0.72, 1.6, 0.6
+"""An in-between has at least the first share of the area it would have if it only grew, and at most the second of the
+straight line between the ends' areas. With less than the third there is little left to see."""
 
 NEGLIGIBLE_AREA = 1e-3
 """Less area, as a share of the square of a shape's size, is rounding, or lines there and back."""
 
-COLLAPSE_AREA = 0.6
-"""With a smaller share there is little left to see."""
-
-SECTION = 0.2
-"""Share of an outline's length that is a limb: a fifth."""
-
-LEAST_SECTION = 0.65
-"""A limb collapses if it has less than this share of the length of its shorter end. On straight paths one does that is
-rotated by 100 degrees against the rest."""
+SECTION, LEAST_SECTION = 0.2, 0.65
+"""A fifth of an outline's length is a limb. It collapses if it has less than this share of the length of its shorter
+end. On straight paths one does that is rotated by 100 degrees against the rest."""
 
 MOST_REACH = 1.3
 """In-betweens stay within so many times the distance that both ends have from their centre. What rotates in place

@@ -34,11 +34,9 @@ SHRINKING_LEVEL, LEAST_SIZE = 8, 0.25
 
 AXES = np.array([1.0, 1.0j])
 
-LEAST_EDGE = 0.02
-"""Edges count as no shorter than this share of the mean one, or coincident vertices would leap apart."""
-
-VANISHING = 1e-3
-"""A contour stays as it is once its edges have this share of their length."""
+LEAST_EDGE, VANISHING = 0.02, 1e-3
+"""Edges count as no shorter than this share of the mean one, or coincident vertices would leap apart. A contour stays
+as it is once its edges have this share of their length."""
 
 MOST_GROWTH = 2.0
 """Scaling makes a contour so many times as large in a step, at most: if it crosses itself its area may become 0."""

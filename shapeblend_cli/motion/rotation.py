@@ -20,17 +20,13 @@ SAMPLES = 256
 ALIKE = 0.999
 """Correlation of outlines that are the same but for a similarity: what remains is about 4 % of the size."""
 
-NEARLY_BEST = 1e-3
-"""Starts whose correlation is less than this below the best are as good; then the smallest angle is meant."""
+NEARLY_BEST, ROUNDING = 1e-3, 1e-6
+"""Starts whose correlation is less than this below the best are as good, and then the smallest angle is meant; those
+whose correlation differs by less are the same."""
 
-ROUNDING = 1e-6
-"""Correlations that differ by less are the same."""
-
-MOST_RESIDUAL = 0.03
-"""B is a rotated copy if no more than this share of A's size is left, root mean square, once it is rotated back."""
-
-LEAST_ROTATION = np.radians(1.0)
-"""By a smaller angle outlines are not rotated."""
+LEAST_ROTATION, MOST_RESIDUAL = np.radians(1.0), 0.03
+"""B is a rotated copy if the angle is larger, and no more than this share of A's size is left, root mean square, once
+it is rotated back."""
 
 
 def rotation_between(a: Polygon, b: Polygon) -> float | None:

@@ -13,11 +13,9 @@ if TYPE_CHECKING:
 
 FULL_TURN = 2.0 * np.pi
 
-CUSP = np.pi - 1e-6
-"""From this angle on a turn is half a round, back over itself, and its sign means nothing."""
-
-SHARP = 0.75 * np.pi
-"""From this angle on a turn may be taken for one the other way round, where two chains disagree about the sum."""
+CUSP, SHARP = np.pi - 1e-6, 0.75 * np.pi
+"""From the first angle on a turn is half a round, back over itself, and its sign means nothing; from the second on it
+may be taken for one the other way round, where two chains disagree about the sum."""
 
 NEARLY_STRAIGHT = 0.1
 """Neighbours of a cusp that turn by less, together, do not say which way round it turns."""

@@ -24,12 +24,10 @@ DISTANCE_WEIGHT = 1.0
 SIZE_WEIGHT = 0.5
 """Cost of a change of size by the factor e."""
 
-WORK_WEIGHT = 0.5
-"""Cost of any amount of work. Less costs its share, work / (work + `WORK_HALF_SATURATION`): shapes that differ in every
-detail are not worse partners than those that differ in most."""
-
-WORK_HALF_SATURATION = 10.0
-"""Least work that costs half of `WORK_WEIGHT`: a circle into a five-pointed star takes about this much."""
+WORK_WEIGHT, WORK_HALF_SATURATION = 0.5, 10.0
+"""Cost of any amount of work, and the least work that costs half of it: a circle into a five-pointed star takes about
+this much. The cost is the share work / (work + `WORK_HALF_SATURATION`): shapes that differ in every detail are not
+worse partners than those that differ in most."""
 
 PAINT_WEIGHT = 0.5
 """Cost of turning a filled shape into one that is not, or one without a stroke into one with; and of turning black
@@ -38,11 +36,8 @@ into white."""
 SKIP_COST = 1.0
 """Cost of leaving out a contour as large as the drawing."""
 
-WORK_VERTICES = 32
-"""Vertices of the polygons whose work is compared."""
-
-MOST_WORKS = 400
-"""Number of pairs for which the work is computed, about. Of more, those that are cheapest without it."""
+WORK_VERTICES, MOST_WORKS = 32, 400
+"""Vertices of the polygons whose work is compared, and for how many pairs, about: the cheapest ones without it."""
 
 _COINCIDENT = 1e-6
 """Vertices of a unit box nearer than this are one."""

@@ -24,11 +24,9 @@ if TYPE_CHECKING:
 
     Numbers = tuple[int, int]
 
-ROUNDS = 4
-"""How often contours that could not keep the order of paint get other partners."""
-
-REFUSED_COST = 1e6
-"""Cost of a pair that is refused: more than that of any number of others."""
+ROUNDS, REFUSED_COST = 4, 1e6
+"""How often contours that could not keep the order of paint get other partners, and the cost of a pair that is refused
+for that: more than that of any number of others."""
 
 
 def pair_contours(

@@ -87,14 +87,6 @@ class _Outline(NamedTuple):
     holes: Sequence[Polygon]
 
 
-class _Cut(NamedTuple):
-    """A cut between vertices i and j of a polygon: the first piece runs from i to j, the second from j to i."""
-
-    cost: float
-    i: int
-    j: int
-
-
 def _pieces(
     outline: _Outline, partners: Sequence[PlacedContour], vertices: int
 ) -> list[tuple[Contour, PlacedContour]] | None:
@@ -106,13 +98,13 @@ def _pieces(
         _best_cut(outline, _area(first) / _area([*first, *second]), _centre(second) - _centre(first))
         for first, second in halved
     ]
-    best, cut = min(enumerate(cuts), key=lambda item: np.inf if item[1] is None else item[1].cost)
-    if cut is None:
+    best = min(range(len(cuts)), key=lambda k: cuts[k][0])
+    cost, i, j = cuts[best]
+    if not np.isfinite(cost):
         return None
-    first, second = halved[best]
     pieces: list[tuple[Contour, PlacedContour]] = []
-    for half, i, j in ((first, cut.i, cut.j), (second, cut.j, cut.i)):
-        contour = _section(outline, i, j)
+    for half, (start, end) in zip(halved[best], ((i, j), (j, i)), strict=True):
+        contour = _section(outline, start, end)
         polygon = flatten(contour, vertices)
         inside = [hole for hole in outline.holes if winding_numbers(hole.vertices[:1], polygon.vertices)[0]]
         smaller = _pieces(_Outline(contour, polygon, inside), half, vertices)
@@ -138,8 +130,11 @@ def _area(contours: Sequence[PlacedContour]) -> float:
     return sum(abs(signed_area(contour.polygon.vertices)) for contour in contours)
 
 
-def _best_cut(outline: _Outline, share: float, offset: complex) -> _Cut | None:
-    """Return the best straight cut that takes off a share of the area, the rest lying at an offset from it."""
+def _best_cut(outline: _Outline, share: float, offset: complex) -> tuple[float, int, int]:
+    """Return the best straight cut that takes off a share of the area, the rest lying at an offset from it.
+
+    That is its cost, infinite if no cut lies inside, and two vertices: a piece runs from the first to the second.
+    """
     z = outline.polygon.vertices
     ends = np.round(np.linspace(0, len(z), min(ENDS, len(z)), endpoint=False)).astype(np.intp)
     shares, offsets = _halves(z, ends)
@@ -156,8 +151,8 @@ def _best_cut(outline: _Outline, share: float, offset: complex) -> _Cut | None:
     for flat in np.argsort(cost, axis=None, kind="stable")[:TRIES]:
         p, q = np.unravel_index(flat, cost.shape)
         if np.isfinite(cost[p, q]) and _lies_inside(complex(z[ends[p]]), complex(z[ends[q]]), boundaries):
-            return _Cut(float(cost[p, q]), int(ends[p]), int(ends[q]))
-    return None
+            return float(cost[p, q]), int(ends[p]), int(ends[q])
+    return np.inf, 0, 0
 
 
 def _halves(z: ComplexArray, ends: IntArray) -> tuple[FloatArray, ComplexArray]:

@@ -28,12 +28,10 @@ if TYPE_CHECKING:
     from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import ComplexArray, Correspondence, FloatArray, IntArray
 
-UPRIGHT = np.radians(8.0)
-"""A contour that rotates by less is upright."""
-
-ROTATION_ANGLES = 5.0
-"""Rotating a contour by an angle costs as much as bending so many angles by it. An oval that is up to twice as high as
-wide then stays upright on its way to one that lies flat, and what has corners rotates if they say so."""
+UPRIGHT, ROTATION_ANGLES = np.radians(8.0), 5.0
+"""A contour that rotates by less is upright. Rotating by more costs as much as bending so many angles by it: an oval
+that is up to twice as high as wide then stays upright on its way to one that lies flat, and what has corners rotates if
+they say so."""
 
 SAME = 1e-9
 """Works that differ by less are the same, and so are those that differ by a smaller share."""
