@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.geometry.similarity import Similarity
-    from shapeblend_cli.model import Box, Drawing, Polygon, Shape, Style
+    from shapeblend_cli.model import Box, Drawing, Polygon, Style
 
     ContourPair = tuple["PlacedContour", "PlacedContour"]
 
@@ -60,7 +60,7 @@ class PlacedContour(NamedTuple):
     role: str
     exterior: int | None
     style: Style
-    any_rule: bool
+    any_rule: bool = True
     is_piece: bool = False
 
     @property
@@ -97,14 +97,6 @@ class PlacedDrawing(NamedTuple):
     contours: Sequence[PlacedContour]
 
 
-class _FlatContour(NamedTuple):
-    """A flattened contour, before its role is known."""
-
-    number: int
-    contour: Contour
-    polygon: Polygon
-
-
 def decompose(
     drawing: Drawing, to_a: Similarity, vertices: int, exterior_orientation: int | None = None
 ) -> tuple[list[PlacedContour], list[str]]:
@@ -131,13 +123,10 @@ def decompose(
             drawing.file,
             f"nothing in it can be blended: {left_out[0]}; an open line of 2 or a closed outline of 3 would work",
         )
-    target = exterior_orientation or main_orientation([c.polygon for flat in by_shape for c in flat])
-    contours = [
-        contour
-        for index, (shape, flat) in enumerate(zip(drawing.shapes, by_shape, strict=True))
-        for contour in _with_roles(index, shape, flat, to_a, target)
-    ]
-    return contours, [f"{drawing.file}: {phrase}, left out" for phrase in left_out]
+    flat = [contour for contours in by_shape for contour in contours]
+    target = exterior_orientation or main_orientation([contour.polygon for contour in flat])
+    placed = [contour for contours in by_shape for contour in _with_roles(contours, target)]
+    return placed, [f"{drawing.file}: {phrase}, left out" for phrase in left_out]
 
 
 def _check_size(drawing: Drawing) -> None:
@@ -166,24 +155,26 @@ def main_orientation(polygons: Sequence[Polygon]) -> int:
 
 def _flatten_shapes(
     drawing: Drawing, to_a: Similarity, vertices: int
-) -> tuple[list[list[_FlatContour]], list[str]]:
-    """Return the flattened contours of each shape, and phrases that name those without extent."""
-    by_shape: list[list[_FlatContour]] = []
+) -> tuple[list[list[PlacedContour]], list[str]]:
+    """Return the contours of each shape, all closed ones as exteriors, and phrases that name those without extent."""
+    by_shape: list[list[PlacedContour]] = []
     left_out: list[str] = []
     number = 0
-    for shape in drawing.shapes:
+    for index, shape in enumerate(drawing.shapes):
         by_shape.append([])
+        style = to_a.style(shape.style)
         for drawn in shape.contours:
             contour = to_a.contour(_close_if_filled(drawn, shape.style))
             polygon = flatten(contour, vertices)
-            if contour.closed and len(polygon.vertices) < 3 and shape.style.stroke is not None:
+            if contour.closed and len(polygon.vertices) < 3 and style.stroke is not None:
                 contour = Contour(contour.segments, contour.straight, closed=False)  # a line there and back
                 polygon = flatten(contour, vertices)
             if len(polygon.vertices) < (3 if contour.closed else 2):
                 kind = "closed" if contour.closed else "open"
                 left_out.append(f"contour {number}, {kind} with {len(polygon.vertices)} distinct vertices")
             else:
-                by_shape[-1].append(_FlatContour(number, contour, polygon))
+                role = EXTERIOR if contour.closed else LINE
+                by_shape[-1].append(PlacedContour(number, index, contour, polygon, role, None, style))
             number += 1
     return by_shape, left_out
 
@@ -200,28 +191,20 @@ def _close_if_filled(contour: Contour, style: Style) -> Contour:
     )
 
 
-def _with_roles(
-    index: int, shape: Shape, flat: Sequence[_FlatContour], to_a: Similarity, exterior_orientation: int
-) -> list[PlacedContour]:
+def _with_roles(contours: Sequence[PlacedContour], exterior_orientation: int) -> list[PlacedContour]:
     """Tell the exteriors of one shape from its holes, and orient them."""
-    closed = [contour for contour in flat if contour.contour.closed]
-    exterior_of: dict[int, int | None] = {}
-    is_reversed: dict[int, bool] = {}
-    style, any_rule = to_a.style(shape.style), True
-    if closed and style.fill is not None:
-        nesting = nest([contour.polygon for contour in closed], style.fill_rule, exterior_orientation)
-        for child, parent, reverse in zip(closed, nesting.exterior, nesting.reversed, strict=True):
-            exterior_of[child.number] = None if parent is None else closed[parent].number
-            is_reversed[child.number] = reverse
-        style, any_rule = style._replace(fill_rule=nesting.rule), nesting.any_rule
-    else:
-        style = style._replace(fill_rule="nonzero")
-    contours = []
-    for number, contour, polygon in flat:
-        exterior = exterior_of.get(number)
-        role = (EXTERIOR if exterior is None else HOLE) if contour.closed else LINE
-        if is_reversed.get(number, False):
-            polygon = reverse_polygon(polygon, len(contour.segments))
-            contour = reverse_contour(contour)
-        contours.append(PlacedContour(number, index, contour, polygon, role, exterior, style, any_rule))
-    return contours
+    closed = [contour for contour in contours if contour.role == EXTERIOR]
+    if not closed or closed[0].style.fill is None:
+        return [c._replace(style=c.style._replace(fill_rule="nonzero")) for c in contours]
+    nesting = nest([c.polygon for c in closed], closed[0].style.fill_rule, exterior_orientation)
+    style = closed[0].style._replace(fill_rule=nesting.rule)
+    placed = {c.number: c._replace(style=style, any_rule=nesting.any_rule) for c in contours}
+    for (number, *_), parent, is_reversed in zip(closed, nesting.exterior, nesting.reversed, strict=True):
+        contour = placed[number]
+        if parent is not None:
+            contour = contour._replace(role=HOLE, exterior=closed[parent].number)
+        if is_reversed:
+            polygon = reverse_polygon(contour.polygon, len(contour.contour.segments))
+            contour = contour._replace(contour=reverse_contour(contour.contour), polygon=polygon)
+        placed[number] = contour
+    return list(placed.values())

@@ -129,18 +129,14 @@ def _cheapest_pairs(
     if allowed.size == 1:
         assigned = [(0, 0)]
     else:
-        costs = _less_skip_costs(pairing_costs(a, b, constants), a, b)
+        costs = pairing_costs(a, b, constants)
+        # Larger contours are cheaper on the side that has more, so that what is left out is small.
+        if len(a.contours) < len(b.contours):
+            costs -= SKIP_COST * b.sizes()
+        elif len(a.contours) > len(b.contours):
+            costs -= SKIP_COST * a.sizes()[:, None]
         assigned = assign(np.where(allowed, costs, REFUSED_COST))
     return pairs + [(a.contours[i], b.contours[j]) for i, j in assigned if allowed[i, j]]
-
-
-def _less_skip_costs(costs: FloatArray, a: FramedContours, b: FramedContours) -> FloatArray:
-    """Make larger contours cheaper on the side that has more, so that what is left out is small."""
-    if len(a.contours) < len(b.contours):
-        return costs - SKIP_COST * b.sizes()
-    if len(a.contours) > len(b.contours):
-        return costs - SKIP_COST * a.sizes()[:, None]
-    return costs
 
 
 def assign(costs: FloatArray) -> list[tuple[int, int]]:

@@ -93,7 +93,9 @@ def _pieces(
     """Cut a contour into a piece for each partner, by halves; None if no cut lies inside."""
     if len(partners) == 1:
         return [(outline.contour, partners[0])]
-    halved = [_halved(partners, axis) for axis in AXES]
+    half = len(partners) // 2
+    ranked = [sorted(partners, key=lambda p: ((p.centre * axis.conjugate()).real, p.number)) for axis in AXES]
+    halved = [(contours[:half], contours[half:]) for contours in ranked]
     cuts = [
         _best_cut(outline, _area(first) / _area([*first, *second]), _centre(second) - _centre(first))
         for first, second in halved
@@ -103,23 +105,15 @@ def _pieces(
     if not np.isfinite(cost):
         return None
     pieces: list[tuple[Contour, PlacedContour]] = []
-    for half, (start, end) in zip(halved[best], ((i, j), (j, i)), strict=True):
+    for some, (start, end) in zip(halved[best], ((i, j), (j, i)), strict=True):
         contour = _section(outline, start, end)
         polygon = flatten(contour, vertices)
         inside = [hole for hole in outline.holes if winding_numbers(hole.vertices[:1], polygon.vertices)[0]]
-        smaller = _pieces(_Outline(contour, polygon, inside), half, vertices)
+        smaller = _pieces(_Outline(contour, polygon, inside), some, vertices)
         if smaller is None:
             return None
         pieces += smaller
     return pieces
-
-
-def _halved(
-    partners: Sequence[PlacedContour], axis: complex
-) -> tuple[list[PlacedContour], list[PlacedContour]]:
-    """Return the partners that lie first along an axis, and the others."""
-    ranked = sorted(partners, key=lambda partner: ((partner.centre * axis.conjugate()).real, partner.number))
-    return ranked[: len(ranked) // 2], ranked[len(ranked) // 2 :]
 
 
 def _centre(contours: Sequence[PlacedContour]) -> complex:
