@@ -82,7 +82,7 @@ Curve = cython.struct(
 
 @cython.cclass
 class Corners:
-    """What the bends need to know of each vertex of a wire.
+    """The angles at the vertices of a wire.
 
     Parameters
     ----------
@@ -125,6 +125,10 @@ class Corners:
         base = back / np.abs(back) * np.exp(-1j * (0.5 * np.pi + 0.5 * theta))
         self.theta, self.back, self.fwd, self.base = theta, back, fwd, base
         self.back_arg, self.fwd_arg, self.base_arg = np.angle(back), np.angle(fwd), np.angle(base)
+
+    def sharpness(self) -> FloatArray:
+        """Return how far each angle is from straight, radians."""
+        return np.abs(np.asarray(self.theta) - np.pi)
 
 
 @cython.cfunc
@@ -344,21 +348,20 @@ def fill_bends(
     window: Window,
     bends: FloatArray,
 ) -> None:
-    """Fill in the seven bends of every dot of a window.
+    """Price the seven bends of every dot of a window.
 
     Parameters
     ----------
     p, q : Corners
-        Those of the two wires, with m and n vertices.
+        Of the first wire and the second.
     bending : Bending
     columns : (columns,) int
-        The vertex of the first wire that each column of the window is.
+        The vertex of the first wire that each column is; rows are those of the second, modulo n.
     weight : (columns,) float
-        What k_b is multiplied by there.
+        Multiplies k_b there.
     window : Window
-        Its rows are vertices of the second wire, modulo n.
     bends : (dots, 7) float
-        Overwritten; the last axis is one of the bends of `steps`.
+        Overwritten.
     """
     vertices: cython.Py_ssize_t[::1] = columns
     stiffness: cython.double[::1] = weight
@@ -389,19 +392,17 @@ def fill_bends(
 
 
 def angle_change(q0: complex, q1: complex, q2: complex) -> tuple[float, float, bool]:
-    """How theta moves along the Q curve with these control points (section 2.1).
+    """Return delta theta, delta theta* and whether theta reaches zero along a Q curve (section 2.1).
 
     Parameters
     ----------
     q0, q1, q2 : complex
-        Control points of Q(t), eq (9); none of the ends is 0.
+        Control points of Q(t), eq (9); neither end is 0.
 
     Returns
     -------
-    delta_theta : float
-        Eq (11), radians in [0, 2 pi).
-    delta_theta_star : float
-        Way travelled against the net direction (figure 18), radians.
+    delta_theta, delta_theta_star : float
+        Radians.
     reaches_zero : bool
         Whether theta(t) = 0 for a t in [0, 1], eq (3).
 

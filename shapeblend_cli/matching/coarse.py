@@ -2,7 +2,7 @@
 
 A problem too large to be solved at once is thinned out to a third of its vertices on each side, sharp
 corners first, and solved so, by thinning again if need be. In the full graph only a corridor is searched:
-the dots that correspond to those of coarse paths of hardly more work than the best, as many as there is
+the dots that correspond to those of coarse paths of little more work than the best, as many as there is
 room for, and some around them. Where the best path touches the corridor's wall the corridor is widened and
 searched again. Under finer sampling stretching and bending work tend to a limit, so a coarse optimum
 is near a fine one; but nothing is proven.
@@ -44,8 +44,8 @@ FOLLOWED = (
     (0.01, 1 / 128),
     (0.0, 0.0),
 )
-"""Which coarse paths are followed: how much more work than the best one they may take, and how far from its
-start they may start, both as shares. The first for which there is room."""
+"""Which coarse paths are followed: the share of the best one's work that they may take more, and how far from its start
+they may start, as a share of the vertices. The first for which there is room."""
 
 CORRIDOR_DOTS, CORRIDOR_ROWS = 1_500_000, 120
 """Room for a corridor: so many dots, or so many rows a column if that is more."""
@@ -63,10 +63,7 @@ LEAST_VERTICES = 100
 
 
 class Problem(NamedTuple):
-    """Wires whose vertices 0 are column 0 and row 0, and what is asked of a path between them.
-
-    See `solve.Search`. Where any start is asked for, it lies in the first `start_rows` rows, if that is a number.
-    """
+    """A search (see `solve.Search`) from vertices 0, or from any start, in the first `start_rows` rows if so."""
 
     wires: Wires
     band: float | None = None
@@ -82,8 +79,8 @@ def solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[
     ----------
     problem : Problem
     pins : list of (int, int), or None
-        Columns and rows the path goes through, in order, besides dot [0, 0], from which it leads back to
-        itself or to the other ends. None for closed polygons: any start.
+        Columns and rows the path goes through, in order, from dot [0, 0] back to itself or to the other ends. None for
+        closed polygons: any start.
     exact_dots : float
         Graphs of more dots are solved from coarse to fine.
 
@@ -92,8 +89,8 @@ def solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[
     path : Path or None
         None when the band or the pins leave none.
     lower_bound : float
-        No path of these wires costs less, through the pins or not, in the band or not, from any start; infinite where
-        none costs less than this one, 0 where nothing is known.
+        Of all paths, through the pins and in the band or not; infinite if the path itself is the least of all, 0 where
+        nothing is known.
     """
     path, graph = _solve(problem, pins, exact_dots)
     if not _is_small(problem.wires, exact_dots) or problem.start_rows is not None:
@@ -114,7 +111,7 @@ def _solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple
 
 
 def _region(problem: Problem, pins: list[Dot] | None) -> Window:
-    """The part of the graph that paths through the pins may go through."""
+    """Return the part of the graph where paths through the pins may run."""
     m, n, closed = problem.wires.m, problem.wires.n, problem.wires.closed
     columns = m + 1 if closed else m
     if pins is None:
@@ -202,11 +199,11 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Grap
 
 
 def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> tuple[ComplexArray, IntArray]:
-    """A polygon of about a third of the vertices, or all where there are few.
+    """Return a polygon of about a third of the vertices, or all where there are few.
 
     Corners stay, one in `FACTOR` vertices at the most; so do vertex 0, the last of an open polygon, and those to
-    `keep`. Between them vertices are spread evenly over those there are, on edges if need be: edges longer and
-    shorter by turns would bend while they turn, and that would look like work.
+    `keep`. Between them vertices are spread evenly over those there are, on edges if need be: edges of changing lengths
+    would look like work.
 
     Returns
     -------
@@ -217,10 +214,9 @@ def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> tuple[ComplexA
     m = len(vertices)
     if m <= LEAST_VERTICES:
         return vertices, np.arange(m)
-    sharpness = np.abs(np.asarray(Corners(vertices, closed).theta) - np.pi)
     runs = -(-m // FACTOR)
     padded = np.zeros(runs * FACTOR)
-    padded[:m] = sharpness
+    padded[:m] = Corners(vertices, closed).sharpness()
     sharp = np.arange(runs) * FACTOR + padded.reshape(runs, FACTOR).argmax(axis=1)
     fixed = set(sharp[padded[sharp] > CORNER].tolist()) | keep | {0}
     if not closed:
@@ -242,20 +238,20 @@ def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> tuple[ComplexA
 def corridor(
     columns: IntArray, rows: IntArray, pad: IntArray, period: Dot | None, walls: Window | None
 ) -> Window:
-    """The dots around what coarse paths cover.
+    """Return the dots around those that coarse paths reach.
 
     Parameters
     ----------
     columns : (k,) int
-        Columns of the full graph that coarse paths know of, rising, from the first to the last.
+        Columns of the full graph that coarse paths have, rising, from the first to the last.
     rows : (k, 2) int
-        The first and last row that coarse paths come by in each.
+        First and last row that coarse paths reach in each.
     pad : (columns,) int
         How far the corridor reaches beyond, to all sides.
     period : (int, int) or None
-        The vertex numbers m and n of closed polygons: the corridor goes on as it began.
+        m and n of closed polygons: the corridor ends as it began.
     walls : Window or None
-        What it must stay inside; without walls its rows only must not be negative.
+        What it stays inside.
     """
     low, high = rows[:, 0], np.maximum.accumulate(rows[:, 1])
     if period is not None:
@@ -264,7 +260,7 @@ def corridor(
         low = np.concatenate([low[:-1] - n, low, low[1:] + n])
         high = np.concatenate([high[:-1] - n, high, high[1:] + n])
     column = np.arange(len(pad))
-    # Between two columns that are known a path may come by anywhere from the first's rows to the second's.
+    # Between two such columns a path may run anywhere from the rows of one to those of the other.
     before = np.clip(np.searchsorted(columns, column - pad, "right") - 1, 0, None)
     after = np.clip(np.searchsorted(columns, column + pad, "left"), None, len(columns) - 1)
     low, high = low[before], high[after]
@@ -285,7 +281,7 @@ def corridor(
 
 
 def _touching(path: IntArray, region: Window, walls: Window | None) -> BoolArray:
-    """The columns in which a path runs along a wall of its corridor that is no wall of the graph."""
+    """Return the columns in which a path runs along a wall of its corridor that is no wall of the graph."""
     c, r = path[:, 0], path[:, 1]
     at_low, at_high = r == region.low[c], r == region.high[c]
     if walls is not None:
@@ -297,10 +293,10 @@ def _touching(path: IntArray, region: Window, walls: Window | None) -> BoolArray
 
 
 def _fine_rows(rows: IntArray, kept: IntArray, period: int) -> IntArray:
-    """Vertex numbers of the full polygon, counted on beyond its period, nearest to those of the thinned one."""
+    """Return vertices of the full polygon nearest to those of the thinned one, both counted on beyond their number."""
     return kept[rows % len(kept)] + period * (rows // len(kept))
 
 
 def _coarse_row(row: int, kept: IntArray, period: int) -> int:
-    """The inverse of `_fine_rows` for a vertex that was kept."""
+    """Invert `_fine_rows` for a vertex that was kept."""
     return int(np.searchsorted(kept, row % period)) + len(kept) * (row // period)

@@ -1,7 +1,4 @@
-"""The graph of two wires, searched by sweeps through it.
-
-Tables that would not fit into memory are made block by block in every sweep.
-"""
+"""The graph of two wires, or a part of it, and the paths that a sweep finds there."""
 
 from __future__ import annotations
 
@@ -26,21 +23,21 @@ ROUNDING = 1e-12
 """Sums of work taken in another order differ by less than this share of them."""
 
 STORED_DOTS = 12_000_000
-"""Tables of more dots than these, about a gigabyte, are made block by block."""
+"""Tables of more dots than these, about a gigabyte, are made block by block in every sweep."""
 
 BLOCK_DOTS = 1_000_000
 
 BOUND_DOTS = 250_000
 """Up to so many dots tables of the whole graph are made for a lower bound alone."""
 
-NO_STEPS = np.empty(0, np.uint8)
+NOT_KEPT = np.empty(0, np.uint8)
 
 PRICED, FIRST_SWEPT = 0.5, 0.6
 """Shares of a usual search that are done when the tables are, and when the first pass is."""
 
 
 class Path(NamedTuple):
-    """A path in columns and rows from its start to its end, and the sweeps it took to find."""
+    """A path in columns and rows from its start to its end, and the number of sweeps that found it."""
 
     dots: Dots
     work: float
@@ -48,18 +45,18 @@ class Path(NamedTuple):
 
 
 class Starts(NamedTuple):
-    """A set of starting states in column 0, and a bound no closed path from one of them is below."""
+    """A set of states in column 0, the dots of some rows and steps, and a lower bound of closed paths from there."""
 
     bound: float
     first_row: int
     last_row: int
     steps: tuple[int, ...]
 
-    def terminals(self, further: int = 0) -> Terminals:
-        """The dots of these starts, or those so many rows further down."""
+    def terminals(self, below: int = 0) -> Terminals:
+        """Return these states, or those so many rows below."""
         work = np.full(3, np.inf)
         work[list(self.steps)] = 0.0
-        return Terminals(self.first_row + further, self.last_row + further, work)
+        return Terminals(self.first_row + below, self.last_row + below, work)
 
     def halves(self) -> tuple[Starts, Starts]:
         """Cut the set in two, rows before steps. A single state cannot be cut, and its paths are closed."""
@@ -70,17 +67,17 @@ class Starts(NamedTuple):
 
 
 class Graph:
-    """The graph of two wires, or a part of it, to be searched by sweeps.
+    """The graph of two wires, or a region of it.
 
     Parameters
     ----------
     wires : Wires
     region : Window
-        The columns, 0 to m when closed, 0 to m - 1 when open, and the rows that paths may go through.
+        The columns, 0 to m when closed, 0 to m - 1 when open, and the rows where paths may run.
     band : float, optional
         Diagonal deviation, eq (30), that a path may have from its own start.
     watch : callable
-        Told which share of the search is done, as far as that can be known.
+        Called with the share of the search that is done, as far as it is known.
     """
 
     def __init__(
@@ -112,7 +109,7 @@ class Graph:
             self.watch(PRICED)
 
     def forbid(self, dots: Sequence[tuple[int, int]]) -> None:
-        """Let no Southeast step leave these dots."""
+        """Forbid Southeast steps from these dots."""
         self._forbidden = dots
         if self._tables is not None:
             self._without_forbidden(self._tables)
@@ -127,7 +124,7 @@ class Graph:
         return tables
 
     def limits(self, starts: Starts) -> Window | None:
-        """The part of the region that paths from a set of starts may go through; None when that is nothing."""
+        """Return the part of the region where paths from a set of starts may run, or None."""
         low = np.maximum(self.region.low, starts.first_row)
         high = np.minimum(self.region.high, starts.last_row + self.span)
         if self.band is not None:
@@ -138,9 +135,9 @@ class Graph:
         return Window.between(low, high) if (low <= high).all() else None
 
     def bound_starts(self) -> FloatArray | None:
-        """Bound the work of every closed path by the row it starts in, from the first row of the region on.
+        """Bound the work of closed paths from each row, from the first row of the region on.
 
-        Later sweeps are pruned by the pass that this takes. None where tables are not stored.
+        The bounds of the pass prune later sweeps. None where tables are not stored.
         """
         if self._tables is None:
             return None
@@ -153,10 +150,9 @@ class Graph:
         return bounds
 
     def lower_bound(self) -> float:
-        """Bound the work of every path between the wires, wherever it begins, whatever the region and the band.
+        """Bound the work of all paths between the wires, whatever the region, the band and the forbidden dots.
 
-        The least of `bound_starts`, or else that of a pass of its own, which keeps two columns in memory. 0 where
-        tables of the whole graph are not stored and would take long.
+        One pass backwards, with two columns in memory, unless `bound_starts` knows. 0 where that would take long.
         """
         if self._least is not None:
             return self._least
@@ -171,34 +167,29 @@ class Graph:
             columns, rows, starts = m + 1, 2 * n, Starts(0.0, 0, n - 1, ENTERING)
         window = Window.full(columns, rows)._replace(column_offset=np.arange(columns) % 2 * rows)
         to_go = np.empty((2 * rows, 3))
-        sweeps.cost_to_go(tables, window, starts.terminals(self.span), to_go, NO_STEPS)
+        sweeps.cost_to_go(tables, window, starts.terminals(self.span), to_go, NOT_KEPT)
         return float(to_go[: starts.last_row + 1, list(starts.steps)].min())
 
     def _bound_states(self, starts: Starts) -> None:
-        """Bound the work from every state to the ends of paths from these starts, for later sweeps."""
+        """Bound the work from every state to the ends of paths from these starts."""
         assert self._tables is not None
         self._to_go = np.empty((self.region.dots, 3))
-        sweeps.cost_to_go(self._tables, self.region, starts.terminals(self.span), self._to_go, NO_STEPS)
+        sweeps.cost_to_go(self._tables, self.region, starts.terminals(self.span), self._to_go, NOT_KEPT)
         self.sweeps += 1
         self.watch(FIRST_SWEPT)
 
     def rows_near(self, path: Path, slack: float, reach: float | None) -> IntArray:
-        """The rows of each column that a path of hardly more work than the given one can come by.
+        """Return the first and the last row of each column that paths of little more work can reach: (columns, 2).
 
         Parameters
         ----------
         path : Path
-            The least path of this search.
+            The least path of this graph.
         slack : float
-            How much more work, as a share.
+            The share of its work that others may take more.
         reach : float or None
-            How far from where this path starts they may start, as a share of the second polygon's vertices; None
-            where there is one start, reached by any step.
-
-        Returns
-        -------
-        (columns, 2) int
-            The first and the last row.
+            How far from its start others may start, as a share of the second polygon's vertices; None where there is
+            one start, with any step.
         """
         row = path.dots[0][1]
         away = int((reach or 0.0) * self.wires.n)
@@ -222,15 +213,14 @@ class Graph:
         ----------
         starts : Starts
         limit : float
-            What it must cost less than.
+            The path costs less.
         simplified : bool
-            Use the simplified algorithm (section 4.1), from one start.
+            Use the simplified algorithm (section 4.1).
 
         Returns
         -------
         (work, dots, is_own) or None
-            `dots` in columns and rows. `is_own`: the path ends in the state it started from and stays in
-            the band around its own start. None when there is no path.
+            `is_own`: the path ends in the state it started from and stays in the band around its own start.
         """
         window = self.limits(starts)
         if window is None:
@@ -265,7 +255,7 @@ class Graph:
         return work, dots, own and self._in_band(dots)
 
     def _blocks(self, window: Window) -> Iterable[tuple[Tables, int]]:
-        """The tables for a window and the last column they have, all at once or in blocks of columns."""
+        """Yield tables for runs of columns of a window, and the last column of each run."""
         if self._tables is not None:
             yield self._tables, self.columns - 1
             return

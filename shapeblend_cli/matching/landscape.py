@@ -1,7 +1,6 @@
-"""What other paths through the graph would cost: the work of the least path through every dot.
+"""The work of the least path through every dot of a graph, to be drawn as in figures 25 and 29 of the paper.
 
-For looking at, as in figures 25 and 29 of Sederberg and Greenwood 1992, and for asking what else a vertex could
-correspond to. Paths begin at a given start, in a given state (see `graph`), and closed ones come back to it.
+Paths begin at a given start, in a given state (see `sweeps`), and closed ones return to it.
 
 Cost: O(m n) time and memory, about 80 bytes a dot.
 """
@@ -101,7 +100,6 @@ def landscape(wires: Wires, dots: IntArray, band: float | None = None) -> Landsc
         Diagonal deviation, eq (30), that paths may have from the start.
     """
     tables = _unrolled(wires, dots[0], band)
-    shape = len(tables.east), len(tables.south)
     # Closed paths end in the state in which they begin; at the ends of open wires there is no state yet.
     states = list(STEPS)
     if wires.closed:
@@ -111,17 +109,16 @@ def landscape(wires: Wires, dots: IntArray, band: float | None = None) -> Landsc
     to_go, after = _works(tables, ends)
 
     # The mirrored graph has the work from the start to every dot by the step out of it, the bend there included.
-    bends = np.where(BEND_OF_STEPS == NO_BEND, np.inf, tables.bends[0, BEND_OF_STEPS])
-    starts = bends[states].min(axis=0)
-    gone, before = (values[::-1, ::-1] for values in _works(_mirrored(tables), starts))
-    before[0, 0] = sum(
-        (states[0] if BEND_OF_STEPS[states[0], step] != NO_BEND else step) << 2 * step for step in STEPS
-    )
-    through = np.full((*shape, 3), np.inf)
+    has_bend = BEND_OF_STEPS != NO_BEND
+    starts = np.where(has_bend, tables.bends[0, BEND_OF_STEPS], np.inf)[states].min(axis=0)
+    so_far, before = (values[::-1, ::-1] for values in _works(_mirrored(tables), starts))
+    before[0, 0] = sum(np.where(has_bend[states[0]], states[0], STEPS) << np.array((0, 2, 4)))
+    through = np.full_like(to_go, np.inf)
     through[0, 0] = ends
-    through[1:, :, EAST] = gone[:-1, :, EAST] + tables.east[:-1, None]
-    through[:, 1:, SOUTH] = gone[:, :-1, SOUTH] + (tables.weight[:, None] * tables.south)[:, :-1]
-    through[1:, 1:, SOUTHEAST] = (gone[..., SOUTHEAST] + tables.southeast.reshape(shape))[:-1, :-1]
+    through[1:, :, EAST] = so_far[:-1, :, EAST] + tables.east[:-1, None]
+    through[:, 1:, SOUTH] = so_far[:, :-1, SOUTH] + (tables.weight[:, None] * tables.south)[:, :-1]
+    southeast = tables.southeast.reshape(through.shape[:2])
+    through[1:, 1:, SOUTHEAST] = (so_far[..., SOUTHEAST] + southeast)[:-1, :-1]
     through += to_go
     return Landscape(
         start=(int(dots[0, 0]), int(dots[0, 1])),
@@ -133,28 +130,17 @@ def landscape(wires: Wires, dots: IntArray, band: float | None = None) -> Landsc
 
 
 def _unrolled(wires: Wires, start: IntArray, band: float | None) -> Tables:
-    """Tables of every dot from a start on, none of them repeated; bends outside the band are infinite."""
-    m, n, again = wires.m, wires.n, int(wires.closed)
-    columns, rows = m + again, n + again
-    i, j = (start[0] + np.arange(columns)) % m, (start[1] + np.arange(rows)) % n
-    tables = wires.tables()
-    bends = tables.bends.reshape(m, n, 7)[np.ix_(i, j)]
+    """Return tables of every dot from a start on, without repetition; bends outside the band are infinite."""
+    columns, rows = wires.m + wires.closed, wires.n + wires.closed
+    tables = wires.beginning_at(int(start[0]), int(start[1])).tables(Window.full(columns, rows))
     if band is not None:
         share = np.linspace(0.0, 1.0, columns)[:, None] - np.linspace(0.0, 1.0, rows)
-        bends[np.abs(share) > band + 1e-9 / n] = np.inf
-    return Tables(
-        window=Window.full(columns, rows),
-        first_column=0,
-        weight=tables.weight[i],
-        east=tables.east[i],
-        south=tables.south[j],
-        southeast=tables.southeast.reshape(m, n)[np.ix_(i, j)].ravel(),
-        bends=bends.reshape(-1, 7),
-    )
+        tables.bends[(np.abs(share) > band + 1e-9 / wires.n).ravel()] = np.inf
+    return tables._replace(south=np.resize(tables.south, rows))
 
 
 def _mirrored(tables: Tables) -> Tables:
-    """The tables for paths that are followed backwards."""
+    """Return the tables for paths that are followed backwards."""
     shape = len(tables.east), len(tables.south)
     southeast = np.roll(tables.southeast[::-1].reshape(shape), (-1, -1), (0, 1))
     return tables._replace(
@@ -167,7 +153,7 @@ def _mirrored(tables: Tables) -> Tables:
 
 
 def _works(tables: Tables, ends: FloatArray) -> tuple[FloatArray, UIntArray]:
-    """Work from every state to the last dot, where it is given by the step in; and the steps out."""
+    """Find the work from every state to the last dot, where it is given by the step in; and the steps out."""
     shape = len(tables.east), len(tables.south)
     to_go, following = np.empty((tables.window.dots, 3)), np.empty(tables.window.dots, np.uint8)
     last_row = shape[1] - 1

@@ -27,27 +27,25 @@ EXACT_DOTS = {"exact": np.inf, "auto": 2_500_000, "fast": 40_000}
 
 
 class Search(NamedTuple):
-    """Where the least path is looked for, and how; by default everywhere.
+    """Where the least path is searched, and how; by default everywhere.
 
     Attributes
     ----------
     start : (int, int) or None
-        A vertex of the first polygon and the vertex of the second it must correspond to. Without it, and without pins,
-        every start is considered, and the result is the least over all of them.
+        A vertex of the first polygon and the vertex of the second that must correspond to it.
     pins : sequence of (int, int)
         Further vertices that must correspond.
     starts : (int, int, int) or None
-        A vertex of the first polygon, and the first and the last vertex of the second it may correspond to when a
-        closed path comes to it; the last may be counted on beyond n. Without it, and without `start` and pins, that may
-        be any.
+        A vertex of the first polygon, and the first and the last vertex of the second that a closed path may reach it
+        with; the last may be counted on beyond n.
     band : float or None
         Largest diagonal deviation, eq (30), of the path, measured from `start`, else from the first pin, else
-        from where the path comes to vertex 0 of the first polygon (section 5.2).
+        from where the path enters vertex 0 of the first polygon (section 5.2).
     solver : {'exact', 'simplified'}
         The rigorous algorithm, or that of section 4.1.
     effort : {'auto', 'exact', 'fast'}
-        `exact` proves the result however long it takes; `auto` does where it is quick; otherwise a
-        coarser problem is solved exactly and refined, and nothing is proven.
+        `exact` proves the result however long it takes, `auto` where that is quick. Otherwise a coarser problem is
+        solved exactly and refined.
     """
 
     start: Dot | None = None
@@ -77,10 +75,10 @@ def least_work(
     Returns
     -------
     Correspondence
-        Closed paths begin at the search's start, else at the first pin, else where they come to vertex 0 of the first
-        polygon. Its lower bound is that of all paths between these wires: from any start, through any vertices, in no
-        band, by the exact solver. It is the work itself where that was searched, 0 where nothing cheap is known: where
-        `starts` are given, and beyond the effort.
+        Closed paths begin at the search's start, else at the first pin, else where they enter vertex 0 of the first
+        polygon. The lower bound is that of all paths between these wires: from any start, through any vertices, in no
+        band. It is the work itself where all of them were searched, and 0 where no bound is known cheaply: if `starts`
+        are given, beyond the effort, and in very large graphs.
 
     Raises
     ------
@@ -98,7 +96,7 @@ def least_work(
     elif closed and search.starts:
         first0, first1 = search.starts[0], search.starts[1] % n
     elif closed and band is None:
-        first0 = int(np.abs(np.asarray(wires.corners0.theta) - np.pi).argmax())
+        first0 = int(wires.corners0.sharpness().argmax())
     problem = coarse.Problem(
         wires=wires.beginning_at(first0, first1),
         band=band,
@@ -145,7 +143,7 @@ def least_work(
 
 
 def diagonal_deviation(dots: IntArray, m: int, n: int, closed: bool) -> float:
-    """How far a path deviates from the diagonal through its first dot, eqs (29) and (30).
+    """Return how far a path deviates from the diagonal through its first dot, eqs (29) and (30).
 
     The m and n of the equations count edges: an open polygon has one less than vertices.
     """
@@ -155,7 +153,7 @@ def diagonal_deviation(dots: IntArray, m: int, n: int, closed: bool) -> float:
 
 
 def _checked_pins(pins: list[Dot], m: int, n: int) -> list[Dot]:
-    """The pins without repetitions, all of them within the polygons."""
+    """Drop repetitions, and check that the pins lie within the polygons."""
     for i, j in pins:
         if not (0 <= i < m and 0 <= j < n):
             raise MatchError(f"pin {i},{j} names no vertices; 0,0 to {m - 1},{n - 1} would")
@@ -163,23 +161,23 @@ def _checked_pins(pins: list[Dot], m: int, n: int) -> list[Dot]:
 
 
 def _placements(pins: list[Dot], m: int, n: int, closed: bool) -> list[list[Dot]]:
-    """Where in the graph the pins can lie so that one path goes through all of them, in order along it.
+    """Return the dots of the graph that the pins can be so that one path goes through all of them, in its order.
 
     A pin that shares a vertex with the first dot lies in the first column or in the last, in the first row or in
     the last.
     """
 
-    def places(i: int, j: int) -> list[Dot]:
+    def dots(i: int, j: int) -> list[Dot]:
         if not closed:
             return [(i, j)]
         return [(c, r) for c in ([0, m] if i == 0 else [i]) for r in ([0, n] if j == 0 else [j])]
 
-    ordered = [sorted(choice) for choice in product(*(places(i, j) for i, j in pins))]
+    ordered = [sorted(choice) for choice in product(*(dots(i, j) for i, j in pins))]
     return [p for p in ordered if all(r1 <= r2 for (_, r1), (_, r2) in pairwise(p))]
 
 
 def _crossing(rolled: list[Dot], pins: list[Dot], closed: bool) -> str:
-    """Say which pins cross."""
+    """Name two pins that cross."""
     order = sorted(range(len(pins)), key=lambda k: rolled[k])
     for first, second in pairwise(order):
         if rolled[first][1] > rolled[second][1]:
@@ -193,5 +191,5 @@ def _crossing(rolled: list[Dot], pins: list[Dot], closed: bool) -> str:
 
 
 def _enters_column_0(columns: IntArray) -> int:
-    """Where a closed path comes to column 0 from another column."""
+    """Return where a closed path enters column 0 from another column."""
     return int(np.flatnonzero((columns == 0) & (np.roll(columns, 1) != 0))[0])

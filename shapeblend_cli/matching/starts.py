@@ -13,8 +13,7 @@ bound and the set is cut in two. Sets are taken up in the order of their bounds,
 path is not above the next bound.
 
 Cost: O(m n) time and memory for the tables and the first pass; a later sweep visits only the dots that could
-still matter. Where the tables would not fit into memory they are made block by block in every sweep, and
-the first pass is left out.
+still matter. Where the tables would not fit into memory there is no first pass.
 """
 
 from __future__ import annotations
@@ -39,16 +38,16 @@ SLACKS = (0.02, 0.2)
 
 
 def least_from(graph: Graph) -> Path | None:
-    """Least path from the first dot of the region: back to it when closed, to the other ends when open."""
+    """Find the least path from the first dot of the region: back to it when closed, to the other ends when open."""
     row = int(graph.region.low[0])
     if graph.closed:
         return _branch_and_bound(graph, [Starts(0.0, row, row, STEPS)], np.inf)
-    found = graph.sweep(Starts(0.0, row, row, STEPS), np.inf)
+    found = graph.sweep(Starts(0.0, row, row, STEPS))
     return Path(found[1], found[0], graph.sweeps) if found else None
 
 
 def least_of_all(graph: Graph) -> Path | None:
-    """Least closed path over all starts in the region's column 0."""
+    """Find the least closed path over all starts in the region's column 0."""
     first = int(graph.region.low[0])
     bounds = graph.bound_starts()
     if bounds is None:
@@ -78,24 +77,9 @@ def least_of_all(graph: Graph) -> Path | None:
 def least_by_start(
     wires: Wires, vertex: int, band: float | None, watch: Callable[[float], None]
 ) -> FloatArray:
-    """Least work of a closed path through a vertex of the first polygon and every vertex of the second.
+    """Find the least work of closed paths through a vertex of the first polygon and each vertex of the second: (n,).
 
-    Cost: O(m n) for each of n starts.
-
-    Parameters
-    ----------
-    wires : Wires
-    vertex : int
-        Of the first polygon.
-    band : float or None
-        Diagonal deviation, eq (30), that paths may have from there.
-    watch : callable
-        Told which share is done.
-
-    Returns
-    -------
-    (n,) float
-        Infinite where no path stays in the band.
+    Infinite where no path stays in the band around that start. Cost: O(m n) for each of n starts.
     """
     columns, n = wires.m + 1, wires.n
     graph = Graph(wires.beginning_at(vertex, 0), Window.full(columns, 2 * n), band)
@@ -108,12 +92,12 @@ def least_by_start(
 
 
 def simplified_from(graph: Graph) -> Path | None:
-    """The simplified algorithm's best path from the first dot of the region."""
+    """Find the simplified algorithm's path from the first dot of the region."""
     return _simplified(graph, int(graph.region.low[0]), STEPS if graph.closed else (SOUTHEAST,))
 
 
 def simplified_of_all(graph: Graph) -> Path | None:
-    """The simplified algorithm's best path over all starts.
+    """Find the simplified algorithm's best path over all starts.
 
     Starts whose least work is above the best path so far need not be tried: the algorithm cannot do better.
     """
@@ -137,7 +121,7 @@ def _simplified(graph: Graph, row: int, steps: tuple[int, ...]) -> Path | None:
 
 
 def _branch_and_bound(graph: Graph, sets: list[Starts], limit: float) -> Path | None:
-    """Least path of its own from any of the sets that costs less than `limit`, or None."""
+    """Find the least path of its own from any of the sets that costs less than `limit`, or None."""
     best = None
     queue = list(sets)
     heapq.heapify(queue)

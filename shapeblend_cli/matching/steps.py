@@ -1,7 +1,7 @@
-"""Steps and bends of a path through the graph: their numbers and which may follow which.
+"""Steps and bends of paths through the graph.
 
-Paths go East (i + 1), South (j + 1) or Southeast (both). A bend is named after the step into a dot and the step out of
-it: E moves on the first wire alone, S on the second alone, D (Southeast) on both.
+Paths go East (i + 1), South (j + 1) or Southeast (both). A bend is named after the steps into a dot and out of it: E
+moves on the first wire alone, S on the second alone, D (Southeast) on both.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ BEND_OF_STEPS = np.array([[EE, NO_BEND, ED], [NO_BEND, SS, SD], [DE, DS, DD]])
 """The bend by the step into a dot and the step out of it. Turns of 90 degrees are none: section 4 forbids them."""
 
 MIRRORED_BENDS = (EE, DE, ED, SS, DS, SD, DD)
-"""Which bend each one is when the path is followed backwards."""
+"""The bends when a path is followed backwards."""
 
 
 def paired_step(byte: int, step: int) -> int:
-    """Return the step that a byte of parents (see `graph`) pairs with a step."""
+    """Return the step on the other side of a dot, of which a byte has one for each step: two bits, East lowest."""
     return int(byte) >> 2 * step & 3

@@ -62,13 +62,12 @@ def cost_to_go(
     to_go: cython.double[:, ::1],
     following: cython.uchar[::1],
 ) -> None:
-    """Least work from every state to the nearest end, from the last column backwards.
+    """Find the least work from every state of a window to the nearest end, from the last column backwards.
 
     Parameters
     ----------
     tables : Tables
     window : Window
-        The columns and rows to go through.
     ends : Terminals
         In the last column. A path ends where it meets one.
     to_go : (dots, 3) float
@@ -170,25 +169,25 @@ def sweep(
     last_column: cython.Py_ssize_t,
     simplified: cython.bint,
 ) -> None:
-    """Least work to every state from any start, eqs (20)-(22), column by column.
+    """Find the least work to every state of a window from any start, eqs (20)-(22), column by column.
+
+    Paths go South in the last column only if they may have begun in the middle of the same run.
 
     Parameters
     ----------
     tables : Tables
-        Of these columns at least.
+        Of the columns to sweep, at least.
     window : Window
-        The columns and rows to go through.
     starts : Terminals
-        In column 0; of open wires there is one.
+        In column 0.
     bounds : Bounds
     progress : Progress
-        Carried on. South steps are made in the last column only where the path may have begun in the middle of the
-        same run.
+        Carried on.
     last_column : int
-        As far as this one.
+        The last one to sweep.
     simplified : bool
-        Follow the algorithm of section 4.1, eqs (23)-(28): of the states of a dot only the cheapest is kept. Turns of
-        90 degrees, which (23)-(25) allow and section 4 forbids, cost infinitely much all the same.
+        Keep only the cheapest state of each dot: section 4.1, eqs (23)-(28). Turns of 90 degrees, which (23)-(25) allow
+        and section 4 forbids, cost infinitely much all the same.
     """
     east: cython.double[::1] = tables.east
     south: cython.double[::1] = tables.south
@@ -334,25 +333,14 @@ def sweep(
 def backtrack(
     parents: cython.uchar[::1], window: Window, row: cython.Py_ssize_t, step: cython.int
 ) -> tuple[list[tuple[int, int]], int]:
-    """Follow the parents from a state of the last column back to its start.
-
-    Parameters
-    ----------
-    parents : (dots,) uint8
-        As filled in by `sweep`.
-    window : Window
-        What it went through.
-    row : int
-        Row of the end of the path.
-    step : int
-        The step that led there.
+    """Follow the parents of a sweep from a row of the last column, and the step into it, back to a start.
 
     Returns
     -------
     dots : list of (int, int)
         Columns and rows from the start to the end, both included.
     step : int
-        The step that led to the start.
+        The step into the start.
     """
     low: cython.Py_ssize_t[::1] = window.low
     offset: cython.Py_ssize_t[::1] = window.column_offset

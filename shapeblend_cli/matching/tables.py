@@ -1,4 +1,7 @@
-"""What sweeps through a graph take: windows of it, the work of steps and bends, where paths begin and end, bounds."""
+"""What sweeps through a graph take: windows, the work of steps and bends, where paths begin and end, and bounds.
+
+`columns`, `rows` and `dots` in the shapes of arrays are those of a window.
+"""
 
 from __future__ import annotations
 
@@ -13,14 +16,9 @@ if TYPE_CHECKING:
 
 
 class Window(NamedTuple):
-    """A part of a graph, column by column.
+    """A part of a graph: the first and the last row of each column, and where the column begins in flat arrays.
 
-    Attributes
-    ----------
-    low, high : (columns,) int
-        First and last row of each column; neither ever falls.
-    column_offset : (columns,) int
-        Where each column begins in a flat array of the window's dots.
+    Neither of the rows ever falls.
     """
 
     low: IntArray
@@ -40,11 +38,11 @@ class Window(NamedTuple):
 
     @property
     def dots(self) -> int:
-        """How many dots there are in all columns."""
+        """Number of dots in all columns."""
         return int(self.column_offset[-1] + self.high[-1] - self.low[-1]) + 1
 
     def blocks(self, dots: int) -> Iterator[slice]:
-        """Cut the columns into runs of about so many dots."""
+        """Yield runs of columns with about so many dots."""
         ends = np.append(self.column_offset[1:], self.dots)
         first = 0
         while first < len(ends):
@@ -54,14 +52,15 @@ class Window(NamedTuple):
 
 
 class Tables(NamedTuple):
-    """The work of every step and every bend in a window of a graph.
+    """The work of every step and every bend in a window.
+
+    A sweep reads them modulo the window's columns, and modulo n rows, so no row of a column may be there twice.
 
     Attributes
     ----------
     window : Window
-        Has each row once: a row r of the graph is the row of the window that is equal to it modulo n.
     first_column : int
-        The column of the graph that column 0 of the window is; the graph repeats the window's columns.
+        The column of the graph that column 0 of the window is.
     weight : (columns,) float
         Stiffness of the first wire.
     east : (columns,) float
@@ -84,14 +83,7 @@ class Tables(NamedTuple):
 
 
 class Terminals(NamedTuple):
-    """The dots of a column at which paths may begin, or end.
-
-    Attributes
-    ----------
-    first_row, last_row : int
-    work : (3,) float
-        Work there by the step that leads to the dot; infinite forbids the step.
-    """
+    """The dots of a column where paths may begin or end, and the work there by the step into the dot: (3,)."""
 
     first_row: int
     last_row: int
@@ -99,16 +91,9 @@ class Terminals(NamedTuple):
 
 
 class Bounds(NamedTuple):
-    """What paths that are looked for must stay below.
+    """Lower bounds on the work from each state onwards: (dots, 3), by `sweeps.cost_to_go`, or empty.
 
-    Attributes
-    ----------
-    window : Window
-        Holds the window of a sweep.
-    to_go : (dots, 3) float
-        A lower bound on the work from each state onwards, by `graph.cost_to_go`; or empty, where none is known.
-    limit : float
-        Where bounds are known, states that no path of less work than this goes through are left out.
+    A sweep within the window leaves out states that no path of less work than the limit goes through.
     """
 
     window: Window
@@ -117,32 +102,22 @@ class Bounds(NamedTuple):
 
 
 class Progress:
-    """How far a sweep is, and what it found.
-
-    Parameters
-    ----------
-    window : Window
-        What it goes through.
-    starts : Terminals
-    visited : (columns, 2) int
+    """How far a sweep through a window is, and what it has found.
 
     Attributes
     ----------
     column : int
         The next column.
     live_rows : (int, int)
-        First and last row of the column before that a path can come from; the last is the smaller one when no path
-        costs less than the limit.
+        First and last row of the previous column that paths can leave.
     leaving : (4, rows) float
-        Room for two columns: the work of having left each dot by East, and by Southeast.
-    current : int
-        The row of `leaving` at which the column before is kept.
+        Work of leaving each dot by East, and by Southeast: those of the previous column from row `current` on.
     parents : (dots,) uint8
-        For each step out of a dot, the step in that costs least, see `steps.paired_step`. Set where a path can come by.
+        For each step out of a dot, the step in that costs least, see `steps.paired_step`.
     visited : (columns, 2) int
-        The first and the last row of each column that a path can come by.
+        First and last row of each column that paths can reach.
     ends : (rows, 3) float
-        Work at the dots of the last column by the step in.
+        Work at the dots of the last column, by the step in.
     """
 
     __slots__ = ("column", "current", "ends", "leaving", "live_rows", "parents", "visited")

@@ -40,7 +40,7 @@ class PathWork(NamedTuple):
 
 
 def edge_lengths(vertices: ComplexArray, closed: bool) -> FloatArray:
-    """Length of the edge that leaves each vertex; the last of an open polygon leads nowhere: 0."""
+    """Return the length of the edge that leaves each vertex; 0 for the last of an open polygon."""
     edges = np.roll(vertices, -1) - vertices
     if not closed:
         edges[-1] = 0.0
@@ -48,9 +48,7 @@ def edge_lengths(vertices: ComplexArray, closed: bool) -> FloatArray:
 
 
 def stretching_work(len0: FloatArray, len1: FloatArray, constants: WorkConstants) -> FloatArray:
-    """Work to stretch edges of one wire onto edges of the other.
-
-    Equation (16), section 3.1.
+    """Return the work to stretch edges of one wire onto edges of the other: equation (16), section 3.1.
 
     Parameters
     ----------
@@ -114,11 +112,11 @@ class Wires:
 
     @property
     def bending(self) -> Bending:
-        """The constants of eq (17)."""
+        """The cost of angles."""
         return Bending(self.constants.k_b, self.constants.m_b, self.constants.e_b, self.constants.p_b)
 
     def beginning_at(self, i: int, j: int) -> Wires:
-        """The same wires, closed, with the first vertex of each elsewhere."""
+        """Return the same closed wires with vertex i of the first and vertex j of the second as their first ones."""
         if i == j == 0:
             return self
         return Wires(
@@ -126,16 +124,9 @@ class Wires:
         )
 
     def tables(self, window: Window | None = None, first_column: int = 0) -> Tables:
-        """Price every step and every bend in a window, the whole graph without one.
+        """Price every step and every bend in a window, or the whole graph: O(dots) time, 64 bytes a dot.
 
-        O(dots) time and memory, 72 bytes a dot.
-
-        Parameters
-        ----------
-        window : Window, optional
-            Rows count on beyond n.
-        first_column : int
-            The column of the graph that column 0 of the window is; it counts on beyond m.
+        Rows of the window, and its `first_column` in the graph, are counted on beyond n and m.
         """
         window = window or Window.full(self.m, self.n)
         columns = (first_column + np.arange(len(window.low))) % self.m
@@ -166,7 +157,7 @@ class Wires:
         )
 
     def _bends(self, columns: IntArray, window: Window, bending: Bending) -> FloatArray:
-        """All bends of a window whose columns are these vertices of the first wire."""
+        """Price the bends of a window whose columns are these vertices of the first wire."""
         bends = np.empty((window.dots, 7))
         fill_bends(self.corners0, self.corners1, bending, columns, self.weight[columns], window, bends)
         return bends
@@ -177,14 +168,12 @@ class Wires:
         Parameters
         ----------
         dots : (k, 2) int
-            The path, from its first dot; a closed path comes back to that dot after the last, which is
-            not repeated. Every step goes East, South or Southeast, and none is followed by a turn of 90
-            degrees. The bend at the first dot is charged when closed; open wires have no angle at their ends.
+            From the first dot, to which a closed path returns after the last; it is not repeated.
 
         Raises
         ------
         ValueError
-            A step is none of the three, or a turn of 90 degrees.
+            A step is not East, South or Southeast, or a turn of 90 degrees.
         """
         start, moves, at, kinds = self._path(dots)
         bending = self._bends_along(at, kinds, self.bending)
@@ -196,20 +185,12 @@ class Wires:
         return PathWork(float(stretching.sum()), float(bending.sum()), int(zeros.sum()))
 
     def bends_on(self, dots: IntArray) -> tuple[IntArray, IntArray, FloatArray]:
-        """The dots of a path that have an angle, their bends (see `steps`), and the bending work of each.
-
-        The path is that of `path_work`; ends of open wires have no angle.
-
-        Raises
-        ------
-        ValueError
-            A step is not East, South or Southeast, or a turn of 90 degrees.
-        """
+        """Return the dots of a path (see `path_work`) that have an angle, their bends, and the work of each bend."""
         _, _, at, kinds = self._path(dots)
         return at, kinds, self._bends_along(at, kinds, self.bending)
 
     def _path(self, dots: IntArray) -> tuple[IntArray, IntArray, IntArray, IntArray]:
-        """The dots that steps leave, columns and rows of each step; the dots that have an angle, and their bends."""
+        """Return the dots that steps leave, and the steps; the dots that have an angle, and their bends."""
         following = np.roll(dots, -1, axis=0) if self.closed else dots[1:]
         start = dots[: len(following)]
         moves = (following - start) % (self.m, self.n)
@@ -226,7 +207,7 @@ class Wires:
         return start, moves, at, kinds
 
     def _bends_along(self, at: IntArray, kinds: IntArray, bending: Bending) -> FloatArray:
-        """Bending work at dots."""
+        """Price a bend of each dot."""
         if not len(at):
             return np.zeros(0)
         columns, rows = at[:, 0].copy(), at[:, 1].copy()

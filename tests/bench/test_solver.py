@@ -1,19 +1,13 @@
 """Time to solve: tables and search over all starts, proven, beside one given start."""
 
-import numpy as np
 import pytest
 
+from tests.support.shapes import wavy
 from tests.support.solver import find_least
 
 
 def blob(m, seed):
-    """A smooth outline with m vertices, unlike that of any other seed, in the unit box."""
-    rng = np.random.default_rng(seed)
-    angle = 2.0 * np.pi * np.arange(m) / m
-    waves = sum(0.15 / k * rng.normal() * np.cos(k * angle + rng.uniform(0, 7)) for k in range(1, 9))
-    z = (1.0 + waves) * np.exp(1j * angle)
-    z -= complex(z.real.min(), z.imag.min())
-    return z / max(z.real.max(), z.imag.max())
+    return wavy(m, seed, size=0.15, waves=8)
 
 
 @pytest.mark.parametrize("m", [100, 300, 1000])

@@ -51,29 +51,34 @@ def test_motion_agrees_with_sampling(back0, fwd0, back1, fwd1):
     assert zero == expected[2]
 
 
-def test_equation_11_beyond_180_degrees():
-    # Figure 17: the triangle Q0 Q1 Q2 contains the origin and d has no root.
-    q0, q1, q2 = (np.exp(1j * np.radians(a)) for a in (100.0, 0.0, 260.0))
-    q1 = -3.0 * q1
-    delta, star, zero = angles.angle_change(q0, q1, q2)
-    assert (np.degrees(delta), star, zero) == (pytest.approx(160.0), pytest.approx(0.0, abs=1e-12), False)
-    delta, star, zero = angles.angle_change(q0, 0.3 * q1 + 1.0, q2)
-    assert np.degrees(delta) == pytest.approx(160.0)
-    wide = [np.exp(1j * np.radians(a)) for a in (40.0, 180.0, 320.0)]
-    delta, star, zero = angles.angle_change(*wide)
-    assert (np.degrees(delta), star, zero) == (pytest.approx(280.0), pytest.approx(0.0, abs=1e-12), False)
+def at(degrees, size=1.0):
+    return size * np.exp(1j * np.radians(degrees))
 
 
-def test_the_long_way_round_through_zero():
-    # The same ends the other way: 40 degrees down through zero to 320.
-    q0, q2 = np.exp(1j * np.radians(40.0)), np.exp(1j * np.radians(320.0))
-    delta, star, zero = angles.angle_change(q0, 1.0 + 0j, q2)
-    assert (np.degrees(delta), star, zero) == (pytest.approx(80.0), pytest.approx(0.0, abs=1e-12), True)
+@pytest.mark.parametrize(
+    ("controls", "degrees", "reaches_zero"),
+    [
+        # Figure 17: the triangle Q0 Q1 Q2 contains the origin and d has no root.
+        ((at(100.0), -3.0, at(260.0)), 160.0, False),
+        ((at(100.0), 0.1, at(260.0)), 160.0, None),
+        ((at(40.0), at(180.0), at(320.0)), 280.0, False),
+        # The same ends the other way: 40 degrees down through zero to 320.
+        ((at(40.0), 1.0 + 0j, at(320.0)), 80.0, True),
+        # A polygon against itself turned by 180 degrees: Q(t) = Q0 (1 - 2 t)^2.
+        ((np.exp(2j), -np.exp(2j), np.exp(2j)), 0.0, False),
+    ],
+    ids=["beyond 180", "back through the middle", "far beyond", "through zero", "right round"],
+)
+def test_an_angle_moves_one_way(controls, degrees, reaches_zero):
+    delta, star, zero = angles.angle_change(*controls)
+    assert np.degrees(delta) == pytest.approx(degrees, abs=5e-11)
+    if reaches_zero is not None:
+        assert (star, zero) == (pytest.approx(0.0, abs=1e-12), reaches_zero)
 
 
 def test_deviation_of_figure_18():
     # (a) out and back past the start: one deviation.
-    q0, q1, q2 = (r * np.exp(1j * np.radians(a)) for r, a in ((1.0, 90.0), (2.0, 170.0), (1.0, 120.0)))
+    q0, q1, q2 = at(90.0), at(170.0, 2.0), at(120.0)
     delta, star, _ = angles.angle_change(q0, q1, q2)
     assert np.degrees(delta) == pytest.approx(30.0)
     theta = np.unwrap(
@@ -84,13 +89,6 @@ def test_deviation_of_figure_18():
 
 def test_nothing_moves_when_the_angle_only_grows():
     assert angles.angle_change(1j, 2j, 4j) == (0.0, 0.0, False)
-
-
-def test_an_edge_that_turns_right_round_through_nothing_costs_no_angle():
-    # A polygon against itself turned by 180 degrees: Q(t) = Q0 (1 - 2 t)^2.
-    q = np.exp(2j)
-    delta, star, zero = angles.angle_change(q, -q, q)
-    assert (delta, star, zero) == (pytest.approx(0.0, abs=1e-12), pytest.approx(0.0, abs=1e-12), False)
 
 
 def all_bends(kernel, p0, p1, closed, constants):

@@ -7,7 +7,7 @@ from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.matching import coarse, graph, solve
 from shapeblend_cli.matching.work import Wires
-from tests.support.shapes import gear, star_polygon, unit_box
+from tests.support.shapes import gear, star_polygon, wavy
 from tests.support.solver import find_least
 
 
@@ -19,14 +19,6 @@ def small(monkeypatch):
     monkeypatch.setattr(coarse, "PADS", (6,))
     monkeypatch.setattr(coarse, "LEAST_VERTICES", 12)
     monkeypatch.setattr(coarse, "CORRIDOR_DOTS", 5000)
-
-
-def wavy(m, seed):
-    """A smooth outline, unlike that of any other seed."""
-    rng = np.random.default_rng(seed)
-    angle = 2.0 * np.pi * np.arange(m) / m
-    waves = sum(0.2 / k * rng.normal() * np.cos(k * angle + rng.uniform(0, 7)) for k in range(1, 7))
-    return unit_box((1.0 + waves) * np.exp(1j * angle))
 
 
 CASES = {

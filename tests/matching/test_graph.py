@@ -7,6 +7,7 @@ from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.matching import graph, sweeps
 from shapeblend_cli.matching.graph import Graph, Starts
+from shapeblend_cli.matching.landscape import landscape
 from shapeblend_cli.matching.steps import BEND_OF_STEPS, ENTERING, MOVES
 from shapeblend_cli.matching.tables import Window
 from shapeblend_cli.matching.work import Wires
@@ -41,105 +42,82 @@ def assert_bounds(found, least):
     assert found.gap >= 1.0 - least.work * (1 + 1e-9) / found.work
 
 
-@pytest.mark.parametrize("seed", range(300))
-def test_closed_optimum_is_that_of_an_exhaustive_search(seed):
-    p0, p1, constants, _ = random_problem(seed)
-    found = find_least(p0, p1, True, constants)
-    assert found.work == pytest.approx(exhaustive(p0, p1, True, constants), rel=1e-9, abs=1e-12)
-    assert (found.lower_bound, found.gap) == (found.work, 0.0)
+SEEDS = {
+    "anywhere": range(300),
+    "start": range(1000, 1040),
+    "open": range(2000, 2060),
+    "band": range(4000, 4080),
+    "pins": range(5000, 5100),
+    "stiff": range(6000, 6040),
+    "all": range(7000, 7060),
+}
+OPEN_EVERY = {"open": 1, "band": 4, "pins": 3, "stiff": 3}
+REFUSED = {
+    "band": r"within .* of the diagonal",
+    "pins": r"cross each other|no path goes through these pins",
+    "all": r"within .* of the diagonal|cross each other",
+}
 
 
-@pytest.mark.parametrize("seed", range(1000, 1040))
-def test_optimum_from_a_given_start_is_that_of_an_exhaustive_search(seed):
-    p0, p1, constants, rng = random_problem(seed)
-    start = int(rng.integers(len(p0))), int(rng.integers(len(p1)))
-    found = find_least(p0, p1, True, constants, start=start)
-    assert_bounds(found, find_least(p0, p1, True, constants))
-    assert found.dots[0].tolist() == list(start)
-    assert found.work == pytest.approx(
-        exhaustive(p0, p1, True, constants, starts=[start]), rel=1e-9, abs=1e-12
-    )
+def restrictions(kind, rng, m, n):
+    """What a search is given, and the stiffness."""
+
+    def dot():
+        return int(rng.integers(m)), int(rng.integers(n))
+
+    if kind == "start":
+        return {"start": dot()}, None
+    if kind == "band":
+        return {"band": rng.choice([0.0, 0.1, 0.2, 0.35])}, None
+    if kind == "pins":
+        return {"pins": [dot() for _ in range(rng.integers(1, 4))]}, None
+    if kind == "stiff":
+        return {}, rng.choice([0.2, 1.0, 5.0], m)
+    if kind == "all":
+        weight = rng.choice([0.5, 1.0, 3.0], m)
+        return {"start": dot(), "pins": [dot()], "band": 0.6}, weight
+    return {}, None
 
 
-@pytest.mark.parametrize("seed", range(2000, 2060))
-def test_open_optimum_is_that_of_an_exhaustive_search(seed):
-    p0, p1, constants, _ = random_problem(seed, smallest=2)
-    found = find_least(p0, p1, False, constants)
-    assert found.dots[0].tolist() == [0, 0]
-    assert found.dots[-1].tolist() == [len(p0) - 1, len(p1) - 1]
-    assert found.work == pytest.approx(exhaustive(p0, p1, False, constants), rel=1e-9, abs=1e-12)
-
-
-@pytest.mark.parametrize("seed", range(4000, 4080))
-def test_banded_optimum_is_that_of_an_exhaustive_search(seed):
-    p0, p1, constants, rng = random_problem(seed)
-    closed, band = bool(seed % 4), rng.choice([0.0, 0.1, 0.2, 0.35])
-    best = exhaustive(p0, p1, closed, constants, band=band)
+@pytest.mark.parametrize(("kind", "seed"), [(kind, seed) for kind in SEEDS for seed in SEEDS[kind]])
+def test_the_optimum_is_that_of_an_exhaustive_search(kind, seed):
+    p0, p1, constants, rng = random_problem(seed, smallest=2 if kind == "open" else 3)
+    closed = kind not in OPEN_EVERY or seed % OPEN_EVERY[kind] > 0
+    given, weight = restrictions(kind, rng, len(p0), len(p1))
+    problem = p0, p1, closed, constants, weight
+    band, pins = given.get("band"), [*filter(None, [given.get("start")]), *given.get("pins", [])]
+    best = exhaustive(*problem, starts=pins[:1] if closed and pins else None, pins=pins, band=band)
     if np.isinf(best):
-        with pytest.raises(MatchError, match=r"within .* of the diagonal"):
-            find_least(p0, p1, closed, constants, band=band)
+        with pytest.raises(MatchError, match=REFUSED[kind]):
+            find_least(*problem, **given)
         return
-    found = find_least(p0, p1, closed, constants, band=band)
-    assert_bounds(found, find_least(p0, p1, closed, constants))
+    found = find_least(*problem, **given)
     assert found.work == pytest.approx(best, rel=1e-9, abs=1e-12)
-    assert found.diagonal_deviation <= band + 1e-9
-
-
-@pytest.mark.parametrize("seed", range(5000, 5100))
-def test_pinned_optimum_is_that_of_an_exhaustive_search(seed):
-    p0, p1, constants, rng = random_problem(seed)
-    m, n, closed = len(p0), len(p1), bool(seed % 3)
-    pins = [(int(rng.integers(m)), int(rng.integers(n))) for _ in range(rng.integers(1, 4))]
-    best = exhaustive(p0, p1, closed, constants, starts=[pins[0]] if closed else None, pins=pins)
-    if np.isinf(best):
-        with pytest.raises(MatchError, match=r"cross each other|no path goes through these pins"):
-            find_least(p0, p1, closed, constants, pins=pins)
-        return
-    found = find_least(p0, p1, closed, constants, pins=pins)
-    assert_bounds(found, find_least(p0, p1, closed, constants))
+    if given:
+        assert_bounds(found, find_least(*problem))
+    else:
+        assert (found.lower_bound, found.gap) == (found.work, 0.0)
     assert set(pins) <= set(map(tuple, found.dots.tolist()))
-    assert found.work == pytest.approx(best, rel=1e-9, abs=1e-12)
+    assert band is None or found.diagonal_deviation <= band + 1e-9
+    if "start" in given:
+        assert found.dots[0].tolist() == list(given["start"])
+    if not closed:
+        assert found.dots[[0, -1]].tolist() == [[0, 0], [len(p0) - 1, len(p1) - 1]]
 
 
-@pytest.mark.parametrize("seed", range(6000, 6040))
-def test_stiff_optimum_is_that_of_an_exhaustive_search(seed):
-    p0, p1, constants, rng = random_problem(seed)
-    closed, weight = bool(seed % 3), rng.choice([0.2, 1.0, 5.0], len(p0))
-    found = find_least(p0, p1, closed, constants, weight=weight)
-    assert found.work == pytest.approx(exhaustive(p0, p1, closed, constants, weight), rel=1e-9, abs=1e-12)
-
-
-@pytest.mark.parametrize("seed", range(7000, 7060))
-def test_everything_at_once_is_that_of_an_exhaustive_search(seed):
-    p0, p1, constants, rng = random_problem(seed)
-    m, n = len(p0), len(p1)
-    weight = rng.choice([0.5, 1.0, 3.0], m)
-    start, pin = ((int(rng.integers(m)), int(rng.integers(n))) for _ in range(2))
-    best = exhaustive(p0, p1, True, constants, weight, starts=[start], pins=[pin], band=0.6)
-    if np.isinf(best):
-        return
-    found = find_least(p0, p1, True, constants, start=start, pins=[pin], band=0.6, weight=weight)
-    assert_bounds(found, find_least(p0, p1, True, constants, weight))
-    assert found.work == pytest.approx(best, rel=1e-9, abs=1e-12)
-
-
-def test_stiffness_of_one_everywhere_changes_no_bit(rng):
-    p0, p1 = star_polygon(rng, 30), star_polygon(rng, 25)
-    plain, stiff = find_least(p0, p1), find_least(p0, p1, weight=np.ones(30))
-    np.testing.assert_array_equal(plain.dots, stiff.dots)
-    assert (plain.work, plain.stretching, plain.sweeps) == (stiff.work, stiff.stretching, stiff.sweeps)
-
-
-def test_a_full_band_is_no_band(rng):
-    p0, p1 = star_polygon(rng, 30), star_polygon(rng, 25)
-    assert find_least(p0, p1, band=1.0).work == pytest.approx(find_least(p0, p1).work, rel=1e-12)
-
-
-def test_pins_of_the_least_path_change_nothing(rng):
+@pytest.mark.parametrize("kind", ["a full band", "pins on the path", "a stiffness of 1"])
+def test_what_restricts_nothing_changes_nothing(rng, kind):
     p0, p1 = star_polygon(rng, 40), star_polygon(rng, 35)
     least = find_least(p0, p1)
     pins = [tuple(dot) for dot in least.dots[[3, 11, 30]].tolist()]
-    assert find_least(p0, p1, pins=pins).work == pytest.approx(least.work, rel=1e-12)
+    given = {"a full band": {"band": 1.0}, "pins on the path": {"pins": pins}}.get(
+        kind, {"weight": np.ones(40)}
+    )
+    found = find_least(p0, p1, **given)
+    assert found.work == pytest.approx(least.work, rel=1e-12)
+    if "weight" in given:
+        np.testing.assert_array_equal(found.dots, least.dots)
+        assert (found.work, found.stretching, found.sweeps) == (least.work, least.stretching, least.sweeps)
 
 
 def test_crossing_pins_are_named(rng):
@@ -224,64 +202,56 @@ def test_tables_made_block_by_block_change_nothing(rng, closed, monkeypatch):
         assert one.work == other.work
 
 
-def plain_sweeps(p0, p1, constants):
+def plain_sweeps(p0, p1):
     """Least work by one unpruned sweep from every starting state, without bounds of any kind."""
-    wires, region = Wires(p0, p1, True, constants), Window.full(len(p0) + 1, 2 * len(p1))
+    wires, region = Wires(p0, p1), Window.full(len(p0) + 1, 2 * len(p1))
     least = np.inf
     for row in range(len(p1)):
         for step in ENTERING:
-            found = Graph(wires, region).sweep(Starts(0.0, row, row, (step,)), np.inf)
+            found = Graph(wires, region).sweep(Starts(0.0, row, row, (step,)))
             if found is not None:
                 assert found[2]
                 least = min(least, found[0])
     return least
 
 
-@pytest.mark.parametrize(
-    ("p0", "p1"),
-    [
-        (regular_polygon(40), regular_polygon(40, turn=0.01)),
-        (regular_polygon(40), regular_polygon(33)),
-        (gear(12), gear(12, turn=0.1)),
-        (gear(12), gear(9)),
-        (gear(8), regular_polygon(30)),
-        (star_polygon(np.random.default_rng(5), 45), star_polygon(np.random.default_rng(6), 38)),
-        (random_polygon(np.random.default_rng(7), 25), random_polygon(np.random.default_rng(8), 31)),
-    ],
-    ids=[
-        "circles",
-        "circles of other counts",
-        "gears",
-        "other gears",
-        "gear and circle",
-        "stars",
-        "scribbles",
-    ],
-)
-def test_pruning_loses_nothing(p0, p1):
-    constants = WorkConstants()
-    found = find_least(p0, p1, True, constants)
-    assert found.work == pytest.approx(plain_sweeps(p0, p1, constants), rel=1e-9, abs=1e-9)
+SHAPES = {
+    "circles": (regular_polygon(40), regular_polygon(40, turn=0.01)),
+    "circles of other counts": (regular_polygon(40), regular_polygon(33)),
+    "gears": (gear(12), gear(12, turn=0.1)),
+    "other gears": (gear(12), gear(9)),
+    "gear and circle": (gear(8), regular_polygon(30)),
+    "stars": (star_polygon(np.random.default_rng(5), 45), star_polygon(np.random.default_rng(6), 38)),
+    "scribbles": (random_polygon(np.random.default_rng(7), 25), random_polygon(np.random.default_rng(8), 31)),
+}
 
 
-def test_cost_to_go_is_the_cost_of_the_sweep(rng):
-    wires = Wires(star_polygon(rng, 12), star_polygon(rng, 10), True, WorkConstants())
-    region = Window.full(13, 20)
+@pytest.mark.parametrize("shapes", SHAPES)
+def test_pruning_loses_nothing(shapes):
+    p0, p1 = SHAPES[shapes]
+    assert find_least(p0, p1).work == pytest.approx(plain_sweeps(p0, p1), rel=1e-9, abs=1e-9)
+
+
+def test_bounds_are_those_of_the_sweep(rng):
+    p0, p1 = star_polygon(rng, 12), star_polygon(rng, 10)
+    wires, region = Wires(p0, p1), Window.full(13, 20)
     bounds = Graph(wires, region).bound_starts()
     assert len(bounds) == 10
     for row in range(10):
         for step in ENTERING:
-            work, _, _ = Graph(wires, region).sweep(Starts(0.0, row, row, (step,)), np.inf)
+            work, _, _ = Graph(wires, region).sweep(Starts(0.0, row, row, (step,)))
             assert bounds[row] <= work + 1e-9
-    everywhere = Starts(0.0, 0, 9, ENTERING)
-    work, _, _ = Graph(wires, region).sweep(everywhere, np.inf)
+    work, _, _ = Graph(wires, region).sweep(Starts(0.0, 0, 9, ENTERING))
     assert bounds.min() == pytest.approx(work)
+    assert Graph(wires, region).lower_bound() == bounds.min()
+    open_graph = Graph(Wires(p0, p1, False), Window.full(12, 10))
+    assert open_graph.lower_bound() == pytest.approx(find_least(p0, p1, False).work, rel=1e-12)
 
 
 def test_a_path_prices_the_same_wherever_it_begins(rng):
     p0, p1 = star_polygon(rng, 9), star_polygon(rng, 7)
     found = find_least(p0, p1, True)
-    turned = Wires(p0, p1, True, WorkConstants()).path_work(np.roll(found.dots, 4, axis=0))
+    turned = Wires(p0, p1).path_work(np.roll(found.dots, 4, axis=0))
     assert turned.total == pytest.approx(found.work)
 
 
@@ -291,7 +261,7 @@ def test_a_path_prices_the_same_wherever_it_begins(rng):
 def test_a_path_with_a_turn_or_a_jump_is_refused(rng, dots):
     p0, p1 = star_polygon(rng, 3), star_polygon(rng, 3)
     with pytest.raises(ValueError, match="East, South or Southeast"):
-        Wires(p0, p1, True, WorkConstants()).path_work(np.array(dots))
+        Wires(p0, p1).path_work(np.array(dots))
 
 
 def test_a_start_that_names_no_vertex_is_refused(rng):
@@ -303,12 +273,24 @@ def test_a_start_that_names_no_vertex_is_refused(rng):
 def test_compiled_and_uncompiled_kernels_agree_to_the_bit(rng, load_uncompiled, monkeypatch):
     assert sweeps.COMPILED
     p0, p1 = gear(4), star_polygon(rng, 13)
-    compiled = [find_least(p0, p1, closed) for closed in (True, False)]
-    monkeypatch.setattr(graph, "sweeps", load_uncompiled("shapeblend_cli.matching.sweeps"))
-    uncompiled = [find_least(p0, p1, closed) for closed in (True, False)]
-    for one, other in zip(compiled, uncompiled, strict=True):
-        np.testing.assert_array_equal(one.dots, other.dots)
-        assert (one.work, one.sweeps) == (other.work, other.sweeps)
+    searches = [
+        (closed, given)
+        for closed in (True, False)
+        for given in ({}, {"pins": [(2, 3)]}, {"solver": "simplified"}, {"band": 0.6})
+    ]
+
+    def solve_all():
+        found = [find_least(p0, p1, closed, **given) for closed, given in searches]
+        lands = [landscape(Wires(p0, p1, one.closed), one.dots) for one in found]
+        numbers = [(one.work, one.lower_bound, one.sweeps) for one in found]
+        return [*(one.dots for one in found), numbers, *(array for land in lands for array in land)]
+
+    compiled = solve_all()
+    uncompiled = load_uncompiled("shapeblend_cli.matching.sweeps")
+    monkeypatch.setattr(graph, "sweeps", uncompiled)
+    monkeypatch.setattr("shapeblend_cli.matching.landscape.cost_to_go", uncompiled.cost_to_go)
+    for one, other in zip(compiled, solve_all(), strict=True):
+        np.testing.assert_array_equal(one, other)
 
 
 def test_arguments_are_left_as_they_were(rng):
@@ -326,7 +308,7 @@ def test_starts_may_be_limited(seed):
     p0, p1 = star_polygon(rng, m), star_polygon(rng, n)
     vertex, first = int(rng.integers(m)), int(rng.integers(n))
     last = first + int(rng.integers(n))
-    wires = Wires(p0, p1, True, WorkConstants())
+    wires = Wires(p0, p1)
     least = np.inf
     for path in paths(m + 1, n + 1):
         steps = np.diff(path, axis=0)

@@ -10,13 +10,12 @@ from shapeblend_cli.matching.landscape import landscape
 from shapeblend_cli.matching.steps import MOVES
 from shapeblend_cli.matching.work import Wires
 from tests.support.oracle import legal_turn, paths
+from tests.support.shapes import star_polygon
 from tests.support.solver import find_least
 
 
 def polygon(seed, count):
-    rng = np.random.default_rng(seed)
-    angles = 2.0 * np.pi * (np.arange(count) + rng.uniform(0.0, 0.8, count)) / count
-    return rng.uniform(0.3, 1.0, count) * np.exp(1j * angles)
+    return star_polygon(np.random.default_rng(seed), count)
 
 
 def cheapest(wires, dots, band):

@@ -78,6 +78,7 @@ def test_any_problem(monkeypatch, p0, p1, closed, constants, start, pins, band, 
 
     assert set(found.dots[:, 0].tolist()) == set(range(m))
     assert set(found.dots[:, 1].tolist()) == set(range(n))
+    assert max(m, n) <= len(found.dots) <= m + n
     assert {*pins, *([start] if start else [])} <= set(map(tuple, found.dots.tolist()))
     priced = Wires(p0, p1, closed, constants, weight).path_work(found.dots)
     assert priced.total == pytest.approx(found.work)

@@ -99,15 +99,6 @@ def test_the_best_start_is_no_worse_than_any(seed, m, n):
 
 
 @given(seeds, counts, counts, st.booleans())
-def test_dots_are_a_path_that_leaves_out_no_vertex(seed, m, n, closed):
-    p0, p1 = star(seed, m), star(seed + 1, n)
-    dots = find_least(p0, p1, closed).dots
-    assert set(dots[:, 0].tolist()) == set(range(m))
-    assert set(dots[:, 1].tolist()) == set(range(n))
-    assert max(m, n) <= len(dots) <= m + n
-
-
-@given(seeds, counts, counts, st.booleans())
 def test_frames_at_both_ends_are_the_drawings(seed, m, n, curves):
     a, b = (drawing(polygon_contour(star(seed + k, count))) for k, count in enumerate((m, n)))
     pair, frames = blend(a, b, ASIS.replace(frames=0, ends=True, curves=curves))

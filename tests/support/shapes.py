@@ -22,6 +22,16 @@ def star_polygon(rng, m, roughness=0.6):
     return unit_box(radius * np.exp(2j * np.pi * angle / m))
 
 
+def wavy(m, seed, size=0.2, waves=6):
+    """A smooth outline, unlike that of any other seed."""
+    rng = np.random.default_rng(seed)
+    angle = 2.0 * np.pi * np.arange(m) / m
+    radius = 1.0 + sum(
+        size / k * rng.normal() * np.cos(k * angle + rng.uniform(0, 7)) for k in range(1, waves + 1)
+    )
+    return unit_box(radius * np.exp(1j * angle))
+
+
 def regular_polygon(m, turn=0.0):
     """A regular polygon."""
     return unit_box(np.exp(1j * (2.0 * np.pi * np.arange(m) / m + turn)))
