@@ -159,15 +159,12 @@ def _cuts_at_nodes(match: ContinuousMatch) -> tuple[FloatArray, BoolArray]:
     """Return the positions where a drawing has a node or the match is fixed, and whether A and B have a node there."""
     a, b = match.a, match.b
     fixed = match.positions[match.fixed]
-    lengths = a.length_at(match.positions[:, 0]), b.length_at(match.positions[:, 1])
     found = [fixed]
-    for side, one, other in ((0, a, b), (1, b, a)):
+    for side, one in enumerate((a, b)):
         low, high = match.positions[[0, -1], side]
         numbers = np.arange(np.ceil(low), np.floor(high) + 1.0)
         numbers = numbers[one.is_node(numbers)]
-        numbers = numbers[~is_among(numbers, fixed[:, side])]
-        to = other.position_at(np.interp(one.length_at(numbers), lengths[side], lengths[1 - side]))
-        found.append(np.stack([numbers, to] if side == 0 else [to, numbers], axis=1))
+        found.append(match.with_partners(side, numbers[~is_among(numbers, fixed[:, side])]))
     cuts = np.concatenate(found)
     order = np.lexsort((cuts[:, 1], cuts[:, 0]))
     cuts = np.maximum.accumulate(cuts[order], axis=0)

@@ -48,6 +48,14 @@ class ContinuousMatch:
         a, b = self.a, self.b
         return a.length_at(positions[:, 0]) / a.lengths[-1] + b.length_at(positions[:, 1]) / b.lengths[-1]
 
+    def with_partners(self, side: int, positions: FloatArray) -> FloatArray:
+        """Return positions on A (side 0) or on B (side 1) and the corresponding ones on the other, (k, 2) float."""
+        sides = self.a, self.b
+        known = [one.length_at(self.positions[:, k]) for k, one in enumerate(sides)]
+        lengths = np.interp(sides[side].length_at(positions), known[side], known[1 - side])
+        partners = sides[1 - side].position_at(lengths)
+        return np.stack([positions, partners] if side == 0 else [partners, positions], axis=1)
+
     def piece_at(self, cuts: FloatArray, positions: FloatArray) -> IntArray:
         """Return the number of the piece between two cuts on which each position lies."""
         numbers = np.searchsorted(self.progress(cuts), self.progress(positions), side="right") - 1
@@ -84,7 +92,7 @@ def match_continuously(a: ContourParameter, b: ContourParameter, dots: IntArray)
     if a.closed:
         positions, anchored = _choose_start(a, b, positions, anchored)
     anchored[[0, -1]] = True
-    return ContinuousMatch(a, b, *_remove_stairs(a, b, positions, anchored))
+    return _remove_stairs(ContinuousMatch(a, b, positions, anchored))
 
 
 def _match_corners(
@@ -163,21 +171,20 @@ def _choose_start(
     )
 
 
-def _remove_stairs(
-    a: ContourParameter, b: ContourParameter, positions: FloatArray, anchored: BoolArray
-) -> tuple[FloatArray, BoolArray]:
-    """Return the positions without holds that are rounding, and which of them are fixed.
+def _remove_stairs(match: ContinuousMatch) -> ContinuousMatch:
+    """Return the match without holds that are rounding.
 
     A hold of one step becomes the position in its middle. A longer one is spread over half an edge before it and half
     an edge after it: a vertex stands for the contour up to halfway to the next one, so that is as true, and the
     in-between does not bend where both contours are smooth. Holds of corners stay, and so do parts between corners of
     the advancing contour, which are corners anyway.
     """
+    a, b, positions, anchored = match.a, match.b, match.positions, match.fixed
     steps = np.diff(positions, axis=0)
     # The side that is held in a step: 0 is A, 1 is B, 2 neither.
     held = np.where(steps[:, 0] == 0.0, 0, np.where(steps[:, 1] == 0.0, 1, 2))
     if not (held < 2).any():
-        return positions, anchored
+        return match
     corners = a.is_corner(positions[:, 0]), b.is_corner(positions[:, 1])
     # A hold is divided where the advancing contour turns a corner.
     turns = np.where(held[1:] == 0, corners[1][1:-1], (held[1:] == 1) & corners[0][1:-1])
@@ -219,21 +226,20 @@ def _remove_stairs(
         for end in {p, q} - {end for end, _ in ends}:
             forced[end] = True
     kept |= fixed | forced
-    without, fixed = _sort(np.concatenate([positions[kept], np.reshape(middles, (-1, 2))]), fixed[kept])
+    match = _sort(a, b, np.concatenate([positions[kept], np.reshape(middles, (-1, 2))]), fixed[kept])
     # Vertices within a hold that is gone: without them its curve would become a chord.
-    length_a, length_b = a.length_at(without[:, 0]), b.length_at(without[:, 1])
-    gone_a, gone_b = (
-        positions[~kept & (np.append(held == other, False) | np.append(False, held == other)), side]
-        for side, other in ((0, 1), (1, 0))
-    )
-    to_b = b.position_at(np.interp(a.length_at(gone_a), length_a, length_b))
-    to_a = a.position_at(np.interp(b.length_at(gone_b), length_b, length_a))
-    between = np.concatenate([np.stack([gone_a, to_b], axis=1), np.stack([to_a, gone_b], axis=1)])
-    return _sort(np.concatenate([without, between]), fixed)
+    between = []
+    for side in (0, 1):
+        advances = held == 1 - side
+        gone = ~kept & (np.append(advances, False) | np.append(False, advances))
+        between.append(match.with_partners(side, positions[gone, side]))
+    return _sort(a, b, np.concatenate([match.positions, *between]), match.fixed)
 
 
-def _sort(positions: FloatArray, fixed: BoolArray) -> tuple[FloatArray, BoolArray]:
+def _sort(
+    a: ContourParameter, b: ContourParameter, positions: FloatArray, fixed: BoolArray
+) -> ContinuousMatch:
     """Sort positions, whatever rounding has done to them; those beyond the end of `fixed` are not fixed."""
     fixed = np.append(fixed, np.zeros(len(positions) - len(fixed), np.bool_))
     order = np.lexsort((positions[:, 1], positions[:, 0]))
-    return np.maximum.accumulate(positions[order], axis=0), fixed[order]
+    return ContinuousMatch(a, b, np.maximum.accumulate(positions[order], axis=0), fixed[order])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -53,12 +54,10 @@ def waypoints(shape: ShapeBlend) -> tuple[Waypoint, ...]:
         return ()
     paths = [path for contour in shape.contours for path in (contour.start, contour.end)]
     size = Box.around(np.concatenate([path.segments.ravel() for path in paths])).larger_side
-    cache: dict[float, ComplexArray] = {}
 
+    @cache
     def at(t: float) -> ComplexArray:
-        if t not in cache:
-            cache[t] = np.concatenate([path.segments for path in paths_at(shape, t)])
-        return cache[t]
+        return np.concatenate([path.segments for path in paths_at(shape, t)])
 
     def cut(low: float, high: float, depth: int) -> list[float]:
         """Return the times at which an interval is to be cut."""
