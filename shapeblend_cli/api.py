@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shapeblend_cli.clock import Clock
-from shapeblend_cli.measure import measure
 from shapeblend_cli.model import Drawing, Polygon
 from shapeblend_cli.output import check_targets, write_files
 from shapeblend_cli.outputs.formats import views
@@ -17,7 +16,7 @@ from shapeblend_cli.outputs.options import OutputOptions, specify
 from shapeblend_cli.pairing.constraints import Constraints, check_stiff
 from shapeblend_cli.pairing.direction import choose_direction
 from shapeblend_cli.pipeline import frame_at, match_all, times_of_frames
-from shapeblend_cli.report import report
+from shapeblend_cli.report import measure, report
 from shapeblend_cli.settings import Settings, report_settings
 from shapeblend_cli.svg.reading.read import read as read_file
 from shapeblend_cli.svg.writing.document import frame_svg
@@ -121,7 +120,6 @@ class Blend:
         self.pairs, self.notes = match_all(self.drawings, settings, self._clock)
 
     def __repr__(self) -> str:
-        """Name the files."""
         names = [drawing.file for drawing in self.drawings]
         return f"<Blend of {', '.join(names[:-1])} and {names[-1]}>"
 
@@ -263,7 +261,6 @@ class Picture:
         self.svg: str = frame_svg(frame, decimals)
 
     def __repr__(self) -> str:
-        """Name the time."""
         return f"<Picture at t = {self.t:g}>"
 
     def _repr_svg_(self) -> str:

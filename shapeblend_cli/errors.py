@@ -10,11 +10,8 @@ class ShapeblendError(Exception):
     """
 
 
-class InputError(ShapeblendError, ValueError):
-    """A file that cannot be read, or that holds nothing to blend.
-
-    The problem is what was found in it, where, and what would work; the file is named as the user did.
-    """
+class FileError(ShapeblendError):
+    """What is wrong with a file, named as the user did: what was found, where, and what would work."""
 
     def __init__(self, file: str, problem: str) -> None:
         super().__init__(f"{file}: {problem}")
@@ -22,13 +19,12 @@ class InputError(ShapeblendError, ValueError):
         self.problem = problem
 
 
-class OutputError(ShapeblendError, OSError):
-    """A target that cannot be written, or that exists and was not to be replaced."""
+class InputError(FileError, ValueError):
+    """A file that cannot be read, or that holds nothing to blend."""
 
-    def __init__(self, target: str, problem: str) -> None:
-        super().__init__(f"{target}: {problem}")
-        self.target = target
-        self.problem = problem
+
+class OutputError(FileError, OSError):
+    """A target that cannot be written, or that exists and was not to be replaced."""
 
 
 class OptionError(ShapeblendError, ValueError):

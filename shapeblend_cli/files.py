@@ -11,20 +11,19 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
 from shapeblend_cli.matching.solve import COMPILED
-from shapeblend_cli.measure import measure
 from shapeblend_cli.output import check_targets, write_files
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.pipeline import make_frames, match_all, times_of_frames
-from shapeblend_cli.report import report
+from shapeblend_cli.report import measure, report
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, read
 from shapeblend_cli.version import __version__
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
-    from shapeblend_cli.measure import Measures
     from shapeblend_cli.model import Pair
     from shapeblend_cli.outputs.formats import OutputSpec
+    from shapeblend_cli.report import Measures
     from shapeblend_cli.settings import ReadOptions, Settings, WriteOptions
 
 SLOW = (

@@ -172,18 +172,12 @@ class Style(NamedTuple):
 class CubicPath:
     """A chain of cubic Bezier segments and lines to draw, some of them perhaps without extent.
 
-    Attributes
-    ----------
-    segments : (k, 4) complex, k >= 1
-        Control points. A segment ends where the next begins; in a closed path the last ends where the first begins.
-        A straight segment has its inner points at thirds.
-    straight : (k,) bool
-        Which segments are drawn as lines.
-    closed : bool
+    A segment ends where the next begins; in a closed path the last ends where the first begins. A straight segment has
+    its inner points at thirds.
     """
 
-    segments: ComplexArray
-    straight: BoolArray
+    segments: ComplexArray  # (k, 4) control points, k >= 1
+    straight: BoolArray  # (k,), which segments are drawn as lines
     closed: bool
 
     def __post_init__(self) -> None:
@@ -235,20 +229,13 @@ class Drawing(NamedTuple):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Polygon:
-    """A flattened contour. A closed polygon stores each vertex once.
+    """A flattened contour. A closed polygon stores each vertex once; no two neighbours are equal.
 
-    Attributes
-    ----------
-    vertices : (m,) complex
-        No two neighbours are equal.
-    segment : (m,) int
-        The segment of the contour each vertex lies on.
-    parameter : (m,) float
-        Where on that segment, in [0, 1); 1 at the end of an open polygon alone. 0 and 1 are nodes of the drawing.
-    closed : bool
+    Each vertex lies on a segment of the contour, at a parameter in [0, 1), or at 1 at the end of an open polygon alone.
+    0 and 1 are nodes of the drawing.
     """
 
-    vertices: ComplexArray
+    vertices: ComplexArray  # (m,), like the others
     segment: IntArray
     parameter: FloatArray
     closed: bool

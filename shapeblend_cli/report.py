@@ -1,21 +1,44 @@
-"""The JSON report of a run, and what `inspect` lists of a drawing."""
+"""The JSON report of a run, what is measured for it, and what `inspect` lists of a drawing."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.crossings import path_crossings
+from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.measure import Measures
     from shapeblend_cli.model import ComplexArray, ContourBlend, Drawing, Pair, Shape, ShapeBlend
 
 REPORT_FORMAT = 1
+
+
+class Measures(NamedTuple):
+    """What is measured of an in-between at time t, within [0, 1]."""
+
+    t: float
+    pair: int  # the number of its first drawing
+    self_crossings: (
+        int  # how often outlines painted together cross themselves and each other, on their curves
+    )
+    area: float  # inside the outlines, in square units of A
+
+
+def measure(pair: Pair, t: float) -> Measures:
+    """Measure the in-between at time t; also at both ends as it moves, not as the drawing has it."""
+    shapes = [paths_at(shape, t) for shape in pair.shapes]
+    return Measures(
+        t,
+        pair.a,
+        self_crossings=sum(path_crossings(paths) for paths in shapes),
+        area=sum(abs(sum(cubics.signed_area(path.segments) for path in paths)) for paths in shapes),
+    )
 
 
 def report(
@@ -97,31 +120,24 @@ _SLICE = 2048
 """Curved segments measured at once; each takes 4 kB."""
 
 
-def _length_and_box(shape: Shape) -> tuple[float, list[float]]:
-    """Return the total length of a shape's contours, and their box."""
+def _shape(shape: Shape) -> dict[str, Any]:
     segments = np.concatenate([contour.segments for contour in shape.contours])
     straight = np.concatenate([contour.straight for contour in shape.contours])
-    curved = segments[~straight]
-    ends = segments[:, ::3]
+    curved, ends = segments[~straight], segments[:, ::3]
     box = Box.around(ends)
     length = np.abs(ends[straight, 1] - ends[straight, 0]).sum()
     if len(curved):
         box = Box.union([box, cubics.bounds(curved)])
         slices = (curved[k : k + _SLICE] for k in range(0, len(curved), _SLICE))
         length += sum(cubics.lengths(part).sum() for part in slices)
-    return float(length), [float(v) for v in box.bounds]
-
-
-def _shape(shape: Shape) -> dict[str, Any]:
-    length, box = _length_and_box(shape)
     return {
         "index": shape.index,
         "id": shape.id,
         "element": shape.element,
         "contours": len(shape.contours),
         "closed": all(contour.closed for contour in shape.contours),
-        "length": length,
-        "bbox": box,
+        "length": float(length),
+        "bbox": [float(v) for v in box.bounds],
         "fill": shape.style.fill,
         "stroke": shape.style.stroke,
         "fill_rule": shape.style.fill_rule,

@@ -97,10 +97,8 @@ def too_long(move: Move, decimals: int) -> list[str]:
         drawn = (start.paths, *(waypoint.paths for waypoint in waypoints), end.paths)
         length = max(len(path_data(paths, decimals)) for paths in drawn)
         if length > LONGEST:
-            notes.append(
-                f"{name}: its path has {length} characters, and Android takes {LONGEST}; fewer --vertices make it "
-                "shorter"
-            )
+            what = f"its path has {length} characters, and Android takes {LONGEST}"
+            notes.append(f"{name}: {what}; fewer --vertices make it shorter")
     return notes
 
 
@@ -117,8 +115,7 @@ def _animate(parent: Element, key: str, steps: Sequence[_Step]) -> None:
             "valueType": TYPES.get(key, "floatType"),
         }
         interpolator = _inline(_add(parent, "objectAnimator", attributes), "interpolator")
-        names = ("controlX1", "controlY1", "controlX2", "controlY2")
-        curve = {name: number(value, 4) for name, value in zip(names, ease, strict=True)}
+        curve = {f"control{name.upper()}": number(value, 4) for name, value in ease._asdict().items()}
         _add(interpolator, "pathInterpolator", curve)
 
 
