@@ -297,7 +297,7 @@ def match(
     ------
     ValueError
         Vertices that are not finite, neighbours that coincide, or too few; a field with a value it cannot have.
-    MatchError
+    ShapeblendError
         Starts, pins, bands and stiff regions that do not fit the polygons.
 
     Examples

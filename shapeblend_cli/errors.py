@@ -28,7 +28,7 @@ class OutputError(FileError, OSError):
 
 
 class OptionError(ShapeblendError, ValueError):
-    """Options that contradict each other, or what is asked for."""
+    """Options that contradict each other or the requested output."""
 
 
 class MatchError(ShapeblendError, ValueError):
@@ -36,4 +36,4 @@ class MatchError(ShapeblendError, ValueError):
 
 
 class PictureError(ShapeblendError, ValueError):
-    """Pictures that cannot be drawn, or not so large."""
+    """Pictures that cannot be drawn, or not at this size."""

@@ -106,7 +106,8 @@ class Record:
         own = {name: o.named(name, section) for name, o in vars(cls).items() if isinstance(o, Option)}
         cls.options = cls.options | own
         attributes = (f"{name} : {cls.__annotations__[name]}\n    {o.help}" for name, o in own.items())
-        cls.__doc__ = "\n".join((f"{cls.__doc__}\n\nAttributes\n----------", *attributes))
+        summary = (cls.__doc__ or "").replace("\n    ", "\n").strip()
+        cls.__doc__ = "\n".join((f"{summary}\n\nAttributes\n----------", *attributes))
 
     def __init__(self, **given: Any) -> None:
         if unknown := given.keys() - self.options.keys():

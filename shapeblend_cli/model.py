@@ -253,7 +253,7 @@ class Polygon:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Correspondence:
-    """Which vertex of one polygon goes to which of another, and what that costs.
+    """Which vertices of two polygons correspond, and the work that takes.
 
     Attributes
     ----------
@@ -272,7 +272,7 @@ class Correspondence:
     diagonal_deviation : float
         Eq (30), from the start.
     sweeps : int
-        How often the graph was gone through.
+        Number of passes over the graph.
     """
 
     dots: IntArray
@@ -365,7 +365,7 @@ class ContourBlend(NamedTuple):
 
 
 class Motion(Protocol):
-    """How contours that are painted together go from their starts to their ends."""
+    """How contours that are painted together move from start to end."""
 
     @property
     def name(self) -> str:
@@ -413,9 +413,8 @@ class Waypoint(NamedTuple):
 class KeyframedShape(NamedTuple):
     """A shape over several keys, the drawings that are blended one after the other.
 
-    The keys are alike but for coordinates and paint. For each but the last there are waypoints between it and the next
-    one, in order of time and alike with the keys: from one to the next all points move straight, near enough. They are
-    empty where points move straight from key to key.
+    All keys have the same path commands. Between two keys there may be waypoints with these commands too, in order of
+    time; from one to the next all points move in nearly straight lines.
     """
 
     keys: tuple[PaintedShape, ...]

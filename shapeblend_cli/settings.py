@@ -52,7 +52,7 @@ class ReadOptions(Record, section=SHAPES):
 class Settings(WorkConstants, section=CORRESPONDENCE):
     """How drawings are blended.
 
-    A preset gives the constants and the band that are not given themselves.
+    A preset supplies the constants and the band that are not given themselves.
     """
 
     frames: int = option(

@@ -42,7 +42,7 @@ def _default_text(name: str) -> str:
 
 
 class OutputOptions(Record, section=PICTURES):
-    """What is written of a blend. What is None has the default of the format."""
+    """Options for writing a blend. None means the format's default."""
 
     output: str | None = option(
         file(),

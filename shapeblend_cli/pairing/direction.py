@@ -1,4 +1,4 @@
-"""Whether B is gone through forwards or in reverse."""
+"""In which direction B is traversed."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 def choose_direction(
     a: Polygon, b: Polygon, settings: Settings, constraints: Constraints, watch: Watch | None = None
 ) -> tuple[bool, Correspondence]:
-    """Solve for the direction of B that agrees with A's; if that is undecided, for the cheaper one.
+    """Solve in the direction that `settings.reverse` asks for; with `auto` in A's, or the cheaper one if undecided.
 
     Return whether B was reversed, and the correspondence; if so its dots number the vertices of `reverse_polygon`.
     """
