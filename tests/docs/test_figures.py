@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from tests.support.equipment import require
 from tools.quality import __main__ as quality
 from tools.quality import crossings, letters, motions, raw, sizes, times
 from tools.quality.data import ROOT, SETS, icon_pairs
@@ -16,8 +17,7 @@ from tools.quality.truth.measures import Nearness
 FOUND = json.loads((ROOT / quality.RAW).read_text(encoding="utf-8"))
 TOOLS = {tool.name: tool for tool in ALL}
 
-WITHOUT_NODE = (shapeblend.NAME, arc_length.NAME)
-WITH_NODE = (flubber.NAME, flubber.COARSE)
+MEASURED = (shapeblend.NAME, arc_length.NAME, flubber.NAME, flubber.COARSE)
 
 EVERY = {"icons": {"single": 40, "whole": 20}, "letters": {"single": 10, "multi": 8}}
 """One pair in so many is measured anew."""
@@ -52,22 +52,18 @@ def test_every_pair_has_its_scores():
         assert {len(column) for column in columns} == {len(kept["pairs"])}
 
 
-def icons_anew(name, tool):
+def require_for(tool):
+    if tool.startswith(flubber.NAME):
+        require("flubber")
+
+
+@pytest.mark.parametrize("name", SETS)
+@pytest.mark.parametrize("tool", MEASURED)
+def test_icons_measured_anew(name, tool):
+    require_for(tool)
     numbers = chosen("icons", name)
     scores = crossings.scored(TOOLS[tool], [icon_pairs(name)[k] for k in numbers])
     same(Score, scores, FOUND["icons"][name]["scores"][tool], numbers)
-
-
-@pytest.mark.parametrize("name", SETS)
-@pytest.mark.parametrize("tool", WITHOUT_NODE)
-def test_icons_measured_anew(name, tool):
-    icons_anew(name, tool)
-
-
-@pytest.mark.parametrize("name", SETS)
-@pytest.mark.parametrize("tool", WITH_NODE)
-def test_icons_measured_anew_with_flubber(name, tool, node):
-    icons_anew(name, tool)
 
 
 @pytest.mark.parametrize("name", SETS)
@@ -88,24 +84,15 @@ def test_sizes_measured_anew(name, node):
             assert len(text) == pytest.approx(told["bytes"][tool][kind][0], rel=0.01), (tool, kind)
 
 
-def letters_anew(folder, name, tool):
+@pytest.mark.parametrize("name", form.SETS)
+@pytest.mark.parametrize("tool", MEASURED)
+def test_letters_measured_anew(name, tool, fonts):
+    require_for(tool)
     numbers = chosen("letters", name)
-    truths = list(form.load(folder, name))
+    truths = list(form.load(fonts, name))
     assert [truth.id for truth in truths] == FOUND["letters"][name]["pairs"]
     scores = letters.scored(TOOLS[tool], [truths[k] for k in numbers])
     same(Nearness, scores, FOUND["letters"][name]["scores"][tool], numbers)
-
-
-@pytest.mark.parametrize("name", form.SETS)
-@pytest.mark.parametrize("tool", WITHOUT_NODE)
-def test_letters_measured_anew(name, tool, fonts):
-    letters_anew(fonts, name, tool)
-
-
-@pytest.mark.parametrize("name", form.SETS)
-@pytest.mark.parametrize("tool", WITH_NODE)
-def test_letters_measured_anew_with_flubber(name, tool, fonts, node):
-    letters_anew(fonts, name, tool)
 
 
 def test_times_are_of_commands_that_write_what_they_should(node, tmp_path):

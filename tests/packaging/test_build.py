@@ -23,6 +23,7 @@ KERNELS = PROJECT["tool"]["shapeblend"]["kernels"]
 MODULES = [path.removesuffix(".py").replace("/", ".") for path in KERNELS]
 PARTS = ["LICENSE", "MANIFEST.in", "Makefile", "README.md", "pyproject.toml", "setup.py"]
 PARTS += ["conftest.py", "samples", "shapeblend_cli", "tests", "tools"]
+BUILT = shutil.ignore_patterns("__pycache__", "*.so", "*.pyd")
 BINARY = re.compile(r"\.(so|pyd|c)$")
 
 
@@ -47,9 +48,7 @@ def source(tmp_path_factory):
     copy.mkdir()
     for name in PARTS:
         if (ROOT / name).is_dir():
-            shutil.copytree(
-                ROOT / name, copy / name, ignore=shutil.ignore_patterns("__pycache__", "*.so", "*.pyd")
-            )
+            shutil.copytree(ROOT / name, copy / name, ignore=BUILT)
         else:
             shutil.copy(ROOT / name, copy / name)
     return copy
@@ -91,6 +90,7 @@ def test_without_a_compiler_it_installs_and_its_kernels_run_as_python(wheel, tmp
 
 
 def test_wheel_carries_the_package_only_with_the_source_of_its_kernels(wheel):
+    assert wheel.name.startswith(f"shapeblend-{shapeblend_cli.__version__}-")
     names = zipfile.ZipFile(wheel).namelist()
     assert {name.split("/")[0] for name in names if ".dist-info/" not in name} == {"shapeblend_cli"}
     modules = {path.relative_to(ROOT).as_posix() for path in (ROOT / "shapeblend_cli").rglob("*.py")}
@@ -115,10 +115,6 @@ def test_sdist_carries_tests_and_samples_and_nothing_built(source, tmp_path):
     here = Path(__file__).relative_to(ROOT).as_posix()
     assert {here, "samples/e.svg", "samples/f.svg", "setup.py", "Makefile", "LICENSE", *KERNELS} <= names
     assert [name for name in names if BINARY.search(name) or name.startswith("build/")] == []
-
-
-def test_version_is_that_of_the_package(wheel):
-    assert wheel.name.startswith(f"shapeblend-{shapeblend_cli.__version__}-")
 
 
 def imported_by(arguments, folder):
@@ -166,35 +162,21 @@ def test_stand_in_for_cython_has_what_kernels_use_and_no_more():
 
 
 @pytest.mark.parametrize("name", MODULES)
-def test_binary_beside_a_kernel_is_not_older_than_its_source(name):
+def test_a_kernel_is_compiled_in_ci_and_its_binary_is_not_older_than_its_source(name):
     module = importlib.import_module(name)
     if not module.COMPILED:
+        assert os.environ.get("CI") != "true" or os.environ.get("SHAPEBLEND_PURE")
         pytest.skip(f"{name} is not compiled here")
     binary = Path(module.__file__)
     source = binary.with_name(name.rpartition(".")[2] + ".py")
     assert binary.stat().st_mtime >= source.stat().st_mtime, "the source was edited: run make install"
 
 
-def test_kernels_are_compiled_in_ci():
-    if os.environ.get("CI") != "true" or os.environ.get("SHAPEBLEND_PURE"):
-        pytest.skip("only CI promises a compiler")
-    assert [name for name in MODULES if not importlib.import_module(name).COMPILED] == []
-
-
-def test_kernels_are_the_modules_that_import_cython():
+def test_kernels_are_the_modules_that_import_cython_and_mypy_is_told():
     package = ROOT / "shapeblend_cli"
-    found = [
-        path.relative_to(ROOT).as_posix()
-        for path in package.rglob("*.py")
-        if re.search(r"^\s*import cython$", path.read_text(encoding="utf-8"), re.MULTILINE)
-    ]
-    assert sorted(found) == sorted(KERNELS)
-
-
-def test_mypy_is_told_of_the_same_kernels():
-    told = [
-        table["module"]
-        for table in PROJECT["tool"]["mypy"]["overrides"]
-        if "valid-type" in table.get("disable_error_code", [])
-    ]
+    uses = re.compile(r"^\s*import cython$", re.MULTILINE)
+    found = [path for path in package.rglob("*.py") if uses.search(path.read_text(encoding="utf-8"))]
+    assert sorted(path.relative_to(ROOT).as_posix() for path in found) == sorted(KERNELS)
+    overrides = PROJECT["tool"]["mypy"]["overrides"]
+    told = [one["module"] for one in overrides if "valid-type" in one.get("disable_error_code", [])]
     assert told == [sorted(MODULES)]
