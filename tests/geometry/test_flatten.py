@@ -8,27 +8,8 @@ from hypothesis import strategies as st
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import TOLERANCE, flatten
 from shapeblend_cli.geometry.polyline import from_end_to_end
-from shapeblend_cli.model import Contour
 from tests.support.contours import circle_contour, furthest, polygon_contour
-
-coordinate = st.floats(-100.0, 100.0).map(lambda v: round(v, 3))
-point = st.builds(complex, coordinate, coordinate)
-
-
-@st.composite
-def contours(draw):
-    """Chains of 1 to 6 cubics and lines, loops and cusps among them."""
-    count = draw(st.integers(1, 6))
-    nodes = draw(st.lists(point, min_size=count + 1, max_size=count + 1, unique=True))
-    closed = count > 1 and draw(st.booleans())
-    if closed:
-        nodes[-1] = nodes[0]
-    straight = draw(st.lists(st.booleans(), min_size=count, max_size=count))
-    segments = []
-    for k in range(count):
-        inner = [nodes[k] + (nodes[k + 1] - nodes[k]) * s for s in (1 / 3, 2 / 3)]
-        segments.append([nodes[k], *(inner if straight[k] else draw(st.tuples(point, point))), nodes[k + 1]])
-    return Contour(np.array(segments), np.array(straight), closed)
+from tests.support.strategies import contours
 
 
 @given(contours(), st.sampled_from([0, 10, 60, 200]))

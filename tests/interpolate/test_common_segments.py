@@ -16,6 +16,7 @@ from shapeblend_cli.model import Contour, Polygon
 from shapeblend_cli.svg.reading.read import read
 from tests.support.contours import circle_contour, furthest, polygon_contour
 from tests.support.solver import find_least
+from tests.support.strategies import contours
 
 FOUR_ARCS = circle_contour(arcs=4)
 
@@ -244,29 +245,7 @@ def test_joined_segments_and_dots_that_repeat_are_not_lost():
     cut(Contour(np.concatenate([circle[:2], still, circle[2:]]), np.zeros(5, bool), True), rounded_square())
 
 
-coordinate = st.floats(-10.0, 10.0).map(lambda v: round(v, 2))
-point = st.builds(complex, coordinate, coordinate)
-
-
-@st.composite
-def closed_contours(draw):
-    """Cubics and lines in any order: loops, cusps, handles of no length."""
-    count = draw(st.integers(2, 5))
-    nodes = draw(st.lists(point, min_size=count, max_size=count, unique=True))
-    segments, straight = [], []
-    for k in range(count):
-        start, end = nodes[k], nodes[(k + 1) % count]
-        kind = draw(st.sampled_from(["line", "curve", "curve", "retracted"]))
-        straight.append(kind == "line")
-        if kind == "line":
-            segments.append(cubics.line(start, end))
-        else:
-            inner = [start, end] if kind == "retracted" else draw(st.tuples(point, point))
-            segments.append([start, *inner, end])
-    return Contour(np.array(segments), np.array(straight), True)
-
-
-@given(closed_contours(), closed_contours(), st.data())
+@given(contours(closed=True), contours(closed=True), st.data())
 def test_any_outlines_and_any_monotone_dots(a, b, data):
     polygon_a, polygon_b = flatten(a, 30), flatten(b, 30)
     m, n = len(polygon_a.vertices), len(polygon_b.vertices)
