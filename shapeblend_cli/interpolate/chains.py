@@ -195,15 +195,17 @@ def _extend(contour: _ContourChain, after: _ContourChain) -> _ContourChain:
     """Extend a contour by one that begins with its last outline, and cut all stations alike."""
     if contour.closed:
         contour = _roll_to(contour, float(after.start.cuts[0]))
-    here, there = _common_parts(contour.stations[-1], contour.end.cuts, after.stations[0], after.start.cuts)
-    numbers_here, numbers_there = ([part.segment for part in parts] for parts in (here, there))
+    parts, parts_after = _common_parts(
+        contour.stations[-1], contour.end.cuts, after.stations[0], after.start.cuts
+    )
+    numbers, numbers_after = ([part.segment for part in each] for each in (parts, parts_after))
     return contour._replace(
         stations=[
-            *(_cut(station, here) for station in contour.stations),
-            *(_cut(station, there) for station in after.stations[1:]),
+            *(_cut(station, parts) for station in contour.stations),
+            *(_cut(station, parts_after) for station in after.stations[1:]),
         ],
-        straight=contour.straight[numbers_here] & after.straight[numbers_there],
-        end=after.end._replace(cuts=_cut_positions(after.end.cuts, there)),
+        straight=contour.straight[numbers] & after.straight[numbers_after],
+        end=after.end._replace(cuts=_cut_positions(after.end.cuts, parts_after)),
     )
 
 
@@ -221,35 +223,35 @@ def _roll_to(contour: _ContourChain, position: float) -> _ContourChain:
 
 
 def _common_parts(
-    here: ComplexArray, cuts: FloatArray, there: ComplexArray, other_cuts: FloatArray
+    segments: ComplexArray, cuts: FloatArray, others: ComplexArray, other_cuts: FloatArray
 ) -> tuple[list[_Part], list[_Part]]:
-    """Cut an outline that is cut in two ways, `here` and `there`, at the positions of both.
+    """Cut an outline that is cut in two ways, into `segments` and into `others`, at the positions of both.
 
-    Both ways begin at the same position. Their parts correspond one for one; a part is a point where the other way of
-    cutting has a point and this one has not.
+    Both begin at the same position. Their parts correspond one for one; a part is a point where the other list of
+    segments has a point and its own has none.
     """
-    parts_here, parts_there = [], []
+    parts, other_parts = [], []
     i = j = 0
     u = v = 0.0
-    count_i, count_j = len(here), len(there)
+    count_i, count_j = len(segments), len(others)
     while i < count_i or j < count_j:
-        point_here = i < count_i and u == 0.0 and cuts[i + 1] - cuts[i] <= SAME
-        point_there = j < count_j and v == 0.0 and other_cuts[j + 1] - other_cuts[j] <= SAME
-        if i == count_i or j == count_j or point_here or point_there:
+        is_point = i < count_i and u == 0.0 and cuts[i + 1] - cuts[i] <= SAME
+        is_other_point = j < count_j and v == 0.0 and other_cuts[j + 1] - other_cuts[j] <= SAME
+        if i == count_i or j == count_j or is_point or is_other_point:
             # The other one is held meanwhile, unless it has a point here as well.
-            ends_i = i < count_i and (point_here or not point_there)
-            ends_j = j < count_j and (point_there or not point_here)
+            ends_i = i < count_i and (is_point or not is_other_point)
+            ends_j = j < count_j and (is_other_point or not is_point)
             next_u, next_v = (1.0 if ends_i else u), (1.0 if ends_j else v)
         else:
             ahead = cuts[i + 1] - other_cuts[j + 1]
             ends_i, ends_j = ahead <= SAME, ahead >= -SAME
-            next_u = 1.0 if ends_i else max(u, _nearest_parameter(here[i], there[j, 3]))
-            next_v = 1.0 if ends_j else max(v, _nearest_parameter(there[j], here[i, 3]))
-        parts_here.append(_Part(i, u, next_u) if i < count_i else _Part(count_i - 1, 1.0, 1.0))
-        parts_there.append(_Part(j, v, next_v) if j < count_j else _Part(count_j - 1, 1.0, 1.0))
+            next_u = 1.0 if ends_i else max(u, _nearest_parameter(segments[i], others[j, 3]))
+            next_v = 1.0 if ends_j else max(v, _nearest_parameter(others[j], segments[i, 3]))
+        parts.append(_Part(i, u, next_u) if i < count_i else _Part(count_i - 1, 1.0, 1.0))
+        other_parts.append(_Part(j, v, next_v) if j < count_j else _Part(count_j - 1, 1.0, 1.0))
         i, u = (i + 1, 0.0) if ends_i else (i, next_u)
         j, v = (j + 1, 0.0) if ends_j else (j, next_v)
-    return parts_here, parts_there
+    return parts, other_parts
 
 
 def _nearest_parameter(segment: ComplexArray, point: complex) -> float:

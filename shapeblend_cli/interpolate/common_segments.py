@@ -159,13 +159,13 @@ def _cuts_at_nodes(match: ContinuousMatch) -> tuple[FloatArray, BoolArray]:
     """Return the positions where a drawing has a node or the match is fixed, and whether A and B have a node there."""
     a, b = match.a, match.b
     fixed = match.positions[match.fixed]
-    found = [fixed]
+    positions = [fixed]
     for side, one in enumerate((a, b)):
         low, high = match.positions[[0, -1], side]
         numbers = np.arange(np.ceil(low), np.floor(high) + 1.0)
         numbers = numbers[one.is_node(numbers)]
-        found.append(match.with_partners(side, numbers[~is_among(numbers, fixed[:, side])]))
-    cuts = np.concatenate(found)
+        positions.append(match.with_partners(side, numbers[~is_among(numbers, fixed[:, side])]))
+    cuts = np.concatenate(positions)
     order = np.lexsort((cuts[:, 1], cuts[:, 0]))
     cuts = np.maximum.accumulate(cuts[order], axis=0)
     cuts = cuts[np.append(True, (np.diff(cuts, axis=0) > 1e-9).any(axis=1))]

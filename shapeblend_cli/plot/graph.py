@@ -151,15 +151,17 @@ def cells(more: FloatArray) -> tuple[FloatArray, tuple[IntArray, IntArray]]:
 
 def rectangles(mask: BoolArray) -> list[tuple[int, int, int, int]]:
     """Cover what is true with few rectangles ``(column, row, columns, rows)``: runs of a row, equal ones joined."""
-    found = []
+    covering = []
     growing: dict[tuple[int, int], int] = {}
     for row in range(mask.shape[1] + 1):
         line = mask[:, row] if row < mask.shape[1] else np.zeros(mask.shape[0], np.bool_)
         turns = np.flatnonzero(np.diff(np.concatenate([[False], line, [False]]))).reshape(-1, 2)
         runs = {(int(first), int(last)) for first, last in turns}
-        found += [(c, top, end - c, row - top) for (c, end), top in growing.items() if (c, end) not in runs]
+        covering += [
+            (c, top, end - c, row - top) for (c, end), top in growing.items() if (c, end) not in runs
+        ]
         growing = {run: growing.get(run, row) for run in sorted(runs)}
-    return sorted(found)
+    return sorted(covering)
 
 
 def _shade(axes: Axes, shading: Shading) -> None:
