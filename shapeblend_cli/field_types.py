@@ -6,13 +6,11 @@ Errors are phrased so that the name of a field or of an option goes before them:
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from operator import index
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from shapeblend_cli import easing
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
 
 
 class Unfit(ValueError):
@@ -22,28 +20,15 @@ class Unfit(ValueError):
 class FieldType(NamedTuple):
     """A type of fields.
 
-    Attributes
-    ----------
-    expected : str
-        What a value must be, for errors.
-    canonical : callable
-        Returns a value in the one form it is kept in, or raises ValueError or TypeError.
-    metavar : str
-        How help shows a value.
-    split : callable
-        Turns what is typed into a value for `canonical`.
-    choices : tuple of str
-        All values, if they are a few words.
-    is_file : bool
-        Whether a value names a file.
+    `canonical` returns a value in the one form it is kept in, or raises ValueError or TypeError.
     """
 
-    expected: str
+    expected: str  # what a value must be, for errors
     canonical: Callable[[Any], Any]
-    metavar: str
-    split: Callable[[str], Any] = str
-    choices: tuple[str, ...] = ()
-    is_file: bool = False
+    metavar: str  # how help shows a value
+    split: Callable[[str], Any] = str  # turns what is typed into a value for `canonical`
+    choices: tuple[str, ...] = ()  # all values, if they are a few words
+    is_file: bool = False  # whether a value names a file
 
     def check(self, value: Any) -> Any:
         """Return a value in its canonical form, or raise ValueError."""
@@ -198,11 +183,11 @@ def _point(value: Any) -> complex:
 
 
 def _integers(text: str) -> list[int]:
-    return [int(part) for part in text.split(",")]
+    return list(map(int, text.split(",")))
 
 
 def _floats(text: str) -> list[float]:
-    return [float(part) for part in text.split(",")]
+    return list(map(float, text.split(",")))
 
 
 FLAG = FieldType("True or False", _flag, "")

@@ -6,51 +6,25 @@ tables of options in the README.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, dataclass_transform
+from collections.abc import Iterable, Mapping
+from typing import Any, ClassVar, NamedTuple, Self, dataclass_transform
 
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from shapeblend_cli.field_types import FieldType
+from shapeblend_cli.field_types import FieldType
 
 
 class Option(NamedTuple):
-    """The declaration of a field.
-
-    Attributes
-    ----------
-    kind : FieldType
-    default : any
-        The value where none, or None, is given.
-    help : str
-        One or two sentences, without the default.
-    section : str
-        The title under which help lists it; that of the record, unless it is given.
-    many : bool
-        Whether the value is a tuple of such values, and the option may be repeated.
-    key : str
-        The name in the report; that of the field, unless it is given.
-    flags : tuple of str
-        The names on the command line; ``--`` and the key, unless they are given.
-    metavar : str
-        How help shows a value; as the kind has it, unless it is given.
-    default_text : str or None
-        How help shows the default; None for the default itself.
-    name : str
-        Of the field.
-    """
+    """The declaration of a field."""
 
     kind: FieldType
-    default: Any
-    help: str
-    section: str = ""
-    many: bool = False
-    key: str = ""
-    flags: tuple[str, ...] = ()
-    metavar: str = ""
-    default_text: str | None = None
-    name: str = ""
+    default: Any  # the value where none, or None, is given
+    help: str  # one or two sentences, without the default
+    section: str = ""  # the title under which help lists it; without it, that of the record
+    many: bool = False  # the value is a tuple of such values, and the option may be repeated
+    key: str = ""  # the name in the report; without it, that of the field
+    flags: tuple[str, ...] = ()  # the names on the command line; without them, `--` and the key
+    metavar: str = ""  # how help shows a value; without it, as the kind has it
+    default_text: str | None = None  # how help shows the default; None for the default itself
+    name: str = ""  # of the field
 
     def named(self, name: str, section: str) -> Option:
         """Return the option with what follows from its name and its record."""

@@ -3,28 +3,23 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
 from shapeblend_cli.matching.solve import COMPILED
+from shapeblend_cli.model import Pair
 from shapeblend_cli.output import check_targets, write_files
-from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
 from shapeblend_cli.pipeline import make_frames, match_all, times_of_frames
-from shapeblend_cli.report import measure, report
+from shapeblend_cli.report import Measures, measure, report
+from shapeblend_cli.settings import ReadOptions, Settings, WriteOptions
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, read
 from shapeblend_cli.version import __version__
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
-
-    from shapeblend_cli.model import Pair
-    from shapeblend_cli.outputs.formats import OutputSpec
-    from shapeblend_cli.report import Measures
-    from shapeblend_cli.settings import ReadOptions, Settings, WriteOptions
 
 SLOW = (
     "the solver was installed without a C compiler and runs uncompiled, far slower; "
@@ -33,27 +28,14 @@ SLOW = (
 
 
 class Job(NamedTuple):
-    """One run of the command: files in, files out.
+    """One run of the command: files in, files out."""
 
-    Attributes
-    ----------
-    files : tuple of str
-        Two or more. One of them may be ``-``, standard input.
-    read : ReadOptions
-    output : OutputSpec
-    write : WriteOptions
-    reported : dict
-        Every option's value in force, for the report.
-    command : tuple of str
-        The command line.
-    """
-
-    files: tuple[str, ...]
+    files: tuple[str, ...]  # two or more, one of them perhaps `-`, standard input
     read: ReadOptions
     output: OutputSpec
     write: WriteOptions
-    reported: dict[str, Any]
-    command: tuple[str, ...]
+    reported: dict[str, Any]  # every option's value in force, for the report
+    command: tuple[str, ...]  # the command line
 
 
 class Run:
@@ -73,18 +55,7 @@ class Run:
 def blend_files(job: Job, note: Callable[[str], None], progress: Callable[[float], None]) -> Run:
     """Read files, blend each with the next, and write what is asked for, all of it or nothing.
 
-    Parameters
-    ----------
-    job : Job
-    note : callable
-        Takes what the user should know, a line at a time.
-    progress : callable
-        Takes the share of the matching that is done, from 0 to 1, now and then.
-
-    Raises
-    ------
-    ShapeblendError
-        With one line that names the file, what was found and what would work.
+    `note` takes what the user should know, a line at a time; `progress` the share of the matching that is done, 0 to 1.
     """
     clock = Clock()
     notes: list[str] = []

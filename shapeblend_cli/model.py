@@ -135,8 +135,7 @@ class RadialGradient(NamedTuple):
     spread: str = "pad"
 
 
-if TYPE_CHECKING:
-    Gradient = LinearGradient | RadialGradient
+Gradient = LinearGradient | RadialGradient
 
 
 class Style(NamedTuple):

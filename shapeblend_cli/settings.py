@@ -5,17 +5,15 @@ Nothing heavy is imported here, for the sake of ``--help``.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping
+from typing import Any
 
 from shapeblend_cli import field_types as types
 from shapeblend_cli.constants import PRESETS, WIRE, WorkConstants
 from shapeblend_cli.easing import LINEAR, Ease
 from shapeblend_cli.fields import Record, option
 
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    Vertices = tuple[int, int] | tuple[complex, complex]
+Vertices = tuple[int, int] | tuple[complex, complex]
 
 OUTPUT, SHAPES, CORRESPONDENCE = "Output", "Which shapes", "Correspondence"
 IN_BETWEENS, ANIMATIONS, OTHER = "In-betweens", "Animations", "Other"

@@ -6,7 +6,7 @@ Nothing heavy is imported before it is needed: ``--help`` and usage errors need 
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 import click
 
@@ -18,9 +18,6 @@ from shapeblend_cli.cli.plot import plot
 from shapeblend_cli.cli.terminal import Terminal
 from shapeblend_cli.errors import OptionError, ShapeblendError
 from shapeblend_cli.version import __version__
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 FAILED, USAGE = 1, 2
 
@@ -38,10 +35,7 @@ def shapeblend() -> None:
 def run(arguments: Sequence[str]) -> int:
     """Run a command line; an error is one line on standard error.
 
-    Returns
-    -------
-    int
-        Exit status: 0 done, 1 the input or the run failed, 2 the command line is wrong.
+    Return the exit status: 0 done, 1 the input or the run failed, 2 the command line is wrong.
     """
     note = Terminal().note
     try:

@@ -55,12 +55,7 @@ def blend(files: tuple[str, ...], **given: Any) -> None:
 
 
 def check_files(files: tuple[str, ...], settings: Settings) -> None:
-    """Refuse too few files, and settings that do not go with so many.
-
-    Raises
-    ------
-    click.UsageError
-    """
+    """Raise a usage error if there are too few files, or settings that do not go with so many."""
     if len(files) < 2:
         raise click.UsageError(f"a blend needs two files or more, A.svg and B.svg; {len(files)} given")
     if files.count(STANDARD_INPUT) > 1:

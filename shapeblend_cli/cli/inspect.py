@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import io
 import sys
-from typing import TYPE_CHECKING, Any, Literal
+from collections.abc import Sequence
+from typing import Any, Literal
 
 import click
 
 from shapeblend_cli.cli.options import FieldOption
 from shapeblend_cli.cli.terminal import Terminal
 from shapeblend_cli.settings import ReadOptions
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 COLUMNS = ("shape", "element", "id", "contours", "ends", "length", "box", "fill", "stroke", "rule")
 

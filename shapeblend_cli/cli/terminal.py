@@ -20,15 +20,7 @@ UNITS = 1000
 
 
 class Terminal:
-    """Standard error; a context that ends the progress bar.
-
-    Parameters
-    ----------
-    quiet : bool
-        Whether nothing but errors is printed.
-    now : callable
-        Returns a time in seconds.
-    """
+    """Standard error; a context that ends the progress bar. If `quiet`, nothing but errors is printed."""
 
     def __init__(self, *, quiet: bool = False, now: Callable[[], float] = time.monotonic) -> None:
         self._quiet = quiet

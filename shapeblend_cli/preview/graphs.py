@@ -5,19 +5,18 @@ from __future__ import annotations
 import base64
 import json
 import zlib
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from shapeblend_cli.matching.landscape import landscape
+from shapeblend_cli.matching.landscape import Landscape, landscape
+from shapeblend_cli.model import ContourBlend
 from shapeblend_cli.pairing.contour_blends import solved_wires
+from shapeblend_cli.settings import Settings
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from shapeblend_cli.matching.landscape import Landscape
-    from shapeblend_cli.model import ContourBlend, IntArray
-    from shapeblend_cli.settings import Settings
+    from shapeblend_cli.model import IntArray
 
 MOST_DOTS = 160_000
 """Dots of all landscapes of a page together: about two bytes each."""

@@ -10,21 +10,18 @@ import hashlib
 import html
 import json
 import shlex
+from collections.abc import Iterable, Iterator, Sequence
 from importlib.resources import files
 from string import Template
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from shapeblend_cli.easing import Timing
+from shapeblend_cli.model import Frame, Pair
 from shapeblend_cli.preview.graphs import by_size, graphs, pack_json
 from shapeblend_cli.preview.pictures import dot_positions, picture
+from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import title_of
 from shapeblend_cli.svg.writing.rounding import decimals_for, number
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
-
-    from shapeblend_cli.easing import Timing
-    from shapeblend_cli.model import Frame, Pair
-    from shapeblend_cli.settings import Settings
 
 POLICY = (
     "default-src 'none'; script-src {script}; style-src {style}; img-src data:; "
@@ -50,14 +47,7 @@ def preview(
 ) -> str:
     """Return a page that shows a run.
 
-    Parameters
-    ----------
-    ends : sequence of Frame
-        The drawings, as frames show them.
-    command : sequence of str
-        The command line, word by word.
-    notes : sequence of str
-        What the run printed.
+    The `ends` are the drawings, as frames show them; the `command` is in words; `notes` are what the run printed.
     """
     decimals = decimals_for([frame.view for frame in ends])
     landscapes = iter(graphs([contour for pair in pairs for contour in pair.contours], settings))

@@ -2,29 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from shapeblend_cli.interpolate.paths import paths_at, waypoints
-from shapeblend_cli.model import RadialGradient, unroll
+from shapeblend_cli.model import (
+    ContourBlend,
+    CubicPath,
+    Frame,
+    Pair,
+    RadialGradient,
+    ShapeBlend,
+    Style,
+    unroll,
+)
 from shapeblend_cli.paint.styles import blend_styles
 from shapeblend_cli.svg.writing.paint import gradient_attributes, paint_attributes, visible_styles
 from shapeblend_cli.svg.writing.path_data import path_data
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from shapeblend_cli.model import (
-        ContourBlend,
-        CubicPath,
-        FloatArray,
-        Frame,
-        IntArray,
-        Pair,
-        ShapeBlend,
-        Style,
-    )
+    from shapeblend_cli.model import FloatArray, IntArray
 
 PAINT_STEPS = 30
 """Paint is given at so many even times and one more; between two of them channels and numbers change evenly."""

@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from shapeblend_cli.svg.reading import colours
-from shapeblend_cli.svg.reading.declarations import KEYWORDS, parse_inline, put
+from shapeblend_cli.svg.reading.declarations import KEYWORDS, Declarations, parse_inline, put
 from shapeblend_cli.svg.reading.units import Measure, length
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from shapeblend_cli.svg.reading.declarations import Declarations
-    from shapeblend_cli.svg.reading.xmltree import Node
+from shapeblend_cli.svg.reading.xmltree import Node
 
 PRESENTATION = frozenset(
     "clip-path color display fill fill-opacity fill-rule filter font-size marker-end marker-mid marker-start mask "

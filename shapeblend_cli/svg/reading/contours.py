@@ -10,14 +10,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.model import Contour
-from shapeblend_cli.svg.reading.transforms import IDENTITY
+from shapeblend_cli.svg.reading.transforms import IDENTITY, Affine
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray
-    from shapeblend_cli.svg.reading.transforms import Affine
 
-    Segment = tuple[complex, ...]
-    """The four control points of a cubic."""
+Segment = tuple[complex, ...]
+"""The four control points of a cubic."""
 
 _CLOSE = 1e-9
 """Ends closer than this share of the largest coordinate coincide."""

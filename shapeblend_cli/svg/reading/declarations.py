@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from functools import lru_cache
-from typing import TYPE_CHECKING
 
 from shapeblend_cli.svg.reading import colours
 from shapeblend_cli.svg.reading.messages import Problem
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
 
 KEYWORDS = frozenset(("inherit", "initial", "unset", "revert", "revert-layer"))
 """Values of every property: https://www.w3.org/TR/css-cascade-4/#defaulting-keywords."""

@@ -4,21 +4,15 @@ from __future__ import annotations
 
 import cmath
 import math
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
 
-from shapeblend_cli.model import LinearGradient, RadialGradient, Stop
+from shapeblend_cli.model import Box, Gradient, LinearGradient, RadialGradient, Stop
 from shapeblend_cli.svg.reading import colours
-from shapeblend_cli.svg.reading.cascade import share
+from shapeblend_cli.svg.reading.cascade import Cascade, Inherited, share
 from shapeblend_cli.svg.reading.declarations import substitute
 from shapeblend_cli.svg.reading.transforms import IDENTITY, Affine, is_sound, parse
 from shapeblend_cli.svg.reading.units import Lengths, length
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from shapeblend_cli.model import Box, Gradient
-    from shapeblend_cli.svg.reading.cascade import Cascade, Inherited
-    from shapeblend_cli.svg.reading.xmltree import Node
+from shapeblend_cli.svg.reading.xmltree import Node
 
 KINDS = frozenset(("linearGradient", "radialGradient"))
 _MAX_LINKS = 8

@@ -2,24 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.model import Stop, Style
+from shapeblend_cli.model import Box, Contour, Stop, Style
 from shapeblend_cli.svg.reading import colours, gradients
-from shapeblend_cli.svg.reading.messages import check_limit
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from shapeblend_cli.model import Box, Contour
-    from shapeblend_cli.svg.reading.cascade import Cascade, Inherited
-    from shapeblend_cli.svg.reading.messages import Notes
-    from shapeblend_cli.svg.reading.transforms import Affine
-    from shapeblend_cli.svg.reading.units import Lengths
-    from shapeblend_cli.svg.reading.xmltree import Node
+from shapeblend_cli.svg.reading.cascade import Cascade, Inherited
+from shapeblend_cli.svg.reading.messages import Notes, check_limit
+from shapeblend_cli.svg.reading.transforms import Affine
+from shapeblend_cli.svg.reading.units import Lengths
+from shapeblend_cli.svg.reading.xmltree import Node
 
 MAX_STOPS = 200_000
 """Of all gradients together, counted once for every colour they are used with."""

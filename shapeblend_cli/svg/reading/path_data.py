@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from shapeblend_cli.model import Contour
 from shapeblend_cli.svg.libraries import parse_path
 from shapeblend_cli.svg.reading import contours
 from shapeblend_cli.svg.reading.messages import printable
@@ -25,9 +26,6 @@ from shapeblend_cli.svg.reading.units import (
     numbers,
     one_blank,
 )
-
-if TYPE_CHECKING:
-    from shapeblend_cli.model import Contour
 
 MAX_SEGMENTS = 500_000
 
@@ -68,14 +66,10 @@ class Subpath:
 
 
 def scan(data: str) -> tuple[list[Subpath], GrammarError | None]:
-    """Cut path data into subpaths, up to the first error.
+    """Cut path data into subpaths, up to the first error; raise TooManySegments.
 
     https://www.w3.org/TR/SVG2/paths.html#GrammarErrorHandling: browsers draw all segments before it, those of the
     command with the error among them.
-
-    Raises
-    ------
-    TooManySegments
     """
     subpaths: list[Subpath] = []
     if data.strip() in ("", "none"):
@@ -178,10 +172,7 @@ def _read_arcs(match: re.Match[str]) -> tuple[str, list[Arc | None], GrammarErro
 def trace(subpaths: list[Subpath]) -> list[Contour]:
     """Return the contours of checked subpaths; one that has no length is left out.
 
-    Raises
-    ------
-    TooManySegments
-        An arc is several cubics, so their number is known only here.
+    Raise TooManySegments here too: an arc is several cubics, so their number is known only now.
     """
     traced = []
     position = 0j

@@ -21,19 +21,12 @@ def title_of(file: str) -> str:
 def read(
     file: str, data: bytes | None = None, *, lenient: bool = False, select: str | None = None
 ) -> Drawing:
-    """Return what an SVG file paints.
+    """Return what an SVG file paints; without its contents as `data`, the file is opened.
 
-    Parameters
-    ----------
-    file : str
-        Its name, as the user gave it; ``-`` is standard input, called ``<stdin>`` in the drawing and in messages.
-    data : bytes, optional
-        Its contents; without them the file is opened.
-    lenient : bool
-        Draw path data and points that break the grammar up to the error, and note that.
-    select : str, optional
-        ``#id`` or a CSS selector: only the shapes it matches, those in groups it matches, and those drawn through a
-        ``use`` it matches. `Shape.index` still counts all the file paints.
+    The file ``-`` is standard input, called ``<stdin>`` in the drawing and in messages. If `lenient`, path data and
+    points that break the grammar are drawn up to the error. To `select`, by ``#id`` or a CSS selector, is to return
+    only the shapes it matches, those in groups it matches, and those drawn through a ``use`` it matches; `Shape.index`
+    still counts all the file paints.
 
     Raises
     ------

@@ -7,15 +7,11 @@ which no CSS selector can spell without escapes. Anything else, and an id that d
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Sequence
+from typing import Any
 
 from shapeblend_cli.svg.reading.messages import Problem, printable
-from shapeblend_cli.svg.reading.xmltree import GROUPS, LEFT_OUT, SHAPES
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    from shapeblend_cli.svg.reading.xmltree import Node
+from shapeblend_cli.svg.reading.xmltree import GROUPS, LEFT_OUT, SHAPES, Node
 
 _MAX_SELECTOR = 2_000
 _MAX_SUGGESTED, _MAX_LISTED = 3, 5
@@ -40,10 +36,7 @@ def check_selector(text: str) -> None:
 def select(root: Node, text: str) -> list[Node]:
     """Return the elements that a selector matches, in document order.
 
-    Raises
-    ------
-    Problem
-        If there is none, or matching takes too long.
+    A Problem is raised if there is none, or matching takes too long.
     """
     nodes = []
     if _is_id(text):

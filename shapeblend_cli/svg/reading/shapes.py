@@ -5,18 +5,13 @@ from __future__ import annotations
 import itertools
 import math
 import re
-from typing import TYPE_CHECKING
 
+from shapeblend_cli.model import Contour
 from shapeblend_cli.svg.reading import contours, path_data
-from shapeblend_cli.svg.reading.messages import Problem
-from shapeblend_cli.svg.reading.units import GrammarError, length, numbers
-
-if TYPE_CHECKING:
-    from shapeblend_cli.model import Contour
-    from shapeblend_cli.svg.reading.declarations import Declarations
-    from shapeblend_cli.svg.reading.messages import Notes
-    from shapeblend_cli.svg.reading.units import Lengths
-    from shapeblend_cli.svg.reading.xmltree import Node
+from shapeblend_cli.svg.reading.declarations import Declarations
+from shapeblend_cli.svg.reading.messages import Notes, Problem
+from shapeblend_cli.svg.reading.units import GrammarError, Lengths, length, numbers
+from shapeblend_cli.svg.reading.xmltree import Node
 
 _CSS_PATH = r"""path\(\s*+(?:(?:nonzero|evenodd)\s*+,\s*+)?(["'])([^"']*+)\1\s*+\)"""
 _VERTICAL = frozenset(("y", "y1", "y2", "cy", "ry", "height"))

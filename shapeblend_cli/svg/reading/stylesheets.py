@@ -6,20 +6,16 @@ from a budget.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import cssselect2
 import tinycss2
 
-from shapeblend_cli.svg.reading.declarations import parse
+from shapeblend_cli.svg.reading.declarations import Declarations, parse
 from shapeblend_cli.svg.reading.messages import Problem
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-
-    from shapeblend_cli.svg.reading.declarations import Declarations
-    from shapeblend_cli.svg.reading.xmltree import Node
+from shapeblend_cli.svg.reading.xmltree import Node
 
 _MAX_TEXT = 500_000
 _BUDGET = 4_000_000
@@ -48,10 +44,7 @@ UNREADABLE = (
 def match(root: Node, texts: list[str]) -> dict[int, tuple[Declarations, Declarations]]:
     """Return the normal and the important declarations of each element that a rule selects, by the node's identity.
 
-    Raises
-    ------
-    Problem
-        If the sheets, in document order, are too long or take too long to match.
+    A Problem is raised if the sheets, in document order, are too long or take too long to match.
     """
     budget = Budget("its style sheet takes too long to match; without it the file would work")
     matcher = cssselect2.Matcher()

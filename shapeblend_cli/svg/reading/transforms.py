@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.svg.reading.units import BLANK, GAP, LIMIT, NUMBER, length
+from shapeblend_cli.svg.reading.units import BLANK, GAP, LIMIT, NUMBER, Lengths, length
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from shapeblend_cli.model import ComplexArray
-    from shapeblend_cli.svg.reading.units import Lengths
 
 # Left as text: `re` compiles them when the first transform is read.
 _CALL = rf"{GAP}([a-zA-Z]++){BLANK}*+\(([^()]*+)\)"

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
 
 from shapeblend_cli.model import Box
+from shapeblend_cli.svg.reading.messages import Notes
 from shapeblend_cli.svg.reading.transforms import Affine, translation
 from shapeblend_cli.svg.reading.units import Lengths, length, numbers
-
-if TYPE_CHECKING:
-    from shapeblend_cli.svg.reading.messages import Notes
-    from shapeblend_cli.svg.reading.xmltree import Node
+from shapeblend_cli.svg.reading.xmltree import Node
 
 _MAX_LENGTH = 1000
 _MAX_FIT = 10_000

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.model import Shape
+from shapeblend_cli.model import Contour, Shape
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.cascade import INITIAL, Cascade, Inherited, inherit, share
 from shapeblend_cli.svg.reading.declarations import Declarations, substitute
@@ -19,11 +19,7 @@ from shapeblend_cli.svg.reading.selection import ancestors, paints_nothing, sele
 from shapeblend_cli.svg.reading.shapes import contours_of
 from shapeblend_cli.svg.reading.transforms import IDENTITY, Affine, is_sound, origin, parse, translation
 from shapeblend_cli.svg.reading.units import LIMIT, Lengths
-from shapeblend_cli.svg.reading.xmltree import GROUPS, LEFT_OUT, POINT_LISTS, SHAPES
-
-if TYPE_CHECKING:
-    from shapeblend_cli.model import Contour
-    from shapeblend_cli.svg.reading.xmltree import Node
+from shapeblend_cli.svg.reading.xmltree import GROUPS, LEFT_OUT, POINT_LISTS, SHAPES, Node
 
 _EFFECTS = dict.fromkeys(("clip-path", "mask", "filter"), "not applied")
 _EFFECTS |= dict.fromkeys(("marker-start", "marker-mid", "marker-end"), "not drawn")

@@ -7,16 +7,14 @@ elements and entity text, all of them checked while parsing.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 from xml.parsers import expat
 
 from shapeblend_cli.svg.reading.messages import Problem, check_limit, printable
 
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
 MAX_BYTES = 64 * 2**20
+_MEGABYTES = MAX_BYTES // 2**20
 MAX_DEPTH = 1000
 MAX_ELEMENTS = 250_000
 MAX_ENTITY_TEXT = 100_000
@@ -54,26 +52,13 @@ LEFT_OUT = frozenset(("text", "image", "foreignObject", "video", "canvas", "ifra
 
 @dataclass(slots=True, eq=False, repr=False)
 class Node:
-    """An element.
+    """An element."""
 
-    Attributes
-    ----------
-    tag : str
-        The local name of an SVG element; ``prefix:name`` of any other.
-    attrib : dict
-        Attributes by the names they have in the file.
-    line : int
-        Where the element begins in the file, counted from 1.
-    children : list of Node
-    text : str
-        The text directly inside, of ``style`` elements only.
-    """
-
-    tag: str
-    attrib: dict[str, str]
-    line: int
+    tag: str  # the local name of an SVG element; `prefix:name` of any other
+    attrib: dict[str, str]  # by the names in the file
+    line: int  # where the element begins in the file, counted from 1
     children: list[Node] = field(default_factory=list)
-    text: str = ""
+    text: str = ""  # directly inside, of `style` elements only
 
     def get(self, name: str, default: str | None = None) -> str | None:
         """Return the value of an attribute."""
@@ -99,13 +84,7 @@ class Node:
 
 
 def parse(data: bytes) -> Node:
-    """Return the root of the document in `data`.
-
-    Raises
-    ------
-    Problem
-        If `data` is not well-formed XML, or exceeds a limit.
-    """
+    """Return the root of a document; raise a Problem if it is not well-formed XML, or exceeds a limit."""
     data, encoding = _decode(_unpack(data))
     parser = expat.ParserCreate(encoding)
     builder = _Builder(parser, data)
@@ -126,7 +105,7 @@ def _unpack(data: bytes) -> bytes:
     if data.startswith(b"\x1f\x8b"):
         data = _gunzip(data)
     if len(data) > MAX_BYTES:
-        raise Problem(f"larger than {MAX_BYTES // 2**20} MB, the most that is read")
+        raise Problem(f"larger than {_MEGABYTES} MB, the most that is read")
     if not data.strip():
         raise Problem("the file is empty; an SVG file would work")
     for magic, name in _OTHER_FORMATS.items():
@@ -198,9 +177,7 @@ class _Builder:
             # Expat adds default values to every element: they multiply.
             self._default_text += sum(map(len, attrib.values()))
             if self._default_text > MAX_BYTES:
-                raise Problem(
-                    f"attributes longer than {MAX_BYTES // 2**20} MB together, the most that is read"
-                )
+                raise Problem(f"attributes longer than {_MEGABYTES} MB together, the most that is read")
         namespaces = self._namespaces[-1]
         declared = [key for key in attrib if key.startswith("xmlns")]
         if declared:
@@ -251,7 +228,7 @@ class _Builder:
         largest = max(self._entities.values())
         total = sum(self._entities.get(name, largest) for name in names)
         if total > MAX_BYTES:
-            raise Problem(f"entities swell it to more than {MAX_BYTES // 2**20} MB, the most that is read")
+            raise Problem(f"entities swell it to more than {_MEGABYTES} MB, the most that is read")
 
 
 def _forgive(root: str, declared: list[str], namespaces: dict[str, bool]) -> None:

@@ -7,18 +7,15 @@ in the same order.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
+from shapeblend_cli.easing import Ease
+from shapeblend_cli.model import KeyframedShape
 from shapeblend_cli.paint.colours import colour_stops
 from shapeblend_cli.svg.writing.paint import paint_attributes, without_defaults
 from shapeblend_cli.svg.writing.path_data import short_path_data
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from shapeblend_cli.easing import Ease
-    from shapeblend_cli.model import KeyframedShape
 
 COLOURS = frozenset(("fill", "stroke", "stop_color"))
 

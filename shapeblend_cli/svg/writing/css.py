@@ -3,24 +3,19 @@
 from __future__ import annotations
 
 import zlib
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
-from shapeblend_cli.easing import FOREVER, PINGPONG
+from shapeblend_cli.easing import FOREVER, PINGPONG, Timing
+from shapeblend_cli.model import Box, KeyframedShape
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import (
     COLOURS,
     TIME_DIGITS,
+    Moment,
     attribute_values,
     moments,
 )
 from shapeblend_cli.svg.writing.rounding import number
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from shapeblend_cli.easing import Timing
-    from shapeblend_cli.model import Box, KeyframedShape
-    from shapeblend_cli.svg.writing.animation import Moment
 
 
 def css_svg(shapes: Sequence[KeyframedShape], view: Box, timing: Timing, decimals: int) -> str:

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import Any
 from xml.etree import ElementTree  # svgwrite has imported it anyway
 
+from shapeblend_cli.model import Box, Frame
 from shapeblend_cli.svg.libraries import svgwrite
 from shapeblend_cli.svg.writing.paint import Gradients, visible_styles
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from shapeblend_cli.model import Box, Frame
 
 
 def empty(viewbox: Box, decimals: int) -> Any:

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from shapeblend_cli.model import Box
 from shapeblend_cli.svg.libraries import svgwrite
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.rounding import number
 
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    Point = tuple[float, float]
+Point = tuple[float, float]
 
 DECIMALS = 1
 """Of coordinates; a figure is some hundreds of units wide."""

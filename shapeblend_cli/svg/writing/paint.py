@@ -4,16 +4,11 @@ from __future__ import annotations
 
 import cmath
 import math
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 from xml.etree.ElementTree import Element, SubElement
 
-from shapeblend_cli.model import LinearGradient
+from shapeblend_cli.model import Gradient, LinearGradient, PaintedShape, RadialGradient, Style
 from shapeblend_cli.svg.writing.rounding import number
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from shapeblend_cli.model import Gradient, PaintedShape, RadialGradient, Style
 
 SHARE_DIGITS = 5
 """Decimals of shares, such as the offset of a gradient's stop."""

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import Any
 from xml.etree.ElementTree import Element
 
-from shapeblend_cli.easing import FOREVER, PINGPONG
-from shapeblend_cli.model import KeyframedShape, RadialGradient
+from shapeblend_cli.easing import FOREVER, PINGPONG, Timing
+from shapeblend_cli.model import Box, Frame, Gradient, KeyframedShape, RadialGradient
 from shapeblend_cli.svg.writing import document
-from shapeblend_cli.svg.writing.animation import TIME_DIGITS, attribute_values, moments, values_between
+from shapeblend_cli.svg.writing.animation import (
+    TIME_DIGITS,
+    Values,
+    attribute_values,
+    moments,
+    values_between,
+)
 from shapeblend_cli.svg.writing.paint import (
     Gradients,
     gradient_attributes,
@@ -17,13 +24,6 @@ from shapeblend_cli.svg.writing.paint import (
 )
 from shapeblend_cli.svg.writing.path_data import short_path_data
 from shapeblend_cli.svg.writing.rounding import number
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from shapeblend_cli.easing import Timing
-    from shapeblend_cli.model import Box, Frame, Gradient
-    from shapeblend_cli.svg.writing.animation import Values
 
 DISCRETE = frozenset(("fill_rule", "stroke_linecap", "stroke_linejoin", "spreadMethod"))
 """Attributes that have nothing in between and switch at half time."""
