@@ -83,7 +83,9 @@ def _settle_without_defect(trials: list[Trial], matched: Sequence[int], times: S
     """Settle shapes without a defect, and those for which other motions would take too long, the smallest."""
     defects = {k: worst_defect(trials[k].shape, times) for k in matched}
     affordable = AFFORDABLE_SEGMENTS
-    for k in sorted(matched, key=lambda k: -_size(trials[k].shape)):
+    # The larger side of a shape's largest box.
+    sizes = {k: max(max(c.scale_a, c.scale_b) for c in trials[k].shape.contours) for k in matched}
+    for k in sorted(matched, key=lambda k: -sizes[k]):
         shape, defect = trials[k].shape, defects[k]
         if defect is None:
             trials[k] = Trial(shape._replace(reason="no fault"))
@@ -162,11 +164,6 @@ def _safe(trial: Trial, rotated: RotatedShape) -> ShapeBlend:
     if route is None:
         return _rigid(rotated, "no way without crossings was found")
     return follow_route(route)._replace(reason=ASKED)
-
-
-def _size(shape: ShapeBlend) -> float:
-    """Return the larger side of the largest contour's box."""
-    return max(max(contour.scale_a, contour.scale_b) for contour in shape.contours)
 
 
 def _blurred(shape: ShapeBlend) -> Defect | None:

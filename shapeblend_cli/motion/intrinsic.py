@@ -37,16 +37,14 @@ class ControlPolygons(NamedTuple):
 
     Attributes
     ----------
-    path : CubicPath
-        Its segments' control points have the indices `control_points`, (s, 4).
+    control_points : (s, 4) int
+        Indices of each segment's.
     points : pair of (n + 1,) complex
-        At the start and the end; those of closed contours repeat the first.
+        Those of closed contours repeat the first.
     moves : (n,) bool
         Which edges are ever more than a point, m of them.
-    start, end : (m,) float
-        Lengths, ``L_A`` and ``L_B``.
-    direction, direction_change : (m,) float
-        The directions at the start, and by how much they change: radians.
+    start, end, direction, direction_change : (m,) float
+        Lengths ``L_A`` and ``L_B``, directions at the start and by how much they change, in radians.
     share : (m,) float
         How much of the contour each edge is, of both lengths; of sum 1.
     """
@@ -68,13 +66,10 @@ class ControlPolygons(NamedTuple):
 
 
 class MovingPolygon(NamedTuple):
-    """How a control polygon moves: lengths and changes of direction with the similarity undone.
+    """How a control polygon moves: lengths at the end and changes of direction with the similarity undone.
 
     Attributes
     ----------
-    polygons : ControlPolygons
-        With the lengths and the directions at the start.
-    end, direction_change : (m,) float
     compliance : (m,) float
         How readily a length changes to close the polygon; 1 in the mean.
     weight : (n + 1,) float

@@ -280,15 +280,10 @@ class CrossingMap:
         blocked = [
             (start, end)
             for start, end in pairwise(positions)
-            if self.edge_is_free(start, end)
-            and not all(self.is_free(*_along(start, end, share)) for share in CLOSELY)
+            if self.edge_is_free(start, end) and not _is_free(np.array([start, end]), self, CLOSELY)
         ]
         self._closed_edges.update(blocked)
         return bool(blocked)
-
-
-def _along(start: Position, end: Position, share: float) -> Position:
-    return start[0] + share * (end[0] - start[0]), start[1] + share * (end[1] - start[1])
 
 
 def _cheapest_path(crossings: CrossingMap, most_cost: float) -> tuple[float, list[Position]] | None:

@@ -63,9 +63,7 @@ def grow_from_point(contour: PlacedContour, point: complex, *, of_b: bool) -> Co
     spot = Polygon(np.array([point]), np.zeros(1, np.intp), np.zeros(1), closed)
     shrunk = replace(contour.contour, segments=np.full_like(contour.contour.segments, point))
     vertices = np.arange(len(contour.polygon.vertices))
-    here = 1 if of_b else 0
-    dots = np.zeros((len(vertices), 2), np.intp)
-    dots[:, here] = vertices
+    dots = np.stack([0 * vertices, vertices] if of_b else [vertices, 0 * vertices], axis=1)
     free = Correspondence(dots, closed, 0.0, 0.0, 0.0, 0, 0.0, 0)
     if of_b:
         numbers, contours, polygons = (

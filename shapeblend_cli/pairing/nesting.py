@@ -22,17 +22,10 @@ SAMPLES, STEP = 32, 1e-4
 class Nesting(NamedTuple):
     """Roles and directions of the closed contours of one shape.
 
-    Attributes
-    ----------
-    exterior : tuple of int or None
-        For each contour the exterior that it is a hole in; None for an exterior.
-    reversed : tuple of bool
-        Which contours must be reversed so that all exteriors run one way round and all holes the other.
-    rule : {'nonzero', 'evenodd'}
-        The fill rule under which the contours, so reversed, paint what they painted. ``nonzero`` if possible: under
-        it exteriors that meet on their way do not cancel each other.
-    any_rule : bool
-        Whether the other rule would paint the same.
+    For each contour there is the exterior that it is a hole in, None for an exterior, and whether it must be reversed
+    so that all exteriors run one way round and all holes the other. The fill rule is one under which they then paint
+    what they painted, ``nonzero`` if possible, as exteriors that meet on their way do not cancel each other under it.
+    `any_rule` says whether the other rule would do as well.
     """
 
     exterior: tuple[int | None, ...]
