@@ -82,15 +82,9 @@ def test_safe_never_crosses_whatever_the_solver_matched(outlines):
 
 def test_only_the_shape_with_a_fault_moves_otherwise():
     centre = comb(3).mean()
-    a, b = (
-        drawings.drawing(
-            "M30 0L45 5V12H30Z",
-            f"M{' '.join(f'{v.real},{v.imag}' for v in z)}Z",
-            viewbox="-10 -10 60 60",
-        )
-        for z in (comb(3), (comb(3) - centre) * np.exp(2j) + centre)
-    )
-    pair = pair_of(a, b)
+    teeth = comb(3), (comb(3) - centre) * np.exp(2j) + centre
+    paths = (f"M{' '.join(f'{v.real},{v.imag}' for v in z)}Z" for z in teeth)
+    pair = pair_of(*(drawings.drawing("M30 0L45 5V12H30Z", path, viewbox="-10 -10 60 60") for path in paths))
     found = dict(zip(motions(pair), reasons(pair), strict=True))
     assert set(found) == {"linear", "rigid"}
     assert found["linear"] == "no fault"

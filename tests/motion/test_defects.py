@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.motion.alignment import Alignment, Rigid
 from shapeblend_cli.motion.defects import COLLAPSE, CROSSING, LOSS, OVERLAP, STRAY, worst_defect
-from tests.support.motions import moving_polygons, rigidly
-from tests.support.shapes import arm, comb, star_polygon
+from tests.support.motions import moving_polygons, polygon_path, rigidly
+from tests.support.shapes import arm, comb, star_polygon, unit
 from tests.support.strategies import rngs
 
 SQUARE = np.array([0, 4, 4 + 4j, 4j])
@@ -19,8 +19,7 @@ BOW_TIE = np.array([0, 2, 2j, 2 + 2j])
 
 
 def rotated(z, degrees):
-    z = np.asarray(z, complex)
-    return (z - z.mean()) * np.exp(1j * np.radians(degrees)) + z.mean()
+    return (z - z.mean()) * unit(degrees) + z.mean()
 
 
 def rank(shape, times=()):
@@ -55,26 +54,28 @@ def test_straight_paths_of_a_rotated_square_lose_area(degrees, expected):
     assert defect.rank == expected
     phrase = re.fullmatch(r"(\d+) % of the area it should have at t = ([\d.]+)", defect.message)
     share, t = map(float, phrase.groups())
-    left = abs(1.0 - t + t * np.exp(1j * np.radians(degrees))) ** 2
+    left = abs(1.0 - t + t * unit(degrees)) ** 2
     assert share == pytest.approx(100.0 * left, abs=0.51)
 
 
-class Blown:
-    """Larger on its way."""
+class Scripted:
+    """The motion of a contour by a function of its start and the time."""
 
-    name = "blown"
+    name = "scripted"
 
-    def __init__(self, factor):
-        self.factor = factor
+    def __init__(self, at):
+        self.at = at
 
     def segments(self, contours, t):
-        scale = 1.0 + 4.0 * t * (1.0 - t) * (self.factor - 1.0)
-        return [SQUARE.mean() + scale * (contour.start.segments - SQUARE.mean()) for contour in contours]
+        return [self.at(contour.start.segments, t) for contour in contours]
 
 
-def test_too_much_area_is_a_loss_too():
-    assert rank(STILL._replace(motion=Blown(1.2))) is None
-    assert rank(STILL._replace(motion=Blown(1.28))) == LOSS
+@pytest.mark.parametrize(("factor", "expected"), [(1.2, None), (1.28, LOSS)])
+def test_too_much_area_is_a_loss_too(factor, expected):
+    def blown(z, t):
+        return SQUARE.mean() + (1.0 + 4.0 * t * (1.0 - t) * (factor - 1.0)) * (z - SQUARE.mean())
+
+    assert rank(STILL._replace(motion=Scripted(blown))) == expected
 
 
 def test_a_limb_that_collapses():
@@ -100,26 +101,15 @@ def test_an_outline_that_crosses_itself_is_worst_and_named_with_its_time():
     assert message(arms).startswith("an outline crosses itself at t = ")
 
 
-class Spike:
-    """A bow tie for a moment."""
-
-    name = "spike"
-
-    def __init__(self, time, reach):
-        self.time, self.reach = time, reach
-
-    def segments(self, contours, t):
-        (contour,) = contours
-        if abs(t - self.time) >= self.reach:
-            return [contour.start.segments]
-        return [moving_polygons((SQUARE[[0, 2, 1, 3]], SQUARE)).contours[0].start.segments]
-
-
 def test_a_crossing_between_the_usual_times_is_seen_at_a_frames_time():
-    crossing = STILL._replace(motion=Spike(0.512, 0.004))
-    assert rank(crossing) is None
-    assert worst_defect(crossing, (0.512,)) == (CROSSING, "an outline crosses itself at t = 0.512")
-    assert rank(STILL._replace(motion=Spike(0.512, 0.0)), (0.512,)) is None
+    bow_tie = polygon_path(SQUARE[[0, 2, 1, 3]]).segments
+
+    def spiked(reach):
+        return STILL._replace(motion=Scripted(lambda z, t: bow_tie if abs(t - 0.512) < reach else z))
+
+    assert rank(spiked(0.004)) is None
+    assert worst_defect(spiked(0.004), (0.512,)) == (CROSSING, "an outline crosses itself at t = 0.512")
+    assert rank(spiked(0.0), (0.512,)) is None
 
 
 LINE = np.array([0, 4, 2, 1])

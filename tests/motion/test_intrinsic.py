@@ -16,7 +16,7 @@ from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support.motions import TIMES, moving_curves, moving_polygon, moving_shape, similarity_of
-from tests.support.shapes import random_polygon, star_polygon
+from tests.support.shapes import random_polygon, star_polygon, unit, with_repeats
 from tests.support.strategies import rngs
 
 counts = st.integers(3, 24)
@@ -41,12 +41,6 @@ def smooth_contour(rng, m):
     tangents /= abs(tangents)
     after, before = rng.uniform(0.1, 0.4, (2, m)) * abs(ends - nodes)
     return np.stack([nodes, nodes + after * tangents, ends - before * np.roll(tangents, -1), ends], axis=1)
-
-
-def with_repeats(rng, z, more):
-    """Vertices of which some are there several times, one after the other."""
-    again = np.sort(rng.integers(0, len(z), more))
-    return np.insert(z, again, z[again])
 
 
 def moving_samples(samples, a, b, settings=None):
@@ -114,9 +108,8 @@ def smooth_joints(segments):
 
 def with_arm(angle):
     """A body three wide and five high; at a shoulder an arm of length six, which swings."""
-    along = np.exp(1j * np.radians(angle))
     shoulder, reach = 3 + 3j, np.array([1, 2.5, 4.5, 6])
-    out, back = shoulder + (reach - 0.15j) * along, shoulder + (reach[::-1] + 0.15j) * along
+    out, back = shoulder + (reach - 0.15j) * unit(angle), shoulder + (reach[::-1] + 0.15j) * unit(angle)
     return np.array([0, 3, shoulder - 0.4j, *out, *back, shoulder + 0.4j, 3 + 5j, 5j])
 
 

@@ -41,6 +41,10 @@ def levels_alone(outline, closed=True):
     return [path.segments for (path,) in levels_of(outline, closed=closed)]
 
 
+def as_curves(segments):
+    return CubicPath(segments, np.zeros(len(segments), bool), True)
+
+
 def roundness(vertices):
     """1 for a circle, less for all else: 4 pi area over the square of the length."""
     length = abs(np.diff(vertices, append=vertices[:1])).sum()
@@ -60,8 +64,7 @@ def test_outlines_by_hand_keep_their_area_without_crossing_and_become_round(z):
 
 @pytest.mark.parametrize("z", BY_HAND.values(), ids=BY_HAND)
 def test_at_every_level_the_area_is_kept(z):
-    as_curves = CubicPath(polygon_path(z).segments, np.zeros(len(z), bool), True)
-    for (level,) in smoothing_levels([as_curves]):
+    for (level,) in smoothing_levels([as_curves(polygon_path(z).segments)]):
         assert cubics.signed_area(level) == pytest.approx(signed_area(z), rel=0.04)
 
 
@@ -80,19 +83,15 @@ def test_any_simple_outline_becomes_round(rng, m, roughness):
 def test_curves_stay_curves_through_the_same_area():
     circle = circle_contour(3 + 1j, 2.0).segments
     for segments in (circle, circle + 0.5 * (circle - 3).real ** 2):
-        path = CubicPath(segments, np.zeros(8, bool), True)
-        for (level,) in smoothing_levels([path]):
+        for (level,) in smoothing_levels([as_curves(segments)]):
             assert cubics.signed_area(level) == pytest.approx(cubics.signed_area(segments), rel=2e-3)
             np.testing.assert_allclose(level[:, 3], np.roll(level[:, 0], -1), atol=1e-12)
-        assert roundness(polyline(CubicPath(level, path.straight, True), 8)) > 0.99
+        assert roundness(polyline(as_curves(level), 8)) > 0.99
 
 
 def test_a_circle_stays_where_it_is():
-    circle = circle_contour(3 + 1j, 2.0)
-    path = CubicPath(circle.segments, circle.straight, True)
-    for (level,) in smoothing_levels([path]):
-        points = polyline(CubicPath(level, circle.straight, True), 8)
-        np.testing.assert_allclose(abs(points - 3 - 1j), 2.0, rtol=2e-3)
+    for (level,) in smoothing_levels([as_curves(circle_contour(3 + 1j, 2.0).segments)]):
+        np.testing.assert_allclose(abs(polyline(as_curves(level), 8) - 3 - 1j), 2.0, rtol=2e-3)
 
 
 @pytest.mark.parametrize("closed", [True, False])

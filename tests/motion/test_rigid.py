@@ -14,15 +14,11 @@ from shapeblend_cli.svg.reading.read import read
 from tests.support import drawings
 from tests.support.contours import drawing, polygon_contour
 from tests.support.motions import TIMES, moving_polygons, pair_of, reasons, rigidly
-from tests.support.shapes import regular_polygon, star_polygon, star_with
+from tests.support.shapes import regular_polygon, star_polygon, star_with, unit
 from tests.support.strategies import rngs
 
 SLIGHT = 4e-3
 """Curves may be flattened to a vertex more or less when they are rotated."""
-
-
-def unit(degrees):
-    return np.exp(1j * np.radians(degrees))
 
 
 def placed(one, factor, shift=0j, start=0):

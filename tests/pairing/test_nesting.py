@@ -15,42 +15,35 @@ def square(x, y, size, step=1):
 
 
 @pytest.mark.parametrize(
-    ("polygons", "rule", "exterior", "is_reversed", "new_rule", "any_rule"),
+    ("squares", "rule", "exterior", "is_reversed", "new_rule", "any_rule"),
     [
-        ([square(0, 0, 9)], "nonzero", [None], [False], "nonzero", True),
-        ([square(0, 0, 9, -1)], "evenodd", [None], [True], "nonzero", True),
-        ([square(0, 0, 9), square(3, 3, 3, -1)], "nonzero", [None, 0], [False, False], "nonzero", True),
-        ([square(0, 0, 9), square(3, 3, 3)], "evenodd", [None, 0], [False, True], "nonzero", True),
-        ([square(3, 3, 3), square(0, 0, 9)], "evenodd", [1, None], [True, False], "nonzero", True),
+        ([(0, 0, 9)], "nonzero", [None], [0], "nonzero", True),
+        ([(0, 0, 9, -1)], "evenodd", [None], [1], "nonzero", True),
+        ([(0, 0, 9), (3, 3, 3, -1)], "nonzero", [None, 0], [0, 0], "nonzero", True),
+        ([(0, 0, 9), (3, 3, 3)], "evenodd", [None, 0], [0, 1], "nonzero", True),
+        ([(3, 3, 3), (0, 0, 9)], "evenodd", [1, None], [1, 0], "nonzero", True),
         # The same way round under nonzero: solid in solid, and no hole.
-        ([square(0, 0, 9), square(3, 3, 3)], "nonzero", [None, None], [False, False], "nonzero", False),
+        ([(0, 0, 9), (3, 3, 3)], "nonzero", [None, None], [0, 0], "nonzero", False),
         # An island in a hole, and a second exterior the other way round beside it.
         (
-            [square(0, 0, 9), square(1, 1, 7, -1), square(3, 3, 3), square(20, 0, 5, -1)],
-            "nonzero",
-            [None, 0, None, None],
-            [False, False, False, True],
-            "nonzero",
-            True,
+            [(0, 0, 9), (1, 1, 7, -1), (3, 3, 3), (20, 0, 5, -1)],
+            *("nonzero", [None, 0, None, None], [0, 0, 0, 1], "nonzero", True),
         ),
         # A hole that touches its exterior in a corner.
-        ([square(0, 0, 9), square(0, 0, 4)], "evenodd", [None, 0], [False, True], "nonzero", True),
+        ([(0, 0, 9), (0, 0, 4)], "evenodd", [None, 0], [0, 1], "nonzero", True),
         # Two that overlap: where they do is empty under evenodd, and no direction gives that under nonzero.
-        ([square(0, 0, 4), square(2, 2, 4)], "evenodd", [None, None], [False, False], "evenodd", False),
-        ([square(0, 0, 4), square(2, 2, 4)], "nonzero", [None, None], [False, False], "nonzero", False),
+        ([(0, 0, 4), (2, 2, 4)], "evenodd", [None, None], [0, 0], "evenodd", False),
+        ([(0, 0, 4), (2, 2, 4)], "nonzero", [None, None], [0, 0], "nonzero", False),
         # Windings 1, 2, 1, 0: the innermost is a hole, but one that no direction of its own cuts out of two solids.
         (
-            [square(0, 0, 9), square(1, 1, 7), square(2, 2, 5, -1), square(3, 3, 3, -1)],
-            "nonzero",
-            [None, None, None, 2],
-            [False, False, False, False],
-            "nonzero",
-            False,
+            [(0, 0, 9), (1, 1, 7), (2, 2, 5, -1), (3, 3, 3, -1)],
+            *("nonzero", [None, None, None, 2], [0, 0, 0, 0], "nonzero", False),
         ),
     ],
 )
-def test_roles_are_told_by_the_fill_rule(polygons, rule, exterior, is_reversed, new_rule, any_rule):
-    assert nest(polygons, rule) == (tuple(exterior), tuple(is_reversed), new_rule, any_rule)
+def test_roles_are_told_by_the_fill_rule(squares, rule, exterior, is_reversed, new_rule, any_rule):
+    polygons = [square(*each) for each in squares]
+    assert nest(polygons, rule) == (tuple(exterior), tuple(map(bool, is_reversed)), new_rule, any_rule)
 
 
 def test_a_pentagram_keeps_its_rule():

@@ -3,6 +3,11 @@
 import numpy as np
 
 
+def unit(degrees):
+    """The unit vector in a direction."""
+    return np.exp(1j * np.radians(degrees))
+
+
 def unit_box(vertices):
     """Section 3.3 in one line, apart from the package's own."""
     z = np.asarray(vertices, complex)
@@ -76,3 +81,9 @@ def arm(*angles, length=2.0, width=0.4):
     around = np.concatenate([way[:1], way]) + np.concatenate([way, way[-1:]])
     across = 0.5j * width * around / abs(around)
     return np.concatenate([[0.0, 3.0], bends - across, (bends + across)[::-1], [3.0 + 3j, 3j]])
+
+
+def with_repeats(rng, z, more):
+    """Vertices of which some are there several times, one after the other."""
+    again = np.sort(rng.integers(0, len(z), more))
+    return np.insert(z, again, z[again])
