@@ -9,6 +9,7 @@ import pytest
 
 import shapeblend_cli as sb
 from shapeblend_cli.cli import run
+from tests.support.commands import report
 from tools import api_reference
 
 ROOT = Path(__file__).parents[1]
@@ -26,16 +27,15 @@ def test_the_reference_is_current():
     assert {*api_reference.ORDER, "ShapeblendError", "__version__"} == {*sb.__all__} == {*dir(sb)}
 
 
-def test_the_code_of_the_readme_runs(tmp_path, monkeypatch):
+def test_the_code_of_the_readme_runs(here, samples):
     blocks = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
     assert len(blocks) == 2
-    (tmp_path / "samples").symlink_to(ROOT / "samples")
-    monkeypatch.chdir(tmp_path)
+    (here / "samples").symlink_to(samples)
     names = {}
     for block in blocks:
         exec(block, names)
-    assert len(list((tmp_path / "frames").iterdir())) == 11
-    assert "<animate" in (tmp_path / "moving.svg").read_text(encoding="utf-8")
+    assert len(list((here / "frames").iterdir())) == 11
+    assert "<animate" in (here / "moving.svg").read_text(encoding="utf-8")
     assert 0.0 < names["match"].lower_bound < names["match"].work
 
 
@@ -50,13 +50,12 @@ def test_the_code_of_the_readme_runs(tmp_path, monkeypatch):
         ("x.png", {"n": 2, "width": 40}, ["-n", "2", "--width", "40"]),
     ],
 )
-def test_what_is_saved_is_what_the_command_writes(letters, tmp_path, target, options, typed):
-    files = letters.save(tmp_path / "api" / target, **options)
-    assert run([E, F, "-o", str(tmp_path / "command" / target), *typed]) == 0
-    assert files
-    for file in files:
-        written = tmp_path / "command" / file.relative_to(tmp_path / "api")
-        assert file.read_bytes() == written.read_bytes()
+def test_what_is_saved_is_what_the_command_writes(letters, here, target, options, typed):
+    saved = letters.save(here / "api" / target, **options)
+    assert run([E, F, "-o", f"command/{target}", *typed]) == 0
+    assert saved
+    for file in saved:
+        assert file.read_bytes() == (here / "command" / file.relative_to(here / "api")).read_bytes()
 
 
 def test_nothing_is_replaced_without_force(letters, tmp_path):
@@ -66,9 +65,8 @@ def test_nothing_is_replaced_without_force(letters, tmp_path):
     assert letters.save(file, force=True) == [file]
 
 
-def test_a_report_is_that_of_the_command(letters, tmp_path):
-    assert run([E, F, "-o", str(tmp_path / "x.svg"), "--report", str(tmp_path / "r.json")]) == 0
-    written = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))
+def test_a_report_is_that_of_the_command(letters, here):
+    written = report(E, F, "-o", "x.svg")
     found = json.loads(json.dumps(letters.report()))
     assert found["inputs"] == [E, F]
     assert found["frames"] == written["frames"]
@@ -91,9 +89,8 @@ def test_several_drawings_are_counted_through():
     assert blend.settings == sb.Settings(vertices=40, frames=1, motion="linear")
     assert [(pair.a, pair.b) for pair in blend.pairs] == [(0, 1), (1, 2)]
     assert (blend.frame(1.25).t, blend.frame(2).t) == (0.25, 1.0)
-    np.testing.assert_array_equal(
-        blend.frame(2).shapes[0].paths[0].segments, sb.read(E).shapes[0].contours[0].segments
-    )
+    end = sb.read(E).shapes[0].contours[0].segments
+    np.testing.assert_array_equal(blend.frame(2).shapes[0].paths[0].segments, end)
     assert blend.crossings(n=3) == 0
 
 
@@ -118,11 +115,10 @@ def test_points_are_pairs_or_complex_numbers():
         (lambda: sb.match([0, 1, np.nan], [0, 1, 1j]), "a vertex is not finite"),
     ],
 )
-def test_errors_name_the_field(wrong, message, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def test_errors_name_the_field(wrong, message, here):
     with pytest.raises(ValueError, match=message):
         wrong()
-    assert list(tmp_path.iterdir()) == []
+    assert list(here.iterdir()) == []
 
 
 def test_a_name_that_is_not_there():

@@ -45,26 +45,20 @@ def test_time_of_a_progress():
     assert LINEAR.time_of(0.3) == 0.3
 
 
+FORMLESS = ["", "easy", "0,0,1,1"]
+FORMLESS += [f"cubic-bezier({text}" for text in ("1,2,3)", "0,0,1,1", "nan,0,1,1)", "a,0,1,1)")]
+
+
 @pytest.mark.parametrize(
-    "text",
+    ("text", "message"),
     [
-        "",
-        "easy",
-        "cubic-bezier(1,2,3)",
-        "cubic-bezier(0,0,1,1",
-        "0,0,1,1",
-        "cubic-bezier(nan,0,1,1)",
-        "cubic-bezier(a,0,1,1)",
+        *((text, "is none of linear, ease") for text in FORMLESS),
+        ("cubic-bezier(0.7,-0.6,0.3,1.6)", "between 0 and 1"),  # overshoots
     ],
 )
-def test_what_is_no_easing(text):
-    with pytest.raises(ValueError, match="is none of linear, ease"):
+def test_what_is_no_easing(text, message):
+    with pytest.raises(ValueError, match=message):
         parse(text)
-
-
-def test_an_easing_that_overshoots_is_refused():
-    with pytest.raises(ValueError, match="between 0 and 1"):
-        parse("cubic-bezier(0.7,-0.6,0.3,1.6)")
 
 
 def test_frames_are_spaced_by_it():

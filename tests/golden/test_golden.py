@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from shapeblend_cli.cli import run
+from tests.support.commands import report
 
 HERE = Path(__file__).parent
 CASES = sorted(path.parent.name for path in HERE.glob("*/arguments.txt"))
@@ -17,30 +17,26 @@ def canonical(path):
     return ElementTree.canonicalize(path.read_text(encoding="utf-8"))
 
 
-def correspondence(report):
+def correspondence(found):
     """Dots and work of every contour, rounded to what must not change."""
-    contours = [contour for pair in report["pairs"] for contour in pair["contours"]]
+    contours = [contour for pair in found["pairs"] for contour in pair["contours"]]
     return [
         {"dots": c["dots"], "stretching": round(c["stretching"], 9), "bending": round(c["bending"], 9)}
         for c in contours
     ]
 
 
-def produce(case, folder):
-    """Run a case in a folder: what it wrote, by name, and the correspondence."""
+def produce(case):
+    """Run a case in the working folder: what it wrote, by name, and the correspondence."""
     arguments = (HERE / case / "arguments.txt").read_text(encoding="utf-8").split()
     files = [str(HERE / case / name) for name in ("a.svg", "b.svg")]
-    assert (
-        run([*files, *arguments, "--output", str(folder / "out"), "--report", str(folder / "report.json")])
-        == 0
-    )
-    report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
-    return {path.name: path for path in sorted((folder / "out").iterdir())}, correspondence(report)
+    found = correspondence(report(*files, *arguments, "--output", "out"))
+    return {path.name: path for path in sorted(Path("out").iterdir())}, found
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_golden(case, tmp_path, request):
-    written, found = produce(case, tmp_path)
+def test_golden(case, here, request):
+    written, found = produce(case)
     expected, known = HERE / case / "expected", HERE / case / "correspondence.json"
     if request.config.getoption("--update-golden"):
         expected.mkdir(exist_ok=True)
@@ -57,9 +53,9 @@ def test_golden(case, tmp_path, request):
         assert canonical(path) == canonical(expected / name)
 
 
-def test_a_difference_would_be_seen(tmp_path):
-    written, _ = produce(CASES[0], tmp_path)
-    changed = tmp_path / "changed.svg"
+def test_a_difference_would_be_seen(here):
+    written, _ = produce(CASES[0])
+    changed = here / "changed.svg"
     path = next(iter(written.values()))
     changed.write_text(path.read_text(encoding="utf-8").replace("M", "M1", 1), encoding="utf-8")
     assert canonical(changed) != canonical(path)

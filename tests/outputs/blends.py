@@ -1,10 +1,14 @@
 """Blends to write in every form: what is hard about each is in its name."""
 
+from pathlib import Path
+
 import pytest
 
 from shapeblend_cli.cli import run
+from tests.support.commands import write
 from tests.support.drawings import BAR, EIGHT, I_DOT, J_DOT, LEAF, RING, SQUARES, B, svg
 
+AB = ("a.svg", "b.svg")
 ROUND = 'stroke="#204080" stroke-width="1.5" stroke-linecap="round" stroke-linejoin="round"'
 
 BLENDS = {
@@ -47,14 +51,14 @@ BLENDS = {
 each_blend = pytest.mark.parametrize("blend", BLENDS)
 
 
-def written(folder, blend):
-    """Write the two drawings of a blend; gives their names."""
-    for name, text in zip(("from.svg", "to.svg"), BLENDS[blend], strict=True):
-        (folder / name).write_text(text, encoding="utf-8")
-    return ["from.svg", "to.svg"]
-
-
-def emitted(folder, blend, emit, file, *options):
+def emitted(blend, emit, file, *options):
     """Write the two drawings of a blend, and emit it; gives the text of a file."""
-    assert run([*written(folder, blend), "--emit", emit, *options]) == 0
-    return (folder / file).read_text(encoding="utf-8")
+    write_blend(blend)
+    assert run([*AB, "--emit", emit, *options]) == 0
+    return Path(file).read_text(encoding="utf-8")
+
+
+def write_blend(blend):
+    """Write the two drawings of a blend, to the files of `AB`."""
+    a, b = BLENDS[blend]
+    write(a=a, b=b)

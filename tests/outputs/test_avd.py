@@ -9,11 +9,11 @@ import pytest
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.easing import LINEAR, Ease, Timing
-from shapeblend_cli.model import Box, CubicPath, PaintedShape, Style
+from shapeblend_cli.model import Box, PaintedShape, Style
 from shapeblend_cli.outputs.avd import animated_vector
 from shapeblend_cli.outputs.move import Move, moved_shape
 from shapeblend_cli.svg.writing.path_data import path_data
-from tests.outputs.blends import BLENDS, each_blend, emitted, written
+from tests.outputs.blends import BLENDS, each_blend, emitted, write_blend
 from tests.support.contours import polygon_contour
 from tests.support.drawings import BAR, LEAF
 from tests.support.motions import rotated_move
@@ -25,11 +25,7 @@ AAPT = "{http://schemas.android.com/aapt}"
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 COMMANDS = re.compile(r"(?:[MLC ]-?\d+(?:\.\d+)?,-?\d+(?:\.\d+)?(?: -?\d+(?:\.\d+)?,-?\d+(?:\.\d+)?)*|Z)+")
 
-# What the reference lists: attributes of a path, and which of them an animator may move, by its kind of value.
-PATH = {
-    *("name", "pathData", "fillColor", "fillAlpha", "fillType", "strokeColor", "strokeAlpha", "strokeWidth"),
-    *("strokeLineCap", "strokeLineJoin", "strokeMiterLimit"),
-}
+# What the reference lists: attributes of a path, as SVG has them, and which of them an animator may move.
 MOVES = {
     "pathData": "pathType",
     **dict.fromkeys(("fillColor", "strokeColor"), "colorType"),
@@ -40,10 +36,11 @@ TO_SVG = {
     **{"strokeColor": "stroke", "strokeAlpha": "stroke-opacity", "strokeWidth": "stroke-width"},
     **{"strokeLineCap": "stroke-linecap", "strokeLineJoin": "stroke-linejoin"},
 }
+PATH = {"name", "strokeMiterLimit", *TO_SVG}
 
 
-def emit_avd(here, blend):
-    return ElementTree.fromstring(emitted(here, blend, "avd", "blend.xml", "--motion", "linear"))
+def emit_avd(blend):
+    return ElementTree.fromstring(emitted(blend, "avd", "blend.xml", "--motion", "linear"))
 
 
 def android(element):
@@ -92,22 +89,22 @@ def shown(root, at_the_end):
 
 @each_blend
 def test_it_is_what_the_reference_describes_alike_at_both_ends_which_are_the_drawings(here, blend):
-    root = emit_avd(here, blend)
+    root = emit_avd(blend)
     assert root.tag == "animated-vector"
     vector = inline(root, "drawable")
     assert vector.tag == "vector"
     assert set(android(vector)) == {"width", "height", "viewportWidth", "viewportHeight"}
     assert all(android(vector)[side].endswith("dp") for side in ("width", "height"))
-    names = [android(path)["name"] for path in vector.iter("path")]
-    assert names == [f"shape-{k + 1}" for k in range(len(names))]
-    for path in vector.iter("path"):
-        assert set(android(path)) <= PATH
-        assert COMMANDS.fullmatch(android(path)["pathData"])
+    drawn = [android(path) for path in vector.iter("path")]
+    paths = {path["name"]: path for path in drawn}
+    assert list(paths) == [f"shape-{k + 1}" for k in range(len(drawn))]
+    for path in drawn:
+        assert set(path) <= PATH
+        assert COMMANDS.fullmatch(path["pathData"])
     assert {element.tag for element in vector} <= {"path", "group"}
     targets = [android(target)["name"] for target in root.findall("target")]
     assert len(set(targets)) == len(targets)
-    assert set(targets) <= set(names)
-    paths = {android(path)["name"]: android(path) for path in vector.iter("path")}
+    assert set(targets) <= set(paths)
     for name, animator in animators(root):
         key = animator["propertyName"]
         assert animator["valueType"] == MOVES[key]
@@ -123,7 +120,7 @@ def test_it_is_what_the_reference_describes_alike_at_both_ends_which_are_the_dra
 
 
 def test_the_corner_of_the_view_is_moved_to_the_origin(here):
-    root = emit_avd(here, "another viewBox")
+    root = emit_avd("another viewBox")
     vector = inline(root, "drawable")
     assert android(vector) == {
         "width": "40dp", "height": "40dp", "viewportWidth": "40", "viewportHeight": "40"
@@ -132,8 +129,7 @@ def test_the_corner_of_the_view_is_moved_to_the_origin(here):
 
 
 def test_seconds_ease_and_size():
-    contour = polygon_contour([0j, 1000 + 0j, 1000 + 500j])
-    shape = PaintedShape((CubicPath(contour.segments, contour.straight, True),), Style("#000000"))
+    shape = PaintedShape((polygon_contour([0j, 1000 + 0j, 1000 + 500j]),), Style("#000000"))
     view = Box(0.0, 0.0, 1000.0, 500.0)
     move = Move((moved_shape("shape-1", shape, shape._replace(style=Style("#ffffff"))),), (view, view))
     root = ElementTree.fromstring(animated_vector(move, Timing(0.3, EASE), 3))
@@ -187,24 +183,22 @@ def test_paths_go_from_waypoint_to_waypoint_one_after_the_other(ease, colours, s
 
 
 def test_drawings_that_are_the_same_have_nothing_to_move(here):
-    written(here, "holes")
-    assert run(["from.svg", "from.svg", "--emit", "avd", "-o", "-", "--report", "r.json"]) == 0
-    assert run(["from.svg", "from.svg", "--emit", "avd"]) == 0
+    write_blend("holes")
+    assert run(["a.svg", "a.svg", "--emit", "avd", "-o", "-", "--report", "r.json"]) == 0
+    assert run(["a.svg", "a.svg", "--emit", "avd"]) == 0
     assert ElementTree.parse(here / "blend.xml").getroot().findall("target") == []
 
 
 def test_what_cannot_change_on_the_way_is_said(here, capsys):
-    assert run([*written(here, "lines"), "--emit", "avd"]) == 0
-    said = capsys.readouterr().err.splitlines()
-    assert said == [
+    emitted("lines", "avd", "blend.xml")
+    assert capsys.readouterr().err.splitlines() == [
         f"shapeblend: shape-1: Android cannot change the line {what} on the way; that of the first drawing stays"
         for what in ("cap", "join")
     ]
 
 
 def test_a_path_that_is_too_long_for_android_is_said(here, capsys):
-    options = ["--emit", "avd", "--polygons", "--vertices", "500", "--precision", "10"]
-    assert run([*written(here, "holes"), *options]) == 0
+    emitted("holes", "avd", "blend.xml", "--polygons", "--vertices", "500", "--precision", "10")
     (line,) = capsys.readouterr().err.splitlines()
     assert re.fullmatch(
         r"shapeblend: shape-1: its path has \d{5} characters, and Android takes 32767; .*", line

@@ -1,6 +1,7 @@
 """Contact sheets: where cells are, and what colour they have."""
 
 import pytest
+from PIL.ImageColor import getrgb as colour
 
 from shapeblend_cli.errors import PictureError
 from shapeblend_cli.model import Box
@@ -11,10 +12,6 @@ from tests.support.drawings import svg
 
 RED = svg("M0 0H24V24H0Z", attributes='fill="#ff0000"')
 WIDE = svg("M0 0H24V12H0Z", attributes='fill="#0000ff"', viewbox="0 0 24 12")
-
-
-def colour(text):
-    return tuple(bytes.fromhex(text[1:]))
 
 
 def test_cells_stand_in_rows_with_gaps_around():

@@ -9,10 +9,11 @@ import pytest
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.easing import LINEAR, Ease, Timing
-from shapeblend_cli.model import Box, CubicPath, PaintedShape, Style
+from shapeblend_cli.model import Box, PaintedShape, Style
 from shapeblend_cli.outputs.lottie import lottie
 from shapeblend_cli.outputs.move import Move, moved_shape
 from tests.outputs.blends import each_blend, emitted
+from tests.support.commands import names, write
 from tests.support.contours import circle_contour, polygon_contour
 from tests.support.drawings import BAR, EYED, LEAF, RING, svg
 from tests.support.motions import rotated_move
@@ -21,13 +22,10 @@ VIEW = Box(0.0, 0.0, 24.0, 24.0)
 TWO_SECONDS = Timing(2.0)
 
 
-def painted(contour, style=None):
-    return PaintedShape((CubicPath(contour.segments, contour.straight, contour.closed),), style or Style())
-
-
 def of(contour, target, style=None, target_style=None, view=VIEW, timing=TWO_SECONDS):
     """A Lottie of one shape of one contour, and its items by type."""
-    shape = moved_shape("shape-1", painted(contour, style), painted(target, target_style))
+    sides = PaintedShape((contour,), style or Style()), PaintedShape((target,), target_style or Style())
+    shape = moved_shape("shape-1", *sides)
     found = json.loads(lottie([Move((shape,), (view, view))], timing, 4))
     return found, {item["ty"]: item for item in found["layers"][0]["shapes"][0]["it"]}
 
@@ -52,11 +50,11 @@ DIAMOND = polygon_contour([6 + 0j, 12 + 6j, 6 + 12j, 6j])
 
 @each_blend
 def test_paths_have_as_many_vertices_at_both_ends_and_properties_two_keyframes_if_any(here, blend):
-    found = json.loads(emitted(here, blend, *LINEAR_LOTTIE))
-    names = [layer["nm"] for layer in found["layers"]]
-    assert names
-    assert names == sorted(names, reverse=True)  # what is painted last is the first layer
-    assert [layer["ind"] for layer in found["layers"]] == list(range(1, len(names) + 1))
+    found = json.loads(emitted(blend, *LINEAR_LOTTIE))
+    layers = [layer["nm"] for layer in found["layers"]]
+    assert layers
+    assert layers == sorted(layers, reverse=True)  # what is painted last is the first layer
+    assert [layer["ind"] for layer in found["layers"]] == list(range(1, len(layers) + 1))
     for layer in found["layers"]:
         assert (layer["ty"], layer["ip"], layer["op"]) == (4, 0, 121)
         (group,) = layer["shapes"]
@@ -78,8 +76,8 @@ def test_paths_have_as_many_vertices_at_both_ends_and_properties_two_keyframes_i
 
 @each_blend
 def test_same_input_same_bytes_and_finite_short_numbers(here, blend):
-    before = emitted(here, blend, *LINEAR_LOTTIE)
-    assert emitted(here, blend, *LINEAR_LOTTIE, "-f") == before
+    before = emitted(blend, *LINEAR_LOTTIE)
+    assert emitted(blend, *LINEAR_LOTTIE, "-f") == before
     seen = []
     json.loads(before, parse_float=seen.append, parse_constant=lambda text: pytest.fail(text))
     assert all(math.isfinite(float(text)) and len(text) <= 12 for text in seen)
@@ -197,30 +195,26 @@ def test_sections_between_waypoints_have_their_share_of_the_ease_and_none_is_wit
 
 
 def test_a_sequence_has_the_layers_of_one_move_after_those_of_another(here, capfdbinary):
-    for name, d in (("a", BAR), ("b", LEAF), ("c", RING)):
-        (here / f"{name}.svg").write_text(svg(d))
+    write(a=svg(BAR), b=svg(LEAF), c=svg(RING))
     assert run(["a.svg", "b.svg", "c.svg", "--emit", "lottie", "-o", "-"]) == 0
-    assert sorted(path.name for path in here.iterdir()) == ["a.svg", "b.svg", "c.svg"]
+    assert names() == ["a.svg", "b.svg", "c.svg"]
     found = json.loads(capfdbinary.readouterr().out)
     assert found["op"] == 241
     assert sorted({(layer["ip"], layer["op"]) for layer in found["layers"]}) == [(0, 120), (120, 241)]
 
 
 def test_what_cannot_change_on_the_way_is_said():
-    style = Style("#000000", stroke="#000000", stroke_linecap="round")
-    sides = (painted(SQUARE, s) for s in (style, style._replace(stroke_linecap="butt")))
-    move = Move((moved_shape("shape-1", *sides),), (VIEW, VIEW))
+    side = PaintedShape((SQUARE,), Style("#000000", stroke="#000000", stroke_linecap="round"))
+    target = side._replace(style=side.style._replace(stroke_linecap="butt"))
+    move = Move((moved_shape("shape-1", side, target),), (VIEW, VIEW))
     assert move.unsupported_in("Lottie") == [
         "shape-1: Lottie cannot change the line cap on the way; that of the first drawing stays"
     ]
 
 
 def test_paint_that_one_side_alone_shows_has_its_rule_and_caps_from_there():
-    unseen = Style(None, fill_rule="nonzero")
     seen = Style("#000000", 1.0, "evenodd", "#ff0000", stroke_linecap="round", stroke_linejoin="bevel")
-    before = seen._replace(
-        fill_opacity=0.0, fill_rule=unseen.fill_rule, stroke_opacity=0.0, stroke_linecap="butt"
-    )
+    before = seen._replace(fill_opacity=0.0, fill_rule="nonzero", stroke_opacity=0.0, stroke_linecap="butt")
     for styles in ((before, seen), (seen, before)):
         _, items = of(SQUARE, DIAMOND, *styles)
         assert (items["fl"]["r"], items["st"]["lc"], items["st"]["lj"]) == (2, 2, 3)

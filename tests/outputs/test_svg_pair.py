@@ -1,6 +1,7 @@
 """Two SVG files with equal commands."""
 
 import re
+from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
@@ -9,7 +10,9 @@ import pytest
 from shapeblend_cli.cli import run
 from shapeblend_cli.outputs.options import OutputOptions, specify
 from shapeblend_cli.settings import Settings
-from tests.outputs.blends import BLENDS, each_blend, emitted
+from tests.outputs.blends import AB, BLENDS, each_blend, emitted
+from tests.support.commands import points as read_points
+from tests.support.commands import write
 from tests.support.drawings import BAR, LEAF, svg
 from tests.support.motions import rotated_move
 from tests.support.pictures import difference, pixels
@@ -17,9 +20,9 @@ from tests.support.pictures import difference, pixels
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 
 
-def emit_pair(here, blend, *options):
-    a = emitted(here, blend, "pair", "blend/a.svg", "-q", *options)
-    return a, (here / "blend" / "b.svg").read_text(encoding="utf-8")
+def emit_pair(blend, *options):
+    a = emitted(blend, "pair", "blend/a.svg", "-q", *options)
+    return a, Path("blend/b.svg").read_text(encoding="utf-8")
 
 
 def mixed(a, b, t):
@@ -46,7 +49,7 @@ def mixed(a, b, t):
 
 @each_blend
 def test_paths_attributes_and_commands_agree_and_each_file_shows_its_drawing(here, blend):
-    texts = emit_pair(here, blend)
+    texts = emit_pair(blend)
     a, b = (list(ElementTree.fromstring(text)) for text in texts)
     assert [path.get("id") for path in a] == [f"shape-{k + 1}" for k in range(len(a))]
     for one, other in zip(a, b, strict=True):
@@ -59,25 +62,22 @@ def test_paths_attributes_and_commands_agree_and_each_file_shows_its_drawing(her
 
 @pytest.mark.parametrize("blend", [name for name in BLENDS if name != "another viewBox"])
 def test_going_evenly_from_number_to_number_gives_the_frames(here, blend):
-    a, b = emit_pair(here, blend)
-    assert run(["from.svg", "to.svg", "-n", "3", "-o", "frames", "--motion", "linear", "-q"]) == 0
+    a, b = emit_pair(blend)
+    assert run([*AB, "-n", "3", "-o", "frames", "--motion", "linear", "-q"]) == 0
     for k, t in enumerate((0.25, 0.5, 0.75), 1):
-        frame = (here / "frames" / f"frame-{k}.svg").read_text(encoding="utf-8")
+        frame = Path(f"frames/frame-{k}.svg").read_text(encoding="utf-8")
         assert difference(pixels(mixed(a, b, t)), pixels(frame)) < 1e-3
 
 
 def test_a_contour_without_a_partner_is_a_point_in_the_other_file(here):
-    a, b = emit_pair(here, "a hole that grows, stroked with round caps")
+    a, b = emit_pair("a hole that grows, stroked with round caps")
     for text, points in ((a, 1), (b, 0)):
         subpaths = re.findall(r"M[^MZ]+", ElementTree.fromstring(text)[0].get("d"))
-        extents = [
-            np.ptp(np.reshape([float(v) for v in NUMBER.findall(s)], (-1, 2)), axis=0) for s in subpaths
-        ]
-        assert sum(bool((extent == 0).all()) for extent in extents) == points
+        assert sum(bool((np.diff(read_points(s)) == 0).all()) for s in subpaths) == points
 
 
 def test_paint_without_a_partner_is_there_and_not_seen(here):
-    a, b = (ElementTree.fromstring(text)[0] for text in emit_pair(here, "paint on one side alone"))
+    a, b = (ElementTree.fromstring(text)[0] for text in emit_pair("paint on one side alone"))
     assert (a.get("fill"), a.get("fill-opacity"), a.get("stroke-opacity")) == ("#cc00cc", "0.5", "0")
     assert (b.get("fill"), b.get("fill-opacity"), b.get("stroke-opacity")) == ("#cc00cc", "0", "1")
     assert a.get("stroke") == b.get("stroke") == "#204080"
@@ -99,7 +99,7 @@ def test_curved_paths_are_said_to_be_lost():
 
 
 def test_polygons_have_lines_alone(here):
-    for text in emit_pair(here, "holes", "--polygons"):
+    for text in emit_pair("holes", "--polygons"):
         assert "C" not in ElementTree.fromstring(text)[0].get("d")
 
 
@@ -113,9 +113,8 @@ GRADIENTS = [
 @pytest.mark.parametrize("first", [0, 1])
 @pytest.mark.parametrize("second", [0, 1])
 def test_gradients_stay(here, first, second):
-    for name, kind in (("from", first), ("to", second)):
-        (here / f"{name}.svg").write_text(svg(GRADIENTS[kind]))
-    assert run(["from.svg", "to.svg", "--emit", "pair"]) == 0
-    for name, kind in (("a", first), ("b", second)):
-        written = (here / "blend" / f"{name}.svg").read_text()
-        assert difference(pixels(written), pixels(svg(GRADIENTS[kind]))) < 0.001
+    drawings = {"a": svg(GRADIENTS[first]), "b": svg(GRADIENTS[second])}
+    write(**drawings)
+    assert run([*AB, "--emit", "pair"]) == 0
+    for name, drawing in drawings.items():
+        assert difference(pixels(Path(f"blend/{name}.svg").read_text()), pixels(drawing)) < 0.001
