@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.motion.alignment import Alignment, Rigid
 from shapeblend_cli.motion.defects import COLLAPSE, CROSSING, LOSS, OVERLAP, STRAY, worst_defect
-from tests.support.motions import moving_polygons, polygon_path, rigidly
+from tests.support.contours import polygon_contour
+from tests.support.motions import moving_polygons, rigidly
 from tests.support.shapes import arm, comb, star_polygon, unit
 from tests.support.strategies import rngs
 
@@ -102,7 +103,7 @@ def test_an_outline_that_crosses_itself_is_worst_and_named_with_its_time():
 
 
 def test_a_crossing_between_the_usual_times_is_seen_at_a_frames_time():
-    bow_tie = polygon_path(SQUARE[[0, 2, 1, 3]]).segments
+    bow_tie = polygon_contour(SQUARE[[0, 2, 1, 3]]).segments
 
     def spiked(reach):
         return STILL._replace(motion=Scripted(lambda z, t: bow_tie if abs(t - 0.512) < reach else z))

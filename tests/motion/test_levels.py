@@ -12,8 +12,7 @@ from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
 from shapeblend_cli.model import CubicPath
 from shapeblend_cli.motion.levels import TIMES, smoothing_levels
-from tests.support.contours import circle_contour, polyline
-from tests.support.motions import polygon_path
+from tests.support.contours import circle_contour, polygon_contour, polyline
 from tests.support.shapes import arm, bar, comb, random_polygon, spiral, star_polygon
 from tests.support.strategies import rngs
 
@@ -32,7 +31,7 @@ def levels_of(*outlines, closed=True):
     straight = [np.ones(len(z) if closed else len(z) - 1, bool) for z in outlines]
     return [
         [CubicPath(z, lines, closed) for z, lines in zip(level, straight, strict=True)]
-        for level in smoothing_levels([polygon_path(z, closed) for z in outlines])
+        for level in smoothing_levels([polygon_contour(z, closed) for z in outlines])
     ]
 
 
@@ -64,7 +63,7 @@ def test_outlines_by_hand_keep_their_area_without_crossing_and_become_round(z):
 
 @pytest.mark.parametrize("z", BY_HAND.values(), ids=BY_HAND)
 def test_at_every_level_the_area_is_kept(z):
-    for (level,) in smoothing_levels([as_curves(polygon_path(z).segments)]):
+    for (level,) in smoothing_levels([as_curves(polygon_contour(z).segments)]):
         assert cubics.signed_area(level) == pytest.approx(signed_area(z), rel=0.04)
 
 
@@ -104,7 +103,7 @@ def test_lines_stay_lines_joined_end_to_end(z, closed):
 
 
 def test_the_first_level_is_what_is_given(rng):
-    path = polygon_path(random_polygon(rng, 9))
+    path = polygon_contour(random_polygon(rng, 9))
     ((first,), *_) = smoothing_levels([path])
     np.testing.assert_array_equal(first, path.segments)
     assert first is not path.segments
@@ -147,7 +146,7 @@ def test_outlines_beside_each_other_make_room():
 
 def test_contours_of_a_point_go_where_they_are_carried():
     start = 0.25 * (LIMB[3] + LIMB[4] + LIMB[7] + LIMB[8])
-    levels = smoothing_levels([polygon_path(LIMB), polygon_path(np.full(4, start))])
+    levels = smoothing_levels([polygon_contour(LIMB), polygon_contour(np.full(4, start))])
     for around, point in levels:
         assert np.ptp(point) < 1e-12
         assert winding_numbers(point[:1, 0], around[:, 0]).all()

@@ -13,15 +13,8 @@ from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.report import measure
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
-from tests.support.contours import circle_contour
-from tests.support.motions import (
-    moving_curves,
-    moving_polygons,
-    moving_shape,
-    polygon_path,
-    rigidly,
-    similarity_of,
-)
+from tests.support.contours import circle_contour, polygon_contour
+from tests.support.motions import moving_curves, moving_polygons, moving_shape, rigidly, similarity_of
 from tests.support.shapes import arm, bar, comb, spiral, star_polygon
 from tests.support.strategies import rngs
 
@@ -130,7 +123,7 @@ def test_crossings_of_the_ends_are_allowed():
 
 def test_open_lines():
     line = spiral(1.5)[:60]
-    assert path_crossings([polygon_path(line, closed=False)]) == 0
+    assert path_crossings([polygon_contour(line, closed=False)]) == 0
     assert crossed(safely(moving_polygons((line, -line.conj()), closed=False))) == 0
 
 

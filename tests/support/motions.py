@@ -4,12 +4,12 @@ import math
 
 import numpy as np
 
-from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import ContourBlend, CubicPath, ShapeBlend, Style
 from shapeblend_cli.motion.alignment import Alignment, PointPairs, Rigid, align
 from shapeblend_cli.outputs.move import moves_of
 from shapeblend_cli.pipeline import make_frames, match_all
 from shapeblend_cli.settings import Settings
+from tests.support.contours import polygon_contour
 from tests.support.drawings import drawing
 
 TIMES = (0.1, 0.25, 0.5, 0.75, 0.9)
@@ -45,16 +45,10 @@ def reasons(pair):
     return tuple(shape.reason for shape in pair.shapes)
 
 
-def polygon_path(vertices, closed=True):
-    """A polygon to draw."""
-    segments = cubics.lines(np.asarray(vertices, complex), closed)
-    return CubicPath(segments, np.ones(len(segments), bool), closed)
-
-
-def contour_blend(start, end, cuts=None, *, grows=False, shrinks=False):
+def contour_blend(start, end, *, grows=False, shrinks=False):
     """A blend from path to path of contours that nobody matched."""
     numbers = None if grows else 0, None if shrinks else 0
-    cuts = cuts or (np.arange(len(start.segments) + 1.0),) * 2
+    cuts = (np.arange(len(start.segments) + 1.0),) * 2
     return ContourBlend(*numbers, *[None] * 4, 1.0, 1.0, None, start, end, cuts)
 
 
@@ -67,7 +61,7 @@ def moving_curves(a, b):
 def moving_polygon(a, b, closed=True):
     """A contour that moves from polygon to polygon, vertex by vertex; a number stands for a point."""
     count = max(np.size(a), np.size(b))
-    start, end = (polygon_path(np.broadcast_to(z, count), closed) for z in (a, b))
+    start, end = (polygon_contour(np.broadcast_to(z, count), closed) for z in (a, b))
     return contour_blend(start, end, grows=np.size(a) == 1, shrinks=np.size(b) == 1)
 
 

@@ -55,18 +55,15 @@ def test_letters_depend_on_the_kinds_of_segments_alone(path):
 
 
 def test_short_data_is_short():
-    square = polygon_contour([0, 0.5, 0.5 + 0.25j, 10 - 3j])
-    path = CubicPath(square.segments, square.straight, True)
+    path = polygon_contour([0, 0.5, 0.5 + 0.25j, 10 - 3j])
     assert path_data([path], 2) == "M0,0 0.5,0 0.5,0.25 10,-3Z"
     assert short_path_data([path], 2) == "M0 0l.5 0 0 .25 9.5-3.25z"
-    circle = circle_contour(500 + 500j, 3)
-    small = CubicPath(circle.segments, circle.straight, True)
+    small = circle_contour(500 + 500j, 3)
     assert len(short_path_data([small], 3)) < 0.8 * len(path_data([small], 3))
 
 
 def test_what_is_not_finite_is_not_written():
-    segments = polygon_contour([0, 1, np.nan]).segments
-    path = CubicPath(segments, np.ones(3, bool), True)
+    path = polygon_contour([0, 1, np.nan])
     for write in (path_data, short_path_data):
         with pytest.raises(ValueError, match="cannot be written"):
             write([path], 3)
