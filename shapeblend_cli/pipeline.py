@@ -46,6 +46,7 @@ enough."""
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.model import Box
     from shapeblend_cli.motion.alignment import Alignment
     from shapeblend_cli.pairing.constraints import ConstrainedPairs, NumbersOrNone
     from shapeblend_cli.pairing.direction import Watch
@@ -76,36 +77,25 @@ def match_all(
         What was left out, one phrase each.
     """
     clock = clock or Clock()
-    first, *others = drawings
-    maps = [Similarity(), *(place_over(first, drawing, settings.place) for drawing in others)]
-    placed, notes = _flatten(drawings, maps, settings.vertices)
-    check_stiff([contour.polygon for contour in placed[0].contours], settings)
+    maps = _place(drawings, settings.place)
+    flat, notes = _flatten(drawings, maps, settings.vertices)
+    check_stiff([contour.polygon for contour in flat[0].contours], settings)
     drawn = [as_drawn(drawing, to_a) for drawing, to_a in zip(drawings, maps, strict=True)]
-    viewboxes = [
-        drawing.viewbox and to_a.box(drawing.viewbox) for drawing, to_a in zip(drawings, maps, strict=True)
-    ]
-    if settings.place == "bbox":
-        viewboxes = [first.viewbox] * len(drawings)
-    views = list(map(view_of, drawn, viewboxes))
+    views = _views(drawings, maps, drawn, settings.place)
     clock.lap("flatten")
     pairs = []
-    for k, (a, b) in enumerate(pairwise(placed)):
-        shapes = _blend_shapes(a, b, settings, clock, watch_part(watch, k, len(placed) - 1))
+    for k, (a, b) in enumerate(pairwise(flat)):
+        shapes = _blend_shapes(a, b, settings, clock, watch_part(watch, k, len(flat) - 1))
         pairs.append(Pair(k, k + 1, shapes, drawn=(drawn[k], drawn[k + 1]), views=(views[k], views[k + 1])))
         clock.lap("interpolate")
     views = views_with_room(pairs)
     return [pair._replace(views=(views[pair.a], views[pair.b])) for pair in pairs], notes
 
 
-def as_drawn(drawing: Drawing, to_a: Similarity) -> tuple[PaintedShape, ...]:
-    """Return what a drawing paints, laid over A."""
-    return tuple(
-        PaintedShape(
-            tuple(CubicPath(to_a.points(c.segments), c.straight, c.closed) for c in shape.contours),
-            to_a.style(shape.style),
-        )
-        for shape in drawing.shapes
-    )
+def _place(drawings: Sequence[Drawing], place: str) -> list[Similarity]:
+    """Return the maps that lay drawings over the first."""
+    first, *others = drawings
+    return [Similarity(), *(place_over(first, drawing, place) for drawing in others)]
 
 
 def _flatten(
@@ -121,6 +111,32 @@ def _flatten(
         placed.append(PlacedDrawing(drawing, to_a, contours))
         notes += left_out
     return placed, notes
+
+
+def as_drawn(drawing: Drawing, to_a: Similarity) -> tuple[PaintedShape, ...]:
+    """Return what a drawing paints, laid over A."""
+    return tuple(
+        PaintedShape(
+            tuple(CubicPath(to_a.points(c.segments), c.straight, c.closed) for c in shape.contours),
+            to_a.style(shape.style),
+        )
+        for shape in drawing.shapes
+    )
+
+
+def _views(
+    drawings: Sequence[Drawing],
+    maps: Sequence[Similarity],
+    drawn: Sequence[tuple[PaintedShape, ...]],
+    place: str,
+) -> list[Box]:
+    """Return what to show of each drawing: its own viewBox, or the first one's if they are laid by their bounds."""
+    viewboxes = [
+        drawing.viewbox and to_a.box(drawing.viewbox) for drawing, to_a in zip(drawings, maps, strict=True)
+    ]
+    if place == "bbox":
+        viewboxes = [drawings[0].viewbox] * len(drawings)
+    return list(map(view_of, drawn, viewboxes))
 
 
 def _blend_shapes(
