@@ -133,8 +133,7 @@ def _band(value: Any) -> float | None:
     return float(value)
 
 
-MOST_RUNS = 1_000_000
-"""Runs of an animation that can be asked for; more is forever."""
+MOST_RUNS = 1_000_000  # runs of an animation that can be asked for; more is forever
 
 
 def _repeat(value: Any) -> Any:

@@ -148,7 +148,6 @@ def _stale_frames(output: OutputSpec) -> set[str]:
 
 
 def _preview(job: Job, found: dict[str, Any], pairs: Sequence[Pair], notes: Sequence[str]) -> str:
-    """Return the page that shows a run."""
     from shapeblend_cli.preview.page import preview  # most runs write none
 
     settings = job.output.settings
@@ -157,7 +156,6 @@ def _preview(job: Job, found: dict[str, Any], pairs: Sequence[Pair], notes: Sequ
 
 
 def _all_targets(job: Job) -> list[Path]:
-    """Return every file that the job will write."""
     names = [*job.output.files(), job.write.report, job.write.preview]
     targets = [Path(name) for name in names if name and name != STANDARD_OUTPUT]
     twice = [target for k, target in enumerate(targets) if target in targets[:k]]

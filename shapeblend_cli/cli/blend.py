@@ -25,8 +25,7 @@ EXAMPLES = (
     ("shapeblend a.svg b.svg c.svg -n 9 --ends", "frames through three drawings, which are among them"),
 )
 
-ABOUT_TWO_FILES = ("start", "pins", "match", "stiff")
-"""Settings that name places of A and of B."""
+ABOUT_TWO_FILES = ("start", "pins", "match", "stiff")  # settings that name places of A and of B
 
 
 @click.command(

@@ -16,8 +16,7 @@ if TYPE_CHECKING:
 TYPED = "shapeblend_cli.typed"
 """The key in a context's `meta` of the arguments as they were typed, after the name of the command."""
 
-NAMES = 30
-"""Characters for the names of options, the same in every section."""
+NAMES = 30  # characters for the names of options, the same in every section
 
 
 class SectionedCommand(click.Command):

@@ -19,11 +19,8 @@ _NUMBERS = frozenset(("shape", "contours", "length"))
 _PAINTS = frozenset(("fill", "stroke"))
 _FOLDED = frozenset(("id", "box"))
 
-_MAX_PRETTY = 1000
-"""rich takes more than half a second for so many rows."""
-
-_MAX_ALIGNED = 60
-"""A longer cell pushes the rest of its own line on, and no other line."""
+_MAX_PRETTY = 1000  # rich takes more than half a second for so many rows
+_MAX_ALIGNED = 60  # a longer cell pushes the rest of its own line on, and no other line
 
 
 SELECT = ReadOptions.options["select_a"]._replace(
@@ -83,12 +80,8 @@ def _cells(shape: dict[str, Any]) -> tuple[str, ...]:
 def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
     """Return lines with their columns two blanks apart."""
     widths = [max(min(_width(cell), _MAX_ALIGNED) for cell in column) for column in zip(*rows, strict=True)]
-    return [
-        "  ".join(
-            cell + " " * (width - _width(cell)) for cell, width in zip(row, widths, strict=True)
-        ).rstrip()
-        for row in rows
-    ]
+    padded = ([c + " " * (w - _width(c)) for c, w in zip(row, widths, strict=True)] for row in rows)
+    return ["  ".join(cells).rstrip() for cells in padded]
 
 
 def _width(text: str) -> int:

@@ -12,11 +12,8 @@ from shapeblend_cli.cli.options import options_of
 from shapeblend_cli.cli.terminal import Terminal
 from shapeblend_cli.settings import PlotOptions, ReadOptions, Settings, TerminalOptions
 
-KINDS = ("graph", "surface", "angle", "starts")
-"""Each is a module of that name in `plot`."""
-
-DOTTED = ("angle", "starts")
-"""Those about a single dot."""
+KINDS = ("graph", "surface", "angle", "starts")  # each is a module of that name in `plot`
+DOTTED = ("angle", "starts")  # those about a single dot
 
 
 @click.command(

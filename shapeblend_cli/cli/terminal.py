@@ -13,9 +13,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.files import Run
 
-PATIENCE = 1.0
-"""Seconds before the bar shows."""
-
+PATIENCE = 1.0  # seconds before the bar shows
 UNITS = 1000
 
 

@@ -18,15 +18,9 @@ from shapeblend_cli.settings import Settings
 if TYPE_CHECKING:
     from shapeblend_cli.model import IntArray
 
-MOST_DOTS = 160_000
-"""Dots of all landscapes of a page together: about two bytes each."""
-
-LEVELS = 65_534
-"""Steps of the scale on which works are stored; one more stands for no path at all."""
-
-FINEST = 1e-5
-"""The least extra work that the scale distinguishes from none, as a share of its unit."""
-
+MOST_DOTS = 160_000  # dots of all landscapes of a page together: about two bytes each
+LEVELS = 65_534  # steps of the scale on which works are stored; one more stands for no path at all
+FINEST = 1e-5  # the least extra work that the scale distinguishes from none, as a share of its unit
 LARGE, FULL = "large", "full"
 """Why a contour has no landscape: it alone has more than `MOST_DOTS`, or there is no room left."""
 

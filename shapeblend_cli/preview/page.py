@@ -32,8 +32,7 @@ POLICY = (
 SCRIPTS = ("values.js", "picture.js", "graph.js", "report.js", "page.js")
 """Joined in this order they are the page's script."""
 
-LISTS = ("vertices_a", "vertices_b", "dots")
-"""The long lists of a contour's report, which are packed."""
+LISTS = ("vertices_a", "vertices_b", "dots")  # the long lists of a contour's report, which are packed
 
 
 def preview(
@@ -84,7 +83,6 @@ def _pair(
     scene: dict[str, Any],
     decimals: int,
 ) -> dict[str, Any]:
-    """Return a pair of the report, with what is drawn of it."""
     numbers = [(k, n) for k, shape in enumerate(pair.shapes) for n in range(len(shape.contours))]
     contours, lists = [], []
     for contour, blend, (shape, outline) in zip(reported, pair.contours, numbers, strict=True):

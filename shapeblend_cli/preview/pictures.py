@@ -28,9 +28,7 @@ if TYPE_CHECKING:
 PAINT_STEPS = 30
 """Paint is given at so many even times and one more; between two of them channels and numbers change evenly."""
 
-MOST_OWN_TIMES = 60
-"""Of up to so many frames, what does not move straight is given at the time of each."""
-
+MOST_OWN_TIMES = 60  # of up to so many frames, what does not move straight is given at the time of each
 GRADIENTS = ("fill", "stroke")
 
 

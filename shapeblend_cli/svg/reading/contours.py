@@ -15,17 +15,10 @@ from shapeblend_cli.svg.reading.transforms import IDENTITY, Affine
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray
 
-Segment = tuple[complex, ...]
-"""The four control points of a cubic."""
-
-_CLOSE = 1e-9
-"""Ends closer than this share of the largest coordinate coincide."""
-
-_NO_LENGTH = 1e-12
-"""A segment smaller than this share of the largest coordinate is rounding."""
-
-_MAX_ARC = math.radians(45)
-"""A cubic over this angle is off its circle by 4e-6 of the radius."""
+Segment = tuple[complex, ...]  # the four control points of a cubic
+_CLOSE = 1e-9  # ends closer than this share of the largest coordinate coincide
+_NO_LENGTH = 1e-12  # a segment smaller than this share of the largest coordinate is rounding
+_MAX_ARC = math.radians(45)  # a cubic over this angle is off its circle by 4e-6 of the radius
 
 
 def line(start: complex, end: complex) -> Segment:

@@ -1,24 +1,31 @@
-"""The style a shape is painted in: paint servers, opacity, stroke width and dashes resolved."""
+"""The style a shape is painted in: gradients, opacity, stroke width and dashes resolved."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import cmath
+import math
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.model import Box, Contour, Stop, Style
-from shapeblend_cli.svg.reading import colours, gradients
-from shapeblend_cli.svg.reading.cascade import Cascade, Inherited
+from shapeblend_cli.model import Box, Contour, Gradient, LinearGradient, RadialGradient, Stop, Style
+from shapeblend_cli.svg.reading import colours
+from shapeblend_cli.svg.reading.cascade import Cascade, Inherited, share
+from shapeblend_cli.svg.reading.declarations import substitute
 from shapeblend_cli.svg.reading.messages import Notes, check_limit
-from shapeblend_cli.svg.reading.transforms import Affine
-from shapeblend_cli.svg.reading.units import Lengths
+from shapeblend_cli.svg.reading.transforms import IDENTITY, Affine, is_sound
+from shapeblend_cli.svg.reading.transforms import parse as parse_transform
+from shapeblend_cli.svg.reading.units import Lengths, length
 from shapeblend_cli.svg.reading.xmltree import Node
 
-MAX_STOPS = 200_000
-"""Of all gradients together, counted once for every colour they are used with."""
-
+MAX_STOPS = 200_000  # of all gradients together, counted once for every colour they are used with
 _STAND_IN = "a gradient or pattern read as a plain colour"
+_GRADIENTS = frozenset(("linearGradient", "radialGradient"))
+_MAX_LINKS = 8
+
+_NO_AREA = 1e-24  # a gradient whose unit square is this small in the drawing has no extent
+_CIRCLE = 1e-9  # radii that differ by no more than this share are equal
 
 
 class Painter:
@@ -68,16 +75,13 @@ class Painter:
 
         The `contours` are in the shape's own coordinates, as a gradient may be; `matrix` maps these to the root's.
         """
-        box: Box | None = None
         for name, given in (("fill", inherited.fill), ("stroke", inherited.stroke)):
             # Without the server nothing is painted, or the fallback.
             if given.kind != "server" or getattr(style, name) is None or self._fallback(given) is not None:
                 continue
-            if box is None:
-                box = cubics.bounds(np.concatenate([contour.segments for contour in contours]))
-            links = self._links(given)
-            stops = self._stops_of(links, inherited)
-            gradient = gradients.resolve(links, stops, matrix, box, lengths) if links else None
+            box = cubics.bounds(np.concatenate([contour.segments for contour in contours]))
+            links = _chain(given.link, self._ids)
+            gradient = _resolve(links, self._stops_of(links, inherited), matrix, box, lengths)
             if gradient is None:
                 self._notes.add(_STAND_IN)
             elif isinstance(gradient, Stop):
@@ -88,18 +92,10 @@ class Painter:
                 style = style._replace(stroke_gradient=gradient)
         return style
 
-    def _server(self, given: colours.Paint) -> Node | None:
-        return self._ids.get(given.link[1:]) if given.link.startswith("#") else None
-
-    def _links(self, given: colours.Paint) -> list[Node]:
-        """Return the gradient a paint refers to and those it is linked to; none of anything else."""
-        server = self._server(given)
-        return gradients.chain(server, self._ids) if server else []
-
     def _fallback(self, given: colours.Paint) -> colours.Paint | None:
         """Return a paint server's fallback if that is painted: in place of a pattern or a missing server."""
-        server = self._server(given)
-        if given.fallback is None or (server is not None and server.tag in gradients.KINDS):
+        server = self._ids.get(given.link[1:]) if given.link.startswith("#") else None
+        if given.fallback is None or (server is not None and server.tag in _GRADIENTS):
             return None
         return given.fallback if given.fallback.kind != "none" or server is None else None
 
@@ -114,7 +110,7 @@ class Painter:
         fallback = self._fallback(given)
         if fallback is not None:
             return self._colour(fallback, inherited)
-        stops = self._stops_of(self._links(given), inherited)
+        stops = self._stops_of(_chain(given.link, self._ids), inherited)
         # A gradient's first colour, opaque: a later stop may well be.
         return colours.Colour(stops[0].colour) if stops else colours.BLACK
 
@@ -125,8 +121,161 @@ class Painter:
         # the number that stands for the custom properties remains theirs.
         key = id(links[0]), inherited.color, id(inherited.variables)
         if key not in self._stops:
-            stops = gradients.read_stops(links, self._cascade, inherited)
+            stops = _read_stops(links, self._cascade, inherited)
             self._stops_read += len(stops)
             check_limit(self._stops_read, MAX_STOPS, "stops of gradients")
             self._stops[key] = inherited, stops
         return self._stops[key][1]
+
+
+def _chain(link: str, ids: Mapping[str, Node]) -> list[Node]:
+    """Return the gradient at a link and those it refers to, the nearest first; anything else is not followed."""
+    links: list[Node] = []
+    while link.startswith("#") and len(links) < _MAX_LINKS:
+        node = ids.get(link[1:])
+        if node is None or node.tag not in _GRADIENTS:
+            break
+        links.append(node)
+        link = node.link().strip()
+    return links
+
+
+def _read_stops(links: list[Node], cascade: Cascade, inherited: Inherited) -> tuple[Stop, ...]:
+    """Return the stops of the first gradient in a chain that has any, their offsets in order.
+
+    The custom properties and the colour in force for the shape are taken for those of the gradient. They are the same
+    where they are set on the root.
+    """
+    stop_nodes = ([child for child in node.children if child.tag == "stop"] for node in links)
+    stops: list[Stop] = []
+    offset = 0.0
+    for node in next(filter(None, stop_nodes), []):
+        declared = substitute(cascade.declared(node, keep=True), inherited.variables)
+        given = colours.parse(declared.get("stop-color", "black"))
+        colour = colours.BLACK
+        if given is not None and given.kind == "current":
+            own = colours.parse_colour(declared["color"]) if "color" in declared else None
+            colour = own or inherited.color
+        elif given is not None and given.colour is not None:
+            colour = given.colour
+        opacity = share(declared.get("stop-opacity", "1"))
+        # An offset before that of the stop before it counts as that.
+        offset = max(offset, share(node.get("offset") or "0") or 0.0)
+        stops.append(Stop(offset, colour.rgb, colour.alpha * (1.0 if opacity is None else opacity)))
+    return tuple(stops)
+
+
+def _resolve(
+    links: list[Node], stops: tuple[Stop, ...], matrix: Affine, box: Box, lengths: Lengths
+) -> Gradient | Stop | None:
+    """Return a chain of gradients as one gradient in the root's coordinates.
+
+    If it paints a single colour, return a stop; if it paints nothing, without stops or extent, None. The `matrix` maps
+    the shape's coordinates to the root's; the `box` is around the shape, without the width of strokes.
+    """
+    if not stops:
+        return None
+    if all(stop[1:] == stops[0][1:] for stop in stops):
+        return stops[-1]
+    attributes = _Attributes(links, lengths)
+    own = parse_transform(attributes.get("gradientTransform")) or IDENTITY
+    if attributes.in_box:
+        if box.width <= 0.0 or box.height <= 0.0:
+            return None
+        matrix = matrix @ Affine(box.width, 0.0, 0.0, box.height, box.x, box.y)
+    spread = attributes.get("spreadMethod").strip()
+    spread = spread if spread in ("reflect", "repeat") else "pad"
+    is_linear = links[0].tag == "linearGradient"
+    if is_linear:
+        start = complex(attributes.x("x1", "0%"), attributes.y("y1", "0%"))
+        vector = complex(attributes.x("x2", "100%"), attributes.y("y2", "0%")) - start
+        frame = Affine(vector.real, vector.imag, -vector.imag, vector.real, start.real, start.imag)
+        is_point = vector == 0.0
+    else:
+        centre = complex(attributes.x("cx", "50%"), attributes.y("cy", "50%"))
+        focus = complex(attributes.x("fx", centre.real), attributes.y("fy", centre.imag))
+        radius = attributes.radius("r", "50%")
+        frame = Affine(radius, 0.0, 0.0, radius, centre.real, centre.imag)
+        is_point = radius <= 0.0
+    if is_point:
+        return stops[-1]
+    matrix = matrix @ own @ frame
+    if not is_sound(matrix) or abs(matrix.determinant) < _NO_AREA:
+        return None
+    if is_linear:
+        return _linear(matrix, stops, spread)
+    focal_radius = max(attributes.radius("fr", "0%"), 0.0)
+    return _radial(matrix, (focus - centre) / radius, focal_radius / radius, stops, spread)
+
+
+class _Attributes:
+    """The attributes of a chain of gradients: each is that of the first gradient that has it.
+
+    Those of the geometry are handed on between gradients of one kind only.
+    """
+
+    def __init__(self, links: list[Node], lengths: Lengths) -> None:
+        self._links = links
+        self._own_kind = [node for node in links if node.tag == links[0].tag]
+        self.in_box = self.get("gradientUnits").strip() != "userSpaceOnUse"
+        self._lengths = Lengths(1.0, 1.0, lengths.font_size) if self.in_box else lengths
+
+    def get(self, name: str) -> str:
+        return self._first(name, self._links)
+
+    def x(self, name: str, default: str | float) -> float:
+        return self._length(name, default, self._lengths.width)
+
+    def y(self, name: str, default: str | float) -> float:
+        return self._length(name, default, self._lengths.height)
+
+    def radius(self, name: str, default: str) -> float:
+        return self._length(name, default, self._lengths.diagonal)
+
+    def _length(self, name: str, default: str | float, whole: float) -> float:
+        value = length(self._first(name, self._own_kind), whole, self._lengths.font_size)
+        if value is None:
+            value = length(default, whole) if isinstance(default, str) else default
+        return value or 0.0
+
+    def _first(self, name: str, nodes: list[Node]) -> str:
+        return next((node.attrib[name] for node in nodes if name in node.attrib), "")
+
+
+def _linear(m: Affine, stops: tuple[Stop, ...], spread: str) -> LinearGradient:
+    """Return the image of the gradient from 0 to 1 along the x axis.
+
+    Lines of one colour remain lines of one colour. A skew leaves them no longer perpendicular to the line from start to
+    end; the end then moves along the last of them until they are.
+    """
+    vector, last = complex(m.a, m.b), complex(m.c, m.d)
+    last /= abs(last)
+    start = complex(m.e, m.f)
+    return LinearGradient(start, start + vector - last * (vector * last.conjugate()).real, stops, spread)
+
+
+def _radial(
+    m: Affine, focus: complex, focal_radius: float, stops: tuple[Stop, ...], spread: str
+) -> RadialGradient:
+    """Return the radial gradient whose ellipse is the image of the unit circle.
+
+    In complex numbers the linear part is ``z -> p z + q conj(z)``: a rotation, scaling by ``|p| + |q|`` and
+    ``|p| - |q|`` along the axes, and another rotation. The first maps the circle onto itself and moves only the focus.
+    """
+    a, b, c, d, e, f = m
+    p, q = complex(a + d, b - c) / 2, complex(a - d, b + c) / 2
+    size_p, size_q = abs(p), abs(q)
+    angle, first_rotation = (cmath.phase(p) + cmath.phase(q)) / 2, (cmath.phase(p) - cmath.phase(q)) / 2
+    if min(size_p, size_q) <= _CIRCLE * max(size_p, size_q):
+        angle, first_rotation = 0.0, (cmath.phase(p) if size_p > size_q else -cmath.phase(q))
+        size_p, size_q = max(size_p, size_q) * (size_p > size_q), max(size_p, size_q) * (size_q >= size_p)
+    focus *= cmath.rect(1.0, first_rotation)
+    return RadialGradient(
+        centre=complex(e, f),
+        radii=(size_p + size_q, abs(size_p - size_q)),
+        angle=math.degrees(angle),
+        focus=focus if size_p >= size_q else focus.conjugate(),
+        focal_radius=focal_radius,
+        stops=stops,
+        spread=spread,
+    )

@@ -38,8 +38,7 @@ _POINT_EXPONENT = re.compile(r"\.(?=[eE])")
 # A smaller radius is zero in the single precision of browsers, and the arc a line.
 _NO_RADIUS = 1e-45
 
-Arc = tuple[tuple[float, float], float, bool, bool]
-"""Radii, rotation, and the two flags."""
+Arc = tuple[tuple[float, float], float, bool, bool]  # radii, rotation, and the two flags
 
 
 class TooManySegments(ValueError):
@@ -195,7 +194,6 @@ def trace(subpaths: list[Subpath]) -> list[Contour]:
 
 
 def _contour(path: list[Any], subpath: Subpath) -> Contour | None:
-    """Return the contour of the segments that ``parse_path`` made of a subpath."""
     cubics: list[contours.Segment] = []
     straight: list[bool] = []
     for index, segment in enumerate(path):

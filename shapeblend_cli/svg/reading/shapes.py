@@ -65,7 +65,6 @@ def _points(node: Node, notes: Notes, lenient: bool) -> Contour | None:
 
 
 def _report(message: str, has_more: bool, notes: Notes, lenient: bool) -> None:
-    """Note a syntax error, or raise it."""
     if not lenient:
         raise Problem(
             f"{message}; --lenient {'draws what stands before it' if has_more else 'leaves it out'}"

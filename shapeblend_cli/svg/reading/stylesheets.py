@@ -19,9 +19,7 @@ from shapeblend_cli.svg.reading.xmltree import Node
 
 _MAX_TEXT = 500_000
 _BUDGET = 4_000_000
-_NEW = 3
-"""Cost of an element that is made, not only looked at."""
-
+_NEW = 3  # cost of an element that is made, not only looked at
 _MAX_SELECTOR = 2_000
 _MAX_CLASSES = 10_000
 
@@ -81,9 +79,8 @@ def _rules(texts: list[str]) -> Iterator[tuple[Any, tuple[Declarations, Declarat
         rule = waiting.pop()
         if rule.type == "at-rule" and rule.lower_at_keyword == "media" and rule.content is not None:
             if tinycss2.serialize(rule.prelude).strip().lower() in _MEDIA:
-                waiting += tinycss2.parse_rule_list(rule.content, skip_comments=True, skip_whitespace=True)[
-                    ::-1
-                ]
+                inner = tinycss2.parse_rule_list(rule.content, skip_comments=True, skip_whitespace=True)
+                waiting += inner[::-1]
         elif rule.type == "qualified-rule":
             declarations = parse(rule.content)
             yield from ((selector, declarations) for selector in _selectors(rule.prelude))

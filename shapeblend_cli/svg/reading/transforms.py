@@ -39,8 +39,6 @@ class Affine(NamedTuple):
 
     def points(self, z: ComplexArray) -> ComplexArray:
         """Map points."""
-        if self == IDENTITY:
-            return z
         a, b, c, d, e, f = self
         linear = z * complex(a + d, b - c) / 2
         if a != d or b != -c:

@@ -16,12 +16,8 @@ NUMBER = r"(?>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
 
 BLANKS = " \t\r\n\f"
 BLANK = r"[ \t\r\n\f]"
-GAP = rf"{BLANK}*+(?:,{BLANK}*+)?+"
-"""What may stand between two numbers."""
-
-LIMIT = 1e9
-"""Numbers of this size or more are refused: products of a few of them must stay finite."""
-
+GAP = rf"{BLANK}*+(?:,{BLANK}*+)?+"  # what may stand between two numbers
+LIMIT = 1e9  # numbers of this size or more are refused: products of a few of them must stay finite
 PIXELS = {
     "": 1.0,
     "px": 1.0,

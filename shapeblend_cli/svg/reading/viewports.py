@@ -12,9 +12,6 @@ from shapeblend_cli.svg.reading.xmltree import Node
 
 _MAX_LENGTH = 1000
 _MAX_FIT = 10_000
-_DEFAULT = Lengths(300.0, 150.0)
-"""The size browsers give a drawing without a size of its own."""
-
 _SHARES = {"min": 0.0, "mid": 0.5, "max": 1.0}
 
 
@@ -43,8 +40,8 @@ def root_box(root: Node, notes: Notes) -> Box | None:
 
 
 def root_lengths(box: Box | None) -> Lengths:
-    """Return what percentages refer to in the root's coordinates."""
-    return Lengths(box.width, box.height) if box else _DEFAULT
+    """Return what percentages refer to in the root's coordinates; without a size, browsers give it 300 by 150."""
+    return Lengths(box.width, box.height) if box else Lengths(300.0, 150.0)
 
 
 def nested(

@@ -96,8 +96,7 @@ class Walk:
         nodes = [] if selector is None else select(self._root, selector)
         self._chosen = {id(node) for node in nodes}
         self._ancestors = {id(node) for node in ancestors(self._root, nodes[0])} if nodes else set()
-        first = _Visit(self._root, IDENTITY, INITIAL, 1.0, lengths, chosen=selector is None)
-        self._stack = [first]
+        self._stack = [_Visit(self._root, IDENTITY, INITIAL, 1.0, lengths, chosen=selector is None)]
         while self._stack:
             self._process(self._stack.pop())
         if not self._painted:
@@ -150,10 +149,8 @@ class Walk:
         declared = substitute(declared, inherited.variables)
         inherited = inherit(inherited, declared, self._notes.add)
         lengths = visit.lengths._replace(font_size=inherited.font_size)
-        opacity = visit.opacity
-        if "opacity" in declared:
-            own_opacity = share(declared["opacity"])
-            opacity *= 1.0 if own_opacity is None else own_opacity
+        own_opacity = share(declared.get("opacity", "1"))
+        opacity = visit.opacity * (1.0 if own_opacity is None else own_opacity)
         for effect, phrase in _EFFECTS.items():
             if declared.get(effect, "none") != "none":
                 self._notes.add(f"{effect} {phrase}")
@@ -252,13 +249,10 @@ class Walk:
     def _contours(self, visit: _Visit, declared: Declarations) -> list[Contour]:
         node = visit.node
         # Only lists of points are worth remembering, and no percentage changes them.
-        is_repeated = bool(visit.used) and node.tag in POINT_LISTS
-        if is_repeated and id(node) in self._used_contours:
-            return self._used_contours[id(node)]
-        own_contours = contours_of(node, declared, visit.lengths, self._notes, self._lenient)
-        if is_repeated:
-            self._used_contours[id(node)] = own_contours
-        return own_contours
+        known = self._used_contours if visit.used and node.tag in POINT_LISTS else {}
+        if id(node) not in known:
+            known[id(node)] = contours_of(node, declared, visit.lengths, self._notes, self._lenient)
+        return known[id(node)]
 
     def _skip(self, visit: _Visit, reason: str) -> None:
         node = visit.node
@@ -270,7 +264,6 @@ class Walk:
                 self._reason = f"in {node}, which is {reason}"
 
     def _reasons(self) -> str:
-        """Return why nothing was painted."""
         reasons = [f"{_shapes(count)} {reason}" for reason, count in self._skipped.items() if count]
         total = sum(node.tag in SHAPES for node in self._root.walk())
         unseen = total - sum(self._skipped.values())

@@ -63,12 +63,8 @@ def attribute_values(shape: KeyframedShape, decimals: int) -> dict[str, Values]:
     ]
     written = {name for key in keys for name in without_defaults(key)}
     values = {name: values_between(name, [key[name] for key in keys]) for name in keys[0] if name in written}
-    values["d"] = values["d"]._replace(
-        waypoints=[
-            [(waypoint.t, short_path_data(waypoint.paths, decimals)) for waypoint in section]
-            for section in shape.waypoints
-        ]
-    )
+    waypoints = [[(w.t, short_path_data(w.paths, decimals)) for w in section] for section in shape.waypoints]
+    values["d"] = values["d"]._replace(waypoints=waypoints)
     return values
 
 

@@ -8,13 +8,7 @@ from collections.abc import Sequence
 from shapeblend_cli.easing import FOREVER, PINGPONG, Timing
 from shapeblend_cli.model import Box, KeyframedShape
 from shapeblend_cli.svg.writing import document
-from shapeblend_cli.svg.writing.animation import (
-    COLOURS,
-    TIME_DIGITS,
-    Moment,
-    attribute_values,
-    moments,
-)
+from shapeblend_cli.svg.writing.animation import COLOURS, TIME_DIGITS, Moment, attribute_values, moments
 from shapeblend_cli.svg.writing.rounding import number
 
 

@@ -13,11 +13,8 @@ from shapeblend_cli.svg.writing.rounding import number
 
 Point = tuple[float, float]
 
-DECIMALS = 1
-"""Of coordinates; a figure is some hundreds of units wide."""
-
-SIZE = 2
-"""Decimals of radii and the like."""
+DECIMALS = 1  # of coordinates; a figure is some hundreds of units wide
+SIZE = 2  # decimals of radii and the like
 
 
 class Figure:

@@ -10,9 +10,7 @@ from xml.etree.ElementTree import Element, SubElement
 from shapeblend_cli.model import Gradient, LinearGradient, PaintedShape, RadialGradient, Style
 from shapeblend_cli.svg.writing.rounding import number
 
-SHARE_DIGITS = 5
-"""Decimals of shares, such as the offset of a gradient's stop."""
-
+SHARE_DIGITS = 5  # decimals of shares, such as the offset of a gradient's stop
 DEFAULTS = {
     "fill_opacity": "1",
     "fill_rule": "nonzero",
@@ -112,15 +110,8 @@ def _radial_attributes(gradient: RadialGradient, decimals: int, as_ellipse: bool
     fx, fy = _coordinates(focus, SHARE_DIGITS)
     scale = f"{number(first, decimals)} {number(second, decimals)}"
     transform = f"translate({cx} {cy}) rotate({number(gradient.angle, 4)}) scale({scale})"
-    unit_circle = {
-        "cx": "0",
-        "cy": "0",
-        "r": "1",
-        "fx": fx,
-        "fy": fy,
-        "fr": number(focal_radius, SHARE_DIGITS),
-    }
-    return {**unit_circle, "gradientTransform": transform}
+    fr = number(focal_radius, SHARE_DIGITS)
+    return {"cx": "0", "cy": "0", "r": "1", "fx": fx, "fy": fy, "fr": fr, "gradientTransform": transform}
 
 
 def _coordinates(point: complex, decimals: int) -> tuple[str, str]:

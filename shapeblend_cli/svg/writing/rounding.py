@@ -10,8 +10,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import Box
 
-ROUNDING = 4e-5
-"""How far rounding may move a point, as a share of what is shown."""
+ROUNDING = 4e-5  # how far rounding may move a point, as a share of what is shown
 
 
 def decimals_for(boxes: Sequence[Box]) -> int:

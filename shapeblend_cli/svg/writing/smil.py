@@ -16,12 +16,7 @@ from shapeblend_cli.svg.writing.animation import (
     moments,
     values_between,
 )
-from shapeblend_cli.svg.writing.paint import (
-    Gradients,
-    gradient_attributes,
-    gradient_element,
-    visible_styles,
-)
+from shapeblend_cli.svg.writing.paint import Gradients, gradient_attributes, gradient_element, visible_styles
 from shapeblend_cli.svg.writing.path_data import short_path_data
 from shapeblend_cli.svg.writing.rounding import number
 
@@ -178,12 +173,9 @@ class _Timeline:
     def _switch(self, name: str, keys: Sequence[str]) -> Any:
         """Return an ``animate`` element that switches halfway from key to key."""
         half = self.timing.ease.time_of(0.5)
-        states = {0.0: keys[0]}
-        for k, value in enumerate(keys[1:]):
-            states[(k + half) / self.total] = value
+        states = {0.0: keys[0], **{(k + half) / self.total: value for k, value in enumerate(keys[1:])}}
         if self.backwards:
-            for k, value in enumerate(keys[:-1]):
-                states[(self.total - k - half) / self.total] = value
+            states |= {(self.total - k - half) / self.total: value for k, value in enumerate(keys[:-1])}
         return self.steps(name, dict(sorted(states.items())))
 
     def _timed(self, values: Values) -> tuple[list[str], dict[str, str]]:
