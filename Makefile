@@ -62,7 +62,7 @@ fmt: $(VENV)/.installed ## format, and mend what the linter can mend
 	$(BIN)/ruff check --fix .
 
 golden: install ## write the expected files of the golden tests anew; look at the diff before committing
-	$(BIN)/python -m pytest -q --update-golden
+	$(BIN)/python -m pytest -q tests/golden tests/plot --update-golden
 
 SECONDS ?= 60
 
