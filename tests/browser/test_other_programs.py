@@ -15,7 +15,7 @@ from shapeblend_cli.easing import LINEAR, Ease, Timing
 from shapeblend_cli.outputs.lottie import lottie
 from shapeblend_cli.pipeline import frame_at
 from shapeblend_cli.svg.writing.document import frame_svg
-from tests.outputs.blends import BLENDS, written
+from tests.outputs.blends import AB, BLENDS, emitted, write_blend
 from tests.support.drawings import EIGHT, B
 from tests.support.equipment import LOTTIE_WEB, require
 from tests.support.motions import rotated_move
@@ -30,17 +30,21 @@ SECONDS = 2
 SMOOTH = [name for name in BLENDS if name != "lines"]
 
 
-def drawings_and_frames(blend):
-    """Write the drawings of a blend, and its frames at `TIMES`, all with the viewBox of A."""
-    written(Path(), blend)
-    count = str(len(TIMES) - 2)
-    options = ["--ends", "-o", "frames", "--motion", "linear", "-q"]
-    assert run(["from.svg", "to.svg", "-n", count, *options]) == 0
+def frames_of(blend):
+    """The frames of a blend at `TIMES`, all with the viewBox of A."""
+    write_blend(blend)
+    options = ["-n", str(len(TIMES) - 2), "--ends", "-o", "frames", "--motion", "linear", "-q"]
+    assert run([*AB, *options]) == 0
     viewbox = re.search(r'viewBox="[^"]*"', BLENDS[blend][0]).group()
-    return [
-        re.sub(r'viewBox="[^"]*"', viewbox, Path(f"frames/frame-{k + 1}.svg").read_text(encoding="utf-8"))
-        for k in range(len(TIMES))
-    ]
+    files = [Path(f"frames/frame-{k + 1}.svg") for k in range(len(TIMES))]
+    return [re.sub(r'viewBox="[^"]*"', viewbox, file.read_text(encoding="utf-8")) for file in files]
+
+
+def assert_shown(pictures, most=2e-3):
+    """Something is drawn, and each picture is that of its frame."""
+    for shown, frame in pictures:
+        assert (frame < 200).any()
+        assert difference(shown, frame) < most
 
 
 @pytest.fixture
@@ -80,38 +84,28 @@ def played(two_rows):
 
 
 @pytest.mark.parametrize("blend", SMOOTH)
-def test_lottie_web_plays_the_frames(tmp_path, monkeypatch, played, blend):
-    monkeypatch.chdir(tmp_path)
-    frames = drawings_and_frames(blend)
-    assert run(["from.svg", "to.svg", "--emit", "lottie", "--motion", "linear", "-q"]) == 0
-    pictures = played((tmp_path / "blend.json").read_text(encoding="utf-8"), frames, TIMES)
-    for shown, frame in pictures:
-        assert (frame < 200).any()
-        assert difference(shown, frame) < 2e-3
+def test_lottie_web_plays_the_frames(here, played, blend):
+    text = emitted(blend, "lottie", "blend.json", "--motion", "linear", "-q")
+    pictures = played(text, frames_of(blend), TIMES)
+    assert_shown(pictures)
     assert difference(pictures[0][0], pictures[-1][0]) > 0.02
 
 
 @pytest.mark.parametrize("ease", [LINEAR, Ease(0.42, 0.0, 0.58, 1.0)])
 def test_lottie_web_plays_curved_paths(played, ease):
     move, pair = rotated_move(B, EIGHT, attributes='fill="#c04020" fill-rule="evenodd"')
-    times = (0.1, 0.3, 0.5, 0.62, 0.9)
+    times, timing = (0.1, 0.3, 0.5, 0.62, 0.9), Timing(SECONDS, ease)
     frames = [frame_svg(frame_at(pair, ease.at(t), as_drawn=False), 3) for t in times]
-    pictures = played(lottie([move], Timing(SECONDS, ease), 3), frames, times)
-    for shown, frame in pictures:
-        assert (frame < 200).any()
-        assert difference(shown, frame) < 5e-3
+    assert_shown(played(lottie([move], timing, 3), frames, times), 5e-3)
     straight = move._replace(shapes=tuple(shape._replace(waypoints=()) for shape in move.shapes))
-    straight = lottie([straight], Timing(SECONDS, ease), 3)
-    (shown, frame), *_ = played(straight, frames[2:3], times[2:3])
+    (shown, frame), *_ = played(lottie([straight], timing, 3), frames[2:3], times[2:3])
     assert difference(shown, frame) > 0.02
 
 
 @pytest.mark.parametrize("blend", SMOOTH)
-def test_a_css_transition_between_the_two_of_a_pair_shows_the_frames(tmp_path, monkeypatch, two_rows, blend):
-    monkeypatch.chdir(tmp_path)
-    frames = drawings_and_frames(blend)
-    assert run(["from.svg", "to.svg", "--emit", "pair", "-q"]) == 0
-    a, b = ((tmp_path / "blend" / name).read_text(encoding="utf-8") for name in ("a.svg", "b.svg"))
+def test_a_css_transition_between_the_two_of_a_pair_shows_the_frames(here, two_rows, blend):
+    a = emitted(blend, "pair", "blend/a.svg", "-q")
+    b = Path("blend/b.svg").read_text(encoding="utf-8")
     script = f"""
         const to = new DOMParser().parseFromString({json.dumps(b)}, "image/svg+xml");
         const cells = [...document.querySelectorAll(".cell")];
@@ -132,7 +126,6 @@ def test_a_css_transition_between_the_two_of_a_pair_shows_the_frames(tmp_path, m
             }});
         }}));
     """
-    pictures = two_rows(frames, script)
-    for moved, frame in pictures:
-        assert difference(moved, frame) < 2e-3
+    pictures = two_rows(frames_of(blend), script)
+    assert_shown(pictures)
     assert difference(pictures[0][0], pictures[-1][0]) > 0.02
