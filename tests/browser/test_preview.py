@@ -37,18 +37,9 @@ def pages(tmp_path_factory):
         for file, path, colour in zip(files, paths, COLOURS, strict=False):
             file.write_text(svg(path, attributes=EVENODD.format(colour)))
         page = folder / f"{name}.html"
-        arguments = [
-            *map(str, files),
-            "-n",
-            "3",
-            "-o",
-            str(folder / name),
-            "--vertices",
-            str(SETTINGS.vertices),
-            "-q",
-        ]
-        arguments += OPTIONS.get(name, [])
-        assert run([*arguments, "--motion", "linear", "--preview", str(page)]) == 0
+        options = f"-n 3 --vertices {SETTINGS.vertices} --motion linear -q".split()
+        outputs = ["-o", str(folder / name), "--preview", str(page)]
+        assert run([*map(str, files), *options, *OPTIONS.get(name, []), *outputs]) == 0
         found[name] = (page, files)
     return found
 
@@ -82,6 +73,12 @@ def opened(browser, pages):
     for context in contexts:
         context.close()
     assert wrong == []
+
+
+@pytest.fixture
+def page(opened):
+    """The page called one, opened."""
+    return opened("one")
 
 
 def time_of(page):
@@ -123,8 +120,7 @@ def test_it_plays_by_itself_and_stops_on_request(opened):
     page.wait_for_function("before => Number(document.getElementById('time').value) !== before", arg=time)
 
 
-def test_it_does_not_start_for_who_prefers_reduced_motion(opened):
-    page = opened("one")
+def test_it_does_not_start_for_who_prefers_reduced_motion(page):
     page.clock.run_for(1000)
     assert (time_of(page), page.get_attribute("#play", "aria-label")) == (0.0, "Play")
     page.click("#play")
@@ -132,8 +128,7 @@ def test_it_does_not_start_for_who_prefers_reduced_motion(opened):
 
 
 @pytest.mark.parametrize("repeat", ["once", "forever", "ping-pong"])
-def test_at_its_end_it_does_what_was_chosen(opened, repeat):
-    page = opened("one")
+def test_at_its_end_it_does_what_was_chosen(page, repeat):
     page.select_option("#repeat", label=repeat)
     seek(page, 0.8)
     page.click("#play")
@@ -152,8 +147,7 @@ def test_at_its_end_it_does_what_was_chosen(opened, repeat):
         assert (steps.min() < -0.5) == (repeat == "forever")
 
 
-def test_the_slider_shows_what_frames_show(opened, pages):
-    page = opened("one")
+def test_the_slider_shows_what_frames_show(page, pages):
     folder = pages["one"][0].with_suffix("")
     for k, time in ((1, 0.25), (2, 0.5), (3, 0.75)):
         seek(page, time)
@@ -170,17 +164,10 @@ def test_the_slider_shows_what_frames_show(opened, pages):
     assert page.inner_text("#clock") == "0.75"
 
 
-def test_keys_move_in_time(opened):
-    page = opened("one")
+def test_keys_move_in_time(page):
     shapes = {}
-    for key, time in (
-        ("ArrowRight", 0.02),
-        ("Shift+ArrowRight", 0.25),
-        ("Shift+ArrowLeft", 0.0),
-        ("End", 1.0),
-        ("ArrowLeft", 0.98),
-        ("Home", 0.0),
-    ):
+    keys = ["ArrowRight", "Shift+ArrowRight", "Shift+ArrowLeft", "End", "ArrowLeft", "Home"]
+    for key, time in zip(keys, (0.02, 0.25, 0.0, 1.0, 0.98, 0.0), strict=True):
         page.locator("body").press(key)
         assert time_of(page) == pytest.approx(time)
         shapes[key] = shape(page)
@@ -208,8 +195,7 @@ def test_all_that_is_operated_can_be_reached_by_keyboard_and_has_a_name(opened):
     assert nameless == []
 
 
-def test_toggles_show_and_hide(opened):
-    page = opened("one")
+def test_toggles_show_and_hide(page):
     seek(page, 0.5)
     onions = [page.locator("#onion path").count()]
     for press in (page.check, page.uncheck):
@@ -295,9 +281,8 @@ def assert_other_path_is_shown(page, contour, expected, column, row, time):
     assert work == pytest.approx(expected.works[column, row], rel=2e-3)
 
 
-def test_a_click_on_the_graph_shows_the_other_correspondence_and_escape_goes_back(opened, contour, expected):
+def test_a_click_on_the_graph_shows_the_other_correspondence_and_escape_goes_back(page, contour, expected):
     columns, rows = expected.works.shape
-    page = opened("one")
     seek(page, 0.25)
     before = shape(page)
     for column, row in ((columns // 2, rows // 3), (columns // 3, rows // 2), (columns - 4, rows // 2)):
@@ -316,8 +301,7 @@ def test_a_click_on_the_graph_shows_the_other_correspondence_and_escape_goes_bac
     assert overlaid(page) == 0
 
 
-def test_the_graph_is_used_by_keyboard(opened, contour, expected):
-    page = opened("one")
+def test_the_graph_is_used_by_keyboard(page, contour, expected):
     page.focus("#graph")
     for press in ["Shift+ArrowRight", *["ArrowRight"] * 2, *["ArrowDown"] * 7, "+", "-", "Enter"]:
         page.keyboard.press(press)
@@ -336,8 +320,7 @@ def middle_of_graph(page):
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
-def test_the_graph_is_zoomed_and_moved(opened):
-    page = opened("one")
+def test_the_graph_is_zoomed_and_moved(page):
     seen = [pixels(page)]
     page.locator("#graph").hover()
     page.mouse.wheel(0, -400)
@@ -479,8 +462,7 @@ def test_text_is_readable_in_light_and_dark(opened, scheme, is_toggled):
     assert [pair for pair in contrasts if pair[0] < 4.5] == []
 
 
-def test_the_command_is_copied(opened, browser, pages):
-    page = opened("one")
+def test_the_command_is_copied(page, pages):
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     page.click("#copy")
     page.wait_for_selector("#copy:text-is('Copied')")

@@ -71,7 +71,8 @@ def test_the_viewbox_is_that_of_the_inputs(here):
 @pytest.mark.parametrize("given", ["", 'viewBox="2 2 4 4"'], ids=["none", "too small"])
 def test_the_viewbox_holds_what_is_drawn(here, given):
     write(
-        **{name: svg(d).replace('viewBox="0 0 10 10"', given) for name, d in (("a", SQUARE), ("b", TRIANGLE))}
+        a=svg(SQUARE).replace('viewBox="0 0 10 10"', given),
+        b=svg(TRIANGLE).replace('viewBox="0 0 10 10"', given),
     )
     assert run(["a.svg", "b.svg", "--ends", "-o", "out"]) == 0
     for file in here.glob("out/*"):

@@ -14,7 +14,7 @@ from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.settings import SECTIONS
 
 SECTIONED = {
-    name: command for name, command in shapeblend.commands.items() if isinstance(command, SectionedCommand)
+    name: found for name, found in shapeblend.commands.items() if isinstance(found, SectionedCommand)
 }
 
 
@@ -42,12 +42,8 @@ def test_the_examples_work(line, three):
 
 def completions(line):
     """What bash is offered for the last word of a line."""
-    words = line.split(" ")
-    environment = os.environ | {
-        "_SHAPEBLEND_COMPLETE": "bash_complete",
-        "COMP_WORDS": line,
-        "COMP_CWORD": str(len(words) - 1),
-    }
+    words = {"COMP_WORDS": line, "COMP_CWORD": str(line.count(" "))}
+    environment = os.environ | words | {"_SHAPEBLEND_COMPLETE": "bash_complete"}
     command = [sys.executable, "-c", "from shapeblend_cli.cli import run; run([])"]
     return subprocess.run(command, env=environment, capture_output=True, text=True).stdout.split()
 

@@ -71,6 +71,7 @@ def test_names_of_files_which_only_force_replaces(here, capsys, refused, argumen
         ("--emit pair -n 2", [None] * 2, {"emit": "pair", "output": "blend"}),
         ("--emit lottie -n 2", [None] * 2, {"emit": "lottie", "output": "blend.json"}),
         ("--emit avd -n 2", [None] * 2, {"emit": "avd", "output": "blend.xml"}),
+        ("-n 1 --style b", ["frame-1.svg"], {"style": "b"}),
         (
             "-o x.gif --width 20",
             [None] * 5,

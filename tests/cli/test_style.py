@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from shapeblend_cli.cli import run
-from tests.support.commands import report, write
+from tests.support.commands import write
 from tests.support.drawings import svg
 
 SQUARE = "M2 2H22V22H2Z"
@@ -47,10 +47,6 @@ def test_frames_are_painted_in_the_style_asked_for(options, fills, strokes):
 @pytest.mark.parametrize("style", ["a", "b", "blend"])
 def test_a_shape_without_a_partner_keeps_its_own_paint(style):
     assert [path["fill"] for path in frame(2, "--style", style)][1:] == ["#123456"]
-
-
-def test_the_report_has_the_style():
-    assert report("a.svg", "b.svg", "--style", "b")["settings"]["style"] == "b"
 
 
 def test_dashes_are_laid_over_a_with_the_drawing():

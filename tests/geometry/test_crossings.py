@@ -156,9 +156,8 @@ ALL = {**{name: (outlines, 0) for name, outlines in TOUCHING.items()}, **CROSSIN
 SOME = [name for name, (outlines, _) in ALL.items() if outlines]
 
 
-@pytest.mark.parametrize("name", ALL)
-def test_passing_through_each_other_is_crossing_and_touching_is_not(name):
-    outlines, count = ALL[name]
+@pytest.mark.parametrize(("outlines", "count"), ALL.values(), ids=ALL)
+def test_passing_through_each_other_is_crossing_and_touching_is_not(outlines, count):
     assert path_crossings(outlines) == count
 
 

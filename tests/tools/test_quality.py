@@ -39,9 +39,8 @@ CONTOURS = {
 }
 
 
-@pytest.mark.parametrize("name", CONTOURS)
-def test_crossed(name):
-    contour, crossed = CONTOURS[name]
+@pytest.mark.parametrize(("contour", "crossed"), CONTOURS.values(), ids=CONTOURS)
+def test_crossed(contour, crossed):
     assert is_crossed(contour) is crossed
 
 
@@ -71,9 +70,8 @@ OTHERS = {
 }
 
 
-@pytest.mark.parametrize("name", OTHERS)
-def test_overlapping(name):
-    others, overlapping = OTHERS[name]
+@pytest.mark.parametrize(("others", "overlapping"), OTHERS.values(), ids=OTHERS)
+def test_overlapping(others, overlapping):
     assert is_overlapping([SQUARE, *others]) is overlapping
 
 
@@ -155,12 +153,10 @@ def test_what_a_file_draws_is_read_whole():
 def test_shapeblend_gives_the_frames_of_its_files():
     (blend,) = shapeblend.blends([Pair("", "M0,0 L10,0 L10,10 L0,10 Z", "M20,0 L40,0 L40,20 L20,20 Z")])
     assert len(blend) == STEPS + 1
-    assert [area(contour) for (contour,) in blend] == pytest.approx(
-        [(10 + k) ** 2 for k in range(STEPS + 1)], rel=1e-3
-    )
-    assert score(blend, (1, 1)) == Score(
-        crossed=False, overlapping=False, area_share=pytest.approx(1.69 / 1.9, rel=1e-3), left_out=False
-    )
+    areas = [area(contour) for (contour,) in blend]
+    assert areas == pytest.approx([(10 + k) ** 2 for k in range(STEPS + 1)], rel=1e-3)
+    share = pytest.approx(1.69 / 1.9, rel=1e-3)
+    assert score(blend, (1, 1)) == Score(False, False, area_share=share, left_out=False)
 
 
 def test_shapeblend_gives_the_motion_it_is_told():
@@ -208,10 +204,8 @@ def test_animated_holds_all_frames_and_rounding_keeps_points_apart():
 
 def icons(scores, tool="a tool"):
     """What `crossings.measured` gives for one set and one tool."""
-    return {
-        "single": {"pairs": [""] * len(scores), "scores": {tool: raw.columns(Score, scores)}},
-        "whole": NOTHING,
-    }
+    measured = {"pairs": [""] * len(scores), "scores": {tool: raw.columns(Score, scores)}}
+    return {"single": measured, "whole": NOTHING}
 
 
 NOTHING = {"pairs": [], "scores": {}}
@@ -244,10 +238,8 @@ def test_choices_are_counted_and_faults_told_from_reasons():
     assert choice(report("rigid", "linear: a limb shrinks to 50 % at t = 0.5")) == Choice("rigid", False)
     crossed = "linear: outlines cross each other at t = 0.5; rigid: an outline crosses itself at t = 0.5"
     assert choice(report("linear", crossed)) == Choice("linear", True)
-    chosen = {
-        "single": [Choice("safe", True), None, Choice("safe", True)],
-        "whole": [Choice("linear", False)],
-    }
+    twice = [Choice("safe", True), None, Choice("safe", True)]
+    chosen = {"single": twice, "whole": [Choice("linear", False)]}
     table = motions.section({name: raw.columns(Choice, found) for name, found in chosen.items()}).table
     assert table.header[1::2] == ["one contour, 2 pairs", "two to five contours, 1 pairs"]
     assert table.rows[0] == ["linear", "0", "0", "1", "0"]
@@ -314,9 +306,8 @@ def test_without_node_the_rest_is_measured_and_the_document_says_so(monkeypatch,
 
 def test_a_measure_takes_any_tool(monkeypatch):
     monkeypatch.setattr(crossings, "icon_pairs", lambda name: [Pair("one", "M0,0 Z", "M0,0 Z")])
-    found = crossings.measured(
-        [Tool("none", lambda pairs: [None]), Tool("bow", lambda pairs: [frames(BOW_TIE)])]
-    )["single"]
+    tools = [Tool("none", lambda pairs: [None]), Tool("bow", lambda pairs: [frames(BOW_TIE)])]
+    found = crossings.measured(tools)["single"]
     assert found["pairs"] == ["one"]
     assert found["scores"]["none"]["crossed"] == [None]
     assert found["scores"]["bow"]["crossed"] == [1]
@@ -330,10 +321,8 @@ def test_scores_come_back_from_their_columns():
 
 
 def test_times_are_told_as_multiples():
-    found = {
-        "pairs": ["a", "b", "c"],
-        "seconds": {shapeblend.NAME: [1.0, 2.0, 9.0], flubber.NAME: [0.5, 0.5, 3.0]},
-    }
+    seconds = {shapeblend.NAME: [1.0, 2.0, 9.0], flubber.NAME: [0.5, 0.5, 3.0]}
+    found = {"pairs": ["a", "b", "c"], "seconds": seconds}
     section = times.section({"single": found, "whole": found})
     assert section.table.rows[0] == ["one contour", "3", "2.00 s", "0.50 s", "3.0"]
     assert section.brief[0][1] == {shapeblend.NAME: "about 3", flubber.NAME: "1"}
@@ -342,10 +331,8 @@ def test_times_are_told_as_multiples():
 def test_segments_of_a_file_count_the_closing_lines():
     assert shapeblend.segments(data.svg("M0,0 L10,0 L10,10 Z M20,20 L30,20 L30,30 L20,20 Z")) == 6
     assert shapeblend.segments(shapeblend.middle(Pair("", "M0,0 H10 V10 Z", "M0,0 H20 V20 Z"))) == 3
-    assert sizes.segments([Pair("", "M0,0 L10,0 L10,10 Z", "M0,0 L20,0 L20,20 Z")], False) == {
-        shapeblend.NAME: [3],
-        arc_length.NAME: [arc_length.VERTICES],
-    }
+    counts = sizes.segments([Pair("", "M0,0 L10,0 L10,10 Z", "M0,0 L20,0 L20,20 Z")], False)
+    assert counts == {shapeblend.NAME: [3], arc_length.NAME: [arc_length.VERTICES]}
 
 
 def test_npm_is_not_asked_where_it_is_not(monkeypatch, tmp_path):

@@ -60,9 +60,8 @@ EVEN = np.arange(40) / 40
 def test_what_goes_straight_between_the_files_is_the_truth(scale, shift):
     one = known([SQUARE, HOLE], [WIDE, HOLE + 5], scale, shift)
     frames, links = straight(one)
-    assert nearness(one, Linked(frames, links, 8)) == Nearness(
-        pytest.approx(0.0, abs=1e-9), pytest.approx(0.0, abs=1e-9), False, 1.0, 8
-    )
+    nothing = pytest.approx(0.0, abs=1e-9)
+    assert nearness(one, Linked(frames, links, 8)) == Nearness(nothing, nothing, False, 1.0, 8)
 
 
 def test_what_keeps_still_is_off_by_the_area_it_lacks():
@@ -241,19 +240,14 @@ def test_the_command_measures_a_folder(monkeypatch, tmp_path, capsys):
     place.mkdir(parents=True)
     for name, text in (("a.svg", a), ("b.svg", b), ("truth.json", json.dumps(what))):
         (place / name).write_text(text, encoding="utf-8")
-    index = {
-        "pairs": [{"id": "x", "set": "multi", "dir": "multi/x"}, {"id": "y", "set": "other", "dir": "y"}]
-    }
-    (tmp_path / "index.json").write_text(json.dumps(index), encoding="utf-8")
-    monkeypatch.setattr(
-        command, "ALL", [tool for tool in ALL if tool.name in (shapeblend.NAME, arc_length.NAME)]
-    )
+    pairs = [{"id": "x", "set": "multi", "dir": "multi/x"}, {"id": "y", "set": "other", "dir": "y"}]
+    (tmp_path / "index.json").write_text(json.dumps({"pairs": pairs}), encoding="utf-8")
+    names = (shapeblend.NAME, arc_length.NAME)
+    monkeypatch.setattr(command, "ALL", [tool for tool in ALL if tool.name in names])
     monkeypatch.setattr(sys, "argv", ["truth", str(tmp_path)])
     command.main()
     rows = [line.split(" | ") for line in capsys.readouterr().out.splitlines()[2:]]
-    assert [row[:3] for row in rows] == [
-        ["| multi", name, "1"] for name in (shapeblend.NAME, arc_length.NAME)
-    ]
+    assert [row[:3] for row in rows] == [["| multi", name, "1"] for name in names]
     assert float(rows[0][3]) < 0.01
     shutil.rmtree(place)
     monkeypatch.setattr(sys, "argv", ["truth", str(tmp_path), "--set", "single"])

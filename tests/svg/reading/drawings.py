@@ -38,9 +38,8 @@ def table(text):
 
 def boxes(drawing):
     """Return the box of every shape: xmin, ymin, xmax, ymax."""
-    found = [
-        bounds(np.concatenate([contour.segments for contour in shape.contours])) for shape in drawing.shapes
-    ]
+    paths = (np.concatenate([contour.segments for contour in shape.contours]) for shape in drawing.shapes)
+    found = [bounds(path) for path in paths]
     # Adding 0 turns -0.0 into 0.0.
     return [[float(round(value, 4)) + 0.0 for value in box.bounds] for box in found]
 

@@ -57,6 +57,10 @@ def test_transforms_of_the_shape_move_its_gradient():
     assert (found.start, found.end) == (25 + 40j, 105 + 40j)
 
 
+def test_a_gradient_that_links_to_itself_is_read():
+    assert linear('href="#g"').stops == FADE
+
+
 def radial(attributes, shape=BOX):
     return gradient(RADIAL(attributes, STOPS), shape)
 
@@ -82,10 +86,6 @@ def test_attributes_and_stops_are_inherited_through_links():
         f'<radialGradient id="i" gradientTransform="scale(2)" cx="0">{STOPS}</radialGradient>'
     )
     assert (found.start, found.end, found.spread, found.stops) == (30 + 20j, 50 + 20j, "repeat", FADE)
-
-
-def test_a_gradient_that_links_to_itself_is_read():
-    assert linear('href="#g"').stops == FADE
 
 
 def test_stops_are_read_with_all_css_says_of_them():

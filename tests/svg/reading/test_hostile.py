@@ -1,7 +1,6 @@
 """Files made to break a reader: each is refused, or read without harm, in little time."""
 
 import gzip
-import io
 
 import pytest
 
@@ -93,11 +92,7 @@ def test_limits_are_held(module, name, limit, markup, message, monkeypatch):
 
 
 def test_size_is_limited_after_unpacking():
-    packed = io.BytesIO()
-    with gzip.GzipFile(fileobj=packed, mode="wb") as stream:
-        for _ in range(65):
-            stream.write(b" " * 2**20)
-    refused(packed.getvalue(), "larger than 64 MB, the most that is read")
+    refused(gzip.compress(b" " * 65 * 2**20), "larger than 64 MB, the most that is read")
 
 
 def test_the_deepest_element_is_read():

@@ -13,10 +13,39 @@ def style(markup, *root):
     return shape.style
 
 
-def test_without_a_style_a_shape_is_filled_black():
-    painted = style(RECT)
-    assert (painted.fill, painted.fill_rule) == ("#000000", "nonzero")
-    assert (painted.fill_opacity, painted.stroke) == (1, None)
+PAINT = {
+    "without a style": (
+        RECT,
+        {"fill": "#000000", "fill_rule": "nonzero", "fill_opacity": 1, "stroke": None},
+    ),
+    "a stroke of no width": ('<rect width="1" height="2" stroke="red" stroke-width="0"/>', {"stroke": None}),
+    "a sheet for other media": (
+        f'<style media="print">rect {{ fill: red }}</style>{RECT}',
+        {"fill": "#000000"},
+    ),
+    "the order of the cascade": (
+        "<style>.a { fill: #000001; stroke: #000002 !important; color: #000003 }</style>"
+        '<rect class="a" width="1" height="1" fill="#fff" color="#fff" stroke="#fff" '
+        'style="fill:#000004; stroke: #000005; stroke-width: 2 !important" stroke-width="9"/>',
+        {"fill": "#000004", "stroke": "#000002", "stroke_width": 2},
+    ),
+    "all properties": (
+        '<g fill-rule="evenodd" fill-opacity=".5" stroke="#0f0" stroke-opacity="50%" opacity=".5" '
+        'stroke-linecap="round" stroke-linejoin="bevel" stroke-miterlimit="2.5">'
+        '<path d="M0 0h1" style="stroke-width:10%;opacity:.5"/></g>',
+        {
+            **{"fill_rule": "evenodd", "fill_opacity": 0.125, "stroke": "#00ff00", "stroke_opacity": 0.125},
+            **{"stroke_linecap": "round", "stroke_linejoin": "bevel", "stroke_miterlimit": 2.5},
+            "stroke_width": pytest.approx(5),
+        },
+    ),
+}
+
+
+@pytest.mark.parametrize(("markup", "expected"), PAINT.values(), ids=PAINT)
+def test_properties_of_a_style(markup, expected):
+    painted = style(markup, 'viewBox="0 0 70 10"')
+    assert {name: getattr(painted, name) for name in expected} == expected
 
 
 NOT_PAINTED = {
@@ -51,10 +80,6 @@ def test_a_frame_with_neither_fill_nor_stroke_is_not_a_shape():
         '<rect width="24" height="24" fill="none"/>',
         r"1 shape with neither fill nor stroke.* a filled or stroked path would work",
     )
-
-
-def test_a_stroke_of_no_width_is_none():
-    assert style('<rect width="1" height="2" stroke="red" stroke-width="0"/>').stroke is None
 
 
 def test_shapes_come_in_paint_order_with_their_ids():
@@ -125,6 +150,7 @@ SHEETS = {
     "after nonsense": "} ] !! rect::: {} .a { fill: red } rect { ",
     "cdata": "<![CDATA[ g > .a { fill: red } ]]>",
     "unquoted url before": ".a { background: url(x{}) ; fill: red }",
+    "long, which expat hands over in pieces": "circle { fill: blue }\n" * 5000 + "rect { fill: red }",
 }
 
 
@@ -134,38 +160,6 @@ def test_style_sheet_selects(sheet):
     shape = '<rect class="a b" id="i" width="1" height="1"/>'
     drawing = drawn(f"<style>{sheet}</style><g><circle/>{shape}</g>")
     assert drawing.shapes[-1].style.fill == RED
-
-
-def test_a_long_sheet_is_read_to_its_end():
-    # Expat hands text over in pieces.
-    sheet = "circle { fill: blue }\n" * 5000 + "rect { fill: red }"
-    assert style(f"<style>{sheet}</style>{RECT}").fill == RED
-
-
-def test_order_of_the_cascade():
-    sheet = "<style>.a { fill: #000001; stroke: #000002 !important; color: #000003 }</style>"
-    painted = style(
-        sheet + '<rect class="a" width="1" height="1" fill="#fff" color="#fff" stroke="#fff" '
-        'style="fill:#000004; stroke: #000005; stroke-width: 2 !important" stroke-width="9"/>'
-    )
-    assert (painted.fill, painted.stroke, painted.stroke_width) == ("#000004", "#000002", 2)
-
-
-def test_sheets_for_other_media_are_left_out():
-    assert style(f'<style media="print">rect {{ fill: red }}</style>{RECT}').fill == "#000000"
-
-
-def test_all_style_properties_are_read():
-    painted = style(
-        '<g fill-rule="evenodd" fill-opacity=".5" stroke="#0f0" stroke-opacity="50%" opacity=".5" '
-        'stroke-linecap="round" stroke-linejoin="bevel">'
-        '<path d="M0 0h1" style="stroke-width:10%;opacity:.5"/></g>',
-        'viewBox="0 0 70 10"',
-    )
-    assert (painted.fill_rule, painted.fill_opacity) == ("evenodd", 0.125)
-    assert (painted.stroke, painted.stroke_opacity) == ("#00ff00", 0.125)
-    assert (painted.stroke_linecap, painted.stroke_linejoin) == ("round", "bevel")
-    assert painted.stroke_width == pytest.approx(5)
 
 
 STOPS = '<linearGradient id="h"><stop stop-color="#0a0"/><stop/></linearGradient>'
@@ -186,11 +180,6 @@ def test_a_pattern_or_what_is_not_there_is_read_as_a_plain_colour(fill, colour):
     assert (painted.fill, painted.fill_gradient) == (colour, None)
 
 
-def test_a_plain_colour_for_a_pattern_is_noted():
-    notes = drawn(f'<defs><pattern id="p"/></defs><g fill="url(#p)">{RECT}</g>').notes
-    assert notes == ("a gradient or pattern read as a plain colour",)
-
-
 @pytest.mark.parametrize("fill", ["url(#g)", "url('#g') none", "url(#g) red"])
 def test_a_gradient_is_read_with_a_colour_that_stands_for_it(fill):
     drawing = drawn(f'<linearGradient id="g" href="#h"/>{STOPS}<g fill="{fill}">{RECT}</g>')
@@ -200,23 +189,32 @@ def test_a_gradient_is_read_with_a_colour_that_stands_for_it(fill):
     assert drawing.notes == ()
 
 
-def test_what_cannot_be_read_is_noted_in_the_order_of_the_file():
-    notes = drawn('<rect stroke="?" fill="?" stroke-width="?" width="1" height="2"/>').notes
-    assert notes == tuple(f"{name} cannot be read" for name in ("stroke", "fill", "stroke-width"))
-
-
-def test_what_is_left_out_is_noted():
-    notes = drawn(
+NOTES = {
+    "in the order of the file": (
+        '<rect stroke="?" fill="?" stroke-width="?" width="1" height="2"/>',
+        ("stroke cannot be read", "fill cannot be read", "stroke-width cannot be read"),
+    ),
+    "a pattern": (
+        f'<defs><pattern id="p"/></defs><g fill="url(#p)">{RECT}</g>',
+        ("a gradient or pattern read as a plain colour",),
+    ),
+    "left out": (
         f'<text>a</text><text>b</text><image/><g clip-path="url(#c)" filter="none">{RECT}</g>'
-        f'<use href="#x"/><use href="http://example.org/a.svg#b"/>'
-    ).notes
-    assert notes == (
-        "text left out (2 times)",
-        "image left out",
-        "clip-path not applied",
-        "use of '#x', which is not in the file, left out",
-        "use of 'http://example.org/a.svg#b', which is not in the file, left out",
-    )
+        f'<use href="#x"/><use href="http://example.org/a.svg#b"/>',
+        (
+            "text left out (2 times)",
+            "image left out",
+            "clip-path not applied",
+            "use of '#x', which is not in the file, left out",
+            "use of 'http://example.org/a.svg#b', which is not in the file, left out",
+        ),
+    ),
+}
+
+
+@pytest.mark.parametrize(("markup", "notes"), NOTES.values(), ids=NOTES)
+def test_what_is_not_drawn_as_it_stands_is_noted(markup, notes):
+    assert drawn(markup).notes == notes
 
 
 def dashes(value, more=""):
@@ -254,8 +252,7 @@ def test_dashes_grow_with_the_stroke():
     assert dashes("1 2", 'style="stroke-dashoffset:1em"') == ((1, 2), 10)
 
 
-def test_the_miter_limit_is_read_and_pathlength_noted():
-    assert style(f'<g stroke="red" stroke-miterlimit="2.5">{RECT}</g>').stroke_miterlimit == 2.5
+def test_a_miter_limit_below_1_and_a_pathlength_are_noted():
     drawing = drawn(
         '<path d="M0 0H9" pathLength="3" stroke="red" stroke-dasharray="1" stroke-miterlimit=".5"/>'
     )

@@ -10,10 +10,8 @@ from tests.svg.reading.drawings import path_contours, refused
 
 def corners(data):
     """Return the ends of the segments of each contour."""
-    return [
-        [complex(contour.segments[0, 0]), *map(complex, contour.segments[:, 3])]
-        for contour in path_contours(data)
-    ]
+    contours = path_contours(data)
+    return [[complex(c.segments[0, 0]), *map(complex, c.segments[:, 3])] for c in contours]
 
 
 DATA = {
@@ -23,7 +21,7 @@ DATA = {
     "closed already": ("M0 0h2v2L0 0z", [[0, 2, 2 + 2j, 0]]),
     "subpaths": ("M0 0h1M5 5h1", [[0, 1], [5 + 5j, 6 + 5j]]),
     "subpath without a moveto": ("M1 1h1v1zh5", [[1 + 1j, 2 + 1j, 2 + 2j, 1 + 1j], [1 + 1j, 6 + 1j]]),
-    "moveto relative to a closed subpath": (
+    "moveto after a closed subpath": (
         "m1 1h1v1zm2 2h1",
         [[1 + 1j, 2 + 1j, 2 + 2j, 1 + 1j], [3 + 3j, 4 + 3j]],
     ),
@@ -66,14 +64,16 @@ def test_a_contour_is_closed_by_z_or_where_its_ends_coincide(data, closed):
     assert (contour.segments[0, 0] == contour.segments[-1, 3]) == closed
 
 
-def test_smooth_segments_reflect_the_control_point_before():
-    (contour,) = path_contours("M0 0C1 1 2 1 3 0S5 1 6 0")
-    assert contour.segments[1].tolist() == [3, 4 - 1j, 5 + 1j, 6]
-
-
-def test_smooth_segments_after_others_reflect_nothing():
-    (contour,) = path_contours("M0 0A2 2 0 0 1 3 0S5 1 6 0")
-    assert contour.segments[-1].tolist() == [3, 3, 5 + 1j, 6]
+@pytest.mark.parametrize(
+    ("data", "smooth"),
+    [
+        ("M0 0C1 1 2 1 3 0S5 1 6 0", [3, 4 - 1j, 5 + 1j, 6]),
+        ("M0 0A2 2 0 0 1 3 0S5 1 6 0", [3, 3, 5 + 1j, 6]),
+    ],
+)
+def test_smooth_segments_reflect_the_control_point_before_if_there_is_one(data, smooth):
+    (contour,) = path_contours(data)
+    assert contour.segments[-1].tolist() == smooth
 
 
 def test_a_quadratic_stays_the_same_curve():
@@ -136,11 +136,10 @@ BROKEN = {
 }
 
 
-@pytest.mark.parametrize(
-    ("data", "offset", "found"), [(data, *rest) for data, rest in BROKEN.items()], ids=BROKEN
-)
-def test_broken_data_is_refused_where_it_breaks(data, offset, found):
+@pytest.mark.parametrize(("data", "problem"), BROKEN.items(), ids=BROKEN)
+def test_broken_data_is_refused_where_it_breaks(data, problem):
     error = path_data.scan(data)[1]
+    offset, found = problem
     assert error.offset == offset
     assert found in str(error)
 

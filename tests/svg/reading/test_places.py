@@ -105,14 +105,15 @@ def test_an_invalid_viewbox_is_ignored_with_a_note(text):
     assert "an invalid viewBox ignored" in drawing.notes
 
 
-def test_stroke_width_is_in_root_units():
-    drawing = drawn('<g transform="scale(2 8)"><path d="M0 0h1" stroke="red" stroke-width="3"/></g>')
-    assert drawing.shapes[0].style.stroke_width == pytest.approx(12)
-
-
-def test_a_stroke_that_does_not_scale_keeps_its_width():
-    drawing = drawn('<path transform="scale(4)" d="M0 0h1" stroke="red" vector-effect="non-scaling-stroke"/>')
-    assert drawing.shapes[0].style.stroke_width == 1
+@pytest.mark.parametrize(
+    ("markup", "width"),
+    [
+        ('<g transform="scale(2 8)"><path d="M0 0h1" stroke="red" stroke-width="3"/></g>', 12),
+        ('<path transform="scale(4)" d="M0 0h1" stroke="red" vector-effect="non-scaling-stroke"/>', 1),
+    ],
+)
+def test_stroke_width_is_in_root_units_unless_it_does_not_scale(markup, width):
+    assert drawn(markup).shapes[0].style.stroke_width == pytest.approx(width)
 
 
 @pytest.mark.parametrize(

@@ -83,8 +83,9 @@ def test_a_selector_that_takes_nothing_is_told_why_and_what_would_work(selector)
 
 
 def test_a_file_without_ids_names_what_can_be_selected():
-    wing = '<path class="wing" d="M0 0h1v1z"/>'
-    refused(wing, "it has no ids, but .wing, path or svg would", select="#zzz")
+    refused(
+        '<path class="wing" d="M0 0h1v1z"/>', "it has no ids, but .wing, path or svg would", select="#zzz"
+    )
 
 
 BROKEN = {
