@@ -17,12 +17,8 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
 def test_every_option_in_the_readme_exists():
-    known = {
-        name
-        for command in shapeblend.commands.values()
-        for p in command.params
-        for name in (*p.opts, *p.secondary_opts)
-    }
+    params = [p for command in shapeblend.commands.values() for p in command.params]
+    known = {name for p in params for name in (*p.opts, *p.secondary_opts)}
     code = " ".join(re.findall(r"`[^`\n]*`|^ *shapeblend .*$", README, re.MULTILINE))
     told = set(re.findall(r"(?<![\w-])--[a-z]+(?:-[a-z]+)*", code))
     assert told
@@ -31,10 +27,9 @@ def test_every_option_in_the_readme_exists():
 
 def test_the_tables_of_options_are_those_of_the_commands():
     assert option_tables.tables() in README
+    told = {name for record in option_tables.RECORDS for name in record.options}
     for name in ("blend", "plot"):
-        assert {p.name for p in shapeblend.commands[name].params if isinstance(p, click.Option)} <= {
-            name for record in option_tables.RECORDS for name in record.options
-        }
+        assert {p.name for p in shapeblend.commands[name].params if isinstance(p, click.Option)} <= told
 
 
 @pytest.mark.parametrize("link", re.findall(r"\]\(([^)#]+)\)", README))
@@ -54,12 +49,7 @@ def test_figures_beside_other_tools_are_those_of_the_document():
 
 
 def test_nothing_speaks_of_the_machine_it_was_made_on():
-    files = [
-        *ROOT.glob("*.md"),
-        *ROOT.glob("docs/*.md"),
-        *ROOT.glob("shapeblend_cli/**/*.py"),
-        ROOT / "Makefile",
-    ]
-    for file in files:
+    patterns = ("*.md", "docs/*.md", "shapeblend_cli/**/*.py", "Makefile")
+    for file in (file for pattern in patterns for file in ROOT.glob(pattern)):
         assert "/work/" not in file.read_text(encoding="utf-8")
         assert "/home/" not in file.read_text(encoding="utf-8")

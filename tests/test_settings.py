@@ -45,9 +45,8 @@ def test_what_is_wrong_is_named_with_what_would_work(given, message):
 
 
 def test_an_unknown_field_is_named_with_those_there_are():
-    with pytest.raises(
-        TypeError, match=r"Settings has no field vertexes; its fields are k_s, k_b, .*vertices"
-    ):
+    message = "Settings has no field vertexes; its fields are k_s, k_b, .*vertices"
+    with pytest.raises(TypeError, match=message):
         Settings(vertexes=3)
 
 
@@ -65,11 +64,8 @@ def test_values_are_kept_in_one_form():
     assert settings.stiff == ((1 + 2j, 3.0, 4.0),)
     assert (settings.start, settings.match) == ((0, 3), (("0", "#left"),))
     assert settings.ease == Ease(0.42, 0.0, 1.0, 1.0)
-    assert [type(value) for value in (settings.vertices, settings.k_b, settings.start[1])] == [
-        int,
-        float,
-        int,
-    ]
+    kinds = [type(value) for value in (settings.vertices, settings.k_b, settings.start[1])]
+    assert kinds == [int, float, int]
 
 
 def test_settings_are_values():
@@ -83,20 +79,14 @@ def test_settings_are_values():
     assert settings.replace(vertices=None, motion="safe") == Settings(k_b=0.3, motion="safe")
 
 
-def test_a_preset_gives_what_is_not_given():
+def test_a_preset_gives_what_is_not_given_and_else_the_solver():
     settings = Settings(preset="fig28", k_b=0.3)
     row = PRESETS["fig28"]
     assert settings.constants == WorkConstants.of(row | {"k_b": 0.3})
-    assert (settings.band, settings.replace(band="none").band, Settings(band=0.5, preset="fig8").band) == (
-        row["band"],
-        None,
-        0.5,
-    )
+    bands = settings.band, settings.replace(band="none").band, Settings(band=0.5, preset="fig8").band
+    assert bands == (row["band"], None, 0.5)
     assert settings.replace(preset="fig3") == Settings(preset="fig3", k_b=0.3)
     assert settings.replace(band="none").replace(vertices=9).band is None
-
-
-def test_the_defaults_are_those_of_the_solver():
     assert Settings().constants == WorkConstants()
 
 

@@ -48,10 +48,11 @@ def draw(screenshot):
     style += f"svg,img{{width:{SIZE}px;height:{SIZE}px;display:block}}"
 
     def drawn(cells):
-        boxes = "".join(
-            f'<div style="top:{k * SIZE}px" {"" if time is None else f"data-time={time}"}>{own_ids(body, k)}</div>'
-            for k, (body, time) in enumerate(cells)
-        )
+        boxes = ""
+        for k, (body, time) in enumerate(cells):
+            own_ids = re.sub(r"gradient-(?=\d)", f"gradient-{k}-", body)
+            stopped = "" if time is None else f"data-time={time}"
+            boxes += f'<div style="top:{k * SIZE}px" {stopped}>{own_ids}</div>'
         pixels = screenshot(style, boxes + STOP, SIZE, SIZE * len(cells)) / 255.0
         return pixels.reshape(len(cells), SIZE, SIZE, 3)
 
@@ -68,11 +69,6 @@ def assert_shown(draw):
             assert_alike(moving, still, time, *most)
 
     return compare
-
-
-def own_ids(text, number):
-    """A drawing beside others on a page: its gradients have names of their own."""
-    return re.sub(r"gradient-(?=\d)", f"gradient-{number}-", text)
 
 
 def assert_alike(moving, still, time=None, most=0.004):
@@ -96,22 +92,18 @@ DASHED = '<path d="M2 12H22" fill="none" stroke="#000" stroke-width="3" stroke-d
 SOLID = '<path d="M4 4L20 20" fill="none" stroke="#444" stroke-width="2"/>'
 
 
-def graded(kind, colours, *attributes):
+def graded(kind, colours, attributes):
     stops = "".join(f'<stop offset="{k}" stop-color="{colour}"/>' for k, colour in enumerate(colours))
     return (
-        f'<{kind} id="g" gradientUnits="userSpaceOnUse" {" ".join(attributes)}>{stops}</{kind}>'
+        f'<{kind} id="g" gradientUnits="userSpaceOnUse" {attributes}>{stops}</{kind}>'
         '<path d="M2 2H22V22H2Z" fill="url(#g)"/>'
     )
 
 
 ACROSS = graded("linearGradient", ("#ff0000", "#ffff00"), 'x1="2" x2="22" y1="2" y2="2"')
-DOWN = graded(
-    "linearGradient", ("#0000ff", "#00ff00"), 'x1="2" x2="2" y1="4" y2="20"', 'spreadMethod="reflect"'
-)
+DOWN = graded("linearGradient", ("#0000ff", "#00ff00"), 'x1="2" x2="2" y1="4" y2="20" spreadMethod="reflect"')
 ROUND = graded("radialGradient", ("#ffffff", "#000000"), 'cx="12" cy="12" r="10"')
-OVAL = graded(
-    "radialGradient", ("#ffff00", "#004000"), 'cx="6" cy="8" r="5"', 'gradientTransform="scale(2 1)"'
-)
+OVAL = graded("radialGradient", ("#ffff00", "#004000"), 'cx="6" cy="8" r="5" gradientTransform="scale(2 1)"')
 
 CASES = {
     "colours": ([RED, BLUE], ["--ease", "ease"]),
@@ -137,7 +129,6 @@ def blended(here, paths, options):
 
 
 def animated(*arguments):
-    """The text of an animated SVG."""
     assert run([*arguments, "-o", "moving.svg", "-f", "-q"]) == 0
     return Path("moving.svg").read_text()
 

@@ -156,10 +156,8 @@ def test_the_slider_shows_what_frames_show(page, pages):
         np.testing.assert_allclose(numbers(shape(page)), numbers(data), rtol=0, atol=2e-3)
         (fill,) = re.findall(r'fill="([^"]*)"', frame)
         # Between two of the even times at which paint is told, channels go evenly.
-        ours, theirs = (
-            np.array(list(bytes.fromhex(c[1:])), int)
-            for c in (page.get_attribute("#picture path", "fill"), fill)
-        )
+        colours = (page.get_attribute("#picture path", "fill"), fill)
+        ours, theirs = (np.array(list(bytes.fromhex(c[1:])), int) for c in colours)
         assert np.abs(ours - theirs).max() <= 1
     assert page.inner_text("#clock") == "0.75"
 

@@ -31,13 +31,10 @@ def path_of(file):
     return path
 
 
-def test_five_frames_in_a_folder_named_blend(here, capsys):
+def test_five_frames_in_a_folder_named_blend_whose_names_have_one_width(here, capsys):
     assert run(["a.svg", "b.svg"]) == 0
     assert capsys.readouterr() == ("", "")
     assert names() == ["a.svg", "b.svg", "blend", *(f"blend/frame-{k}.svg" for k in range(1, 6))]
-
-
-def test_names_are_padded_to_one_width(here):
     assert run(["a.svg", "b.svg", "-n", "10", "--ends", "-o", "out"]) == 0
     assert [p.name for p in sorted((here / "out").iterdir())] == [f"frame-{k:02d}.svg" for k in range(1, 13)]
 
@@ -52,11 +49,8 @@ def test_frames_at_the_ends_are_the_polygons_of_the_inputs(here):
         assert path.get("fill") == fill
     middle = path_of(here / "out/frame-2.svg")
     assert middle.get("fill") == "#8c53a2"
-    np.testing.assert_allclose(
-        points(middle.get("d")),
-        sum(points(path_of(here / f"out/frame-{k}.svg").get("d")) for k in (1, 3)) / 2,
-        atol=1e-4,
-    )
+    ends = [points(path_of(here / f"out/frame-{k}.svg").get("d")) for k in (1, 3)]
+    np.testing.assert_allclose(points(middle.get("d")), sum(ends) / 2, atol=1e-4)
 
 
 def test_the_viewbox_is_that_of_the_inputs(here):

@@ -1,6 +1,7 @@
 """The help, and what a shell is told to complete a command line with."""
 
 import os
+import re
 import subprocess
 import sys
 from collections import Counter
@@ -32,20 +33,13 @@ def test_the_help_says_every_option_once(capsys):
     assert said["--motion"] == said["--ks"] == said["--output"] + said["-o"] == said["-h"] == 1
     assert max(said.values()) == 1
     assert text.count("A.svg B.svg") == 1
+    assert re.search(r"^  plot +Draw how two files correspond", text, re.MULTILINE)
     assert "Examples:" in lines
 
 
 @pytest.mark.parametrize("line", [line for line, _ in EXAMPLES])
 def test_the_examples_work(line, three):
     assert run(line.split()[1:]) == 0
-
-
-def completions(line):
-    """What bash is offered for the last word of a line."""
-    words = {"COMP_WORDS": line, "COMP_CWORD": str(line.count(" "))}
-    environment = os.environ | words | {"_SHAPEBLEND_COMPLETE": "bash_complete"}
-    command = [sys.executable, "-c", "from shapeblend_cli.cli import run; run([])"]
-    return subprocess.run(command, env=environment, capture_output=True, text=True).stdout.split()
 
 
 @pytest.mark.parametrize(
@@ -65,7 +59,11 @@ def completions(line):
     ],
 )
 def test_a_shell_completes(line, offered):
-    assert completions(line) == offered
+    words = {"COMP_WORDS": line, "COMP_CWORD": str(line.count(" "))}
+    environment = os.environ | words | {"_SHAPEBLEND_COMPLETE": "bash_complete"}
+    command = [sys.executable, "-c", "from shapeblend_cli.cli import run; run([])"]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    assert done.stdout.split() == offered
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])

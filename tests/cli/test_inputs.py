@@ -62,14 +62,11 @@ def test_standard_input_is_called_so_in_messages(here, stdin, capsys):
     assert capsys.readouterr().err == "shapeblend: <stdin>: the file is empty; an SVG file would work\n"
 
 
-def test_standard_input_has_the_limit_of_a_file(here, stdin, capsys, monkeypatch):
+def test_standard_input_has_the_limit_of_a_file_and_may_not_be_closed(here, stdin, capsys, monkeypatch):
     monkeypatch.setattr(xmltree, "MAX_BYTES", 1000)
     stdin(svg(" " * 1000).encode())
     assert run(["-", "b.svg"]) == 1
     assert "larger than" in capsys.readouterr().err
-
-
-def test_a_closed_standard_input_is_an_error(here, monkeypatch, capsys):
     monkeypatch.setattr(sys, "stdin", None)
     assert run(["inspect", "-"]) == 1
     assert capsys.readouterr().err.startswith("shapeblend: <stdin>: standard input is closed")
@@ -118,11 +115,10 @@ def test_selected_shapes_are_blended(here):
     assert (settings["select_a"], settings["select_b"], settings["lenient"]) == (None, ".c", True)
 
 
-def test_inspect_lists_what_a_selector_takes_under_the_numbers_of_the_file(here, capsys):
+def test_inspect_lists_what_a_selector_takes_under_the_numbers_of_the_file_or_fails_in_one_line(
+    here, capsys, refused
+):
     assert run(["inspect", "a.svg", "--json", "--select", "#few"]) == 0
     (shape,) = json.loads(capsys.readouterr().out)["shapes"]
     assert (shape["index"], shape["id"]) == (1, "small")
-
-
-def test_a_selector_that_matches_nothing_is_one_line(here, refused):
     refused(["inspect", "a.svg", "--select", "#1st"], 1, "nothing in it matches '#1st'")

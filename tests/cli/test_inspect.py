@@ -25,7 +25,6 @@ def file(here):
 
 
 def inspected(capsys):
-    """What --json prints of a.svg."""
     assert run(["inspect", "a.svg", "--json"]) == 0
     return json.loads(capsys.readouterr().out)
 

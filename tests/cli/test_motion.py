@@ -38,16 +38,13 @@ def test_the_report_has_the_setting(here, motion):
     assert report("l.svg", "turned.svg", "-n", "0")["settings"]["motion"] == "auto"
 
 
-def test_verbose_says_the_motion_and_why(here, capsys):
+def test_verbose_says_the_motion_and_why_of_each_shape(here, capsys):
     assert run(["l.svg", "turned.svg", "-v"]) == 0
     assert "shapeblend: motion rigid: B is A turned by 90 degrees\n" in capsys.readouterr().err
     assert run(["bar.svg", "leaf.svg", "-v", "-f"]) == 0
     assert "shapeblend: motion linear: no fault\n" in capsys.readouterr().err
-
-
-def test_verbose_names_the_shapes_where_there_are_several(here, capsys):
     write(two=svg(L, "M14 3H20V9Z"))
-    assert run(["two.svg", "two.svg", "-v"]) == 0
+    assert run(["two.svg", "two.svg", "-v", "-f"]) == 0
     said = capsys.readouterr().err
     for number in (1, 2):
         assert f"shapeblend: shape {number}: motion linear: no fault\n" in said
@@ -80,9 +77,8 @@ def test_frames_turn_and_straight_ones_do_not(here):
     np.testing.assert_allclose(edges, [6, 14, 10, 4, 16], atol=0.01)
     straight = ["--motion", "linear", "-f"]
     assert run(["l.svg", "turned.svg", "-n", "1", "--polygons", "--vertices", "0", *straight]) == 0
-    np.testing.assert_allclose(
-        abs(np.diff(points((here / "blend/frame-1.svg").read_text()))), edges / np.sqrt(2.0), atol=0.01
-    )
+    shrunk = abs(np.diff(points((here / "blend/frame-1.svg").read_text())))
+    np.testing.assert_allclose(shrunk, edges / np.sqrt(2.0), atol=0.01)
 
 
 @pytest.mark.parametrize("kind", [[], ["--polygons"]])

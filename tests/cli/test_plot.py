@@ -65,8 +65,3 @@ def test_the_largest_contour_is_drawn_unless_another_is_named(here):
 )
 def test_errors_are_one_line_and_nothing_is_written(here, refused, arguments, message):
     refused(["plot", *arguments.split()], 1, message)
-
-
-def test_help_lists_it(capsys):
-    assert run(["--help"]) == 0
-    assert re.search(r"^  plot +Draw how two files correspond", capsys.readouterr().out, re.MULTILINE)

@@ -16,8 +16,6 @@ from tests.support.contours import drawing, polygon_contour
 from tests.support.drawings import BAR, EYED, LEAF, svg
 from tests.support.motions import blend
 
-SVG = "{http://www.w3.org/2000/svg}"
-
 
 @pytest.fixture
 def here(here):
@@ -28,7 +26,7 @@ def here(here):
 
 def animations(file):
     root = ElementTree.parse(file).getroot()
-    return {a.get("attributeName"): dict(a.attrib) for a in root.iter(SVG + "animate")}
+    return {a.get("attributeName"): dict(a.attrib) for a in root.iter("{http://www.w3.org/2000/svg}animate")}
 
 
 def test_frames_are_numbered_on_through_all_pairs(here):

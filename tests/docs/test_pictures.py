@@ -21,13 +21,8 @@ NEAR = 0.3
 ICONS = gallery.icons()
 
 
-def pixels(picture):
-    return np.asarray(picture.convert("RGB"), dtype=float)
-
-
 def differ(p, q):
-    """The mean difference of two pictures."""
-    p, q = pixels(p), pixels(q)
+    p, q = (np.asarray(picture.convert("RGB"), float) for picture in (p, q))
     assert p.shape == q.shape
     return float(np.abs(p - q).mean())
 
@@ -36,15 +31,11 @@ def in_gallery(shown):
     return Image.open(gallery.GALLERY / f"{shown.name}.png")
 
 
-def upper_row(picture):
-    """What a picture of the gallery has of ours, without the gap below it."""
-    return picture.crop((0, 0, picture.width, picture.height // 2))
-
-
 def near_upper_row(shown):
-    drawn = gallery.drawn(shown, with_flubber=False)
-    kept = upper_row(in_gallery(shown))
-    return differ(drawn.crop((0, 0, *kept.size)), kept) < NEAR
+    """Compare what a picture of the gallery has of ours, without the gap below it."""
+    drawn, kept = gallery.drawn(shown, with_flubber=False), in_gallery(shown)
+    upper = (0, 0, kept.width, kept.height // 2)
+    return differ(drawn.crop(upper), kept.crop(upper)) < NEAR
 
 
 @pytest.mark.parametrize("name", readme_pictures.SHEETS)
@@ -75,26 +66,18 @@ def test_the_page_of_the_gallery_is_what_is_written(fonts):
 
 def test_every_picture_is_made_by_a_target_and_every_link_has_one():
     pages = [ROOT / "README.md", *DOCS.glob("*.md")]
-    linked = {
-        (page.parent / link).resolve() for page in pages for link in LINK.findall(page.read_text("utf-8"))
-    }
+    links = {page: LINK.findall(page.read_text("utf-8")) for page in pages}
+    linked = {(page.parent / link).resolve() for page in pages for link in links[page]}
     gallery_pages = {link.removeprefix("gallery/") for link in LINK.findall(gallery.PAGE.read_text("utf-8"))}
     made = {DOCS / f"{name}.png" for name in readme_pictures.SHEETS}
     made |= {gallery.GALLERY / name for name in gallery_pages}
     made |= {DOCS / f"plot-{kind}.svg" for kind in plots.PLOTS}
     assert linked == made == {*DOCS.rglob("*.png"), *DOCS.rglob("*.svg")}
     names = {shown.name for shown in ICONS}
-    names |= {
-        f"letters-{name}-{k + 1}"
-        for name, every in gallery.LETTERS.items()
-        for k in range(_rows(name, every))
-    }
+    for name, every in gallery.LETTERS.items():
+        rows = -(-letters.COUNTS[name] * len(letters.FAMILIES) // every)
+        names |= {f"letters-{name}-{k + 1}" for k in range(rows)}
     assert {f"{name}.png" for name in names} == gallery_pages
-
-
-def _rows(name, every):
-    """How many letters of a set are shown."""
-    return -(-letters.COUNTS[name] * len(letters.FAMILIES) // every)
 
 
 def test_pictures_of_the_gallery_are_small():
@@ -104,17 +87,13 @@ def test_pictures_of_the_gallery_are_small():
 
 
 def test_another_blend_is_another_picture():
-    first, second = ICONS[:2]
-    assert (
-        differ(gallery.drawn(first, with_flubber=False), gallery.drawn(second, with_flubber=False))
-        > 20 * NEAR
-    )
+    first, second = (gallery.drawn(shown, with_flubber=False) for shown in ICONS[:2])
+    assert differ(first, second) > 20 * NEAR
 
 
 def test_both_letters_are_laid_into_the_same_square():
-    shapes = gallery.fitted(
-        Pair("", "M0,0 L10,0 L10,-20 L0,-20 Z", "M700.5,10 Q700.5,90 780.5,90 L700.5,90 Z")
-    )
+    pair = Pair("", "M0,0 L10,0 L10,-20 L0,-20 Z", "M700.5,10 Q700.5,90 780.5,90 L700.5,90 Z")
+    shapes = gallery.fitted(pair)
     for data, low, high in ((shapes.a, 30 + 10j, 70 + 90j), (shapes.b, 10 + 10j, 90 + 90j)):
         points = polygon(data)
         assert complex(points.real.min(), points.imag.min()) == pytest.approx(low)

@@ -126,8 +126,8 @@ CROSSING = {
     "lobes through each other in a vertex": ([lines([0, 2 + 1j, 2 - 1j, 0, -2 + 1j, -2 - 1j])], 1),
     "a bow tie that begins at that node": ([lines([2 + 2j, 4 + 4j, 4, 2 + 2j, 4j, 0])], 1),
     "a node of one strand on the other's edge": ([lines([0, 2 + 2j, 4 + 4j, 4, 4j])], 1),
-    "an eight of curves with a node of both strands": (
-        [chain(np.array([0, 0]), np.array([[4 + 4j, 4 - 4j], [-4 + 4j, -4 - 4j]]))],
+    "an eight with a node of both strands": (
+        [chain([0, 0], np.array([[4 + 4j, 4 - 4j], [-4 + 4j, -4 - 4j]]))],
         1,
     ),
     "doubled nodes at the crossing": ([lines([0, 2 + 2j, 2 + 2j, 4 + 4j, 4, 2 + 2j, 2 + 2j, 4j])], 1),

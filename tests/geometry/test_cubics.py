@@ -28,20 +28,16 @@ def test_bounds_hold_the_curve_and_touch_it(segments):
 @given(segments)
 def test_lengths_are_those_of_fine_polygons(segments):
     curve = cubics.evaluate(segments[:, None, :], np.linspace(0, 1, 20001))
-    np.testing.assert_allclose(
-        cubics.lengths(segments), np.abs(np.diff(curve, axis=1)).sum(axis=1), rtol=1e-3, atol=1e-9
-    )
+    fine = np.abs(np.diff(curve, axis=1)).sum(axis=1)
+    np.testing.assert_allclose(cubics.lengths(segments), fine, rtol=1e-3, atol=1e-9)
 
 
 @given(segments, st.floats(0, 1), st.floats(0, 1))
 def test_pieces_are_parts_of_the_curve(segments, s, t):
     part = cubics.pieces(segments, np.full(3, s), np.full(3, t))
     u = np.linspace(0, 1, 7)
-    np.testing.assert_allclose(
-        cubics.evaluate(part[:, None, :], u),
-        cubics.evaluate(segments[:, None, :], s + (t - s) * u),
-        atol=1e-9,
-    )
+    expected = cubics.evaluate(segments[:, None, :], s + (t - s) * u)
+    np.testing.assert_allclose(cubics.evaluate(part[:, None, :], u), expected, atol=1e-9)
 
 
 @given(segments)

@@ -13,13 +13,10 @@ RED, BLUE, LIME = "#ff0000", "#0000ff", "#00ff00"
 FADE = (Stop(0.0, RED), Stop(1.0, BLUE))
 
 
-def test_stops_are_at_the_offsets_of_both_and_paint_the_same():
+def test_stops_are_at_the_offsets_of_both_and_paint_the_same_abrupt_changes_too():
     a, b = common_stops(FADE, (Stop(0.25, LIME, 0.5), Stop(1.0, LIME, 1.0)))
     assert a == (Stop(0.0, RED), Stop(0.25, "#bf0040"), Stop(1.0, BLUE))
     assert b == (Stop(0.0, LIME, 0.5), Stop(0.25, LIME, 0.5), Stop(1.0, LIME, 1.0))
-
-
-def test_an_abrupt_change_stays_abrupt():
     hard = (Stop(0.5, RED), Stop(0.5, BLUE))
     a, b = common_stops(hard, FADE)
     assert a == (Stop(0.0, RED), Stop(0.5, RED), Stop(0.5, BLUE), Stop(1.0, BLUE))

@@ -17,13 +17,8 @@ def at(a, b, t):
 
 def test_numbers_go_straight_and_keywords_change_at_half_time():
     a = LINE._replace(stroke_width=1.0, stroke_miterlimit=2.0, stroke_opacity=0.5)
-    b = LINE._replace(
-        stroke_width=3.0,
-        stroke_miterlimit=6.0,
-        stroke_opacity=1.0,
-        stroke_linecap="round",
-        stroke_linejoin="bevel",
-    )
+    keywords = {"stroke_linecap": "round", "stroke_linejoin": "bevel"}
+    b = LINE._replace(stroke_width=3.0, stroke_miterlimit=6.0, stroke_opacity=1.0, **keywords)
     early, late = at(a, b, 0.25), at(a, b, 0.5)
     assert (early.stroke_width, early.stroke_miterlimit, early.stroke_opacity) == (1.5, 3.0, 0.625)
     assert (early.stroke_linecap, early.stroke_linejoin) == ("butt", "miter")
@@ -100,19 +95,15 @@ def test_a_gradient_without_a_partner_fades_as_it_is():
     assert (found.fill_gradient, found.fill_opacity) == (LINEAR, 0.25)
 
 
-def composed(a_opacity, b_opacity, t):
-    """How much of A and of B is seen where B is painted over A."""
-    a = Style(fill="#ff0000", fill_opacity=a_opacity, fill_gradient=LINEAR)
-    b = Style(fill="#ff0000", fill_opacity=b_opacity, fill_gradient=RADIAL)
-    top, below = blend_styles(a, b, t)
-    assert (top.fill_gradient, below.fill_gradient) == (RADIAL, LINEAR)
-    return (1 - top.fill_opacity) * below.fill_opacity, top.fill_opacity
-
-
 @pytest.mark.parametrize("opacities", [(1.0, 1.0), (1.0, 0.4), (0.3, 1.0), (0.5, 0.5)])
 @pytest.mark.parametrize("t", [0.0, 0.25, 0.5, 0.9, 1.0])
 def test_gradients_of_two_kinds_dissolve_into_each_other_evenly(opacities, t):
-    assert composed(*opacities, t) == pytest.approx(((1 - t) * opacities[0], t * opacities[1]))
+    a = Style(fill="#ff0000", fill_opacity=opacities[0], fill_gradient=LINEAR)
+    b = Style(fill="#ff0000", fill_opacity=opacities[1], fill_gradient=RADIAL)
+    top, below = blend_styles(a, b, t)  # B painted over A
+    assert (top.fill_gradient, below.fill_gradient) == (RADIAL, LINEAR)
+    seen = (1 - top.fill_opacity) * below.fill_opacity, top.fill_opacity
+    assert seen == pytest.approx(((1 - t) * opacities[0], t * opacities[1]))
 
 
 def test_only_what_has_to_dissolve_is_painted_twice():

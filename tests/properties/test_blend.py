@@ -80,11 +80,11 @@ def test_reversing_or_mirroring_both_keeps_the_work(rng, m, n, constants):
 @given(seeds, counts, counts, similarities)
 def test_place_and_size_do_not_matter(seed, m, n, similarity):
     a, b = star(seed, m), star(seed + 1, n)
-    moved = drawing(polygon_contour(similarity.points(b)))
-    works = [
-        match(drawing(polygon_contour(a)), other, ASIS).contours[0].correspondence.work
-        for other in (drawing(polygon_contour(b)), moved)
+    pairs = [
+        match(drawing(polygon_contour(a)), drawing(polygon_contour(other)), ASIS)
+        for other in (b, similarity.points(b))
     ]
+    works = [pair.contours[0].correspondence.work for pair in pairs]
     assert works[0] == pytest.approx(works[1], rel=1e-6, abs=1e-6)
 
 
@@ -104,15 +104,12 @@ def test_frames_at_both_ends_are_the_drawings(seed, m, n, curves):
     pair, frames = blend(a, b, ASIS.replace(frames=0, ends=True, curves=curves))
     (contour,) = pair.contours
     dots = contour.correspondence.dots
-    for frame, side, polygon, shape in zip(
-        frames, dots.T, (contour.polygon_a, contour.polygon_b), (a, b), strict=True
-    ):
-        (outline,) = frame.shapes[0].paths
-        drawn = shape.shapes[0].contours[0].segments if curves else None
-        np.testing.assert_array_equal(
-            outline.segments if curves else outline.segments[:, 0],
-            drawn if curves else polygon.vertices[side],
-        )
+    sides = zip(frames, dots.T, (contour.polygon_a, contour.polygon_b), (a, b), strict=True)
+    for frame, side, polygon, shape in sides:
+        found = frame.shapes[0].paths[0].segments
+        drawn = shape.shapes[0].contours[0].segments if curves else polygon.vertices[side]
+        np.testing.assert_array_equal(found if curves else found[:, 0], drawn)
+        assert len(frame.shapes[0].paths) == 1
 
 
 @given(rngs, counts)
@@ -121,11 +118,8 @@ def test_curves_and_lines_of_any_mixture_blend(rng, count):
     inner = rng.random((count, 2)) + 1j * rng.random((count, 2))
     segments = np.column_stack([nodes, inner, np.roll(nodes, -1)])
     scribble = Contour(segments, np.zeros(count, bool), True)
-    pair, frames = blend(
-        drawing(scribble),
-        drawing(circle_contour(), file="b.svg"),
-        ASIS.replace(place="bbox"),
-    )
+    circle = drawing(circle_contour(), file="b.svg")
+    pair, frames = blend(drawing(scribble), circle, ASIS.replace(place="bbox"))
     assert len(frames) == 5
     assert all(np.isfinite(frame.shapes[0].paths[0].segments).all() for frame in frames)
     assert pair.contours[0].correspondence.gap == 0.0

@@ -28,17 +28,13 @@ def test_numbers_are_those_given_whichever_way_round(seed, flip0, flip1):
     assert len(there & set(map(tuple, plain.dots.tolist()))) >= 0.9 * len(plain.dots)
 
 
-def test_an_open_line_backwards_costs_nothing():
+def test_an_open_line_backwards_costs_nothing_and_pins_may_decide_for_it():
     line = np.array([0, 2, 2 + 1j, 3 + 1j, 5 + 4j])
     found = sb.match(line, 10 * line[::-1] + 7, closed=False)
     assert found.work == pytest.approx(0.0, abs=1e-9)
     assert found.dots.tolist() == [[k, 4 - k] for k in range(5)]
     forced = sb.match(line, 10 * line[::-1] + 7, closed=False, settings=sb.Settings(reverse="no"))
     assert forced.work > 0.1
-
-
-def test_pins_that_cross_one_way_round_decide_for_the_other():
-    line = np.array([0, 2, 2 + 1j, 3 + 1j, 5 + 4j])
     other = 3 * line[::-1] + 1
     pins = ((complex(line[1]), complex(other[3])), (complex(line[3]), complex(other[1])))
     found = sb.match(line, other, closed=False, settings=sb.Settings(pins=pins))

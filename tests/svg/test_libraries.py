@@ -29,12 +29,21 @@ def test_expensive_modules_are_not_imported_nor_css_libraries_for_a_plain_file(c
     assert run(f"from shapeblend_cli.svg.reading import read; {code}{imported}") == []
 
 
-def test_stand_ins_leave_no_trace_and_call_through():
-    code = (
+TRACES = {
+    "stand-ins call through": (
         "from shapeblend_cli.svg import libraries; import sys, webbrowser, tempfile;"
         "called = libraries.svgpathtools.paths2svg.gettempdir();"
         "print(hasattr(webbrowser, 'open_new_tab'), called == tempfile.gettempdir())"
-    )
+    ),
+    "a module imported before stays": (
+        "import webbrowser; before = webbrowser; from shapeblend_cli.svg import libraries;"
+        "import webbrowser; print(webbrowser is before, libraries.svgpathtools.misctools.webbrowser is before)"
+    ),
+}
+
+
+@pytest.mark.parametrize("code", TRACES.values(), ids=TRACES)
+def test_stand_ins_leave_no_trace(code):
     assert run(code) == ["True", "True"]
 
 
@@ -46,11 +55,3 @@ def test_arc_lengths_still_work():
         "print(round(parse_path('M10 0A10 5 0 0 1 0 5').length(), 3))"
     )
     assert run(code) == ["12.111"]
-
-
-def test_a_module_imported_before_stays_as_it_is():
-    code = (
-        "import webbrowser; before = webbrowser; from shapeblend_cli.svg import libraries;"
-        "import webbrowser; print(webbrowser is before, libraries.svgpathtools.misctools.webbrowser is before)"
-    )
-    assert run(code) == ["True", "True"]

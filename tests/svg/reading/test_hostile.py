@@ -95,8 +95,9 @@ def test_size_is_limited_after_unpacking():
     refused(gzip.compress(b" " * 65 * 2**20), "larger than 64 MB, the most that is read")
 
 
-def test_the_deepest_element_is_read():
+def test_the_deepest_element_and_any_number_of_siblings_are_read():
     assert boxes(drawn(groups(xmltree.MAX_DEPTH - 2))) == [[0, 0, 1, 2]]
+    assert len(drawn(f"<style>circle ~ rect {{ fill: red }}</style><circle/>{RECT * 1500}").shapes) == 1500
 
 
 def test_use_of_itself_ends():
@@ -117,10 +118,6 @@ def test_only_the_beginning_of_a_list_of_classes_counts(monkeypatch):
     rects = '<rect class="a b c d e f" width="1" height="2"/>'
     drawing = drawn(f"<style>.e {{ fill: #123 }} .f {{ fill: red }}</style>{rects}")
     assert drawing.shapes[0].style.fill == "#112233"
-
-
-def test_siblings_are_not_recursed_over():
-    assert len(drawn(f"<style>circle ~ rect {{ fill: red }}</style><circle/>{RECT * 1500}").shapes) == 1500
 
 
 @pytest.mark.parametrize(

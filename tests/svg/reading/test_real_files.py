@@ -21,8 +21,7 @@ def test_file_is_read_as_chromium_reads_it(name):
     assert len(drawing.shapes) == truth["shapes"]
     assert length(drawing) == pytest.approx(truth["length"], rel=1e-3)
     x, y, width, height = bounds(np.concatenate([c.segments for s in drawing.shapes for c in s.contours]))
-    corners = [x, y, x + width, y + height]
-    assert np.allclose(corners, truth["bbox"], rtol=0, atol=1e-3 * max(width, height))
+    assert np.allclose([x, y, x + width, y + height], truth["bbox"], rtol=0, atol=1e-3 * max(width, height))
 
 
 def test_every_file_has_a_licence():

@@ -7,17 +7,14 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.svg.reading import colours, transforms, units
 
-
-def transform_property(text):
-    return transforms.parse(text, units.Lengths(1, 1))
-
-
 UNREADABLE = {
     units.length: "|x|1 px x|1..2|nan|inf|1e999|1e9|1foo|--1|1%|1_0|calc(1px)",
     colours.parse: f"|oops|#12|#ggg|rgb(|rgb(1,2)|url(|red blue|((((|\0|{'#' * 2000}",
     transforms.parse: "rotate|rotate(|rotate()|rotate(1 2)|scale(1,,2)|scale(,1)|foo(1)|matrix(1 2 3)|scale(1) x"
     "|translate(1e999)|rotate(1deg)|scale(1),",
-    transform_property: "rotate(1)|translate(1)|rotate(1deg 2deg 3deg)|translateX(1px, 2px)|scale(1px)",
+    lambda text: transforms.parse(
+        text, units.Lengths(1, 1)
+    ): "rotate(1)|translate(1)|rotate(1deg 2deg 3deg)|translateX(1px, 2px)|scale(1px)",
 }
 
 
