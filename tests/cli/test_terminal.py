@@ -53,8 +53,6 @@ def test_ctrl_c_leaves_nothing_behind(here):
     assert b"\n" not in bar
     assert said.split() == b"shapeblend: interrupted; nothing was written".split()
     assert process.wait(timeout=60) == 1
-    # The bar may have been drawn again before the signal came.
-    assert said.partition(b"\n")[2].split() == b"shapeblend: interrupted; nothing was written".split()
     assert names() == ["a.svg", "b.svg"]
 
 
