@@ -27,7 +27,7 @@ STORED_DOTS = 12_000_000
 
 BLOCK_DOTS = 1_000_000
 
-BOUND_DOTS = 250_000
+BOUND_DOTS = 100_000
 """Up to so many dots tables of the whole graph are made for a lower bound alone."""
 
 NOT_KEPT = np.empty(0, np.uint8)

@@ -128,17 +128,19 @@ class Wires:
 
         Rows of the window, and its `first_column` in the graph, are counted on beyond n and m.
         """
+        is_whole = window is None
         window = window or Window.full(self.m, self.n)
         columns = (first_column + np.arange(len(window.low))) % self.m
         southeast = np.empty(window.dots)
         for part in window.blocks(STRETCHING_DOTS):
-            heights = window.high[part] - window.low[part] + 1
-            column = np.repeat(columns[part], heights)
-            row = np.arange(len(column)) - np.repeat(np.cumsum(heights) - heights - window.low[part], heights)
+            i, j = columns[part, None], np.arange(self.n)
+            if not is_whole:
+                heights = window.high[part] - window.low[part] + 1
+                i = np.repeat(columns[part], heights)
+                j = np.arange(len(i)) - np.repeat(np.cumsum(heights) - heights - window.low[part], heights)
+            work = stretching_work(self.len0[i], self.len1[j % self.n], self.constants) * self.edge_weight[i]
             first = int(window.column_offset[part.start])
-            southeast[first : first + len(column)] = self.edge_weight[column] * stretching_work(
-                self.len0[column], self.len1[row % self.n], self.constants
-            )
+            southeast[first : first + work.size] = work.ravel()
         bends = self._bends(columns, window, self.bending)
         if not self.closed:
             if columns[0] == 0 and window.low[0] == 0:
