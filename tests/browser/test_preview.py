@@ -11,6 +11,7 @@ from shapeblend_cli.matching.landscape import landscape
 from shapeblend_cli.pairing.contour_blends import solved_wires
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
+from tests.support.commands import points
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, SQUARES, B, svg
 from tests.support.motions import blend
 
@@ -24,7 +25,7 @@ DRAWINGS = {
     "three": [B, EIGHT, LEAF],
     "large": [LEAF, BAR],
 }
-OPTIONS = {"large": ["--vertices", "420", "--repeat", "3", "-n", "0"]}
+OPTIONS = {"large": "--vertices 420 --repeat 3 -n 0"}
 
 
 @pytest.fixture(scope="module")
@@ -37,9 +38,9 @@ def pages(tmp_path_factory):
         for file, path, colour in zip(files, paths, COLOURS, strict=False):
             file.write_text(svg(path, attributes=EVENODD.format(colour)))
         page = folder / f"{name}.html"
-        options = f"-n 3 --vertices {SETTINGS.vertices} --motion linear -q".split()
+        options = f"-n 3 --vertices {SETTINGS.vertices} -q {OPTIONS.get(name, '')} --motion linear".split()
         outputs = ["-o", str(folder / name), "--preview", str(page)]
-        assert run([*map(str, files), *options, *OPTIONS.get(name, []), *outputs]) == 0
+        assert run([*map(str, files), *options, *outputs]) == 0
         found[name] = (page, files)
     return found
 
@@ -94,14 +95,7 @@ def overlaid(page):
 
 
 def seek(page, time):
-    page.evaluate(
-        "time => { const e = document.getElementById('time'); e.value = time; e.dispatchEvent(new Event('input')) }",
-        time,
-    )
-
-
-def numbers(text):
-    return np.array([float(v) for v in re.findall(r"-?[\d.]+(?:e-?\d+)?", text)])
+    page.fill("#time", str(time))
 
 
 def test_it_plays_by_itself_and_stops_on_request(opened):
@@ -152,8 +146,7 @@ def test_the_slider_shows_what_frames_show(page, pages):
     for k, time in ((1, 0.25), (2, 0.5), (3, 0.75)):
         seek(page, time)
         frame = (folder / f"frame-{k}.svg").read_text()
-        (data,) = re.findall(r' d="([^"]*)"', frame)
-        np.testing.assert_allclose(numbers(shape(page)), numbers(data), rtol=0, atol=2e-3)
+        np.testing.assert_allclose(points(shape(page)), points(frame), rtol=0, atol=2e-3)
         (fill,) = re.findall(r'fill="([^"]*)"', frame)
         # Between two of the even times at which paint is told, channels go evenly.
         colours = (page.get_attribute("#picture path", "fill"), fill)
@@ -224,9 +217,7 @@ def expected(contour):
 
 def screen(page, point):
     """Where a point of the drawing is on the screen."""
-    m = page.evaluate(
-        "(() => { const m = document.getElementById('drawing').getScreenCTM(); return [m.a, m.d, m.e, m.f] })()"
-    )
+    m = page.evaluate("(m => [m.a, m.d, m.e, m.f])(document.getElementById('drawing').getScreenCTM())")
     return m[0] * point.real + m[2], m[1] * point.imag + m[3]
 
 
@@ -247,12 +238,10 @@ def test_a_dot_shows_its_pair(opened, contour, way):
         (page.mouse.move if way == "mouse" else page.touchscreen.tap)(*screen(page, b))
     said = page.inner_text("#dot-says")
     assert re.findall(r"[AB] (\d+) at", said)[1] == str(j)
-    first, second = re.findall(r"at (-?[\d.]+), (-?[\d.]+)", said)
-    at_a, at_b = (complex(*map(float, pair)) for pair in (first, second))
+    at_a, at_b = (complex(*map(float, at)) for at in re.findall(r"at (-?[\d.]+), (-?[\d.]+)", said))
     assert abs(at_b - b) < 1e-2
     assert abs(at_a - contour.polygon_a.vertices[int(re.findall(r"A (\d+) at", said)[0])]) < 1e-2
-    line = numbers(page.get_attribute("#overlay .way", "d"))
-    np.testing.assert_allclose(line[[-2, -1]], [b.real, b.imag], atol=1e-2)
+    assert abs(points(page.get_attribute("#overlay .way", "d"))[-1] - b) < 1e-2
     if way == "keyboard":
         assert abs(at_a - a) < 1e-2
 
@@ -273,8 +262,7 @@ def assert_other_path_is_shown(page, contour, expected, column, row, time):
     path = expected.path_through(column, row)[:-1] + np.array(expected.start)
     at_a, at_b = contour.polygon_a.vertices[path[:, 0] % m], contour.polygon_b.vertices[path[:, 1] % n]
     polygon = (1 - time) * at_a + time * at_b
-    data = page.get_attribute("#overlay .other", "d")
-    np.testing.assert_allclose(numbers(data).reshape(-1, 2) @ [1, 1j], polygon, atol=1e-2)
+    np.testing.assert_allclose(points(page.get_attribute("#overlay .other", "d")), polygon, atol=1e-2)
     work = float(re.search(r"least work ([\d.]+)", page.inner_text("#cell")).group(1))
     assert work == pytest.approx(expected.works[column, row], rel=2e-3)
 
