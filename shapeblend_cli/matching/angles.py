@@ -66,13 +66,9 @@ ANGLE_NOISE = cython.declare(cython.double, 1e-9)
 # d is nothing but rounding when it is this small beside the products it is the difference of.
 CROSS_NOISE = cython.declare(cython.double, 1e-12)
 
-EE = cython.declare(cython.int, steps.EE)
-ED = cython.declare(cython.int, steps.ED)
-DE = cython.declare(cython.int, steps.DE)
-SS = cython.declare(cython.int, steps.SS)
-SD = cython.declare(cython.int, steps.SD)
-DS = cython.declare(cython.int, steps.DS)
-DD = cython.declare(cython.int, steps.DD)
+cython.declare(EE=cython.int, ED=cython.int, DE=cython.int, SS=cython.int)
+cython.declare(SD=cython.int, DS=cython.int, DD=cython.int)
+EE, ED, DE, SS, SD, DS, DD = steps.BENDS
 
 # The control points Q0, Q1 and Q2 of Q(t).
 Curve = cython.struct(
@@ -274,14 +270,10 @@ class Bending:
     @cython.exceptval(check=False)
     def moving(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
         """Bend where both wires move on the way in and on the way out: eqs (7)-(9)."""
-        b0x: cython.double = p.back[i].real
-        b0y: cython.double = p.back[i].imag
-        f0x: cython.double = p.fwd[i].real
-        f0y: cython.double = p.fwd[i].imag
-        b1x: cython.double = q.back[j].real
-        b1y: cython.double = q.back[j].imag
-        f1x: cython.double = q.fwd[j].real
-        f1y: cython.double = q.fwd[j].imag
+        b0x, b0y = p.back[i].real, p.back[i].imag
+        f0x, f0y = p.fwd[i].real, p.fwd[i].imag
+        b1x, b1y = q.back[j].real, q.back[j].imag
+        f1x, f1y = q.fwd[j].real, q.fwd[j].imag
         curve: Curve = Curve(
             f0x * b0x + f0y * b0y,
             f0x * b0y - f0y * b0x,
@@ -321,12 +313,9 @@ class Bending:
 
         F1 := base, B1 := minus base, so both products of Q1 are of one order: Q1 = conj(d) B0 - conj(F0) d.
         """
-        dx: cython.double = q.base[j].real
-        dy: cython.double = q.base[j].imag
-        b0x: cython.double = p.back[i].real
-        b0y: cython.double = p.back[i].imag
-        f0x: cython.double = p.fwd[i].real
-        f0y: cython.double = p.fwd[i].imag
+        dx, dy = q.base[j].real, q.base[j].imag
+        b0x, b0y = p.back[i].real, p.back[i].imag
+        f0x, f0y = p.fwd[i].real, p.fwd[i].imag
         x1: cython.double = (dx * b0x + dy * b0y) - (f0x * dx + f0y * dy)
         y1: cython.double = (dx * b0y - dy * b0x) - (f0x * dy - f0y * dx)
         theta: cython.double = p.theta[i]
@@ -392,19 +381,9 @@ def fill_bends(
 
 
 def angle_change(q0: complex, q1: complex, q2: complex) -> tuple[float, float, bool]:
-    """Return delta theta, delta theta* and whether theta reaches zero along a Q curve (section 2.1).
+    """Return delta theta and delta theta* in radians, and whether theta reaches zero, along a Q curve (section 2.1).
 
-    Parameters
-    ----------
-    q0, q1, q2 : complex
-        Control points of Q(t), eq (9); neither end is 0.
-
-    Returns
-    -------
-    delta_theta, delta_theta_star : float
-        Radians.
-    reaches_zero : bool
-        Whether theta(t) = 0 for a t in [0, 1], eq (3).
+    Neither end of the control points, eq (9), is 0.
 
     Examples
     --------

@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-EAST, SOUTH, SOUTHEAST = range(3)
-STEPS = (EAST, SOUTH, SOUTHEAST)
+STEPS = EAST, SOUTH, SOUTHEAST = (0, 1, 2)
 
 ENTERING = (EAST, SOUTHEAST)
 """The steps that enter a column."""
@@ -17,7 +16,7 @@ ENTERING = (EAST, SOUTHEAST)
 MOVES = ((1, 0), (0, 1), (1, 1))
 """Columns and rows of each step."""
 
-EE, ED, DE, SS, SD, DS, DD = range(7)
+BENDS = EE, ED, DE, SS, SD, DS, DD = (0, 1, 2, 3, 4, 5, 6)
 """The last axis of `Tables.bends`."""
 
 NO_BEND = -1

@@ -43,16 +43,11 @@ COMPILED = cython.compiled
 
 INFINITY = cython.declare(cython.double, float("inf"))
 
-EAST = cython.declare(cython.int, steps.EAST)
-SOUTH = cython.declare(cython.int, steps.SOUTH)
-SOUTHEAST = cython.declare(cython.int, steps.SOUTHEAST)
-EE = cython.declare(cython.int, steps.EE)
-ED = cython.declare(cython.int, steps.ED)
-DE = cython.declare(cython.int, steps.DE)
-SS = cython.declare(cython.int, steps.SS)
-SD = cython.declare(cython.int, steps.SD)
-DS = cython.declare(cython.int, steps.DS)
-DD = cython.declare(cython.int, steps.DD)
+cython.declare(EAST=cython.int, SOUTH=cython.int, SOUTHEAST=cython.int)
+EAST, SOUTH, SOUTHEAST = steps.STEPS
+cython.declare(EE=cython.int, ED=cython.int, DE=cython.int, SS=cython.int)
+cython.declare(SD=cython.int, DS=cython.int, DD=cython.int)
+EE, ED, DE, SS, SD, DS, DD = steps.BENDS
 
 
 def cost_to_go(
