@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shapeblend_cli.clock import Clock
-from shapeblend_cli.model import Drawing, Polygon
+from shapeblend_cli.model import Correspondence, Drawing, Frame, PaintedShape, Polygon
 from shapeblend_cli.output import check_targets, write_files
 from shapeblend_cli.outputs.formats import views
 from shapeblend_cli.outputs.options import OutputOptions, specify
@@ -28,8 +28,6 @@ if TYPE_CHECKING:
     from os import PathLike
 
     from numpy.typing import ArrayLike
-
-    from shapeblend_cli.model import Correspondence, Frame, PaintedShape
 
     File = str | PathLike[str]
 

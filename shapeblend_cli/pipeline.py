@@ -13,15 +13,8 @@ from shapeblend_cli.easing import frame_times
 from shapeblend_cli.geometry.placement import place_over
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.paths import paths_at, with_curves
-from shapeblend_cli.model import (
-    CubicPath,
-    Drawing,
-    Frame,
-    PaintedShape,
-    Pair,
-    ShapeBlend,
-)
-from shapeblend_cli.motion.alignment import align, point_pairs
+from shapeblend_cli.model import Box, CubicPath, Drawing, Frame, PaintedShape, Pair, ShapeBlend
+from shapeblend_cli.motion.alignment import Alignment, align, point_pairs
 from shapeblend_cli.motion.choose import RotatedShape, choose_motion, is_as_good, try_straight
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.paint.styles import blend_styles, painted_as
@@ -46,8 +39,6 @@ enough."""
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Box
-    from shapeblend_cli.motion.alignment import Alignment
     from shapeblend_cli.pairing.constraints import ConstrainedPairs, NumbersOrNone
     from shapeblend_cli.pairing.direction import Watch
 

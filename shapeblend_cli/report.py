@@ -9,12 +9,12 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import paths_at
-from shapeblend_cli.model import Box
+from shapeblend_cli.model import Box, ContourBlend, Drawing, Pair, Shape, ShapeBlend
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, ContourBlend, Drawing, Pair, Shape, ShapeBlend
+    from shapeblend_cli.model import ComplexArray
 
 REPORT_FORMAT = 1
 

@@ -6,12 +6,11 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.paths import waypoints
-from shapeblend_cli.model import Box
+from shapeblend_cli.model import Box, CubicPath, PaintedShape, Pair, Style
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import CubicPath, PaintedShape, Pair, Style
 
 MARGIN = 0.02
 """Room around what a drawing without a viewBox paints, as a share of its larger side."""

@@ -6,14 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from shapeblend_cli.field_types import FLAG
+from shapeblend_cli.field_types import FLAG, FieldType
 
 if TYPE_CHECKING:
     from collections.abc import Container
 
     from click.shell_completion import CompletionItem
 
-    from shapeblend_cli.field_types import FieldType
     from shapeblend_cli.fields import Option, Record
 
 

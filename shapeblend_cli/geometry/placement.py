@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.similarity import Similarity
-from shapeblend_cli.model import Box
+from shapeblend_cli.model import Box, Drawing, Polygon
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray, Drawing, Polygon
+    from shapeblend_cli.model import ComplexArray
 
 
 def place_over(a: Drawing, b: Drawing, place: str) -> Similarity:

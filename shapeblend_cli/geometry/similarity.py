@@ -6,10 +6,10 @@ import cmath
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.model import Box, LinearGradient
+from shapeblend_cli.model import Box, Contour, Gradient, LinearGradient, Polygon, Style
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray, Contour, Gradient, Polygon, Style
+    from shapeblend_cli.model import ComplexArray
 
 
 class Similarity(NamedTuple):

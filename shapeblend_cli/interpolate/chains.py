@@ -13,20 +13,13 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.paths import waypoints
-from shapeblend_cli.model import CubicPath, KeyframedShape, PaintedShape, Waypoint
+from shapeblend_cli.model import CubicPath, KeyframedShape, PaintedShape, Pair, ShapeBlend, Style, Waypoint
 from shapeblend_cli.paint.styles import keyed_styles
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import (
-        BoolArray,
-        ComplexArray,
-        FloatArray,
-        Pair,
-        ShapeBlend,
-        Style,
-    )
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray
 
 SAME = 1e-6
 """Positions nearer than this share of an edge are one."""

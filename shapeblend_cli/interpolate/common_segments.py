@@ -12,16 +12,14 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.interpolate.continuous_match import match_continuously, unroll_from_node
+from shapeblend_cli.interpolate.continuous_match import ContinuousMatch, match_continuously, unroll_from_node
 from shapeblend_cli.interpolate.deviation import deviation
-from shapeblend_cli.interpolate.parametrization import is_among, parametrize
+from shapeblend_cli.interpolate.parametrization import ContourParameter, is_among, parametrize
 from shapeblend_cli.interpolate.smooth_joints import divide_lines, slide_cuts
-from shapeblend_cli.model import Box, CubicPath, frozen
+from shapeblend_cli.model import Box, Contour, CubicPath, Polygon, frozen
 
 if TYPE_CHECKING:
-    from shapeblend_cli.interpolate.continuous_match import ContinuousMatch
-    from shapeblend_cli.interpolate.parametrization import ContourParameter
-    from shapeblend_cli.model import BoolArray, ComplexArray, Contour, FloatArray, IntArray, Polygon
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
 
 TOLERANCE = 2e-3
 """How far in-betweens of curves may lie from those of polygons, as a share of the larger outline's size.

@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.interpolate.parametrization import is_among
+from shapeblend_cli.interpolate.parametrization import ContourParameter, is_among
 from shapeblend_cli.model import unroll
 
 if TYPE_CHECKING:
-    from shapeblend_cli.interpolate.parametrization import ContourParameter
     from shapeblend_cli.model import BoolArray, FloatArray, IntArray
 
 LONG_HOLD = 2

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.interpolate.common_segments import common_segments
-from shapeblend_cli.model import Box, CubicPath, Waypoint
+from shapeblend_cli.model import Box, ContourBlend, CubicPath, ShapeBlend, Waypoint
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray, ContourBlend, ShapeBlend
+    from shapeblend_cli.model import ComplexArray
 
 WAYPOINT_TOLERANCE = 2e-3
 """How far an animation may be from a motion that is not straight, as a share of the size of what moves."""

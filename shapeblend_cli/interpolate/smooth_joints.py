@@ -21,10 +21,9 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.interpolate.parametrization import CORNER
+from shapeblend_cli.interpolate.parametrization import CORNER, ContourParameter
 
 if TYPE_CHECKING:
-    from shapeblend_cli.interpolate.parametrization import ContourParameter
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray
 
 SLIGHT_BEND = np.radians(1.0)

@@ -8,12 +8,11 @@ import numpy as np
 
 from shapeblend_cli.matching import sweeps
 from shapeblend_cli.matching.steps import ENTERING, STEPS
-from shapeblend_cli.matching.tables import Bounds, Progress, Terminals, Window
+from shapeblend_cli.matching.tables import Bounds, Progress, Tables, Terminals, Window
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from shapeblend_cli.matching.tables import Tables
     from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import FloatArray, IntArray
 

@@ -10,14 +10,13 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.motion.alignment import Rigid, align, point_pairs, residual
+from shapeblend_cli.motion.alignment import Alignment, Rigid, align, point_pairs, residual
 from shapeblend_cli.motion.defects import COLLAPSE, OVERLAP, Defect, worst_defect
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from shapeblend_cli.model import ShapeBlend
-    from shapeblend_cli.motion.alignment import Alignment
     from shapeblend_cli.motion.safe import Route
 
 ASKED = "asked for"

@@ -24,7 +24,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import chain_crossings, path_crossings
-from shapeblend_cli.model import frozen
+from shapeblend_cli.model import ContourBlend, CubicPath, ShapeBlend, frozen
 from shapeblend_cli.motion.alignment import Alignment
 from shapeblend_cli.motion.defects import checked_contours
 from shapeblend_cli.motion.levels import smoothing_levels
@@ -32,7 +32,7 @@ from shapeblend_cli.motion.levels import smoothing_levels
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, ContourBlend, CubicPath, FloatArray, ShapeBlend
+    from shapeblend_cli.model import ComplexArray, FloatArray
 
     Position = tuple[float, float]
     """The share of the way from A to B, and the level of smoothing."""

@@ -6,14 +6,13 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.interpolate.paths import waypoints
-from shapeblend_cli.model import Box
+from shapeblend_cli.model import Box, CubicPath, PaintedShape, Pair, Style, Waypoint
 from shapeblend_cli.pipeline import shapes_at
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.easing import Ease
-    from shapeblend_cli.model import CubicPath, PaintedShape, Pair, Style, Waypoint
 
 FIXED = {
     "fill": {"fill_rule": "fill rule"},

@@ -14,12 +14,11 @@ from shapeblend_cli.outputs import (
     raster_animation,
     svg_pair,
 )
-from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, Format
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.outputs.formats import Format
 
 FORMATS: tuple[Format, ...] = (
     *frames.FORMATS,

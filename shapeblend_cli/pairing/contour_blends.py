@@ -15,11 +15,10 @@ from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.model import Contour, ContourBlend, Correspondence, CubicPath, Polygon, unroll
 from shapeblend_cli.pairing.constraints import Constraints, stiffness
 from shapeblend_cli.pairing.costs import coarse_work
-from shapeblend_cli.pairing.decompose import LINE
+from shapeblend_cli.pairing.decompose import LINE, PlacedContour
 from shapeblend_cli.pairing.direction import choose_direction
 
 if TYPE_CHECKING:
-    from shapeblend_cli.pairing.decompose import PlacedContour
     from shapeblend_cli.pairing.direction import Watch
     from shapeblend_cli.settings import Settings
 

@@ -16,14 +16,13 @@ from shapeblend_cli.geometry.polygons import (
     signed_area,
     winding_numbers,
 )
-from shapeblend_cli.model import Contour
+from shapeblend_cli.model import Box, Contour, Drawing, Polygon, Style
 from shapeblend_cli.pairing.nesting import nest
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.geometry.similarity import Similarity
-    from shapeblend_cli.model import Box, Drawing, Polygon, Style
 
     ContourPair = tuple["PlacedContour", "PlacedContour"]
 

@@ -7,12 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.model import Box
+from shapeblend_cli.model import Box, Style
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Style
     from shapeblend_cli.pairing.decompose import PlacedContour
 
     Shapes = tuple[int | None, int | None]

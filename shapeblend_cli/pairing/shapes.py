@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.geometry.polygons import winding_numbers
-from shapeblend_cli.model import ContourBlend, ShapeBlend
+from shapeblend_cli.model import ContourBlend, ShapeBlend, Style
 from shapeblend_cli.pairing.contour_blends import grow_from_point
 from shapeblend_cli.pairing.decompose import HOLE, PlacedContour
 from shapeblend_cli.pairing.growth import MatchedPoints, growth_point_inside, growth_point_on
@@ -14,7 +14,6 @@ from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Style
     from shapeblend_cli.pairing.decompose import ContourPair
 
 

@@ -10,14 +10,14 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
 from shapeblend_cli.geometry.polyline import thin
-from shapeblend_cli.model import Contour
+from shapeblend_cli.model import Contour, Polygon
 from shapeblend_cli.pairing.decompose import EXTERIOR, PlacedContour
 from shapeblend_cli.pairing.growth import WATCHED
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray, Polygon
+    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
     from shapeblend_cli.pairing.decompose import ContourPair
 
 

@@ -19,12 +19,11 @@ import numpy as np
 
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, points_at
-from shapeblend_cli.matching.solve import least_work
+from shapeblend_cli.matching.solve import Search, least_work
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.matching.solve import Search
     from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import ComplexArray, Correspondence, FloatArray, IntArray
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.model import Box
+from shapeblend_cli.model import Box, Polygon
 from shapeblend_cli.plot.axes import (
     COLOUR_A,
     COLOUR_B,
@@ -23,16 +23,11 @@ from shapeblend_cli.plot.axes import (
     titled_figure,
     value_text,
 )
-from shapeblend_cli.plot.subject import index_on_path
-from shapeblend_cli.plot.theta import NOISE, TWO_PI, Theta, bezier, theta_of
-from shapeblend_cli.svg.writing.figure import line_data
+from shapeblend_cli.plot.subject import Subject, index_on_path
+from shapeblend_cli.plot.theta import NOISE, TWO_PI, Piece, Theta, bezier, theta_of
+from shapeblend_cli.svg.writing.figure import Figure, Point, line_data
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import Polygon
-    from shapeblend_cli.plot.subject import Subject
-    from shapeblend_cli.plot.theta import Piece
-    from shapeblend_cli.svg.writing.figure import Figure, Point
-
     Dot = tuple[int, int]
 
 SIDE = 320.0

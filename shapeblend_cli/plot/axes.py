@@ -6,13 +6,12 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.svg.reading.read import title_of
-from shapeblend_cli.svg.writing.figure import Figure, line_data
+from shapeblend_cli.svg.writing.figure import Figure, Point, line_data
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import ComplexArray
-    from shapeblend_cli.svg.writing.figure import Point
 
 INK, SOFT, FAINT, GROUND = "#1d2733", "#5c6875", "#d5dae0", "#ffffff"
 COLOUR_A, COLOUR_B, PATH = "#2b6cb0", "#c05621", "#c81e4a"

@@ -23,12 +23,11 @@ from shapeblend_cli.plot.axes import (
     titled_figure,
     value_text,
 )
-from shapeblend_cli.svg.writing.figure import line_data, rect_data
+from shapeblend_cli.svg.writing.figure import Figure, line_data, rect_data
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, FloatArray, IntArray
     from shapeblend_cli.plot.subject import Subject
-    from shapeblend_cli.svg.writing.figure import Figure
 
 SIDE = 520.0
 """The longer side of the graph on the page."""

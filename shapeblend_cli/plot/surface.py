@@ -10,12 +10,11 @@ import numpy as np
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import Box
 from shapeblend_cli.plot.axes import COLOUR_A, COLOUR_B, INK, SOFT, TOP, page_points, titled_figure
-from shapeblend_cli.svg.writing.figure import line_data
+from shapeblend_cli.svg.writing.figure import Figure, line_data
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
     from shapeblend_cli.plot.subject import Subject
-    from shapeblend_cli.svg.writing.figure import Figure
 
 SIZE = 400.0
 """The larger side of the shapes on the page, before projection."""
