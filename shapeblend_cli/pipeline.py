@@ -18,12 +18,7 @@ from shapeblend_cli.motion.alignment import Alignment, align, point_pairs
 from shapeblend_cli.motion.choose import RotatedShape, choose_motion, is_as_good, try_straight
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.paint.styles import blend_styles, painted_as
-from shapeblend_cli.pairing.constraints import (
-    check_stiff,
-    constrain,
-    point_pins,
-    required_pairs,
-)
+from shapeblend_cli.pairing.constraints import check_stiff, constrain, point_pins, required_pairs
 from shapeblend_cli.pairing.contour_blends import match_contours
 from shapeblend_cli.pairing.decompose import PlacedDrawing, decompose, main_orientation
 from shapeblend_cli.pairing.direction import watch_part
