@@ -49,18 +49,13 @@ SLIDE_SHARES = (1.0, 0.5, 0.0)
 class CommonSegments(NamedTuple):
     """Two contours as the same list of segments.
 
-    Attributes
-    ----------
-    start, end : CubicPath
-        A and B. Each segment is a part of one segment of its drawing, or a point where the drawing waits for the
-        other one; together, in order, they are the whole drawing. Each ends where the next begins.
-    cuts : pair of (s + 1,) float
-        Where the drawings are cut: positions that rise, once round if closed, see `ContourParameter`.
+    Each segment is a part of one segment of its drawing, or a point where the drawing waits for the other one;
+    together, in order, they are the whole drawing. Each ends where the next begins.
     """
 
     start: CubicPath
     end: CubicPath
-    cuts: tuple[FloatArray, FloatArray]
+    cuts: tuple[FloatArray, FloatArray]  # (s + 1,) each, positions that rise, once round if closed
 
 
 def common_segments(

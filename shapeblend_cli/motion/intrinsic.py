@@ -35,29 +35,18 @@ chain is closed exactly then."""
 class ControlPolygons(NamedTuple):
     """The control polygons of a contour at the start and the end, edge for edge.
 
-    Attributes
-    ----------
-    control_points : (s, 4) int
-        Indices of each segment's.
-    points : pair of (n + 1,) complex
-        Those of closed contours repeat the first.
-    moves : (n,) bool
-        Which edges are ever more than a point, m of them.
-    start, end, direction, direction_change : (m,) float
-        Lengths ``L_A`` and ``L_B``, directions at the start and by how much they change, in radians.
-    share : (m,) float
-        How much of the contour each edge is, of both lengths; of sum 1.
+    Of their n edges m are ever more than a point; the arrays of edges have m elements.
     """
 
     path: CubicPath
-    control_points: IntArray
-    points: tuple[ComplexArray, ComplexArray]
-    moves: BoolArray
-    start: FloatArray
-    end: FloatArray
-    direction: FloatArray
-    direction_change: FloatArray
-    share: FloatArray
+    control_points: IntArray  # (s, 4), indices of those of each segment
+    points: tuple[ComplexArray, ComplexArray]  # (n + 1,) each; those of closed contours repeat the first
+    moves: BoolArray  # (n,), which edges are the m
+    start: FloatArray  # lengths L_A
+    end: FloatArray  # lengths L_B
+    direction: FloatArray  # at the start, radians
+    direction_change: FloatArray  # radians
+    share: FloatArray  # how much of the contour each edge is, of both lengths; of sum 1
 
     def changes_near(self, rotation: float) -> FloatArray:
         """Return the changes of direction, with whole rounds that bring their mean nearest to a rotation."""
@@ -66,24 +55,16 @@ class ControlPolygons(NamedTuple):
 
 
 class MovingPolygon(NamedTuple):
-    """How a control polygon moves: lengths at the end and changes of direction with the similarity undone.
-
-    Attributes
-    ----------
-    compliance : (m,) float
-        How readily a length changes to close the polygon; 1 in the mean.
-    weight : (n + 1,) float
-        How much each control point counts for the position of the contour; of sum 1.
-    positions : (complex, complex)
-        The mean of the control points, so weighted, at the start and the end.
-    """
+    """How a control polygon moves: lengths at the end and changes of direction with the similarity undone."""
 
     polygons: ControlPolygons
     end: FloatArray
     direction_change: FloatArray
-    compliance: FloatArray
-    weight: FloatArray
-    positions: tuple[complex, complex]
+    compliance: FloatArray  # (m,), how readily a length changes to close the polygon; 1 in the mean
+    weight: FloatArray  # (n + 1,), how much each control point counts for the position; of sum 1
+    positions: tuple[
+        complex, complex
+    ]  # the mean of the control points, so weighted, at the start and the end
 
     def at(self, t: float) -> ComplexArray:
         """Return the control points at time t, (n + 1,) complex, with the similarity undone."""
@@ -101,18 +82,10 @@ class MovingPolygon(NamedTuple):
 
 
 class Intrinsic(NamedTuple):
-    """Motion in which lengths of edges and the angles between them change evenly; `intrinsic` makes it.
+    """Motion in which lengths of edges and the angles between them change evenly; `intrinsic` makes it."""
 
-    Attributes
-    ----------
-    alignment : Alignment
-        Its rotation is that of most of the contours' length.
-    polygons : tuple of MovingPolygon or None
-        For each contour, in order; None where it moves as `Rigid` has it.
-    """
-
-    alignment: Alignment
-    polygons: tuple[MovingPolygon | None, ...]
+    alignment: Alignment  # its rotation is that of most of the contours' length
+    polygons: tuple[MovingPolygon | None, ...]  # for each contour; None where it moves as `Rigid` has it
 
     @property
     def name(self) -> str:

@@ -35,32 +35,18 @@ MOST_CONTOURS, MOST_SEGMENTS = 2_000, 50_000
 class PlacedContour(NamedTuple):
     """One contour of a drawing, laid over A, flattened, and with its role.
 
-    Attributes
-    ----------
-    number, shape : int
-        Counted through the drawing's shapes in file order; index of the shape.
-    contour, polygon
-        Exteriors run one way round and holes the other, where that paints the same.
-    role : {EXTERIOR, HOLE, LINE}
-    exterior : int or None
-        Number of the contour that a hole is in.
-    style : Style
-        The shape's, in A's coordinates and with the fill rule that suits the contours' directions.
-    any_rule : bool
-        Whether the other fill rule would paint the shape the same.
-    is_piece : bool
-        Whether it is a piece cut from the contour with this number.
+    Exteriors run one way round and holes the other, where that paints the same.
     """
 
-    number: int
-    shape: int
+    number: int  # counted through the drawing's shapes in file order
+    shape: int  # index
     contour: Contour
     polygon: Polygon
-    role: str
-    exterior: int | None
-    style: Style
-    any_rule: bool = True
-    is_piece: bool = False
+    role: str  # EXTERIOR, HOLE or LINE
+    exterior: int | None  # number of the contour that a hole is in
+    style: Style  # the shape's, in A's coordinates, with the fill rule that suits the contours' directions
+    any_rule: bool = True  # whether the other fill rule would paint the shape the same
+    is_piece: bool = False  # whether it is a piece cut from the contour with this number
 
     @property
     def box(self) -> Box:

@@ -55,21 +55,11 @@ class Piece(NamedTuple):
 
 
 class Theta(NamedTuple):
-    """The motion of an angle.
+    """The motion of an angle."""
 
-    Attributes
-    ----------
-    control : (complex, complex, complex)
-        Q0, Q1 and Q2 of eq (9); 0 for one that is infinitesimal.
-    directions : tuple of float or None
-        The direction of each control point that is infinitesimal, in radians; None for the others.
-    pieces : tuple of Piece
-        In order of time.
-    """
-
-    control: Control
-    directions: tuple[float | None, float | None, float | None]
-    pieces: tuple[Piece, ...]
+    control: Control  # Q0, Q1 and Q2 of eq (9); 0 for one that is infinitesimal
+    directions: tuple[float | None, float | None, float | None]  # of those that are infinitesimal, radians
+    pieces: tuple[Piece, ...]  # in order of time
 
     @property
     def first(self) -> float:
