@@ -60,7 +60,7 @@ def details(run: Run) -> Iterator[str]:
             point = (c.polygon_b if c.b is None else c.polygon_a).vertices[0]
             yield f"{change} the point {point.real:.6g},{point.imag:.6g}"
             continue
-        proof = "the least of all" if found.gap == 0.0 else f"least of all at least {found.lower_bound:.6g}"
+        proof = "proven least" if found.gap == 0.0 else f"lower bound {found.lower_bound:.6g}"
         yield (
             f"contour {c.a} of A ({len(c.polygon_a.vertices)} vertices) to contour {c.b} of B "
             f"({len(c.polygon_b.vertices)}): {len(found.dots)} dots, work {found.work:.6g} = stretching "
