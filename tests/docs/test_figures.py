@@ -1,12 +1,14 @@
-"""The figures of docs/quality.json: the documents are made of them, and a few of them are measured anew."""
+"""The figures in docs/*.json: the documents are made of them, and a few of them are measured anew."""
 
 import json
 
+import numpy as np
 import pytest
 
 from tests.support.equipment import require
+from tools import solver_table
 from tools.quality import __main__ as quality
-from tools.quality import crossings, letters, motions, raw, sizes, times
+from tools.quality import crossings, letters, motions, raw, sizes, sweep, times
 from tools.quality.data import ROOT, SETS, icon_pairs
 from tools.quality.motions import Choice
 from tools.quality.peers import ALL, arc_length, flubber, shapeblend
@@ -15,12 +17,17 @@ from tools.quality.truth import form
 from tools.quality.truth.measures import Nearness
 
 FOUND = json.loads((ROOT / quality.RAW).read_text(encoding="utf-8"))
+SWEPT = json.loads(sweep.RAW.read_text(encoding="utf-8"))
+SOLVED = json.loads(solver_table.RAW.read_text(encoding="utf-8"))
+SINGLE = icon_pairs("single")
 TOOLS = {tool.name: tool for tool in ALL}
 
 MEASURED = (shapeblend.NAME, arc_length.NAME, flubber.NAME, flubber.COARSE)
 
 EVERY = {"icons": {"single": 40, "whole": 20}, "letters": {"single": 10, "multi": 8}}
 """One pair in so many is measured anew."""
+SWEPT_EVERY = 12
+SOLVED_NEAR = {"rel": 1e-3, "abs": 1e-6}
 
 
 def chosen(what, name):
@@ -34,10 +41,13 @@ def same(kind, scores, told, numbers):
         assert values == pytest.approx([told[column][k] for k in numbers], abs=2e-3), column
 
 
-@pytest.mark.parametrize("name", [quality.README, quality.QUALITY])
-def test_documents_are_what_the_scores_give(name):
+def test_documents_are_what_was_measured():
     readme = (ROOT / quality.README).read_text(encoding="utf-8")
-    assert (ROOT / name).read_text(encoding="utf-8") == quality.documents(FOUND, readme)[name]
+    for name, text in quality.documents(FOUND, readme).items():
+        assert (ROOT / name).read_text(encoding="utf-8") == text
+    assert sweep.DOCUMENT.read_text(encoding="utf-8") == sweep.document(SWEPT)
+    assert solver_table.DOCUMENT.read_text(encoding="utf-8") == solver_table.document(SOLVED)
+    assert solver_table.figures(SOLVED) in readme
 
 
 def test_every_pair_has_its_scores():
@@ -50,6 +60,8 @@ def test_every_pair_has_its_scores():
     for kept in [*FOUND["icons"].values(), *FOUND["letters"].values()]:
         columns = [column for scores in kept["scores"].values() for column in scores.values()]
         assert {len(column) for column in columns} == {len(kept["pairs"])}
+    assert {len(column) for column in SOLVED["icons"].values()} == {len(SINGLE)}
+    assert {len(column) for column in SOLVED["fine"].values()} == {len(SINGLE[:: solver_table.EVERY])}
 
 
 def require_for(tool):
@@ -103,3 +115,47 @@ def test_times_are_of_commands_that_write_what_they_should(node, tmp_path):
     times.theirs(pair, str(tmp_path / "other"))
     (line,) = (tmp_path / "other" / "frames").read_text(encoding="utf-8").splitlines()
     assert [frame[0] for frame in json.loads(line)["frames"]] == ["M"] * (STEPS - 1)
+
+
+def test_every_option_has_its_values_and_one_default():
+    assert {option: tuple(values) for option, values in SWEPT.items()} == sweep.OPTIONS
+    for option, values in SWEPT.items():
+        rows = [sweep.row(option, value, sweep.Found(**scores)) for value, scores in values.items()]
+        assert sum(row[1].startswith("**") for row in rows) == 1, option
+
+
+@pytest.mark.parametrize(("option", "value"), [("mb", "3"), ("kb", "0")])
+def test_defaults_measured_anew(option, value, fonts):
+    truths = [truth for name in form.SETS for truth in form.load(fonts, name)][::SWEPT_EVERY]
+    found = sweep.scored(option, value, truths, SINGLE[:: sweep.EVERY][::SWEPT_EVERY])
+    told = sweep.Found(**SWEPT[option][value])
+    for column, values in found._asdict().items():
+        assert values == pytest.approx(getattr(told, column)[::SWEPT_EVERY], abs=2e-3), column
+
+
+def test_defaults_are_near_the_best():
+    """No other value of an option is much nearer to the letters without crossing more icons."""
+    for option, values in SWEPT.items():
+        default = sweep.Found(**values[sweep.default_of(option)])
+        for value, scores in values.items():
+            other = sweep.Found(**scores)
+            better = np.mean(other.strict) < 0.6 * np.mean(default.strict)
+            assert not better or sum(other.crossed) > sum(default.crossed), (option, value)
+
+
+@pytest.mark.parametrize("number", range(0, len(SINGLE), 16))
+def test_solved_icons_anew(number):
+    found = solver_table.on_icon(*solver_table.outlines(SINGLE[number], solver_table.VERTICES))
+    for name in ("simplified", "divided"):
+        assert found[name] == pytest.approx(SOLVED["icons"][name][number], **SOLVED_NEAR)
+
+
+@pytest.mark.parametrize("number", [3, 21])
+def test_finely_solved_icons_anew(number):
+    pair = SINGLE[:: solver_table.EVERY][number]
+    found = solver_table.on_fine_icon(*solver_table.outlines(pair, solver_table.FINE))
+    assert found["coarse"] == pytest.approx(SOLVED["fine"]["coarse"][number], **SOLVED_NEAR)
+
+
+def test_symmetric_shapes_are_still_proven():
+    assert SOLVED["family"]["proven"] == [1] * 100

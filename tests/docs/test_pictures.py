@@ -7,7 +7,7 @@ import pytest
 from PIL import Image
 
 from tools import gallery, plots, readme_pictures
-from tools.quality.data import Pair, polygon
+from tools.quality.data import NUMBER, Pair, polygon
 from tools.quality.peers import flubber
 from tools.quality.truth import letters
 
@@ -41,6 +41,20 @@ def near_upper_row(shown):
 @pytest.mark.parametrize("name", readme_pictures.SHEETS)
 def test_a_picture_of_the_readme_is_what_is_drawn(name):
     assert differ(readme_pictures.drawn(name), Image.open(DOCS / f"{name}.png")) < NEAR
+
+
+@pytest.mark.parametrize("kind", plots.PLOTS)
+def test_a_plot_in_the_docs_is_what_the_command_draws_and_the_document_says_so(kind):
+    drawn, kept = plots.plot(kind), (DOCS / f"plot-{kind}.svg").read_text(encoding="utf-8")
+    assert NUMBER.sub("#", drawn) == NUMBER.sub("#", kept)
+    # Rounding may differ by a last digit from machine to machine.
+    numbers = [[float(n) for n in NUMBER.findall(text)] for text in (drawn, kept)]
+    assert numbers[0] == pytest.approx(numbers[1], rel=1e-4, abs=0.11)
+    document = (DOCS / "plots.md").read_text(encoding="utf-8")
+    a, b, *options = plots.PLOTS[kind].split()
+    command = " ".join([f"shapeblend plot {kind} samples/{a}.svg samples/{b}.svg", *options])
+    assert f"`{command}`" in document
+    assert f"(plot-{kind}.svg)" in document
 
 
 @pytest.mark.parametrize("shown", ICONS, ids=lambda shown: shown.name)
