@@ -80,8 +80,12 @@ def blend_files(job: Job, note: Callable[[str], None], progress: Callable[[float
     clock.lap("render")
     for text in rendered.notes:
         note_and_keep(text)
-    contents = dict(zip(map(Path, output.files()), rendered.contents, strict=False))
-    standard_output = rendered.contents[0] if output.path == STANDARD_OUTPUT else ""
+    contents: dict[Path, str | bytes] = {}
+    standard_output: str | bytes = ""
+    if output.path == STANDARD_OUTPUT:
+        (standard_output,) = rendered.contents
+    else:
+        contents.update(zip(map(Path, output.files()), rendered.contents, strict=True))
     if job.write.report or job.write.preview:
         found = report(
             __version__, job.files, job.reported, pairs, run.measures, output.frame_files(), clock.seconds
