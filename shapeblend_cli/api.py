@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -9,9 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shapeblend_cli.clock import Clock
+from shapeblend_cli.easing import frame_times
+from shapeblend_cli.errors import OptionError
 from shapeblend_cli.model import Correspondence, Drawing, Frame, PaintedShape, Polygon
 from shapeblend_cli.output import check_targets, write_files
-from shapeblend_cli.outputs.formats import views
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, views
 from shapeblend_cli.outputs.options import OutputOptions, specify
 from shapeblend_cli.pairing.constraints import Constraints, check_stiff
 from shapeblend_cli.pairing.direction import choose_direction
@@ -114,6 +117,7 @@ class Blend:
     def __init__(self, drawings: Sequence[Drawing], settings: Settings) -> None:
         self.drawings = list(drawings)
         self.settings = settings
+        settings.check_drawings(len(drawings))
         self._clock = Clock()
         self.pairs, self.notes = match_all(self.drawings, settings, self._clock)
 
@@ -165,7 +169,8 @@ class Blend:
         ----------
         path : str or path
             A folder gets one file for each frame. The suffix of a file chooses the format: ``.svg`` is one animated
-            SVG, ``.gif``, ``.webp`` and ``.apng`` are animations of pixels, ``.png`` is a contact sheet.
+            SVG, ``.gif``, ``.webp`` and ``.apng`` are animations of pixels, ``.png`` is a contact sheet. What a
+            format cannot show is a warning.
         n : int, optional
             In-betweens of each pair of drawings; by default those of the settings.
         ends : bool, optional
@@ -198,6 +203,10 @@ class Blend:
         settings = self.settings.replace(frames=n) if n is not None else self.settings
         settings = settings.replace(ends=ends) if ends is not None else settings
         spec = specify(OutputOptions(output=str(path), **options), settings, len(self.drawings))
+        if spec.path == STANDARD_OUTPUT:
+            raise OptionError(
+                "- is standard output, which only the command writes to; the name of a file would work"
+            )
         files = [Path(name) for name in spec.files()]
         spec.format.check_libraries()
         check_targets(files, [Path(drawing.file) for drawing in self.drawings], force)
@@ -205,6 +214,8 @@ class Blend:
         if spec.settings.motion != self.settings.motion:
             pairs, _ = match_all(self.drawings, spec.settings)
         rendered = spec.format.render(spec, pairs)
+        for note in rendered.notes:
+            warnings.warn(note, stacklevel=2)
         write_files(dict(zip(files, rendered.contents, strict=True)))
         return files
 
@@ -236,7 +247,7 @@ class Blend:
         >>> blend("samples/e.svg", "samples/f.svg").crossings()
         0
         """
-        times = [k / (n + 1) for k in range(1, n + 1)]
+        times = frame_times(n, ends=False)
         return sum(measure(pair, t).self_crossings for pair in self.pairs for t in times)
 
 

@@ -11,6 +11,7 @@ from typing import Any
 from shapeblend_cli import field_types as types
 from shapeblend_cli.constants import PRESETS, WIRE, WorkConstants
 from shapeblend_cli.easing import LINEAR, Ease
+from shapeblend_cli.errors import OptionError
 from shapeblend_cli.fields import Record, option
 
 Vertices = tuple[int, int] | tuple[complex, complex]
@@ -45,6 +46,9 @@ class ReadOptions(Record, section=SHAPES):
     def selections(self, files: int) -> tuple[str | None, ...]:
         """Return the selector of each of so many files."""
         return self.select_a, *[self.select_b] * (files - 1)
+
+
+ABOUT_TWO_DRAWINGS = ("start", "pins", "match", "stiff")  # settings that name places of A and of B
 
 
 class Settings(WorkConstants, section=CORRESPONDENCE):
@@ -171,6 +175,11 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
 
     def _defaults(self, given: Mapping[str, Any]) -> dict[str, Any]:
         return super()._defaults(given) | PRESETS.get(given.get("preset", ""), {})
+
+    def check_drawings(self, count: int) -> None:
+        """Raise OptionError if some of the settings do not go with so many drawings."""
+        if count > 2 and any(getattr(self, name) for name in ABOUT_TWO_DRAWINGS):
+            raise OptionError(f"--start, --pin, --match and --stiff apply to two files; {count} given")
 
     @property
     def constants(self) -> WorkConstants:

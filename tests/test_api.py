@@ -58,6 +58,12 @@ def test_what_is_saved_is_what_the_command_writes(letters, here, target, options
         assert file.read_bytes() == (here / "command" / file.relative_to(here / "api")).read_bytes()
 
 
+def test_what_a_format_cannot_show_is_a_warning(tmp_path):
+    steps = [str(ROOT / "samples" / f"step-{k}.svg") for k in (1, 2)]
+    with pytest.warns(UserWarning, match="moves on curved paths, which two files cannot show"):
+        sb.blend(*steps, motion="rigid").save(tmp_path / "pair", emit="pair")
+
+
 def test_nothing_is_replaced_without_force(letters, tmp_path):
     (file,) = letters.save(tmp_path / "x.svg")
     with pytest.raises(sb.ShapeblendError, match=r"x\.svg: exists"):
@@ -110,6 +116,11 @@ def test_points_are_pairs_or_complex_numbers():
         (lambda: sb.blend([E]), "two drawings or more are blended; 1 given"),
         (lambda: sb.blend(E, F).save("x.svg", duration=0), "duration must be"),
         (lambda: sb.blend(E, F).save("x.svg", fps=3), "--fps is for"),
+        (lambda: sb.blend(E, F).save("-"), "only the command writes to"),
+        (
+            lambda: sb.blend([E, F, E], pins=((0, 0),)),
+            "--pin, --match and --stiff apply to two files; 3 given",
+        ),
         (lambda: sb.match([0, 1, 2, 2], [0, 1, 1j]), "neighbouring vertices coincide"),
         (lambda: sb.match([0, 1], [0, 1, 1j]), "a list of 3 or more points"),
         (lambda: sb.match([0, 1, np.nan], [0, 1, 1j]), "a vertex is not finite"),

@@ -25,8 +25,6 @@ EXAMPLES = (
     ("shapeblend a.svg b.svg c.svg -n 9 --ends", "frames through three drawings, which are among them"),
 )
 
-ABOUT_TWO_FILES = ("start", "pins", "match", "stiff")  # settings that name places of A and of B
-
 
 @click.command(
     cls=SectionedCommand,
@@ -54,13 +52,12 @@ def blend(files: tuple[str, ...], **given: Any) -> None:
 
 
 def check_files(files: tuple[str, ...], settings: Settings) -> None:
-    """Raise a usage error if there are too few files, or settings that do not go with so many."""
+    """Raise an error if there are too few files, or settings that do not go with so many."""
     if len(files) < 2:
         raise click.UsageError(f"a blend needs two files or more, A.svg and B.svg; {len(files)} given")
     if files.count(STANDARD_INPUT) > 1:
         raise click.UsageError("only one of the files can be standard input")
-    if len(files) > 2 and any(getattr(settings, name) for name in ABOUT_TWO_FILES):
-        raise click.UsageError(f"--start, --pin, --match and --stiff apply to two files; {len(files)} given")
+    settings.check_drawings(len(files))
 
 
 def _job(files: tuple[str, ...], given: dict[str, Any]) -> Job:
