@@ -260,8 +260,8 @@ class Correspondence:
         The path through the graph, ``[i, j]`` by vertex numbers, from its start. The path of closed polygons
         comes back to the first dot, which is not repeated.
     closed : bool
-    stretching, bending : float
-        Work, eqs (16) and (17), summed along the path.
+    stretching, bending, travel : float
+        Work, summed along the path: by eq (16), by (17) or by turning, and for the way of points.
     lower_bound : float
         No correspondence of the two polygons, in these directions, takes less work: from any start, through any
         vertices, in no band, exactly solved. It is the work itself where all of that was searched, and 0 where nothing
@@ -278,6 +278,7 @@ class Correspondence:
     closed: bool
     stretching: float
     bending: float
+    travel: float
     lower_bound: float
     zero_angles: int
     diagonal_deviation: float
@@ -293,8 +294,8 @@ class Correspondence:
 
     @property
     def work(self) -> float:
-        """Stretching and bending work together."""
-        return self.stretching + self.bending
+        """All work together."""
+        return self.stretching + self.bending + self.travel
 
     @property
     def gap(self) -> float:

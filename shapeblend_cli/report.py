@@ -91,6 +91,7 @@ def _contour(contour: ContourBlend, shape: ShapeBlend) -> dict[str, Any]:
         "work": correspondence.work,
         "stretching": correspondence.stretching,
         "bending": correspondence.bending,
+        "travel": correspondence.travel,
         "lower_bound": correspondence.lower_bound,
         "gap": correspondence.gap,
         "diagonal_deviation": correspondence.diagonal_deviation,

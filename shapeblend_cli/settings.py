@@ -141,7 +141,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         types.choice(*PRESETS),
         default=None,
         section=WIRE,
-        help="The constants and the band of a row of the paper's table 1; options given beside it take precedence.",
+        help="paper: the paper's work alone, --bending paper --kt 0 --smoothing 0; the others: with the constants "
+        "and the band of a row of its table 1, too. Options given beside it take precedence.",
     )
     motion: str = option(
         types.choice("auto", "linear", "rigid", "intrinsic", "safe"),
@@ -174,7 +175,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
     )
 
     def _defaults(self, given: Mapping[str, Any]) -> dict[str, Any]:
-        return super()._defaults(given) | PRESETS.get(given.get("preset", ""), {})
+        preset = PRESETS.get(given.get("preset", ""), {})
+        return super()._defaults(preset | dict(given)) | preset
 
     def check_drawings(self, count: int) -> None:
         """Raise OptionError if some of the settings do not go with so many drawings."""
@@ -182,8 +184,14 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
             raise OptionError(f"--start, --pin, --match and --stiff apply to two files; {count} given")
 
     @property
+    def makes_common_cuts(self) -> bool:
+        """Whether outlines are cut at each other's vertices: not in the paper, nor where no vertices are added."""
+        is_paper = self.bending == "paper" or self.solver == "simplified" or self.band is not None
+        return self.vertices > 0 and not is_paper
+
+    @property
     def constants(self) -> WorkConstants:
-        """The seven constants alone."""
+        """The constants of the wire alone."""
         return WorkConstants.of(vars(self))
 
 
@@ -245,8 +253,8 @@ class TerminalOptions(Record, section=OTHER):
 
 REPORTED = (
     "frames ends output emit force select_a select_b lenient place vertices start pins reverse stiff match unmatched "
-    "solver band effort preset ks kb es eb pb mb cs motion style curves precision animate duration ease repeat format "
-    "width columns background fps report preview"
+    "solver band effort preset ks kb es eb pb mb cs bending kt smoothing motion style curves precision animate "
+    "duration ease repeat format width columns background fps report preview"
 )
 """The order of the settings in reports of format 1; any others follow."""
 

@@ -64,7 +64,7 @@ def details(run: Run) -> Iterator[str]:
         yield (
             f"contour {c.a} of A ({len(c.polygon_a.vertices)} vertices) to contour {c.b} of B "
             f"({len(c.polygon_b.vertices)}): {len(found.dots)} dots, work {found.work:.6g} = stretching "
-            f"{found.stretching:.6g} + bending {found.bending:.6g}, {proof}, "
+            f"{found.stretching:.6g} + bending {found.bending:.6g} + travel {found.travel:.6g}, {proof}, "
             f"{found.zero_angles} angles reach zero, {found.sweeps} sweeps"
         )
     for pair in run.pairs:

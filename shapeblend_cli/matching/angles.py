@@ -23,6 +23,7 @@ triangle test. With the turns s1, s2, ... of the pieces:
 
 Departures
 ----------
+* What an angle costs is, unless the paper's bending is asked for, a change of turning: `TurnBending`.
 * Section 2.2 gives the end angles of coincident vertices; the motion in between is the limit of an
   infinitesimal isosceles triangle. Of ``Q1`` the leading order is kept, and the motion has exactly the
   pieces Q0 -> Q1 -> Q2. There is no epsilon.
@@ -75,6 +76,14 @@ Curve = cython.struct(
     x0=cython.double, y0=cython.double, x1=cython.double, y1=cython.double, x2=cython.double, y2=cython.double
 )
 
+# The signed turns of theta from Q0 to Q1 and from there to Q2.
+Turns = cython.struct(first=cython.double, second=cython.double)
+
+
+def _arg(z: ComplexArray) -> FloatArray:
+    """Return angles in [-pi, pi]."""
+    return np.arctan2(z.imag, z.real)
+
 
 @cython.cclass
 class Corners:
@@ -92,6 +101,8 @@ class Corners:
     ----------
     theta : (m,) float
         The angle arg(conj(F) B) in [0, 2 pi).
+    turn : (m,) float
+        How far the wire turns there, pi - theta, in (-pi, pi].
     back, fwd : (m,) complex
         B and F.
     base : (m,) complex
@@ -102,6 +113,7 @@ class Corners:
     """
 
     theta = cython.declare(cython.double[::1], visibility="readonly")
+    turn = cython.declare(cython.double[::1], visibility="readonly")
     back = cython.declare(cython.doublecomplex[::1], visibility="readonly")
     fwd = cython.declare(cython.doublecomplex[::1], visibility="readonly")
     base = cython.declare(cython.doublecomplex[::1], visibility="readonly")
@@ -110,21 +122,22 @@ class Corners:
     base_arg: cython.double[::1]
 
     def __init__(self, vertices: ComplexArray, closed: bool) -> None:
-        fwd = np.roll(vertices, -1) - vertices
-        back = np.roll(vertices, 1) - vertices
+        last = len(vertices) - 1
+        fwd = np.concatenate([vertices[1:], vertices[:1]]) - vertices
+        back = np.concatenate([vertices[last:], vertices[:last]]) - vertices
         if not closed:
-            last = len(vertices) - 1
             fwd[last] = -back[last]
             back[0] = -fwd[0]
-        theta = np.angle(fwd.conj() * back)
+        theta = _arg(fwd.conj() * back)
         theta = np.where(theta < 0.0, theta + 2.0 * np.pi, theta)
         base = back / np.abs(back) * np.exp(-1j * (0.5 * np.pi + 0.5 * theta))
-        self.theta, self.back, self.fwd, self.base = theta, back, fwd, base
-        self.back_arg, self.fwd_arg, self.base_arg = np.angle(back), np.angle(fwd), np.angle(base)
+        self.theta, self.turn = theta, np.pi - theta
+        self.back, self.fwd, self.base = back, fwd, base
+        self.back_arg, self.fwd_arg, self.base_arg = _arg(back), _arg(fwd), _arg(base)
 
     def sharpness(self) -> FloatArray:
         """Return how far each angle is from straight, radians."""
-        return np.abs(np.asarray(self.theta) - np.pi)
+        return np.abs(self.turn)
 
 
 @cython.cfunc
@@ -147,14 +160,169 @@ def _is_zero(theta: cython.double) -> cython.bint:
     return theta < ANGLE_NOISE or theta > TWO_PI - ANGLE_NOISE
 
 
-@cython.final
+@cython.cfunc
+@cython.inline
+@cython.exceptval(check=False)
+def _control_points(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> Curve:
+    """Return the control points, eq (9), where both wires move on the way in and on the way out."""
+    b0x, b0y = p.back[i].real, p.back[i].imag
+    f0x, f0y = p.fwd[i].real, p.fwd[i].imag
+    b1x, b1y = q.back[j].real, q.back[j].imag
+    f1x, f1y = q.fwd[j].real, q.fwd[j].imag
+    return Curve(
+        f0x * b0x + f0y * b0y,
+        f0x * b0y - f0y * b0x,
+        0.5 * ((f1x * b0x + f1y * b0y) + (f0x * b1x + f0y * b1y)),
+        0.5 * ((f1x * b0y - f1y * b0x) + (f0x * b1y - f0y * b1x)),
+        f1x * b1x + f1y * b1y,
+        f1x * b1y - f1y * b1x,
+    )
+
+
+@cython.cfunc
+@cython.inline
+@cython.exceptval(check=False)
+def _turns_into_run(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> Turns:
+    """Return the turns where q moves on the way in and rests on the way out.
+
+    F1 := base of q, so Q1 is conj(F0) B1 to leading order. From Q0 to Q1 only B turns, then only F.
+    """
+    return Turns(_short_way(q.back_arg[j] - p.back_arg[i]), _short_way(p.fwd_arg[i] - q.base_arg[j]))
+
+
+@cython.cfunc
+@cython.inline
+@cython.exceptval(check=False)
+def _turns_out_of_run(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> Turns:
+    """Return the turns where q rests on the way in and moves on the way out.
+
+    B1 := minus the base of q, so Q1 is conj(F1) B0 to leading order. First only F turns, then only B.
+    """
+    return Turns(
+        _short_way(p.fwd_arg[i] - q.fwd_arg[j]),
+        _short_way(_short_way(q.base_arg[j] + PI) - p.back_arg[i]),
+    )
+
+
+@cython.cfunc
+@cython.inline
+@cython.exceptval(check=False)
+def _inside_run(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> Curve:
+    """Return Q0 and Q1 where q rests on the way in and on the way out; Q2 is -1, since its angle is pi.
+
+    F1 := base, B1 := minus base, so both products of Q1 are of one order: Q1 = conj(d) B0 - conj(F0) d.
+    """
+    dx, dy = q.base[j].real, q.base[j].imag
+    b0x, b0y = p.back[i].real, p.back[i].imag
+    f0x, f0y = p.fwd[i].real, p.fwd[i].imag
+    return Curve(
+        f0x * b0x + f0y * b0y,
+        f0x * b0y - f0y * b0x,
+        (dx * b0x + dy * b0y) - (f0x * dx + f0y * dy),
+        (dx * b0y - dy * b0x) - (f0x * dy - f0y * dx),
+        -1.0,
+        0.0,
+    )
+
+
+@cython.cfunc
+@cython.inline
+@cython.exceptval(check=False)
+def _stays_off_zero(q: Curve) -> cython.bint:
+    """Whether the control points alone say that theta does not reach zero: all left, above or below."""
+    x0, y0, x1, y1, x2, y2 = q.x0, q.y0, q.x1, q.y1, q.x2, q.y2  # type: ignore[attr-defined]
+    if x0 < 0.0 and x1 < 0.0 and x2 < 0.0:
+        return True
+    noise: cython.double = ANGLE_NOISE * (fabs(x0) + fabs(x1) + fabs(x2))
+    if y0 > noise and y1 > noise:
+        return y2 > noise or (y2 == 0.0 and x2 < 0.0)
+    if y0 < -noise and y1 < -noise:
+        return y2 < -noise or (y2 == 0.0 and x2 < 0.0)
+    return False
+
+
+@cython.cfunc
+@cython.inline
+@cython.exceptval(check=False)
+def _side_of_crossing(q: Curve, t: cython.double) -> cython.int:
+    """Return where Q crosses the real axis at time t: 1 on the right, -1 on the left or not within (0, 1), 0 at 0."""
+    if not 0.0 < t < 1.0:
+        return -1
+    x0, x1, x2 = q.x0, q.x1, q.x2  # type: ignore[attr-defined]
+    u: cython.double = 1.0 - t
+    x: cython.double = u * u * x0 + 2.0 * u * t * x1 + t * t * x2
+    if fabs(x) <= ANGLE_NOISE * (fabs(x0) + fabs(x1) + fabs(x2)):
+        return 0
+    return 1 if x > 0.0 else -1
+
+
+@cython.cfunc
+@cython.exceptval(check=False)
+def _reaches_zero(q: Curve) -> cython.int:
+    """Whether theta reaches zero along Q: 1 or 0, or -1 where rounding might decide. One square root at the most."""
+    y0, y1, y2 = q.y0, q.y1, q.y2  # type: ignore[attr-defined]
+    if _stays_off_zero(q):
+        return 0
+    noise: cython.double = ANGLE_NOISE * (fabs(y0) + fabs(y1) + fabs(y2))
+    if fabs(y0) <= noise or fabs(y2) <= noise:
+        return -1
+    b: cython.double = y1 - y0
+    a: cython.double = y0 - 2.0 * y1 + y2
+    discriminant: cython.double = b * b - a * y0
+    if discriminant < 0.0:
+        return 0
+    if discriminant <= noise * noise:
+        return -1
+    big: cython.double = -b - sqrt(discriminant) if b > 0.0 else -b + sqrt(discriminant)
+    first: cython.int = _side_of_crossing(q, y0 / big)
+    second: cython.int = _side_of_crossing(q, big / a) if a != 0.0 else -1
+    if first == 1 or second == 1:
+        return 1
+    return -1 if first == 0 or second == 0 else 0
+
+
 @cython.cclass
 class Bending:
-    """What an angle costs, eq (17), with the constants of `constants.WorkConstants`.
+    """What an angle costs.
 
     A dot takes one of four methods, by which wires move on the way in and on the way out; the others are the same with
-    the wires exchanged. Another kind of bending has the same four.
+    the wires exchanged.
     """
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def moving(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
+        """Bend where both wires move on the way in and on the way out."""
+        return 0.0
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def into_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
+        """Bend where q moves on the way in and rests on the way out; p moves on both."""
+        return 0.0
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def out_of_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
+        """Bend where q rests on the way in and moves on the way out; p moves on both."""
+        return 0.0
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def inside_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
+        """Bend where q rests on the way in and on the way out."""
+        return 0.0
+
+    @cython.cfunc
+    def of_wire(self, weight: cython.double) -> Bending:
+        """Return the same bending where the first wire is so many times as stiff."""
+        return self
+
+
+@cython.final
+@cython.cclass
+class PaperBending(Bending):
+    """Bending along straight vertex paths, eq (17), with constants of `constants.WorkConstants`."""
 
     k_b: cython.double
     m_b: cython.double
@@ -168,6 +336,11 @@ class Bending:
         self.m_b = m_b
         self.e_b = e_b
         self.p_b = p_b
+
+    @cython.cfunc
+    def of_wire(self, weight: cython.double) -> Bending:
+        """Return the same bending where the first wire is so many times as stiff."""
+        return PaperBending(self.k_b * weight, self.m_b, self.e_b, self.p_b)
 
     @cython.cfunc
     @cython.exceptval(check=False)
@@ -248,11 +421,12 @@ class Bending:
 
     @cython.cfunc
     @cython.exceptval(check=False)
-    def _at_run(self, theta: cython.double, s1: cython.double, s2: cython.double) -> cython.double:
+    def _at_run(self, theta: cython.double, turns: Turns) -> cython.double:
         """Bending work of the pieces Q0 -> Q1 -> Q2 beside coincident vertices (section 2.2).
 
         A half turn takes the cheaper direction.
         """
+        s1, s2 = turns.first, turns.second  # type: ignore[attr-defined]
         work: cython.double = self._of_turns(theta, s1, s2, 0.0)
         half1: cython.bint = fabs(s1) > PI - ANGLE_NOISE
         half2: cython.bint = fabs(s2) > PI - ANGLE_NOISE
@@ -269,63 +443,131 @@ class Bending:
     @cython.cfunc
     @cython.exceptval(check=False)
     def moving(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
-        """Bend where both wires move on the way in and on the way out: eqs (7)-(9)."""
-        b0x, b0y = p.back[i].real, p.back[i].imag
-        f0x, f0y = p.fwd[i].real, p.fwd[i].imag
-        b1x, b1y = q.back[j].real, q.back[j].imag
-        f1x, f1y = q.fwd[j].real, q.fwd[j].imag
-        curve: Curve = Curve(
-            f0x * b0x + f0y * b0y,
-            f0x * b0y - f0y * b0x,
-            0.5 * ((f1x * b0x + f1y * b0y) + (f0x * b1x + f0y * b1y)),
-            0.5 * ((f1x * b0y - f1y * b0x) + (f0x * b1y - f0y * b1x)),
-            f1x * b1x + f1y * b1y,
-            f1x * b1y - f1y * b1x,
-        )
-        return self._along(p.theta[i], q.theta[j], curve)
+        """See `Bending`."""
+        return self._along(p.theta[i], q.theta[j], _control_points(p, i, q, j))
 
     @cython.cfunc
     @cython.exceptval(check=False)
     def into_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
-        """Bend where q moves on the way in and rests on the way out; p moves on both.
-
-        F1 := base of q, so Q1 is conj(F0) B1 to leading order. From Q0 to Q1 only B turns, then only F.
-        """
-        s1: cython.double = _short_way(q.back_arg[j] - p.back_arg[i])
-        s2: cython.double = _short_way(p.fwd_arg[i] - q.base_arg[j])
-        return self._at_run(p.theta[i], s1, s2)
+        """See `Bending`."""
+        return self._at_run(p.theta[i], _turns_into_run(p, i, q, j))
 
     @cython.cfunc
     @cython.exceptval(check=False)
     def out_of_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
-        """Bend where q rests on the way in and moves on the way out; p moves on both.
-
-        B1 := minus the base of q, so Q1 is conj(F1) B0 to leading order. First only F turns, then only B.
-        """
-        s1: cython.double = _short_way(p.fwd_arg[i] - q.fwd_arg[j])
-        s2: cython.double = _short_way(_short_way(q.base_arg[j] + PI) - p.back_arg[i])
-        return self._at_run(p.theta[i], s1, s2)
+        """See `Bending`."""
+        return self._at_run(p.theta[i], _turns_out_of_run(p, i, q, j))
 
     @cython.cfunc
     @cython.exceptval(check=False)
     def inside_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
-        """Bend where q rests on the way in and on the way out: its angle there is pi.
-
-        F1 := base, B1 := minus base, so both products of Q1 are of one order: Q1 = conj(d) B0 - conj(F0) d.
-        """
-        dx, dy = q.base[j].real, q.base[j].imag
+        """See `Bending`."""
+        curve: Curve = _inside_run(p, i, q, j)
+        x1, y1 = curve.x1, curve.y1  # type: ignore[attr-defined]
+        theta: cython.double = p.theta[i]
         b0x, b0y = p.back[i].real, p.back[i].imag
         f0x, f0y = p.fwd[i].real, p.fwd[i].imag
-        x1: cython.double = (dx * b0x + dy * b0y) - (f0x * dx + f0y * dy)
-        y1: cython.double = (dx * b0y - dy * b0x) - (f0x * dy - f0y * dx)
-        theta: cython.double = p.theta[i]
         longest: cython.double = b0x * b0x + b0y * b0y + f0x * f0x + f0y * f0y
         if x1 * x1 + y1 * y1 <= CROSS_NOISE * CROSS_NOISE * longest:  # Q1 = 0 points nowhere
             return self._of_turns(theta, PI - theta, 0.0, 0.0)
         theta1: cython.double = atan2(y1, x1)
         if theta1 < 0.0:
             theta1 += TWO_PI
-        return self._at_run(theta, _short_way(theta1 - theta), _short_way(PI - theta1))
+        return self._at_run(theta, Turns(_short_way(theta1 - theta), _short_way(PI - theta1)))
+
+
+@cython.final
+@cython.cclass
+class TurnBending(Bending):
+    """Bending by turning: k_b |turn of p - turn of q|^e_b, and p_b where a straight path takes the angle through zero.
+
+    Not in the paper. Each end of a run of coincident vertices has half of the turn that the run's vertex has, as in
+    section 2.2, and its inside has none. Whether an angle reaches zero is left to the paper's bending, and it is asked
+    only where the turns do not exclude it.
+    """
+
+    k_b: cython.double
+    e_b: cython.double
+    p_b: cython.double
+    zero: PaperBending
+
+    def __init__(self, k_b: cython.double, e_b: cython.double, p_b: cython.double) -> None:
+        self.k_b = k_b
+        self.e_b = e_b
+        self.p_b = p_b
+        self.zero = PaperBending(0.0, 0.0, 1.0, p_b)
+
+    @cython.cfunc
+    def of_wire(self, weight: cython.double) -> Bending:
+        """Return the same bending where the first wire is so many times as stiff."""
+        return TurnBending(self.k_b * weight, self.e_b, self.p_b)
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def _of_change(self, turn: cython.double) -> cython.double:
+        """Bending work of a change of turn."""
+        work: cython.double = fabs(turn)
+        if self.e_b != 1.0:
+            work = pow(work, self.e_b)
+        return self.k_b * work
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def moving(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
+        """See `Bending`."""
+        work: cython.double = self._of_change(p.turn[i] - q.turn[j])
+        if self.p_b == 0.0:
+            return work
+        reaches: cython.int = _reaches_zero(_control_points(p, i, q, j))
+        if reaches < 0:
+            return work + self.zero.moving(p, i, q, j)
+        return work + self.p_b if reaches else work
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def into_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
+        """See `Bending`."""
+        work: cython.double = self._of_change(p.turn[i] - 0.5 * q.turn[j])
+        return work if self.p_b == 0.0 else work + self._at_run(p.theta[i], _turns_into_run(p, i, q, j))
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def out_of_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
+        """See `Bending`."""
+        work: cython.double = self._of_change(p.turn[i] - 0.5 * q.turn[j])
+        return work if self.p_b == 0.0 else work + self._at_run(p.theta[i], _turns_out_of_run(p, i, q, j))
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def inside_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
+        """See `Bending`."""
+        work: cython.double = self._of_change(p.turn[i])
+        if self.p_b == 0.0:
+            return work
+        curve: Curve = _inside_run(p, i, q, j)
+        x0, y0, x1, y1 = curve.x0, curve.y0, curve.x1, curve.y1  # type: ignore[attr-defined]
+        if _stays_off_zero(curve):
+            return work
+        # From Q0 to Q1 theta goes the short way, and from there on to pi.
+        across: cython.double = x0 * fabs(y1) + x1 * fabs(y0)
+        size: cython.double = (
+            fabs(p.back[i].real) + fabs(p.back[i].imag) + fabs(p.fwd[i].real) + fabs(p.fwd[i].imag)
+        )
+        noise0: cython.double = ANGLE_NOISE * (fabs(x0) + fabs(y0))
+        noise1: cython.double = ANGLE_NOISE * size
+        if fabs(y0) > noise0 and fabs(y1) > noise1 and fabs(across) > noise0 * size:
+            return work + self.p_b if y0 * y1 < 0.0 and across > 0.0 else work
+        return work + self.zero.inside_run(p, i, q, j)
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def _at_run(self, theta: cython.double, turns: Turns) -> cython.double:
+        """Return p_b if theta reaches zero beside coincident vertices, else 0."""
+        theta1: cython.double = theta + turns.first  # type: ignore[attr-defined]
+        theta2: cython.double = theta1 + turns.second  # type: ignore[attr-defined]
+        if _is_zero(theta) or _is_zero(theta1) or _is_zero(theta2):
+            return self.zero._at_run(theta, turns)
+        return 0.0
 
 
 def fill_bends(
@@ -337,7 +579,7 @@ def fill_bends(
     window: Window,
     bends: FloatArray,
 ) -> None:
-    """Price the seven bends of every dot of a window.
+    """Add the work of the seven bends to every dot of a window.
 
     Parameters
     ----------
@@ -350,7 +592,6 @@ def fill_bends(
         Multiplies k_b there.
     window : Window
     bends : (dots, 7) float
-        Overwritten.
     """
     vertices: cython.Py_ssize_t[::1] = columns
     stiffness: cython.double[::1] = weight
@@ -366,15 +607,15 @@ def fill_bends(
     for c in range(vertices.shape[0]):
         i = vertices[c]
         j = low[c] % n
-        stiff: Bending = Bending(bending.k_b * stiffness[c], bending.m_b, bending.e_b, bending.p_b)
+        stiff: Bending = bending.of_wire(stiffness[c])
         for k in range(column_offset[c], column_offset[c] + high[c] - low[c] + 1):
-            work[k, EE] = stiff.inside_run(p, i, q, j)
-            work[k, ED] = stiff.out_of_run(p, i, q, j)
-            work[k, DE] = stiff.into_run(p, i, q, j)
-            work[k, SS] = stiff.inside_run(q, j, p, i)
-            work[k, SD] = stiff.out_of_run(q, j, p, i)
-            work[k, DS] = stiff.into_run(q, j, p, i)
-            work[k, DD] = stiff.moving(p, i, q, j)
+            work[k, EE] += stiff.inside_run(p, i, q, j)
+            work[k, ED] += stiff.out_of_run(p, i, q, j)
+            work[k, DE] += stiff.into_run(p, i, q, j)
+            work[k, SS] += stiff.inside_run(q, j, p, i)
+            work[k, SD] += stiff.out_of_run(q, j, p, i)
+            work[k, DS] += stiff.into_run(q, j, p, i)
+            work[k, DD] += stiff.moving(p, i, q, j)
             j += 1
             if j == n:
                 j = 0
@@ -404,7 +645,7 @@ def angle_change(q0: complex, q1: complex, q2: complex) -> tuple[float, float, b
         theta2 += TWO_PI
     curve: Curve = Curve(q0.real, q0.imag, q1.real, q1.imag, q2.real, q2.imag)
     work = [
-        Bending(k_b, m_b, 1.0, p_b)._along(theta0, theta2, curve)
+        PaperBending(k_b, m_b, 1.0, p_b)._along(theta0, theta2, curve)
         for k_b, m_b, p_b in ((1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     ]
     return work[0], work[1] - work[0], work[2] > 0.0

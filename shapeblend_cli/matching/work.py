@@ -1,4 +1,4 @@
-"""The work it takes to bend and stretch one wire into another.
+"""The work it takes to bend, stretch and move one wire into another.
 
 Section 3 of Sederberg and Greenwood, "A Physically Based Approach to 2-D Shape Blending", Computer
 Graphics 26(2), 1992 (SIGGRAPH '92).
@@ -6,18 +6,25 @@ Graphics 26(2), 1992 (SIGGRAPH '92).
 Both polygons are normalised to the unit box (section 3.3) before they come here. `i` runs over the
 first and is axis 0 of every table, `j` runs over the second and is axis 1; figure 25 draws `i` as columns.
 The paper's text calls eq (17) "equation 18".
+
+Departures: the paper's work is stretching, and bending along straight vertex paths. By default bending is by turning
+(`angles.TurnBending`), most of it is taken on smoothed outlines (`smoothing`), and points pay for their way (`travel`).
+The constants of a preset leave all of that out.
 """
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from shapeblend_cli.constants import WorkConstants
-from shapeblend_cli.matching.angles import Bending, Corners, fill_bends
+from shapeblend_cli.matching.angles import Corners, PaperBending, TurnBending, fill_bends
+from shapeblend_cli.matching.smoothing import smoothed
 from shapeblend_cli.matching.steps import BEND_OF_STEPS, NO_BEND
 from shapeblend_cli.matching.tables import Tables, Window
+from shapeblend_cli.matching.travel import Stations, add_travel, places
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
@@ -26,22 +33,27 @@ STRETCHING_DOTS = 1 << 18
 """Stretching work is computed for so many dots at once: few enough to stay in the cache."""
 
 
+SMOOTH_SHARE = 0.7
+"""The share of bending that is taken on smoothed outlines, where they are: the outlines themselves have the corners."""
+
+
 class PathWork(NamedTuple):
     """What a path costs, and how many of its angles reach zero."""
 
     stretching: float
     bending: float
+    travel: float
     zero_angles: int
 
     @property
     def total(self) -> float:
-        """Stretching and bending work together."""
-        return self.stretching + self.bending
+        """All work together."""
+        return self.stretching + self.bending + self.travel
 
 
 def edge_lengths(vertices: ComplexArray, closed: bool) -> FloatArray:
     """Return the length of the edge that leaves each vertex; 0 for the last of an open polygon."""
-    edges = np.roll(vertices, -1) - vertices
+    edges = np.concatenate([vertices[1:], vertices[:1]]) - vertices
     if not closed:
         edges[-1] = 0.0
     return np.abs(edges)
@@ -76,7 +88,25 @@ def stretching_work(len0: FloatArray, len1: FloatArray, constants: WorkConstants
     k_s, e_s, c_s = constants.k_s, constants.e_s, constants.c_s
     delta = np.abs(np.subtract(len1, len0))
     resistance = (1.0 - c_s) * np.minimum(len0, len1) + c_s * np.maximum(len0, len1)
-    return k_s * np.power(delta, e_s) / np.where(resistance > 0.0, resistance, 1.0)
+    return k_s * delta**e_s / np.where(resistance > 0.0, resistance, 1.0)
+
+
+class Wire(NamedTuple):
+    """The vertices of a polygon, and where they are in other views of it: (m,) complex each."""
+
+    vertices: ComplexArray
+    smooth: ComplexArray  # on the smoothed outline
+    place: ComplexArray  # in the box made the unit square
+
+    @classmethod
+    def of(cls, vertices: ComplexArray, closed: bool, constants: WorkConstants) -> Wire:
+        """Look at a polygon as the constants say."""
+        smooth = smoothed(vertices, closed, constants.smoothing) if constants.smoothing else vertices
+        return cls(vertices, smooth, places(vertices))
+
+    def beginning_at(self, i: int) -> Wire:
+        """Return the same closed wire with another first vertex."""
+        return Wire(*(np.concatenate([points[i:], points[:i]]) for points in self))
 
 
 class Wires:
@@ -84,7 +114,7 @@ class Wires:
 
     Parameters
     ----------
-    p0, p1 : (m,) and (n,) complex
+    p0, p1 : (m,) and (n,) complex, or Wire
         Vertices in the unit box (section 3.3), both polygons in the same direction, neighbours distinct,
         the first vertex not repeated. m, n >= 3 when closed, >= 2 when open.
     closed : bool
@@ -96,31 +126,47 @@ class Wires:
 
     def __init__(
         self,
-        p0: ComplexArray,
-        p1: ComplexArray,
+        p0: ComplexArray | Wire,
+        p1: ComplexArray | Wire,
         closed: bool = True,
         constants: WorkConstants | None = None,
         weight: FloatArray | None = None,
     ) -> None:
-        self.p0, self.p1, self.closed = p0, p1, closed
-        self.constants = constants or WorkConstants()
-        self.m, self.n = len(p0), len(p1)
+        self.closed, self.constants = closed, constants or WorkConstants()
+        self.wires = tuple(p if isinstance(p, Wire) else Wire.of(p, closed, self.constants) for p in (p0, p1))
+        self.p0, self.p1 = (wire.vertices for wire in self.wires)
+        self.m, self.n = len(self.p0), len(self.p1)
         self.weight = np.ones(self.m) if weight is None else np.asarray(weight, np.float64)
-        self.edge_weight = 0.5 * (self.weight + np.roll(self.weight, -1))
-        self.len0, self.len1 = edge_lengths(p0, closed), edge_lengths(p1, closed)
-        self.corners0, self.corners1 = Corners(p0, closed), Corners(p1, closed)
+        self.edge_weight = 0.5 * (self.weight + np.append(self.weight[1:], self.weight[0]))
+        self.len0, self.len1 = (edge_lengths(wire.vertices, closed) for wire in self.wires)
 
-    @property
-    def bending(self) -> Bending:
-        """The cost of angles."""
-        return Bending(self.constants.k_b, self.constants.m_b, self.constants.e_b, self.constants.p_b)
+    @cached_property
+    def corners0(self) -> Corners:
+        """The angles of the first wire."""
+        return Corners(self.p0, self.closed)
+
+    @cached_property
+    def corners1(self) -> Corners:
+        """The angles of the second wire."""
+        return Corners(self.p1, self.closed)
+
+    @cached_property
+    def _smooth_corners(self) -> tuple[Corners, Corners]:
+        first, second = self.wires
+        return Corners(first.smooth, self.closed), Corners(second.smooth, self.closed)
+
+    @cached_property
+    def _stations(self) -> tuple[Stations, Stations]:
+        first, second = self.wires
+        return Stations(first.place, self.len0), Stations(second.place, self.len1)
 
     def beginning_at(self, i: int, j: int) -> Wires:
         """Return the same closed wires with vertex i of the first and vertex j of the second as their first ones."""
         if i == j == 0:
             return self
+        first, second = self.wires
         return Wires(
-            np.roll(self.p0, -i), np.roll(self.p1, -j), True, self.constants, np.roll(self.weight, -i)
+            first.beginning_at(i), second.beginning_at(j), True, self.constants, np.roll(self.weight, -i)
         )
 
     def tables(self, window: Window | None = None, first_column: int = 0) -> Tables:
@@ -141,7 +187,7 @@ class Wires:
             work = stretching_work(self.len0[i], self.len1[j % self.n], self.constants) * self.edge_weight[i]
             first = int(window.column_offset[part.start])
             southeast[first : first + work.size] = work.ravel()
-        bends = self._bends(columns, window, self.bending)
+        bends = self._bends(columns, window, self.constants)
         if not self.closed:
             if columns[0] == 0 and window.low[0] == 0:
                 bends[0] = 0.0
@@ -158,10 +204,24 @@ class Wires:
             bends=bends,
         )
 
-    def _bends(self, columns: IntArray, window: Window, bending: Bending) -> FloatArray:
-        """Price the bends of a window whose columns are these vertices of the first wire."""
-        bends = np.empty((window.dots, 7))
-        fill_bends(self.corners0, self.corners1, bending, columns, self.weight[columns], window, bends)
+    def _bends(self, columns: IntArray, window: Window, c: WorkConstants) -> FloatArray:
+        """Price the dots of a window, whose columns are these vertices of the first wire, for each bend there."""
+        bends = np.zeros((window.dots, 7))
+        weight = self.weight[columns]
+
+        def add(p: Corners, q: Corners, k_b: float, p_b: float) -> None:
+            kind = (
+                PaperBending(k_b, c.m_b, c.e_b, p_b) if c.bending == "paper" else TurnBending(k_b, c.e_b, p_b)
+            )
+            fill_bends(p, q, kind, columns, weight, window, bends)
+
+        smooth = c.k_b * SMOOTH_SHARE if c.smoothing else 0.0
+        if c.k_b or c.p_b:
+            add(self.corners0, self.corners1, c.k_b - smooth, c.p_b)
+        if smooth:
+            add(*self._smooth_corners, smooth, 0.0)
+        if c.k_t:
+            add_travel(*self._stations, c.k_t, columns, window, bends)
         return bends
 
     def path_work(self, dots: IntArray) -> PathWork:
@@ -178,18 +238,19 @@ class Wires:
             A step is not East, South or Southeast, or a turn of 90 degrees.
         """
         start, moves, at, kinds = self._path(dots)
-        bending = self._bends_along(at, kinds, self.bending)
-        zeros = self._bends_along(at, kinds, Bending(0.0, 0.0, 1.0, 1.0))  # the penalty alone
+        bending = self._bends_along(at, kinds, k_t=0.0)
+        travel = self._bends_along(at, kinds, k_b=0.0, p_b=0.0)
+        zeros = self._bends_along(at, kinds, k_b=0.0, p_b=1.0, k_t=0.0)
         stiff = np.where(moves[:, 0] > 0, self.edge_weight[start[:, 0]], self.weight[start[:, 0]])
         stretching = stiff * stretching_work(
             self.len0[start[:, 0]] * moves[:, 0], self.len1[start[:, 1]] * moves[:, 1], self.constants
         )
-        return PathWork(float(stretching.sum()), float(bending.sum()), int(zeros.sum()))
+        return PathWork(float(stretching.sum()), float(bending.sum()), float(travel.sum()), int(zeros.sum()))
 
     def bends_on(self, dots: IntArray) -> tuple[IntArray, IntArray, FloatArray]:
-        """Return the dots of a path (see `path_work`) that have an angle, their bends, and the work of each bend."""
+        """Return the dots of a path (see `path_work`) that have an angle, their bends, and the bending work of each."""
         _, _, at, kinds = self._path(dots)
-        return at, kinds, self._bends_along(at, kinds, self.bending)
+        return at, kinds, self._bends_along(at, kinds, k_t=0.0)
 
     def _path(self, dots: IntArray) -> tuple[IntArray, IntArray, IntArray, IntArray]:
         """Return the dots that steps leave, and the steps; the dots that have an angle, and their bends."""
@@ -208,9 +269,10 @@ class Wires:
             )
         return start, moves, at, kinds
 
-    def _bends_along(self, at: IntArray, kinds: IntArray, bending: Bending) -> FloatArray:
-        """Price a bend of each dot."""
+    def _bends_along(self, at: IntArray, kinds: IntArray, **changes: float) -> FloatArray:
+        """Price a bend of each dot, with other constants."""
         if not len(at):
             return np.zeros(0)
         columns, rows = at[:, 0].copy(), at[:, 1].copy()
-        return self._bends(columns, Window.between(rows, rows), bending)[np.arange(len(at)), kinds]
+        constants = self.constants.replace(**changes)
+        return self._bends(columns, Window.between(rows, rows), constants)[np.arange(len(at)), kinds]

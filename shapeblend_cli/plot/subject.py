@@ -56,8 +56,8 @@ class Subject(NamedTuple):
     def work(self) -> str:
         """The work as a sum."""
         found = self.correspondence
-        parts = [value_text(work) for work in (found.work, found.stretching, found.bending)]
-        return "work {} = stretching {} + bending {}".format(*parts)
+        parts = [value_text(work) for work in (found.work, found.stretching, found.bending, found.travel)]
+        return "work {} = stretching {} + bending {} + travel {}".format(*parts)
 
 
 def choose_subject(

@@ -1,0 +1,110 @@
+# cython: boundscheck=False, wraparound=False, cdivision=True, initializedcheck=False
+"""What it costs that points of a wire travel. Not in the paper. This file is compiled by Cython and runs uncompiled.
+
+Nothing in the paper's work knows where a point is: a wire alone in space may rotate for nothing. Here the boxes of
+both wires are made the unit square, axis by axis, and a dot whose points are at distance d there costs
+
+    k_t d^2 / (1 + (d / KNEE)^2) l,
+
+l being a quarter of the lengths of the steps into the dot and out of it, on both wires, added up: so the sum over dots
+is an integral along the wires, whatever the number of vertices. Points that are near are held together as by springs.
+Those that are far apart pay hardly more for being further apart, since by then place says nothing.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.matching import steps
+
+try:
+    import cython
+except ImportError:  # Cython is needed to build, not to run
+    from shapeblend_cli import _cython as cython
+
+if TYPE_CHECKING:
+    from shapeblend_cli.matching.tables import Window
+    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+
+KNEE = cython.declare(cython.double, 0.5)  # a share of the box
+
+cython.declare(EE=cython.int, ED=cython.int, DE=cython.int, SS=cython.int)
+cython.declare(SD=cython.int, DS=cython.int, DD=cython.int)
+EE, ED, DE, SS, SD, DS, DD = steps.BENDS
+
+FLAT = 0.02
+"""A box is at least this high for its width, and as wide for its height."""
+
+
+def places(vertices: ComplexArray) -> ComplexArray:
+    """Return where points are in their box, made the unit square axis by axis."""
+    x, y = vertices.real - vertices.real.min(), vertices.imag - vertices.imag.min()
+    least = FLAT * max(x.max(), y.max())
+    return x / max(x.max(), least) + 1j * (y / max(y.max(), least))
+
+
+@cython.final
+@cython.cclass
+class Stations:
+    """The vertices of a wire: places, and a quarter of the length of the edges before and after them."""
+
+    place: cython.doublecomplex[::1]
+    before: cython.double[::1]
+    after: cython.double[::1]
+
+    def __init__(self, place: ComplexArray, lengths: FloatArray) -> None:
+        self.place = place
+        last = len(lengths) - 1
+        self.after = 0.25 * lengths
+        self.before = 0.25 * np.concatenate([lengths[last:], lengths[:last]])
+
+
+def add_travel(
+    p: Stations, q: Stations, k_t: float, columns: IntArray, window: Window, bends: FloatArray
+) -> None:
+    """Add the work of travel to the seven bends of every dot of a window.
+
+    Parameters
+    ----------
+    p, q : Stations
+        Of the first wire and the second.
+    k_t : float
+    columns : (columns,) int
+        The vertex of the first wire that each column is; rows are those of the second, modulo n.
+    window : Window
+    bends : (dots, 7) float
+    """
+    vertices: cython.Py_ssize_t[::1] = columns
+    low: cython.Py_ssize_t[::1] = window.low
+    high: cython.Py_ssize_t[::1] = window.high
+    column_offset: cython.Py_ssize_t[::1] = window.column_offset
+    work: cython.double[:, ::1] = bends
+    stiffness: cython.double = k_t
+    n: cython.Py_ssize_t = q.place.shape[0]
+    c: cython.Py_ssize_t
+    i: cython.Py_ssize_t
+    j: cython.Py_ssize_t
+    k: cython.Py_ssize_t
+    for c in range(vertices.shape[0]):
+        i = vertices[c]
+        j = low[c] % n
+        x, y = p.place[i].real, p.place[i].imag
+        into_p, out_p = p.before[i], p.after[i]
+        for k in range(column_offset[c], column_offset[c] + high[c] - low[c] + 1):
+            dx: cython.double = x - q.place[j].real
+            dy: cython.double = y - q.place[j].imag
+            square: cython.double = dx * dx + dy * dy
+            rate: cython.double = stiffness * square / (1.0 + square / (KNEE * KNEE))
+            into_q, out_q = q.before[j], q.after[j]
+            work[k, EE] += rate * (into_p + out_p)
+            work[k, ED] += rate * (into_p + out_p + out_q)
+            work[k, DE] += rate * (into_p + into_q + out_p)
+            work[k, SS] += rate * (into_q + out_q)
+            work[k, SD] += rate * (into_q + out_p + out_q)
+            work[k, DS] += rate * (into_p + into_q + out_q)
+            work[k, DD] += rate * (into_p + into_q + out_p + out_q)
+            j += 1
+            if j == n:
+                j = 0
