@@ -63,12 +63,11 @@ LEAST_VERTICES = 100
 
 
 class Problem(NamedTuple):
-    """A search (see `solve.Search`) from vertices 0, or from any start, in the first `start_rows` rows if so."""
+    """A search (see `solve.Search`) from vertices 0, or from any start."""
 
     wires: Wires
     band: float | None = None
     solver: str = "exact"
-    start_rows: int | None = None
     watch: Callable[[float], None] = lambda share: None
 
 
@@ -93,7 +92,7 @@ def solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[
         nothing is known.
     """
     path, graph = _solve(problem, pins, exact_dots)
-    if not _is_small(problem.wires, exact_dots) or problem.start_rows is not None:
+    if not _is_small(problem.wires, exact_dots):
         return path, 0.0
     is_free = problem.band is None and (pins is None if problem.wires.closed else not pins)
     return path, np.inf if is_free and problem.solver == "exact" else graph.lower_bound()
@@ -115,11 +114,7 @@ def _region(problem: Problem, pins: list[Dot] | None) -> Window:
     m, n, closed = problem.wires.m, problem.wires.n, problem.wires.closed
     columns = m + 1 if closed else m
     if pins is None:
-        if problem.start_rows is None:
-            return Window.full(columns, 2 * n)
-        low, high = np.zeros(columns, np.intp), np.full(columns, problem.start_rows - 1 + n)
-        low[-1], high[0] = n, problem.start_rows - 1
-        return Window.between(low, high)
+        return Window.full(columns, 2 * n)
     region = Window.full(columns, n + 1 if closed else n)
     for c, r in pins:
         region.low[c + 1 :] = np.maximum(region.low[c + 1 :], r)
@@ -152,7 +147,6 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Grap
         return _search(problem, walls, pins)
     coarser = problem._replace(
         wires=Wires(thin0, thin1, wires.closed, wires.constants, wires.weight[kept0]),
-        start_rows=None if problem.start_rows is None else int(np.searchsorted(kept1, problem.start_rows)),
         watch=lambda share: watch(share / FACTOR),
     )
     problem = problem._replace(watch=lambda share: watch((1.0 + (FACTOR - 1.0) * share) / FACTOR))

@@ -35,9 +35,6 @@ class Search(NamedTuple):
         A vertex of the first polygon and the vertex of the second that must correspond to it.
     pins : sequence of (int, int)
         Further vertices that must correspond.
-    starts : (int, int, int) or None
-        A vertex of the first polygon, and the first and the last vertex of the second that a closed path may reach it
-        with; the last may be counted on beyond n.
     band : float or None
         Largest diagonal deviation, eq (30), of the path, measured from `start`, else from the first pin, else
         from where the path enters vertex 0 of the first polygon (section 5.2).
@@ -50,7 +47,6 @@ class Search(NamedTuple):
 
     start: Dot | None = None
     pins: Sequence[Dot] = ()
-    starts: tuple[int, int, int] | None = None
     band: float | None = None
     solver: str = "exact"
     effort: str = "auto"
@@ -77,8 +73,8 @@ def least_work(
     Correspondence
         Closed paths begin at the search's start, else at the first pin, else where they enter vertex 0 of the first
         polygon. The lower bound is that of all paths between these wires: from any start, through any vertices, in no
-        band. It is the work itself where all of them were searched, and 0 where no bound is known cheaply: if `starts`
-        are given, beyond the effort, and in very large graphs.
+        band. It is the work itself where all of them were searched, and 0 where no bound is known cheaply: beyond the
+        effort, and in very large graphs.
 
     Raises
     ------
@@ -93,15 +89,12 @@ def least_work(
     first0, first1 = 0, 0
     if closed and pins:
         first0, first1 = pins[0]
-    elif closed and search.starts:
-        first0, first1 = search.starts[0], search.starts[1] % n
     elif closed and band is None:
         first0 = int(wires.corners0.sharpness().argmax())
     problem = coarse.Problem(
         wires=wires.beginning_at(first0, first1),
         band=band,
         solver=search.solver,
-        start_rows=search.starts[2] - search.starts[1] + 1 if search.starts else None,
         watch=watch or (lambda share: None),
     )
     limit = EXACT_DOTS[search.effort]
@@ -126,15 +119,16 @@ def least_work(
     dots = np.array(found.dots, np.intp)
     if closed:
         dots = dots[:-1]  # the end is the start again
+    price = problem.wires.path_work(dots % (m, n))
     dots = (dots + np.array([first0, first1])) % np.array([m, n])
     if closed and not pins:
         dots = np.roll(dots, -_enters_column_0(dots[:, 0]), axis=0)
-    price = wires.path_work(dots)
     return Correspondence(
         dots=dots,
         closed=closed,
         stretching=price.stretching,
         bending=price.bending,
+        travel=price.travel,
         lower_bound=min(lower_bound, price.total),
         zero_angles=price.zero_angles,
         diagonal_deviation=diagonal_deviation(dots, m, n, closed),

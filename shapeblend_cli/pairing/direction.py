@@ -10,7 +10,6 @@ from shapeblend_cli.geometry.polygons import orientation, reverse_polygon
 from shapeblend_cli.matching.solve import Search, least_work
 from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.pairing.constraints import Constraints, stiffness
-from shapeblend_cli.pairing.upright import upright
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -29,32 +28,35 @@ def choose_direction(
     Return whether B was reversed, and the correspondence; if so its dots number the vertices of `reverse_polygon`.
     """
     candidates = reversed_candidates(a, b, settings.reverse)
-    unit_a = to_unit_box(a)
     solved: list[tuple[bool, Correspondence]] = []
     errors: list[MatchError] = []
     for run, is_reversed in enumerate(candidates):
         # Only the vertices count here, and they do not depend on the number of segments.
         directed = reverse_polygon(b, 1) if is_reversed else b
-        unit_b = to_unit_box(directed)
-        wires = Wires(unit_a, unit_b, a.closed, settings.constants, stiffness(a, settings))
-        search = Search(
-            start=constraints.start,
-            pins=constraints.pinned_vertices(a, directed),
-            band=settings.band,
-            solver=settings.solver,
-            effort=settings.effort,
-        )
         try:
-            least = least_work(wires, search, watch_part(watch, run, len(candidates)))
+            found = solve(a, directed, settings, constraints, watch_part(watch, run, len(candidates)))
         except MatchError as error:  # pins that cross in one direction need not cross in the other
             errors.append(error)
-            continue
-        if a.closed and not constraints.start and not constraints.pins and settings.band is None:
-            least = upright(wires, least, search, alone=constraints.is_alone)
-        solved.append((is_reversed, least))
+        else:
+            solved.append((is_reversed, found))
     if not solved:
         raise errors[0]
     return min(solved, key=lambda candidate: candidate[1].work)
+
+
+def solve(
+    a: Polygon, b: Polygon, settings: Settings, constraints: Constraints, watch: Watch | None = None
+) -> Correspondence:
+    """Solve as polygons run. Constraints that cannot be met raise a MatchError."""
+    wires = Wires(to_unit_box(a), to_unit_box(b), a.closed, settings.constants, stiffness(a, settings))
+    search = Search(
+        start=constraints.start,
+        pins=constraints.pinned_vertices(a, b),
+        band=settings.band,
+        solver=settings.solver,
+        effort=settings.effort,
+    )
+    return least_work(wires, search, watch)
 
 
 def reversed_candidates(a: Polygon, b: Polygon, reverse: str) -> list[bool]:
