@@ -29,12 +29,15 @@ SUGGESTIONS = 5
 class Constraints(NamedTuple):
     """What is required of the match of two contours.
 
-    Pins are vertex numbers, or points in A's coordinates. Contours that are not alone are kept upright.
+    Pins are vertex numbers, or points in A's coordinates.
     """
 
     start: Numbers | None = None
     pins: Sequence[Pin] = ()
-    is_alone: bool = True
+
+    def without_numbers(self) -> Constraints:
+        """Return the constraints that do not hang on how outlines are cut: pins between points."""
+        return Constraints(None, [pin for pin in self.pins if not _is_numbers(pin)])
 
     def rotated_back(self, rotation: float) -> Constraints:
         """Return the constraints for B rotated back by an angle; vertex numbers stay what they are."""
@@ -88,7 +91,7 @@ def constrain(pairs: Sequence[ContourPair], settings: Settings, pins: Sequence[P
         at_vertices = [pin for pin in settings.pins if pair is largest and _is_numbers(pin)]
         at_points = [located.pin for located in pins if located.pair == numbers]
         start = settings.start if pair is largest else None
-        constrained[numbers] = pair, Constraints(start, at_vertices + at_points, len(pairs) == 1)
+        constrained[numbers] = pair, Constraints(start, at_vertices + at_points)
     return constrained
 
 

@@ -13,10 +13,11 @@ from shapeblend_cli.geometry.polygons import reverse_contour, reverse_polygon
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.model import Contour, ContourBlend, Correspondence, CubicPath, Polygon, unroll
+from shapeblend_cli.pairing.common_cuts import FlatContour, solve_with_common_cuts
 from shapeblend_cli.pairing.constraints import Constraints, stiffness
 from shapeblend_cli.pairing.costs import coarse_work
 from shapeblend_cli.pairing.decompose import LINE, PlacedContour
-from shapeblend_cli.pairing.direction import choose_direction
+from shapeblend_cli.pairing.direction import choose_direction, solve, watch_part
 
 if TYPE_CHECKING:
     from shapeblend_cli.pairing.direction import Watch
@@ -38,21 +39,35 @@ def match_contours(
 
     B is reversed if that agrees better with A's direction. A closed contour that is to become a line is opened. `watch`
     is called with the share of the work that is done, from 0 to 1. Constraints that cannot be met raise a MatchError.
+
+    Vertex numbers are those of the match without them: where both contours are cut for it, the start and the pins with
+    numbers are for the polygons that were cut.
     """
     if (a.role == LINE) != (b.role == LINE):
         a, b = (a, _open_for(a, b, settings)) if a.role == LINE else (_open_for(b, a, settings), b)
-    rotated = _rotated_back(b.polygon, rotation)
-    constraints = constraints.rotated_back(rotation)
-    is_reversed, correspondence = choose_direction(a.polygon, rotated, settings, constraints, watch)
-    contour_b, polygon_b = b.contour, b.polygon
-    if is_reversed:
-        polygon_b = reverse_polygon(polygon_b, len(contour_b.segments))
-        contour_b = reverse_contour(contour_b)
-    scales = a.polygon.box.larger_side, rotated.box.larger_side
-    blend = _blend(
-        (a.number, b.number), (a.contour, contour_b), (a.polygon, polygon_b), scales, correspondence
+    required = constraints.rotated_back(rotation)
+    free = required.without_numbers() if settings.makes_common_cuts else required
+    first, rest = (
+        (watch_part(watch, 0, 2), watch_part(watch, 1, 2)) if settings.makes_common_cuts else (watch, None)
     )
-    return blend._replace(rotation=rotation)
+    is_reversed, found = choose_direction(
+        a.polygon, _rotated_back(b.polygon, rotation), settings, free, first
+    )
+    flat_a, flat_b = FlatContour(a.contour, a.polygon), FlatContour(b.contour, b.polygon)
+    if is_reversed:
+        flat_b = FlatContour(reverse_contour(b.contour), reverse_polygon(b.polygon, len(b.contour.segments)))
+
+    def solve_again(
+        p: FlatContour, q: FlatContour, watch: Watch | None = None, required: Constraints = free
+    ) -> Correspondence:
+        return solve(p.polygon, _rotated_back(q.polygon, rotation), settings, required, watch)
+
+    if settings.makes_common_cuts:
+        flat_a, flat_b, found = solve_with_common_cuts(flat_a, flat_b, found, solve_again, rest)
+        if required != free:
+            found = solve_again(flat_a, flat_b, required=required)
+    scales = flat_a.polygon.box.larger_side, _rotated_back(flat_b.polygon, rotation).box.larger_side
+    return _blend((a.number, b.number), (flat_a, flat_b), scales, found)._replace(rotation=rotation)
 
 
 def grow_from_point(contour: PlacedContour, point: complex, *, of_b: bool) -> ContourBlend:
@@ -63,29 +78,23 @@ def grow_from_point(contour: PlacedContour, point: complex, *, of_b: bool) -> Co
     shrunk = replace(contour.contour, segments=np.full_like(contour.contour.segments, point))
     vertices = np.arange(len(contour.polygon.vertices))
     dots = np.stack([0 * vertices, vertices] if of_b else [vertices, 0 * vertices], axis=1)
-    free = Correspondence(dots, closed, 0.0, 0.0, 0.0, 0, 0.0, 0)
+    free = Correspondence(dots, closed, 0.0, 0.0, 0.0, 0.0, 0, 0.0, 0)
+    grown, point_like = FlatContour(contour.contour, contour.polygon), FlatContour(shrunk, spot)
     if of_b:
-        numbers, contours, polygons = (
-            (None, contour.number),
-            (shrunk, contour.contour),
-            (spot, contour.polygon),
-        )
-        return _blend(numbers, contours, polygons, (size, size), free)
-    return _blend(
-        (contour.number, None), (contour.contour, shrunk), (contour.polygon, spot), (size, size), free
-    )
+        return _blend((None, contour.number), (point_like, grown), (size, size), free)
+    return _blend((contour.number, None), (grown, point_like), (size, size), free)
 
 
 def _blend(
     numbers: tuple[int | None, int | None],
-    contours: tuple[Contour, Contour],
-    polygons: tuple[Polygon, Polygon],
+    contours: tuple[FlatContour, FlatContour],
     scales: tuple[float, float],
     correspondence: Correspondence,
 ) -> ContourBlend:
     """Return a blend along the polygons, a line for every step of the correspondence."""
     dots, closed = correspondence.dots, correspondence.closed
-    period = len(polygons[0].vertices), len(polygons[1].vertices)
+    (contour_a, polygon_a), (contour_b, polygon_b) = contours
+    period = len(polygon_a.vertices), len(polygon_b.vertices)
     positions = unroll(dots, period if closed else None)
     start, end = (
         CubicPath(
@@ -93,10 +102,12 @@ def _blend(
             np.ones(len(lines), np.bool_),
             closed,
         )
-        for side, polygon in enumerate(polygons)
+        for side, polygon in enumerate((polygon_a, polygon_b))
     )
     cuts = positions[:, 0], positions[:, 1]
-    return ContourBlend(*numbers, *contours, *polygons, *scales, correspondence, start, end, cuts)
+    return ContourBlend(
+        *numbers, contour_a, contour_b, polygon_a, polygon_b, *scales, correspondence, start, end, cuts
+    )
 
 
 def solved_wires(contour: ContourBlend, settings: Settings) -> Wires:

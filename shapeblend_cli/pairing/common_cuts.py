@@ -1,0 +1,218 @@
+"""Both outlines cut at places that correspond, so that a step of the graph takes an edge to an edge of its like.
+
+The steps of a path are whole edges. Two polygons of one curve that were cut apart from each other have edges of other
+lengths, and vertices in other places: a path between them climbs stairs, and where it grows an edge from a vertex it
+pays twice the edge's length for nothing. So a first path says roughly which place goes to which. It is smoothed, each
+outline is also cut where the other has a vertex, and the least path is found once more; and again, until the work stops
+falling.
+
+Not in the paper, whose polygons are given.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
+from shapeblend_cli.matching.angles import Corners
+from shapeblend_cli.model import Polygon, unroll
+from shapeblend_cli.pairing.direction import watch_part
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from shapeblend_cli.model import Contour, Correspondence, FloatArray, IntArray
+    from shapeblend_cli.pairing.direction import Watch
+
+ROUNDS = 3
+"""The outlines are cut anew at most so often."""
+
+LEAST_FALL = 0.0
+"""Cutting goes on while the work falls by more than this share of it."""
+
+EVENNESS, BASE = 2e-3, 1e-2
+"""How much an even path counts, against one through places that bend; and how much the path that was found counts where
+nothing bends, both per length of the outline and per radian."""
+
+FIXED = 1e6
+"""Weight of the ends of open outlines, in radians."""
+
+NEAR = 0.15
+"""A place nearer to a vertex than this share of the usual edge is the vertex."""
+
+
+class FlatContour(NamedTuple):
+    """A contour and its polygon."""
+
+    contour: Contour
+    polygon: Polygon
+
+    def lengths(self) -> FloatArray:
+        """Return where vertices are along the outline, as shares of it; of a closed one the last is 1."""
+        lengths = cumulative_lengths(from_end_to_end(self.polygon.vertices, self.polygon.closed))
+        return lengths / lengths[-1]
+
+    def cut_at(self, places: FloatArray) -> FlatContour:
+        """Return the contour with more vertices, on its curves, at shares of the outline."""
+        polygon, own = self.polygon, self.lengths()
+        count = len(polygon.vertices)
+        places = np.sort(places % 1.0 if polygon.closed else places)
+        least = NEAR * float(np.median(np.diff(own)))
+        before = np.clip(np.searchsorted(own, places, side="right") - 1, 0, len(own) - 2)
+        places = places[np.minimum(places - own[before], own[before + 1] - places) > least]
+        places = places[_apart(places, least)]
+
+        # On the edge from one vertex to the next the parameter of the segment grows evenly.
+        edge = np.searchsorted(own, places, side="right") - 1
+        following = (edge + 1) % count
+        segment, start = polygon.segment[edge], polygon.parameter[edge]
+        ends_inside = (polygon.segment[following] == segment) & (polygon.parameter[following] > start)
+        end = np.where(ends_inside, polygon.parameter[following], 1.0)
+        parameter = start + (end - start) * (places - own[edge]) / (own[edge + 1] - own[edge])
+        points = cubics.evaluate(self.contour.segments[segment], parameter)
+
+        order = np.argsort(np.append(own[:count], places), kind="stable")
+        cut = Polygon(
+            np.append(polygon.vertices, points)[order],
+            np.append(polygon.segment, segment)[order],
+            np.append(polygon.parameter, parameter)[order],
+            polygon.closed,
+        )
+        return self._replace(polygon=cut)
+
+
+def solve_with_common_cuts(
+    a: FlatContour,
+    b: FlatContour,
+    found: Correspondence,
+    solve: Callable[[FlatContour, FlatContour, Watch | None], Correspondence],
+    watch: Watch | None,
+) -> tuple[FlatContour, FlatContour, Correspondence]:
+    """Cut two outlines where they correspond and solve again, until the work stops falling.
+
+    The work before the first cut is of another problem, and does not count.
+
+    Parameters
+    ----------
+    a, b : FlatContour
+        In the same direction.
+    found : Correspondence
+        Of their polygons.
+    solve : callable
+        Finds the correspondence of polygons of these contours; with what it calls with the share that is done.
+    watch : callable or None
+        Called with the share of all rounds that is done.
+
+    Returns
+    -------
+    a, b : FlatContour
+        With all vertices of those given, and more.
+    correspondence : Correspondence
+        Of these two.
+    """
+    cut = common_cuts(a, b, (a, b), found)
+    found = solve(*cut, watch_part(watch, 0, ROUNDS))
+    for round_ in range(1, ROUNDS):
+        other = common_cuts(a, b, cut, found)
+        again = solve(*other, watch_part(watch, round_, ROUNDS))
+        if again.work >= found.work:
+            break
+        cut, found = other, again
+    return *cut, found
+
+
+def common_cuts(
+    a: FlatContour, b: FlatContour, solved: tuple[FlatContour, FlatContour], found: Correspondence
+) -> tuple[FlatContour, FlatContour]:
+    """Cut each contour where the other has a vertex, by a correspondence of the same contours with other vertices."""
+    place_a, place_b = _smoothed_path(*solved, found.dots)
+    closed = a.polygon.closed
+    own_a, own_b = (flat.lengths()[: len(flat.polygon.vertices)] for flat in (a, b))
+    return a.cut_at(_along(own_b, place_b, place_a, closed)), b.cut_at(
+        _along(own_a, place_a, place_b, closed)
+    )
+
+
+def _smoothed_path(a: FlatContour, b: FlatContour, dots: IntArray) -> tuple[FloatArray, FloatArray]:
+    """Return places along both outlines that correspond, without stairs; neither ever falls.
+
+    Between places where both outlines bend the same way, length goes to length evenly: no path stretches less. Let u be
+    the mean of the places of a dot, d how much B is ahead of A there, and w the lesser one of both turns. What d is to
+    be instead, x, has the least sum of ``w (x - d)^2`` over dots and ``EVENNESS (x' - x)^2 / (u' - u)`` over steps.
+    """
+    closed = a.polygon.closed
+    counts = len(a.polygon.vertices), len(b.polygon.vertices)
+    positions = unroll(dots, counts if closed else None)
+    place_a, place_b = (
+        np.interp(positions[:, k] % counts[k], np.arange(len(own)), own) + positions[:, k] // counts[k]
+        for k, own in enumerate((a.lengths(), b.lengths()))
+    )
+    middle, ahead = 0.5 * (place_a + place_b), place_b - place_a
+    turns = [
+        np.asarray(Corners(flat.polygon.vertices, closed).turn)[dots[:, k]] for k, flat in enumerate((a, b))
+    ]
+    weight = np.where(turns[0] * turns[1] > 0.0, np.minimum(*np.abs(turns)), 0.0)
+    steps = np.diff(middle)
+    weight[: len(steps)] += BASE * steps
+    if not closed:
+        weight[[0, -1]] = FIXED
+    smooth = _even_between(ahead[: len(dots)], weight, EVENNESS / steps, closed)
+    if closed:
+        smooth = np.append(smooth, smooth[0])
+    return np.maximum.accumulate(middle - 0.5 * smooth), np.maximum.accumulate(middle + 0.5 * smooth)
+
+
+def _even_between(values: FloatArray, weight: FloatArray, spring: FloatArray, closed: bool) -> FloatArray:
+    """Return numbers x with the least sum of weight (x - values)^2 and spring (x' - x)^2, x' being the next of x.
+
+    Closed, the first follows the last. The matrix is tridiagonal; two corners that a closed one has besides are taken
+    out of it and put back by the formula of Sherman and Morrison.
+    """
+    count = len(values)
+    diagonal = weight.copy()
+    diagonal[: len(spring)] += spring
+    diagonal[1:] += spring[: count - 1]
+    right = weight * values
+    if not closed:
+        return _tridiagonal(diagonal, spring, right)
+    last = float(spring[-1])
+    corner = np.zeros(count)
+    corner[[0, -1]] = 1.0, -1.0  # spring (x_first - x_last)^2 alone
+    diagonal[-1] -= last
+    inside, outside = (_tridiagonal(diagonal, spring[:-1], side) for side in (right, corner))
+    share = last * (inside[0] - inside[-1]) / (1.0 + last * (outside[0] - outside[-1]))
+    return inside - share * outside
+
+
+def _tridiagonal(diagonal: FloatArray, beside: FloatArray, right: FloatArray) -> FloatArray:
+    """Solve a symmetric, diagonally dominant system whose other elements are minus `beside`."""
+    pivots, values = diagonal.tolist(), right.tolist()
+    for k, spring in enumerate(beside.tolist()):
+        share = spring / pivots[k]
+        pivots[k + 1] -= share * spring
+        values[k + 1] += share * values[k]
+    values[-1] /= pivots[-1]
+    for k in range(len(beside) - 1, -1, -1):
+        values[k] = (values[k] + beside[k] * values[k + 1]) / pivots[k]
+    return np.array(values)
+
+
+def _along(places: FloatArray, known: FloatArray, partners: FloatArray, closed: bool) -> FloatArray:
+    """Return the partners of places on an outline, where some and their partners are known, rising."""
+    if closed:
+        places = known[0] + (places - known[0]) % 1.0
+    return np.interp(places, known, partners)
+
+
+def _apart(places: FloatArray, least: float) -> IntArray:
+    """Return the numbers of rising places that lie further than `least` from the one before that is kept."""
+    kept: list[int] = []
+    last = -np.inf
+    for k, place in enumerate(places.tolist()):
+        if place - last > least:
+            kept.append(k)
+            last = place
+    return np.array(kept, np.intp)
