@@ -23,7 +23,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser docs-check lint type fmt golden fuzz bench bench-quality bench-truth sweep worst pictures gallery plots options api tables install clean
+.PHONY: help demo test test-browser docs-check lint type fmt golden fuzz bench bench-quality bench-truth bench-morphs sweep worst pictures gallery plots options api tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -99,6 +99,12 @@ TRUTH ?= out/truth
 bench-truth: install ## measure by letters whose in-betweens are known, in the folder TRUTH (out/truth)
 	$(if $(filter out/truth,$(TRUTH)),$(BIN)/python -m tools.quality.truth.letters)
 	$(BIN)/python -m tools.quality.truth $(TRUTH)
+
+MORPHS ?= out/morphs
+OPTIONS ?=
+
+bench-morphs: install ## measure by limbs and morphs whose in-betweens are known, in the folder MORPHS, with OPTIONS of the command
+	$(BIN)/python -m tools.quality.morphs $(MORPHS) $(OPTIONS)
 
 sweep: install ## measure what each constant does and write docs/defaults.json and .md; needs npm
 	$(BIN)/python -m tools.quality.sweep

@@ -22,6 +22,7 @@ from tools.quality.truth.measures import (
     corners,
     corr,
     nearness,
+    reached,
     region,
     strict,
     turns,
@@ -37,7 +38,8 @@ def known(first, last, scale=1.0, shift=0j):
     """A truth that goes straight from one frame to the other."""
     times = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
     frames = [[p + (q - p) * t for p, q in zip(first, last, strict=True)] for t in times]
-    return Truth("", "", "", "", scale, shift, times, frames)
+    along = [np.array([reached(p)[:-1], reached(q)[:-1]]) for p, q in zip(first, last, strict=True)]
+    return Truth("", "", "", "", scale, shift, times, frames, along)
 
 
 def straight(truth):

@@ -1,7 +1,8 @@
-"""The form in which letters and their truth lie in a folder, read and written.
+"""The form in which pairs and their truth lie in a folder, read.
 
 `index.json` lists the pairs. A pair has a folder with `a.svg`, `b.svg` and `truth.json`, which holds the true outlines
-as polygons at five times, vertex for vertex, all in the coordinates of A, and the scale and shift of B's file.
+as polygons at two or more times, vertex for vertex, all in the coordinates of A, and the scale and shift of B's file;
+and how far along the outlines of both files each vertex is.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from tools.quality.scores import Frame
 
 SETS = {"single": "one contour", "multi": "several contours"}
-"""The sets of letters, and what a letter has in each."""
+"""The sets of pairs, and what a shape has in each."""
 
 TIMES = (0.25, 0.5, 0.75)
 """When in-betweens are compared."""
@@ -44,6 +45,11 @@ class Truth(NamedTuple):
         From 0 to 1.
     frames : sequence of frames
         The true outlines at these times, in the coordinates of A.
+    along : sequence of array
+        For each contour how far along A's and B's outlines its vertices are, two rows, as shares of their lengths.
+        Those of B fall where its file goes the other way round.
+    open : bool
+        Whether its outlines are lines with ends.
     """
 
     id: str
@@ -54,6 +60,8 @@ class Truth(NamedTuple):
     shift: complex
     times: np.ndarray
     frames: Sequence[Frame]
+    along: Sequence[np.ndarray]
+    open: bool = False
 
     @property
     def pair(self) -> Pair:
@@ -64,15 +72,22 @@ class Truth(NamedTuple):
         """How much larger than the true in-between one is that goes straight from file to file."""
         return (1.0 - t) + t * self.scale
 
-    def at(self, t: float) -> Frame:
-        """The true in-between of the outlines that lie where the files have them at time t.
+    def own_time(self, t: float) -> float:
+        """The time of the truth at which its in-between lies where the files have it at time t.
 
         Straight from file to file, (1 - t) p + t (scale q + shift) is `size_at(t)` times the blend of p and q at
         another time, t scale / size_at(t), shifted by t shift.
         """
-        own_time = t * self.scale / self.size_at(t)
-        k = min(max(int(np.searchsorted(self.times, own_time)) - 1, 0), len(self.times) - 2)
-        u = (own_time - self.times[k]) / (self.times[k + 1] - self.times[k])
+        return t * self.scale / self.size_at(t)
+
+    def at(self, t: float) -> Frame:
+        """The true in-between of the outlines that lie where the files have them at time t."""
+        return self.at_own(self.own_time(t))
+
+    def at_own(self, time: float) -> Frame:
+        """The true in-between at a time of its own."""
+        k = min(max(int(np.searchsorted(self.times, time)) - 1, 0), len(self.times) - 2)
+        u = (time - self.times[k]) / (self.times[k + 1] - self.times[k])
         return [p + u * (q - p) for p, q in zip(self.frames[k], self.frames[k + 1], strict=True)]
 
     def laid_back(self, frame: Frame, t: float) -> Frame:
@@ -80,7 +95,7 @@ class Truth(NamedTuple):
         return [(contour - t * self.shift) / self.size_at(t) for contour in frame]
 
     def true_links(self) -> list[tuple[np.ndarray, np.ndarray]]:
-        """For each contour its vertices in A's file and where the designer has them in B's."""
+        """For each contour its vertices in A's file and where they belong in B's."""
         ends = zip(self.frames[0], self.frames[-1], strict=True)
         return [(p, self.scale * q + self.shift) for p, q in ends]
 
@@ -118,5 +133,15 @@ def truth(known: dict, a: str, b: str) -> Truth:
     times = sorted(known["frames"], key=float)
     frames = [[np.array(contour) @ [1, 1j] for contour in known["frames"][time]] for time in times]
     laid = known["transform"]
-    shift = complex(laid["dx"], laid["dy"])
-    return Truth(known["id"], known["set"], a, b, laid["scale"], shift, np.array(times, dtype=float), frames)
+    return Truth(
+        known["id"],
+        known["set"],
+        a,
+        b,
+        laid["scale"],
+        complex(laid["dx"], laid["dy"]),
+        np.array(times, dtype=float),
+        frames,
+        [np.array(contour).T for contour in known["pairs"]],
+        known.get("open", False),
+    )

@@ -1,4 +1,4 @@
-"""How near a blend is to the designer's: in its in-betweens, in what goes where, and in its corners."""
+"""How near a blend is to the truth: in its in-betweens, in what goes where, and in its corners."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ WRONG = 0.5
 GROSS = 0.05
 """A correspondence that is off by more than this has missed the shape somewhere."""
 
-PLACES = 2000
+PLACES = 720
 """At so many places of a contour the correspondence is compared."""
 
 SHARP, STILL_SHARP = 30.0, 20.0
@@ -85,7 +85,10 @@ def strict(truth: Truth, frames: Sequence[Frame]) -> float:
 
 def apart(p: Frame, q: Frame) -> float:
     """How much of the area that either covers is not covered by both."""
-    p, q = region(p), region(q)
+    return regions_apart(region(p), region(q))
+
+
+def regions_apart(p: BaseGeometry, q: BaseGeometry) -> float:
     both = p.intersection(q).area
     either = p.area + q.area - both
     return 1.0 - both / either if either else 1.0
@@ -103,31 +106,38 @@ def corr(truth: Truth, links: Sequence[tuple[np.ndarray, np.ndarray]]) -> float:
     errors: list[list[float]] = [[] for _ in true]
     for p, q in links:
         here, there = _nearest(p, [a for a, _ in true]), _nearest(q, [b for _, b in true])
-        errors[here].append(_error(p, q, *true[here]) if here == there else WRONG)
+        errors[here].append(_error(p, q, true[here], truth.along[here]) if here == there else WRONG)
     means = [np.mean(found) if found else WRONG for found in errors]
-    return float(np.average(means, weights=[_ring(a).length for a, _ in true]))
+    return float(np.average(means, weights=[ring(a).length for a, _ in true]))
 
 
 def _nearest(points: np.ndarray, contours: Sequence[np.ndarray]) -> int:
     """The contour that points lie on."""
     places = shapely.points(points.real, points.imag)
-    return int(np.argmin([shapely.distance(_ring(contour), places).mean() for contour in contours]))
+    return int(np.argmin([shapely.distance(ring(contour), places).mean() for contour in contours]))
 
 
-def _error(p: np.ndarray, q: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
+def _error(p: np.ndarray, q: np.ndarray, true: tuple[np.ndarray, np.ndarray], along: np.ndarray) -> float:
     """How far along b the points of a arrive from where they should, when p goes to q; as a share of b."""
-    ring_a, ring_b = _ring(a), _ring(b)
-    u, v = (_along(ring, points) for ring, points in ((ring_a, p), (ring_b, q)))
-    true_u, true_v = reached(a), reached(b)
+    u, v = (_along(points, *known) for points, *known in zip((p, q), true, along, strict=True))
+    true_u, true_v = map(_once_round, along)
     places = (np.arange(PLACES) + 0.5) / PLACES
     off = _arrival(u, v, places) - _arrival(true_u, true_v, places)
     return float(np.abs(off - np.round(off)).mean())
 
 
-def _along(ring: shapely.LineString, points: np.ndarray) -> np.ndarray:
-    """How far round a ring the places nearest to points are, once round being 1; the first again at the end."""
-    found = shapely.line_locate_point(ring, shapely.points(points.real, points.imag), normalized=True)
+def _along(points: np.ndarray, contour: np.ndarray, shares: np.ndarray) -> np.ndarray:
+    """How far round a contour the places nearest to points are, once round being 1; the first again at the end."""
+    located = shapely.line_locate_point(
+        ring(contour), shapely.points(points.real, points.imag), normalized=True
+    )
+    found = np.interp(located, reached(contour), _once_round(shares))
     return np.unwrap(np.append(found, found[0]), period=1.0)
+
+
+def _once_round(shares: np.ndarray) -> np.ndarray:
+    """How far round vertices are, and the first of them again at the end."""
+    return np.append(shares, shares[0] + np.sign(shares[-1] - shares[0]))
 
 
 def reached(contour: np.ndarray) -> np.ndarray:
@@ -144,9 +154,12 @@ def _arrival(u: np.ndarray, v: np.ndarray, places: np.ndarray) -> np.ndarray:
     return np.interp(u[0] + (places - u[0]) % 1.0, u, v)
 
 
-def _ring(contour: np.ndarray) -> shapely.LineString:
-    around = np.append(contour, contour[0])
-    return shapely.LineString(np.column_stack([around.real, around.imag]))
+def ring(contour: np.ndarray) -> shapely.LineString:
+    return line(np.append(contour, contour[0]))
+
+
+def line(points: np.ndarray) -> shapely.LineString:
+    return shapely.LineString(np.column_stack([points.real, points.imag]))
 
 
 def corners(truth: Truth, middle: Frame) -> float | None:
