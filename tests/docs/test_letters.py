@@ -7,6 +7,7 @@ from tools.quality.peers import shapeblend
 from tools.quality.truth import letters
 from tools.quality.truth.form import TIMES, load
 from tools.quality.truth.measures import apart, strict
+from tools.quality.truth.write import centred
 
 
 def test_letters_of_fonts(fonts):
@@ -15,7 +16,7 @@ def test_letters_of_fonts(fonts):
         assert len(found) == each * len(letters.FAMILIES)
         for one in found:
             assert (len(one.frames[0]) == 1) == (name == "single")
-            assert apart(*letters._centred(one.frames[0], one.frames[-1])) >= letters.DIFFERENT
+            assert apart(*centred(one.frames[0], one.frames[-1])) >= letters.DIFFERENT
             straight = [[p + (q - p) * t for p, q in one.true_links()] for t in TIMES]
             assert strict(one, straight) < 3 * letters.EVEN
             assert len(shapeblend.drawn(one.b)) == len(one.frames[0])

@@ -1,4 +1,4 @@
-"""Scores beside a known truth, on made-up shapes with known answers; and letters as the form has them."""
+"""Scores beside a known truth, on made-up shapes with known answers; and pairs written in the form."""
 
 import json
 import shutil
@@ -11,9 +11,7 @@ from shapeblend_cli.geometry.polygons import signed_area
 from tools.quality.peers import ALL, arc_length, shapeblend
 from tools.quality.scores import area
 from tools.quality.truth import __main__ as command
-from tools.quality.truth import letters
 from tools.quality.truth.form import TIMES, Linked, Truth, truth
-from tools.quality.truth.letters import Letter
 from tools.quality.truth.measures import (
     GROSS,
     NO_ANSWER,
@@ -27,6 +25,7 @@ from tools.quality.truth.measures import (
     strict,
     turns,
 )
+from tools.quality.truth.write import LEAST_PIECES, Morph, _svg, is_plain, pair
 
 SQUARE = np.array([0, 10, 10 + 10j, 10j])
 WIDE = SQUARE.real * 2 + 1j * SQUARE.imag
@@ -157,7 +156,7 @@ def test_no_answer_is_as_far_off_as_can_be():
     assert (NO_ANSWER.strict, NO_ANSWER.corr, NO_ANSWER.corners) == (1.0, 0.5, 0.0)
 
 
-def made(name="made", contours=(SQUARE, HOLE)):
+def made(contours=(SQUARE, HOLE)):
     """A letter of straight sides and one curve, that gets wider."""
 
     def outline(t):
@@ -165,12 +164,13 @@ def made(name="made", contours=(SQUARE, HOLE)):
         sides[0][1] = np.insert(sides[0][1], 1, 13 + 5j)
         return [[side.real * (1 + t) + 1j * side.imag for side in contour] for contour in sides]
 
-    return Letter(name, "x", "wdth", [outline(t) for t in letters.TIMES])
+    times = (0.0, 0.25, 0.5, 0.75, 1.0)
+    return Morph({"family": "made"}, times, [outline(t) for t in times])
 
 
 @pytest.mark.parametrize("label", ["one", "two", "three", "four"])
 def test_a_letter_is_written_in_the_form(label):
-    what, *files = letters.pair(made(), label, "multi")
+    what, *files = pair(made(), label, "multi")
     one = truth(json.loads(json.dumps(what)), *files)
     drawn = [[signed_area(c) for c in shapeblend.drawn(text)] for text in (one.a, one.b)]
     for side, links in zip(drawn, zip(*one.true_links(), strict=True), strict=True):
@@ -185,16 +185,16 @@ def test_a_letter_is_written_in_the_form(label):
 
 
 def test_files_give_nothing_away():
-    pairs = [letters.pair(made(), str(number), "multi")[0] for number in range(40)]
-    assert {pair["reversed"] for pair in pairs} == {True, False}
-    assert {tuple(map(tuple, pair["contour_map"])) for pair in pairs} == {((0, 0), (1, 1)), ((0, 1), (1, 0))}
-    assert len({round(pair["pairs"][0][0][1], 2) % 1 for pair in pairs}) > 4
-    assert len({pair["transform"]["scale"] for pair in pairs}) == 40
+    every = [pair(made(), str(number), "multi")[0] for number in range(40)]
+    assert {one["reversed"] for one in every} == {True, False}
+    assert {tuple(map(tuple, one["contour_map"])) for one in every} == {((0, 0), (1, 1)), ((0, 1), (1, 0))}
+    assert len({round(one["pairs"][0][0][1], 2) % 1 for one in every}) > 4
+    assert len({one["transform"]["scale"] for one in every}) == 40
 
 
 def test_what_goes_where_is_told_from_the_start_of_the_file():
     for number in range(20):
-        what, a, b = letters.pair(made(contours=[SQUARE]), str(number), "single")
+        what, a, b = pair(made(contours=[SQUARE]), str(number), "single")
         one = truth(what, a, b)
         (q,), (along,) = shapeblend.drawn(b), what["pairs"]
         (_, there), *_ = one.true_links()
@@ -214,18 +214,18 @@ def test_what_goes_where_is_told_from_the_start_of_the_file():
     ],
 )
 def test_letters_that_rules_fill_differently_are_known(frame, plain):
-    assert letters._is_plain(frame) is plain
+    assert is_plain(frame) is plain
 
 
 def test_curves_stay_near_their_polygons_and_lines_are_written_as_lines():
     one = made()
-    assert len(one.frames[0][0]) >= 3 + letters.LEAST_PIECES
+    assert len(one.frames[0][0]) >= 3 + LEAST_PIECES
     assert all(len(p) == len(q) for p, q in zip(one.frames[0], one.frames[-1], strict=True))
-    assert letters._svg([[np.array([0, 5, 10]), np.array([10, 10j]), np.array([10j, 5j, 0])]]).count("Q") == 0
+    assert _svg([[np.array([0, 5, 10]), np.array([10, 10j]), np.array([10j, 5j, 0])]]).count("Q") == 0
 
 
 def test_the_command_measures_a_folder(monkeypatch, tmp_path, capsys):
-    what, a, b = letters.pair(made(), "x", "multi")
+    what, a, b = pair(made(), "x", "multi")
     place = tmp_path / "multi" / "x"
     place.mkdir(parents=True)
     for name, text in (("a.svg", a), ("b.svg", b), ("truth.json", json.dumps(what))):
