@@ -104,6 +104,7 @@ MORPHS ?= out/morphs
 OPTIONS ?=
 
 bench-morphs: install ## measure by limbs and morphs whose in-betweens are known, in the folder MORPHS, with OPTIONS of the command
+	$(if $(filter out/morphs,$(MORPHS)),$(BIN)/python -m tools.quality.morphs.make)
 	$(BIN)/python -m tools.quality.morphs $(MORPHS) $(OPTIONS)
 
 sweep: install ## measure what each constant does and write docs/defaults.json and .md; needs npm

@@ -3,6 +3,7 @@
 import pytest
 
 from tests.support.equipment import require
+from tools.quality.morphs import make
 from tools.quality.truth import letters
 
 
@@ -18,3 +19,11 @@ def fonts():
     require("fonts")
     letters.make(letters.FOLDER)
     return letters.FOLDER
+
+
+@pytest.fixture(scope="session")
+def morphs():
+    """The folder with limbs and morphs, made anew."""
+    require("morphs")
+    make.make(make.FOLDER)
+    return make.FOLDER

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tools.quality.morphs import packages
 from tools.quality.npm import install
 from tools.quality.peers import flubber
 from tools.quality.truth import letters
@@ -25,6 +26,7 @@ EQUIPMENT = {
     "lottie-web": lambda: install(PLAYER, INSTALLED),
     "flubber": flubber.ready,
     "fonts": letters.ready,
+    "morphs": packages.ready,
 }
 """For each program a function that makes it ready, and returns None, or why it cannot."""
 

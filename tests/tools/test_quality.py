@@ -10,6 +10,7 @@ from PIL import Image
 from tools.quality import __main__ as quality
 from tools.quality import crossings, data, motions, npm, raw, sizes, tables, times, worst
 from tools.quality.data import Pair, icon_pairs, polygon, subpaths
+from tools.quality.morphs import packages
 from tools.quality.motions import Choice, choice
 from tools.quality.peers import ALL, Tool, arc_length, flubber, shapeblend
 from tools.quality.scores import STEPS, Score, area, area_share, is_crossed, is_overlapping, score
@@ -341,7 +342,9 @@ def test_npm_is_not_asked_where_it_is_not(monkeypatch, tmp_path):
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.parametrize("folder", [flubber.HERE, letters.HERE], ids=lambda folder: folder.name)
+@pytest.mark.parametrize(
+    "folder", [flubber.HERE, letters.HERE, packages.HERE], ids=lambda folder: folder.name
+)
 def test_what_npm_installs_is_locked_by_its_contents_alone(folder):
     lock = json.loads((folder / "package-lock.json").read_text(encoding="utf-8"))
     asked = json.loads((folder / "package.json").read_text(encoding="utf-8"))["dependencies"]

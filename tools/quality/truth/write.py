@@ -80,11 +80,11 @@ def _pieces(segment: np.ndarray) -> int:
 
 
 def _polygon(contour: Segments, counts: Sequence[int]) -> np.ndarray:
-    points = [_at(segment, np.arange(count) / count) for segment, count in zip(contour, counts, strict=True)]
+    points = [at(segment, np.arange(count) / count) for segment, count in zip(contour, counts, strict=True)]
     return np.round(np.concatenate(points), 3)
 
 
-def _at(segment: np.ndarray, u: np.ndarray) -> np.ndarray:
+def at(segment: np.ndarray, u: np.ndarray) -> np.ndarray:
     """Points of a segment, by blending its control points again and again."""
     points = segment[:, None] + 0.0 * u
     while len(points) > 1:
