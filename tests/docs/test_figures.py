@@ -10,6 +10,7 @@ from tools import solver_table
 from tools.quality import __main__ as quality
 from tools.quality import crossings, letters, motions, raw, sizes, sweep, times
 from tools.quality.data import ROOT, SETS, icon_pairs
+from tools.quality.morphs import section as limbs
 from tools.quality.motions import Choice
 from tools.quality.peers import ALL, arc_length, flubber, shapeblend
 from tools.quality.scores import STEPS, Score
@@ -24,7 +25,11 @@ TOOLS = {tool.name: tool for tool in ALL}
 
 MEASURED = (shapeblend.NAME, arc_length.NAME, flubber.NAME, flubber.COARSE)
 
-EVERY = {"icons": {"single": 40, "whole": 20}, "letters": {"single": 10, "multi": 8}}
+EVERY = {
+    "icons": {"single": 40, "whole": 20},
+    "letters": {"single": 10, "multi": 8},
+    "morphs": dict(zip(limbs.SETS, (8, 10, 2), strict=True)),
+}
 """One pair in so many is measured anew."""
 SWEPT_EVERY = 12
 SOLVED_NEAR = {"rel": 1e-3, "abs": 1e-6}
@@ -57,7 +62,9 @@ def test_every_pair_has_its_scores():
         assert list(FOUND["icons"][name]["scores"]) == list(TOOLS)
     for name in form.SETS:
         assert list(FOUND["letters"][name]["scores"]) == [tool.name for tool in ALL if tool.linked]
-    for kept in [*FOUND["icons"].values(), *FOUND["letters"].values()]:
+    for what in limbs.SETS:
+        assert list(FOUND["morphs"][what]["scores"]) == [tool.name for tool in ALL if tool.linked]
+    for kept in [*FOUND["icons"].values(), *FOUND["letters"].values(), *FOUND["morphs"].values()]:
         columns = [column for scores in kept["scores"].values() for column in scores.values()]
         assert {len(column) for column in columns} == {len(kept["pairs"])}
     assert {len(column) for column in SOLVED["icons"].values()} == {len(SINGLE)}
@@ -107,6 +114,18 @@ def test_letters_measured_anew(name, tool, fonts):
     same(Nearness, scores, FOUND["letters"][name]["scores"][tool], numbers)
 
 
+@pytest.mark.parametrize("what", limbs.SETS)
+@pytest.mark.parametrize("tool", MEASURED)
+def test_limbs_and_morphs_measured_anew(what, tool, morphs):
+    require_for(tool)
+    numbers = chosen("morphs", what)
+    split, name = limbs.SETS[what]
+    truths = list(form.load(morphs / split, name))
+    assert [truth.id for truth in truths] == FOUND["morphs"][what]["pairs"]
+    scores = letters.scored(TOOLS[tool], [truths[k] for k in numbers])
+    same(Nearness, scores, FOUND["morphs"][what]["scores"][tool], numbers)
+
+
 def test_times_are_of_commands_that_write_what_they_should(node, tmp_path):
     pair = icon_pairs("single")[0]
     times.ours(pair, str(tmp_path))
@@ -117,30 +136,36 @@ def test_times_are_of_commands_that_write_what_they_should(node, tmp_path):
     assert [frame[0] for frame in json.loads(line)["frames"]] == ["M"] * (STEPS - 1)
 
 
-def test_every_option_has_its_values_and_one_default():
-    assert {option: tuple(values) for option, values in SWEPT.items()} == sweep.OPTIONS
-    for option, values in SWEPT.items():
-        rows = [sweep.row(option, value, sweep.Found(**scores)) for value, scores in values.items()]
-        assert sum(row[1].startswith("**") for row in rows) == 1, option
+def test_every_setting_was_swept_and_every_option_has_one_default():
+    assert list(SWEPT) == list(sweep.settings())
+    for key in sweep.options():
+        rows = [sweep.row(SWEPT, key, value) for value in sweep.values(key)]
+        assert sum(row[1].startswith("**") for row in rows) == 1, key
 
 
-@pytest.mark.parametrize(("option", "value"), [("mb", "3"), ("kb", "0")])
-def test_defaults_measured_anew(option, value, fonts):
-    truths = [truth for name in form.SETS for truth in form.load(fonts, name)][::SWEPT_EVERY]
-    found = sweep.scored(option, value, truths, SINGLE[:: sweep.EVERY][::SWEPT_EVERY])
-    told = sweep.Found(**SWEPT[option][value])
-    for column, values in found._asdict().items():
-        assert values == pytest.approx(getattr(told, column)[::SWEPT_EVERY], abs=2e-3), column
+@pytest.mark.parametrize("number", [0, 2, -1])
+def test_defaults_measured_anew(number, fonts, morphs):
+    name, setting = list(sweep.settings().items())[number]
+    truths = {
+        of: [truth for set_ in form.SETS for truth in form.load(folder, set_)][:: sweep.EVERY[of]]
+        for of, folder in sweep.FOLDERS.items()
+    }
+    few = {of: some[::SWEPT_EVERY] for of, some in truths.items()}
+    found = sweep.scored(setting, few, SINGLE[:: sweep.EVERY["icons"]][::SWEPT_EVERY])
+    for of, kinds in found.items():
+        for kind, values in kinds.items():
+            assert values == pytest.approx(SWEPT[name][of][kind][::SWEPT_EVERY], abs=2e-3), (of, kind)
 
 
 def test_defaults_are_near_the_best():
-    """No other value of an option is much nearer to the letters without crossing more icons."""
-    for option, values in SWEPT.items():
-        default = sweep.Found(**values[sweep.default_of(option)])
-        for value, scores in values.items():
-            other = sweep.Found(**scores)
-            better = np.mean(other.strict) < 0.6 * np.mean(default.strict)
-            assert not better or sum(other.crossed) > sum(default.crossed), (option, value)
+    """No other setting is much nearer to the truth on all sets without crossing more icons."""
+    default = SWEPT[""]
+    for name, other in SWEPT.items():
+        shares = [np.mean(other[of]["corr"]) / np.mean(default[of]["corr"]) for of in sweep.FOLDERS]
+        crossed = [
+            sum(found["icons"]["crossed"]) + sum(found["icons"]["little"]) for found in (other, default)
+        ]
+        assert max(shares) > 0.8 or crossed[0] > crossed[1], name
 
 
 @pytest.mark.parametrize("number", range(0, len(SINGLE), 16))

@@ -276,7 +276,7 @@ def test_figures_are_replaced_and_nothing_else():
 
 
 def test_without_node_the_rest_is_measured_and_the_document_says_so(monkeypatch, tmp_path, capsys):
-    for module in (flubber, letters):
+    for module in (flubber, letters, packages):
         monkeypatch.setattr(module, "install", lambda *what: "node and npm are not there")
     small = {name: sorted(icon_pairs(name), key=lambda pair: len(pair.a + pair.b)) for name in data.SETS}
     few = {"single": small["single"][:2], "whole": small["whole"][:1]}
@@ -295,6 +295,7 @@ def test_without_node_the_rest_is_measured_and_the_document_says_so(monkeypatch,
     readme, document = once = files()
     assert f"Not measured: {flubber.NAME} (node and npm are not there)." in document
     assert "Not measured: letters (node and npm are not there)." in document
+    assert "Not measured: limbs and morphs (node and npm are not there)." in document
     assert f"| {flubber.NAME}" not in document
     assert "| one contour | shapeblend | 2 | 2 |" in document
     assert "| one contour | shapeblend --motion safe | 2 | 2 |" in document

@@ -11,6 +11,8 @@ import sys
 
 from tools.quality import crossings, letters, motions, raw, sizes, tables, times
 from tools.quality.data import ROOT
+from tools.quality.morphs import make, packages
+from tools.quality.morphs import section as morphs
 from tools.quality.peers import ALL, flubber
 from tools.quality.truth import letters as fonts
 
@@ -23,17 +25,21 @@ def measured() -> dict:
     tools = [tool for tool in ALL if problems[tool.name] is None]
     with_flubber = problems[flubber.NAME] is None
     problems["letters"] = fonts.ready()
+    problems["limbs and morphs"] = packages.ready()
     missing = [f"{what} ({problem})" for what, problem in problems.items() if problem is not None]
     for line in missing:
         print(f"left out: {line}", file=sys.stderr)
 
     if problems["letters"] is None:
         fonts.make(fonts.FOLDER)
+    if problems["limbs and morphs"] is None:
+        make.make(make.FOLDER)
     icons = crossings.measured(tools)
     return {
         "tools": [tool.name for tool in tools if tool.brief],
         "missing": missing,
         "letters": {} if problems["letters"] else letters.measured(tools),
+        "morphs": {} if problems["limbs and morphs"] else morphs.measured(tools),
         "icons": icons,
         "motions": motions.measured(),
         "sizes": sizes.measured(icons, with_flubber),
@@ -43,8 +49,15 @@ def measured() -> dict:
 
 def documents(found: dict, readme: str) -> dict[str, str]:
     """What the scores make of the README, and docs/quality.md."""
-    measures = {"letters": letters, "icons": crossings, "motions": motions, "sizes": sizes, "times": times}
-    sections = [measure.section(found[name]) for name, measure in measures.items() if found[name]]
+    measures = {
+        "letters": letters,
+        "morphs": morphs,
+        "icons": crossings,
+        "motions": motions,
+        "sizes": sizes,
+        "times": times,
+    }
+    sections = [measure.section(found[name]) for name, measure in measures.items() if found.get(name)]
     figures = tables.short(sections, found["tools"], found["missing"])
     return {README: tables.with_figures(readme, figures), QUALITY: tables.document(figures, sections)}
 

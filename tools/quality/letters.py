@@ -82,23 +82,23 @@ def section(found: dict) -> Section:
     rows, brief = [], {}
     for name, what in SETS.items():
         for tool, scores in found[name]["scores"].items():
-            cells = _cells(raw.records(Nearness, scores))
-            rows.append([what, tool, *cells])
-            count, between, _, along, _, gross, _, corners, _ = cells
-            for told, cell in (
+            told = cells(raw.records(Nearness, scores))
+            rows.append([what, tool, *told])
+            count, between, _, along, _, gross, _, corners, _ = told
+            for line, cell in (
                 (f"{count} letters of {what}: what an in-between misses of the designer's, median", between),
                 (ALONG, along),
                 (GROSSLY, gross),
                 ("... corners kept", corners),
             ):
-                brief.setdefault((name, told), {})[tool] = cell
+                brief.setdefault((name, line), {})[tool] = cell
     del brief["multi", ALONG]
     return Section(
         "Letters", TEXT, Table(HEADER, rows), [(told, cells) for (_, told), cells in brief.items()]
     )
 
 
-def _cells(scores: list[Nearness]) -> list[str]:
+def cells(scores: list[Nearness]) -> list[str]:
     """What the table says of one tool."""
     columns = Nearness(*zip(*scores, strict=True))
     corners = [kept for kept in columns.corners if kept is not None]
