@@ -107,7 +107,7 @@ bench-morphs: install ## measure by limbs and morphs whose in-betweens are known
 	$(if $(filter out/morphs,$(MORPHS)),$(BIN)/python -m tools.quality.morphs.make)
 	$(BIN)/python -m tools.quality.morphs $(MORPHS) $(OPTIONS)
 
-sweep: install ## measure what each constant does and write docs/defaults.json and .md; needs npm
+sweep: install ## measure what the constants do, each and jointly, and write docs/defaults.json and .md; needs npm
 	$(BIN)/python -m tools.quality.sweep
 
 worst: install ## draw what straight paths do worst, beside the motion that is chosen: out/worst.png
