@@ -1,18 +1,21 @@
 """Section 2: how an angle moves, against theta(t) sampled densely."""
 
 import itertools
+import sys
 
+import hypothesis
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.constants import WorkConstants
-from shapeblend_cli.matching import angles
+from shapeblend_cli.constants import PAPER, WorkConstants
+from shapeblend_cli.matching import angles, work
 from shapeblend_cli.matching.steps import BEND_OF_STEPS, MOVES, NO_BEND
-from shapeblend_cli.matching.tables import Window
+from shapeblend_cli.matching.work import Wires
 from tests.support import oracle
 from tests.support.shapes import random_polygon
+from tests.support.strategies import rngs
 
 edge = st.builds(
     lambda r, a: r * np.exp(1j * a), st.floats(0.05, 1.0), st.floats(0.0, 2.0 * np.pi, exclude_max=True)
@@ -91,42 +94,115 @@ def test_nothing_moves_when_the_angle_only_grows():
     assert angles.angle_change(1j, 2j, 4j) == (0.0, 0.0, False)
 
 
-def all_bends(kernel, p0, p1, closed, constants):
+BENDINGS = {
+    "paper": PAPER,
+    "paper, other constants": {**PAPER, "k_b": 0.7, "m_b": 3.0, "e_b": 2.0, "p_b": 50.0},
+    "turn": {"k_t": 0.0, "smoothing": 0.0},
+    "turn, other constants": {"k_t": 0.0, "smoothing": 0.0, "k_b": 0.7, "e_b": 0.5, "p_b": 50.0},
+    "turn, no price of zero": {"k_t": 0.0, "smoothing": 0.0, "p_b": 0.0},
+    "smoothed": {"k_t": 0.0, "smoothing": 0.01},
+    "paper, smoothed": {"bending": "paper", "k_t": 0.0, "smoothing": 0.01, "m_b": 2.0},
+    "travel": {"k_b": 0.0, "p_b": 0.0, "k_t": 40.0},
+    "all": {"k_b": 0.7, "e_b": 2.0, "p_b": 3.0},
+}
+either_bending = pytest.mark.parametrize(
+    "constants", [WorkConstants(**c) for c in BENDINGS.values()], ids=BENDINGS
+)
+
+
+def all_bends(p0, p1, closed, constants, weight=None):
     """The seven bends of every pair of corners, (m, n, 7)."""
-    m, n = len(p0), len(p1)
-    bends = np.empty((m * n, 7))
-    bending = kernel.Bending(constants.k_b, constants.m_b, constants.e_b, constants.p_b)
-    corners = kernel.Corners(p0, closed), kernel.Corners(p1, closed)
-    kernel.fill_bends(*corners, bending, np.arange(m), np.ones(m), Window.full(m, n), bends)
-    return bends.reshape(m, n, 7)
+    return Wires(p0, p1, closed, constants, weight).tables().bends.reshape(len(p0), len(p1), 7)
 
 
+@either_bending
 @pytest.mark.parametrize("closed", [True, False])
-def test_every_bend_of_a_graph_agrees_with_the_oracle(rng, closed):
-    for constants in (WorkConstants(), WorkConstants(k_b=0.7, m_b=3.0, e_b=2.0, p_b=50.0)):
-        for m, n in ((3, 4), (5, 3), (6, 6)):
-            p0, p1 = random_polygon(rng, m), random_polygon(rng, n)
-            bends = all_bends(angles, p0, p1, closed, constants)
-            expected = oracle.Oracle(p0, p1, closed, constants)
-            for (step_in, step_out), kind in np.ndenumerate(BEND_OF_STEPS):
-                if kind == NO_BEND:
-                    continue
-                moves_in, moves_out = MOVES[step_in], MOVES[step_out]
-                # No step leads over the end of an open wire.
-                columns, rows = (
-                    range(k) if closed else range(move_in, k - move_out)
-                    for k, move_in, move_out in zip((m, n), moves_in, moves_out, strict=True)
-                )
-                for i, j in itertools.product(columns, rows):
-                    work = expected.bend(i, j, moves_in, moves_out)
-                    assert bends[i, j, kind] == pytest.approx(work, rel=2e-3, abs=2e-3)
+def test_every_bend_of_a_graph_agrees_with_the_oracle(rng, closed, constants):
+    for m, n in ((3, 4), (5, 3), (6, 6)):
+        p0, p1, weight = random_polygon(rng, m), random_polygon(rng, n), rng.choice([0.5, 1.0, 2.0], m)
+        bends = all_bends(p0, p1, closed, constants, weight)
+        expected = oracle.Oracle(p0, p1, closed, constants, weight)
+        for (step_in, step_out), kind in np.ndenumerate(BEND_OF_STEPS):
+            if kind == NO_BEND:
+                continue
+            moves_in, moves_out = MOVES[step_in], MOVES[step_out]
+            # No step leads over the end of an open wire.
+            columns, rows = (
+                range(k) if closed else range(move_in, k - move_out)
+                for k, move_in, move_out in zip((m, n), moves_in, moves_out, strict=True)
+            )
+            for i, j in itertools.product(columns, rows):
+                if not closed and (i, j) in ((0, 0), (m - 1, n - 1)):
+                    continue  # where a path of open wires starts and ends, it has no angle
+                work = expected.bend(i, j, moves_in, moves_out)
+                assert bends[i, j, kind] == pytest.approx(work, rel=2e-3, abs=2e-3)
 
 
-def test_compiled_and_uncompiled_kernels_agree_to_the_bit(rng, load_uncompiled):
-    assert angles.COMPILED
-    uncompiled = load_uncompiled("shapeblend_cli.matching.angles")
-    assert not uncompiled.COMPILED
-    for m, n, constants in ((7, 9, WorkConstants()), (12, 5, WorkConstants(k_b=0.3, e_b=0.5, m_b=4.0))):
-        p, q = random_polygon(rng, m), random_polygon(rng, n)
-        tables = [all_bends(kernel, p, q, True, constants) for kernel in (angles, uncompiled)]
-        np.testing.assert_array_equal(*tables)
+@given(rngs, st.integers(3, 9), st.integers(3, 9), st.booleans())
+def test_what_is_outside_the_paper_is_what_its_formulas_say(rng, m, n, closed):
+    """Changes of turn, without an angle being followed; travel, dot by dot."""
+    p, q = random_polygon(rng, m), random_polygon(rng, n)
+    turn0, turn1 = (np.asarray(angles.Corners(z, closed).turn)[:, None, None] for z in (p, q))
+    turn1 = turn1.transpose(1, 0, 2)
+    changes = [
+        turn0,
+        turn0 - turn1 / 2,
+        turn0 - turn1 / 2,
+        turn1,
+        turn1 - turn0 / 2,
+        turn1 - turn0 / 2,
+        turn0 - turn1,
+    ]
+    expected = np.concatenate([abs(change) + np.zeros((m, n, 1)) for change in changes], axis=2)
+    if not closed:
+        expected[0, 0] = expected[-1, -1] = 0.0
+    found = all_bends(p, q, closed, WorkConstants(p_b=0.0, k_t=0.0, smoothing=0.0))
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
+
+
+grid_points = st.builds(complex, st.integers(0, 3), st.integers(0, 3))
+
+
+@st.composite
+def grid_polygons(draw):
+    """Polygons of whole numbers: spikes, right angles, half turns, opposite edges, all of them exactly."""
+    z = draw(st.lists(grid_points, min_size=3, max_size=7))
+    hypothesis.assume(all(a != b for a, b in zip(z, z[1:] + z[:1], strict=True)))
+    return np.array(z)
+
+
+@hypothesis.settings(max_examples=400)
+@given(grid_polygons() | st.builds(random_polygon, rngs, st.integers(3, 9)), grid_polygons(), st.booleans())
+def test_by_turning_an_angle_of_zero_is_what_it_is_along_straight_paths_to_the_bit(p, q, closed):
+    for one, other in ((p, q), (q, p)):
+        paper = all_bends(one, other, closed, WorkConstants(**PAPER, k_b=0.0, p_b=0.7))
+        turn = all_bends(one, other, closed, WorkConstants(k_b=0.0, p_b=0.7, k_t=0.0, smoothing=0.0))
+        np.testing.assert_array_equal(turn, paper)
+
+
+@hypothesis.settings(max_examples=400)
+@given(rngs, st.integers(3, 12), st.integers(3, 12), st.booleans())
+def test_by_turning_any_angle_of_zero_is_what_it_is_along_straight_paths(rng, m, n, closed):
+    p, q = random_polygon(rng, m), random_polygon(rng, n)
+    paper = all_bends(p, q, closed, WorkConstants(**PAPER, k_b=0.0, p_b=1.0))
+    turn = all_bends(p, q, closed, WorkConstants(k_b=0.0, p_b=1.0, k_t=0.0, smoothing=0.0))
+    np.testing.assert_array_equal(turn, paper)
+
+
+@either_bending
+def test_compiled_and_uncompiled_kernels_agree_to_the_bit(rng, load_uncompiled, monkeypatch, constants):
+    kernels = {
+        "angles": ["Corners", "PaperBending", "TurnBending", "fill_bends"],
+        "travel": ["Stations", "add_travel"],
+    }
+    p, q, weight = random_polygon(rng, 12), random_polygon(rng, 7), rng.choice([0.5, 1.0, 2.0], 12)
+    compiled = [all_bends(p, q, closed, constants, weight) for closed in (True, False)]
+    for kernel, names in kernels.items():
+        source = load_uncompiled(f"shapeblend_cli.matching.{kernel}")
+        assert source.__file__.endswith(".py")
+        for name in names:
+            assert not sys.modules[getattr(work, name).__module__].__file__.endswith(".py")
+            monkeypatch.setattr(work, name, getattr(source, name))
+    again = [all_bends(p, q, closed, constants, weight) for closed in (True, False)]
+    for one, other in zip(compiled, again, strict=True):
+        np.testing.assert_array_equal(one, other)

@@ -18,9 +18,9 @@ def bend(p, q, i, j, kind):
     """delta_theta in degrees, delta_theta_star in degrees, and whether theta reaches zero."""
     corners = angles.Corners(p, True), angles.Corners(q, True)
     dot = Window.between(np.array([j]), np.array([j]))
-    bends = np.empty((3, 1, 7))
+    bends = np.zeros((3, 1, 7))
     for work, (k_b, m_b, p_b) in zip(bends, ((1, 0, 0), (1, 1, 0), (0, 0, 1)), strict=True):
-        bending = angles.Bending(k_b, m_b, 1.0, p_b)
+        bending = angles.PaperBending(k_b, m_b, 1.0, p_b)
         angles.fill_bends(*corners, bending, np.array([i]), np.ones(1), dot, work)
     delta, with_star, zero = bends[:, 0, kind]
     return np.degrees(delta), np.degrees(with_star - delta), zero > 0

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from shapeblend_cli.constants import WorkConstants
+from shapeblend_cli.constants import PAPER, WorkConstants
 from shapeblend_cli.matching.work import Wires
 
 # Both blends leave the right angle at vertex 0 and the legs 0-1 and 3-4 as they are. In figure 23 the third
@@ -27,7 +27,7 @@ def equation_19(k_s, k_b, e_s, e_b, c_s):
 
 @pytest.mark.parametrize(("k_s", "k_b", "work"), [(0.5, 0.5, 1.914), (0.4, 0.6, 2.159)])
 def test_blend_1(k_s, k_b, work):
-    constants = WorkConstants(k_s=k_s, k_b=k_b, e_s=1, e_b=1, c_s=0.5)
+    constants = WorkConstants(**PAPER, k_s=k_s, k_b=k_b, e_s=1, e_b=1, c_s=0.5)
     priced = Wires(TRIANGLE_HALVED, SQUARE, True, constants).path_work(BLEND_1)
     assert priced.total == pytest.approx(work, abs=5e-4)
     assert priced.total == pytest.approx(equation_18(k_s, k_b, 1, 1, 0.5), abs=1e-5)
@@ -38,7 +38,7 @@ def test_blend_1(k_s, k_b, work):
 def test_blend_2(k_s, k_b, work):
     # The section's formula has no m_b, and under section 2.2 the two coincident vertices are not monotonic:
     # they start at 135 degrees and pass 112.5 on their way to 90. Hence m_b = 0 here.
-    constants = WorkConstants(k_s=k_s, k_b=k_b, e_s=1, e_b=1, c_s=0.5, m_b=0)
+    constants = WorkConstants(**PAPER, k_s=k_s, k_b=k_b, e_s=1, e_b=1, c_s=0.5, m_b=0)
     priced = Wires(TRIANGLE, SQUARE, True, constants).path_work(BLEND_2)
     assert priced.total == pytest.approx(work, abs=5e-3)
     assert priced.total == pytest.approx(equation_19(k_s, k_b, 1, 1, 0.5), abs=1e-5)
@@ -46,7 +46,7 @@ def test_blend_2(k_s, k_b, work):
 
 @pytest.mark.parametrize(("e_s", "e_b", "c_s"), [(2, 1, 0.5), (1, 2, 0.3), (2, 0.5, 1.0)])
 def test_both_formulas_for_other_exponents(e_s, e_b, c_s):
-    constants = WorkConstants(k_s=0.8, k_b=0.3, e_s=e_s, e_b=e_b, c_s=c_s, m_b=0)
+    constants = WorkConstants(**PAPER, k_s=0.8, k_b=0.3, e_s=e_s, e_b=e_b, c_s=c_s, m_b=0)
     values = 0.8, 0.3, e_s, e_b, c_s
     assert Wires(TRIANGLE_HALVED, SQUARE, True, constants).path_work(BLEND_1).total == pytest.approx(
         equation_18(*values), abs=1e-5

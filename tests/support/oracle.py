@@ -1,11 +1,15 @@
-"""The paper's equations once more, written another way, to test the solver against.
+"""The work of a path once more, written another way, to test the solver against.
 
 Angles are followed by sampling theta(t) densely instead of by extrema and signs, coincident vertices by
 really placing them along a tiny base, and least paths by trying every path from every start. Only inside a
 run of coincident vertices the motion is not sampled: there section 2.2 is read as the pieces Q0 - Q1 - Q2.
+
+What is not in the paper: a wire turns at a vertex as its edges do, those of the tiny base among them; outlines are
+smoothed by the integral of every edge against the Gaussian; travel goes by the edges that move.
 """
 
 from functools import cache
+from math import erf, exp, pi, sqrt
 
 import numpy as np
 
@@ -47,6 +51,44 @@ def base(back, fwd):
     return back / abs(back) * np.exp(-1j * (0.5 * np.pi + 0.5 * alpha))
 
 
+def turn(back, fwd):
+    """How far a wire turns between two edges, in (-pi, pi]."""
+    angle = np.angle(-fwd / back)
+    return np.pi if angle <= -np.pi + 1e-12 else angle
+
+
+def smoothed(p, closed, sigma):
+    """Vertices of an outline that a Gaussian along its length has smoothed, but for a thousandth of the outline.
+
+    Exactly: the edges, on and on in both directions, are straight pieces x + y s of the length s, whose products with
+    the Gaussian have integrals in closed form. Beyond its ends an open outline goes on rotated half a turn.
+    """
+    if closed:
+        around = np.concatenate([p, p, p, p[:1]])
+    else:
+        around = np.concatenate([2 * p[0] - p[:0:-1], p, 2 * p[-1] - p[-2::-1]])
+    first = len(p) if closed else len(p) - 1
+    at = np.append(0.0, np.cumsum(abs(np.diff(around))))
+    width = sigma * (at[first + len(p)] - at[first] if closed else at[first + len(p) - 1] - at[first])
+    smooth = np.zeros(len(p), complex)
+    for k in range(len(p)):
+        u = (at - at[first + k]) / width
+        mass = np.array([0.5 * erf(v / sqrt(2)) for v in u])
+        moment = np.array([-exp(-0.5 * v * v) / sqrt(2 * pi) for v in u])
+        for e in range(len(around) - 1):
+            y = (around[e + 1] - around[e]) / (u[e + 1] - u[e])
+            x = around[e] - y * u[e]
+            smooth[k] += x * (mass[e + 1] - mass[e]) + y * (moment[e + 1] - moment[e])
+    return 0.999 * smooth + 0.001 * p
+
+
+def in_unit_square(p):
+    """Where points are in their box as a square; a box is at least 2 % as wide as high, and as high as wide."""
+    sides = np.array([np.ptp(p.real), np.ptp(p.imag)])
+    width, height = np.maximum(sides, 0.02 * sides.max())
+    return np.array([(p.real - p.real.min()) / width, (p.imag - p.imag.min()) / height]).T
+
+
 def legal_turn(step_in, step_out):
     """Section 4: no 90-degree turns."""
     return {step_in, step_out} != {EAST, SOUTH}
@@ -76,9 +118,11 @@ class Oracle:
         self.m, self.n = len(p0), len(p1)
         self.weight = np.ones(self.m) if weight is None else weight
         self.bend = cache(self._bend)
+        sigma = constants.smoothing
+        self.smooth = [smoothed(p, closed, sigma) for p in self.p] if sigma else self.p
+        self.square = [in_unit_square(p) for p in self.p]
 
-    def _edges(self, side, k, moves_in, moves_out):
-        p = self.p[side]
+    def _edges(self, p, k, moves_in, moves_out):
         back, fwd = p[k - 1] - p[k], p[(k + 1) % len(p)] - p[k]
         if not self.closed and k == 0:
             back = -fwd
@@ -88,13 +132,33 @@ class Oracle:
         return back if moves_in else -d, fwd if moves_out else d
 
     def _bend(self, i, j, step_in, step_out):
-        c = self.constants
-        back0, fwd0 = self._edges(0, i, step_in[0], step_out[0])
-        back1, fwd1 = self._edges(1, j, step_in[1], step_out[1])
+        """All that a dot costs: most of the bending is that of the smoothed outlines, if they are smoothed."""
+        c, travel = self.constants, self._travel(i, j, step_in, step_out)
+        if not c.smoothing:
+            return travel + self._bend_of(self.p, i, j, step_in, step_out, c.p_b)
+        own = self._bend_of(self.p, i, j, step_in, step_out, c.p_b / 0.3)
+        return travel + 0.3 * own + 0.7 * self._bend_of(self.smooth, i, j, step_in, step_out, 0.0)
+
+    def _bend_of(self, polygons, i, j, step_in, step_out, p_b):
+        c, (p, q) = self.constants, polygons
+        back0, fwd0 = self._edges(p, i, step_in[0], step_out[0])
+        back1, fwd1 = self._edges(q, j, step_in[1], step_out[1])
         inside_run = step_in == step_out != SOUTHEAST
         follow = control_path if inside_run else theta_along
-        delta, star, zero = motion(follow(back0, fwd0, back1, fwd1))
-        return self.weight[i] * c.k_b * (delta + c.m_b * star) ** c.e_b + c.p_b * zero
+        zero = False
+        if c.bending == "paper" or p_b:
+            delta, star, zero = motion(follow(back0, fwd0, back1, fwd1))
+        change = delta + c.m_b * star if c.bending == "paper" else abs(turn(back0, fwd0) - turn(back1, fwd1))
+        return self.weight[i] * c.k_b * change**c.e_b + p_b * zero
+
+    def _travel(self, i, j, step_in, step_out):
+        """Springs that give way beyond half the box, on a quarter of the edges that move at a dot."""
+        edges = (
+            *self._edges(self.p[0], i, step_in[0], step_out[0]),
+            *self._edges(self.p[1], j, step_in[1], step_out[1]),
+        )
+        square = ((self.square[0][i] - self.square[1][j]) ** 2).sum()
+        return self.constants.k_t / (1.0 / square + 4.0) * sum(map(abs, edges)) / 4 if square else 0.0
 
     def stretch(self, i, j, step):
         """Eq (16) for the step that leaves [i, j]."""
