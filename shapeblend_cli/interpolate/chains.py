@@ -1,8 +1,8 @@
 """Several pairs in a row: what continues from one to the next becomes one path.
 
-Each pair has cut its two outlines at positions of its own. Where a drawing ends one pair and starts the next, its
-outline is cut at the positions of both, and each cut is carried on to the outlines before and after, waypoints
-included.
+Each pair has cut its two outlines at positions of its own, and its polygons have vertices of their own. Where a drawing
+ends one pair and starts the next, its outline is cut at the positions of both, and each cut is carried on to the
+outlines before and after, waypoints included.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.interpolate.parametrization import parametrize
 from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import CubicPath, KeyframedShape, PaintedShape, Pair, ShapeBlend, Style, Waypoint
 from shapeblend_cli.paint.styles import keyed_styles
@@ -19,10 +20,10 @@ from shapeblend_cli.paint.styles import keyed_styles
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, Contour, FloatArray, Polygon
 
 SAME = 1e-6
-"""Positions nearer than this share of an edge are one."""
+"""Positions nearer than this share of a segment are one."""
 
 SAMPLES = 33
 """Points of a curve at which the search for the one nearest to a given point begins."""
@@ -32,11 +33,21 @@ STEPS = 6
 
 
 class _Key(NamedTuple):
-    """A contour of a drawing: its number, its polygon's vertices, and where it is cut, see `ContourBlend.cuts`."""
+    """A contour of a drawing: its number, its segments, and where it is cut.
+
+    Cuts are numbers of segments and parameters on them, added up, which rise; once round if closed.
+    """
 
     number: int | None
-    vertices: ComplexArray
+    segments: ComplexArray
     cuts: FloatArray
+
+    @classmethod
+    def of(cls, number: int | None, contour: Contour, polygon: Polygon, cuts: FloatArray) -> _Key:
+        """Return the key of a contour that is cut at positions on its polygon, see `ContourBlend.cuts`."""
+        if number is not None:  # a point has no positions
+            cuts = parametrize(contour, polygon).segment_positions(cuts)
+        return cls(number, contour.segments, cuts)
 
 
 class _ContourChain(NamedTuple):
@@ -111,8 +122,8 @@ def _start(shape: ShapeBlend, first: int) -> _ShapeChain:
             [blend.start.segments, *(point.paths[k].segments for point in points), blend.end.segments],
             blend.start.straight,
             blend.start.closed,
-            _Key(blend.a, blend.polygon_a.vertices, blend.cuts[0]),
-            _Key(blend.b, blend.polygon_b.vertices, blend.cuts[1]),
+            _Key.of(blend.a, blend.contour_a, blend.polygon_a, blend.cuts[0]),
+            _Key.of(blend.b, blend.contour_b, blend.polygon_b, blend.cuts[1]),
         )
         for k, blend in enumerate(shape.contours)
     ]
@@ -157,16 +168,14 @@ def _continue(chain: _ShapeChain, following: _ShapeChain) -> _ShapeChain | None:
 
 
 def _is_continued(contour: _ContourChain, after: _ContourChain) -> bool:
-    return contour.closed == after.closed and np.array_equal(contour.end.vertices, after.start.vertices)
+    return contour.closed == after.closed and np.array_equal(contour.end.segments, after.start.segments)
 
 
 def _reverse(contour: _ContourChain) -> _ContourChain:
-    """Traverse a contour in reverse; a closed one keeps its first vertex."""
+    """Traverse a contour in reverse; a closed one keeps its first node."""
 
     def reverse(key: _Key) -> _Key:
-        count = len(key.vertices)
-        last, order = (count, -np.arange(count)) if contour.closed else (count - 1, np.arange(count)[::-1])
-        return _Key(key.number, key.vertices[order], last - key.cuts[::-1])
+        return _Key(key.number, key.segments[::-1, ::-1], len(key.segments) - key.cuts[::-1])
 
     return contour._replace(
         stations=[segments[::-1, ::-1] for segments in contour.stations],
@@ -204,7 +213,7 @@ def _extend(contour: _ContourChain, after: _ContourChain) -> _ContourChain:
 
 def _roll_to(contour: _ContourChain, position: float) -> _ContourChain:
     """Start a closed contour's list of segments at a position of the last key where there is a cut."""
-    cuts, count = contour.end.cuts, len(contour.end.vertices)
+    cuts, count = contour.end.cuts, len(contour.end.segments)
     away = np.abs((cuts[:-1] - position + count / 2.0) % count - count / 2.0)
     first = int(away.argmin())
     rolled = np.concatenate([cuts[first:-1], cuts[: first + 1] + count])

@@ -92,6 +92,14 @@ class ContourParameter:
         parameter = self.start[edge] + (self.end[edge] - self.start[edge]) * share
         return cubics.evaluate(self.segments[self.segment[edge]], parameter)
 
+    def segment_positions(self, positions: FloatArray) -> FloatArray:
+        """Return the numbers of segments, and parameters on them added, that positions are: no vertices count there."""
+        rounds = np.floor_divide(positions, self.count) if self.closed else np.zeros_like(positions)
+        edge = np.minimum((positions - rounds * self.count).astype(np.intp), self.count - 1)
+        share = positions - rounds * self.count - edge
+        parameter = self.start[edge] + (self.end[edge] - self.start[edge]) * share
+        return rounds * len(self.segments) + self.segment[edge] + parameter
+
     def pieces(self, positions: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
         """Return the segment, first and last parameter of each piece between neighbouring positions.
 
