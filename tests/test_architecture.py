@@ -71,7 +71,7 @@ SHARED = {"numpy", *sys.stdlib_module_names}
 HANDED_DOWN = {
     *("Terminal.note", "watch_part.<locals>.<lambda>", "Terminal.progress"),  # how far a run has come
     *("Rigid.segments", "Intrinsic.segments", "Safe.segments"),  # a `Motion`, which `model` declares
-    "Settings._defaults",  # a `Record` asks what it is made of
+    *("Settings._defaults", "WorkConstants._defaults"),  # a `Record` asks what it is made of
 }
 
 MOST_PARAMETERS = 8

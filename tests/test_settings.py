@@ -21,7 +21,7 @@ from shapeblend_cli.settings import Settings
         ({"frames": 10_001}, "frames must be at most 10000, not 10001"),
         ({"solver": "magic"}, "solver must be exact or simplified, not 'magic'"),
         ({"motion": []}, r"motion must be auto, linear, rigid, intrinsic or safe, not \[\]"),
-        ({"preset": "fig9"}, "preset must be fig1, .* or fig28, not 'fig9'"),
+        ({"preset": "fig9"}, "preset must be fig1, .*, fig28 or paper, not 'fig9'"),
         ({"curves": 1}, "curves must be True or False, not 1"),
         ({"c_s": 0}, "c_s must be greater than 0, not 0"),
         ({"c_s": 1.5}, "c_s must be at most 1, not 1.5"),

@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     from shapeblend_cli.matching.tables import Window
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
+COMPILED = cython.compiled
+
 KNEE = cython.declare(cython.double, 0.5)  # a share of the box
 
 cython.declare(EE=cython.int, ED=cython.int, DE=cython.int, SS=cython.int)
