@@ -7,21 +7,23 @@ depends little on where it was cut.
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.geometry.polyline import from_end_to_end
+
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray
 
-SAMPLES, SAMPLES_PER_VERTEX = 1024, 4
-"""Points, evenly spread along an outline, that are smoothed: at least so many, and so many for each vertex."""
-
-REACH = 4.0
-"""Where the Gaussian is cut off, in standard deviations."""
+REACH = 6.0
+"""How far a corner is felt, in standard deviations: beyond, it moves nothing by more than rounding does."""
 
 OUTLINE = 1e-3
 """The share of the outline itself that is left in, so that neighbours stay distinct."""
+
+_erfc = np.frompyfunc(math.erfc, 1, 1)
 
 
 def smoothed(vertices: ComplexArray, closed: bool, sigma: float) -> ComplexArray:
@@ -34,32 +36,49 @@ def smoothed(vertices: ComplexArray, closed: bool, sigma: float) -> ComplexArray
     closed : bool
         An open outline is continued beyond each end by itself, rotated half a turn about the end, which thus stays.
     sigma : float
-        Standard deviation, as a share of the outline's length, greater than 0.
+        Standard deviation, as a share of the outline's length, greater than 0 and at most 0.1.
 
     Returns
     -------
     (m,) complex
+        The same wherever a closed outline begins, and however many vertices lie on straight lines.
+
+    Notes
+    -----
+    Along its length a polygon is a sum of a line and, for each corner, a ramp that begins there with the change of
+    direction as its slope. So nothing has to be sampled: a corner moves a vertex by how much a smoothed ramp lies above
+    the ramp.
     """
-    points = np.append(vertices, vertices[0]) if closed else vertices
-    at = np.append(0.0, np.cumsum(np.abs(np.diff(points))))
-    at /= at[-1]
-    count = max(SAMPLES, SAMPLES_PER_VERTEX * len(vertices))
-    even = np.arange(count) / count if closed else np.linspace(0.0, 1.0, count)
-    samples = np.interp(even, at, points)
-    reach = int(np.ceil(REACH * sigma * count))
+    edges = np.diff(from_end_to_end(vertices, closed))
+    lengths = np.abs(edges)
+    direction = edges / lengths
+    ends = np.append(0.0, np.cumsum(lengths))
+    length = ends[-1]
+    at = ends[: len(vertices)] / length
     if closed:
-        beyond = np.concatenate([samples[len(samples) - reach :], samples, samples[:reach]])
+        turns = np.tile(direction - np.roll(direction, 1), 3)
+        corners = np.concatenate([at - 1.0, at, at + 1.0])
     else:
-        before, after = samples[reach:0:-1], samples[-2 : -reach - 2 : -1]
-        beyond = np.concatenate([2.0 * samples[0] - before, samples, 2.0 * samples[-1] - after])
-    smooth = np.convolve(beyond, _gaussian(np.arange(-reach, reach + 1) / (sigma * count)), "valid")
-    if closed:
-        even, smooth = np.append(even, 1.0), np.append(smooth, smooth[0])
-    here = np.interp(at[:-1] if closed else at, even, smooth)
-    return (1.0 - OUTLINE) * here + OUTLINE * vertices
+        turn = np.diff(direction, prepend=direction[:1], append=direction[-1:])
+        turns = np.concatenate([-turn[:0:-1], turn, -turn[-2::-1]])
+        corners = np.concatenate([-at[:0:-1], at, 2.0 - at[-2::-1]])
+    corners = np.concatenate([[-np.inf], corners, [np.inf]])
+    turns = np.concatenate([[0.0], turns, [0.0]])
+    own = int(np.searchsorted(corners, 0.0))
+    moves = np.zeros(len(vertices), np.complex128)
+    for step in (1, -1):
+        near = np.arange(len(vertices))
+        corner = near + own + min(step, 0)  # its own corner counts once
+        while len(near):
+            away = np.abs(corners[corner] - at[near]) / sigma
+            felt = away < REACH
+            near, corner = near[felt], corner[felt]
+            moves[near] += turns[corner] * _above_ramp(away[felt])
+            corner = corner + step
+    return vertices + (1.0 - OUTLINE) * sigma * length * moves
 
 
-def _gaussian(x: FloatArray) -> FloatArray:
-    """Return weights of sum 1."""
-    weights: FloatArray = np.exp(-0.5 * x * x)
-    return weights / weights.sum()
+def _above_ramp(x: FloatArray) -> FloatArray:
+    """Return by how much the ramp max(x, 0), smoothed by the standard Gaussian, lies above itself at x or -x >= 0."""
+    tail = 0.5 * np.asarray(_erfc(x / math.sqrt(2.0)), np.float64)
+    return np.exp(-0.5 * x * x) / math.sqrt(2.0 * math.pi) - x * tail
