@@ -12,8 +12,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.geometry.polyline import from_end_to_end
-
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray
 
@@ -49,7 +47,7 @@ def smoothed(vertices: ComplexArray, closed: bool, sigma: float) -> ComplexArray
     direction as its slope. So nothing has to be sampled: a corner moves a vertex by how much a smoothed ramp lies above
     the ramp.
     """
-    edges = np.diff(from_end_to_end(vertices, closed))
+    edges = np.diff(np.append(vertices, vertices[0]) if closed else vertices)
     lengths = np.abs(edges)
     direction = edges / lengths
     ends = np.append(0.0, np.cumsum(lengths))
