@@ -63,12 +63,13 @@ LEAST_VERTICES = 100
 
 
 class Problem(NamedTuple):
-    """A search (see `solve.Search`) from vertices 0, or from any start."""
+    """A search (see `solve.Search`) from vertices 0, or from any start; `near` has rows from 0 on, modulo n."""
 
     wires: Wires
     band: float | None = None
     solver: str = "exact"
     watch: Callable[[float], None] = lambda share: None
+    near: IntArray | None = None
 
 
 def solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[Path | None, float]:
@@ -91,20 +92,45 @@ def solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[
         Of all paths, through the pins and in the band or not; infinite if the path itself is the least of all, 0 where
         nothing is known.
     """
+    if problem.near is not None:
+        return _search_near(problem, problem.near, pins), 0.0
     path, graph = _solve(problem, pins, exact_dots)
-    if not _is_small(problem.wires, exact_dots):
+    if not is_small(problem.wires.m, problem.wires.n, exact_dots):
         return path, 0.0
     is_free = problem.band is None and (pins is None if problem.wires.closed else not pins)
     return path, np.inf if is_free and problem.solver == "exact" else graph.lower_bound()
 
 
-def _is_small(wires: Wires, exact_dots: float) -> bool:
-    return wires.m * wires.n <= exact_dots or max(wires.m, wires.n) <= LEAST_VERTICES
+def is_small(m: int, n: int, exact_dots: float) -> bool:
+    """Return whether graphs of so many vertices are solved as they are."""
+    return m * n <= exact_dots or max(m, n) <= LEAST_VERTICES
+
+
+def _search_near(problem: Problem, near: IntArray, pins: list[Dot] | None) -> Path | None:
+    """Search a corridor around a path; where that has none, everywhere that the pins leave."""
+    m, n, closed = problem.wires.m, problem.wires.n, problem.wires.closed
+    walls = _region(problem, pins)
+    rows = near
+    if closed:  # counted on beyond n; what falls is rounding
+        steps = (np.diff(near) + n // 2) % n - n // 2
+        rows = np.append(0, np.cumsum(steps)) + (int(near[0]) + n // 2) % n - n // 2
+        rows = np.append(rows, rows[0] + n)
+    rows = np.maximum.accumulate(rows)
+    inside = None if pins is None else walls
+    region = corridor(
+        np.arange(len(rows)),
+        np.stack([rows, rows], axis=1),
+        np.full(len(rows), PADS[0]),
+        (m, n) if closed else None,
+        inside,
+    )
+    path, _ = _search(problem, region, pins)
+    return path if path is not None else _search(problem, walls, pins)[0]
 
 
 def _solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[Path | None, Graph]:
     """Find a path, and the graph that was searched for it."""
-    if _is_small(problem.wires, exact_dots):
+    if is_small(problem.wires.m, problem.wires.n, exact_dots):
         return _search(problem, _region(problem, pins), pins)
     return _refine(problem, pins)
 

@@ -43,6 +43,9 @@ class Search(NamedTuple):
     effort : {'auto', 'exact', 'fast'}
         `exact` proves the result however long it takes, `auto` where that is quick. Otherwise a coarser problem is
         solved exactly and refined.
+    near : (m,) int, optional
+        Roughly which vertex of the second polygon corresponds to each of the first. Only paths that keep near that are
+        searched, whatever the effort.
     """
 
     start: Dot | None = None
@@ -50,6 +53,7 @@ class Search(NamedTuple):
     band: float | None = None
     solver: str = "exact"
     effort: str = "auto"
+    near: IntArray | None = None
 
 
 EVERYWHERE = Search()
@@ -73,8 +77,8 @@ def least_work(
     Correspondence
         Closed paths begin at the search's start, else at the first pin, else where they enter vertex 0 of the first
         polygon. The lower bound is that of all paths between these wires: from any start, through any vertices, in no
-        band. It is the work itself where all of them were searched, and 0 where no bound is known cheaply: beyond the
-        effort, and in very large graphs.
+        band. It is the work itself where all of them were searched, and 0 where no bound is known cheaply: near a path,
+        beyond the effort, and in very large graphs.
 
     Raises
     ------
@@ -91,11 +95,16 @@ def least_work(
         first0, first1 = pins[0]
     elif closed and band is None:
         first0 = int(wires.corners0.sharpness().argmax())
+        first1 = int(search.near[first0]) if search.near is not None else 0
+    near = None
+    if search.near is not None:
+        near = (np.roll(search.near, -first0) - first1) % n if closed else search.near
     problem = coarse.Problem(
         wires=wires.beginning_at(first0, first1),
         band=band,
         solver=search.solver,
         watch=watch or (lambda share: None),
+        near=near,
     )
     limit = EXACT_DOTS[search.effort]
     if search.solver == "simplified":  # it works on tables that are all there
@@ -134,6 +143,11 @@ def least_work(
         diagonal_deviation=diagonal_deviation(dots, m, n, closed),
         sweeps=found.sweeps,
     )
+
+
+def is_proven(m: int, n: int, effort: str) -> bool:
+    """Return whether the least path of so many vertices is searched everywhere, by effort."""
+    return coarse.is_small(m, n, EXACT_DOTS[effort])
 
 
 def diagonal_deviation(dots: IntArray, m: int, n: int, closed: bool) -> float:

@@ -18,14 +18,13 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
 from shapeblend_cli.matching.angles import Corners
+from shapeblend_cli.matching.solve import is_proven
 from shapeblend_cli.model import Polygon, unroll
-from shapeblend_cli.pairing.direction import watch_part
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from shapeblend_cli.model import Contour, Correspondence, FloatArray, IntArray
-    from shapeblend_cli.pairing.direction import Watch
 
 ROUNDS = 3
 """The outlines are cut anew at most so often."""
@@ -88,12 +87,13 @@ def solve_with_common_cuts(
     a: FlatContour,
     b: FlatContour,
     found: Correspondence,
-    solve: Callable[[FlatContour, FlatContour, Watch | None], Correspondence],
-    watch: Watch | None,
+    solve: Callable[[FlatContour, FlatContour, IntArray | None], Correspondence],
+    effort: str,
 ) -> tuple[FlatContour, FlatContour, Correspondence]:
-    """Cut two outlines where they correspond and solve again, until the work stops falling.
+    """Cut two outlines where they correspond and solve again near that, until the work stops falling.
 
-    The work before the first cut is of another problem, and does not count.
+    The work before the first cut is of another problem, and does not count. What is solved last is solved everywhere,
+    where the effort allows.
 
     Parameters
     ----------
@@ -102,9 +102,10 @@ def solve_with_common_cuts(
     found : Correspondence
         Of their polygons.
     solve : callable
-        Finds the correspondence of polygons of these contours; with what it calls with the share that is done.
-    watch : callable or None
-        Called with the share of all rounds that is done.
+        Finds the correspondence of polygons of these contours; near a vertex of the second for each of the first, if
+        that is given.
+    effort : {'auto', 'exact', 'fast'}
+        See `Search`.
 
     Returns
     -------
@@ -113,27 +114,35 @@ def solve_with_common_cuts(
     correspondence : Correspondence
         Of these two.
     """
-    cut = common_cuts(a, b, (a, b), found)
-    found = solve(*cut, watch_part(watch, 0, ROUNDS))
-    for round_ in range(1, ROUNDS):
-        other = common_cuts(a, b, cut, found)
-        again = solve(*other, watch_part(watch, round_, ROUNDS))
+    cut_a, cut_b, near = common_cuts(a, b, (a, b), found)
+    found = solve(cut_a, cut_b, near)
+    for _ in range(ROUNDS - 1):
+        other_a, other_b, near = common_cuts(a, b, (cut_a, cut_b), found)
+        again = solve(other_a, other_b, near)
         if again.work >= found.work:
             break
-        cut, found = other, again
-    return *cut, found
+        cut_a, cut_b, found = other_a, other_b, again
+    if is_proven(len(cut_a.polygon.vertices), len(cut_b.polygon.vertices), effort):
+        found = solve(cut_a, cut_b, None)
+    return cut_a, cut_b, found
 
 
 def common_cuts(
-    a: FlatContour, b: FlatContour, solved: tuple[FlatContour, FlatContour], found: Correspondence
-) -> tuple[FlatContour, FlatContour]:
-    """Cut each contour where the other has a vertex, by a correspondence of the same contours with other vertices."""
-    place_a, place_b = _smoothed_path(*solved, found.dots)
+    a: FlatContour, b: FlatContour, solved: Sequence[FlatContour], found: Correspondence
+) -> tuple[FlatContour, FlatContour, IntArray]:
+    """Cut each contour where the other has a vertex, by a correspondence of the same contours with other vertices.
+
+    Return both, and the vertex of the second that is nearest to the partner of each vertex of the first.
+    """
+    place_a, place_b = _smoothed_path(solved[0], solved[1], found.dots)
     closed = a.polygon.closed
     own_a, own_b = (flat.lengths()[: len(flat.polygon.vertices)] for flat in (a, b))
-    return a.cut_at(_along(own_b, place_b, place_a, closed)), b.cut_at(
-        _along(own_a, place_a, place_b, closed)
-    )
+    cut_a = a.cut_at(_along(own_b, place_b, place_a, closed))
+    cut_b = b.cut_at(_along(own_a, place_a, place_b, closed))
+    partners = _along(cut_a.lengths()[: len(cut_a.polygon.vertices)], place_a, place_b, closed)
+    known = cut_b.lengths()
+    nearest = np.round(np.interp(partners % 1.0 if closed else partners, known, np.arange(len(known))))
+    return cut_a, cut_b, nearest.astype(np.intp) % len(cut_b.polygon.vertices)
 
 
 def _smoothed_path(a: FlatContour, b: FlatContour, dots: IntArray) -> tuple[FloatArray, FloatArray]:

@@ -17,9 +17,10 @@ from shapeblend_cli.pairing.common_cuts import FlatContour, solve_with_common_cu
 from shapeblend_cli.pairing.constraints import Constraints, stiffness
 from shapeblend_cli.pairing.costs import coarse_work
 from shapeblend_cli.pairing.decompose import LINE, PlacedContour
-from shapeblend_cli.pairing.direction import choose_direction, solve, watch_part
+from shapeblend_cli.pairing.direction import choose_direction, solve
 
 if TYPE_CHECKING:
+    from shapeblend_cli.model import IntArray
     from shapeblend_cli.pairing.direction import Watch
     from shapeblend_cli.settings import Settings
 
@@ -38,7 +39,8 @@ def match_contours(
     """Solve the correspondence of two contours, with B rotated back by an angle in radians.
 
     B is reversed if that agrees better with A's direction. A closed contour that is to become a line is opened. `watch`
-    is called with the share of the work that is done, from 0 to 1. Constraints that cannot be met raise a MatchError.
+    is called with the share of the first search that is done, from 0 to 1. Constraints that cannot be met raise a
+    MatchError.
 
     Vertex numbers are those of the match without them: where both contours are cut for it, the start and the pins with
     numbers are for the polygons that were cut.
@@ -47,23 +49,20 @@ def match_contours(
         a, b = (a, _open_for(a, b, settings)) if a.role == LINE else (_open_for(b, a, settings), b)
     required = constraints.rotated_back(rotation)
     free = required.without_numbers() if settings.makes_common_cuts else required
-    first, rest = (
-        (watch_part(watch, 0, 2), watch_part(watch, 1, 2)) if settings.makes_common_cuts else (watch, None)
-    )
     is_reversed, found = choose_direction(
-        a.polygon, _rotated_back(b.polygon, rotation), settings, free, first
+        a.polygon, _rotated_back(b.polygon, rotation), settings, free, watch
     )
     flat_a, flat_b = FlatContour(a.contour, a.polygon), FlatContour(b.contour, b.polygon)
     if is_reversed:
         flat_b = FlatContour(reverse_contour(b.contour), reverse_polygon(b.polygon, len(b.contour.segments)))
 
     def solve_again(
-        p: FlatContour, q: FlatContour, watch: Watch | None = None, required: Constraints = free
+        p: FlatContour, q: FlatContour, near: IntArray | None = None, required: Constraints = free
     ) -> Correspondence:
-        return solve(p.polygon, _rotated_back(q.polygon, rotation), settings, required, watch)
+        return solve(p.polygon, _rotated_back(q.polygon, rotation), settings, required, near=near)
 
     if settings.makes_common_cuts:
-        flat_a, flat_b, found = solve_with_common_cuts(flat_a, flat_b, found, solve_again, rest)
+        flat_a, flat_b, found = solve_with_common_cuts(flat_a, flat_b, found, solve_again, settings.effort)
         if required != free:
             found = solve_again(flat_a, flat_b, required=required)
     scales = flat_a.polygon.box.larger_side, _rotated_back(flat_b.polygon, rotation).box.larger_side

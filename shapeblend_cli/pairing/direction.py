@@ -14,7 +14,7 @@ from shapeblend_cli.pairing.constraints import Constraints, stiffness
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from shapeblend_cli.model import Correspondence, Polygon
+    from shapeblend_cli.model import Correspondence, IntArray, Polygon
     from shapeblend_cli.settings import Settings
 
     Watch = Callable[[float], None]
@@ -45,9 +45,14 @@ def choose_direction(
 
 
 def solve(
-    a: Polygon, b: Polygon, settings: Settings, constraints: Constraints, watch: Watch | None = None
+    a: Polygon,
+    b: Polygon,
+    settings: Settings,
+    constraints: Constraints,
+    watch: Watch | None = None,
+    near: IntArray | None = None,
 ) -> Correspondence:
-    """Solve as polygons run. Constraints that cannot be met raise a MatchError."""
+    """Solve as polygons run, or only near a path (see `Search`). Constraints that cannot be met raise a MatchError."""
     wires = Wires(to_unit_box(a), to_unit_box(b), a.closed, settings.constants, stiffness(a, settings))
     search = Search(
         start=constraints.start,
@@ -55,6 +60,7 @@ def solve(
         band=settings.band,
         solver=settings.solver,
         effort=settings.effort,
+        near=near,
     )
     return least_work(wires, search, watch)
 
