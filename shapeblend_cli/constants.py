@@ -49,7 +49,7 @@ class WorkConstants(Record, section=WIRE):
         "straight vertex paths, equation 17.",
     )
     k_t: float = option(
-        NOT_NEGATIVE, default=20.0, key="kt", help="Stiffness against travel: points of the wire stay near."
+        NOT_NEGATIVE, default=7.0, key="kt", help="Stiffness against travel: points of the wire stay near."
     )
     smoothing: float = option(
         number(0, 0.1),

@@ -4,11 +4,10 @@
 Nothing in the paper's work knows where a point is: a wire alone in space may rotate for nothing. Here the boxes of
 both wires are made the unit square, axis by axis, and a dot whose points are at distance d there costs
 
-    k_t d^2 / (1 + (d / KNEE)^2) l,
+    k_t d^2 l,
 
 l being a quarter of the lengths of the steps into the dot and out of it, on both wires, added up: so the sum over dots
-is an integral along the wires, whatever the number of vertices. Points that are near are held together as by springs.
-Those that are far apart pay hardly more for being further apart, since by then place says nothing.
+is an integral along the wires, whatever the number of vertices.
 """
 
 from __future__ import annotations
@@ -29,8 +28,6 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
 COMPILED = cython.compiled
-
-KNEE = cython.declare(cython.double, 0.5)  # a share of the box
 
 cython.declare(EE=cython.int, ED=cython.int, DE=cython.int, SS=cython.int)
 cython.declare(SD=cython.int, DS=cython.int, DD=cython.int)
@@ -97,8 +94,7 @@ def add_travel(
         for k in range(column_offset[c], column_offset[c] + high[c] - low[c] + 1):
             dx: cython.double = x - q.place[j].real
             dy: cython.double = y - q.place[j].imag
-            square: cython.double = dx * dx + dy * dy
-            rate: cython.double = stiffness * square / (1.0 + square / (KNEE * KNEE))
+            rate: cython.double = stiffness * (dx * dx + dy * dy)
             into_q, out_q = q.before[j], q.after[j]
             work[k, EE] += rate * (into_p + out_p)
             work[k, ED] += rate * (into_p + out_p + out_q)
