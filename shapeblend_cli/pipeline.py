@@ -5,6 +5,7 @@ Each stage is a function from values to values. Polygons are normalised, section
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -26,6 +27,9 @@ from shapeblend_cli.pairing.pair import pair_rotated_contours
 from shapeblend_cli.pairing.shapes import Match, shape_blends
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.views import view_of, views_with_room
+
+LEAST_ROTATION = math.radians(10.0)
+"""A shape that rotates by less is not matched again for that."""
 
 ROUNDS, SAME_ANGLE = 5, 2e-3
 """A shape is aligned and matched again until the angle changes by less, in radians, or so often; two or three times are
@@ -230,10 +234,18 @@ def _move(paired: _PairedDrawings, shapes: Sequence[ShapeBlend]) -> tuple[ShapeB
 def _rotate_back(
     paired: _PairedDrawings, shape: ShapeBlend, common: Alignment | None
 ) -> tuple[ShapeBlend, Alignment]:
-    """Align a shape and match it again, with B rotated back so, until the angle stays."""
+    """Align a shape and match it again, with B rotated back so, until the angle stays.
+
+    A shape that would go round another way than the drawing goes with the drawing: a mouth turns down without turning
+    over.
+    """
     own = align(point_pairs(shape.contours))
-    if common is not None and is_as_good(common, own, shape):
+    if common is not None and (is_as_good(common, own, shape) or _is_opposite(common, own)):
+        if abs(common.rotation) < LEAST_ROTATION:
+            return shape, common
         return _match_again(paired, shape, common.rotation), common
+    if abs(own.rotation) < LEAST_ROTATION:
+        return shape, own
     for _ in range(ROUNDS):
         angle = own.rotation
         shape = _match_again(paired, shape, angle)
@@ -241,6 +253,11 @@ def _rotate_back(
         if abs(own.rotation - angle) < SAME_ANGLE:
             break
     return shape, own
+
+
+def _is_opposite(common: Alignment, own: Alignment) -> bool:
+    """Return whether two similarities differ by more than a quarter turn."""
+    return math.cos(own.rotation - common.rotation) < 0.0
 
 
 def _with_curves(shape: ShapeBlend, settings: Settings) -> ShapeBlend:
