@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.constants import PAPER, PAPER_P_B
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polyline import distinct
 from shapeblend_cli.matching.solve import least_work
@@ -61,7 +62,11 @@ class FramedContours(NamedTuple):
 
 
 def pairing_costs(a: FramedContours, b: FramedContours, constants: WorkConstants) -> FloatArray:
-    """Return the costs of turning each contour of `a` into each of `b`, (p, q) float >= 0."""
+    """Return the costs of turning each contour of `a` into each of `b`, (p, q) float >= 0.
+
+    The work is the paper's: where contours are counts already, and the weights are set for it.
+    """
+    constants = constants.replace(**PAPER, p_b=PAPER_P_B)
     distance = np.abs(a.centres()[:, None] - b.centres())
     growth = np.abs(np.log(a.sizes())[:, None] - np.log(b.sizes()))
     paint = np.array([[_paint_difference(p, q) for q in b.contours] for p in a.contours])
