@@ -152,13 +152,13 @@ class Oracle:
         return self.weight[i] * c.k_b * change**c.e_b + p_b * zero
 
     def _travel(self, i, j, step_in, step_out):
-        """Springs that give way beyond half the box, on a quarter of the edges that move at a dot."""
+        """Springs on a quarter of the edges that move at a dot."""
         edges = (
             *self._edges(self.p[0], i, step_in[0], step_out[0]),
             *self._edges(self.p[1], j, step_in[1], step_out[1]),
         )
         square = ((self.square[0][i] - self.square[1][j]) ** 2).sum()
-        return self.constants.k_t / (1.0 / square + 4.0) * sum(map(abs, edges)) / 4 if square else 0.0
+        return self.constants.k_t * square * sum(map(abs, edges)) / 4
 
     def stretch(self, i, j, step):
         """Eq (16) for the step that leaves [i, j]."""
