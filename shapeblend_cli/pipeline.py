@@ -236,11 +236,14 @@ def _rotate_back(
 ) -> tuple[ShapeBlend, Alignment]:
     """Align a shape and match it again, with B rotated back so, until the angle stays.
 
-    A shape that would go round another way than the drawing goes with the drawing: a mouth turns down without turning
-    over.
+    Points that travel cost work, so the first match may not show that one contour is the other rotated.
     """
     own = align(point_pairs(shape.contours))
-    if common is not None and (is_as_good(common, own, shape) or _is_opposite(common, own)):
+    largest = max((c for c in shape.contours if c.is_matched), key=lambda contour: contour.scale_a)
+    copied = rotation_between(largest.polygon_a, largest.polygon_b)
+    if copied is not None:
+        own = own._replace(rotation=copied)
+    elif common is not None and is_as_good(common, own, shape):
         if abs(common.rotation) < LEAST_ROTATION:
             return shape, common
         return _match_again(paired, shape, common.rotation), common
@@ -253,11 +256,6 @@ def _rotate_back(
         if abs(own.rotation - angle) < SAME_ANGLE:
             break
     return shape, own
-
-
-def _is_opposite(common: Alignment, own: Alignment) -> bool:
-    """Return whether two similarities differ by more than a quarter turn."""
-    return math.cos(own.rotation - common.rotation) < 0.0
 
 
 def _with_curves(shape: ShapeBlend, settings: Settings) -> ShapeBlend:

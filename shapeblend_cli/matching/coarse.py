@@ -25,7 +25,7 @@ from shapeblend_cli.matching.work import Wires
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from shapeblend_cli.model import BoolArray, ComplexArray, IntArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
 
     Dot = tuple[int, int]
 
@@ -166,13 +166,16 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Grap
     """Solve a coarser problem and search a corridor around its best paths."""
     wires, watch = problem.wires, problem.watch
     m, n = wires.m, wires.n
-    thin0, kept0 = thin(wires.p0, wires.closed, {c % m for c, _ in pins or []})
-    thin1, kept1 = thin(wires.p1, wires.closed, {r % n for _, r in pins or []})
+    at0 = thin(wires.p0, wires.closed, {c % m for c, _ in pins or []})
+    at1 = thin(wires.p1, wires.closed, {r % n for _, r in pins or []})
+    kept0, kept1 = np.round(at0).astype(np.intp), np.round(at1).astype(np.intp)
     walls = _region(problem, pins)
-    if len(thin0) + len(thin1) == m + n:  # pins everywhere
+    if len(at0) + len(at1) == m + n:  # pins everywhere
         return _search(problem, walls, pins)
     coarser = problem._replace(
-        wires=Wires(thin0, thin1, wires.closed, wires.constants, wires.weight[kept0]),
+        wires=Wires(
+            wires.wires[0].at(at0), wires.wires[1].at(at1), wires.closed, wires.constants, wires.weight[kept0]
+        ),
         watch=lambda share: watch(share / FACTOR),
     )
     problem = problem._replace(watch=lambda share: watch((1.0 + (FACTOR - 1.0) * share) / FACTOR))
@@ -218,22 +221,21 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Grap
     return (found._replace(sweeps=sweeps) if found else None), graph
 
 
-def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> tuple[ComplexArray, IntArray]:
-    """Return a polygon of about a third of the vertices, or all where there are few.
+def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> FloatArray:
+    """Choose about a third of the vertices, or all where there are few.
 
     Corners stay, one in `FACTOR` vertices at the most; so do vertex 0, the last of an open polygon, and those to
-    `keep`. Between them vertices are spread evenly over those there are, on edges if need be: edges of changing lengths
-    would look like work.
+    `keep`. Between them places are spread evenly over the vertices there are, on edges if need be: edges of changing
+    lengths would look like work.
 
     Returns
     -------
-    vertices : (k, ) complex
-    nearest : (k, ) int
-        The vertex of the full polygon nearest to each; never falling.
+    (k,) float
+        Places by vertex numbers, rising.
     """
     m = len(vertices)
     if m <= LEAST_VERTICES:
-        return vertices, np.arange(m)
+        return np.arange(m, dtype=np.float64)
     runs = -(-m // FACTOR)
     padded = np.zeros(runs * FACTOR)
     padded[:m] = Corners(vertices, closed).sharpness()
@@ -247,12 +249,7 @@ def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> tuple[ComplexA
     part = np.arange(pieces.sum()) - np.repeat(np.cumsum(pieces) - pieces, pieces)
     start, end = np.repeat(stops[:-1], pieces), np.repeat(stops[1:], pieces)
     at = start + (end - start) * part / np.repeat(pieces, pieces)
-    if not closed:
-        at = np.append(at, m - 1)
-    outline = np.append(vertices, vertices[0])
-    number = np.arange(m + 1)
-    points = np.interp(at, number, outline.real) + 1j * np.interp(at, number, outline.imag)
-    return points, np.round(at).astype(np.intp)
+    return at if closed else np.append(at, m - 1.0)
 
 
 def corridor(

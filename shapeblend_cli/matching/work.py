@@ -104,6 +104,12 @@ class Wire(NamedTuple):
         smooth = smoothed(vertices, closed, constants.smoothing) if constants.smoothing else vertices
         return cls(vertices, smooth, places(vertices))
 
+    def at(self, places: FloatArray) -> Wire:
+        """Return the wire with vertices at these places, vertex numbers or between them, and no others."""
+        number = np.arange(len(self.vertices) + 1)
+        outlines = (np.append(points, points[0]) for points in self)
+        return Wire(*(np.interp(places, number, outline) for outline in outlines))
+
     def beginning_at(self, i: int) -> Wire:
         """Return the same closed wire with another first vertex."""
         return Wire(*(np.concatenate([points[i:], points[:i]]) for points in self))

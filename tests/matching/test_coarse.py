@@ -81,7 +81,7 @@ def test_a_short_outline_and_a_very_long_one():
 
 
 @pytest.mark.parametrize(
-    "shape", [gear(40), star_polygon(np.random.default_rng(3), 200)], ids=["gear", "star"]
+    "shape", [gear(24), star_polygon(np.random.default_rng(3), 200)], ids=["gear", "star"]
 )
 def test_a_shape_and_itself_cost_nothing(small, shape):
     assert find_least(shape, np.roll(shape, 33), effort="fast").work < 1e-9
@@ -96,12 +96,11 @@ def test_thinning_keeps_corners_ends_and_what_it_is_told_to_keep(small):
     square = np.concatenate(
         [np.linspace(a, b, 20, endpoint=False) for a, b in ((0, 1), (1, 1 + 1j), (1 + 1j, 1j), (1j, 0))]
     )
-    thinned, kept = coarse.thin(square, True, {33})
+    kept = coarse.thin(square, True, {33})
     assert {0, 20, 40, 60, 33} <= set(kept.tolist())
     assert len(kept) < 40
-    for vertex in (0, 20, 40, 60, 33):
-        assert square[vertex] in thinned
-    assert coarse.thin(square, False, set())[1][-1] == 79
+    assert (np.diff(kept) > 0).all()
+    assert coarse.thin(square, False, set())[-1] == 79
 
 
 def test_large_outlines_take_bounded_memory():
