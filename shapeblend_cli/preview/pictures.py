@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from shapeblend_cli.interpolate.parametrization import parametrize
 from shapeblend_cli.interpolate.paths import paths_at, waypoints
 from shapeblend_cli.model import (
     ContourBlend,
@@ -127,17 +128,21 @@ def _still_paths(frame: Frame, decimals: int) -> list[dict[str, Any]]:
 def dot_positions(contour: ContourBlend) -> FloatArray:
     """Return where on the moving outline each dot of the correspondence is: a segment's number plus its parameter.
 
-    Dots are compared with cuts by the sum of their positions on both outlines, which rises with either.
+    Dots are compared with cuts by the sum of their positions on the segments of both outlines, which rises with either.
     """
-    counts = [len(polygon.vertices) for polygon in (contour.polygon_a, contour.polygon_b)]
-    closed = contour.correspondence.closed
-    # A point has no positions.
-    sides = [k for k in (0, 1) if counts[k] > 1]
-    dots = unroll(contour.correspondence.dots, (counts[0], counts[1]) if closed else None)
-    along = dots[: len(contour.correspondence.dots), sides].sum(axis=1)
-    cuts = np.sum([contour.cuts[side] for side in sides], axis=0)
-    if closed:
-        along = cuts[0] + (along - cuts[0]) % sum(counts[side] for side in sides)
+    found = contour.correspondence
+    polygons = contour.polygon_a, contour.polygon_b
+    counts = len(polygons[0].vertices), len(polygons[1].vertices)
+    dots = unroll(found.dots, counts if found.closed else None)[: len(found.dots)]
+    along, cuts, round_ = np.zeros(len(dots)), np.zeros(len(contour.cuts[0])), 0
+    for side, outline in enumerate((contour.contour_a, contour.contour_b)):
+        if counts[side] > 1:  # a point has no positions
+            parameter = parametrize(outline, polygons[side])
+            along += parameter.segment_positions(dots[:, side])
+            cuts += parameter.segment_positions(contour.cuts[side])
+            round_ += len(outline.segments)
+    if found.closed:
+        along = cuts[0] + (along - cuts[0]) % round_
     segment = np.clip(np.searchsorted(cuts, along, "right") - 1, 0, len(cuts) - 2)
     length = cuts[segment + 1] - cuts[segment]
     share = np.divide(along - cuts[segment], length, out=np.zeros_like(along), where=length > 0.0)
