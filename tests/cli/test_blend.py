@@ -99,15 +99,16 @@ def test_the_report_is_that_of_the_page(here, capfdbinary):
     assert list(report) == ["report", "version", "inputs", "settings", "pairs", "frames", "seconds"]
     assert report["inputs"] == ["a.svg", "b.svg"]
     settings = report["settings"]
-    assert {k: settings[k] for k in ("ks", "kb", "es", "eb", "pb", "mb", "cs")} == {
-        "ks": 1.0, "kb": 0.5, "es": 2.0, "eb": 2.0, "pb": 1000.0, "mb": 10.0, "cs": 0.5
+    assert {k: settings[k] for k in ("ks", "kb", "es", "eb", "pb", "mb", "cs", "bending", "kt", "smoothing")} == {
+        "ks": 1.0, "kb": 0.5, "es": 2.0, "eb": 2.0, "pb": 1000.0, "mb": 10.0, "cs": 0.5,
+        "bending": "paper", "kt": 0.0, "smoothing": 0.0,
     }  # fmt: skip
     assert [settings[k] for k in ("frames", "vertices", "place", "start")] == [2, 200, "viewbox", "auto"]
     (pair,) = report["pairs"]
     (contour,) = pair["contours"]
     assert list(contour) == [
         "a", "b", "closed", "vertices_a", "vertices_b", "scale_a", "scale_b", "dots", "start",
-        "work", "stretching", "bending", "lower_bound", "gap",
+        "work", "stretching", "bending", "travel", "lower_bound", "gap",
         "diagonal_deviation", "zero_angles", "sweeps", "seconds",
         "turned_back", "motion", "motion_because",
     ]  # fmt: skip

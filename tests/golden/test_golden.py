@@ -21,7 +21,7 @@ def correspondence(found):
     """Dots and work of every contour, rounded to what must not change."""
     contours = [contour for pair in found["pairs"] for contour in pair["contours"]]
     return [
-        {"dots": c["dots"], "stretching": round(c["stretching"], 9), "bending": round(c["bending"], 9)}
+        {"dots": c["dots"]} | {part: round(c[part], 9) for part in ("stretching", "bending", "travel")}
         for c in contours
     ]
 

@@ -5,21 +5,22 @@ import math
 import numpy as np
 import pytest
 
-from shapeblend_cli.constants import WorkConstants
+from shapeblend_cli.constants import PAPER, WorkConstants
 from shapeblend_cli.matching.steps import DD, DE, DS, ED, EE, SD, SS
 from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.plot.theta import theta_of
 from tests.support.shapes import random_polygon, star_polygon
 
 SQUARE = np.array([0, 0.5j, 1j, 1 + 1j, 1])
+CONSTANTS = WorkConstants(**PAPER, p_b=7.0)
 TURNED = np.array([1, 0, 1j, 0.5 + 1j, 1 + 1j])
 
 
 def wires(rng, kind):
     if kind == "square":  # half turns, control points on one line, Q1 that points nowhere
-        return Wires(SQUARE, TURNED, True, WorkConstants(p_b=7.0))
+        return Wires(SQUARE, TURNED, True, CONSTANTS)
     polygon = random_polygon if kind == "any" else star_polygon
-    return Wires(polygon(rng, 7), polygon(rng, 6), True, WorkConstants(p_b=7.0), 0.5 + rng.random(7))
+    return Wires(polygon(rng, 7), polygon(rng, 6), True, CONSTANTS, 0.5 + rng.random(7))
 
 
 @pytest.mark.parametrize("kind", ["any", "star", "square"])
