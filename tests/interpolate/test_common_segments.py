@@ -7,15 +7,13 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.placement import to_unit_box
-from shapeblend_cli.geometry.polygons import reverse_contour
 from shapeblend_cli.interpolate.common_segments import TOLERANCE, common_segments
 from shapeblend_cli.interpolate.continuous_match import match_continuously
 from shapeblend_cli.interpolate.parametrization import CORNER, parametrize
-from shapeblend_cli.model import Contour, Polygon
+from shapeblend_cli.model import Contour, Polygon, Style
 from shapeblend_cli.svg.reading.read import read
-from tests.support.contours import circle_contour, furthest, polygon_contour
-from tests.support.solver import find_least
+from tests.support.contours import circle_contour, drawing, furthest, polygon_contour
+from tests.support.motions import pair_of
 from tests.support.strategies import contours
 
 FOUR_ARCS = circle_contour(arcs=4)
@@ -97,13 +95,12 @@ class Cut:
         return bends(self.half, self.closed)[smooth[0] & smooth[1]]
 
 
-def cut(a, b, vertices=120):
-    """Two contours cut by what the solver says; B is reversed if A runs the other way."""
-    if a.closed and cubics.signed_area(a.segments) * cubics.signed_area(b.segments) < 0:
-        b = reverse_contour(b)
-    polygon_a, polygon_b = flatten(a, vertices), flatten(b, vertices)
-    found = find_least(to_unit_box(polygon_a), to_unit_box(polygon_b), a.closed)
-    return Cut(a, polygon_a, b, polygon_b, found.dots)
+def cut(a, b, vertices=120, **settings):
+    """Two contours cut by what is matched; B is reversed if A runs the other way."""
+    style = Style() if a.closed else Style(fill=None, stroke="#000000")
+    drawings = [drawing(contour, style=style) for contour in (a, b)]
+    (found,) = pair_of(*drawings, vertices=vertices, motion="linear", **settings).contours
+    return Cut(found.contour_a, found.polygon_a, found.contour_b, found.polygon_b, found.correspondence.dots)
 
 
 SAMPLES = (
@@ -141,9 +138,10 @@ def test_a_circle_becomes_a_circle_in_few_cubics(turn):
     assert common.smooth_bends().max() <= 1.0
 
 
-def test_a_square_becomes_a_rounded_square():
-    common = cut(polygon_contour([-1 - 1j, 1 - 1j, 1 + 1j, -1 + 1j]), rounded_square())
-    assert len(common.a) <= 16
+@pytest.mark.parametrize(("preset", "most"), [("paper", 16), (None, 20)])
+def test_a_square_becomes_a_rounded_square(preset, most):
+    common = cut(polygon_contour([-1 - 1j, 1 - 1j, 1 + 1j, -1 + 1j]), rounded_square(), preset=preset)
+    assert len(common.a) <= most
     # The sides stay lines; the corners open into curves.
     assert common.straight.sum() >= 4
     for line in common.half[common.straight]:
@@ -157,9 +155,20 @@ def test_a_rounded_square_and_a_circle_stay_smooth():
     assert found.max() <= 3.0
 
 
-def test_smooth_drawings_bend_little_at_half_time(samples):
-    birds = (largest(samples / f"{name}.svg") for name in ("bird-1", "bird-2"))
-    found = cut(*birds, 200).smooth_bends()
+@pytest.mark.parametrize(
+    ("names", "preset"),
+    [
+        (("bird-1", "bird-2"), "paper"),
+        (("dancer-1", "dancer-2"), None),
+        (("cow", "deer"), None),
+        pytest.param(
+            *(("bird-1", "bird-2"), None),
+            marks=pytest.mark.xfail(strict=True, reason="back and neck, by turning, go by small stairs"),
+        ),
+    ],
+)
+def test_smooth_drawings_bend_little_at_half_time(samples, names, preset):
+    found = cut(*(largest(samples / f"{name}.svg") for name in names), 200, preset=preset).smooth_bends()
     assert np.median(found) <= 1.0
     assert np.mean(found > 3.0) <= 0.2
 
