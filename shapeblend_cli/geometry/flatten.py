@@ -78,6 +78,30 @@ def flatten(contour: Contour, vertices: int) -> Polygon:
     return Polygon(points[kept], segment[kept], parameter[kept], contour.closed)
 
 
+def edge_parts(contour: Contour, polygon: Polygon) -> tuple[IntArray, FloatArray, FloatArray]:
+    """Return the segment on which each edge of a contour's polygon lies, and its parameters there, from and to.
+
+    There are as many edges as vertices if closed, else one less. Segments that are a point have none.
+    """
+    segments, closed = contour.segments, polygon.closed
+    count = len(polygon.vertices) if closed else len(polygon.vertices) - 1
+    following = (np.arange(count) + 1) % len(polygon.vertices)
+    segment = polygon.segment[following].copy()
+    at_node = polygon.parameter[following] == 0.0
+    if at_node.any():
+        # An edge that ends at a node lies on the segment before it.
+        size = float(np.abs(segments - segments[0, 0]).max())
+        extent = np.abs(segments - segments[:, :1]).max(axis=1)
+        real = np.flatnonzero(extent > COINCIDENT * size)
+        segment[at_node] = real[np.searchsorted(real, segment[at_node], side="left") - 1]
+    start = np.where(segment == polygon.segment[:count], polygon.parameter[:count], 0.0)
+    end = np.where(at_node, 1.0, polygon.parameter[following])
+    changes = np.roll(segment, -1) != segment
+    if not closed:
+        changes[-1:] = True
+    return segment, start, np.where(changes, 1.0, end)
+
+
 def _even(counts: IntArray) -> tuple[IntArray, FloatArray]:
     """Return the segment of each piece, and the share of the segment's length at which it begins."""
     segment = np.repeat(np.arange(len(counts)), counts)
@@ -93,7 +117,9 @@ def _measure(
     contour: Contour, ladders: FloatArray, segment: IntArray, share: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Return the parameter at which each piece begins, and a bound on its distance from its chord."""
-    parameter = _parameters(ladders, segment, share)
+    parameter = np.where(
+        share > 0.0, _parameters(ladders, segment, share), 0.0
+    )  # a point has no lengths to go by
     last = np.append(segment[1:] != segment[:-1], True)
     end = np.where(last, 1.0, np.roll(parameter, -1))
     deviation = cubics.chord_deviation(cubics.pieces(contour.segments[segment], parameter, end))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.flatten import COINCIDENT
+from shapeblend_cli.geometry.flatten import edge_parts
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
 
 if TYPE_CHECKING:
@@ -120,24 +120,8 @@ def parametrize(contour: Contour, polygon: Polygon) -> ContourParameter:
     """Return the parameter of a contour whose polygon has two vertices or more."""
     segments, closed = contour.segments, polygon.closed
     vertices = polygon.vertices
-    count = len(vertices) if closed else len(vertices) - 1
-    following = (np.arange(count) + 1) % len(vertices)
-    size = float(np.abs(segments - segments[0, 0]).max())
-    segment = polygon.segment[following].copy()
-    at_node = polygon.parameter[following] == 0.0
-    if at_node.any():
-        # An edge that ends at a node lies on the segment before it; segments that are a point have no edge.
-        extent = np.abs(segments - segments[:, :1]).max(axis=1)
-        real = np.flatnonzero(extent > COINCIDENT * size)
-        rank = np.searchsorted(real, segment[at_node], side="left") - 1
-        segment[at_node] = real[rank]
-    same = segment == polygon.segment[:count]
-    start = np.where(same, polygon.parameter[:count], 0.0)
-    end = np.where(at_node, 1.0, polygon.parameter[following])
-    changes = np.roll(segment, -1) != segment
-    if not closed:
-        changes[-1:] = True
-    end = np.where(changes, 1.0, end)
+    segment, start, end = edge_parts(contour, polygon)
+    count = len(segment)
     lengths = cumulative_lengths(from_end_to_end(vertices, closed))
     node = np.append(start == 0.0, True)
     if closed:

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.flatten import edge_parts
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
 from shapeblend_cli.matching.angles import Corners
 from shapeblend_cli.matching.solve import is_proven
@@ -57,7 +58,6 @@ class FlatContour(NamedTuple):
     def cut_at(self, places: FloatArray) -> FlatContour:
         """Return the contour with more vertices, on its curves, at shares of the outline."""
         polygon, own = self.polygon, self.lengths()
-        count = len(polygon.vertices)
         places = np.sort(places % 1.0 if polygon.closed else places)
         least = NEAR * _median(np.diff(own))
         before = np.clip(np.searchsorted(own, places, side="right") - 1, 0, len(own) - 2)
@@ -66,14 +66,13 @@ class FlatContour(NamedTuple):
 
         # On the edge from one vertex to the next the parameter of the segment grows evenly.
         edge = np.searchsorted(own, places, side="right") - 1
-        following = (edge + 1) % count
-        segment, start = polygon.segment[edge], polygon.parameter[edge]
-        ends_inside = (polygon.segment[following] == segment) & (polygon.parameter[following] > start)
-        end = np.where(ends_inside, polygon.parameter[following], 1.0)
-        parameter = start + (end - start) * (places - own[edge]) / (own[edge + 1] - own[edge])
+        segments, start, end = edge_parts(self.contour, polygon)
+        segment = segments[edge]
+        share = (places - own[edge]) / (own[edge + 1] - own[edge])
+        parameter = start[edge] + (end - start)[edge] * share
         points = cubics.evaluate(self.contour.segments[segment], parameter)
 
-        order = np.argsort(np.append(own[:count], places), kind="stable")
+        order = np.argsort(np.append(own[: len(polygon.vertices)], places), kind="stable")
         cut = Polygon(
             np.append(polygon.vertices, points)[order],
             np.append(polygon.segment, segment)[order],
