@@ -24,24 +24,27 @@ SHEETS = {
     "bird": ["bird-1 bird-2"],
     "animals": ["cow deer"],
     "step": ["step-1 step-2 --motion linear", "step-1 step-2"],
-    "dancer": ["dancer-1 dancer-2 --preset fig28 --motion linear", "dancer-1 dancer-2 --preset fig28"],
+    "dancer": ["dancer-1 dancer-2 --motion linear", "dancer-1 dancer-2"],
 }
 """For each picture its rows: the two drawings, and what else the README says was on the command line."""
 
 CONSTANTS = {
-    "ks": ("e f", (0, 1, 10)),
-    "kb": ("cow deer", (0, 1, 10)),
-    "es": ("f cow", (1, 2, 4)),
-    "eb": ("cow deer", (0.5, 1, 2)),
-    "mb": ("cow deer", (0, 3, 100)),
-    "pb": ("dancer-1 dancer-2", (0, 1000)),
-    "cs": ("e f", (0.05, 0.5, 1)),
+    "bending": {"dancer-1 dancer-2": ("turn", "paper")},
+    "kt": {"e f --motion linear": (0, 20, 200)},
+    "smoothing": {"pan-1 pan-2 --motion linear": (0, 0.005, 0.1)},
+    "ks": {"e f --motion linear": (0, 1, 10)},
+    "kb": {"e f --motion linear": (0, 1, 10)},
+    "es": {"f cow --motion linear": (1, 2, 4)},
+    "eb": {"f cow --motion linear": (0.5, 1, 2)},
+    "pb": {"f cow --motion linear": (0, 1), "dancer-1 dancer-2 --motion linear": (1, 1000)},
+    "mb": {"cow deer --motion linear --bending paper": (0, 3, 100)},
+    "cs": {"e f --motion linear": (0.05, 0.5, 1)},
 }
-"""For each of the paper's constants two drawings, and its values from above to below; the shapes go straight."""
+"""For each constant of the wire drawings, and its values from above to below."""
 
 SHEETS |= {
-    f"constant-{name}": [f"{drawings} --motion linear --{name} {value}" for value in values]
-    for name, (drawings, values) in CONSTANTS.items()
+    f"constant-{name}": [f"{blend} --{name} {value}" for blend, values in shown.items() for value in values]
+    for name, shown in CONSTANTS.items()
 }
 
 
