@@ -30,13 +30,13 @@ SHEETS = {
 
 CONSTANTS = {
     "bending": {"dancer-1 dancer-2": ("turn", "paper")},
-    "kt": {"e f --motion linear": (0, 20, 200)},
+    "kt": {"e f --motion linear": (0, 7, 70)},
     "smoothing": {"pan-1 pan-2 --motion linear": (0, 0.005, 0.1)},
     "ks": {"e f --motion linear": (0, 1, 10)},
     "kb": {"e f --motion linear": (0, 1, 10)},
     "es": {"f cow --motion linear": (1, 2, 4)},
     "eb": {"f cow --motion linear": (0.5, 1, 2)},
-    "pb": {"f cow --motion linear": (0, 1), "dancer-1 dancer-2 --motion linear": (1, 1000)},
+    "pb": {"cow step-1 --motion linear": (0, 1), "dancer-1 dancer-2 --motion linear": (1, 1000)},
     "mb": {"cow deer --motion linear --bending paper": (0, 3, 100)},
     "cs": {"e f --motion linear": (0.05, 0.5, 1)},
 }
