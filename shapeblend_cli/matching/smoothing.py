@@ -15,7 +15,7 @@ import numpy as np
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray
 
-REACH = 6.0
+REACH = 7.0
 """How far a corner is felt, in standard deviations: beyond, it moves nothing by more than rounding does."""
 
 OUTLINE = 1e-3
