@@ -90,6 +90,45 @@ def test_a_preset_gives_what_is_not_given_and_else_the_solver():
     assert Settings().constants == WorkConstants()
 
 
+def test_the_paper_has_another_penalty_for_an_angle_of_zero():
+    """By turning an angle that closes costs little; by the paper's bending it is as good as forbidden."""
+    for kind in (Settings, WorkConstants):
+        assert kind().p_b < 10.0
+        assert (kind(bending="paper").p_b, kind(bending="paper", p_b=5.0).p_b) == (1000.0, 5.0)
+    assert (Settings(preset="paper").p_b, Settings(preset="paper", p_b=2.0).p_b) == (1000.0, 2.0)
+    settings = Settings(bending="paper")
+    assert settings.replace(bending="turn").p_b == Settings().p_b
+    assert settings.replace(k_b=0.5).p_b == 1000.0
+    assert Settings().replace(bending="paper").p_b == 1000.0
+
+
+def test_the_preset_of_the_paper_is_its_work_alone():
+    settings = Settings(preset="paper")
+    assert (settings.bending, settings.k_t, settings.smoothing) == ("paper", 0.0, 0.0)
+    assert settings.constants == WorkConstants(bending="paper", k_t=0.0, smoothing=0.0)
+    for name in PRESETS:
+        row = Settings(preset=name)
+        assert (row.bending, row.k_t, row.smoothing, row.p_b) == ("paper", 0.0, 0.0, 1000.0)
+    mixed = Settings(preset="paper", k_t=5.0, bending="turn")
+    assert (mixed.bending, mixed.k_t, mixed.smoothing, mixed.p_b) == ("turn", 5.0, 0.0, Settings().p_b)
+
+
+@pytest.mark.parametrize(
+    ("given", "cut"),
+    [
+        ({}, True),
+        ({"vertices": 0}, False),
+        ({"bending": "paper"}, False),
+        ({"preset": "fig28"}, False),
+        ({"band": 0.2}, False),
+        ({"solver": "simplified"}, False),
+        ({"k_t": 0.0, "smoothing": 0.0}, True),
+    ],
+)
+def test_where_the_polygons_are_the_papers_they_are_not_cut_again(given, cut):
+    assert Settings(**given).makes_common_cuts == cut
+
+
 def test_the_documentation_names_every_field_and_its_type():
     for name in Settings.options.keys() - WorkConstants.options.keys():
         assert f"\n{name} : {Settings.__annotations__[name]}\n    " in Settings.__doc__

@@ -12,6 +12,7 @@ import pytest
 from shapeblend_cli.cli import run, shapeblend
 from shapeblend_cli.cli.blend import EXAMPLES
 from shapeblend_cli.cli.group import SectionedCommand
+from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.settings import SECTIONS
 
 SECTIONED = {
@@ -37,6 +38,20 @@ def test_the_help_says_every_option_once(capsys):
     assert "Examples:" in lines
 
 
+def test_the_help_says_what_the_work_is_by_default_and_by_the_paper(capsys):
+    assert run(["--help"]) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    constants = WorkConstants()
+    for option, default in {
+        "--bending [turn|paper]": constants.bending,
+        "--kt X": f"{constants.k_t:g}",
+        "--smoothing X": f"{constants.smoothing:g}",
+        "--pb X": f"{constants.p_b:g}; {WorkConstants(bending='paper').p_b:g} with --bending paper",
+    }.items():
+        assert re.search(rf"{re.escape(option)} [^\[]*\[default: {re.escape(default)}\]", text)
+    assert "--preset [fig1|fig2|fig3|fig8|fig10|fig11|fig27|fig28|paper]" in text
+
+
 @pytest.mark.parametrize("line", [line for line, _ in EXAMPLES])
 def test_the_examples_work(line, three):
     assert run(line.split()[1:]) == 0
@@ -52,6 +67,7 @@ def test_the_examples_work(line, three):
             "shapeblend a.svg b.svg --motion ",
             [f"plain,{m}" for m in "auto linear rigid intrinsic safe".split()],
         ),
+        ("shapeblend a.svg b.svg --bending ", ["plain,turn", "plain,paper"]),
         ("shapeblend plot ", [f"plain,{kind}" for kind in "graph surface angle starts".split()]),
         ("shapeblend plot graph a", ["file,a"]),
         ("shapeblend inspect a", ["file,a"]),
