@@ -124,7 +124,8 @@ def _search_near(problem: Problem, near: IntArray, pins: list[Dot] | None) -> Pa
         (m, n) if closed else None,
         inside,
     )
-    path, _ = _search(problem, region, pins)
+    reaches_pins = (region.low <= region.high).all()
+    path = _search(problem, region, pins)[0] if reaches_pins else None
     return path if path is not None else _search(problem, walls, pins)[0]
 
 
