@@ -70,11 +70,11 @@ def test_a_segment_that_is_a_point_is_passed_over():
 def test_both_are_cut_and_the_path_goes_through_all_of_it(pair):
     a, b = (flat(contour) for contour in pair)
 
-    def solve(p, q, watch=None):
-        return find_least(to_unit_box(p.polygon), to_unit_box(q.polygon), p.polygon.closed)
+    def solve(p, q, near=None):
+        return find_least(to_unit_box(p.polygon), to_unit_box(q.polygon), p.polygon.closed, near=near)
 
     first = solve(a, b)
-    cut_a, cut_b, found = solve_with_common_cuts(a, b, first, solve, None)
+    cut_a, cut_b, found = solve_with_common_cuts(a, b, first, solve, "auto")
     assert_cut_of(cut_a, a)
     assert_cut_of(cut_b, b)
     counts = len(cut_a.polygon.vertices), len(cut_b.polygon.vertices)
@@ -162,14 +162,7 @@ def wrong_turns(path, degrees=3.0):
     return int((np.degrees(turns) < -degrees).sum())
 
 
-@pytest.mark.parametrize(
-    "vertices",
-    [
-        50,
-        pytest.param(200, marks=pytest.mark.xfail(strict=True, reason="the arm's edge goes by small stairs")),
-        pytest.param(400, marks=pytest.mark.xfail(strict=True, reason="there is a tooth on the arm")),
-    ],
-)
+@pytest.mark.parametrize("vertices", [50, 200, 400])
 def test_an_arm_is_drawn_in_without_stairs(samples, vertices):
     files = (read(str(samples / f"{name}.svg")) for name in ("e", "f"))
     (shape,) = pair_of(*files, vertices=vertices, motion="linear").shapes
