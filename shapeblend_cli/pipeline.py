@@ -5,7 +5,6 @@ Each stage is a function from values to values. Polygons are normalised, section
 
 from __future__ import annotations
 
-import math
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -27,13 +26,6 @@ from shapeblend_cli.pairing.pair import pair_rotated_contours
 from shapeblend_cli.pairing.shapes import Match, shape_blends
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.views import view_of, views_with_room
-
-LEAST_ROTATION = math.radians(10.0)
-"""A shape that rotates by less is not matched again for that."""
-
-ROUNDS, SAME_ANGLE = 5, 2e-3
-"""A shape is aligned and matched again until the angle changes by less, in radians, or so often; two or three times are
-enough."""
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -234,27 +226,17 @@ def _move(paired: _PairedDrawings, shapes: Sequence[ShapeBlend]) -> tuple[ShapeB
 def _rotate_back(
     paired: _PairedDrawings, shape: ShapeBlend, common: Alignment | None
 ) -> tuple[ShapeBlend, Alignment]:
-    """Align a shape and match it again, with B rotated back so, until the angle stays.
+    """Align a shape; match it again first, with B rotated back, if its largest contour is A's rotated.
 
-    Points that travel cost work, so the first match may not show that one contour is the other rotated.
+    Points that travel cost work, so the first match does not show that.
     """
-    own = align(point_pairs(shape.contours))
     largest = max((c for c in shape.contours if c.is_matched), key=lambda contour: contour.scale_a)
-    copied = rotation_between(largest.polygon_a, largest.polygon_b)
-    if copied is not None:
-        own = own._replace(rotation=copied)
-    elif common is not None and is_as_good(common, own, shape):
-        if abs(common.rotation) < LEAST_ROTATION:
-            return shape, common
-        return _match_again(paired, shape, common.rotation), common
-    if abs(own.rotation) < LEAST_ROTATION:
-        return shape, own
-    for _ in range(ROUNDS):
-        angle = own.rotation
-        shape = _match_again(paired, shape, angle)
-        own = align(point_pairs(shape.contours))
-        if abs(own.rotation - angle) < SAME_ANGLE:
-            break
+    rotation = rotation_between(largest.polygon_a, largest.polygon_b)
+    if rotation is not None:
+        shape = _match_again(paired, shape, rotation)
+    own = align(point_pairs(shape.contours))
+    if rotation is None and common is not None and is_as_good(common, own, shape):
+        return shape, common
     return shape, own
 
 
