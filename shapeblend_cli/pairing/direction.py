@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polygons import orientation, reverse_polygon
@@ -18,6 +20,10 @@ if TYPE_CHECKING:
     from shapeblend_cli.settings import Settings
 
     Watch = Callable[[float], None]
+
+
+CLEAR = 4.0
+"""Ends of open polygons are nearer one way round if their squared distances, added up, are so many times smaller."""
 
 
 def choose_direction(
@@ -68,10 +74,17 @@ def solve(
 def reversed_candidates(a: Polygon, b: Polygon, reverse: str) -> list[bool]:
     """Return whether to reverse B: one answer, or both where only the work can tell.
 
-    By default closed polygons are gone through with equal orientation.
+    By default closed polygons are gone through with equal orientation, and the ends of open ones go to the ends that are
+    nearer, if that is clear.
     """
     if reverse != "auto":
         return [reverse == "yes"]
+    if not a.closed:
+        ends = [
+            (polygon.vertices[[0, -1]] - polygon.box.centre) / polygon.box.larger_side for polygon in (a, b)
+        ]
+        apart = [float((np.abs(ends[0] - other) ** 2).sum()) for other in (ends[1], ends[1][::-1])]
+        return [False, True] if max(apart) < CLEAR * min(apart) else [apart[1] < apart[0]]
     orientations = orientation(a), orientation(b)
     return [False, True] if 0 in orientations else [orientations[0] != orientations[1]]
 
