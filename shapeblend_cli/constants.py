@@ -10,8 +10,8 @@ from shapeblend_cli.fields import Record, option
 
 WIRE = "The wire"
 
-PAPER_P_B = 1000.0
-"""The penalty for an angle of zero where bending is the paper's."""
+PAPER_DEFAULTS = {"k_s": 1.0, "p_b": 1000.0}
+"""Defaults that are others where bending is the paper's."""
 
 NOT_NEGATIVE, POSITIVE = number(0), number(0, above=True)
 
@@ -19,7 +19,13 @@ NOT_NEGATIVE, POSITIVE = number(0), number(0, above=True)
 class WorkConstants(Record, section=WIRE):
     """The constants of the work that bends, stretches and moves a wire; the defaults are measured, not the paper's."""
 
-    k_s: float = option(NOT_NEGATIVE, default=1.0, key="ks", help="Stiffness against stretching.")
+    k_s: float = option(
+        NOT_NEGATIVE,
+        default=1.2,
+        key="ks",
+        help="Stiffness against stretching.",
+        default_text=f"1.2; {PAPER_DEFAULTS['k_s']:g} with --bending paper",
+    )
     k_b: float = option(NOT_NEGATIVE, default=1.0, key="kb", help="Stiffness against bending.")
     e_s: float = option(POSITIVE, default=2.0, key="es", help="Exponent of the stretching work.")
     e_b: float = option(POSITIVE, default=1.0, key="eb", help="Exponent of the bending work.")
@@ -28,7 +34,7 @@ class WorkConstants(Record, section=WIRE):
         default=1.0,
         key="pb",
         help="Penalty for an angle that closes to zero.",
-        default_text=f"1; {PAPER_P_B:g} with --bending paper",
+        default_text=f"1; {PAPER_DEFAULTS['p_b']:g} with --bending paper",
     )
     m_b: float = option(
         NOT_NEGATIVE,
@@ -49,7 +55,7 @@ class WorkConstants(Record, section=WIRE):
         "straight vertex paths, equation 17.",
     )
     k_t: float = option(
-        NOT_NEGATIVE, default=7.0, key="kt", help="Stiffness against travel: points of the wire stay near."
+        NOT_NEGATIVE, default=6.0, key="kt", help="Stiffness against travel: points of the wire stay near."
     )
     smoothing: float = option(
         number(0, 0.1),
@@ -59,7 +65,7 @@ class WorkConstants(Record, section=WIRE):
     )
 
     def _defaults(self, given: Mapping[str, Any]) -> dict[str, Any]:
-        paper = {"p_b": PAPER_P_B} if given.get("bending") == "paper" else {}
+        paper = PAPER_DEFAULTS if given.get("bending") == "paper" else {}
         return super()._defaults(given) | paper
 
 

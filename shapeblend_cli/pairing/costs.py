@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.constants import PAPER, PAPER_P_B
+from shapeblend_cli.constants import PAPER, WorkConstants
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polyline import distinct
 from shapeblend_cli.matching.solve import least_work
@@ -15,7 +15,6 @@ from shapeblend_cli.matching.work import Wires
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.constants import WorkConstants
     from shapeblend_cli.model import Box, ComplexArray, FloatArray
     from shapeblend_cli.pairing.decompose import PlacedContour
 
@@ -29,6 +28,9 @@ WORK_WEIGHT, WORK_HALF_SATURATION = 0.5, 10.0
 """Cost of any amount of work, and the least work that costs half of it: a circle into a five-pointed star takes about
 this much. The cost is the share work / (work + `WORK_HALF_SATURATION`): shapes that differ in every detail are not
 worse partners than those that differ in most."""
+
+LIKENESS = WorkConstants(**PAPER)
+"""By what contours are alike: the paper's work, which does not hang on where they are. The weights are set for it."""
 
 PAINT_WEIGHT = 0.5
 """Cost of turning a filled shape into one that is not, or one without a stroke into one with; and of turning black
@@ -61,12 +63,8 @@ class FramedContours(NamedTuple):
         return np.array([contour.size for contour in self.contours]) / self.frame.diagonal
 
 
-def pairing_costs(a: FramedContours, b: FramedContours, constants: WorkConstants) -> FloatArray:
-    """Return the costs of turning each contour of `a` into each of `b`, (p, q) float >= 0.
-
-    The work is the paper's: where contours are counts already, and the weights are set for it.
-    """
-    constants = constants.replace(**PAPER, p_b=PAPER_P_B)
+def pairing_costs(a: FramedContours, b: FramedContours) -> FloatArray:
+    """Return the costs of turning each contour of `a` into each of `b`, (p, q) float >= 0."""
     distance = np.abs(a.centres()[:, None] - b.centres())
     growth = np.abs(np.log(a.sizes())[:, None] - np.log(b.sizes()))
     paint = np.array([[_paint_difference(p, q) for q in b.contours] for p in a.contours])
@@ -74,7 +72,7 @@ def pairing_costs(a: FramedContours, b: FramedContours, constants: WorkConstants
     work = np.full(cheap.shape, np.inf)
     for i, j in _worth_solving(cheap):
         p, q = a.contours[i].polygon, b.contours[j].polygon
-        work[i, j] = coarse_work(to_unit_box(p), to_unit_box(q), p.closed and q.closed, constants)
+        work[i, j] = coarse_work(to_unit_box(p), to_unit_box(q), p.closed and q.closed, LIKENESS)
     return cheap + WORK_WEIGHT * (1.0 - WORK_HALF_SATURATION / (work + WORK_HALF_SATURATION))
 
 

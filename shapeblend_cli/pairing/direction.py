@@ -74,8 +74,8 @@ def solve(
 def reversed_candidates(a: Polygon, b: Polygon, reverse: str) -> list[bool]:
     """Return whether to reverse B: one answer, or both where only the work can tell.
 
-    By default closed polygons are gone through with equal orientation, and the ends of open ones go to the ends that are
-    nearer, if that is clear.
+    By default closed polygons are gone through with equal orientation, and the ends of open ones go to the nearer ends,
+    if that is clear.
     """
     if reverse != "auto":
         return [reverse == "yes"]

@@ -17,7 +17,6 @@ from shapeblend_cli.pairing.split import split_exteriors
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
-    from shapeblend_cli.constants import WorkConstants
     from shapeblend_cli.model import FloatArray
     from shapeblend_cli.pairing.decompose import ContourPair
     from shapeblend_cli.settings import Settings
@@ -50,7 +49,6 @@ def pair_contours(
     MatchError
         Required pairs that name no contour, name one twice, or connect what cannot be paired.
     """
-    constants = settings.constants
     fixed = _required_partners(a, b, required)
     outer = [[contour for contour in side if contour.role != HOLE] for side in (a, b)]
     kinds: list[tuple[str, ...]] = [(EXTERIOR,), (LINE,)]
@@ -60,7 +58,7 @@ def pair_contours(
         FramedContours(side, Box.union([contour.box for contour in side])) for side in outer
     )
     framed = framed_a, framed_b
-    pairs = [pair for kind in kinds for pair in _cheapest_pairs(framed, kind, constants, fixed)]
+    pairs = [pair for kind in kinds for pair in _cheapest_pairs(framed, kind, fixed)]
     below = visible_overlaps(a), visible_overlaps(b)
     refused: set[Numbers] = set()
     for _ in range(ROUNDS):
@@ -70,7 +68,7 @@ def pair_contours(
         settled = {(p.number, q.number) for p, q in kept}
         refused |= {(p.number, q.number) for p, q in pairs} - settled
         again = fixed | dict(settled)
-        pairs = [pair for kind in kinds for pair in _cheapest_pairs(framed, kind, constants, again, refused)]
+        pairs = [pair for kind in kinds for pair in _cheapest_pairs(framed, kind, again, refused)]
     else:
         pairs = _without_swaps(pairs, fixed, below)
     if settings.unmatched == "split":
@@ -80,7 +78,7 @@ def pair_contours(
             FramedContours([c for c in side if exterior.contains_hole(c)], exterior.box)
             for side, exterior in zip((a, b), pair, strict=True)
         )
-        pairs += _cheapest_pairs((holes_a, holes_b), (HOLE,), constants, fixed)
+        pairs += _cheapest_pairs((holes_a, holes_b), (HOLE,), fixed)
     return sorted(pairs, key=lambda pair: pair[0].number)
 
 
@@ -108,7 +106,6 @@ def pair_rotated_contours(
 def _cheapest_pairs(
     framed: tuple[FramedContours, FramedContours],
     roles: tuple[str, ...],
-    constants: WorkConstants,
     fixed: dict[int, int],
     refused: Collection[Numbers] = (),
 ) -> list[ContourPair]:
@@ -129,7 +126,7 @@ def _cheapest_pairs(
     if allowed.size == 1:
         assigned = [(0, 0)]
     else:
-        costs = pairing_costs(a, b, constants)
+        costs = pairing_costs(a, b)
         # Larger contours are cheaper on the side that has more, so that what is left out is small.
         if len(a.contours) < len(b.contours):
             costs -= SKIP_COST * b.sizes()
