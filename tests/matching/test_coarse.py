@@ -113,3 +113,25 @@ def test_large_outlines_take_bounded_memory():
     tracemalloc.stop()
     assert found.lower_bound == 0.0
     assert peak < 250e6  # all tables at once would take a gigabyte
+
+
+@pytest.mark.parametrize("closed", [True, False])
+def test_near_the_least_path_the_least_is_found_and_elsewhere_no_less(rng, closed):
+    p0, p1 = wavy(90, 3), wavy(80, 4)
+    least = find_least(p0, p1, closed)
+    near = np.zeros(90, int)
+    near[least.dots[::-1, 0]] = least.dots[::-1, 1]
+    found = find_least(p0, p1, closed, near=near)
+    assert found.work == pytest.approx(least.work, rel=1e-12)
+    assert (found.lower_bound, found.gap) == (0.0, 1.0)  # nothing is known of the rest
+    elsewhere = (near + 40) % 80 if closed else np.minimum(near + 40, 79)
+    assert find_least(p0, p1, closed, near=elsewhere).work >= least.work * (1 - 1e-12)
+
+
+def test_where_no_path_is_near_what_is_required_all_are_searched():
+    p0, p1 = wavy(90, 3), wavy(80, 4)
+    required = {"start": (0, 0), "pins": [(30, 70)]}
+    near = (np.arange(90) * 80 // 90 + 40) % 80
+    found = find_least(p0, p1, near=near, **required)
+    assert {(0, 0), (30, 70)} <= set(map(tuple, found.dots.tolist()))
+    assert found.work >= find_least(p0, p1, **required).work * (1 - 1e-12)
