@@ -161,12 +161,13 @@ def test_shapeblend_gives_the_frames_of_its_files():
 
 
 def test_shapeblend_gives_the_motion_it_is_told():
-    # The paper's step turned by a quarter: straight paths shrink it to half its area.
+    # The paper's step turned by a quarter: straight paths shrink it to half its area, where travel is free.
     step = np.array([0, 60, 60 + 20j, 20 + 20j, 20 + 60j, 60j])
     turned = step[0] + 1j * (step - step[0]) + 60
     sides = (f"M{'L'.join(f'{z.real:g},{z.imag:g}' for z in side)}Z" for side in (step, turned))
     pair = Pair("", *sides)
-    shares = {motion: area_share(shapeblend.blends([pair], motion)[0]) for motion in shapeblend.MOTIONS}
+    files = {motion: shapeblend.frames(pair, motion, also=["--kt", "0"]) for motion in shapeblend.MOTIONS}
+    shares = {motion: area_share(list(map(shapeblend.drawn, each))) for motion, each in files.items()}
     assert shares.pop("linear") == pytest.approx(0.5, abs=0.02)
     assert shares == {name: pytest.approx(1.0, abs=0.02) for name in ("rigid", "intrinsic", "safe")}
     assert area_share(shapeblend.blends([pair])[0]) == pytest.approx(1.0, abs=0.02)
