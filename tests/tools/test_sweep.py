@@ -42,7 +42,9 @@ def test_a_trade_says_what_gets_better_and_worse():
     scores = {"": found(0.01), "--kb 3": found(0.008, crossed=2), "--kb 0.3": found(0.0101, crossed=1)}
     setting, better, worse = sweep.trade(scores, "kb", "3")
     assert setting == "`--kb 3`"
-    assert better.startswith("letters: in-between 1.00 % → 0.80 %; letters: off 1.00 % → 0.80 %; articulated")
+    assert better.startswith(
+        "letters: in-between 1.00 % → 0.80 %; letters: off 1.000 % → 0.800 %; articulated"
+    )
     assert worse == "icons: crossed 0 → 2"
     # A change of one icon or of one per cent is none.
     assert sweep.trade(scores, "kb", "0.3")[1:] == ["–", "–"]
@@ -51,8 +53,8 @@ def test_a_trade_says_what_gets_better_and_worse():
 def test_the_document_has_every_setting():
     scores = {name: found(0.01) for name in sweep.settings()}
     text = sweep.document(scores)
-    assert "2 pairs of letters, 2 pairs of articulated, 2 pairs of authored, 4 pairs of icons." in text
-    assert f"| `--kb` | **{sweep.default_of('kb')}** | 1.00 % | 1.00 % | 0 |" in text
+    assert "Pairs: letters 2, articulated 2, authored 2, icons 4." in text
+    assert f"| `--kb` | **{sweep.default_of('kb')}** | 1.00 % | 1.000 % | 0 |" in text
     rows = [line for line in text.splitlines() if line.startswith("|")]
     swept = sum(len(sweep.values(key)) for key in sweep.options())
     neighbours = sum(len(sweep.beside_default(key)) for key in sweep.options())

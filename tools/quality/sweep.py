@@ -130,13 +130,17 @@ def _percent(part: float) -> str:
     return f"{100 * part:.2f} %"
 
 
+def _finely(part: float) -> str:
+    return f"{100 * part:.3f} %"
+
+
 MEASURES = (
     *(
         measure
         for of in FOLDERS
         for measure in (
             Measure(f"{of}: in-between", of, "strict", np.mean, _percent),
-            Measure(f"{of}: off", of, "corr", np.mean, _percent),
+            Measure(f"{of}: off", of, "corr", np.mean, _finely),
             Measure(f"{of}: gross", of, "corr", _gross, str, counted=True),
         )
     ),
@@ -242,14 +246,14 @@ def document(found: dict[str, Found]) -> str:
     """The text of docs/defaults.md."""
     names = [measure.name for measure in MEASURES]
     alone = [row(found, key, value) for key in options() for value in values(key)]
-    counts = ", ".join(f"{len(next(iter(kinds.values())))} pairs of {of}" for of, kinds in found[""].items())
+    counts = ", ".join(f"{of} {len(next(iter(kinds.values())))}" for of, kinds in found[""].items())
     neighbours = [trade(found, key, value) for key in options() for value in beside_default(key)]
     grid = combinations()
     jointly = [[*_bold(setting), *cells(found[label(setting)])] for setting in grid]
     return "\n".join(
         (
             TEXT,
-            f"{counts}.\n",
+            f"Pairs: {counts}.\n",
             Table(("option", "value", *names), alone).markdown(),
             TRADES,
             Table(("setting", "better", "worse"), neighbours).markdown(),
