@@ -21,10 +21,10 @@ class WorkConstants(Record, section=WIRE):
 
     k_s: float = option(
         NOT_NEGATIVE,
-        default=1.2,
+        default=1.3,
         key="ks",
         help="Stiffness against stretching.",
-        default_text=f"1.2; {PAPER_DEFAULTS['k_s']:g} with --bending paper",
+        default_text=f"1.3; {PAPER_DEFAULTS['k_s']:g} with --bending paper",
     )
     k_b: float = option(NOT_NEGATIVE, default=1.0, key="kb", help="Stiffness against bending.")
     e_s: float = option(POSITIVE, default=2.0, key="es", help="Exponent of the stretching work.")
@@ -55,7 +55,7 @@ class WorkConstants(Record, section=WIRE):
         "straight vertex paths, equation 17.",
     )
     k_t: float = option(
-        NOT_NEGATIVE, default=6.0, key="kt", help="Stiffness against travel: points of the wire stay near."
+        NOT_NEGATIVE, default=7.0, key="kt", help="Stiffness against travel: points of the wire stay near."
     )
     smoothing: float = option(
         number(0, 0.1),
