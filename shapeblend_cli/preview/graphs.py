@@ -18,7 +18,7 @@ from shapeblend_cli.settings import Settings
 if TYPE_CHECKING:
     from shapeblend_cli.model import IntArray
 
-MOST_DOTS = 160_000  # dots of all landscapes of a page together: about two bytes each
+MOST_DOTS = 300_000  # dots of all landscapes of a page together: about two bytes each
 LEVELS = 65_534  # steps of the scale on which works are stored; one more stands for no path at all
 FINEST = 1e-5  # the least extra work that the scale distinguishes from none, as a share of its unit
 LARGE, FULL = "large", "full"
