@@ -313,7 +313,7 @@ def match(
     --------
     The triangle and the square of figures 23 and 24:
 
-    >>> found = match([(0, 0), (0, 1), (1, 0)], [(0, 0), (0, 1), (1, 1), (1, 0)])
+    >>> found = match([(0, 0), (0, 1), (1, 0)], [(0, 0), (0, 1), (1, 1), (1, 0)], k_s=1.0)
     >>> found.pairs.tolist()[0], round(found.stretching, 4), found.gap
     ([0, 0], 2.1421, 0.0)
     """

@@ -149,9 +149,9 @@ def rounded_square(radius=0.4):
 def test_a_rounded_square_keeps_its_symmetry_on_its_way_to_a_square(vertices):
     for outline in in_betweens(drawing(rounded_square()), drawing(SQUARE), vertices=vertices):
         assert not_convex(outline) < 1e-3
-        # Corners open at one vertex or the next.
-        assert unlike(outline, shapely.affinity.rotate(outline, 90, origin=(0, 0))) < 0.01
-        assert unlike(outline, shapely.affinity.scale(outline, -1, 1, origin=(0, 0))) < 0.01
+        # About the middle of an arc it costs hardly more or less where the corner opens.
+        assert unlike(outline, shapely.affinity.rotate(outline, 90, origin=(0, 0))) < 0.015
+        assert unlike(outline, shapely.affinity.scale(outline, -1, 1, origin=(0, 0))) < 0.015
 
 
 def wrong_turns(path, degrees=3.0):
