@@ -30,12 +30,9 @@ if TYPE_CHECKING:
 ROUNDS = 3
 """The outlines are cut anew at most so often."""
 
-LEAST_FALL = 0.0
-"""Cutting goes on while the work falls by more than this share of it."""
-
 EVENNESS, BASE = 2e-3, 1e-2
-"""How much an even path counts, against one through places that bend; and how much the path that was found counts where
-nothing bends, both per length of the outline and per radian."""
+"""How much it counts that a path is even, against that it goes through places that bend; and how much the path that was
+found counts where nothing bends, in radians for the whole outline."""
 
 FIXED = 1e6
 """Weight of the ends of open outlines, in radians."""
