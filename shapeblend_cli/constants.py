@@ -21,10 +21,10 @@ class WorkConstants(Record, section=WIRE):
 
     k_s: float = option(
         NOT_NEGATIVE,
-        default=1.3,
+        default=1.2,
         key="ks",
         help="Stiffness against stretching.",
-        default_text=f"1.3; {PAPER_DEFAULTS['k_s']:g} with --bending paper",
+        default_text=f"1.2; {PAPER_DEFAULTS['k_s']:g} with --bending paper",
     )
     k_b: float = option(NOT_NEGATIVE, default=1.0, key="kb", help="Stiffness against bending.")
     e_s: float = option(POSITIVE, default=2.0, key="es", help="Exponent of the stretching work.")
@@ -59,7 +59,7 @@ class WorkConstants(Record, section=WIRE):
     )
     smoothing: float = option(
         number(0, 0.1),
-        default=0.005,
+        default=0.01,
         help="The scale of bending: how far outlines are smoothed before most of it is measured, as a share of their "
         "length.",
     )
