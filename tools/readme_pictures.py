@@ -23,7 +23,7 @@ SHEETS = {
     "triangle-square": ["triangle square"],
     "bird": ["bird-1 bird-2"],
     "animals": ["cow deer"],
-    "step": ["step-1 step-2 --motion linear", "step-1 step-2"],
+    "step": ["step-1 step-2 --motion linear --preset paper", "step-1 step-2"],
     "dancer": ["dancer-1 dancer-2 --motion linear", "dancer-1 dancer-2"],
 }
 """For each picture its rows: the two drawings, and what else the README says was on the command line."""
@@ -31,13 +31,13 @@ SHEETS = {
 CONSTANTS = {
     "bending": {"dancer-1 dancer-2": ("turn", "paper")},
     "kt": {"e f --motion linear": (0, 7, 70)},
-    "smoothing": {"pan-1 pan-2 --motion linear": (0, 0.005, 0.1)},
-    "ks": {"e f --motion linear": (0, 1, 10)},
+    "smoothing": {"pan-1 pan-2 --motion linear": (0, 0.01, 0.1)},
+    "ks": {"e f --motion linear": (0, 1.2, 12)},
     "kb": {"e f --motion linear": (0, 1, 10)},
     "es": {"f cow --motion linear": (1, 2, 4)},
     "eb": {"f cow --motion linear": (0.5, 1, 2)},
     "pb": {"cow step-1 --motion linear": (0, 1), "dancer-1 dancer-2 --motion linear": (1, 1000)},
-    "mb": {"cow deer --motion linear --bending paper": (0, 3, 100)},
+    "mb": {"cow deer --motion linear --preset paper": (0, 3, 100)},
     "cs": {"e f --motion linear": (0.05, 0.5, 1)},
 }
 """For each constant of the wire drawings, and its values from above to below."""
