@@ -14,7 +14,7 @@ import time
 
 import numpy as np
 
-from shapeblend_cli.constants import PAPER, PAPER_P_B, WorkConstants
+from shapeblend_cli.constants import PAPER, WorkConstants
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polygons import orientation, reverse_polygon
@@ -35,7 +35,7 @@ VERTICES, FINE = 200, 2000
 EVERY = 2
 """Of the icons one in so many is solved with `FINE` vertices."""
 
-WORKS = {"": WorkConstants(), "paper_": WorkConstants(**PAPER, p_b=PAPER_P_B)}
+WORKS = {"": WorkConstants(), "paper_": WorkConstants(**PAPER)}
 """The default work and the paper's, by what stands before the names of their records."""
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg"><path d="{}"/></svg>'
