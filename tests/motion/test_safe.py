@@ -132,8 +132,8 @@ def test_the_antlers_of_figure_27_do_not_cross(samples):
     drawings = [read(str(samples / f"{name}.svg")) for name in ("cow", "deer")]
     paper = Settings(preset="paper", m_b=10.0)
     crossings = []
-    for settings in (paper.replace(motion="linear"), paper.replace(motion="safe"), Settings(motion="linear")):
-        (pair,), _ = match_all(drawings, settings)
+    for wanted in (paper.replace(motion="linear"), paper.replace(motion="safe"), Settings(motion="linear")):
+        (pair,), _ = match_all(drawings, wanted)
         crossings.append(max(measure(pair, t / 20).self_crossings for t in range(21)))
     straight, safe, by_turning = crossings
     assert straight > 0
