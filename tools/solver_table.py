@@ -279,10 +279,10 @@ def document(found):
     """The text of docs/solver.md."""
     return (
         "# The solver, measured\n\nWritten by `make tables`, from [solver.json](solver.json). Icon pairs: "
-        f"`tests/bench/data/pairs.json`, {VERTICES} vertices unless it says otherwise. The work is the default one but where "
-        "it is the paper's, `--preset paper`. Polygons are given: no common cuts are made.\n\n"
-        "Divide and conquer takes it that two least paths never cross. With the paper's bending they do; with bending by "
-        "turning none did here that mattered, though nothing proves that none can.\n\n"
+        f"`tests/bench/data/pairs.json`, {VERTICES} vertices unless it says otherwise. The work is the default one but "
+        "where it is the paper's, `--preset paper`. Polygons are given: no common cuts are made.\n\n"
+        "Divide and conquer takes it that two least paths never cross. With the paper's bending they do; with bending "
+        "by turning none did here that mattered, though nothing proves that none can.\n\n"
         + Table(["what", "measured"], list(rows(found).items())).markdown()
     )
 
