@@ -12,7 +12,12 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.interpolate.continuous_match import ContinuousMatch, match_continuously, unroll_from_node
+from shapeblend_cli.interpolate.continuous_match import (
+    ContinuousMatch,
+    even_lines,
+    match_continuously,
+    unroll_from_node,
+)
 from shapeblend_cli.interpolate.deviation import deviation
 from shapeblend_cli.interpolate.parametrization import ContourParameter, is_among, parametrize
 from shapeblend_cli.interpolate.smooth_joints import divide_lines, slide_cuts
@@ -88,7 +93,7 @@ def common_segments(
         # Drawn as polygons: nothing is rounded, and the solver's own paths are the best.
         cuts = unroll_from_node(a, b, dots)
     else:
-        match = match_continuously(a, b, dots)
+        match = even_lines(match_continuously(a, b, dots))
         distance = TOLERANCE * max(Box.around(polygon.vertices).larger_side for polygon in (a, b))
         cuts = _slide_cuts(match, _find_cuts(match, distance), distance)
     segments_a, segments_b, straight = _pieces(a, b, cuts)

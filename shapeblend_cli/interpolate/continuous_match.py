@@ -235,6 +235,22 @@ def _remove_stairs(match: ContinuousMatch) -> ContinuousMatch:
     return _sort(a, b, np.concatenate([match.positions, *between]), match.fixed)
 
 
+def even_lines(match: ContinuousMatch) -> ContinuousMatch:
+    """Return the match without positions that lie within a line of A and a line of B.
+
+    Between its ends a line then goes evenly to a line, and the in-between is a line too: any other match of the two
+    would draw the same ends, and a bend on the way.
+    """
+    sides = match.a, match.b
+    within = ~match.fixed
+    for side, one in enumerate(sides):
+        positions = match.positions[:, side]
+        edge = np.floor(positions).astype(np.intp)
+        edge = edge % one.count if one.closed else np.minimum(edge, one.count - 1)
+        within &= one.straight[one.segment[edge]] & ~one.is_node(positions)
+    return ContinuousMatch(match.a, match.b, match.positions[~within], match.fixed[~within])
+
+
 def _sort(
     a: ContourParameter, b: ContourParameter, positions: FloatArray, fixed: BoolArray
 ) -> ContinuousMatch:

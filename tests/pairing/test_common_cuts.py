@@ -162,20 +162,8 @@ def wrong_turns(path, degrees=3.0):
     return int((np.degrees(turns) < -degrees).sum())
 
 
-STAIRS = pytest.mark.xfail(
-    strict=True, reason="with outlines smoothed by 1 % the inner corner goes by small stairs"
-)
-
-
-@pytest.mark.parametrize(
-    ("vertices", "smoothing"),
-    [
-        *((vertices, 0.005) for vertices in (50, 200, 400)),
-        (50, None),
-        pytest.param(200, None, marks=STAIRS),
-        pytest.param(400, None, marks=STAIRS),
-    ],
-)
+@pytest.mark.parametrize("vertices", [50, 100, 200, 400])
+@pytest.mark.parametrize("smoothing", [0.005, None])
 def test_an_arm_is_drawn_in_without_stairs(samples, vertices, smoothing):
     files = (read(str(samples / f"{name}.svg")) for name in ("e", "f"))
     (shape,) = pair_of(*files, vertices=vertices, smoothing=smoothing, motion="linear").shapes
