@@ -1,30 +1,40 @@
+# cython: boundscheck=False, wraparound=False, cdivision=True, initializedcheck=False
 """Outlines at a coarser scale, on which most of bending is measured.
 
 Not in the paper. Two polygons of one curve are cut at different places, so that their angles never line up, and a
 zigzag too small to be seen bends as much as a shoulder. What is left when an outline is smoothed along its length
-depends little on where it was cut.
+depends little on where it was cut. This file is compiled by Cython and runs uncompiled.
 """
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray, FloatArray
+try:
+    import cython
+except ImportError:  # Cython is needed to build, not to run
+    from shapeblend_cli import _cython as cython
 
-REACH = 7.0
+if cython.compiled:
+    from cython.cimports.libc.math import erfc, exp, fabs
+else:
+    from math import erfc, exp, fabs
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import ComplexArray
+
+COMPILED = cython.compiled
+
+REACH = cython.declare(cython.double, 7.0)
 """How far a corner is felt, in standard deviations: beyond, it moves nothing by more than rounding does."""
 
 OUTLINE = 1e-3
 """The share of the outline itself that is left in, so that neighbours stay distinct."""
 
-_LADDER = np.linspace(0.0, REACH, 1025)
-_RUNGS = np.array(
-    [math.exp(-0.5 * x * x) / math.sqrt(2 * math.pi) - 0.5 * x * math.erfc(x / math.sqrt(2)) for x in _LADDER]
-)
+ROOT_HALF = cython.declare(cython.double, 0.5**0.5)
+ROOT_TWO_PI = cython.declare(cython.double, 2.5066282746310002)
 
 
 def smoothed(vertices: ComplexArray, closed: bool, sigma: float) -> ComplexArray:
@@ -63,25 +73,36 @@ def smoothed(vertices: ComplexArray, closed: bool, sigma: float) -> ComplexArray
         turn = np.diff(direction, prepend=direction[:1], append=direction[-1:])
         turns = np.concatenate([-turn[:0:-1], turn, -turn[-2::-1]])
         corners = np.concatenate([-at[:0:-1], at, 2.0 - at[-2::-1]])
-    corners = np.concatenate([[-np.inf], corners, [np.inf]])
-    turns = np.concatenate([[0.0], turns, [0.0]])
-    own = int(np.searchsorted(corners, 0.0))
     moves = np.zeros(len(vertices), np.complex128)
-    for step in (1, -1):
-        near = np.arange(len(vertices))
-        corner = near + own + min(step, 0)  # its own corner counts once
-        while len(near):
-            away = np.abs(corners[corner] - at[near]) / sigma
-            felt = away < REACH
-            near, corner = near[felt], corner[felt]
-            moves[near] += turns[corner] * _above_ramp(away[felt])
-            corner = corner + step
+    _add_moves(at, corners, turns, sigma, moves)
     return vertices + (1.0 - OUTLINE) * sigma * length * moves
 
 
-def _above_ramp(x: FloatArray) -> FloatArray:
-    """Return by how much the ramp max(x, 0), smoothed by the standard Gaussian, lies above itself at x or -x >= 0.
+@cython.cfunc
+def _add_moves(
+    at: cython.double[::1],
+    corners: cython.double[::1],
+    turns: cython.doublecomplex[::1],
+    sigma: cython.double,
+    moves: cython.doublecomplex[::1],
+) -> cython.void:
+    """Add up, for vertices at rising places, how far the corners within reach move them, in standard deviations."""
+    first: cython.Py_ssize_t = 0
+    corner: cython.Py_ssize_t
+    vertex: cython.Py_ssize_t
+    reach: cython.double = REACH * sigma
+    for vertex in range(at.shape[0]):
+        while corners[first] < at[vertex] - reach:
+            first += 1
+        corner = first
+        while corner < corners.shape[0] and corners[corner] <= at[vertex] + reach:
+            moves[vertex] += turns[corner] * _above_ramp(fabs(corners[corner] - at[vertex]) / sigma)
+            corner += 1
 
-    Between rungs of a ladder, to about 2e-6.
-    """
-    return np.interp(x, _LADDER, _RUNGS)
+
+@cython.cfunc
+@cython.inline
+@cython.exceptval(check=False)
+def _above_ramp(x: cython.double) -> cython.double:
+    """Return by how much the ramp max(x, 0), smoothed by the standard Gaussian, lies above itself at x or -x >= 0."""
+    return exp(-0.5 * x * x) / ROOT_TWO_PI - 0.5 * x * erfc(x * ROOT_HALF)
