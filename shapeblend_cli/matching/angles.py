@@ -283,40 +283,20 @@ def _reaches_zero(q: Curve) -> cython.int:
 
 @cython.cclass
 class Bending:
-    """What an angle costs.
-
-    A dot takes one of four methods, by which wires move on the way in and on the way out; the others are the same with
-    the wires exchanged.
-    """
+    """What an angle costs."""
 
     @cython.cfunc
     @cython.exceptval(check=False)
-    def moving(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
-        """Bend where both wires move on the way in and on the way out."""
-        return 0.0
-
-    @cython.cfunc
-    @cython.exceptval(check=False)
-    def into_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
-        """Bend where q moves on the way in and rests on the way out; p moves on both."""
-        return 0.0
-
-    @cython.cfunc
-    @cython.exceptval(check=False)
-    def out_of_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
-        """Bend where q rests on the way in and moves on the way out; p moves on both."""
-        return 0.0
-
-    @cython.cfunc
-    @cython.exceptval(check=False)
-    def inside_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
-        """Bend where q rests on the way in and on the way out."""
-        return 0.0
-
-    @cython.cfunc
-    def of_wire(self, weight: cython.double) -> Bending:
-        """Return the same bending where the first wire is so many times as stiff."""
-        return self
+    def add_column(
+        self,
+        p: Corners,
+        i: cython.Py_ssize_t,
+        q: Corners,
+        j: cython.Py_ssize_t,
+        weight: cython.double,
+        work: cython.double[:, ::1],
+    ) -> cython.void:
+        """Add the seven bends of dots i, j and i, j + 1 and so on to the rows of `work`, k_b times a weight."""
 
 
 @cython.final
@@ -336,11 +316,6 @@ class PaperBending(Bending):
         self.m_b = m_b
         self.e_b = e_b
         self.p_b = p_b
-
-    @cython.cfunc
-    def of_wire(self, weight: cython.double) -> Bending:
-        """Return the same bending where the first wire is so many times as stiff."""
-        return PaperBending(self.k_b * weight, self.m_b, self.e_b, self.p_b)
 
     @cython.cfunc
     @cython.exceptval(check=False)
@@ -443,25 +418,25 @@ class PaperBending(Bending):
     @cython.cfunc
     @cython.exceptval(check=False)
     def moving(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
-        """See `Bending`."""
+        """Bend where both wires move on the way in and on the way out."""
         return self._along(p.theta[i], q.theta[j], _control_points(p, i, q, j))
 
     @cython.cfunc
     @cython.exceptval(check=False)
     def into_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
-        """See `Bending`."""
+        """Bend where q moves on the way in and rests on the way out; p moves on both."""
         return self._at_run(p.theta[i], _turns_into_run(p, i, q, j))
 
     @cython.cfunc
     @cython.exceptval(check=False)
     def out_of_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
-        """See `Bending`."""
+        """Bend where q rests on the way in and moves on the way out; p moves on both."""
         return self._at_run(p.theta[i], _turns_out_of_run(p, i, q, j))
 
     @cython.cfunc
     @cython.exceptval(check=False)
     def inside_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
-        """See `Bending`."""
+        """Bend where q rests on the way in and on the way out."""
         curve: Curve = _inside_run(p, i, q, j)
         x1, y1 = curve.x1, curve.y1  # type: ignore[attr-defined]
         theta: cython.double = p.theta[i]
@@ -474,6 +449,32 @@ class PaperBending(Bending):
         if theta1 < 0.0:
             theta1 += TWO_PI
         return self._at_run(theta, Turns(_short_way(theta1 - theta), _short_way(PI - theta1)))
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def add_column(
+        self,
+        p: Corners,
+        i: cython.Py_ssize_t,
+        q: Corners,
+        j: cython.Py_ssize_t,
+        weight: cython.double,
+        work: cython.double[:, ::1],
+    ) -> cython.void:
+        """See `Bending`. A bend that is not here is one of these with the wires exchanged."""
+        bend: PaperBending = PaperBending(self.k_b * weight, self.m_b, self.e_b, self.p_b)
+        k: cython.Py_ssize_t
+        for k in range(work.shape[0]):
+            work[k, EE] += bend.inside_run(p, i, q, j)
+            work[k, ED] += bend.out_of_run(p, i, q, j)
+            work[k, DE] += bend.into_run(p, i, q, j)
+            work[k, SS] += bend.inside_run(q, j, p, i)
+            work[k, SD] += bend.out_of_run(q, j, p, i)
+            work[k, DS] += bend.into_run(q, j, p, i)
+            work[k, DD] += bend.moving(p, i, q, j)
+            j += 1
+            if j == q.theta.shape[0]:
+                j = 0
 
 
 @cython.final
@@ -498,56 +499,74 @@ class TurnBending(Bending):
         self.zero = PaperBending(0.0, 0.0, 1.0, p_b)
 
     @cython.cfunc
-    def of_wire(self, weight: cython.double) -> Bending:
-        """Return the same bending where the first wire is so many times as stiff."""
-        return TurnBending(self.k_b * weight, self.e_b, self.p_b)
-
-    @cython.cfunc
+    @cython.inline
     @cython.exceptval(check=False)
-    def _of_change(self, turn: cython.double) -> cython.double:
+    def _of_change(self, turn: cython.double, weight: cython.double) -> cython.double:
         """Bending work of a change of turn."""
         work: cython.double = fabs(turn)
         if self.e_b != 1.0:
             work = pow(work, self.e_b)
-        return self.k_b * work
+        return self.k_b * weight * work
 
     @cython.cfunc
     @cython.exceptval(check=False)
-    def moving(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
+    def add_column(
+        self,
+        p: Corners,
+        i: cython.Py_ssize_t,
+        q: Corners,
+        j: cython.Py_ssize_t,
+        weight: cython.double,
+        work: cython.double[:, ::1],
+    ) -> cython.void:
         """See `Bending`."""
-        work: cython.double = self._of_change(p.turn[i] - q.turn[j])
-        if self.p_b == 0.0:
-            return work
+        has_price: cython.bint = self.p_b != 0.0
+        turn: cython.double = p.turn[i]
+        alone: cython.double = self._of_change(turn, weight)
+        k: cython.Py_ssize_t
+        for k in range(work.shape[0]):
+            other: cython.double = q.turn[j]
+            other_alone: cython.double = self._of_change(other, weight)
+            beside: cython.double = self._of_change(turn - 0.5 * other, weight)
+            other_beside: cython.double = self._of_change(other - 0.5 * turn, weight)
+            work[k, EE] += alone
+            work[k, ED] += beside
+            work[k, DE] += beside
+            work[k, SS] += other_alone
+            work[k, SD] += other_beside
+            work[k, DS] += other_beside
+            work[k, DD] += self._of_change(turn - other, weight)
+            if has_price:
+                work[k, EE] += self._price_inside_run(p, i, q, j)
+                work[k, ED] += self._price_at_run(p.theta[i], _turns_out_of_run(p, i, q, j))
+                work[k, DE] += self._price_at_run(p.theta[i], _turns_into_run(p, i, q, j))
+                work[k, SS] += self._price_inside_run(q, j, p, i)
+                work[k, SD] += self._price_at_run(q.theta[j], _turns_out_of_run(q, j, p, i))
+                work[k, DS] += self._price_at_run(q.theta[j], _turns_into_run(q, j, p, i))
+                work[k, DD] += self._price_moving(p, i, q, j)
+            j += 1
+            if j == q.theta.shape[0]:
+                j = 0
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def _price_moving(
+        self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t
+    ) -> cython.double:
+        """Return p_b if theta reaches zero where both wires move, else 0."""
         reaches: cython.int = _reaches_zero(_control_points(p, i, q, j))
-        if reaches < 0:
-            return work + self.zero.moving(p, i, q, j)
-        return work + self.p_b if reaches else work
+        return self.zero.moving(p, i, q, j) if reaches < 0 else self.p_b if reaches else 0.0
 
     @cython.cfunc
     @cython.exceptval(check=False)
-    def into_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
-        """See `Bending`."""
-        work: cython.double = self._of_change(p.turn[i] - 0.5 * q.turn[j])
-        return work if self.p_b == 0.0 else work + self._at_run(p.theta[i], _turns_into_run(p, i, q, j))
-
-    @cython.cfunc
-    @cython.exceptval(check=False)
-    def out_of_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
-        """See `Bending`."""
-        work: cython.double = self._of_change(p.turn[i] - 0.5 * q.turn[j])
-        return work if self.p_b == 0.0 else work + self._at_run(p.theta[i], _turns_out_of_run(p, i, q, j))
-
-    @cython.cfunc
-    @cython.exceptval(check=False)
-    def inside_run(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
-        """See `Bending`."""
-        work: cython.double = self._of_change(p.turn[i])
-        if self.p_b == 0.0:
-            return work
+    def _price_inside_run(
+        self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t
+    ) -> cython.double:
+        """Return p_b if theta reaches zero among coincident vertices of q, else 0."""
         curve: Curve = _inside_run(p, i, q, j)
         x0, y0, x1, y1 = curve.x0, curve.y0, curve.x1, curve.y1  # type: ignore[attr-defined]
         if _stays_off_zero(curve):
-            return work
+            return 0.0
         # From Q0 to Q1 theta goes the short way, and from there on to pi.
         across: cython.double = x0 * fabs(y1) + x1 * fabs(y0)
         size: cython.double = (
@@ -556,12 +575,12 @@ class TurnBending(Bending):
         noise0: cython.double = ANGLE_NOISE * (fabs(x0) + fabs(y0))
         noise1: cython.double = ANGLE_NOISE * size
         if fabs(y0) > noise0 and fabs(y1) > noise1 and fabs(across) > noise0 * size:
-            return work + self.p_b if y0 * y1 < 0.0 and across > 0.0 else work
-        return work + self.zero.inside_run(p, i, q, j)
+            return self.p_b if y0 * y1 < 0.0 and across > 0.0 else 0.0
+        return self.zero.inside_run(p, i, q, j)
 
     @cython.cfunc
     @cython.exceptval(check=False)
-    def _at_run(self, theta: cython.double, turns: Turns) -> cython.double:
+    def _price_at_run(self, theta: cython.double, turns: Turns) -> cython.double:
         """Return p_b if theta reaches zero beside coincident vertices, else 0."""
         theta1: cython.double = theta + turns.first  # type: ignore[attr-defined]
         theta2: cython.double = theta1 + turns.second  # type: ignore[attr-defined]
@@ -601,24 +620,12 @@ def fill_bends(
     work: cython.double[:, ::1] = bends
     n: cython.Py_ssize_t = q.theta.shape[0]
     c: cython.Py_ssize_t
-    i: cython.Py_ssize_t
-    j: cython.Py_ssize_t
-    k: cython.Py_ssize_t
+    first: cython.Py_ssize_t
+    last: cython.Py_ssize_t
     for c in range(vertices.shape[0]):
-        i = vertices[c]
-        j = low[c] % n
-        stiff: Bending = bending.of_wire(stiffness[c])
-        for k in range(column_offset[c], column_offset[c] + high[c] - low[c] + 1):
-            work[k, EE] += stiff.inside_run(p, i, q, j)
-            work[k, ED] += stiff.out_of_run(p, i, q, j)
-            work[k, DE] += stiff.into_run(p, i, q, j)
-            work[k, SS] += stiff.inside_run(q, j, p, i)
-            work[k, SD] += stiff.out_of_run(q, j, p, i)
-            work[k, DS] += stiff.into_run(q, j, p, i)
-            work[k, DD] += stiff.moving(p, i, q, j)
-            j += 1
-            if j == n:
-                j = 0
+        first = column_offset[c]
+        last = first + high[c] - low[c] + 1
+        bending.add_column(p, vertices[c], q, low[c] % n, stiffness[c], work[first:last])
 
 
 def angle_change(q0: complex, q1: complex, q2: complex) -> tuple[float, float, bool]:
