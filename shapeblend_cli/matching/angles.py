@@ -286,7 +286,6 @@ class Bending:
     """What an angle costs."""
 
     @cython.cfunc
-    @cython.exceptval(check=False)
     def add_column(
         self,
         p: Corners,
@@ -295,7 +294,7 @@ class Bending:
         j: cython.Py_ssize_t,
         weight: cython.double,
         work: cython.double[:, ::1],
-    ) -> cython.void:
+    ) -> None:
         """Add the seven bends of dots i, j and i, j + 1 and so on to the rows of `work`, k_b times a weight."""
 
 
@@ -451,7 +450,6 @@ class PaperBending(Bending):
         return self._at_run(theta, Turns(_short_way(theta1 - theta), _short_way(PI - theta1)))
 
     @cython.cfunc
-    @cython.exceptval(check=False)
     def add_column(
         self,
         p: Corners,
@@ -460,7 +458,7 @@ class PaperBending(Bending):
         j: cython.Py_ssize_t,
         weight: cython.double,
         work: cython.double[:, ::1],
-    ) -> cython.void:
+    ) -> None:
         """See `Bending`. A bend that is not here is one of these with the wires exchanged."""
         bend: PaperBending = PaperBending(self.k_b * weight, self.m_b, self.e_b, self.p_b)
         k: cython.Py_ssize_t
@@ -509,7 +507,6 @@ class TurnBending(Bending):
         return self.k_b * weight * work
 
     @cython.cfunc
-    @cython.exceptval(check=False)
     def add_column(
         self,
         p: Corners,
@@ -518,7 +515,7 @@ class TurnBending(Bending):
         j: cython.Py_ssize_t,
         weight: cython.double,
         work: cython.double[:, ::1],
-    ) -> cython.void:
+    ) -> None:
         """See `Bending`."""
         has_price: cython.bint = self.p_b != 0.0
         turn: cython.double = p.turn[i]

@@ -85,7 +85,7 @@ def _add_moves(
     turns: cython.doublecomplex[::1],
     sigma: cython.double,
     moves: cython.doublecomplex[::1],
-) -> cython.void:
+) -> None:
     """Add up, for vertices at rising places, how far the corners within reach move them, in standard deviations."""
     first: cython.Py_ssize_t = 0
     corner: cython.Py_ssize_t
