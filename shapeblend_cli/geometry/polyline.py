@@ -44,3 +44,25 @@ def distinct(points: ComplexArray, closed: bool, distance: float) -> IntArray:
 def thin(points: ComplexArray, most: int) -> ComplexArray:
     """Return every k-th point, at most so many."""
     return points[:: -(-len(points) // most)]
+
+
+def nearest_places(points: ComplexArray, line: ComplexArray) -> tuple[FloatArray, FloatArray]:
+    """Return how far each point is from a polyline, and where the nearest place is: edge number plus share of it.
+
+    Parameters
+    ----------
+    points : (p,) complex
+    line : (n,) complex, n >= 2
+
+    Returns
+    -------
+    distance, place : (p,) float
+    """
+    edges = np.diff(line)
+    offsets = points[:, None] - line[:-1]
+    squares = np.maximum(edges.real**2 + edges.imag**2, 1e-300)
+    shares = np.clip((offsets * edges.conj()).real / squares, 0.0, 1.0)
+    distances = np.abs(offsets - shares * edges)
+    nearest = distances.argmin(axis=1)
+    rows = np.arange(len(points))
+    return distances[rows, nearest], nearest + shares[rows, nearest]

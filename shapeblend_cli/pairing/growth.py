@@ -1,4 +1,4 @@
-"""Where a contour without a partner grows from, or shrinks to: a point of the shape it belongs to.
+"""Where a contour without a partner grows from, or shrinks to: its own middle, carried along by what it lies on.
 
 Both are one question. Here is the drawing that has the contour, there the one that has not; the contours that are
 paired are known on both sides, vertex for vertex, as `MatchedPoints`. The contour grows from a point there while the
@@ -27,6 +27,9 @@ TIMES, WATCHED = np.arange(1, 10) / 10, 24
 GRID, TRIES = 12, 40
 """A point that will not do is replaced by one of a grid of so many rows and columns; so many are tried at most."""
 
+FALL = 4
+"""What a vertex counts for a point outside falls by this power of the distance."""
+
 
 class MatchedPoints(NamedTuple):
     """A paired contour: (k,) complex vertices here, and there, a pair for every dot."""
@@ -35,19 +38,27 @@ class MatchedPoints(NamedTuple):
     there: ComplexArray
 
 
-def growth_point_on(contour: ComplexArray, paired: Sequence[MatchedPoints]) -> tuple[int, complex]:
-    """Return which paired contour an exterior or a line, given by its vertices here, grows from, and the point there.
-
-    It is what corresponds to the vertex of a paired contour which is nearest here.
-    """
+def nearest_paired(contour: ComplexArray, paired: Sequence[MatchedPoints]) -> tuple[int, float]:
+    """Return which paired contour is nearest here to one given by its vertices, and how far it is."""
     watched = thin(contour, WATCHED)
-    nearest = []
-    for k, points in enumerate(paired):
-        distances = np.abs(points.here[:, None] - watched).min(axis=1)
-        vertex = int(distances.argmin())
-        nearest.append((float(distances[vertex]), k, complex(points.there[vertex])))
-    _, index, point = min(nearest, key=lambda candidate: candidate[:2])
-    return index, point
+    distances = [float(np.abs(points.here[:, None] - watched).min()) for points in paired]
+    nearest = int(np.argmin(distances))
+    return nearest, distances[nearest]
+
+
+def carried(point: complex, by: MatchedPoints, *, inside: bool) -> complex:
+    """Return where a point here lies there if a paired contour carries it.
+
+    Inside a closed contour it keeps its mean value coordinates. Elsewhere, or if they lead out of the contour, it goes
+    as far as the vertices do, the nearer ones by far.
+    """
+    if inside:
+        image = complex(mean_value_weights(point, by.here) @ by.there)
+        if winding_numbers(np.array([image]), by.there)[0]:
+            return image
+    distances = np.abs(by.here - point)
+    weights = 1.0 / np.maximum(distances, 1e-3 * max(float(distances.max()), 1e-12)) ** FALL
+    return point + complex((weights * (by.there - by.here)).sum() / weights.sum())
 
 
 def growth_point_inside(

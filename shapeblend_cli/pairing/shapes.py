@@ -4,17 +4,31 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.geometry.polygons import winding_numbers
-from shapeblend_cli.model import ContourBlend, ShapeBlend, Style
+import numpy as np
+
+from shapeblend_cli.geometry.polygons import centroid, signed_area, winding_numbers
+from shapeblend_cli.geometry.polyline import nearest_places, thin
+from shapeblend_cli.model import Box, ContourBlend, ShapeBlend, Style
 from shapeblend_cli.pairing.contour_blends import grow_from_point
 from shapeblend_cli.pairing.decompose import HOLE, PlacedContour
-from shapeblend_cli.pairing.growth import MatchedPoints, growth_point_inside, growth_point_on
+from shapeblend_cli.pairing.growth import (
+    WATCHED,
+    MatchedPoints,
+    carried,
+    growth_point_inside,
+    nearest_paired,
+)
 from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.model import ComplexArray
     from shapeblend_cli.pairing.decompose import ContourPair
+
+TOUCHING, LEAST_HOST, NEARLY_ALL = 0.02, 0.5, 0.9
+"""A contour touches another one within the first share of the drawing's diagonal; what carries it has more than the
+second share of its area; and it lies in one that has the third share of its points inside."""
 
 
 class Match(NamedTuple):
@@ -90,19 +104,19 @@ def _unmatched(contours: Sequence[PlacedContour], matches: Sequence[Match], here
     paired = {match.pair[here].number: match for match in matches}
     outer = [match for match in matches if match.pair[here].role != HOLE]
     points = [match.points(here) for match in outer]
+    loose = [contour for contour in contours if contour.number not in paired and contour.role != HOLE]
+    spots = _growth_points(loose, contours, matches, here) if loose else {}
     growing: dict[int, _Unmatched] = {}
-    for contour in contours:
-        if contour.number in paired or contour.role == HOLE:
-            continue
+    for contour in loose:
         near = [k for k, match in enumerate(outer) if match.pair[here].shape == contour.shape]
-        near = near or list(range(len(outer)))
         hole = _hole_around(contour, matches, here)
+        point = spots[contour.number]
         if hole is not None:
             match, point = hole, growth_point_inside(contour.polygon.vertices, hole.points(here))
-        else:
-            k, point = growth_point_on(contour.polygon.vertices, [points[k] for k in near])
+        elif near:
+            k, _ = nearest_paired(contour.polygon.vertices, [points[k] for k in near])
             match = outer[near[k]]
-        if match.pair[here].shape == contour.shape and contour.style.stroke is None:
+        if (near or hole) and contour.style.stroke is None:
             group = match.group
         else:
             own = _Group(None, contour.shape) if here else _Group(contour.shape, None)
@@ -121,6 +135,64 @@ def _unmatched(contours: Sequence[PlacedContour], matches: Sequence[Match], here
         point = growth_point_inside(contour.polygon.vertices, match.points(here), siblings)
         holes.append(_Unmatched(contour, match.group, point))
     return [*growing.values(), *holes]
+
+
+def _growth_points(
+    loose: Sequence[PlacedContour], contours: Sequence[PlacedContour], matches: Sequence[Match], here: int
+) -> dict[int, complex]:
+    """Return the points that exteriors and lines without a partner grow from, by their numbers.
+
+    What lies in another one without a partner grows from that one's point, as a part of it. All others grow from their
+    middle, which is carried along by the paired contour it lies in, or else by one that they touch.
+    """
+    paired = {match.pair[here].number: match for match in matches}
+    around = {contour.number: contour for contour in contours if contour.polygon.closed}
+    hosts = [c for c in around.values() if c.number in paired or c.role != HOLE]
+    touching = TOUCHING * Box.union([contour.box for contour in contours]).diagonal
+    areas = {c.number: abs(signed_area(c.polygon.vertices)) if c.polygon.closed else 0.0 for c in contours}
+    bounds = np.array([contour.box.bounds for contour in hosts]).reshape(-1, 4)
+    outer = [match.points(here) for match in matches if match.pair[here].role != HOLE]
+    spots: dict[int, complex] = {}
+    # The largest first, so that what lies in another one comes after it.
+    for contour in sorted(loose, key=lambda contour: (-areas[contour.number], contour.number)):
+        vertices = contour.polygon.vertices
+        middle = centroid(vertices) if contour.polygon.closed else _middle_of_line(vertices)
+        left, top, right, bottom = bounds.T
+        inside = (
+            (left <= middle.real) & (middle.real <= right) & (top <= middle.imag) & (middle.imag <= bottom)
+        )
+        near = sorted((hosts[k] for k in np.flatnonzero(inside)), key=lambda host: areas[host.number])
+        for host in near:
+            match = paired.get(host.number)
+            if match is None:
+                if host.number in spots and _lies_in(contour, host, touching):
+                    spots[contour.number] = spots[host.number]
+                    break
+            elif (
+                areas[host.number] > LEAST_HOST * areas[contour.number]
+                and winding_numbers(np.array([middle]), host.polygon.vertices).any()
+            ):
+                spots[contour.number] = carried(middle, match.points(here), inside=True)
+                break
+        else:
+            k, distance = nearest_paired(vertices, outer)
+            touches = distance <= touching
+            spots[contour.number] = carried(middle, outer[k], inside=False) if touches else middle
+    return spots
+
+
+def _lies_in(contour: PlacedContour, host: PlacedContour, distance: float) -> bool:
+    """Return whether nearly all of a contour lies in another one, or no further from it than a distance."""
+    points, outline = thin(contour.polygon.vertices, WATCHED), host.polygon.vertices
+    inside = winding_numbers(points, outline) != 0
+    near = nearest_places(points, np.append(outline, outline[0]))[0] <= distance
+    return float((inside | near).mean()) >= NEARLY_ALL
+
+
+def _middle_of_line(vertices: ComplexArray) -> complex:
+    """Return the mean of a line's points."""
+    lengths = np.abs(np.diff(vertices))
+    return complex((lengths * (vertices[1:] + vertices[:-1])).sum() / (2.0 * lengths.sum()))
 
 
 def _hole_around(contour: PlacedContour, matches: Sequence[Match], here: int) -> Match | None:

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.geometry.polygons import winding_numbers
-from shapeblend_cli.pairing.growth import MatchedPoints, growth_point_inside, growth_point_on
+from shapeblend_cli.pairing.growth import MatchedPoints, carried, growth_point_inside, nearest_paired
 
 # A crescent: the middle of its box is outside of it.
 angle = np.linspace(0.6, 2 * np.pi - 0.6, 60)
@@ -34,8 +34,18 @@ def test_a_hole_keeps_away_from_its_neighbours():
     assert not any(numbers.any() for numbers in windings_of_growing_hole(point, other))
 
 
-def test_an_outline_grows_from_the_nearest_point_of_the_nearest_contour():
+def test_the_nearest_contour_here_is_found():
     near, far = MatchedPoints(CIRCLE + 30, CIRCLE * 1j), MatchedPoints(CIRCLE - 50, CIRCLE)
-    index, point = growth_point_on(45 + CIRCLE / 10, [far, near])
+    index, distance = nearest_paired(45 + CIRCLE / 10, [far, near])
     assert index == 1
-    assert point == pytest.approx(10j)
+    assert distance == pytest.approx(4, abs=0.1)
+
+
+@pytest.mark.parametrize("inside", [True, False])
+def test_a_point_goes_where_the_contour_around_it_goes(inside):
+    moved = MatchedPoints(CIRCLE, CIRCLE + 7 - 2j)
+    assert carried(3 + 4j, moved, inside=inside) == pytest.approx(10 + 2j)
+
+
+def test_a_point_inside_turns_and_grows_with_the_contour():
+    assert carried(3 + 4j, MatchedPoints(CIRCLE, 2j * CIRCLE), inside=True) == pytest.approx(2j * (3 + 4j))
