@@ -23,6 +23,7 @@ from shapeblend_cli.pairing.contour_blends import match_contours
 from shapeblend_cli.pairing.decompose import PlacedDrawing, decompose, main_orientation
 from shapeblend_cli.pairing.direction import watch_part
 from shapeblend_cli.pairing.pair import pair_rotated_contours
+from shapeblend_cli.pairing.same import same_pairs
 from shapeblend_cli.pairing.shapes import Match, shape_blends
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.views import view_of, views_with_room
@@ -162,6 +163,8 @@ def _pair(
     """Pair the contours of two drawings."""
     pins = point_pins(a, b, settings)
     required = required_pairs(a, b, settings) + [pin.pair for pin in pins]
+    if not rotation:
+        required += same_pairs(a.contours, b.contours, required)
     pairs = pair_rotated_contours(a.contours, b.contours, settings, required, rotation)
     clock.lap("match")
     return _PairedDrawings(a, b, rotation, constrain(pairs, settings, pins), settings, clock)

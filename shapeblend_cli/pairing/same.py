@@ -1,0 +1,100 @@
+"""Contours that are the same in place, whatever their nodes and their direction."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.geometry.polyline import from_end_to_end, nearest_places
+from shapeblend_cli.model import Box
+from shapeblend_cli.pairing.decompose import HOLE, PlacedContour
+from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.pairing.decompose import ContourPair
+
+    Numbers = tuple[int, int]
+
+TOLERANCE, OWN_TOLERANCE = 2e-3, 1e-2
+"""Contours nowhere further from each other than the first, as a share of the drawings' diagonal, are the same, if that
+is no more than the second as a share of their own."""
+
+
+def same_pairs(
+    a: Sequence[PlacedContour], b: Sequence[PlacedContour], required: Sequence[Numbers] = ()
+) -> list[Numbers]:
+    """Return the numbers of contours of two drawings that are the same in place, and so stay where they are.
+
+    Of several in one place those painted most alike are paired, then those nearest in the order of paint, which must be
+    kept. Nothing contradicts what is required: neither these pairs nor those of the exteriors around their holes.
+    """
+    partners: dict[int | None, int | None] = {}
+    taken: set[int | None] = set()
+
+    def add(pairs: Sequence[tuple[int | None, int | None]]) -> None:
+        partners.update(pairs)
+        taken.update(j for _, j in pairs)
+
+    in_a, in_b = ({contour.number: contour for contour in side} for side in (a, b))
+    for i, j in required:
+        if i in in_a and j in in_b:
+            add(_with_exteriors(in_a[i], in_b[j]))
+    found: list[ContourPair] = []
+    for _, i, j in sorted((_difference(a[i], b[j]), i, j) for i, j in _same(a, b)):
+        pairs = _with_exteriors(a[i], b[j])
+        if all(partners[p] == q if p in partners else q not in taken for p, q in pairs):
+            add(pairs)
+            found.append((a[i], b[j]))
+    return [(p.number, q.number) for p, q in _in_order_of_paint(found, a, b)]
+
+
+def _in_order_of_paint(
+    pairs: Sequence[ContourPair], a: Sequence[PlacedContour], b: Sequence[PlacedContour]
+) -> list[ContourPair]:
+    """Return the pairs that can all keep the order of paint, of two that cannot the larger one."""
+    below = visible_overlaps(a), visible_overlaps(b)
+
+    def fits(some: Sequence[ContourPair]) -> bool:
+        return paint_order([(p.shape, q.shape) for p, q in some], *below) is not None
+
+    if fits(pairs):
+        return list(pairs)
+    kept: list[ContourPair] = []
+    for pair in sorted(pairs, key=lambda pair: -pair[0].size):
+        if fits([*kept, pair]):
+            kept.append(pair)
+    return kept
+
+
+def _with_exteriors(p: PlacedContour, q: PlacedContour) -> list[tuple[int | None, int | None]]:
+    """Return the numbers of two contours, and those of the exteriors around them if they are holes."""
+    return [(p.number, q.number), (p.exterior, q.exterior)][: 2 if p.role == q.role == HOLE else 1]
+
+
+def _same(a: Sequence[PlacedContour], b: Sequence[PlacedContour]) -> list[Numbers]:
+    """Return the indices of contours of two lists that are of one kind and in one place."""
+    bounds = [np.array([contour.box.bounds for contour in side]) for side in (a, b)]
+    boxes = [Box.union([contour.box for contour in side]) for side in (a, b)]
+    distance = TOLERANCE * Box.union(boxes).diagonal
+    near = np.abs(bounds[0][:, None] - bounds[1]).max(axis=2) <= distance
+    return [(i, j) for i, j in np.argwhere(near).tolist() if are_same(a[i], b[j], distance)]
+
+
+def are_same(p: PlacedContour, q: PlacedContour, distance: float) -> bool:
+    """Return whether two contours are of one kind and lie on each other, nowhere further apart than a distance."""
+    if p.role != q.role or p.polygon.closed != q.polygon.closed:
+        return False
+    distance = min(distance, OWN_TOLERANCE * max(p.size, q.size))
+    lines = [from_end_to_end(contour.polygon.vertices, contour.polygon.closed) for contour in (p, q)]
+    return all(nearest_places(points, line)[0].max() <= distance for points, line in (lines, lines[::-1]))
+
+
+def _difference(p: PlacedContour, q: PlacedContour) -> tuple[bool, bool, bool, int]:
+    """Return how different two contours are that lie on each other, those that go together first."""
+    fills, strokes = ((getattr(p.style, name), getattr(q.style, name)) for name in ("fill", "stroke"))
+    unlike = any((one is None) != (other is None) for one, other in (fills, strokes))
+    recoloured = any(one != other for one, other in (fills, strokes))
+    return p.role == HOLE, unlike, recoloured, abs(p.number - q.number)
