@@ -17,7 +17,9 @@ from shapeblend_cli.model import Box, CubicPath, Drawing, Frame, PaintedShape, P
 from shapeblend_cli.motion.alignment import Alignment, align, point_pairs
 from shapeblend_cli.motion.choose import RotatedShape, choose_motion, is_as_good, try_straight
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
+from shapeblend_cli.motion.sweep import Sweep
 from shapeblend_cli.paint.styles import blend_styles, painted_as
+from shapeblend_cli.pairing.changes import changes
 from shapeblend_cli.pairing.constraints import check_stiff, constrain, point_pins, required_pairs
 from shapeblend_cli.pairing.contour_blends import match_contours
 from shapeblend_cli.pairing.decompose import PlacedDrawing, decompose, main_orientation
@@ -31,7 +33,9 @@ from shapeblend_cli.views import view_of, views_with_room
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.pairing.changes import Change
     from shapeblend_cli.pairing.constraints import ConstrainedPairs, NumbersOrNone
+    from shapeblend_cli.pairing.decompose import ContourPair
     from shapeblend_cli.pairing.direction import Watch
 
 
@@ -147,6 +151,7 @@ class _PairedDrawings(NamedTuple):
     b: PlacedDrawing
     rotation: float
     pairs: ConstrainedPairs
+    changes: Sequence[Change]
     settings: Settings
     clock: Clock
 
@@ -163,11 +168,18 @@ def _pair(
     """Pair the contours of two drawings."""
     pins = point_pins(a, b, settings)
     required = required_pairs(a, b, settings) + [pin.pair for pin in pins]
+    changed: Sequence[Change] = ()
+    rest = a.contours, b.contours
     if not rotation:
-        required += same_pairs(a.contours, b.contours, required)
-    pairs = pair_rotated_contours(a.contours, b.contours, settings, required, rotation)
+        changed = changes(*rest, settings)
+        for change in changed:
+            rest = change.without(rest[0], 0), change.without(rest[1], 1)
+    pairs: Sequence[ContourPair] = ()
+    if all(rest):
+        required += same_pairs(*rest, required) if not rotation else []
+        pairs = pair_rotated_contours(*rest, settings, required, rotation)
     clock.lap("match")
-    return _PairedDrawings(a, b, rotation, constrain(pairs, settings, pins), settings, clock)
+    return _PairedDrawings(a, b, rotation, constrain(pairs, settings, pins), changed, settings, clock)
 
 
 def _match(paired: _PairedDrawings, watch: Watch | None) -> tuple[ShapeBlend, ...]:
@@ -177,7 +189,10 @@ def _match(paired: _PairedDrawings, watch: Watch | None) -> tuple[ShapeBlend, ..
         paired.match(numbers, paired.rotation, watch_part(watch, k, count))
         for k, numbers in enumerate(paired.pairs)
     ]
-    shapes = shape_blends(paired.a.contours, paired.b.contours, matches)
+    shapes = shape_blends(paired.a.contours, paired.b.contours, matches, paired.changes)
+    if paired.settings.motion == "auto":
+        sweeps = {id(change.contours[0]): Sweep(change.windows) for change in paired.changes}
+        shapes = tuple(shape._replace(motion=sweeps.get(id(shape.contours[0]))) for shape in shapes)
     styled = tuple(_in_style(shape, paired.settings.style) for shape in shapes)
     paired.clock.lap("match")
     return styled

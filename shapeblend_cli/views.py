@@ -48,6 +48,8 @@ def _reach(pair: Pair) -> Box | None:
     """Return the box around what does not move straight and leaves the views of both drawings, if any does."""
     boxes = []
     for shape in pair.shapes:
+        if shape.motion_name == "sweep":  # nothing is seen of it that is not seen in one of the drawings
+            continue
         for point in waypoints(shape):
             painted = _painted(point.paths, shape.style_a, shape.style_b)
             if not _is_inside(painted, pair.views[0].interpolate(pair.views[1], point.t)):

@@ -70,7 +70,12 @@ SHARED = {"numpy", *sys.stdlib_module_names}
 # What a room hands to one below it, which calls it there.
 HANDED_DOWN = {
     *("Terminal.note", "watch_part.<locals>.<lambda>", "Terminal.progress"),  # how far a run has come
-    *("Rigid.segments", "Intrinsic.segments", "Safe.segments"),  # a `Motion`, which `model` declares
+    # A `Motion`, which `model` declares.
+    *(
+        f"{motion}.{what}"
+        for motion in ("Rigid", "Intrinsic", "Safe", "Sweep")
+        for what in ("name", "segments")
+    ),
     *("Settings._defaults", "WorkConstants._defaults"),  # a `Record` asks what it is made of
 }
 

@@ -77,15 +77,15 @@ def common_segments(
     contour_a, contour_b : Contour
         In the same coordinates and in the same direction; both closed or both open.
     polygon_a, polygon_b : Polygon
-        The contours flattened, vertices in the order of the contour's parameter. A polygon of one vertex is a point
-        out of which the other contour grows whole.
+        The contours flattened, vertices in the order of the contour's parameter. A polygon of one vertex stands
+        for a point, or a line, out of which the other contour grows whole: a contour with as many segments.
     dots : (k, 2) int
         The solver's correspondence, as in `model.Correspondence`: steps of one vertex or none on either side.
     """
     if len(polygon_a.vertices) == 1:
-        return _grow_from_point(polygon_a.vertices[0], contour_b, polygon_b)
+        return _grow_from(contour_a, contour_b, polygon_b)
     if len(polygon_b.vertices) == 1:
-        grown = _grow_from_point(polygon_b.vertices[0], contour_a, polygon_a)
+        grown = _grow_from(contour_b, contour_a, polygon_a)
         return CommonSegments(grown.end, grown.start, grown.cuts[::-1])
     a, b = parametrize(contour_a, polygon_a), parametrize(contour_b, polygon_b)
     dots = np.asarray(dots, np.intp)
@@ -104,12 +104,12 @@ def common_segments(
     )
 
 
-def _grow_from_point(point: complex, contour: Contour, polygon: Polygon) -> CommonSegments:
-    """Grow a contour's own segments out of a point."""
+def _grow_from(nothing: Contour, contour: Contour, polygon: Polygon) -> CommonSegments:
+    """Grow a contour's own segments out of as many without an area."""
     count = len(polygon.vertices)
     first = np.searchsorted(polygon.segment + polygon.parameter, np.arange(len(contour.segments)))
     cuts = np.append(first, count if polygon.closed else count - 1).astype(np.float64)
-    start = CubicPath(np.full_like(contour.segments, point), contour.straight, polygon.closed)
+    start = CubicPath(nothing.segments, contour.straight, polygon.closed)
     end = CubicPath(contour.segments, contour.straight, polygon.closed)
     return CommonSegments(start, end, (frozen(np.zeros_like(cuts), np.float64), frozen(cuts, np.float64)))
 

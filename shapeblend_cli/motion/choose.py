@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.motion.safe import Route
 
 ASKED = "asked for"
+STILL = "what is the same stays"
 
 BLURRED_LEVEL, ROUND_LEVEL = 17, 20
 """Levels above which smoothed outlines have only large features left, and hardly any."""
@@ -61,11 +62,16 @@ def try_straight(
     The rotation is the angle by which B is A rotated, in radians, if that is all there is between them.
     """
     trials = [
-        Trial(shape._replace(reason=ASKED if shape.is_matched else "a point at one end")) for shape in shapes
+        Trial(
+            shape._replace(
+                reason=STILL if shape.motion else ASKED if shape.is_matched else "a point at one end"
+            )
+        )
+        for shape in shapes
     ]
     if motion == "linear":
         return trials
-    matched = [k for k, shape in enumerate(shapes) if shape.is_matched]
+    matched = [k for k, shape in enumerate(shapes) if shape.is_matched and shape.motion is None]
     if motion == "auto" and rotation is None:
         _settle_without_defect(trials, matched, times)
         return trials

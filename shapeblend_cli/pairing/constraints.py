@@ -84,7 +84,7 @@ def point_pins(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> list[P
 
 def constrain(pairs: Sequence[ContourPair], settings: Settings, pins: Sequence[PointPin]) -> ConstrainedPairs:
     """Return pairs of contours by their numbers, with constraints; starts and vertex numbers are the largest pair's."""
-    largest = max(pairs, key=lambda pair: pair[0].size)
+    largest = max(pairs, key=lambda pair: pair[0].size, default=None)
     constrained: ConstrainedPairs = {}
     for pair in pairs:
         numbers = pair[0].number, pair[1].number

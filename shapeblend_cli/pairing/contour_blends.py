@@ -20,7 +20,7 @@ from shapeblend_cli.pairing.decompose import LINE, PlacedContour
 from shapeblend_cli.pairing.direction import choose_direction, solve
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import IntArray
+    from shapeblend_cli.model import ComplexArray, IntArray
     from shapeblend_cli.pairing.direction import Watch
     from shapeblend_cli.settings import Settings
 
@@ -71,17 +71,33 @@ def match_contours(
 
 def grow_from_point(contour: PlacedContour, point: complex, *, of_b: bool) -> ContourBlend:
     """Return a blend of a contour of B that grows from a point, or of A that shrinks to one. Nothing is solved."""
-    size = contour.polygon.box.larger_side
-    closed = contour.polygon.closed
-    spot = Polygon(np.array([point]), np.zeros(1, np.intp), np.zeros(1), closed)
-    shrunk = replace(contour.contour, segments=np.full_like(contour.contour.segments, point))
-    vertices = np.arange(len(contour.polygon.vertices))
+    segments = np.full_like(contour.contour.segments, point)
+    return grow_from(segments, FlatContour(contour.contour, contour.polygon), contour.number, of_b=of_b)
+
+
+def grow_from(segments: ComplexArray, grown: FlatContour, number: int, *, of_b: bool) -> ContourBlend:
+    """Return a blend of a contour that grows from segments without an area, as many as it has, or shrinks to them."""
+    size = grown.polygon.box.larger_side
+    closed = grown.polygon.closed
+    spot = Polygon(segments[:1, 0], np.zeros(1, np.intp), np.zeros(1), closed)
+    vertices = np.arange(len(grown.polygon.vertices))
     dots = np.stack([0 * vertices, vertices] if of_b else [vertices, 0 * vertices], axis=1)
     free = Correspondence(dots, closed, 0.0, 0.0, 0.0, 0.0, 0, 0.0, 0)
-    grown, point_like = FlatContour(contour.contour, contour.polygon), FlatContour(shrunk, spot)
+    nothing = FlatContour(replace(grown.contour, segments=segments), spot)
     if of_b:
-        return _blend((None, contour.number), (point_like, grown), (size, size), free)
-    return _blend((contour.number, None), (grown, point_like), (size, size), free)
+        return _blend((None, number), (nothing, grown), (size, size), free)
+    return _blend((number, None), (grown, nothing), (size, size), free)
+
+
+def keep_still(contour: PlacedContour, numbers: tuple[int, int]) -> ContourBlend:
+    """Return a blend of a contour that stays as it is, for two contours with these numbers. Nothing is solved."""
+    size = contour.polygon.box.larger_side
+    flat = FlatContour(contour.contour, contour.polygon)
+    vertices = np.arange(len(contour.polygon.vertices))
+    every = Correspondence(
+        np.stack([vertices, vertices], axis=1), flat.polygon.closed, 0.0, 0.0, 0.0, 0.0, 0, 0.0, 0
+    )
+    return _blend(numbers, (flat, flat), (size, size), every)
 
 
 def _blend(

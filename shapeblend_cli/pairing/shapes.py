@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import ComplexArray
+    from shapeblend_cli.pairing.changes import Change
     from shapeblend_cli.pairing.decompose import ContourPair
 
 TOUCHING, LEAST_HOST, NEARLY_ALL = 0.02, 0.5, 0.9
@@ -65,19 +66,28 @@ class _Unmatched(NamedTuple):
 
 
 def shape_blends(
-    a: Sequence[PlacedContour], b: Sequence[PlacedContour], matches: Sequence[Match]
+    a: Sequence[PlacedContour],
+    b: Sequence[PlacedContour],
+    matches: Sequence[Match],
+    changes: Sequence[Change] = (),
 ) -> tuple[ShapeBlend, ...]:
     """Put together the contours of two drawings in paint order, and let those without a partner grow from points.
 
     Contours are painted together if they come from the same shape of A and the same shape of B. What grows out of one
-    of them is painted with it, unless it has a stroke, whose width must grow from nothing too.
+    of them is painted with it, unless it has a stroke, whose width must grow from nothing too. Shapes that are the same
+    but for a change are as that has them.
     """
     groups: dict[_Group, list[ContourBlend]] = {}
     styles: dict[_Group, tuple[Style, Style]] = {}
     for match in matches:
         groups.setdefault(match.group, []).append(match.blend)
         styles.setdefault(match.group, _styles(*match.pair))
+    for change in changes:
+        group = _Group(change.pair[0].shape, change.pair[1].shape)
+        groups[group], styles[group] = list(change.contours), _styles(*change.pair)
     for here, contours in enumerate((a, b)):
+        for change in changes:
+            contours = change.without(contours, here)
         for contour, group, point in _unmatched(contours, matches, here):
             groups.setdefault(group, []).append(grow_from_point(contour, point, of_b=bool(here)))
             nothing = contour.style._replace(stroke_width=0.0)
@@ -175,8 +185,8 @@ def _growth_points(
                 spots[contour.number] = carried(middle, match.points(here), inside=True)
                 break
         else:
-            k, distance = nearest_paired(vertices, outer)
-            touches = distance <= touching
+            k, distance = nearest_paired(vertices, outer) if outer else (0, touching)
+            touches = distance < touching
             spots[contour.number] = carried(middle, outer[k], inside=False) if touches else middle
     return spots
 

@@ -1,0 +1,427 @@
+"""Shapes that are the same in place but for a part that is cut away, or put on: a microphone, and it crossed out.
+
+Where outlines share most of their length, and what they do not share cuts one of them into pieces, no contour of one
+becomes a contour of the other. But stretches that they share cancel: what is left of B's outlines, and of A's traversed
+in reverse, joins up to loops. Such a loop winds once round what B adds, and once the other way round what it takes
+away. So one drawing's contours stay as they are, and the loops open in them, each from a line: all from one end to the
+other if together they make a bar, else each from its middle.
+"""
+
+from __future__ import annotations
+
+import cmath
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.flatten import edge_parts, flatten
+from shapeblend_cli.geometry.polygons import reverse_contour
+from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, nearest_places
+from shapeblend_cli.geometry.window import Window
+from shapeblend_cli.model import Box, Contour
+from shapeblend_cli.pairing.common_cuts import FlatContour
+from shapeblend_cli.pairing.contour_blends import grow_from, keep_still
+from shapeblend_cli.pairing.decompose import LINE
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, FloatArray
+    from shapeblend_cli.pairing.decompose import ContourPair, PlacedContour
+    from shapeblend_cli.settings import Settings
+
+TOLERANCE = 2e-3
+"""Outlines nearer than this share of the drawings' diagonal are the same."""
+
+LEAST_STRETCH = 1e-2
+"""A stretch that two outlines share is at least so long, as a share of the diagonal."""
+
+REACH, EXACT = 4.0, 0.1
+"""Where a stretch ends is looked for within so many times that tolerance; nearer than by the second share of it is
+as near as can be."""
+
+LEAST_SHARED = 0.6
+"""So much of the shorter drawing's outlines is shared at least."""
+
+BAR = 0.4
+"""What a bar measures across, at most, as a share of what it does along itself."""
+
+STEP = 1.5e-2
+"""Outlines that run slantwise through a window are cut into pieces of about this share of the diagonal."""
+
+CLEARLY = 1.2
+"""What spreads along another axis than its outlines is opened along that if it is so many times narrower there."""
+
+UPRIGHT = 0.1
+"""What runs about as much across as up and down is opened up and down, unless it is a bar; that counts by this share of
+its length."""
+
+PARALLEL, ROUNDING = np.radians(10.0), 1e-6
+"""Outlines along a bar are off its axis by this angle at most; and how exactly an axis is upright."""
+
+UNEVEN = 0.2
+"""By how much a stretch may be longer on one outline than on the other."""
+
+
+class _Outline(NamedTuple):
+    """A closed contour with the lengths up to its vertices."""
+
+    placed: PlacedContour
+    line: ComplexArray  # its polygon, the first vertex repeated
+    lengths: FloatArray
+
+    @classmethod
+    def of(cls, placed: PlacedContour) -> _Outline:
+        """Return the outline of a contour."""
+        line = from_end_to_end(placed.polygon.vertices, closed=True)
+        return cls(placed, line, cumulative_lengths(line))
+
+    @property
+    def total(self) -> float:
+        """The whole length."""
+        return float(self.lengths[-1])
+
+    def lengths_near(self, points: ComplexArray) -> tuple[FloatArray, FloatArray]:
+        """Return how far points are, and at what length the nearest place is."""
+        distance, place = nearest_places(points, self.line)
+        return distance, np.interp(place, np.arange(len(self.lengths)), self.lengths)
+
+    def between(self, start: float, end: float) -> tuple[ComplexArray, BoolArray]:
+        """Return the segments from one length to another, further along, and which are straight."""
+        contour = self.placed.contour
+        count = len(contour.segments)
+        segment, low, high = edge_parts(contour, self.placed.polygon)
+
+        def position(length: float) -> float:
+            rounds, rest = divmod(length, self.total)
+            edge = min(int(np.searchsorted(self.lengths, rest, side="right")) - 1, len(segment) - 1)
+            share = (rest - self.lengths[edge]) / (self.lengths[edge + 1] - self.lengths[edge])
+            return rounds * count + segment[edge] + low[edge] + share * (high[edge] - low[edge])
+
+        first, last = position(start), position(end)
+        numbers = np.arange(int(np.floor(first)), int(np.ceil(last)))
+        starts, ends = np.clip(first - numbers, 0.0, 1.0), np.clip(last - numbers, 0.0, 1.0)
+        kept = ends > starts
+        numbers = numbers[kept] % count
+        return cubics.pieces(contour.segments[numbers], starts[kept], ends[kept]), contour.straight[numbers]
+
+
+class _Stretch(NamedTuple):
+    """A stretch that two outlines share, by the outlines' indices and the lengths where it begins and ends."""
+
+    outlines: tuple[int, int]
+    start: tuple[float, float]
+    end: tuple[float, float]  # beyond the start, perhaps more than once round
+
+    @property
+    def length(self) -> float:
+        """Its length on the first outline."""
+        return self.end[0] - self.start[0]
+
+
+def _stretches(a: Sequence[_Outline], b: Sequence[_Outline], distance: float, least: float) -> list[_Stretch]:
+    """Return the stretches that outlines share, none twice."""
+    found = [
+        stretch
+        for i, p in enumerate(a)
+        for j, q in enumerate(b)
+        if p.placed.box.expanded(distance).overlaps(q.placed.box)
+        for stretch in _shared((i, j), (p, q), distance)
+        if stretch.length >= least
+    ]
+    kept: list[_Stretch] = []
+    for stretch in sorted(found, key=lambda stretch: -stretch.length):
+        if not any(_overlap(stretch, other, (a, b), distance) for other in kept):
+            kept.append(stretch)
+    return kept
+
+
+def _overlap(
+    one: _Stretch, other: _Stretch, sides: tuple[Sequence[_Outline], Sequence[_Outline]], slack: float
+) -> bool:
+    """Return whether two stretches have more in common than their ends."""
+    for side in (0, 1):
+        if one.outlines[side] != other.outlines[side]:
+            continue
+        total = sides[side][one.outlines[side]].total
+        ahead = (other.start[side] - one.start[side]) % total
+        behind = (one.start[side] - other.start[side]) % total
+        if (
+            ahead < one.end[side] - one.start[side] - slack
+            or behind < other.end[side] - other.start[side] - slack
+        ):
+            return True
+    return False
+
+
+def _shared(numbers: tuple[int, int], outlines: tuple[_Outline, _Outline], distance: float) -> list[_Stretch]:
+    """Return the stretches that two outlines share in the same direction."""
+    p, q = outlines
+    away_p, on_q = q.lengths_near(p.line[:-1])
+    away_q, on_p = p.lengths_near(q.line[:-1])
+    near_p, near_q = away_p <= distance, away_q <= distance
+    if near_p.sum() + near_q.sum() < 2:
+        return []
+    along = np.concatenate([p.lengths[:-1], on_p[near_q]])
+    beside = np.concatenate([on_q, q.lengths[:-1][near_q]])
+    away = np.concatenate([away_p, away_q[near_q]])
+    order = np.argsort(along, kind="stable")
+    along, beside, away = along[order], beside[order], away[order]
+    is_near = away <= distance
+    # Between two that follow each other the outlines have the same length.
+    ahead = np.roll(along, -1) - along
+    ahead[-1] += p.total
+    advance = (np.roll(beside, -1) - beside + 0.5 * q.total) % q.total - 0.5 * q.total
+    joined = is_near & np.roll(is_near, -1) & (np.abs(advance - ahead) <= UNEVEN * ahead + 2.0 * distance)
+    if joined.all():
+        return [_Stretch(numbers, (0.0, float(beside[0])), (p.total, float(beside[0]) + q.total))]
+    stretches = []
+    count = len(along)
+    for first in np.flatnonzero(joined & ~np.roll(joined, 1)).tolist():
+        steps = 1
+        while joined[(first + steps) % count]:
+            steps += 1
+        within = (first + np.arange(steps + 1)) % count
+        passed, passed_beside = (
+            np.concatenate([[0.0], np.cumsum(lengths[within[:-1]])]) for lengths in (ahead, advance)
+        )
+        # The outlines part where they still lie on each other, not where they are too far apart.
+        apart = np.maximum(away[within], EXACT * distance)
+        low = int(np.where(passed <= REACH * distance, apart, np.inf).argmin())
+        apart = np.where(passed[-1] - passed <= REACH * distance, apart, np.inf)
+        high = steps - int(apart[::-1].argmin())
+        if low < high:
+            start, end = (
+                (float(along[first] + passed[k]), float(beside[first] + passed_beside[k]))
+                for k in (low, high)
+            )
+            stretches.append(_Stretch(numbers, start, end))
+    return stretches
+
+
+class _Loop(NamedTuple):
+    """What is left of the outlines, joined up: a closed contour, and how many pieces of each drawing it has."""
+
+    contour: Contour
+    pieces: tuple[int, int]
+
+
+def _loops(
+    outlines: tuple[Sequence[_Outline], Sequence[_Outline]], stretches: Sequence[_Stretch], distance: float
+) -> list[_Loop]:
+    """Join up what the stretches leave, B's forwards and A's backwards."""
+    loops = [
+        _Loop(_closed([outline.between(0.0, outline.total)], backwards=not side), (1 - side, side))
+        for side, every in enumerate(outlines)
+        for k, outline in enumerate(every)
+        if all(stretch.outlines[side] != k for stretch in stretches)
+    ]
+    # The stretch before and after each one, on either side; a closed one has no ends.
+    open_ended = [k for k, s in enumerate(stretches) if s.length < outlines[0][s.outlines[0]].total]
+    after: dict[int, int] = {}
+    before: dict[int, int] = {}
+    for side, neighbours in ((0, before), (1, after)):
+        for number in {stretches[k].outlines[side] for k in open_ended}:
+            total = outlines[side][number].total
+            on_it = [k for k in open_ended if stretches[k].outlines[side] == number]
+            on_it = [k for _, k in sorted((stretches[k].start[side] % total, k) for k in on_it)]
+            following = dict(zip(on_it, [*on_it[1:], on_it[0]], strict=True))
+            neighbours.update(following if side else {k: j for j, k in following.items()})
+    waiting = set(open_ended)
+    while waiting:
+        first = k = min(waiting)
+        pieces, counts = [], [0, 0]
+        while True:
+            waiting.discard(k)
+            beyond = after[k]
+            back = before[beyond]
+            for side, (one, other) in ((1, (k, beyond)), (0, (back, beyond))):
+                outline = outlines[side][stretches[one].outlines[side]]
+                start, end = stretches[one].end[side], stretches[other].start[side]
+                gap = (end - start) % outline.total
+                if min(gap, outline.total - gap) > distance:
+                    counts[side] += 1
+                    piece = outline.between(start % outline.total, start % outline.total + gap)
+                    pieces.append(piece if side else (piece[0][::-1, ::-1], piece[1][::-1]))
+            k = back
+            if k == first:
+                break
+        if pieces:
+            loops.append(_Loop(_closed(pieces), (counts[0], counts[1])))
+    return loops
+
+
+def _closed(pieces: Sequence[tuple[ComplexArray, BoolArray]], *, backwards: bool = False) -> Contour:
+    """Join pieces to a closed contour; the ends of neighbours are about the same."""
+    segments, straight = (np.concatenate(part) for part in zip(*pieces, strict=True))
+    if backwards:
+        segments, straight = segments[::-1, ::-1], straight[::-1]
+    segments = segments.copy()
+    segments[:, 0] = np.roll(segments[:, 3], 1)
+    lines = segments[straight]
+    chords = lines[:, 3] - lines[:, 0]
+    lines[:, 1], lines[:, 2] = lines[:, 0] + chords / 3.0, lines[:, 0] + chords * (2.0 / 3.0)
+    segments[straight] = lines
+    return Contour(segments, straight, closed=True)
+
+
+def _windows(loops: Sequence[Contour]) -> list[Window]:
+    """Return how loops open: all along one bar, from its left end, else those that overlap along themselves together.
+
+    What overlaps may cancel, and so must open together.
+    """
+    window = _window(loops, from_middle=False)
+    if window is not None:
+        return [window] * len(loops)
+    groups: list[list[int]] = []
+    boxes = [cubics.bounds(loop.segments) for loop in loops]
+    for k, box in enumerate(boxes):
+        near = [group for group in groups if any(boxes[other].overlaps(box) for other in group)]
+        groups = [group for group in groups if group not in near]
+        groups.append([k, *(other for group in near for other in group)])
+    found: dict[int, Window | None] = {}
+    for group in groups:
+        window = _window([loops[k] for k in group], from_middle=True)
+        found.update(dict.fromkeys(group, window))
+    return [window for k in range(len(loops)) if (window := found[k])]
+
+
+def _window(loops: Sequence[Contour], *, from_middle: bool) -> Window | None:
+    """Return how loops open together, from their middle, or from their left end if they make a bar.
+
+    The axis is that in which most of their outlines run, if they are a bar along it, else that along which they spread.
+    """
+    points = np.concatenate([loop.segments.ravel() for loop in loops])
+    edges = np.concatenate([np.diff(loop.segments, axis=1).ravel() for loop in loops])
+    edges = edges[edges != 0.0]
+    doubled = edges**2 / np.abs(edges)
+    upright = UPRIGHT if from_middle else 0.0
+    mostly = _half(doubled.sum() - upright * np.abs(edges).sum())
+    parallel = np.abs(np.angle(doubled * (mostly.conjugate() ** 2))) <= 2.0 * PARALLEL
+    found: list[tuple[float, Window]] = []
+    for axis in (_half(doubled[parallel].sum()), _half(((points - points.mean()) ** 2).sum())):
+        turned = points * axis.conjugate()
+        low, high = float(turned.real.min()), float(turned.real.max())
+        share = float(np.ptp(turned.imag)) / (high - low)
+        found.append((share, Window(axis, 0.5 * (low + high) if from_middle else low, (low, high))))
+    share, window = found[0] if found[0][0] <= max(BAR, CLEARLY * found[1][0]) else found[1]
+    return window if from_middle or share <= BAR else None
+
+
+def _half(doubled: complex) -> complex:
+    """Return a direction to the right, or downwards, whose angle is half that of a number."""
+    axis = cmath.rect(1.0, 0.5 * cmath.phase(doubled))
+    return -axis if axis.imag < -1.0 + ROUNDING else axis
+
+
+def _cut_along(loop: Contour, window: Window, step: float) -> Contour:
+    """Cut segments that run slantwise through a window into pieces of about a step."""
+    turned = loop.segments * window.axis.conjugate()
+    slant = np.minimum(np.ptp(turned.real, axis=1), np.ptp(turned.imag, axis=1))
+    counts = np.maximum(np.ceil(slant / step), 1).astype(np.intp)
+    numbers = np.repeat(np.arange(len(counts)), counts)
+    within = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+    segments = cubics.pieces(loop.segments[numbers], within / counts[numbers], (within + 1) / counts[numbers])
+    return Contour(segments, loop.straight[numbers], closed=True)
+
+
+class Change(NamedTuple):
+    """Two shapes, one of which is the other with something added or taken away.
+
+    Attributes
+    ----------
+    pair : (PlacedContour, PlacedContour)
+        A contour of each of the shapes.
+    contours : tuple of ContourBlend
+        Those of one shape, which stay, and the loops, which grow or shrink.
+    windows : tuple of Window or None
+        How each of the loops opens; None for what stays.
+    """
+
+    pair: ContourPair
+    contours: tuple[ContourBlend, ...]
+    windows: tuple[Window | None, ...]
+
+    def without(self, contours: Sequence[PlacedContour], side: int) -> list[PlacedContour]:
+        """Return the contours of A, 0, or B, 1, that belong to other shapes."""
+        return [contour for contour in contours if contour.shape != self.pair[side].shape]
+
+
+def changes(a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Settings) -> list[Change]:
+    """Return the shapes of two drawings that are the same in place but for something that cuts them.
+
+    They must be filled and nothing else. Nothing is found if contours are to be matched, cut or moved otherwise.
+    """
+    free = not (settings.match or settings.pins or settings.start or settings.stiff)
+    if not free or settings.unmatched != "point" or settings.motion not in ("auto", "linear"):
+        return []
+    by_shape = [_filled_shapes(side) for side in (a, b)]
+    diagonal = Box.union([contour.box for contour in (*a, *b)]).diagonal
+    found: list[Change] = []
+    for one in by_shape[0]:
+        for other in by_shape[1]:
+            if any(other[0].shape == change.pair[1].shape for change in found):
+                continue
+            change = _change(one, other, diagonal, settings.vertices)
+            if change is not None:
+                found.append(change)
+                break
+    return found
+
+
+def _filled_shapes(contours: Sequence[PlacedContour]) -> list[list[PlacedContour]]:
+    """Return the contours of each shape that is filled by the rule `nonzero` and has no stroke."""
+    shapes: dict[int, list[PlacedContour]] = {}
+    for contour in contours:
+        shapes.setdefault(contour.shape, []).append(contour)
+    return [
+        shape
+        for shape in shapes.values()
+        if (style := shape[0].style).fill is not None
+        and style.stroke is None
+        and style.fill_rule == "nonzero"
+        and all(contour.role != LINE for contour in shape)
+    ]
+
+
+def _change(
+    a: Sequence[PlacedContour], b: Sequence[PlacedContour], diagonal: float, vertices: int
+) -> Change | None:
+    """Return the change between two shapes, if they share enough and a contour is cut into pieces."""
+    boxes = [Box.union([contour.box for contour in side]) for side in (a, b)]
+    if min(box.diagonal for box in boxes) < LEAST_SHARED * Box.union(boxes).diagonal:
+        return None
+    sides = [_Outline.of(contour) for contour in a], [_Outline.of(contour) for contour in b]
+    distance = TOLERANCE * diagonal
+    stretches = _stretches(*sides, distance, LEAST_STRETCH * diagonal)
+    totals = [sum(outline.total for outline in side) for side in sides]
+    if sum(stretch.length for stretch in stretches) < LEAST_SHARED * min(totals):
+        return None
+    found = _loops(sides, stretches, distance)
+    if max((max(loop.pieces) for loop in found), default=0) < 2:
+        return None
+    # The simpler drawing stays.
+    shrinks = totals[1] < totals[0]
+    still, others = (b, a) if shrinks else (a, b)
+    loops = [loop.contour for loop in found]
+    if shrinks:
+        loops = [reverse_contour(loop) for loop in loops]
+    windows = _windows(loops)
+    contours = []
+    for contour in still:
+        number = _nearest(contour.polygon.vertices, others).number
+        contours.append(
+            keep_still(contour, (number, contour.number) if shrinks else (contour.number, number))
+        )
+    for loop, window in zip(loops, windows, strict=True):
+        cut = _cut_along(loop, window, STEP * diagonal)
+        flat = FlatContour(cut, flatten(cut, vertices))
+        number = _nearest(cut.segments[:, 0], others).number
+        contours.append(grow_from(window.clip(cut.segments, 0.0), flat, number, of_b=not shrinks))
+    return Change((a[0], b[0]), tuple(contours), (*(None for _ in still), *windows))
+
+
+def _nearest(points: ComplexArray, contours: Sequence[PlacedContour]) -> PlacedContour:
+    """Return the contour that is nearest to some points on average."""
+    return min(contours, key=lambda c: float(np.abs(c.polygon.vertices[:, None] - points).min(axis=0).mean()))

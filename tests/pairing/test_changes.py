@@ -1,0 +1,92 @@
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import shapeblend_cli as sb
+from shapeblend_cli.geometry.polygons import winding_numbers
+from shapeblend_cli.model import Box
+from shapeblend_cli.pipeline import match_all, shapes_at
+from shapeblend_cli.settings import Settings
+from tests.support.contours import polyline
+from tests.support.drawings import drawing, svg
+
+# A card with a window, and the same crossed out: a bar from corner to corner, and beside it a gap.
+CARD = "M4 4H20V20H4Z M10 8V12H15V8Z"
+CROSSED_OUT = "M1 2L2 1L23 22L22 23L19 20H4V5Z M7 4H20V17L15 12V8H11Z"
+# A padlock, and its shackle cut on the left.
+LOCK = "M4 10H7V6A5 5 0 0 1 17 6V10H20V22H4Z M9 10H15V6A3 3 0 0 0 9 6Z"
+UNLOCKED = "M4 10H15V6A3 3 0 0 0 9 6H7A5 5 0 0 1 17 6V10H20V22H4Z"
+PAIRS = [(CARD, CROSSED_OUT), (LOCK, UNLOCKED)]
+POINTS = Box(0, 0, 24, 24).grid(71)
+
+
+def pair_of(a, b, **settings):
+    pairs, _ = match_all([drawing(a, file="a.svg"), drawing(b, file="b.svg")], Settings(**settings))
+    return pairs[0]
+
+
+def painted(pair, t):
+    """Which of the points are painted."""
+    windings = [
+        winding_numbers(POINTS, polyline(path, 8)) for shape in shapes_at(pair, t) for path in shape.paths
+    ]
+    return np.sum(windings, axis=0) != 0
+
+
+@pytest.mark.parametrize("motion", ["auto", "linear"])
+@pytest.mark.parametrize(("a", "b"), PAIRS + [pair[::-1] for pair in PAIRS])
+def test_the_ends_are_the_drawings(a, b, motion):
+    pair = pair_of(a, b, motion=motion)
+    for t, one in ((0.0, a), (1.0, b)):
+        assert np.array_equal(painted(pair, t), painted(pair_of(one, one), 0.0))
+
+
+@pytest.mark.parametrize(("a", "b"), PAIRS + [pair[::-1] for pair in PAIRS])
+def test_what_is_painted_in_both_drawings_always_is_and_what_is_in_neither_never(a, b):
+    pair = pair_of(a, b)
+    in_a, in_b = painted(pair, 0.0), painted(pair, 1.0)
+    for t in np.linspace(0.05, 0.95, 19):
+        between = painted(pair, t)
+        assert ((between == in_a) | (between == in_b)).mean() > 0.999
+
+
+@pytest.mark.parametrize(("a", "b"), PAIRS)
+def test_what_is_added_grows_from_one_end_to_the_other(a, b):
+    pair = pair_of(a, b)
+    in_a, in_b = painted(pair, 0.0), painted(pair, 1.0)
+    changed = [np.flatnonzero((painted(pair, t) != in_a) & (in_a != in_b)) for t in (0.2, 0.4, 0.6, 0.8)]
+    for fewer, more in pairwise(changed):
+        assert len(fewer) < len(more)
+        assert set(fewer) <= set(more)
+
+
+@pytest.mark.parametrize(("a", "b"), PAIRS)
+def test_it_shrinks_as_it_grew(a, b):
+    there, back = pair_of(a, b), pair_of(b, a)
+    for t in (0.3, 0.7):
+        assert (painted(there, t) == painted(back, 1.0 - t)).mean() > 0.998
+
+
+@pytest.mark.parametrize(
+    ("a", "b"),
+    [
+        (CARD, LOCK),  # different things
+        (CARD, "M4 4H20V20H4Z"),  # a hole that closes
+        (CARD, "M4 4H20V12H24V14H20V20H4Z M10 8V12H15V8Z"),  # a limb that grows
+    ],
+)
+def test_other_shapes_become_each_other(a, b):
+    assert {shape.motion_name for shape in pair_of(a, b).shapes} != {"sweep"}
+
+
+def test_what_users_match_is_matched():
+    assert pair_of(CARD, CROSSED_OUT, match=(("0", "0"),)).shapes[0].motion_name != "sweep"
+
+
+def test_it_goes_there_and_back_in_one_animation(tmp_path):
+    files = [tmp_path / f"{name}.svg" for name in "abc"]
+    for file, path in zip(files, (CARD, CROSSED_OUT, CARD), strict=True):
+        file.write_text(svg(path))
+    (saved,) = sb.blend(files).save(tmp_path / "x.svg")
+    assert "<animate" in saved.read_text()
