@@ -131,7 +131,7 @@ def least_work(
     price = problem.wires.path_work(dots % (m, n))
     dots = (dots + np.array([first0, first1])) % np.array([m, n])
     if closed and not pins:
-        dots = np.roll(dots, -_enters_column_0(dots[:, 0]), axis=0)
+        dots = from_column_0(dots)
     return Correspondence(
         dots=dots,
         closed=closed,
@@ -198,6 +198,7 @@ def _crossing(rolled: list[Dot], pins: list[Dot], closed: bool) -> str:
     raise AssertionError("pins that do not cross have a placement")
 
 
-def _enters_column_0(columns: IntArray) -> int:
-    """Return where a closed path enters column 0 from another column."""
-    return int(np.flatnonzero((columns == 0) & (np.roll(columns, 1) != 0))[0])
+def from_column_0(dots: IntArray) -> IntArray:
+    """Return a closed path from where it enters column 0 from another column."""
+    first = (dots[:, 0] == 0) & (np.roll(dots[:, 0], 1) != 0)
+    return np.roll(dots, -int(np.flatnonzero(first)[0]), axis=0)

@@ -25,7 +25,9 @@ from shapeblend_cli.model import Polygon, unroll
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.model import Contour, Correspondence, FloatArray, IntArray
+    from shapeblend_cli.model import ComplexArray, Contour, Correspondence, FloatArray, IntArray
+
+    Solved = tuple["FlatContour", "FlatContour", Correspondence]
 
 ROUNDS = 3
 """The outlines are cut anew at most so often."""
@@ -61,14 +63,7 @@ class FlatContour(NamedTuple):
         places = places[np.minimum(places - own[before], own[before + 1] - places) > least]
         places = places[_apart(places, least)]
 
-        # On the edge from one vertex to the next the parameter of the segment grows evenly.
-        edge = np.searchsorted(own, places, side="right") - 1
-        segments, start, end = edge_parts(self.contour, polygon)
-        segment = segments[edge]
-        share = (places - own[edge]) / (own[edge + 1] - own[edge])
-        parameter = start[edge] + (end - start)[edge] * share
-        points = cubics.evaluate(self.contour.segments[segment], parameter)
-
+        points, segment, parameter = self.points_between(places)
         order = np.argsort(np.append(own[: len(polygon.vertices)], places), kind="stable")
         cut = Polygon(
             np.append(polygon.vertices, points)[order],
@@ -78,14 +73,25 @@ class FlatContour(NamedTuple):
         )
         return self._replace(polygon=cut)
 
+    def points_between(self, places: FloatArray) -> tuple[ComplexArray, IntArray, FloatArray]:
+        """Return points of the contour at shares of the outline in [0, 1), the segments they are on, and parameters."""
+        # On the edge from one vertex to the next the parameter of the segment grows evenly.
+        own = self.lengths()
+        edge = np.searchsorted(own, places, side="right") - 1
+        segments, start, end = edge_parts(self.contour, self.polygon)
+        segment = segments[edge]
+        share = (places - own[edge]) / (own[edge + 1] - own[edge])
+        parameter = start[edge] + (end - start)[edge] * share
+        return cubics.evaluate(self.contour.segments[segment], parameter), segment, parameter
+
 
 def solve_with_common_cuts(
     a: FlatContour,
     b: FlatContour,
     found: Correspondence,
-    solve: Callable[[FlatContour, FlatContour, IntArray | None], Correspondence],
+    solve: Callable[[FlatContour, FlatContour, IntArray | None], Solved],
     effort: str,
-) -> tuple[FlatContour, FlatContour, Correspondence]:
+) -> Solved:
     """Cut two outlines where they correspond and solve again near that, until the work stops falling.
 
     The work before the first cut is of another problem, and does not count. What is solved last is solved everywhere,
@@ -99,7 +105,7 @@ def solve_with_common_cuts(
         Of their polygons.
     solve : callable
         Finds the correspondence of polygons of these contours; near a vertex of the second for each of the first, if
-        that is given.
+        that is given. Returns it after the contours, whose polygons it may have changed.
     effort : {'auto', 'exact', 'fast'}
         See `Search`.
 
@@ -110,17 +116,15 @@ def solve_with_common_cuts(
     correspondence : Correspondence
         Of these two.
     """
-    cut_a, cut_b, near = common_cuts(a, b, (a, b), found)
-    found = solve(cut_a, cut_b, near)
+    solved = solve(*common_cuts(a, b, (a, b), found))
     for _ in range(ROUNDS - 1):
-        other_a, other_b, near = common_cuts(a, b, (cut_a, cut_b), found)
-        again = solve(other_a, other_b, near)
-        if again.work >= found.work:
+        again = solve(*common_cuts(a, b, solved[:2], solved[2]))
+        if again[2].work >= solved[2].work:
             break
-        cut_a, cut_b, found = other_a, other_b, again
-    if is_proven(len(cut_a.polygon.vertices), len(cut_b.polygon.vertices), effort):
-        found = solve(cut_a, cut_b, None)
-    return cut_a, cut_b, found
+        solved = again
+    if is_proven(len(solved[0].polygon.vertices), len(solved[1].polygon.vertices), effort):
+        solved = solve(*solved[:2], None)
+    return solved
 
 
 def common_cuts(

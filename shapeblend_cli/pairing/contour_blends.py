@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,9 +19,11 @@ from shapeblend_cli.pairing.constraints import Constraints, stiffness
 from shapeblend_cli.pairing.costs import coarse_work
 from shapeblend_cli.pairing.decompose import LINE, PlacedContour
 from shapeblend_cli.pairing.direction import choose_direction, solve
+from shapeblend_cli.pairing.symmetry import solve_with_symmetry
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, IntArray
+    from shapeblend_cli.pairing.common_cuts import Solved
     from shapeblend_cli.pairing.direction import Watch
     from shapeblend_cli.settings import Settings
 
@@ -58,13 +61,17 @@ def match_contours(
 
     def solve_again(
         p: FlatContour, q: FlatContour, near: IntArray | None = None, required: Constraints = free
-    ) -> Correspondence:
-        return solve(p.polygon, _rotated_back(q.polygon, rotation), settings, required, near=near)
+    ) -> Solved:
+        return p, q, solve(p.polygon, _rotated_back(q.polygon, rotation), settings, required, near=near)
 
     if settings.makes_common_cuts:
-        flat_a, flat_b, found = solve_with_common_cuts(flat_a, flat_b, found, solve_again, settings.effort)
+        turned = partial(_rotated_back, rotation=rotation)
+        is_free = not (free.start or free.pins or settings.stiff)
+        solved = solve_with_symmetry(flat_a, flat_b, turned, solve_again, settings) if is_free else None
+        solved = solved or solve_with_common_cuts(flat_a, flat_b, found, solve_again, settings.effort)
         if required != free:
-            found = solve_again(flat_a, flat_b, required=required)
+            solved = solve_again(*solved[:2], required=required)
+        flat_a, flat_b, found = solved
     scales = flat_a.polygon.box.larger_side, _rotated_back(flat_b.polygon, rotation).box.larger_side
     return _blend((a.number, b.number), (flat_a, flat_b), scales, found)._replace(rotation=rotation)
 

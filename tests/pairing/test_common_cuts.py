@@ -71,9 +71,9 @@ def test_both_are_cut_and_the_path_goes_through_all_of_it(pair):
     a, b = (flat(contour) for contour in pair)
 
     def solve(p, q, near=None):
-        return find_least(to_unit_box(p.polygon), to_unit_box(q.polygon), p.polygon.closed, near=near)
+        return p, q, find_least(to_unit_box(p.polygon), to_unit_box(q.polygon), p.polygon.closed, near=near)
 
-    first = solve(a, b)
+    first = solve(a, b)[2]
     cut_a, cut_b, found = solve_with_common_cuts(a, b, first, solve, "auto")
     assert_cut_of(cut_a, a)
     assert_cut_of(cut_b, b)
