@@ -67,7 +67,9 @@ def match_contours(
     if settings.makes_common_cuts:
         turned = partial(_rotated_back, rotation=rotation)
         is_free = not (free.start or free.pins or settings.stiff)
-        solved = solve_with_symmetry(flat_a, flat_b, turned, solve_again, settings) if is_free else None
+        solved = (
+            solve_with_symmetry(flat_a, flat_b, found, turned, solve_again, settings) if is_free else None
+        )
         solved = solved or solve_with_common_cuts(flat_a, flat_b, found, solve_again, settings.effort)
         if required != free:
             solved = solve_again(*solved[:2], required=required)

@@ -3,7 +3,8 @@
 The least work does not know that two halves which mirror each other should do the same: a path may lead one way
 through the left half and another way through the right one, and a smile becomes a frown by one corner of the mouth. So
 where both outlines have an axis, and both axes run the same way, the ends of one become the ends of the other, and only
-half of each outline is solved. The other half does the same in the mirror.
+half of each outline is solved. The other half does the same in the mirror. Where both have two axes, at right angles,
+it is a quarter.
 
 Not in the paper.
 """
@@ -25,7 +26,7 @@ from shapeblend_cli.pairing.common_cuts import solve_with_common_cuts
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
-    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import ComplexArray, Correspondence, FloatArray, IntArray
     from shapeblend_cli.pairing.common_cuts import FlatContour, Solved
     from shapeblend_cli.settings import Settings
 
@@ -39,11 +40,11 @@ the node that it is, as a share of the outline's length."""
 DIRECTIONS = (1j, 1.0)
 """Axes that are looked for besides the long and the short one of an outline: upright first."""
 
-PARALLEL = 0.99
-"""Cosine of the angle within which two axes run the same way."""
+PARALLEL, SQUARE = 0.99, 1e-6
+"""Cosines of the angle within which two axes run the same way, and beyond which they are at right angles."""
 
-MOST, MORE = 1.4, 0.05
-"""A match that keeps an outline its own mirror image may take so many times the least work, and a little more."""
+MOST, NOISE = 1.4, 1e-12
+"""A match that keeps an outline its own mirror image may take so many times the least work, and what rounding adds."""
 
 NEAR, SAME = 0.3, 1e-9
 """A vertex nearer to a node than this share of the usual edge is left out; and shares of a half that are one."""
@@ -58,22 +59,54 @@ class Axis(NamedTuple):
     direction: complex
     ends: tuple[float, float]
 
+    def reversed(self) -> Axis:
+        """Return the same axis seen from its other end."""
+        return Axis(-self.direction, self.ends[::-1])
 
-class Halves(NamedTuple):
-    """A contour cut at places that mirror each other about an axis.
 
-    `first` are the numbers of the vertices from the axis's first end to its other one, and `second` those of their
-    mirror images, (k,) int each; both begin and end with the same.
+class Part(NamedTuple):
+    """A half or a quarter of a closed outline, from one end to the other, forwards, 1, or backwards, -1."""
+
+    begin: float
+    end: float
+    way: int
+
+    def shares(self, places: FloatArray) -> FloatArray:
+        """Return how far places are along the part, as shares of it; beyond 1 they are on another one."""
+        return (self.way * (places - self.begin)) % 1.0 / self.length
+
+    def places(self, shares: FloatArray) -> FloatArray:
+        """Return places on the outline."""
+        return (self.begin + self.way * shares * self.length) % 1.0
+
+    @property
+    def length(self) -> float:
+        """Its share of the outline."""
+        return (self.way * (self.end - self.begin)) % 1.0
+
+
+class Parts(NamedTuple):
+    """A contour cut at places that mirror each other about its axes.
+
+    For each part the numbers of its vertices, (k,) int, both ends included. The first part goes forwards.
     """
 
     flat: FlatContour
-    first: IntArray
-    second: IntArray
+    vertices: Sequence[IntArray]
+
+    def around(self, along: IntArray) -> IntArray:
+        """Return the vertices once round the outline, where on each part one goes through it as `along` says."""
+        # Every second part is gone through from its end, so that each begins where the one before it ends.
+        order = (0, 1) if len(self.vertices) == 2 else (0, 2, 3, 1)
+        return np.concatenate(
+            [self.vertices[part][along[:-1] if k % 2 == 0 else along[:0:-1]] for k, part in enumerate(order)]
+        )
 
 
 def solve_with_symmetry(
     a: FlatContour,
     b: FlatContour,
+    first: Correspondence,
     turned: Callable[[Polygon], Polygon],
     solve: Callable[[FlatContour, FlatContour], Solved],
     settings: Settings,
@@ -84,6 +117,8 @@ def solve_with_symmetry(
     ----------
     a, b : FlatContour
         In the same direction.
+    first : Correspondence
+        The least work as they are.
     turned : callable
         Returns B's polygons as they are solved, perhaps rotated back.
     solve : callable
@@ -99,43 +134,51 @@ def solve_with_symmetry(
 
     None without such axes, or if it takes far more work than other matches.
     """
-    axes = common_axes(a.polygon, turned(b.polygon)) if a.polygon.closed else None
-    if axes is None:
+    axes = common_axes(a.polygon, turned(b.polygon)) if a.polygon.closed else []
+    if not axes:
         return None
+    axes_a, axes_b = zip(*axes, strict=True)
 
-    def solve_halves(p: FlatContour, q: FlatContour, near: IntArray | None = None) -> Solved:
-        return _solve_halves((p, q), axes, turned, settings)
+    def solve_part(p: FlatContour, q: FlatContour, near: IntArray | None = None) -> Solved:
+        parts = cut_in_parts(p, axes_a), cut_in_parts(q, axes_b)
+        vertices = to_unit_box(parts[0].flat.polygon), to_unit_box(turned(parts[1].flat.polygon))
+        whole = Wires(*vertices, True, settings.constants)
+        return parts[0].flat, parts[1].flat, _solve_parts(parts, whole, settings.effort)
 
-    cut_a, cut_b, found = solve_with_common_cuts(*solve_halves(a, b), solve_halves, settings.effort)
+    cut_a, cut_b, found = solve_with_common_cuts(*solve_part(a, b), solve_part, settings.effort)
     least = solve(cut_a, cut_b)[2]
-    if found.work > MOST * least.work + MORE:
+    if found.work > MOST * min(first.work, least.work) + NOISE:
         return None
     return cut_a, cut_b, replace(found, lower_bound=min(least.lower_bound, found.work))
 
 
-def common_axes(a: Polygon, b: Polygon) -> tuple[Axis, Axis] | None:
-    """Return an axis of each of two closed polygons that run the same way, the upright ones if they have such."""
-    for first in _axes(a):
-        for second in _axes(b, first.direction):
-            return first, second
-    return None
+def common_axes(a: Polygon, b: Polygon) -> list[tuple[Axis, Axis]]:
+    """Return the axes of two closed polygons that run the same way: one of each, two at right angles, or none.
+
+    Upright axes come before others.
+    """
+    axes_b = list(_axes(b))
+    common = [
+        (axis, other if cosine > 0.0 else other.reversed())
+        for axis in _axes(a)
+        for other in axes_b
+        if abs(cosine := (axis.direction * np.conj(other.direction)).real) >= PARALLEL
+    ]
+    square = [
+        pair for pair in common if abs((pair[0].direction * np.conj(common[0][0].direction)).real) < SQUARE
+    ]
+    return common[:1] + square[:1]
 
 
-def _axes(polygon: Polygon, direction: complex | None = None) -> Iterator[Axis]:
-    """Yield the axes of a closed polygon; with a direction only one that runs that way."""
+def _axes(polygon: Polygon) -> Iterator[Axis]:
+    """Yield the axes of a closed polygon."""
     outline = from_end_to_end(polygon.vertices, closed=True)
     lengths = cumulative_lengths(outline)
     places = lengths / lengths[-1]
     even = np.arange(SAMPLES) / SAMPLES
     points = points_at(even, outline, places)
     middle = points.mean()
-    for candidate in _directions(points - middle):
-        along = candidate
-        if direction is not None:
-            cosine = (candidate * np.conj(direction)).real
-            if abs(cosine) < PARALLEL:
-                continue
-            along = complex(candidate * np.sign(cosine))
+    for along in _directions(points - middle):
         images = middle + along * along * (points - middle).conj()
         across = ((outline - middle) * np.conj(along)).imag
         at = np.flatnonzero((across[:-1] < 0.0) != (across[1:] < 0.0))
@@ -157,49 +200,40 @@ def _directions(points: ComplexArray) -> list[complex]:
     return [*DIRECTIONS, long, 1j * long]
 
 
-def cut_in_halves(flat: FlatContour, axis: Axis) -> Halves:
-    """Cut a closed contour where it meets an axis of it, and at places that mirror each other.
+def cut_in_parts(flat: FlatContour, axes: Sequence[Axis]) -> Parts:
+    """Cut a closed contour where it meets one or two axes of it, and at places that mirror each other.
 
-    All nodes stay vertices. A node is the mirror image of the node nearest to its own image, if that is near; else the
-    other half gets a vertex there. Further vertices are those of the first half.
+    All nodes stay vertices. A node of one part is the mirror image of a node of another one if it is the nearest there,
+    and near; else that part gets a vertex. Further vertices are those of the first part.
     """
     own = flat.lengths()[:-1]
     is_node = flat.polygon.parameter == 0.0
-    ends = [_at_node(end, own[is_node]) for end in axis.ends]
-    length = (ends[1] - ends[0]) % 1.0
-    # How far each vertex is along each half, as a share of it; beyond 1 it is on the other one.
-    along = np.stack([(own - ends[0]) % 1.0 / length, (ends[0] - own) % 1.0 / (1.0 - length)], axis=1)
-    within = (along > SAME) & (along < 1.0 - SAME)
-    nodes = [np.flatnonzero(is_node & within[:, side]) for side in (0, 1)]
-    twins = _twins(*(along[some, side] for side, some in enumerate(nodes)))
-    pairs = np.stack([nodes[0][twins[0]], nodes[1][twins[1]]], axis=1)
-    known = np.stack([along[pairs[:, 0], 0], along[pairs[:, 1], 1]], axis=1)
-    known = np.sort(np.concatenate([[[0.0, 0.0]], known, [[1.0, 1.0]]]), axis=0)
+    ends = [_at_node(end, own[is_node]) for axis in axes for end in axis.ends]
+    parts = _parts(ends)
+    shares = np.stack([part.shares(own) for part in parts], axis=1)
+    within = (shares > SAME) & (shares < 1.0 - SAME)
 
-    def with_images(vertices: IntArray, side: int) -> tuple[IntArray, FloatArray]:
-        """Return the numbers of vertices on both halves, -1 where there is none yet, and where they are."""
-        places = along[vertices, side]
-        images = np.interp(places, known[:, side], known[:, 1 - side])
-        order = slice(None, None, -1 if side else 1)
-        return (
-            np.stack([vertices, np.full_like(vertices, -1)], axis=1)[:, order],
-            np.stack([places, images], axis=1)[:, order],
-        )
-
-    rungs = [(pairs, np.stack([along[pairs[:, 0], 0], along[pairs[:, 1], 1]], axis=1))]
-    rungs += [with_images(np.delete(nodes[side], twins[side]), side) for side in (0, 1)]
-    taken = np.concatenate([[0.0, 1.0], *(places[:, 0] for _, places in rungs)])
+    # A row for each place: the numbers of the vertices that mirror each other, -1 where there is none yet, and where
+    # on each part they are.
+    vertices = np.zeros((0, len(parts)), np.intp)
+    places = np.zeros((0, len(parts)))
+    for part in range(len(parts)):
+        nodes = np.flatnonzero(is_node & within[:, part])
+        rows, twins = _twins(places[:, part], shares[nodes, part])
+        vertices[rows, part] = nodes[twins]
+        places[rows, part] = shares[nodes[twins], part]
+        # What has no twin there keeps between those that have.
+        alone = vertices[:, part] < 0
+        known = _ladder(places[~alone])
+        places[alone, part] = np.interp(places[alone, 0], known[:, 0], known[:, part])
+        vertices, places = _with_images(vertices, places, np.delete(nodes, twins), part, shares)
     others = np.flatnonzero(~is_node & within[:, 0])
-    others = others[np.abs(along[others, :1] - taken).min(axis=1) > NEAR / len(own)]
-    rungs.append(with_images(others, 0))
-    vertices, places = (np.concatenate(parts) for parts in zip(*rungs, strict=True))
+    away = np.abs(shares[others, :1] - np.concatenate([[0.0, 1.0], places[:, 0]])).min(axis=1)
+    others = others[away > NEAR / (parts[0].length * len(own))]
+    vertices, places = _with_images(vertices, places, others, 0, shares)
     order = np.argsort(places[:, 0], kind="stable")
-    vertices, places = vertices[order], places[order]
-    at = (
-        np.concatenate([ends, ends[0] + places[:, 0] * length, ends[0] - places[:, 1] * (1.0 - length)]) % 1.0
-    )
-    kept = np.concatenate([[_number(end, own) for end in ends], vertices[:, 0], vertices[:, 1]])
-    return _halves(flat, at, kept.astype(np.intp))
+    at = [part.places(places[order, k]) for k, part in enumerate(parts)]
+    return _cut(flat, ends, parts, at, vertices[order])
 
 
 def _at_node(place: float, nodes: FloatArray) -> float:
@@ -208,13 +242,36 @@ def _at_node(place: float, nodes: FloatArray) -> float:
     return float(nodes[away.argmin()]) if away.min() <= 0.5 * TOLERANCE else place
 
 
-def _number(place: float, own: FloatArray) -> int:
-    """Return the number of the vertex at a place, -1 if there is none."""
-    return int(np.flatnonzero(own == place)[0]) if (own == place).any() else -1
+def _parts(ends: Sequence[float]) -> list[Part]:
+    """Return the parts between the ends of one or two axes, each a mirror image of the first one or that turned."""
+    front, back = ends[:2]
+    if len(ends) == 2:
+        return [Part(front, back, 1), Part(front, back, -1)]
+    after, before = ends[2:] if (ends[2] - front) % 1.0 < 0.5 else ends[:1:-1]
+    return [Part(front, after, 1), Part(front, before, -1), Part(back, after, -1), Part(back, before, 1)]
+
+
+def _ladder(places: FloatArray) -> FloatArray:
+    """Return places that correspond on all parts, rising, both ends among them."""
+    ends = np.array([[0.0], [1.0]]) * np.ones(places.shape[1])
+    return np.sort(np.concatenate([places, ends]), axis=0)
+
+
+def _with_images(
+    vertices: IntArray, places: FloatArray, new: IntArray, part: int, shares: FloatArray
+) -> tuple[IntArray, FloatArray]:
+    """Add rows for vertices of one part that have no mirror images yet; between the others' they have places."""
+    known = _ladder(places)
+    rows = np.full((len(new), places.shape[1]), -1, np.intp)
+    rows[:, part] = new
+    own = shares[new, part]
+    images = np.stack([np.interp(own, known[:, part], column) for column in known.T], axis=1)
+    images[:, part] = own
+    return np.concatenate([vertices, rows]), np.concatenate([places, images])
 
 
 def _twins(first: FloatArray, second: FloatArray) -> tuple[IntArray, IntArray]:
-    """Return which places of two halves are nearest to each other, both ways, and near."""
+    """Return the numbers of places in two lists that are nearest to each other, both ways, and near."""
     if not len(first) or not len(second):
         return np.zeros(0, np.intp), np.zeros(0, np.intp)
     away = np.abs(first[:, None] - second)
@@ -224,56 +281,49 @@ def _twins(first: FloatArray, second: FloatArray) -> tuple[IntArray, IntArray]:
     return number[both], partner[both]
 
 
-def _halves(flat: FlatContour, places: FloatArray, kept: IntArray) -> Halves:
-    """Cut a contour at places: both ends of an axis, rising on one half, and their images on the other one.
-
-    `kept` are the numbers of vertices that are there already, else -1.
-    """
-    polygon = flat.polygon
-    new = kept < 0
+def _cut(
+    flat: FlatContour, ends: Sequence[float], parts: Sequence[Part], at: Sequence[FloatArray], kept: IntArray
+) -> Parts:
+    """Cut a contour at the ends of parts and at places on each; kept are the numbers of vertices already there."""
+    polygon, own = flat.polygon, flat.lengths()[:-1]
+    places = np.concatenate([ends, *at])
+    at_ends = [np.flatnonzero(own == end) for end in ends]
+    vertex = np.concatenate([[found[0] if len(found) else -1 for found in at_ends], kept.T.ravel()]).astype(
+        np.intp
+    )
+    new = vertex < 0
     points, segment, parameter = (
-        np.where(new, 0, values[kept]) for values in (polygon.vertices, polygon.segment, polygon.parameter)
+        np.where(new, 0, values[vertex]) for values in (polygon.vertices, polygon.segment, polygon.parameter)
     )
     points[new], segment[new], parameter[new] = flat.points_between(places[new])
-    order = np.argsort(np.where(new, places, flat.lengths()[kept]), kind="stable")
+    order = np.argsort(np.where(new, places, own[vertex]), kind="stable")
     number = np.empty(len(order), np.intp)
     number[order] = np.arange(len(order))
-    half = (len(order) - 2) // 2
-    begin, end, first, second = number[:1], number[1:2], number[2 : 2 + half], number[2 + half :]
+    inner = number[len(ends) :].reshape(len(parts), -1)
+    first, last = (
+        [number[ends.index(end)] for end in some] for some in zip(*(part[:2] for part in parts), strict=True)
+    )
     cut = Polygon(points[order], segment[order], parameter[order], True)
-    return Halves(
+    return Parts(
         flat._replace(polygon=cut),
-        np.concatenate([begin, first, end]),
-        np.concatenate([begin, second, end]),
+        [np.concatenate([[first[k]], inner[k], [last[k]]]) for k in range(len(parts))],
     )
 
 
-def _solve_halves(
-    flats: Sequence[FlatContour],
-    axes: Sequence[Axis],
-    turned: Callable[[Polygon], Polygon],
-    settings: Settings,
-) -> Solved:
-    """Solve the first halves of two contours, end to end, and let the second ones do the same in the mirror.
+def _solve_parts(parts: tuple[Parts, Parts], whole: Wires, effort: str) -> Correspondence:
+    """Solve the first parts of two contours, end to end, and let the others do the same in the mirror.
 
-    Return the contours cut in halves, and the correspondence. Its lower bound is 0, as other matches of the whole may
-    take less work.
+    The lower bound is 0, as other matches of the whole may take less work.
     """
-    halves = [cut_in_halves(flat, axis) for flat, axis in zip(flats, axes, strict=True)]
-    a, b = (half.flat for half in halves)
-    whole = Wires(to_unit_box(a.polygon), to_unit_box(turned(b.polygon)), True, settings.constants)
     first = [
-        Wire(*(points[half.first] for points in wire)) for wire, half in zip(whole.wires, halves, strict=True)
+        Wire(*(points[side.vertices[0]] for points in wire))
+        for wire, side in zip(whole.wires, parts, strict=True)
     ]
-    found = least_work(Wires(first[0], first[1], False, settings.constants), Search(effort=settings.effort))
-    back = found.dots[-2:0:-1]
-    columns, rows = (
-        np.concatenate([half.first[found.dots[:, k]], half.second[back[:, k]]])
-        for k, half in enumerate(halves)
-    )
-    dots = from_column_0(np.stack([columns, rows], axis=1))
+    found = least_work(Wires(first[0], first[1], False, whole.constants), Search(effort=effort))
+    dots = np.stack([side.around(found.dots[:, k]) for k, side in enumerate(parts)], axis=1)
+    dots = from_column_0(dots)
     price = whole.path_work(dots)
-    mirrored = replace(
+    return replace(
         found,
         dots=dots,
         closed=True,
@@ -284,4 +334,3 @@ def _solve_halves(
         zero_angles=price.zero_angles,
         diagonal_deviation=diagonal_deviation(dots, whole.m, whole.n, True),
     )
-    return a, b, mirrored

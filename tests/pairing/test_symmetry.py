@@ -9,7 +9,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.pairing.common_cuts import FlatContour
-from shapeblend_cli.pairing.symmetry import TOLERANCE, common_axes, cut_in_halves
+from shapeblend_cli.pairing.symmetry import TOLERANCE, common_axes, cut_in_parts
 from shapeblend_cli.svg.reading.read import read
 from tests.support.contours import polygon_contour
 from tests.support.drawings import svg
@@ -17,7 +17,10 @@ from tests.support.motions import pair_of
 
 TIMES = np.linspace(0.0, 1.0, 9)
 
-HEART = "M50 90C20 65 10 50 10 33C10 18 21 10 31 10C40 10 47 15 50 22" "C53 15 60 10 69 10C79 10 90 18 90 33C90 50 80 65 50 90Z"
+HEART = (
+    "M50 90C20 65 10 50 10 33C10 18 21 10 31 10C40 10 47 15 50 22"
+    "C53 15 60 10 69 10C79 10 90 18 90 33C90 50 80 65 50 90Z"
+)
 STAR = "M50 8L61 38L93 38L67 58L77 90L50 71L23 90L33 58L7 38L39 38Z"
 SMILE = "M20 50C30 80 70 80 80 50C70 62 30 62 20 50Z"
 FROWN = "M80 75C70 45 30 45 20 75C30 63 70 63 80 75Z"
@@ -28,6 +31,8 @@ BUG = "M50 5C60 5 62 12 60 20L85 10L66 30L90 50L66 55L80 85L50 95L20 85L34 55L10
 ARROW = "M10 40H60V20L90 50L60 80V60H10Z"
 """It points right: its axis is level."""
 DROP = "M90 50L50 30C30 20 10 30 10 50C10 70 30 80 50 70Z"
+CROSS = "M40 10H60V40H90V60H60V90H40V60H10V40H40Z"
+LENS = "M50 5C70 25 70 75 50 95C30 75 30 25 50 5Z"
 FIVE = "M20 10H80V25H38V45C80 40 90 90 40 90H20V75H45C70 75 60 50 20 60Z"
 
 
@@ -76,6 +81,15 @@ def test_a_level_axis_is_kept_too(tmp_path):
     assert max(off_mirror(paths_at(shape, t)[0], level=True) for t in TIMES) < 0.02
 
 
+def test_two_axes_are_kept(tmp_path):
+    for a, b in ((SQUARE, CROSS), (CROSS, LENS)):
+        shape = blended(a, b, tmp_path, motion="linear")
+        for t in TIMES:
+            path = paths_at(shape, t)[0]
+            assert off_mirror(path) < 0.02
+            assert off_mirror(path, level=True) < 0.02
+
+
 def test_the_bound_is_that_of_all_matches_and_not_far(tmp_path):
     for a, b in ((HEART, STAR), (UP, DOWN), (TRIANGLE, SQUARE)):
         found = blended(a, b, tmp_path).contours[0].correspondence
@@ -118,21 +132,21 @@ def test_halves_mirror_each_other_and_have_all_nodes(heights, nodes, first, vert
     outline = symmetric(heights, nodes)
     contour = polygon_contour(np.roll(outline, first))
     flat = FlatContour(contour, flatten(contour, vertices))
-    axes = common_axes(flat.polygon, flat.polygon)
-    assert axes is not None
-    assert axes[0].direction == 1j
-    halves = cut_in_halves(flat, axes[0])
-    cut = halves.flat.polygon
-    z = cut.vertices
-    assert len(halves.first) == len(halves.second)
+    axis, other = common_axes(flat.polygon, flat.polygon)[0]
+    assert axis == other
+    assert axis.direction == 1j
+    parts = cut_in_parts(flat, [axis])
+    cut = parts.flat.polygon
+    z, (first, second) = cut.vertices, parts.vertices
+    assert len(first) == len(second)
     length = abs(np.diff(z, append=z[:1])).sum()
-    assert np.abs(z[halves.first] + z[halves.second].conj()).max() < 2.0 * TOLERANCE * length
+    assert np.abs(z[first] + z[second].conj()).max() < 2.0 * TOLERANCE * length
     # Each runs along the outline, vertex by vertex, from one end of the axis to the other, and together they are it.
     count = len(z)
-    assert set(np.diff(halves.first) % count) == {1}
-    assert set(np.diff(halves.second) % count) == {count - 1}
-    assert len(halves.first) + len(halves.second) == count + 2
-    assert halves.first[[0, -1]].tolist() == halves.second[[0, -1]].tolist()
+    assert set(np.diff(first) % count) == {1}
+    assert set(np.diff(second) % count) == {count - 1}
+    assert len(first) + len(second) == count + 2
+    assert first[[0, -1]].tolist() == second[[0, -1]].tolist()
     for node in outline:
         assert np.abs(z - node).min() < 1e-12
     assert np.abs(cut.vertices - cubics.evaluate(contour.segments[cut.segment], cut.parameter)).max() < 1e-9
