@@ -375,6 +375,24 @@ class Motion(Protocol):
         """Control points of each contour at a time within (0, 1); towards 0 and 1 the start's and the end's."""
 
 
+class Fade(NamedTuple):
+    """How one of two copies of a shape comes or goes: evenly from one time to another."""
+
+    begin: float
+    until: float
+    comes: bool  # whether it is the copy that is seen at the end
+
+    @property
+    def times(self) -> tuple[float, ...]:
+        """The times within (0, 1) at which it begins or ends to change."""
+        return tuple(t for t in (self.begin, self.until) if 0.0 < t < 1.0)
+
+    def share(self, t: float) -> float:
+        """Return what share of its opacity it has at time t."""
+        come = min(max((t - self.begin) / (self.until - self.begin), 0.0), 1.0)
+        return come if self.comes else 1.0 - come
+
+
 class ShapeBlend(NamedTuple):
     """Contours that are painted together, from one paint to another."""
 
@@ -383,6 +401,9 @@ class ShapeBlend(NamedTuple):
     style_b: Style  # its lengths in A's coordinates
     motion: Motion | None = None  # None is straight paths, eq (2)
     reason: str = ""  # why it moves so, a phrase
+    fade: Fade | None = (
+        None  # where it has two places in the order of paint: how it leaves one, or comes to one
+    )
 
     @property
     def motion_name(self) -> str:
@@ -393,6 +414,18 @@ class ShapeBlend(NamedTuple):
     def is_matched(self) -> bool:
         """Whether any of its contours has a partner."""
         return any(contour.is_matched for contour in self.contours)
+
+    @property
+    def is_twin(self) -> bool:
+        """Whether it is the second copy of a shape that has two places in the order of paint."""
+        return self.fade is not None and self.fade.comes
+
+
+class Place(NamedTuple):
+    """A place in the order of paint, from the lowest: which shape is there, and when."""
+
+    shape: int  # its index
+    end: int | None = None  # 0 if that is its place in A alone, 1 in B alone; None in both
 
 
 class PaintedShape(NamedTuple):
@@ -414,12 +447,14 @@ class KeyframedShape(NamedTuple):
     """A shape over several keys, the drawings that are blended one after the other.
 
     All keys have the same path commands. Between two keys there may be waypoints with these commands too, in order of
-    time; from one to the next all points move in nearly straight lines.
+    time; from one to the next all points move in nearly straight lines. What fades has styles there as well, at
+    times of their own; from one to the next its opacities change evenly.
     """
 
     keys: tuple[PaintedShape, ...]
     first: int  # number of the drawing it begins with
     waypoints: tuple[tuple[Waypoint, ...], ...]
+    fading: tuple[tuple[tuple[float, Style], ...], ...] = ()
 
 
 class Pair(NamedTuple):
@@ -427,14 +462,21 @@ class Pair(NamedTuple):
 
     a: int
     b: int
-    shapes: tuple[ShapeBlend, ...]  # in paint order
+    shapes: tuple[
+        ShapeBlend, ...
+    ]  # in paint order; where that changes, a shape and its twin at another place
     drawn: tuple[tuple[PaintedShape, ...], tuple[PaintedShape, ...]]  # as they are, laid over A
     views: tuple[Box, Box]  # what part of the plane to show of each
 
     @property
+    def each_shape(self) -> list[ShapeBlend]:
+        """The shapes without twins."""
+        return [shape for shape in self.shapes if not shape.is_twin]
+
+    @property
     def contours(self) -> list[ContourBlend]:
         """The contours of all shapes."""
-        return [contour for shape in self.shapes for contour in shape.contours]
+        return [contour for shape in self.each_shape for contour in shape.contours]
 
 
 class Frame(NamedTuple):

@@ -12,13 +12,14 @@ from shapeblend_cli.clock import Clock
 from shapeblend_cli.easing import frame_times
 from shapeblend_cli.geometry.placement import place_over
 from shapeblend_cli.geometry.similarity import Similarity
+from shapeblend_cli.interpolate.fades import in_paint_order
 from shapeblend_cli.interpolate.paths import paths_at, with_curves
-from shapeblend_cli.model import Box, CubicPath, Drawing, Frame, PaintedShape, Pair, ShapeBlend
+from shapeblend_cli.model import Box, CubicPath, Drawing, Frame, PaintedShape, Pair, ShapeBlend, Style
 from shapeblend_cli.motion.alignment import Alignment, align, point_pairs
 from shapeblend_cli.motion.choose import RotatedShape, choose_motion, is_as_good, try_straight
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.motion.sweep import Sweep
-from shapeblend_cli.paint.styles import blend_styles, painted_as
+from shapeblend_cli.paint.styles import painted_as, shape_styles
 from shapeblend_cli.pairing.changes import changes
 from shapeblend_cli.pairing.constraints import check_stiff, constrain, point_pins, required_pairs
 from shapeblend_cli.pairing.contour_blends import match_contours
@@ -33,6 +34,7 @@ from shapeblend_cli.views import view_of, views_with_room
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.model import Place
     from shapeblend_cli.pairing.changes import Change
     from shapeblend_cli.pairing.constraints import ConstrainedPairs, NumbersOrNone
     from shapeblend_cli.pairing.decompose import ContourPair
@@ -135,11 +137,11 @@ def _blend_shapes(
         largest = [max(side.contours, key=lambda contour: contour.size) for side in (a, b)]
         rotation = rotation_between(*(contour.polygon for contour in largest)) or 0.0
     paired = _pair(a, b, settings, rotation, clock)
-    shapes = _match(paired, watch)
+    shapes, places = _match(paired, watch)
     if rotation and not is_rotated_copy([contour for shape in shapes for contour in shape.contours]):
         paired = _pair(a, b, settings, 0.0, clock)
-        shapes = _match(paired, watch)
-    moved = _move(paired, shapes)
+        shapes, places = _match(paired, watch)
+    moved = in_paint_order(_move(paired, shapes), places)
     clock.lap("interpolate")
     return moved
 
@@ -182,20 +184,23 @@ def _pair(
     return _PairedDrawings(a, b, rotation, constrain(pairs, settings, pins), changed, settings, clock)
 
 
-def _match(paired: _PairedDrawings, watch: Watch | None) -> tuple[ShapeBlend, ...]:
-    """Match all pairs, and put them together to shapes, with the contours that grow or shrink."""
+def _match(paired: _PairedDrawings, watch: Watch | None) -> tuple[tuple[ShapeBlend, ...], list[Place]]:
+    """Match all pairs, and put them together to shapes, with the contours that grow or shrink.
+
+    Return them with their places in the order of paint.
+    """
     count = len(paired.pairs)
     matches = [
         paired.match(numbers, paired.rotation, watch_part(watch, k, count))
         for k, numbers in enumerate(paired.pairs)
     ]
-    shapes = shape_blends(paired.a.contours, paired.b.contours, matches, paired.changes)
+    shapes, places = shape_blends(paired.a.contours, paired.b.contours, matches, paired.changes)
     if paired.settings.motion == "auto":
         sweeps = {id(change.contours[0]): Sweep(change.windows) for change in paired.changes}
         shapes = tuple(shape._replace(motion=sweeps.get(id(shape.contours[0]))) for shape in shapes)
     styled = tuple(_in_style(shape, paired.settings.style) for shape in shapes)
     paired.clock.lap("match")
-    return styled
+    return styled, places
 
 
 def _match_again(paired: _PairedDrawings, shape: ShapeBlend, rotation: float) -> ShapeBlend:
@@ -280,24 +285,36 @@ def make_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
 
 def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
     """Return the shapes of a pair at time t, at all times with the same commands; points are kept."""
-    return tuple(
-        PaintedShape(paths_at(shape, t), *blend_styles(shape.style_a, shape.style_b, t))
-        for shape in pair.shapes
-    )
+    return tuple(PaintedShape(paths_at(shape, t), *shape_styles(shape, t)) for shape in pair.shapes)
+
+
+def fading_styles(shape: ShapeBlend) -> tuple[tuple[float, Style], ...]:
+    """Return times within (0, 1) and the upper styles then between which the opacities of a shape change evenly."""
+    times = shape.fade.times if shape.fade is not None else ()
+    return tuple((t, shape_styles(shape, t)[0]) for t in times)
 
 
 def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:
     """Return the frame at time t; at t = 0 and t = 1 it may be the drawing itself."""
     view = pair.views[0].interpolate(pair.views[1], t)
     if t not in (0.0, 1.0):
-        return Frame(t, pair.a, shapes_at(pair, t), view)
+        return Frame(t, pair.a, tuple(shape for shape, _ in _seen(pair, t)), view)
     return Frame(t, pair.a, pair.drawn[int(t)] if as_drawn else _without_points(pair, t), view)
+
+
+def _seen(pair: Pair, t: float) -> list[tuple[PaintedShape, ShapeBlend]]:
+    """Return the shapes at time t, without copies that have faded or are yet to come."""
+    return [
+        (shape, blend)
+        for shape, blend in zip(shapes_at(pair, t), pair.shapes, strict=True)
+        if blend.fade is None or blend.fade.share(t) > 0.0
+    ]
 
 
 def _without_points(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
     """Return the shapes at an end of time, without contours that are a point there."""
     painted = []
-    for blend, shape in zip(pair.shapes, shapes_at(pair, t), strict=True):
+    for shape, blend in _seen(pair, t):
         paths = tuple(
             path
             for contour, path in zip(blend.contours, shape.paths, strict=True)

@@ -32,7 +32,7 @@ class Measures(NamedTuple):
 
 def measure(pair: Pair, t: float) -> Measures:
     """Measure the in-between at time t; also at both ends as it moves, not as the drawing has it."""
-    shapes = [paths_at(shape, t) for shape in pair.shapes]
+    shapes = [paths_at(shape, t) for shape in pair.each_shape]
     return Measures(
         t,
         pair.a,
@@ -64,7 +64,9 @@ def report(
             {
                 "a": pair.a,
                 "b": pair.b,
-                "contours": [_contour(contour, shape) for shape in pair.shapes for contour in shape.contours],
+                "contours": [
+                    _contour(contour, shape) for shape in pair.each_shape for contour in shape.contours
+                ],
             }
             for pair in pairs
         ],

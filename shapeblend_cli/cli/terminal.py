@@ -68,8 +68,9 @@ def details(run: Run) -> Iterator[str]:
             f"{found.zero_angles} angles reach zero, {found.sweeps} sweeps"
         )
     for pair in run.pairs:
-        for number, shape in enumerate(pair.shapes, 1):
-            name = f"shape {number}: " if len(pair.shapes) > 1 else ""
+        shapes = pair.each_shape
+        for number, shape in enumerate(shapes, 1):
+            name = f"shape {number}: " if len(shapes) > 1 else ""
             if shape.is_matched:
                 yield f"{name}motion {shape.motion_name}: {shape.reason}"
     yield f"{_count(len(run.measures), 'frame')}: {_crossings(run)}"

@@ -7,6 +7,7 @@ outlines before and after, waypoints included.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -15,7 +16,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.parametrization import parametrize
 from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import CubicPath, KeyframedShape, PaintedShape, Pair, ShapeBlend, Style, Waypoint
-from shapeblend_cli.paint.styles import keyed_styles
+from shapeblend_cli.paint.styles import faded_coats, keyed_styles
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -67,13 +68,15 @@ class _ContourChain(NamedTuple):
 class _ShapeChain(NamedTuple):
     """A shape over two keys or more, `first` being the number of the drawing it begins with.
 
-    It has a style at each key, and for each key but the last the times of the waypoints before the next one.
+    It has a style at each key, and for each key but the last the times of the waypoints before the next one. What fades
+    has two keys and no more.
     """
 
     first: int
     contours: list[_ContourChain]
     styles: list[Style]
     times: list[tuple[float, ...]]
+    fading: ShapeBlend | None = None  # the shape, if it fades
 
 
 def keyframed_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
@@ -87,25 +90,53 @@ def keyframed_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
     Returns
     -------
     list of KeyframedShape
-        Those of the last pair in its paint order. A shape continues if the next pair has one of exactly the same
-        contours, each of them whole.
+        In an order of paint that is each pair's own. A shape continues if the next pair has one of exactly the same
+        contours, each of them whole, and as long as it keeps its place among others that continue.
     """
-    done: list[_ShapeChain] = []
-    current: list[_ShapeChain] = []
+    chains: list[_ShapeChain] = []
     for pair in pairs:
-        previous, current = current, []
-        by_numbers = {_numbers([contour.end for contour in chain.contours]): chain for chain in previous}
-        for shape in pair.shapes:
-            chain = _start(shape, pair.a)
+        ending = {
+            _numbers([contour.end for contour in chain.contours]): k
+            for k, chain in enumerate(chains)
+            if chain.fading is None and chain.first + len(chain.styles) - 1 == pair.a
+        }
+        started = [_start(shape, pair.a) for shape in pair.shapes]
+        continued: dict[int, tuple[int, _ShapeChain]] = {}
+        for k, chain in enumerate(started):
             numbers = _numbers([contour.start for contour in chain.contours])
-            before = by_numbers.get(numbers) if numbers else None
-            continued = _continue(before, chain) if before else None
-            if continued:
-                del by_numbers[numbers]
-                previous = [other for other in previous if other is not before]
-            current.append(continued or chain)
-        done += previous
-    return [coat for chain in [*done, *current] for coat in _coats(chain)]
+            if numbers in ending and numbers and chain.fading is None:
+                before = ending.pop(numbers)
+                extended = _continue(chains[before], chain)
+                if extended:
+                    continued[k] = before, extended
+        kept = set(_longest_rise([before for before, _ in continued.values()]))
+        merged: list[_ShapeChain] = []
+        new: list[_ShapeChain] = []
+        merged_before = 0
+        for k, chain in enumerate(started):
+            before, extended = continued.get(k, (-1, chain))
+            if before not in kept:
+                new.append(chain)
+                continue
+            merged += [*chains[merged_before:before], *new, extended]
+            new, merged_before = [], before + 1
+        chains = [*merged, *chains[merged_before:], *new]
+    return [coat for chain in chains for coat in _coats(chain)]
+
+
+def _longest_rise(numbers: Sequence[int]) -> list[int]:
+    """Return as many numbers as can be left in a list such that they rise.
+
+    Examples
+    --------
+    >>> _longest_rise([4, 0, 1, 3, 2])
+    [0, 1, 2]
+    """
+    rises: list[list[int]] = []  # of each length the one that ends lowest
+    for number in numbers:
+        k = bisect_left([rise[-1] for rise in rises], number)
+        rises[k : k + 1] = [[*(rises[k - 1] if k else []), number]]
+    return rises[-1] if rises else []
 
 
 def _numbers(keys: Sequence[_Key]) -> frozenset[int | None]:
@@ -127,12 +158,16 @@ def _start(shape: ShapeBlend, first: int) -> _ShapeChain:
         )
         for k, blend in enumerate(shape.contours)
     ]
-    return _ShapeChain(first, contours, [shape.style_a, shape.style_b], [tuple(p.t for p in points)])
+    styles = [shape.style_a, shape.style_b]
+    return _ShapeChain(first, contours, styles, [tuple(p.t for p in points)], shape if shape.fade else None)
 
 
 def _coats(chain: _ShapeChain) -> list[KeyframedShape]:
     """Return a keyframed shape for every coat of paint."""
+    times: tuple[float, ...] = ()
     coats = keyed_styles(chain.styles)
+    if chain.fading is not None:
+        times, coats = faded_coats(chain.fading)
     assert coats is not None, "shapes continue only as long as their paint does"
     stations = iter(
         [
@@ -141,11 +176,17 @@ def _coats(chain: _ShapeChain) -> list[KeyframedShape]:
         ]
     )
     keys, between = [next(stations)], []
-    for times in chain.times:
-        between.append(tuple(Waypoint(t, next(stations)) for t in times))
+    for own_times in chain.times:
+        between.append(tuple(Waypoint(t, next(stations)) for t in own_times))
         keys.append(next(stations))
+    last = len(keys) - 1
     return [
-        KeyframedShape(tuple(map(PaintedShape, keys, styles)), chain.first, tuple(between))
+        KeyframedShape(
+            tuple(map(PaintedShape, keys, (*styles[:last], styles[-1]))),
+            chain.first,
+            tuple(between),
+            (tuple(zip(times, styles[1:-1], strict=True)),) if times else (),
+        )
         for styles in coats
     ]
 

@@ -80,6 +80,13 @@ def animated_vector(move: Move, timing: Timing, decimals: int) -> str:
                 (path_data(a, decimals), path_data(b, decimals), round(until - begin), ease)
                 for a, b, (begin, until), ease in shape.sections(duration, timing.ease, 0)
             ]
+        for key in ("fillAlpha", "strokeAlpha"):
+            if shape.fading and key in moving:
+                sections = shape.opacities(key.removesuffix("Alpha"), duration, timing.ease, 0)
+                moving[key] = [
+                    (number(a, 4), number(b, 4), round(until - begin), ease)
+                    for a, b, (begin, until), ease in sections
+                ]
         if moving:
             animators = _inline(_add(root, "target", {"name": shape.name}), "animation")
             if len(moving) > 1:
@@ -93,7 +100,7 @@ def animated_vector(move: Move, timing: Timing, decimals: int) -> str:
 def too_long(move: Move, decimals: int) -> list[str]:
     """Return a phrase for each shape whose path is longer than Android's build tools accept."""
     notes = []
-    for name, start, end, waypoints in move.shapes:
+    for name, start, end, waypoints, _ in move.shapes:
         drawn = (start.paths, *(waypoint.paths for waypoint in waypoints), end.paths)
         length = max(len(path_data(paths, decimals)) for paths in drawn)
         if length > LONGEST:

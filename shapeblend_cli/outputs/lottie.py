@@ -97,7 +97,21 @@ class _Keyframes(NamedTuple):
         first, last = (v if isinstance(v, list) else [v] for v in (start, end))
         return {"a": 1, "k": [{"t": self.start, "s": first, **speed}, {"t": self.end, "s": last}]}
 
-    def path(self, sections: Sequence[Section], contour: int) -> dict[str, Any]:
+    def opacity(self, shape: MovedShape, paint: str) -> dict[str, Any]:
+        """Return the property of the opacity of a paint."""
+        sections = shape.opacities(paint, self.end - self.start, self.ease, TIME_DIGITS)
+        end = _percent(sections[-1].end)
+        starts = [_percent(section.start) for section in sections]
+        if len(sections) == 1 or all(start == end for start in starts):
+            return self.value(starts[0], end)
+        keys: list[dict[str, Any]] = []
+        for section, start in zip(sections, starts, strict=True):
+            x1, y1, x2, y2 = (_rounded(value, 4) for value in section.ease)
+            time = _rounded(self.start + section.times[0], TIME_DIGITS)
+            keys.append({"t": time, "s": [start], "o": {"x": [x1], "y": [y1]}, "i": {"x": [x2], "y": [y2]}})
+        return {"a": 1, "k": [*keys, {"t": self.end, "s": [end]}]}
+
+    def path(self, sections: Sequence[Section[tuple[CubicPath, ...]]], contour: int) -> dict[str, Any]:
         """Return the property of one of the paths of a shape."""
         end = _bezier(sections[-1].end[contour], self.decimals)
         starts = [_bezier(section.start[contour], self.decimals) for section in sections]
@@ -136,7 +150,7 @@ def _group(shape: MovedShape, keys: _Keyframes) -> dict[str, Any]:
     if s.stroke is not None and e.stroke is not None:
         stroke = {
             "c": keys.value(_colour(s.stroke), _colour(e.stroke)),
-            "o": keys.value(_percent(s.stroke_opacity), _percent(e.stroke_opacity)),
+            "o": keys.opacity(shape, "stroke"),
             "w": keys.value(*(_rounded(style.stroke_width, keys.decimals) for style in (s, e))),
             "lc": LINE_CAPS[s.stroke_linecap],
             "lj": LINE_JOINS[s.stroke_linejoin],
@@ -146,7 +160,7 @@ def _group(shape: MovedShape, keys: _Keyframes) -> dict[str, Any]:
     if s.fill is not None and e.fill is not None:
         fill = {
             "c": keys.value(_colour(s.fill), _colour(e.fill)),
-            "o": keys.value(_percent(s.fill_opacity), _percent(e.fill_opacity)),
+            "o": keys.opacity(shape, "fill"),
             "r": FILL_RULES[s.fill_rule],
         }
         items.append({"ty": "fl", "nm": "fill", **fill})

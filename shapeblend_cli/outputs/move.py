@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
 from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import Box, CubicPath, PaintedShape, Pair, Style, Waypoint
-from shapeblend_cli.pipeline import shapes_at
+from shapeblend_cli.pipeline import fading_styles, shapes_at
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,11 +21,14 @@ FIXED = {
 """Properties of each paint that have nothing in between, and their names."""
 
 
-class Section(NamedTuple):
+T = TypeVar("T")
+
+
+class Section(NamedTuple, Generic[T]):
     """A part of a motion, with the times it begins and ends, that interpolates every number linearly but for easing."""
 
-    start: tuple[CubicPath, ...]
-    end: tuple[CubicPath, ...]
+    start: T
+    end: T
     times: tuple[float, float]
     ease: Ease
 
@@ -37,22 +40,21 @@ class MovedShape(NamedTuple):
     start: PaintedShape
     end: PaintedShape
     waypoints: tuple[Waypoint, ...]
+    fading: tuple[tuple[float, Style], ...] = ()  # styles at times between which its opacities change evenly
 
-    def sections(self, length: float, ease: Ease, decimals: int) -> list[Section]:
+    def sections(self, length: float, ease: Ease, decimals: int) -> list[Section[tuple[CubicPath, ...]]]:
         """Return the sections of a motion from waypoint to waypoint, given the length in time and the easing of all.
 
         Times have so many decimals; a waypoint at the time of another one, or of an end, is left out.
         """
-        stops = [(0.0, 0.0, self.start.paths)]
-        for waypoint in self.waypoints:
-            time = round(length * ease.time_of(waypoint.t), decimals)
-            if stops[-1][1] < time < length:
-                stops.append((waypoint.t, time, waypoint.paths))
-        stops.append((1.0, length, self.end.paths))
-        return [
-            Section(start, end, (begin, until), ease.piece(p, q) if len(stops) > 2 else ease)
-            for (p, begin, start), (q, until, end) in pairwise(stops)
-        ]
+        inner = [(waypoint.t, waypoint.paths) for waypoint in self.waypoints]
+        return _sections([(0.0, self.start.paths), *inner, (1.0, self.end.paths)], length, ease, decimals)
+
+    def opacities(self, paint: str, length: float, ease: Ease, decimals: int) -> list[Section[float]]:
+        """Return the sections in which the opacity of a paint changes evenly; see `sections`."""
+        styles = [(0.0, self.start.style), *self.fading, (1.0, self.end.style)]
+        values = [(t, float(getattr(style, f"{paint}_opacity"))) for t, style in styles]
+        return _sections(values, length, ease, decimals)
 
 
 class Move(NamedTuple):
@@ -70,12 +72,12 @@ class Move(NamedTuple):
         """Return a phrase for each property that a program cannot show, or not animate."""
         plain = [
             f"{name}: its gradient is a plain colour in {program}"
-            for name, start, end, _ in self.shapes
+            for name, start, end, *_ in self.shapes
             if any(s.style.fill_gradient or s.style.stroke_gradient for s in (start, end))
         ]
         return plain + [
             f"{name}: {program} cannot change the {words} on the way; that of the first drawing stays"
-            for name, start, end, _ in self.shapes
+            for name, start, end, *_ in self.shapes
             for paint, names in FIXED.items()
             for key, words in names.items()
             if _shows(start.style, paint) and getattr(start.style, key) != getattr(end.style, key)
@@ -90,13 +92,28 @@ class Move(NamedTuple):
         ]
 
 
+def _sections(stops: Sequence[tuple[float, T]], length: float, ease: Ease, decimals: int) -> list[Section[T]]:
+    """Return the sections from stop to stop; one at the time of another is left out, but for the ends."""
+    timed = [(0.0, 0.0, stops[0][1])]
+    for t, value in stops[1:-1]:
+        time = round(length * ease.time_of(t), decimals)
+        if timed[-1][1] < time < length:
+            timed.append((t, time, value))
+    timed.append((1.0, length, stops[-1][1]))
+    return [
+        Section(start, end, (begin, until), ease.piece(p, q) if len(timed) > 2 else ease)
+        for (p, begin, start), (q, until, end) in pairwise(timed)
+    ]
+
+
 def moves_of(pairs: Sequence[Pair]) -> list[Move]:
     """Return the move from each drawing to the next."""
     moves = []
     for pair in pairs:
         shapes = zip(shapes_at(pair, 0.0), shapes_at(pair, 1.0), map(waypoints, pair.shapes), strict=True)
-        moved = (moved_shape(f"shape-{number}", *shape) for number, shape in enumerate(shapes, 1))
-        moves.append(Move(tuple(moved), pair.views))
+        moved = [moved_shape(f"shape-{number}", *shape) for number, shape in enumerate(shapes, 1)]
+        fading = zip(moved, map(fading_styles, pair.shapes), strict=True)
+        moves.append(Move(tuple(shape._replace(fading=styles) for shape, styles in fading), pair.views))
     return moves
 
 

@@ -10,7 +10,7 @@ from shapeblend_cli.paint.colours import blend_colours
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Gradient, Style
+    from shapeblend_cli.model import Gradient, ShapeBlend, Style
 
 MOST_DASHES = 64
 """Two lists of dashes are repeated to at most so many entries."""
@@ -65,6 +65,33 @@ def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
     if fill_below is None:  # what need not dissolve is painted once: a stroke above, a fill below
         fill, fill_below = _NO_PAINT, fill
     return _painted(plain, fill, stroke), _painted(plain, fill_below, stroke_below or _NO_PAINT)
+
+
+def shape_styles(shape: ShapeBlend, t: float) -> tuple[Style, Style | None]:
+    """Return the paint of a shape at time t, as `blend_styles` does, with its fade."""
+    above, below = blend_styles(shape.style_a, shape.style_b, t)
+    if shape.fade is None:
+        return above, below
+    share = shape.fade.share(t)
+    return _faded(above, share), below and _faded(below, share)
+
+
+def faded_coats(shape: ShapeBlend) -> tuple[tuple[float, ...], list[list[Style]]]:
+    """Return times within (0, 1), and for every coat of a shape that fades its styles at 0, at these times and at 1.
+
+    A browser can interpolate from each to the next. The lowest coat comes first.
+    """
+    times = shape.fade.times if shape.fade is not None else ()
+    samples = [shape_styles(shape, t) for t in (0.0, *times, 1.0)]
+    below = [under for _, under in samples if under is not None]
+    coats = [[above for above, _ in samples]]
+    return times, [below, *coats] if len(below) == len(samples) else coats
+
+
+def _faded(style: Style, share: float) -> Style:
+    return style._replace(
+        fill_opacity=share * style.fill_opacity, stroke_opacity=share * style.stroke_opacity
+    )
 
 
 def _fill(style: Style) -> _Paint:

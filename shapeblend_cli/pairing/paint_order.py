@@ -1,4 +1,4 @@
-"""The order in which paired shapes are painted, so that what is on top stays on top."""
+"""The order in which paired shapes are painted, so that what is on top stays on top, or changes its place."""
 
 from __future__ import annotations
 
@@ -7,14 +7,111 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.model import Box, Style
+from shapeblend_cli.geometry.polygons import winding_numbers
+from shapeblend_cli.geometry.polyline import thin
+from shapeblend_cli.model import Box, Place, Style
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
+    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
     from shapeblend_cli.pairing.decompose import PlacedContour
 
     Shapes = tuple[int | None, int | None]
+
+
+SAMPLES = 128
+"""So many vertices of a contour, at most, tell whether two meet."""
+
+
+def paint_places(
+    groups: Sequence[Shapes], sizes: Sequence[float], a: Sequence[PlacedContour], b: Sequence[PlacedContour]
+) -> list[Place]:
+    """Return the places of groups of contours in the order of paint, from the lowest.
+
+    Where the drawings contradict each other, some groups have two, one in A and one in B: few, and rather small ones.
+    """
+    below = visible_overlaps(a), visible_overlaps(b)
+    order = paint_order(groups, *below)
+    if order is None:
+        low, high = (_without_near_misses(side, pairs) for side, pairs in zip((a, b), below, strict=True))
+        below = low, high
+        order = paint_order(groups, *below)
+    if order is not None:
+        return [Place(k) for k in order]
+    twice = _in_two_places(groups, sizes, below)
+    parts: list[tuple[Place, Shapes]] = []
+    for k, (in_a, in_b) in enumerate(groups):
+        if k in twice:
+            parts += [(Place(k, 0), (in_a, None)), (Place(k, 1), (None, in_b))]
+        else:
+            parts.append((Place(k), (in_a, in_b)))
+    order = paint_order([shapes for _, shapes in parts], *below)
+    assert order is not None, "each drawing by itself has an order"
+    return [parts[k][0] for k in order]
+
+
+def _in_two_places(
+    groups: Sequence[Shapes],
+    sizes: Sequence[float],
+    below: tuple[list[tuple[int, int]], list[tuple[int, int]]],
+) -> set[int]:
+    """Return the groups that need a place for each drawing, found one by one."""
+    found = [
+        np.array([(low, high, side) for low, high in _between_groups(groups, pairs, side)], np.intp).reshape(
+            -1, 3
+        )
+        for side, pairs in enumerate(below)
+    ]
+    edges, count = np.concatenate(found), len(groups)
+    twice: list[int] = []
+    while len(core := _core(_split(edges, twice, count), count)):
+        # What leads to a group by one drawing and away from it by the other is cut where it has two places.
+        into, out_of = (
+            [np.bincount(core[core[:, 2] == side, end], minlength=2 * count)[:count] for side in (0, 1)]
+            for end in (1, 0)
+        )
+        cut = into[0] * out_of[1] + into[1] * out_of[0]
+        twice.append(min(np.flatnonzero(cut).tolist(), key=lambda k: (-cut[k], sizes[k], k)))
+    for k in list(twice):  # what came later may have made it needless
+        others = [other for other in twice if other != k]
+        if not len(_core(_split(edges, others, count), count)):
+            twice = others
+    return set(twice)
+
+
+def _split(edges: IntArray, twice: Sequence[int], count: int) -> IntArray:
+    """Give groups a second number, by `count` larger, in the edges of B."""
+    has_two = np.zeros(count, np.intp)
+    has_two[list(twice)] = count
+    of_b = edges[:, 2:] == 1
+    return np.concatenate([edges[:, :2] + of_b * has_two[edges[:, :2]], edges[:, 2:]], axis=1)
+
+
+def _core(edges: IntArray, count: int) -> IntArray:
+    """Return the edges, lower and higher group and side, from what is above something to what is below something."""
+    while True:
+        is_low, is_high = np.zeros(2 * count, np.bool_), np.zeros(2 * count, np.bool_)
+        is_low[edges[:, 0]] = is_high[edges[:, 1]] = True
+        inner = is_high[edges[:, 0]] & is_low[edges[:, 1]]
+        if inner.all():
+            return edges
+        edges = edges[inner]
+
+
+def _between_groups(
+    groups: Sequence[Shapes], pairs: Sequence[tuple[int, int]], side: int
+) -> Iterator[tuple[int, int]]:
+    """Yield the groups of which the first is below the second, given such shapes of one drawing."""
+    members: dict[int, list[int]] = {}
+    for k, group in enumerate(groups):
+        shape = group[side]
+        if shape is not None:
+            members.setdefault(shape, []).append(k)
+    for low, high in pairs:
+        for k in members.get(low, ()):
+            for other in members.get(high, ()):
+                yield k, other
 
 
 def paint_order(
@@ -27,14 +124,8 @@ def paint_order(
     """
     below: list[set[int]] = [set() for _ in groups]
     for side, pairs in enumerate((a, b)):
-        members: dict[int, list[int]] = {}
-        for k, group in enumerate(groups):
-            shape = group[side]
-            if shape is not None:
-                members.setdefault(shape, []).append(k)
-        for low, high in pairs:
-            for k in members.get(high, ()):
-                below[k].update(members.get(low, ()))
+        for low, high in _between_groups(groups, pairs, side):
+            below[high].add(low)
     above: list[list[int]] = [[] for _ in groups]
     for k, lower in enumerate(below):
         for other in lower:
@@ -81,10 +172,55 @@ def visible_overlaps(contours: Sequence[PlacedContour]) -> list[tuple[int, int]]
 
 
 def _single_paint(style: Style) -> object:
-    """Return the colour and opacity of a style that has only one, else something unequal to all others."""
+    """Return the paint and opacity of a style that has only one, else something unequal to all others."""
     paints = {
-        (colour, opacity)
-        for colour, opacity in ((style.fill, style.fill_opacity), (style.stroke, style.stroke_opacity))
+        (colour, opacity, gradient)
+        for colour, opacity, gradient in (
+            (style.fill, style.fill_opacity, style.fill_gradient),
+            (style.stroke, style.stroke_opacity, style.stroke_gradient),
+        )
         if colour is not None
     }
     return paints if len(paints) == 1 else object()
+
+
+def _without_near_misses(
+    contours: Sequence[PlacedContour], pairs: Sequence[tuple[int, int]]
+) -> list[tuple[int, int]]:
+    """Return the pairs of shapes that meet themselves, and not only their boxes."""
+    shapes: dict[int, list[PlacedContour]] = {}
+    for contour in contours:
+        shapes.setdefault(contour.shape, []).append(contour)
+    return [(low, high) for low, high in pairs if _meet(shapes[low], shapes[high])]
+
+
+def _meet(p: Sequence[PlacedContour], q: Sequence[PlacedContour]) -> bool:
+    """Return whether two shapes have points in common, about."""
+    outlines_p, outlines_q = ([thin(c.polygon.vertices, SAMPLES) for c in shape] for shape in (p, q))
+    reach = sum(shape[0].style.stroke_width / 2.0 if shape[0].style.stroke else 0.0 for shape in (p, q))
+    if any(_touch(one, other, reach) for one in outlines_p for other in outlines_q):
+        return True
+    return _is_around(p, outlines_p, outlines_q) or _is_around(q, outlines_q, outlines_p)
+
+
+def _is_around(
+    shape: Sequence[PlacedContour], around: Sequence[ComplexArray], inner: Sequence[ComplexArray]
+) -> bool:
+    """Return whether a shape is painted where an outline begins that it does not cross."""
+    if shape[0].style.fill is None:
+        return False
+    return any(sum(winding_numbers(points[:1], outline)[0] for outline in around) for points in inner)
+
+
+def _touch(p: ComplexArray, q: ComplexArray, reach: float) -> bool:
+    """Return whether two closed polygons cross, or vertices are no farther apart than `reach`."""
+    if reach and np.abs(p[:, None] - q).min() <= reach:
+        return True
+    after_p, after_q = np.roll(p, -1), np.roll(q, -1)
+
+    def sides(start: ComplexArray, end: ComplexArray, point: ComplexArray) -> FloatArray:
+        return ((end - start).conj()[:, None] * (point - start[:, None])).imag
+
+    q_apart = sides(p, after_p, q) * sides(p, after_p, after_q) < 0.0
+    p_apart = sides(q, after_q, p) * sides(q, after_q, after_p) < 0.0
+    return bool((q_apart & p_apart.T).any())

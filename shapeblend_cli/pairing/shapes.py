@@ -18,12 +18,12 @@ from shapeblend_cli.pairing.growth import (
     growth_point_inside,
     nearest_paired,
 )
-from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
+from shapeblend_cli.pairing.paint_order import paint_places
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray
+    from shapeblend_cli.model import ComplexArray, Place
     from shapeblend_cli.pairing.changes import Change
     from shapeblend_cli.pairing.decompose import ContourPair
 
@@ -70,12 +70,12 @@ def shape_blends(
     b: Sequence[PlacedContour],
     matches: Sequence[Match],
     changes: Sequence[Change] = (),
-) -> tuple[ShapeBlend, ...]:
-    """Put together the contours of two drawings in paint order, and let those without a partner grow from points.
+) -> tuple[tuple[ShapeBlend, ...], list[Place]]:
+    """Put together the contours of two drawings, and let those without a partner grow from points.
 
-    Contours are painted together if they come from the same shape of A and the same shape of B. What grows out of one
-    of them is painted with it, unless it has a stroke, whose width must grow from nothing too. Shapes that are the same
-    but for a change are as that has them.
+    Return shapes and their places in the order of paint. Contours are painted together if they come from the same shape
+    of A and the same shape of B. What grows out of one of them is painted with it, unless it has a stroke, whose width
+    must grow from nothing too. Shapes that are the same but for a change are as that has them.
     """
     groups: dict[_Group, list[ContourBlend]] = {}
     styles: dict[_Group, tuple[Style, Style]] = {}
@@ -94,10 +94,9 @@ def shape_blends(
             styles.setdefault(group, (nothing, contour.style) if here else (contour.style, nothing))
     keys = list(groups)
     shapes = [(group.a, group.b) for group in keys]
-    below_a, below_b = visible_overlaps(a), visible_overlaps(b)
-    # Required pairs may contradict the order of paint; then A's counts.
-    ranks = paint_order(shapes, below_a, below_b) or paint_order(shapes, below_a, ()) or range(len(keys))
-    return tuple(ShapeBlend(tuple(groups[keys[k]]), *styles[keys[k]]) for k in ranks)
+    blends = tuple(ShapeBlend(tuple(groups[key]), *styles[key]) for key in keys)
+    sizes = [sum(c.polygon_a.box.area + c.polygon_b.box.area for c in shape.contours) for shape in blends]
+    return blends, paint_places(shapes, sizes, a, b)
 
 
 def _styles(a: PlacedContour, b: PlacedContour) -> tuple[Style, Style]:

@@ -76,7 +76,7 @@ def choose_subject(
     """
     matched = [
         (contour, shape, index)
-        for shape in pair.shapes
+        for shape in pair.each_shape
         for index, contour in enumerate(shape.contours)
         if contour.is_matched
     ]

@@ -83,7 +83,9 @@ def _pair(
     scene: dict[str, Any],
     decimals: int,
 ) -> dict[str, Any]:
-    numbers = [(k, n) for k, shape in enumerate(pair.shapes) for n in range(len(shape.contours))]
+    numbers = [
+        (k, n) for k, shape in enumerate(pair.shapes) if not shape.is_twin for n in range(len(shape.contours))
+    ]
     contours, lists = [], []
     for contour, blend, (shape, outline) in zip(reported, pair.contours, numbers, strict=True):
         contours.append(

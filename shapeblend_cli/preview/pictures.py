@@ -19,7 +19,7 @@ from shapeblend_cli.model import (
     Style,
     unroll,
 )
-from shapeblend_cli.paint.styles import blend_styles
+from shapeblend_cli.paint.styles import shape_styles
 from shapeblend_cli.svg.writing.paint import gradient_attributes, paint_attributes, visible_styles
 from shapeblend_cli.svg.writing.path_data import path_data
 
@@ -57,7 +57,7 @@ def _moving_shape(shape: ShapeBlend, times: Sequence[float], decimals: int) -> d
         ],
         "times": keys,
         "points": points.reshape(len(keys), -1).tolist(),
-        "coats": _coats(shape.style_a, shape.style_b, decimals),
+        "coats": _coats(shape, decimals),
     }
 
 
@@ -72,10 +72,10 @@ def _on_grid(paths: Sequence[CubicPath], decimals: int) -> IntArray:
     return np.round(np.stack([scaled.real, scaled.imag], axis=1)).astype(np.intp)
 
 
-def _coats(style_a: Style, style_b: Style, decimals: int) -> list[dict[str, Any]]:
+def _coats(shape: ShapeBlend, decimals: int) -> list[dict[str, Any]]:
     """Return the coats of paint, the lowest first: each attribute's, and each gradient's, values at even times."""
-    steps = 0 if style_a == style_b else PAINT_STEPS
-    samples = [blend_styles(style_a, style_b, k / max(steps, 1)) for k in range(steps + 1)]
+    steps = 0 if shape.style_a == shape.style_b and shape.fade is None else PAINT_STEPS
+    samples = [shape_styles(shape, k / max(steps, 1)) for k in range(steps + 1)]
     below = [under for _, under in samples if under is not None]
     coats = [below] if len(below) == len(samples) else []
     return [_coat(styles, decimals) for styles in (*coats, [style for style, _ in samples])]

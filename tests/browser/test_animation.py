@@ -20,6 +20,7 @@ from shapeblend_cli.svg.writing.css import css_svg
 from shapeblend_cli.svg.writing.document import frame_svg
 from shapeblend_cli.svg.writing.smil import smil_svg
 from tests.support.drawings import EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
+from tests.support.ends import ENDS, SHADED, card, emitted_ends
 from tests.support.motions import rotated
 
 SIZE = 120
@@ -236,3 +237,36 @@ def test_css_stands_still_for_who_prefers_reduced_motion(here, assert_shown):
     # What the media query holds is applied here to all.
     text = animated(*names, "--animate", "css").replace("(prefers-reduced-motion:reduce)", "all")
     assert_shown([(text, None, frames[0])])
+
+
+@pytest.mark.parametrize("method", ["smil", "css", "frames"])
+def test_the_first_and_the_last_moment_are_the_drawings(here, draw, method):
+    # Only SMIL animates the viewBox, and CSS no gradients.
+    left_out = {"smil": [], "css": [*SHADED, "another viewBox"], "frames": ["another viewBox"]}[method]
+    cells, names = [], [name for name in ENDS if name not in left_out]
+    for name in names:
+        moving = emitted_ends(name, "m.svg", "-o", "m.svg", "--animate", method, "--repeat", "1", "-n", "1")
+        cells += [(moving, 0.0), (moving, 1.99999), *((text, None) for text in ENDS[name][:2])]
+    pictures = iter(draw(cells))
+    for name, first, last, a, b in zip(names, pictures, pictures, pictures, pictures, strict=True):
+        for shown, still in ((first, a), (last, b)):
+            assert (np.abs(shown - still).max(axis=2) > 0.13).mean() < 0.005, name
+        assert (np.abs(first - last).max(axis=2) > 0.13).mean() > 0.02
+
+
+@pytest.mark.parametrize("method", ["smil", "css"])
+def test_what_lies_on_what_may_be_otherwise_in_each_drawing_of_a_sequence(here, draw, method):
+    red, blue = 'fill="#d02020"', 'fill="#2040c0"'
+    texts = [
+        svg(card(2, 4, red), card(8, 6, blue)),
+        svg(card(1, 4, red), card(13, 6, blue)),
+        svg(card(9, 6, blue), card(3, 4, red)),
+    ]
+    names = [f"{k}.svg" for k in range(3)]
+    for name, text in zip(names, texts, strict=True):
+        (here / name).write_text(text, encoding="utf-8")
+    moving = animated(*names, "--animate", method, "--repeat", "1")
+    moments = (0.0, 1.99999, 2.00001, 3.99999)
+    shown = draw([(moving, time) for time in moments] + [(texts[k], None) for k in (0, 1, 1, 2)])
+    for picture, still in zip(shown[:4], shown[4:], strict=True):
+        assert (np.abs(picture - still).max(axis=2) > 0.13).mean() < 0.005

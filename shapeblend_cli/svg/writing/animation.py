@@ -19,6 +19,8 @@ from shapeblend_cli.svg.writing.path_data import short_path_data
 
 COLOURS = frozenset(("fill", "stroke", "stop_color"))
 
+OPACITIES = ("fill_opacity", "stroke_opacity")
+
 TIME_DIGITS = 5
 
 
@@ -63,6 +65,11 @@ def attribute_values(shape: KeyframedShape, decimals: int) -> dict[str, Values]:
     ]
     written = {name for key in keys for name in without_defaults(key)}
     values = {name: values_between(name, [key[name] for key in keys]) for name in keys[0] if name in written}
+    if any(shape.fading):
+        fading = [[(t, paint_attributes(style, decimals)) for t, style in each] for each in shape.fading]
+        for name in (name for name in OPACITIES if name in keys[0]):
+            between = [[(t, paint[name]) for t, paint in each] for each in fading]
+            values[name] = Values([key[name] for key in keys], between)
     waypoints = [[(w.t, short_path_data(w.paths, decimals)) for w in section] for section in shape.waypoints]
     values["d"] = values["d"]._replace(waypoints=waypoints)
     return values

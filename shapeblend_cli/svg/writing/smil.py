@@ -91,6 +91,7 @@ def _extend(shape: KeyframedShape, drawings: int) -> KeyframedShape:
         keys=(shape.keys[0],) * before + shape.keys + (shape.keys[-1],) * after,
         first=0,
         waypoints=((),) * before + shape.waypoints + ((),) * after,
+        fading=((),) * before + shape.fading + ((),) * after if shape.fading else (),
     )
 
 
