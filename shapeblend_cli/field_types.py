@@ -118,7 +118,10 @@ def _split_stiff(text: str) -> Any:
     return (x, y), radius, float(weight)
 
 
-def _match(value: Any) -> tuple[str, str]:
+def _match(value: Any) -> tuple[str, str] | tuple[complex, complex]:
+    one, other = value
+    if all(isinstance(side, complex | tuple | list) for side in (one, other)):
+        return _point(one), _point(other)
     a, b = (str(side).strip() for side in value)
     if not (a and b):
         raise ValueError
@@ -205,7 +208,10 @@ PIN = FieldType(
 )
 STIFF = FieldType("of the form x,y,r=W, such as 10,20,5=3", _stiff, "x,y,r=W", _split_stiff)
 MATCH = FieldType(
-    "of the form A=B, such as 0=1 or left=right", _match, "A=B", lambda text: text.split("=", 1)
+    "of the form A=B, such as 0=1 or left=right, or two points such as 120,40:98,44",
+    _match,
+    "A=B|x,y:x,y",
+    lambda text: text.split("=", 1) if "=" in text else [_floats(side) for side in text.split(":")],
 )
 BAND = FieldType(
     "none, or a number between 0 and 1",

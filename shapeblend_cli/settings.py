@@ -15,6 +15,7 @@ from shapeblend_cli.errors import OptionError
 from shapeblend_cli.fields import Record, option
 
 Vertices = tuple[int, int] | tuple[complex, complex]
+Contours = tuple[str, str] | tuple[complex, complex]
 
 OUTPUT, SHAPES, CORRESPONDENCE = "Output", "Which shapes", "Correspondence"
 IN_BETWEENS, ANIMATIONS, OTHER = "In-betweens", "Animations", "Other"
@@ -106,12 +107,13 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         many=True,
         help="Make A's wire W times as stiff within the radius r of a point.",
     )
-    match: tuple[tuple[str, str], ...] = option(
+    match: tuple[Contours, ...] = option(
         types.MATCH,
         default=(),
         many=True,
         section=SHAPES,
-        help="Contours that become each other: a number or an id of A, and one of B.",
+        help="Contours that become each other: a number or an id of A, and one of B; or those at a point of A and a "
+        "point of B: the innermost around it, or else the nearest to it.",
     )
     unmatched: str = option(
         types.choice("point", "split"),

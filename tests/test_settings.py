@@ -57,12 +57,12 @@ def test_values_are_kept_in_one_form():
         start=[0, np.int8(3)],
         pins=[[1, 2], [(0, 1.5), np.complex128(2 + 1j)]],
         stiff=[[(1, 2), 3, 4]],
-        match=[(0, "#left ")],
+        match=[(0, "#left "), [(1, 2), 3j]],
         ease="ease-in",
     )
     assert settings.pins == ((1, 2), (1.5j, 2 + 1j))
     assert settings.stiff == ((1 + 2j, 3.0, 4.0),)
-    assert (settings.start, settings.match) == ((0, 3), (("0", "#left"),))
+    assert (settings.start, settings.match) == ((0, 3), (("0", "#left"), (1 + 2j, 3j)))
     assert settings.ease == Ease(0.42, 0.0, 1.0, 1.0)
     kinds = [type(value) for value in (settings.vertices, settings.k_b, settings.start[1])]
     assert kinds == [int, float, int]

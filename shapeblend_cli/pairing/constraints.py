@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
+from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.pairing.pair import pair_contours
 
@@ -96,12 +97,17 @@ def constrain(pairs: Sequence[ContourPair], settings: Settings, pins: Sequence[P
 
 
 def required_pairs(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> list[Numbers]:
-    """Return the pairs of contours that users name: by number, or by the ids of shapes, whose contours are paired.
+    """Return the pairs of contours that users name: by number, by a point, or by a shape's id, all of whose are paired.
 
-    An id that no shape has raises a MatchError.
+    Points are in each drawing's own coordinates. An id that no shape has raises a MatchError.
     """
     required: list[Numbers] = []
     for pair in settings.match:
+        if not isinstance(pair[0], str) or not isinstance(pair[1], str):
+            points = a.to_a.point(complex(pair[0])), b.to_a.point(complex(pair[1]))
+            found = [_at(point, side.contours) for point, side in zip(points, (a, b), strict=True)]
+            required.append((found[0].number, found[1].number))
+            continue
         contours = [_named(name, side) for name, side in zip(pair, (a, b), strict=True)]
         if all(name.isdecimal() for name in pair):
             required.append((int(pair[0]), int(pair[1])))
@@ -135,6 +141,15 @@ def stiffness(polygon: Polygon, settings: Settings) -> FloatArray | None:
 
 def _is_numbers(pin: Pin) -> bool:
     return isinstance(pin[0], int) and isinstance(pin[1], int)
+
+
+def _at(point: complex, contours: Sequence[PlacedContour]) -> PlacedContour:
+    """Return the innermost contour around a point, of several alike the topmost; else the nearest one."""
+    here = np.array([point])
+    around = [c for c in contours if c.polygon.closed and winding_numbers(here, c.polygon.vertices)[0]]
+    if around:
+        return min(around, key=lambda c: (abs(signed_area(c.polygon.vertices)), -c.number))
+    return min(contours, key=lambda c: float(np.abs(c.polygon.vertices - point).min()))
 
 
 def _named(name: str, side: PlacedDrawing) -> list[PlacedContour]:

@@ -10,7 +10,7 @@ import resvg_py
 from PIL import Image, ImageDraw
 
 from shapeblend_cli.cli import run
-from tests.support.commands import contours, write
+from tests.support.commands import contours, report, write
 from tests.support.drawings import BAR, EIGHT, EYED, I_DOT, J_DOT, LEAF, RING, SQUARES, B, svg
 
 EVENODD = 'fill-rule="evenodd"'
@@ -141,6 +141,36 @@ def test_pairs_by_number_and_by_id(here):
     assert dict((c["a"], c["b"]) for c in blended("--match", "0=3"))[0] == 3
     found = {c["a"]: c["b"] for c in blended("--match", "z=0", "--match", "#w=1")}
     assert (found[3], found[0]) == (0, 1)
+
+
+@pytest.mark.parametrize(
+    ("points", "pair"),
+    [
+        ("6,6:56,100", (0, 2)),  # inside
+        ("13,1:90,20", (1, 1)),  # beside: the nearest
+        ("20,20:56,56", (3, 0)),
+    ],
+)
+def test_pairs_by_points_in_the_coordinates_of_each_drawing(here, points, pair):
+    write(a=svg(SQUARES), b=svg(scaled(SQUARES), viewbox="40 40 96 96"))
+    assert pair in [(c["a"], c["b"]) for c in blended("--match", points)]
+    assert report("a.svg", "b.svg", "-o", "out", "--match", points)["settings"]["match"] == [
+        [[float(v) for v in side.split(",")] for side in points.split(":")]
+    ]
+
+
+def scaled(data):
+    """Path data of absolute numbers, four times as large, from 40,40 on."""
+    return re.sub(r"\d+", lambda number: str(40 + 4 * int(number.group())), data)
+
+
+def test_a_point_means_the_innermost_contour_around_it(here):
+    wide, narrow = ("M2 2H22V22H2Z", "M8 8H16V16H8Z")
+    write(a=svg(wide, narrow), b=svg(narrow, wide))
+    assert [(c["a"], c["b"]) for c in blended("--match", "4,4:12,12", "--match", "12,12:4,4")] == [
+        (0, 0),
+        (1, 1),
+    ]
 
 
 def test_a_pin_between_points_pairs_the_nearest_contours(here):

@@ -31,6 +31,7 @@ OPTIONS = {
     "--preset fig9": "not 'fig9'",
     "--match 0": "--match must be of the form A=B",
     "--match =1": "--match must be of the form A=B",
+    "--match 1,2:3": "such as 0=1 or left=right, or two points such as 120,40:98,44, not '1,2:3'",
     "--select-a 'g >'": "--select-a must be #id or a CSS selector: 'g >' is no CSS selector",
     "--select-b 'g >'": "--select-b",
     **{f"--motion '{value}'": f"--motion must be auto, linear, rigid, intrinsic or safe, not '{value}'"
