@@ -92,6 +92,12 @@ class Box(NamedTuple):
         x0, y0, x1, y1 = other.bounds
         return left < x1 and x0 < right and top < y1 and y0 < bottom
 
+    def intersection(self, other: Box) -> float:
+        """Return the area that two boxes have in common."""
+        left, top, right, bottom = self.bounds
+        x0, y0, x1, y1 = other.bounds
+        return max(0.0, min(right, x1) - max(left, x0)) * max(0.0, min(bottom, y1) - max(top, y0))
+
     def grid(self, side: int) -> ComplexArray:
         """Return points evenly spread over the box, so many along each side."""
         across = (np.arange(side) + 0.5) / side

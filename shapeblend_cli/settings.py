@@ -116,11 +116,11 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         "point of B: the innermost around it, or else the nearest to it.",
     )
     unmatched: str = option(
-        types.choice("point", "split"),
-        default="point",
+        types.choice("auto", "point", "split"),
+        default="auto",
         section=SHAPES,
         help="What happens to a contour without a partner. point: it grows from a point or shrinks to one; split: an "
-        "outline of the other drawing is cut for it.",
+        "outline of the other drawing is cut for it; auto: split where several together have the place of one.",
     )
     solver: str = option(
         types.choice("exact", "simplified"),

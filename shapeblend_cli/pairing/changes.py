@@ -354,7 +354,7 @@ def changes(a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Se
     They must be filled and nothing else. Nothing is found if contours are to be matched, cut or moved otherwise.
     """
     free = not (settings.match or settings.pins or settings.start or settings.stiff)
-    if not free or settings.unmatched != "point" or settings.motion not in ("auto", "linear"):
+    if not free or settings.unmatched == "split" or settings.motion not in ("auto", "linear"):
         return []
     by_shape = [_filled_shapes(side) for side in (a, b)]
     diagonal = Box.union([contour.box for contour in (*a, *b)]).diagonal

@@ -41,8 +41,9 @@ def pair_contours(
     one now on top and now below, the larger one keeps its partner and the other gets another one, or none. Only if
     the drawings have no kind in common is an exterior paired with an open line.
 
-    Required pairs are pairs whatever they cost, and so are the exteriors of paired holes. With ``unmatched="split"``
-    exteriors without a partner get pieces, which have the number of what was cut. The pairs are sorted by A's number.
+    Required pairs are pairs whatever they cost, and so are the exteriors of paired holes. Exteriors without a
+    partner get pieces with ``unmatched="split"``, or by default where they tile what is cut; pieces have its number.
+    The pairs are sorted by A's number.
 
     Raises
     ------
@@ -71,8 +72,8 @@ def pair_contours(
         pairs = [pair for kind in kinds for pair in _cheapest_pairs(framed, kind, again, refused)]
     else:
         pairs = _without_swaps(pairs, fixed, below)
-    if settings.unmatched == "split":
-        pairs = split_exteriors(a, b, pairs, settings.vertices)
+    if settings.unmatched != "point":
+        pairs = split_exteriors(a, b, pairs, settings.vertices, always=settings.unmatched == "split")
     for pair in list(pairs):
         holes_a, holes_b = (
             FramedContours([c for c in side if exterior.contains_hole(c)], exterior.box)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import combinations
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -10,7 +11,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
 from shapeblend_cli.geometry.polyline import thin
-from shapeblend_cli.model import Contour, Polygon
+from shapeblend_cli.model import Box, Contour, Polygon
 from shapeblend_cli.pairing.decompose import EXTERIOR, PlacedContour
 from shapeblend_cli.pairing.growth import WATCHED
 
@@ -21,27 +22,40 @@ if TYPE_CHECKING:
     from shapeblend_cli.pairing.decompose import ContourPair
 
 
-ENDS, TRIES = 96, 400
+ENDS, TRIES = 240, 400
 """Cuts run between so many vertices at most; so many of the cheapest are checked for lying inside."""
 
 LEAST_SHARE = 0.02
 """No piece is smaller, as a share of what is cut."""
+
+SAME_PLACE, FILLED, MOST_SHARED = 0.5, 0.55, 0.15
+"""Of the box around parts: how much it has in common with that of the whole that they tile, how much of it they fill,
+and how much of it is in the boxes of two."""
+
+LEAST_PART, MOST_PART = 0.12, 0.57
+"""The least and the largest part that tiles a whole with others: its box, as a share of the box around all."""
 
 AXES = (1.0 + 0.0j, 1.0j, 1.0 + 1.0j, 1.0 - 1.0j)
 """Directions in which the partners may be told apart."""
 
 # What makes a cut bad, each about 1 at its worst: the wrong share of the area, a length beside the exterior's own size,
 # and pieces that do not lie to each other as their partners do.
-SHARE_WEIGHT, LENGTH_WEIGHT, DIRECTION_WEIGHT = 2.0, 0.5, 0.5
+SHARE_WEIGHT, LENGTH_WEIGHT, DIRECTION_WEIGHT = 1.0, 0.3, 1.5
 
 
 def split_exteriors(
-    a: Sequence[PlacedContour], b: Sequence[PlacedContour], pairs: Sequence[ContourPair], vertices: int
+    a: Sequence[PlacedContour],
+    b: Sequence[PlacedContour],
+    pairs: Sequence[ContourPair],
+    vertices: int,
+    *,
+    always: bool,
 ) -> list[ContourPair]:
     """Give exteriors without a partner a piece of the nearest exterior that has one, flattened to so many vertices.
 
-    Return all pairs. Pieces have the number of what was cut. An exterior that no straight cut divides stays whole, and
-    the others stay without a partner.
+    Unless `always`, that is done only where they tile it together with its partner, see `_tile`. Return all pairs.
+    Pieces have the number of what was cut. An exterior that no straight cut divides stays whole, and the others stay
+    without a partner.
     """
     split = list(pairs)
     for owner_side, contours in enumerate((b, a)):  # exteriors of A are cut for B's, then B's for A's
@@ -55,6 +69,8 @@ def split_exteriors(
         for k, partners in wanting.items():
             pair = owners[k]
             owner = pair[owner_side]
+            if not always and not _tile([pair[1 - owner_side], *partners], owner):
+                continue
             holes = [contour.polygon for contour in (a, b)[owner_side] if contour.exterior == owner.number]
             outline = _Outline(owner.contour, owner.polygon, holes)
             pieces = _pieces(outline, [pair[1 - owner_side], *partners], vertices)
@@ -65,6 +81,22 @@ def split_exteriors(
                 piece = owner._replace(contour=section, polygon=flatten(section, vertices), is_piece=True)
                 split.append((partner, piece) if owner_side else (piece, partner))
     return split
+
+
+def _tile(parts: Sequence[PlacedContour], whole: PlacedContour) -> bool:
+    """Return whether parts lie side by side and fill about the box of the whole, none of them nearly alone."""
+    boxes = [part.box for part in parts]
+    union = Box.union(boxes)
+    areas = [box.area for box in boxes]
+    shared = sum(p.intersection(q) for p, q in combinations(boxes, 2))
+    return (
+        len({part.style.fill for part in parts}) == 1
+        and union.intersection(whole.box) > SAME_PLACE * max(union.area, whole.box.area)
+        and sum(areas) > FILLED * union.area
+        and shared < MOST_SHARED * union.area
+        and LEAST_PART * union.area < min(areas)
+        and max(areas) < MOST_PART * union.area
+    )
 
 
 def _nearest(contour: PlacedContour, owners: Sequence[PlacedContour]) -> int:

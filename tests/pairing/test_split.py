@@ -56,3 +56,35 @@ def test_holes_go_with_the_piece_they_are_in():
 def test_without_splitting_nothing_is_cut():
     ((piece, _),) = pairs(BAR, SQUARES, "point")
     assert not piece.is_piece
+
+
+TRIANGLE = "M4 3L20 12L4 21Z"
+PAUSE = "M5 4H10V20H5Z M14 4H19V20H14Z"
+HALVES = "M2 2H11L9 12L11 22H2Z M13 2H22V22H13L11 12Z"
+
+
+@pytest.mark.parametrize(
+    ("whole", "parts"), [(TRIANGLE, PAUSE), (BAR, HALVES), (CIRCLE, PAUSE), (BAR, SQUARES)]
+)
+def test_an_outline_is_cut_for_parts_that_have_its_place_together(whole, parts):
+    count = len(contours_of(parts))
+    for a, b, piece_side in ((whole, parts, 0), (parts, whole, 1)):
+        found = pairs(a, b, "auto")
+        assert len(found) == count
+        assert all(pair[piece_side].is_piece and not pair[1 - piece_side].is_piece for pair in found)
+        assert max(abs(q.centre - p.centre) for p, q in found) < 7.0
+
+
+@pytest.mark.parametrize(
+    "parts",
+    [
+        "M2 2H22V14H2Z M2 17H5V20H2Z",  # one has nearly all of it
+        "M2 2H7V7H2Z M17 17H22V22H17Z",  # they fill little of it
+        "M30 2H38V22H30Z M42 2H50V22H42Z",  # another place
+        "M2 2H16V22H2Z M8 2H22V22H8Z",  # not side by side
+    ],
+)
+def test_otherwise_it_stays_whole(parts):
+    box = "M2 2H22V22H2Z"
+    for a, b in ((box, parts), (parts, box)):
+        assert not any(p.is_piece or q.is_piece for p, q in pairs(a, b, "auto"))
