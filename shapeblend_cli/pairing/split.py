@@ -88,9 +88,11 @@ def _tile(parts: Sequence[PlacedContour], whole: PlacedContour) -> bool:
     boxes = [part.box for part in parts]
     union = Box.union(boxes)
     areas = [box.area for box in boxes]
+    fills = {part.style.fill for part in (*parts, whole)}
     shared = sum(p.intersection(q) for p, q in combinations(boxes, 2))
     return (
-        len({part.style.fill for part in parts}) == 1
+        None not in fills
+        and len({part.style.fill for part in parts}) == 1
         and union.intersection(whole.box) > SAME_PLACE * max(union.area, whole.box.area)
         and sum(areas) > FILLED * union.area
         and shared < MOST_SHARED * union.area
