@@ -214,6 +214,18 @@ class WriteOptions(Record, section=OUTPUT):
     )
 
 
+class InspectOptions(Record, section=OUTPUT):
+    """What `inspect` writes."""
+
+    picture: str | None = option(
+        types.file(".svg"),
+        default=None,
+        metavar="FILE.svg",
+        help="Draw the shapes with the numbers of their contours, as --match takes them.",
+    )
+    force: bool = option(types.FLAG, default=False, flags=("-f", "--force"), help="Replace an existing file.")
+
+
 class PlotOptions(Record, section=PLOT):
     """What is drawn, and where to."""
 

@@ -21,7 +21,8 @@ ROOMS = {
     "cli": "plot files outputs report svg.reading settings fields field_types errors version",
     "__init__": "api outputs model settings errors version",
     "api": "pipeline outputs output report pairing svg.reading svg.writing settings model clock version easing errors",
-    "plot": "files outputs output svg.reading svg.writing pairing interpolate settings matching model clock errors",
+    "plot": "files outputs output svg.reading svg.writing pairing interpolate geometry settings matching model clock "
+    "errors",
     "files": "preview report outputs output pipeline svg.reading settings matching model clock errors version",
     "preview": "svg.reading svg.writing pairing interpolate paint settings matching model easing",
     "report": "interpolate geometry model",

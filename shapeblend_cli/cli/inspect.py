@@ -11,7 +11,7 @@ import click
 
 from shapeblend_cli.cli.options import FieldOption
 from shapeblend_cli.cli.terminal import Terminal
-from shapeblend_cli.settings import ReadOptions
+from shapeblend_cli.settings import InspectOptions, ReadOptions
 
 COLUMNS = ("shape", "element", "id", "contours", "ends", "length", "box", "fill", "stroke", "rule")
 
@@ -28,15 +28,25 @@ SELECT = ReadOptions.options["select_a"]._replace(
 )
 
 
-@click.command(params=[FieldOption(SELECT), FieldOption(ReadOptions.options["lenient"])])
+PARAMS = [
+    FieldOption(each) for each in (SELECT, ReadOptions.options["lenient"], *InspectOptions.options.values())
+]
+
+
+@click.command(params=PARAMS)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON, for programs.")
 @click.argument("file", type=click.Path(), metavar="FILE")
-def inspect(file: str, select: str | None, lenient: bool | None, as_json: bool) -> None:
+def inspect(file: str, select: str | None, lenient: bool | None, as_json: bool, **given: Any) -> None:
     """List the shapes a file draws; - is standard input."""
     from shapeblend_cli.report import inspection
     from shapeblend_cli.svg.reading.read import read
 
     drawing = read(file, lenient=bool(lenient), select=select)
+    options = InspectOptions.of(given)
+    if options.picture is not None:
+        from shapeblend_cli.plot.contours import write_picture
+
+        write_picture(drawing, file, options.picture, force=options.force)
     found = inspection(drawing) | {"file": file}
     if as_json:
         import json

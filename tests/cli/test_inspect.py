@@ -4,12 +4,14 @@ import json
 import os
 import subprocess
 import sys
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
 from tests.support.commands import process, read_to, start_on_terminal, write
+from tests.support.drawings import svg
 
 DRAWING = (
     '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 20">'
@@ -152,3 +154,45 @@ def test_wide_characters_take_two_columns(file, capsys):
     assert run(["inspect", "a.svg"]) == 0
     _, _, first, second = capsys.readouterr().out.splitlines()
     assert first.index("closed") == second.index("open") - 1
+
+
+def labels(file):
+    """The numbers in a picture, and where they stand."""
+    root = ElementTree.parse(file).getroot()
+    texts = [each for each in root.iter() if each.tag.endswith("text") and "number" in each.get("class")]
+    return {int(each.text): (float(each.get("x")), float(each.get("y"))) for each in texts}
+
+
+def test_a_picture_has_every_contour_with_its_number(here):
+    circle = "M12 8A4 4 0 1 0 12 16A4 4 0 1 0 12 8Z"
+    write(
+        a=svg(
+            f"M1 1H23V23H1Z {circle}",
+            "M2 2L22 2",
+            "M3 20h1v1h-1z",
+            attributes='fill-rule="evenodd" stroke="red"',
+        )
+    )
+    assert run(["inspect", "a.svg", "--picture", "numbers.svg"]) == 0
+    found = labels("numbers.svg")
+    assert set(found) == {0, 1, 2, 3}
+    assert (here / "numbers.svg").read_text().count('class="outline') == 4
+    # Numbers are apart, and the square's is not in its hole, but where a point names it.
+    places = np.array([complex(*place) for place in found.values()])
+    assert np.abs(places[:, None] - places + 99.0 * np.eye(4)).min() > 12
+    width = float(ElementTree.parse("numbers.svg").getroot().get("width"))
+    centre = complex(*found[1])
+    assert abs(centre.real - width / 2) < 4 / 24 * 720
+    assert abs(complex(*found[0]) - centre) > 4 / 24 * 720
+
+
+def test_a_picture_replaces_no_file_unasked(file, capsys):
+    for name in ("a.svg", "there.svg"):
+        (file.parent / "there.svg").write_text("mine")
+        assert run(["inspect", "a.svg", "--picture", name]) == 1
+        assert name in capsys.readouterr().err
+    assert (file.parent / "there.svg").read_text() == "mine"
+    assert run(["inspect", "a.svg", "--picture", "there.svg", "--force"]) == 0
+    assert labels("there.svg").keys() == {0, 1, 2}
+    assert run(["inspect", "a.svg", "--picture", "there.png"]) == 2
+    assert "--picture must be a file name ending in .svg" in capsys.readouterr().err
