@@ -26,6 +26,7 @@ from shapeblend_cli.pairing.contour_blends import match_contours
 from shapeblend_cli.pairing.decompose import PlacedDrawing, decompose, main_orientation
 from shapeblend_cli.pairing.direction import watch_part
 from shapeblend_cli.pairing.pair import pair_rotated_contours
+from shapeblend_cli.pairing.riders import riders_of_pairs
 from shapeblend_cli.pairing.same import same_pairs
 from shapeblend_cli.pairing.shapes import Match, shape_blends
 from shapeblend_cli.settings import Settings
@@ -154,8 +155,14 @@ class _PairedDrawings(NamedTuple):
     rotation: float
     pairs: ConstrainedPairs
     changes: Sequence[Change]
+    riders: tuple[dict[int, int], dict[int, int]]
     settings: Settings
     clock: Clock
+
+    def leads(self, shape: ShapeBlend) -> bool:
+        """Return whether strokes ride on a shape, which is why it moves straight as they do."""
+        leaders = [set(side.values()) for side in self.riders]
+        return any(contour.a in leaders[0] or contour.b in leaders[1] for contour in shape.contours)
 
     def match(self, numbers: NumbersOrNone, rotation: float, watch: Watch | None = None) -> Match:
         """Match the pair of contours with two numbers, B rotated back by an angle."""
@@ -180,8 +187,14 @@ def _pair(
     if all(rest):
         required += same_pairs(*rest, required) if not rotation else []
         pairs = pair_rotated_contours(*rest, settings, required, rotation)
+    riders: tuple[dict[int, int], dict[int, int]] = {}, {}
+    if settings.motion in ("auto", "linear") and not rotation:
+        riders = riders_of_pairs(rest, pairs, required)
+    pairs = [
+        pair for pair in pairs if not any(one.number in side for one, side in zip(pair, riders, strict=True))
+    ]
     clock.lap("match")
-    return _PairedDrawings(a, b, rotation, constrain(pairs, settings, pins), changed, settings, clock)
+    return _PairedDrawings(a, b, rotation, constrain(pairs, settings, pins), changed, riders, settings, clock)
 
 
 def _match(paired: _PairedDrawings, watch: Watch | None) -> tuple[tuple[ShapeBlend, ...], list[Place]]:
@@ -194,7 +207,9 @@ def _match(paired: _PairedDrawings, watch: Watch | None) -> tuple[tuple[ShapeBle
         paired.match(numbers, paired.rotation, watch_part(watch, k, count))
         for k, numbers in enumerate(paired.pairs)
     ]
-    shapes, places = shape_blends(paired.a.contours, paired.b.contours, matches, paired.changes)
+    shapes, places = shape_blends(
+        paired.a.contours, paired.b.contours, matches, paired.changes, paired.riders
+    )
     if paired.settings.motion == "auto":
         sweeps = {id(change.contours[0]): Sweep(change.windows) for change in paired.changes}
         shapes = tuple(shape._replace(motion=sweeps.get(id(shape.contours[0]))) for shape in shapes)
@@ -234,8 +249,10 @@ def _move(paired: _PairedDrawings, shapes: Sequence[ShapeBlend]) -> tuple[ShapeB
     trials = try_straight(straight, settings.motion, times, rotated_copy and rotated_copy.rotation)
     moved = []
     for matched, trial in zip(shapes, trials, strict=True):
-        if trial.is_settled:
-            moved.append(trial.shape)
+        if trial.is_settled or paired.leads(trial.shape):
+            moved.append(
+                trial.shape._replace(reason=trial.shape.reason if trial.is_settled else trial.reason)
+            )
             continue
         if rotated_copy:
             rotated = RotatedShape(trial.shape, rotated_copy)

@@ -57,8 +57,13 @@ def details(run: Run) -> Iterator[str]:
         found = c.correspondence
         if c.a is None or c.b is None:
             change = f"contour {c.a} of A shrinks to" if c.b is None else f"contour {c.b} of B grows from"
-            point = (c.polygon_b if c.b is None else c.polygon_a).vertices[0]
-            yield f"{change} the point {point.real:.6g},{point.imag:.6g}"
+            there = (c.polygon_b if c.b is None else c.polygon_a).vertices
+            point = f"{there[0].real:.6g},{there[0].imag:.6g}"
+            yield (
+                f"{change} the point {point}"
+                if len(there) == 1
+                else f"{change} an edge that begins at {point}"
+            )
             continue
         proof = "proven least" if found.gap == 0.0 else f"lower bound {found.lower_bound:.6g}"
         yield (

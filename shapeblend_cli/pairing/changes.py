@@ -15,19 +15,19 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.flatten import edge_parts, flatten
+from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import reverse_contour
-from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, nearest_places
 from shapeblend_cli.geometry.window import Window
 from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.pairing.common_cuts import FlatContour
 from shapeblend_cli.pairing.contour_blends import grow_from, keep_still
 from shapeblend_cli.pairing.decompose import LINE
+from shapeblend_cli.pairing.outline import Outline
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, FloatArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend
     from shapeblend_cli.pairing.decompose import ContourPair, PlacedContour
     from shapeblend_cli.settings import Settings
 
@@ -64,49 +64,6 @@ UNEVEN = 0.2
 """By how much a stretch may be longer on one outline than on the other."""
 
 
-class _Outline(NamedTuple):
-    """A closed contour with the lengths up to its vertices."""
-
-    placed: PlacedContour
-    line: ComplexArray  # its polygon, the first vertex repeated
-    lengths: FloatArray
-
-    @classmethod
-    def of(cls, placed: PlacedContour) -> _Outline:
-        """Return the outline of a contour."""
-        line = from_end_to_end(placed.polygon.vertices, closed=True)
-        return cls(placed, line, cumulative_lengths(line))
-
-    @property
-    def total(self) -> float:
-        """The whole length."""
-        return float(self.lengths[-1])
-
-    def lengths_near(self, points: ComplexArray) -> tuple[FloatArray, FloatArray]:
-        """Return how far points are, and at what length the nearest place is."""
-        distance, place = nearest_places(points, self.line)
-        return distance, np.interp(place, np.arange(len(self.lengths)), self.lengths)
-
-    def between(self, start: float, end: float) -> tuple[ComplexArray, BoolArray]:
-        """Return the segments from one length to another, further along, and which are straight."""
-        contour = self.placed.contour
-        count = len(contour.segments)
-        segment, low, high = edge_parts(contour, self.placed.polygon)
-
-        def position(length: float) -> float:
-            rounds, rest = divmod(length, self.total)
-            edge = min(int(np.searchsorted(self.lengths, rest, side="right")) - 1, len(segment) - 1)
-            share = (rest - self.lengths[edge]) / (self.lengths[edge + 1] - self.lengths[edge])
-            return rounds * count + segment[edge] + low[edge] + share * (high[edge] - low[edge])
-
-        first, last = position(start), position(end)
-        numbers = np.arange(int(np.floor(first)), int(np.ceil(last)))
-        starts, ends = np.clip(first - numbers, 0.0, 1.0), np.clip(last - numbers, 0.0, 1.0)
-        kept = ends > starts
-        numbers = numbers[kept] % count
-        return cubics.pieces(contour.segments[numbers], starts[kept], ends[kept]), contour.straight[numbers]
-
-
 class _Stretch(NamedTuple):
     """A stretch that two outlines share, by the outlines' indices and the lengths where it begins and ends."""
 
@@ -120,13 +77,13 @@ class _Stretch(NamedTuple):
         return self.end[0] - self.start[0]
 
 
-def _stretches(a: Sequence[_Outline], b: Sequence[_Outline], distance: float, least: float) -> list[_Stretch]:
+def _stretches(a: Sequence[Outline], b: Sequence[Outline], distance: float, least: float) -> list[_Stretch]:
     """Return the stretches that outlines share, none twice."""
     found = [
         stretch
         for i, p in enumerate(a)
         for j, q in enumerate(b)
-        if p.placed.box.expanded(distance).overlaps(q.placed.box)
+        if p.flat.polygon.box.expanded(distance).overlaps(q.flat.polygon.box)
         for stretch in _shared((i, j), (p, q), distance)
         if stretch.length >= least
     ]
@@ -138,7 +95,7 @@ def _stretches(a: Sequence[_Outline], b: Sequence[_Outline], distance: float, le
 
 
 def _overlap(
-    one: _Stretch, other: _Stretch, sides: tuple[Sequence[_Outline], Sequence[_Outline]], slack: float
+    one: _Stretch, other: _Stretch, sides: tuple[Sequence[Outline], Sequence[Outline]], slack: float
 ) -> bool:
     """Return whether two stretches have more in common than their ends."""
     for side in (0, 1):
@@ -155,7 +112,7 @@ def _overlap(
     return False
 
 
-def _shared(numbers: tuple[int, int], outlines: tuple[_Outline, _Outline], distance: float) -> list[_Stretch]:
+def _shared(numbers: tuple[int, int], outlines: tuple[Outline, Outline], distance: float) -> list[_Stretch]:
     """Return the stretches that two outlines share in the same direction."""
     p, q = outlines
     away_p, on_q = q.lengths_near(p.line[:-1])
@@ -208,7 +165,7 @@ class _Loop(NamedTuple):
 
 
 def _loops(
-    outlines: tuple[Sequence[_Outline], Sequence[_Outline]], stretches: Sequence[_Stretch], distance: float
+    outlines: tuple[Sequence[Outline], Sequence[Outline]], stretches: Sequence[_Stretch], distance: float
 ) -> list[_Loop]:
     """Join up what the stretches leave, B's forwards and A's backwards."""
     loops = [
@@ -392,7 +349,7 @@ def _change(
     boxes = [Box.union([contour.box for contour in side]) for side in (a, b)]
     if min(box.diagonal for box in boxes) < LEAST_SHARED * Box.union(boxes).diagonal:
         return None
-    sides = [_Outline.of(contour) for contour in a], [_Outline.of(contour) for contour in b]
+    sides = [_outline(c) for c in a], [_outline(c) for c in b]
     distance = TOLERANCE * diagonal
     stretches = _stretches(*sides, distance, LEAST_STRETCH * diagonal)
     totals = [sum(outline.total for outline in side) for side in sides]
@@ -420,6 +377,10 @@ def _change(
         number = _nearest(cut.segments[:, 0], others).number
         contours.append(grow_from(window.clip(cut.segments, 0.0), flat, number, of_b=not shrinks))
     return Change((a[0], b[0]), tuple(contours), (*(None for _ in still), *windows))
+
+
+def _outline(contour: PlacedContour) -> Outline:
+    return Outline.of(FlatContour(contour.contour, contour.polygon))
 
 
 def _nearest(points: ComplexArray, contours: Sequence[PlacedContour]) -> PlacedContour:

@@ -98,6 +98,27 @@ def grow_from(segments: ComplexArray, grown: FlatContour, number: int, *, of_b: 
     return _blend((number, None), (grown, nothing), (size, size), free)
 
 
+def follow(contour: PlacedContour, image: FlatContour, vertices: IntArray, *, of_b: bool) -> ContourBlend:
+    """Return a blend of a contour of one drawing and its image in the other, which has no such contour.
+
+    There is a vertex of the image for each of the contour's, and of a closed one for its first once more; they rise.
+    """
+    size = contour.polygon.box.larger_side
+    closed = contour.polygon.closed
+    count = len(contour.polygon.vertices)
+    steps = []
+    for k, j in enumerate(np.minimum(vertices[:count], len(image.polygon.vertices) - 1).tolist()):
+        last = int(vertices[k + 1]) if k + 1 < len(vertices) else j
+        steps.append((k, j))
+        steps += [(k, between) for between in range(j + 1, last)]
+    dots = np.array(steps, np.intp)
+    flats = FlatContour(contour.contour, contour.polygon), image
+    free = Correspondence(dots[:, ::-1] if of_b else dots, closed, 0.0, 0.0, 0.0, 0.0, 0, 0.0, 0)
+    if of_b:
+        return _blend((None, contour.number), flats[::-1], (size, size), free)
+    return _blend((contour.number, None), flats, (size, size), free)
+
+
 def keep_still(contour: PlacedContour, numbers: tuple[int, int]) -> ContourBlend:
     """Return a blend of a contour that stays as it is, for two contours with these numbers. Nothing is solved."""
     size = contour.polygon.box.larger_side

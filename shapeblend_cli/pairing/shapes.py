@@ -19,9 +19,10 @@ from shapeblend_cli.pairing.growth import (
     nearest_paired,
 )
 from shapeblend_cli.pairing.paint_order import paint_places
+from shapeblend_cli.pairing.riders import Ride, ride
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from shapeblend_cli.model import ComplexArray, Place
     from shapeblend_cli.pairing.changes import Change
@@ -50,11 +51,12 @@ class Match(NamedTuple):
 
 
 class _Group(NamedTuple):
-    """What is painted together: the shapes it comes from, and whether a stroke grows with it."""
+    """What is painted together: the shapes it comes from, whether a stroke grows with it, or is another's there."""
 
     a: int | None
     b: int | None
     stroke_grows: bool = False
+    is_covered: bool = False
 
 
 class _Unmatched(NamedTuple):
@@ -70,12 +72,14 @@ def shape_blends(
     b: Sequence[PlacedContour],
     matches: Sequence[Match],
     changes: Sequence[Change] = (),
+    riders: Sequence[Mapping[int, int]] = ({}, {}),
 ) -> tuple[tuple[ShapeBlend, ...], list[Place]]:
     """Put together the contours of two drawings, and let those without a partner grow from points.
 
     Return shapes and their places in the order of paint. Contours are painted together if they come from the same shape
     of A and the same shape of B. What grows out of one of them is painted with it, unless it has a stroke, whose width
-    must grow from nothing too. Shapes that are the same but for a change are as that has them.
+    must grow from nothing too. Shapes that are the same but for a change are as that has them. Strokes that ride on the
+    edge of a fill go where the edge goes; `riders` has their numbers and that of the fill, for each drawing.
     """
     groups: dict[_Group, list[ContourBlend]] = {}
     styles: dict[_Group, tuple[Style, Style]] = {}
@@ -88,6 +92,16 @@ def shape_blends(
     for here, contours in enumerate((a, b)):
         for change in changes:
             contours = change.without(contours, here)
+        riding = _rides(contours, (a, b)[1 - here], matches, riders[here], here)
+        for stroke in riding:
+            own, other = stroke.contour.shape, stroke.shape
+            group = _Group(other, own) if here else _Group(own, other)
+            group = group._replace(stroke_grows=True, is_covered=other is not None)
+            groups.setdefault(group, []).append(stroke.blend)
+            both = stroke.contour.style, stroke.style
+            styles.setdefault(group, both[::-1] if here else both)
+        rides = {stroke.contour.number for stroke in riding}
+        contours = [contour for contour in contours if contour.number not in rides]
         for contour, group, point in _unmatched(contours, matches, here):
             groups.setdefault(group, []).append(grow_from_point(contour, point, of_b=bool(here)))
             nothing = contour.style._replace(stroke_width=0.0)
@@ -97,6 +111,23 @@ def shape_blends(
     blends = tuple(ShapeBlend(tuple(groups[key]), *styles[key]) for key in keys)
     sizes = [sum(c.polygon_a.box.area + c.polygon_b.box.area for c in shape.contours) for shape in blends]
     return blends, paint_places(shapes, sizes, a, b)
+
+
+def _rides(
+    contours: Sequence[PlacedContour],
+    there: Sequence[PlacedContour],
+    matches: Sequence[Match],
+    riders: Mapping[int, int],
+    here: int,
+) -> list[Ride]:
+    """Return the strokes of A, 0, or B, 1, that ride on the edges of matched fills."""
+    leaders = {match.pair[here].number: match.blend for match in matches}
+    found = (
+        ride(contour, leaders[riders[contour.number]], here, there)
+        for contour in contours
+        if contour.number in riders
+    )
+    return [stroke for stroke in found if stroke]
 
 
 def _styles(a: PlacedContour, b: PlacedContour) -> tuple[Style, Style]:

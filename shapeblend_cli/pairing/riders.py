@@ -1,0 +1,199 @@
+"""Strokes along the edges of fills: they go where the edge goes.
+
+Many drawings outline a shape by a fill and, above it, a stroke on the fill's edge, often cut into several lines. If the
+fill has a partner, such a stroke needs none: it rides on the fill's edge, from what it is in its own drawing to the
+same stretch of the edge in the other one. Where strokes of the other drawing lie there too, it is as wide as they are;
+else its width grows from nothing.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.geometry.flatten import flatten
+from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, nearest_places, thin
+from shapeblend_cli.model import Contour, Style, unroll
+from shapeblend_cli.pairing.common_cuts import FlatContour
+from shapeblend_cli.pairing.contour_blends import follow
+from shapeblend_cli.pairing.decompose import EXTERIOR, PlacedContour
+from shapeblend_cli.pairing.outline import Outline
+
+if TYPE_CHECKING:
+    from collections.abc import Collection, Sequence
+
+    from shapeblend_cli.model import ComplexArray, ContourBlend, FloatArray, IntArray
+    from shapeblend_cli.pairing.decompose import ContourPair
+
+ON_EDGE, COVERED = 0.5, 0.25
+"""A stroke is on an edge within the first share of its width, and is covered by another stroke within the second."""
+
+LEAST_SHARE, SURE_SHARE = 0.75, 0.9
+"""So much of a stroke lies on the edge that it rides on, and is covered if it is."""
+
+ONE_WAY = 0.9
+"""A stroke runs along an edge one way round with this share of its length."""
+
+WATCHED = 96
+"""Points of a stroke that are looked at, at most."""
+
+
+def riders(contours: Sequence[PlacedContour], leaders: Collection[int]) -> dict[int, int]:
+    """Return the strokes of a drawing that lie on the edge of a fill, by their numbers, and the number of that.
+
+    Only some fills are leaders, by their numbers. Of several, the one on whose edge most of a stroke lies, or the
+    largest.
+    """
+    strokes = [c for c in contours if c.style.stroke is not None and c.style.fill is None]
+    fills = [c for c in contours if c.number in leaders and c.style.fill is not None and c.role == EXTERIOR]
+    outlines = {fill.number: from_end_to_end(fill.polygon.vertices, closed=True) for fill in fills}
+    found: dict[int, int] = {}
+    for stroke in strokes:
+        width = stroke.style.stroke_width
+        shares = []
+        for fill in fills:
+            if not fill.box.expanded(width).overlaps(stroke.box):
+                continue
+            track = _track(stroke, outlines[fill.number])
+            if track is not None and track.share >= LEAST_SHARE:
+                shares.append((round(track.share, 1), fill.size, fill.number))
+        if shares:
+            found[stroke.number] = max(shares)[2]
+    return found
+
+
+class _Track(NamedTuple):
+    """Where the vertices of a stroke are along an edge."""
+
+    share: float  # how much of the stroke is on the edge
+    lengths: (
+        FloatArray  # along the edge, falling or rising, one for each vertex; of a closed stroke with its end
+    )
+
+
+def _track(stroke: PlacedContour, line: ComplexArray) -> _Track | None:
+    """Return the places of a stroke on a closed edge; None if it does not run along it one way."""
+    points = from_end_to_end(stroke.polygon.vertices, stroke.polygon.closed)
+    lengths = cumulative_lengths(line)
+    distance, place = nearest_places(points, line)
+    near = distance <= ON_EDGE * stroke.style.stroke_width
+    if near.sum() < 2:
+        return None
+    total = float(lengths[-1])
+    along = np.interp(place, np.arange(len(lengths)), lengths)[near]
+    steps = (np.diff(along) + 0.5 * total) % total - 0.5 * total
+    way, back = float(steps.sum()), float(np.abs(steps).sum())
+    if back == 0.0 or abs(way) < ONE_WAY * back or abs(way) > (1.0 + ONE_WAY) * total:
+        return None
+    if stroke.polygon.closed and abs(abs(way) - total) > (1.0 - ONE_WAY) * total:
+        return None
+    sign = 1.0 if way > 0.0 else -1.0
+    passed = np.concatenate([[0.0], np.cumsum(np.maximum(sign * steps, 0.0))])
+    if stroke.polygon.closed:
+        passed *= total / passed[-1]
+    own = cumulative_lengths(points)
+    every = np.interp(own, own[near], passed)
+    share = float(np.diff(own)[near[:-1] & near[1:]].sum() / own[-1])
+    return _Track(share, along[0] + sign * every)
+
+
+class Ride(NamedTuple):
+    """A stroke on the edge of a fill, and of which shape of the drawing that has not got it it is one, if of any."""
+
+    contour: PlacedContour
+    blend: ContourBlend
+    shape: int | None
+    style: Style  # there
+
+
+def riders_of_pairs(
+    sides: tuple[Sequence[PlacedContour], Sequence[PlacedContour]],
+    pairs: Sequence[ContourPair],
+    required: Collection[tuple[int, int]],
+) -> tuple[dict[int, int], dict[int, int]]:
+    """Return the strokes of both drawings that ride on fills which are paired; see `riders`.
+
+    Not those that are required to have a partner.
+    """
+    found = []
+    for side, contours in enumerate(sides):
+        leaders = {pair[side].number for pair in pairs if all(one.style.fill is not None for one in pair)}
+        bound = {numbers[side] for numbers in required}
+        free = [contour for contour in contours if contour.number in leaders or contour.number not in bound]
+        found.append(riders(free, leaders))
+    return found[0], found[1]
+
+
+def ride(
+    stroke: PlacedContour, leader: ContourBlend, here: int, there: Sequence[PlacedContour]
+) -> Ride | None:
+    """Return a stroke of A, 0, or B, 1, on the edge of a matched fill, `there` being the other drawing's contours."""
+    flats = (
+        FlatContour(leader.contour_a, leader.polygon_a),
+        FlatContour(leader.contour_b, leader.polygon_b),
+    )
+    edges = [Outline.of(flat) for flat in flats]
+    track = _track(stroke, edges[here].line)
+    if track is None:
+        return None
+    counts = [len(flat.polygon.vertices) for flat in flats]
+    dots = unroll(leader.correspondence.dots, (counts[0], counts[1]))
+    known = [_lengths_at(edge, dots[:, side]) for side, edge in enumerate(edges)]
+    total = edges[here].total, edges[1 - here].total
+    rounds, rest = np.divmod(track.lengths - known[here][0], total[0])
+    beyond = np.interp(known[here][0] + rest, known[here], known[1 - here]) + rounds * total[1]
+    image = _image(edges[1 - here], beyond, stroke.polygon.closed)
+    if image is None:
+        return None
+    flat, vertices = image
+    blend = follow(stroke, flat, vertices, of_b=bool(here))
+    cover = _cover(stroke, flat, there)
+    if cover is None:
+        return Ride(stroke, blend, None, stroke.style._replace(stroke_width=0.0))
+    return Ride(stroke, blend, cover.shape, cover.style._replace(fill=None, fill_gradient=None))
+
+
+def _lengths_at(edge: Outline, positions: FloatArray) -> FloatArray:
+    """Return the lengths at positions by vertex numbers, which may be more than once round."""
+    rounds, rest = np.divmod(positions, len(edge.lengths) - 1)
+    return np.interp(rest, np.arange(len(edge.lengths)), edge.lengths) + rounds * edge.total
+
+
+def _image(edge: Outline, lengths: FloatArray, closed: bool) -> tuple[FlatContour, IntArray] | None:
+    """Return a stretch of an edge, flattened, and the number of its vertex that is nearest to each of some lengths."""
+    first, last = float(lengths[0]), float(lengths[-1])
+    low, high = min(first, last), max(first, last)
+    if high - low <= 1e-6 * edge.total:
+        return None
+    start = low % edge.total
+    segments, straight = edge.between(start, start + high - low)
+    if last < first:
+        segments, straight = segments[::-1, ::-1], straight[::-1]
+    if closed:
+        segments = segments.copy()
+        segments[-1, 3] = segments[0, 0]
+    contour = Contour(segments, straight, closed)
+    polygon = flatten(contour, len(lengths))
+    own = cumulative_lengths(from_end_to_end(polygon.vertices, closed))
+    places = np.abs(lengths - first) * (own[-1] / (high - low))
+    nearest = np.abs(own[:, None] - places).argmin(axis=0)
+    return FlatContour(contour, polygon), np.maximum.accumulate(nearest)
+
+
+def _cover(stroke: PlacedContour, image: FlatContour, there: Sequence[PlacedContour]) -> PlacedContour | None:
+    """Return the stroke that lies where one comes to be, most of several; None if they do not lie all along it."""
+    points = thin(image.polygon.vertices, WATCHED)
+    covered = np.zeros(len(points), np.bool_)
+    covers = []
+    for other in there:
+        if other.style.stroke is None:
+            continue
+        width = min(stroke.style.stroke_width, other.style.stroke_width)
+        if not other.box.expanded(width).overlaps(image.polygon.box):
+            continue
+        line = from_end_to_end(other.polygon.vertices, other.polygon.closed)
+        near = nearest_places(points, line)[0] <= COVERED * width
+        covered |= near
+        covers.append((int(near.sum()), -other.number, other))
+    return max(covers)[2] if covered.mean() >= SURE_SHARE else None

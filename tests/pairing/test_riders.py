@@ -1,0 +1,74 @@
+import numpy as np
+import pytest
+
+from shapeblend_cli.pipeline import match_all, shapes_at
+from shapeblend_cli.settings import Settings
+from tests.support.contours import furthest, polyline
+from tests.support.drawings import drawing
+
+FILL, STROKE = '<path d="{}" fill="#fc0"/>', '<path d="{}" fill="none" stroke="#000" stroke-width="{}"/>'
+LEAF, DROP = "M4 20C4 8 8 4 20 4C20 16 16 20 4 20Z", "M14 22C6 22 5 15 8 10L14 2L20 10C23 15 22 22 14 22Z"
+# The upper and the lower half of the leaf, in other directions, and its middle.
+UPPER, LOWER, MIDDLE = "M20 4C8 4 4 8 4 20", "M20 4C20 16 16 20 4 20", "M5 19L15 9"
+
+
+def between(a, b, t=0.5, **settings):
+    """What is painted at a time."""
+    (pair,), _ = match_all([drawing(*a, file="a.svg"), drawing(*b, file="b.svg")], Settings(**settings))
+    return shapes_at(pair, t)
+
+
+def sides(shapes):
+    """The outlines of fills, closed, and the strokes with their widths, as polylines."""
+    fills = [polyline(path, 16) for shape in shapes for path in shape.paths if shape.style.fill]
+    strokes = [
+        (np.append(polyline(path, 16), path.segments[-1, 3]), shape.style.stroke_width)
+        for shape in shapes
+        for path in shape.paths
+        if shape.style.stroke and shape.style.stroke_width
+    ]
+    return [np.append(fill, fill[0]) for fill in fills], strokes
+
+
+@pytest.mark.parametrize("t", [0.02, 0.3, 0.5, 0.7, 0.98])
+@pytest.mark.parametrize(
+    "strokes", [([LEAF + "Z"], [DROP]), ([UPPER, LOWER], [DROP]), ([UPPER], [DROP]), ([UPPER, LOWER], [])]
+)
+def test_strokes_stay_on_the_edge(strokes, t):
+    a, b = (
+        [FILL.format(fill), *(STROKE.format(d, 1) for d in lines)]
+        for fill, lines in zip((LEAF, DROP), strokes, strict=True)
+    )
+    fills, found = sides(between(a, b, t))
+    assert found
+    for line, _ in found:
+        assert furthest(line, *fills) < 0.15
+
+
+def test_strokes_that_go_to_strokes_keep_their_width():
+    a = [FILL.format(LEAF), STROKE.format(UPPER, 1), STROKE.format(LOWER, 1)]
+    b = [FILL.format(DROP), STROKE.format(DROP, 2)]
+    for t in (0.25, 0.75):
+        _, strokes = sides(between(a, b, t))
+        assert [width for _, width in strokes] == pytest.approx([1 + t] * len(strokes))
+
+
+def test_strokes_that_go_to_nothing_lose_their_width():
+    _, strokes = sides(between([FILL.format(LEAF), STROKE.format(UPPER, 1)], [FILL.format(DROP)], 0.75))
+    assert [width for _, width in strokes] == pytest.approx([0.25])
+
+
+def test_lines_that_are_not_on_an_edge_become_each_other():
+    a, b = (
+        [FILL.format(fill), STROKE.format(line, 1)] for fill, line in ((LEAF, MIDDLE), (DROP, "M14 6V20"))
+    )
+    _, strokes = sides(between(a, b))
+    ((line, width),) = strokes
+    assert width == pytest.approx(1.0)
+    assert line[[0, -1]].mean() == pytest.approx(12 + 13.5j, abs=0.5)
+
+
+def test_what_users_match_is_matched():
+    a, b = [FILL.format(LEAF), STROKE.format(UPPER, 1)], [FILL.format(DROP), STROKE.format("M14 6V20", 1)]
+    (pair,), _ = match_all([drawing(*a), drawing(*b)], Settings(match=(("1", "1"),)))
+    assert (1, 1) in [(contour.a, contour.b) for contour in pair.contours]
