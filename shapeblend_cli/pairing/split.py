@@ -53,7 +53,7 @@ def split_exteriors(
 ) -> list[ContourPair]:
     """Give exteriors without a partner a piece of the nearest exterior that has one, flattened to so many vertices.
 
-    Unless `always`, that is done only where they tile it together with its partner, see `_tile`. Return all pairs.
+    Unless `always`, that is done only where they tile it together with its partner, see `_tiles`. Return all pairs.
     Pieces have the number of what was cut. An exterior that no straight cut divides stays whole, and the others stay
     without a partner.
     """
@@ -69,11 +69,14 @@ def split_exteriors(
         for k, partners in wanting.items():
             pair = owners[k]
             owner = pair[owner_side]
-            if not always and not _tile([pair[1 - owner_side], *partners], owner):
+            partners = [pair[1 - owner_side], *partners]
+            if not always:
+                partners = _tiles(partners, owner)
+            if len(partners) < 2:
                 continue
             holes = [contour.polygon for contour in (a, b)[owner_side] if contour.exterior == owner.number]
             outline = _Outline(owner.contour, owner.polygon, holes)
-            pieces = _pieces(outline, [pair[1 - owner_side], *partners], vertices)
+            pieces = _pieces(outline, partners, vertices)
             if pieces is None:
                 continue
             split.remove(pair)
@@ -83,22 +86,27 @@ def split_exteriors(
     return split
 
 
-def _tile(parts: Sequence[PlacedContour], whole: PlacedContour) -> bool:
-    """Return whether parts lie side by side and fill about the box of the whole, none of them nearly alone."""
-    boxes = [part.box for part in parts]
+def _tiles(parts: Sequence[PlacedContour], whole: PlacedContour) -> list[PlacedContour]:
+    """Return the parts that lie side by side and fill about the box of the whole, none of them nearly alone, if any do.
+
+    Small ones are left out.
+    """
+    union = Box.union([part.box for part in parts])
+    tiles = [part for part in parts if part.box.area > LEAST_PART * union.area]
+    if len(tiles) < 2:
+        return []
+    boxes = [part.box for part in tiles]
     union = Box.union(boxes)
-    areas = [box.area for box in boxes]
-    fills = {part.style.fill for part in (*parts, whole)}
     shared = sum(p.intersection(q) for p, q in combinations(boxes, 2))
-    return (
-        None not in fills
-        and len({part.style.fill for part in parts}) == 1
+    fit = (
+        len({part.style.fill for part in tiles}) == 1
+        and None not in (tiles[0].style.fill, whole.style.fill)
         and union.intersection(whole.box) > SAME_PLACE * max(union.area, whole.box.area)
-        and sum(areas) > FILLED * union.area
+        and sum(box.area for box in boxes) > FILLED * union.area
         and shared < MOST_SHARED * union.area
-        and LEAST_PART * union.area < min(areas)
-        and max(areas) < MOST_PART * union.area
+        and max(box.area for box in boxes) < MOST_PART * union.area
     )
+    return tiles if fit else []
 
 
 def _nearest(contour: PlacedContour, owners: Sequence[PlacedContour]) -> int:
