@@ -17,6 +17,7 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import reverse_contour
+from shapeblend_cli.geometry.polyline import thin
 from shapeblend_cli.geometry.window import Window
 from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.pairing.common_cuts import FlatContour
@@ -41,8 +42,14 @@ REACH, EXACT = 4.0, 0.1
 """Where a stretch ends is looked for within so many times that tolerance; nearer than by the second share of it is
 as near as can be."""
 
-LEAST_SHARED = 0.6
-"""So much of the shorter drawing's outlines is shared at least."""
+LEAST_SHARED, LEAST_OF_LONGER = 0.6, 0.4
+"""So much of the shorter outlines is shared at least, and of the longer ones."""
+
+WATCHED, FIRST_SHARE = 32, 0.15
+"""So many points of each contour are looked at first, and so many of them at least lie on the other shape."""
+
+LEAST_BOX = 0.6
+"""A box around both shapes is filled by each one's at least to this share, by their diagonals."""
 
 BAR = 0.4
 """What a bar measures across, at most, as a share of what it does along itself."""
@@ -313,18 +320,34 @@ def changes(a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Se
     free = not (settings.match or settings.pins or settings.start or settings.stiff)
     if not free or settings.unmatched == "split" or settings.motion not in ("auto", "linear"):
         return []
-    by_shape = [_filled_shapes(side) for side in (a, b)]
+    shapes = [_filled_shapes(side) for side in (a, b)]
+    if not all(shapes):
+        return []
     diagonal = Box.union([contour.box for contour in (*a, *b)]).diagonal
     found: list[Change] = []
-    for one in by_shape[0]:
-        for other in by_shape[1]:
-            if any(other[0].shape == change.pair[1].shape for change in found):
-                continue
-            change = _change(one, other, diagonal, settings.vertices)
+    taken: set[int] = set()
+    for i, j in _near(*shapes):
+        if i not in taken and ~j not in taken:
+            change = _change(shapes[0][i], shapes[1][j], diagonal, settings.vertices)
             if change is not None:
                 found.append(change)
-                break
+                taken |= {i, ~j}
     return found
+
+
+def _near(
+    a: Sequence[Sequence[PlacedContour]], b: Sequence[Sequence[PlacedContour]]
+) -> list[tuple[int, int]]:
+    """Return the indices of shapes of two drawings whose boxes are about the same."""
+    bounds = [
+        np.array([Box.union([contour.box for contour in shape]).bounds for shape in side]) for side in (a, b)
+    ]
+    sizes = [np.hypot(*(one[:, 2:] - one[:, :2]).T) for one in bounds]
+    low = np.minimum(bounds[0][:, None, :2], bounds[1][:, :2])
+    high = np.maximum(bounds[0][:, None, 2:], bounds[1][:, 2:])
+    both = np.hypot(*np.moveaxis(high - low, 2, 0))
+    near = np.argwhere(np.minimum(sizes[0][:, None], sizes[1]) >= LEAST_BOX * both)
+    return [(int(i), int(j)) for i, j in near]
 
 
 def _filled_shapes(contours: Sequence[PlacedContour]) -> list[list[PlacedContour]]:
@@ -346,14 +369,16 @@ def _change(
     a: Sequence[PlacedContour], b: Sequence[PlacedContour], diagonal: float, vertices: int
 ) -> Change | None:
     """Return the change between two shapes, if they share enough and a contour is cut into pieces."""
-    boxes = [Box.union([contour.box for contour in side]) for side in (a, b)]
-    if min(box.diagonal for box in boxes) < LEAST_SHARED * Box.union(boxes).diagonal:
-        return None
     sides = [_outline(c) for c in a], [_outline(c) for c in b]
     distance = TOLERANCE * diagonal
+    watched = np.concatenate([thin(contour.polygon.vertices, WATCHED) for contour in a])
+    away = np.min([outline.lengths_near(watched)[0] for outline in sides[1]], axis=0)
+    if (away <= distance).mean() < FIRST_SHARE:
+        return None
     stretches = _stretches(*sides, distance, LEAST_STRETCH * diagonal)
     totals = [sum(outline.total for outline in side) for side in sides]
-    if sum(stretch.length for stretch in stretches) < LEAST_SHARED * min(totals):
+    shared = sum(stretch.length for stretch in stretches)
+    if shared < max(LEAST_SHARED * min(totals), LEAST_OF_LONGER * max(totals)):
         return None
     found = _loops(sides, stretches, distance)
     if max((max(loop.pieces) for loop in found), default=0) < 2:

@@ -47,17 +47,20 @@ def riders(contours: Sequence[PlacedContour], leaders: Collection[int]) -> dict[
     """
     strokes = [c for c in contours if c.style.stroke is not None and c.style.fill is None]
     fills = [c for c in contours if c.number in leaders and c.style.fill is not None and c.role == EXTERIOR]
-    outlines = {fill.number: from_end_to_end(fill.polygon.vertices, closed=True) for fill in fills}
+    outlines = [from_end_to_end(fill.polygon.vertices, closed=True) for fill in fills]
+    bounds = np.array([fill.box.bounds for fill in fills]).reshape(-1, 4)
     found: dict[int, int] = {}
     for stroke in strokes:
+        # At least so much of it is near the box of the fill.
+        x, y = (part(stroke.polygon.vertices)[:, None] for part in (np.real, np.imag))
         width = stroke.style.stroke_width
+        left, top, right, bottom = (bounds + [-width, -width, width, width]).T
+        near = ((left <= x) & (x <= right) & (top <= y) & (y <= bottom)).mean(axis=0) >= LEAST_SHARE
         shares = []
-        for fill in fills:
-            if not fill.box.expanded(width).overlaps(stroke.box):
-                continue
-            track = _track(stroke, outlines[fill.number])
+        for k in np.flatnonzero(near).tolist():
+            track = _track(stroke, outlines[k])
             if track is not None and track.share >= LEAST_SHARE:
-                shares.append((round(track.share, 1), fill.size, fill.number))
+                shares.append((round(track.share, 1), fills[k].size, fills[k].number))
         if shares:
             found[stroke.number] = max(shares)[2]
     return found
