@@ -101,6 +101,7 @@ def _tiles(parts: Sequence[PlacedContour], whole: PlacedContour) -> list[PlacedC
     fit = (
         len({part.style.fill for part in tiles}) == 1
         and None not in (tiles[0].style.fill, whole.style.fill)
+        and {tile.style.stroke for tile in (*tiles, whole)} == {None}  # a stroke would show where it is cut
         and union.intersection(whole.box) > SAME_PLACE * max(union.area, whole.box.area)
         and sum(box.area for box in boxes) > FILLED * union.area
         and shared < MOST_SHARED * union.area

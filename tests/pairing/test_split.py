@@ -88,3 +88,9 @@ def test_otherwise_it_stays_whole(parts):
     box = "M2 2H22V22H2Z"
     for a, b in ((box, parts), (parts, box)):
         assert not any(p.is_piece or q.is_piece for p, q in pairs(a, b, "auto"))
+
+
+def test_what_has_a_stroke_is_not_cut_by_itself():
+    for attributes in ('fill="#fff" stroke="#000"', 'fill="none" stroke="#000"'):
+        whole, parts = (contours_of(d, attributes=attributes) for d in (BAR, HALVES))
+        assert not any(p.is_piece or q.is_piece for p, q in pair_contours(whole, parts, Settings()))

@@ -181,7 +181,7 @@ def test_graphs_beyond_the_room_are_left_out_the_largest_kept(monkeypatch):
 
 
 def test_what_grows_from_a_point_has_no_graph():
-    contours, found = graphs_of([BAR], [SQUARES], vertices=20)
+    contours, found = graphs_of([BAR], [SQUARES], vertices=20, unmatched="point")
     assert [g is None for g in found] == [c.a is None for c in contours]
     assert found.count(None) == 3
 
