@@ -39,13 +39,14 @@ DEFAULTS = {
     "strokeAlpha": "1",
     "strokeLineCap": "butt",
     "strokeLineJoin": "miter",
+    "strokeMiterLimit": "4",
 }
 """Android's, for attributes that are missing."""
 
 LONGEST = 32_767
 """Characters of a path that Android's build tools accept."""
 
-FIXED = ("fillType", "strokeLineCap", "strokeLineJoin")
+FIXED = ("fillType", "strokeLineCap", "strokeLineJoin", "strokeMiterLimit")
 """Properties that Android does not animate."""
 
 
@@ -139,6 +140,7 @@ def _attributes(shape: PaintedShape, decimals: int) -> dict[str, str]:
         attributes["strokeWidth"] = number(style.stroke_width, decimals)
         attributes["strokeLineCap"] = style.stroke_linecap
         attributes["strokeLineJoin"] = style.stroke_linejoin
+        attributes["strokeMiterLimit"] = number(style.stroke_miterlimit, 4)
     return attributes
 
 
@@ -161,7 +163,12 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     from shapeblend_cli.outputs.move import moves_of
 
     (move,), decimals = moves_of(pairs), spec.decimals(pairs)
-    notes = [*move.unsupported_in("Android"), *too_long(move, decimals)]
+    dashed = [
+        f"{shape.name}: Android draws no dashes; its stroke is solid"
+        for shape in move.shapes
+        if any(side.style.stroke_dasharray for side in (shape.start, shape.end))
+    ]
+    notes = [*move.unsupported_in("Android"), *dashed, *too_long(move, decimals)]
     return Rendered([animated_vector(move, spec.timing, decimals)], notes)
 
 

@@ -6,6 +6,8 @@ The format: https://lottie.github.io/lottie-spec/
 
 from __future__ import annotations
 
+import cmath
+import math
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.outputs.formats import Format, OutputSpec, Rendered
@@ -15,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.easing import Ease, Timing
-    from shapeblend_cli.model import Box, CubicPath, Pair
+    from shapeblend_cli.model import Box, CubicPath, Gradient, Pair, RadialGradient, Stop, Style
     from shapeblend_cli.outputs.move import Move, MovedShape, Section
 
 VERSION = "5.7.4"
@@ -32,8 +34,8 @@ OWN_SIZES = range(100, 4097)
 TIME_DIGITS = 3
 """Decimals of frames; those of waypoints need not be whole."""
 
-MITER_LIMIT = 4
-"""SVG's."""
+SAME = 1e-3
+"""Radii that differ by less than that share are the same."""
 
 FILL_RULES = {"nonzero": 1, "evenodd": 2}
 LINE_CAPS = {"butt": 1, "round": 2, "square": 3}
@@ -141,6 +143,9 @@ def _placement(view: Box, scale: float, size: tuple[int, int], decimals: int) ->
 
 def _group(shape: MovedShape, keys: _Keyframes) -> dict[str, Any]:
     """Return paths and their paint, the upper one first."""
+    ellipse = _ellipse(shape)
+    if ellipse is not None:
+        shape = shape.mapped(ellipse.path)
     sections = shape.sections(keys.end - keys.start, keys.ease, TIME_DIGITS)
     items: list[dict[str, Any]] = [
         {"ty": "sh", "nm": f"contour-{k + 1}", "ks": keys.path(sections, k)}
@@ -148,24 +153,173 @@ def _group(shape: MovedShape, keys: _Keyframes) -> dict[str, Any]:
     ]
     s, e = shape.start.style, shape.end.style
     if s.stroke is not None and e.stroke is not None:
+        gradients = _gradients(shape, "stroke")
         stroke = {
-            "c": keys.value(_colour(s.stroke), _colour(e.stroke)),
+            **(
+                _shade(*gradients, keys)
+                if gradients
+                else {"c": keys.value(_colour(s.stroke), _colour(e.stroke))}
+            ),
             "o": keys.opacity(shape, "stroke"),
             "w": keys.value(*(_rounded(style.stroke_width, keys.decimals) for style in (s, e))),
             "lc": LINE_CAPS[s.stroke_linecap],
             "lj": LINE_JOINS[s.stroke_linejoin],
-            "ml": MITER_LIMIT,
+            "ml": _rounded(s.stroke_miterlimit, 4),
+            **_dashes(s, e, keys),
         }
-        items.append({"ty": "st", "nm": "stroke", **stroke})
-    if s.fill is not None and e.fill is not None:
-        fill = {
-            "c": keys.value(_colour(s.fill), _colour(e.fill)),
-            "o": keys.opacity(shape, "fill"),
-            "r": FILL_RULES[s.fill_rule],
-        }
-        items.append({"ty": "fl", "nm": "fill", **fill})
+        items.append({"ty": "gs" if gradients else "st", "nm": "stroke", **stroke})
+    for coat in _coats(shape):
+        s, e = coat.start.style, coat.end.style
+        if s.fill is not None and e.fill is not None:
+            gradients = _gradients(coat, "fill")
+            fill = {
+                **(
+                    _shade(*gradients, keys)
+                    if gradients
+                    else {"c": keys.value(_colour(s.fill), _colour(e.fill))}
+                ),
+                "o": keys.opacity(coat, "fill"),
+                "r": FILL_RULES[s.fill_rule],
+            }
+            items.append({"ty": "gf" if gradients else "fl", "nm": "fill", **fill})
     still = _constant({"p": [0, 0], "a": [0, 0], "s": [100, 100], "r": 0, "o": 100})
+    if ellipse is not None:
+        still |= _constant({"s": [100, _rounded(100.0 * ellipse.ratio, 6)], "r": _rounded(ellipse.angle, 4)})
     return {"ty": "gr", "nm": "paths", "it": [*items, {"ty": "tr", **still}]}
+
+
+def _dashes(start: Style, end: Style, keys: _Keyframes) -> dict[str, Any]:
+    """Return the property for dashes and gaps in turn, if there are any."""
+    if not start.stroke_dasharray or len(start.stroke_dasharray) != len(end.stroke_dasharray):
+        return {}
+    every = [
+        ("dg"[k % 2], *lengths)
+        for k, lengths in enumerate(zip(start.stroke_dasharray, end.stroke_dasharray, strict=True))
+    ]
+    every.append(("o", start.stroke_dashoffset, end.stroke_dashoffset))
+    return {
+        "d": [
+            # Players need names of their own.
+            {"n": kind, "nm": f"{kind}{k}", "v": keys.value(*(_rounded(v, keys.decimals) for v in values))}
+            for k, (kind, *values) in enumerate(every)
+        ]
+    }
+
+
+def _coats(shape: MovedShape) -> list[MovedShape]:
+    """Return the coats of a shape's fill, the upper one first: two where one gradient dissolves over another."""
+    start, end = shape.start.style, shape.end.style
+    below = shape.end.below
+    if start.fill_gradient is None or end.fill_gradient is None or below is None or shape.fading:
+        return [shape]
+    if type(start.fill_gradient) is type(end.fill_gradient):
+        return [shape]
+    begun = start._replace(fill=end.fill, fill_gradient=end.fill_gradient, fill_opacity=0.0)
+    return [
+        shape._replace(start=shape.start._replace(style=begun)),
+        shape._replace(end=shape.end._replace(style=below)),
+    ]
+
+
+def _shows_gradients(shape: MovedShape, paint: str) -> bool:
+    return all(_gradients(coat, paint) for coat in _coats(shape))
+
+
+def _gradients(shape: MovedShape, paint: str) -> tuple[Gradient, Gradient] | None:
+    """Return the gradients of a paint at both ends if Lottie has such, ellipses as circles in their own coordinates."""
+    from shapeblend_cli.model import RadialGradient
+
+    start, end = (getattr(side.style, f"{paint}_gradient") for side in (shape.start, shape.end))
+    if start is None or end is None or type(start) is not type(end) or len(start.stops) != len(end.stops):
+        return None
+    if start.spread != "pad" or end.spread != "pad":
+        return None
+    if not isinstance(start, RadialGradient):
+        return start, end
+    if start.focal_radius or end.focal_radius:
+        return None
+    ellipse = _ellipse(shape) if paint == "fill" else None
+    if ellipse is not None:
+        start, end = ellipse.gradient(start), ellipse.gradient(end)
+    is_round = all(math.isclose(*gradient.radii, rel_tol=SAME) for gradient in (start, end))
+    return (start, end) if is_round else None
+
+
+class _Ellipse(NamedTuple):
+    """An ellipse, which is a circle in a group that is rotated and squashed."""
+
+    angle: float  # in degrees
+    ratio: float  # of the smaller radius to the larger one
+
+    def points(self, z: Any) -> Any:
+        """Return points in the coordinates of the group."""
+        upright = z * cmath.rect(1.0, -math.radians(self.angle))
+        return upright.real + 1j * upright.imag / self.ratio
+
+    def path(self, path: CubicPath) -> CubicPath:
+        """Return a path in these coordinates."""
+        from dataclasses import replace
+
+        return replace(path, segments=self.points(path.segments))
+
+    def gradient(self, gradient: RadialGradient) -> RadialGradient:
+        """Return a gradient in these coordinates."""
+        radius = gradient.radii[0]
+        return gradient._replace(centre=self.points(gradient.centre), radii=(radius, radius), angle=0.0)
+
+
+def _ellipse(shape: MovedShape) -> _Ellipse | None:
+    """Return the ellipse of a shape's radial fill, if that is alike at both ends and no stroke is squashed with it."""
+    from shapeblend_cli.model import RadialGradient
+
+    ellipses = set()
+    for style in (shape.start.style, shape.end.style):
+        fill = style.fill_gradient
+        if not isinstance(fill, RadialGradient) or not 0.0 < fill.radii[1] or style.stroke is not None:
+            return None
+        ellipses.add(_Ellipse(round(fill.angle, 3), round(fill.radii[1] / fill.radii[0], 6)))
+    first, *others = ellipses
+    is_round = math.isclose(first.ratio, 1.0, rel_tol=SAME)
+    return None if is_round or others else first
+
+
+def _shade(start: Gradient, end: Gradient, keys: _Keyframes) -> dict[str, Any]:
+    """Return the properties of a gradient: its kind, its line or radius, its highlight and its stops."""
+    from shapeblend_cli.model import LinearGradient
+
+    lines, highlights = [], []
+    for gradient in (start, end):
+        if isinstance(gradient, LinearGradient):
+            lines.append((gradient.start, gradient.end))
+            highlights.append((0.0, 0.0))
+        else:
+            lines.append((gradient.centre, gradient.centre + gradient.radii[0]))
+            away, angle = cmath.polar(gradient.focus)
+            highlights.append((100.0 * away, math.degrees(angle) + gradient.angle if away else 0.0))
+    points = [
+        [[_rounded(z.real, keys.decimals), _rounded(z.imag, keys.decimals)] for z in line] for line in lines
+    ]
+    spots = [[_rounded(value, 2) for value in highlight] for highlight in highlights]
+    with_alpha = any(stop.opacity < 1.0 for gradient in (start, end) for stop in gradient.stops)
+    stops = [_stops(gradient.stops, with_alpha) for gradient in (start, end)]
+    return {
+        "t": 1 if isinstance(start, LinearGradient) else 2,
+        "s": keys.value(points[0][0], points[1][0]),
+        "e": keys.value(points[0][1], points[1][1]),
+        "h": keys.value(spots[0][0], spots[1][0]),
+        "a": keys.value(spots[0][1], spots[1][1]),
+        "g": {"p": len(start.stops), "k": keys.value(*stops)},
+    }
+
+
+def _stops(stops: Sequence[Stop], with_alpha: bool) -> list[float]:
+    """Return offsets with red, green and blue, then offsets with opacities."""
+    numbers: list[float] = []
+    for stop in stops:
+        numbers += [_rounded(stop.offset, 4), *_colour(stop.colour)[:3]]
+    for stop in stops if with_alpha else ():
+        numbers += [_rounded(stop.offset, 4), _rounded(stop.opacity, 4)]
+    return numbers
 
 
 def _bezier(path: CubicPath, decimals: int) -> dict[str, Any]:
@@ -209,7 +363,8 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
 
     moves = moves_of(pairs)
     text = lottie(moves, spec.timing, spec.decimals(pairs))
-    return Rendered([text], [note for move in moves for note in move.unsupported_in("Lottie")])
+    notes = [note for move in moves for note in move.unsupported_in("Lottie", _shows_gradients)]
+    return Rendered([text], notes)
 
 
 FORMAT = Format(

@@ -10,7 +10,7 @@ from shapeblend_cli.model import Box, CubicPath, PaintedShape, Pair, Style, Wayp
 from shapeblend_cli.pipeline import fading_styles, shapes_at
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from shapeblend_cli.easing import Ease
 
@@ -50,6 +50,14 @@ class MovedShape(NamedTuple):
         inner = [(waypoint.t, waypoint.paths) for waypoint in self.waypoints]
         return _sections([(0.0, self.start.paths), *inner, (1.0, self.end.paths)], length, ease, decimals)
 
+    def mapped(self, change: Callable[[CubicPath], CubicPath]) -> MovedShape:
+        """Return the shape with its paths changed, all in the same linear way."""
+        return self._replace(
+            start=self.start._replace(paths=tuple(map(change, self.start.paths))),
+            end=self.end._replace(paths=tuple(map(change, self.end.paths))),
+            waypoints=tuple(Waypoint(t, tuple(map(change, paths))) for t, paths in self.waypoints),
+        )
+
     def opacities(self, paint: str, length: float, ease: Ease, decimals: int) -> list[Section[float]]:
         """Return the sections in which the opacity of a paint changes evenly; see `sections`."""
         styles = [(0.0, self.start.style), *self.fading, (1.0, self.end.style)]
@@ -68,12 +76,21 @@ class Move(NamedTuple):
         """The part of the plane to show all the time."""
         return Box.union(self.views)
 
-    def unsupported_in(self, program: str) -> list[str]:
-        """Return a phrase for each property that a program cannot show, or not animate."""
+    def unsupported_in(
+        self, program: str, shows: Callable[[MovedShape, str], object] = lambda shape, paint: None
+    ) -> list[str]:
+        """Return a phrase for each property that a program cannot show, or not animate.
+
+        `shows` tells whether it can show the gradients of a shape's ``fill`` or ``stroke``.
+        """
         plain = [
-            f"{name}: its gradient is a plain colour in {program}"
-            for name, start, end, *_ in self.shapes
-            if any(s.style.fill_gradient or s.style.stroke_gradient for s in (start, end))
+            f"{shape.name}: its gradient is a plain colour in {program}"
+            for shape in self.shapes
+            if any(
+                any(getattr(side.style, f"{paint}_gradient") for side in (shape.start, shape.end))
+                and not shows(shape, paint)
+                for paint in FIXED
+            )
         ]
         return plain + [
             f"{name}: {program} cannot change the {words} on the way; that of the first drawing stays"

@@ -2,6 +2,7 @@
 
 import re
 from itertools import pairwise
+from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
@@ -14,8 +15,9 @@ from shapeblend_cli.outputs.avd import animated_vector
 from shapeblend_cli.outputs.move import Move, moved_shape
 from shapeblend_cli.svg.writing.path_data import path_data
 from tests.outputs.blends import BLENDS, each_blend, emitted, write_blend
+from tests.support.commands import write
 from tests.support.contours import polygon_contour
-from tests.support.drawings import BAR, LEAF
+from tests.support.drawings import BAR, LEAF, svg
 from tests.support.motions import rotated_move
 from tests.support.pictures import difference, pixels
 
@@ -203,3 +205,11 @@ def test_a_path_that_is_too_long_for_android_is_said(here, capsys):
     assert re.fullmatch(
         r"shapeblend: shape-1: its path has \d{5} characters, and Android takes 32767; .*", line
     )
+
+
+def test_the_miter_limit_is_the_drawings_and_a_note_says_that_there_are_no_dashes(here, capsys):
+    line = '<path d="M2 2H20V9" fill="none" stroke="#c00" stroke-miterlimit="9" {}/>'
+    write(a=svg(line.format("")), b=svg(line.format('stroke-dasharray="4 2"')))
+    assert run(["a.svg", "b.svg", "--emit", "avd"]) == 0
+    assert 'android:strokeMiterLimit="9"' in Path("blend.xml").read_text(encoding="utf-8")
+    assert "shape-1: Android draws no dashes; its stroke is solid" in capsys.readouterr().err

@@ -9,7 +9,7 @@ import pytest
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.easing import LINEAR, Ease, Timing
-from shapeblend_cli.model import Box, PaintedShape, Style
+from shapeblend_cli.model import Box, LinearGradient, PaintedShape, RadialGradient, Stop, Style
 from shapeblend_cli.outputs.lottie import lottie
 from shapeblend_cli.outputs.move import Move, moved_shape
 from tests.outputs.blends import each_blend, emitted
@@ -122,6 +122,50 @@ def test_paint():
     assert stroke["w"] == {"a": 1, "k": [{"t": 0, "s": [2], **speed}, {"t": 120, "s": [4]}]}
     assert (stroke["c"]["k"], stroke["o"]["k"]) == ([0, 0, 1, 1], 25)
     assert (stroke["lc"], stroke["lj"], stroke["ml"]) == (2, 3, 4)
+
+
+def test_dashes_and_gaps_in_turn():
+    dashed = Style(None, stroke="#000000", stroke_dasharray=(4.0, 2.0), stroke_dashoffset=1.0)
+    _, items = of(SQUARE, SQUARE, dashed, dashed._replace(stroke_dasharray=(6.0, 2.0)))
+    dash, gap, offset = items["st"]["d"]
+    assert [part["n"] for part in (dash, gap, offset)] == ["d", "g", "o"]
+    assert [key["s"] for key in dash["v"]["k"]] == [[4], [6]]
+    assert (gap["v"]["k"], offset["v"]["k"]) == (2, 1)
+
+
+def test_gradients_have_a_line_or_a_radius_and_stops():
+    stops = Stop(0.0, "#ff0000"), Stop(1.0, "#0000ff", 0.5)
+    across = Style(fill_gradient=LinearGradient(2 + 2j, 10 + 2j, stops))
+    down = Style(fill_gradient=LinearGradient(2 + 2j, 2 + 10j, stops))
+    _, items = of(SQUARE, SQUARE, across, down)
+    shade = items["gf"]
+    assert (shade["t"], shade["s"]["k"]) == (1, [2, 2])
+    assert [key["s"] for key in shade["e"]["k"]] == [[10, 2], [2, 10]]
+    assert shade["g"] == {"p": 2, "k": {"a": 0, "k": [0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 1, 0.5]}}
+    light = RadialGradient(6 + 6j, (4.0, 4.0), 0.0, 0.5j, 0.0, stops)
+    _, items = of(SQUARE, SQUARE, Style(fill_gradient=light), Style(fill_gradient=light))
+    shade = items["gf"]
+    assert (shade["t"], shade["s"]["k"], shade["e"]["k"]) == (2, [6, 6], [10, 6])
+    assert (shade["h"]["k"], shade["a"]["k"]) == (50, 90)
+
+
+def test_an_oval_gradient_is_a_round_one_in_a_group_that_is_squashed():
+    light = RadialGradient(6 + 6j, (4.0, 2.0), 90.0, 0j, 0.0, (Stop(0.0, "#ff0000"), Stop(1.0, "#0000ff")))
+    _, items = of(SQUARE, SQUARE, Style(fill_gradient=light), Style(fill_gradient=light))
+    assert (items["tr"]["r"]["k"], items["tr"]["s"]["k"]) == (90, [100, 50])
+    # What the group makes of a point: squashed, then given a quarter turn.
+    placed = [[-y / 2, x] for x, y in (items["gf"]["s"]["k"], *items["sh"]["ks"]["k"]["v"])]
+    assert placed == [[6, 6], [2, 2], [10, 2], [10, 10], [2, 10]]
+
+
+@pytest.mark.parametrize(
+    ("attributes", "notes"), [("", 0), ('spreadMethod="reflect"', 1), ('gradientTransform="skewX(30)"', 0)]
+)
+def test_a_note_tells_which_gradients_there_are_none_of(here, capsys, attributes, notes):
+    shade = f'<linearGradient id="g" x2=".5" {attributes}><stop stop-color="red"/><stop offset="1"/></linearGradient>'
+    write(a=svg(shade, f'<path d="{BAR}" fill="url(#g)"/>'), b=svg(BAR))
+    assert run(["a.svg", "b.svg", "--emit", "lottie"]) == 0
+    assert capsys.readouterr().err.count("shape-1: its gradient is a plain colour in Lottie") == notes
 
 
 @pytest.mark.parametrize(

@@ -28,6 +28,14 @@ SHADES = (
     shade("linearGradient", "g", 'x1="2" x2="22"', "#c02020", "#ffe000")
     + shade("linearGradient", "h", 'y1="2" y2="22" x2="0"', "#c02020", "#0040c0")
     + shade("radialGradient", "r", 'cx="9" cy="9" r="9"', "#fff", "#208020")
+    + shade("radialGradient", "f", 'cx="12" cy="12" r="11" fx="8" fy="6"', "#fff", "#c08000")
+    + shade(
+        "radialGradient",
+        "o",
+        'r="1" gradientTransform="translate(10 9) rotate(30) scale(12 6)"',
+        "#fff",
+        "#203080",
+    )
 )
 
 ENDS = {
@@ -65,6 +73,27 @@ ENDS = {
         svg(SHADES, card(2, 2, 'fill="url(#g)"', 14, 14), disc(14, 14, 6, BLUE)),
         svg(SHADES, disc(14, 14, 6, BLUE), card(2, 2, 'fill="url(#r)"', 14, 14)),
         "--match 0=1 --match 1=0",
+    ),
+    "an oval light goes, and a round one comes": (
+        svg(SHADES, disc(12, 12, 9, 'fill="url(#o)"'), card(2, 20, 'fill="url(#f)"', 20, 3)),
+        svg(SHADES, disc(10, 10, 7, GREEN), card(3, 19, 'fill="url(#r)"', 18, 4)),
+        "",
+    ),
+    "one shade dissolves over another": (
+        svg(SHADES, card(2, 2, 'fill="url(#h)"', 14, 20)),
+        svg(SHADES, card(4, 2, 'fill="url(#f)"', 14, 18)),
+        "",
+    ),
+    "dashes and sharp corners": (
+        svg(
+            f'<path d="M4 21L12 7L20 21Z" {GOLD} stroke="#402000" stroke-width="2" stroke-miterlimit="9"/>',
+            '<path d="M3 2H20" fill="none" stroke="#c00" stroke-width="2" stroke-dasharray="4 2"/>',
+        ),
+        svg(
+            f'<path d="M5 21L12 9L19 21Z" {GREEN} stroke="#402000" stroke-width="1" stroke-miterlimit="9"/>',
+            '<path d="M4 4H20" fill="none" stroke="#c00" stroke-width="3" stroke-dasharray="3 1 1 1"/>',
+        ),
+        "",
     ),
     "one shape becomes two with a card between": (
         svg(f'<path d="M2 2H10V22H2Z M14 2H22V22H14Z" {RED}/>', card(5, 8, BLUE, 14, 8)),
