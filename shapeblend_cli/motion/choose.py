@@ -29,6 +29,10 @@ AFFORDABLE_SEGMENTS = 600
 """Once other motions have been tried on shapes of so many segments, further ones move straight in any case. That
 takes a few seconds; a drawing of hundreds of defective shapes would take minutes."""
 
+LARGE, AT_REST = 0.5, 5e-3
+"""A contour rests that moves nowhere further than the second share of its shape's size; that counts if it has the first
+share of that size."""
+
 COMMON_RESIDUAL = 2.0
 """Shapes of a drawing move by one similarity unless it leaves so many times as much as their own."""
 
@@ -107,15 +111,25 @@ def _settle_without_defect(trials: list[Trial], matched: Sequence[int], times: S
 def choose_motion(trial: Trial, motion: str, rotated: RotatedShape, times: Sequence[float]) -> ShapeBlend:
     """Give a shape that is not settled its motion; `auto` is the first without a defect, else that with the least.
 
-    With a defect, `safe` is not taken: a blob that nothing needed is missed more than a crossing.
+    With a defect, `safe` is not taken: a blob that nothing needed is missed more than a crossing. What rests stays
+    where it is, and so a shape with a contour that does is not turned as a whole.
     """
-    candidates: dict[str, Callable[[], ShapeBlend]] = {
+    if motion == "auto" and rests(trial.shape):
+        rotated = RotatedShape(trial.shape, Alignment(0j, 0j, 1.0, 0.0))
+        candidates = {"intrinsic": lambda: _intrinsic(rotated, turns=False)}
+        return _without_defect(trial, candidates, times)
+    candidates = {
         "rigid": lambda: _rigid(rotated),
         "intrinsic": lambda: _intrinsic(rotated),
         "safe": lambda: _safe(trial, rotated),
     }
-    if motion != "auto":
-        return candidates[motion]()
+    return candidates[motion]() if motion != "auto" else _without_defect(trial, candidates, times)
+
+
+def _without_defect(
+    trial: Trial, candidates: dict[str, Callable[[], ShapeBlend]], times: Sequence[float]
+) -> ShapeBlend:
+    """Return the first candidate without a defect, else the one with the least, or straight paths."""
     reasons = [trial.reason]
     defective = [] if trial.defect is None else [(trial.shape, trial.defect)]
     for name, make in candidates.items():
@@ -131,6 +145,16 @@ def choose_motion(trial: Trial, motion: str, rotated: RotatedShape, times: Seque
     return least._replace(reason="; ".join(reasons))
 
 
+def rests(shape: ShapeBlend) -> bool:
+    """Return whether a large contour of a shape is the same in place at both ends."""
+    matched = [contour for contour in shape.contours if contour.is_matched]
+    size = max(contour.scale_a for contour in matched)
+    large = (contour for contour in matched if contour.scale_a >= LARGE * size)
+    return any(
+        float(abs(a - b).max()) <= AT_REST * size for a, b in (contour.dot_points() for contour in large)
+    )
+
+
 def is_as_good(common: Alignment, own: Alignment, shape: ShapeBlend) -> bool:
     """Return whether the similarity of a whole drawing suits one of its shapes about as well as the shape's own."""
     points = point_pairs(shape.contours)
@@ -144,10 +168,10 @@ def _rigid(rotated: RotatedShape, reason: str = ASKED) -> ShapeBlend:
     return rotated.shape._replace(motion=Rigid(rotated.alignment), reason=reason)
 
 
-def _intrinsic(rotated: RotatedShape) -> ShapeBlend:
+def _intrinsic(rotated: RotatedShape, *, turns: bool = True) -> ShapeBlend:
     from shapeblend_cli.motion.intrinsic import intrinsic
 
-    motion = intrinsic(rotated.shape.contours, rotated.alignment)
+    motion = intrinsic(rotated.shape.contours, rotated.alignment, turns=turns)
     return rotated.shape._replace(motion=motion, reason=ASKED)
 
 

@@ -109,8 +109,10 @@ class Intrinsic(NamedTuple):
         return every
 
 
-def intrinsic(contours: Sequence[ContourBlend], alignment: Alignment) -> Intrinsic:
+def intrinsic(contours: Sequence[ContourBlend], alignment: Alignment, *, turns: bool = True) -> Intrinsic:
     """Return the intrinsic motion of contours that are painted together, given the best similarity between them.
+
+    If the whole turns, the similarity's rotation is replaced by that of most of the outlines.
 
     Notes
     -----
@@ -150,7 +152,7 @@ def intrinsic(contours: Sequence[ContourBlend], alignment: Alignment) -> Intrins
     """
     polygons = [_matched_polygons(contour) for contour in contours]
     moving = [polygon for polygon in polygons if polygon is not None]
-    if moving:
+    if moving and turns:
         alignment = alignment._replace(rotation=_median_rotation(moving, alignment.rotation))
     return Intrinsic(alignment, tuple(polygon and _moving(polygon, alignment) for polygon in polygons))
 

@@ -57,6 +57,18 @@ def test_an_arm_that_swings_keeps_its_length():
     assert [reason.split(":")[0] for reason in reasons(pair)[0].split("; ")] == ["linear", "rigid"]
 
 
+def test_what_rests_stays_while_the_rest_of_its_shape_swings():
+    ring = 8.0 * np.exp(2j * np.pi * np.arange(48) / 48)
+    hands = [arm(*turns, length=1.4)[::-1] for turns in ((80, 95, 110), (-60, -75, -90))]
+    a, b = (drawing(polygon_contour(ring), polygon_contour(hand - 2.0)) for hand in hands)
+    (shape,) = pair_of(a, b).shapes
+    assert shape.motion_name == "intrinsic"
+    for t in (0.2, 0.5, 0.8):
+        still, hand = paths_at(shape, t)
+        np.testing.assert_allclose(np.abs(still.segments[:, [0, 3]]), 8.0, atol=1e-6)
+        assert path_crossings([hand]) == 0
+
+
 @pytest.mark.parametrize("motion", ["linear", "rigid", "intrinsic", "safe"])
 def test_what_is_asked_for_is_taken(motion):
     pair = polygon_pair(comb(3), spiral(1.0, 20), motion=motion)
