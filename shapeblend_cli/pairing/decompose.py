@@ -47,6 +47,7 @@ class PlacedContour(NamedTuple):
     style: Style  # the shape's, in A's coordinates, with the fill rule that suits the contours' directions
     any_rule: bool = True  # whether the other fill rule would paint the shape the same
     is_piece: bool = False  # whether it is a piece cut from the contour with this number
+    opened: int | None = None  # number of the hole that is part of it, where it is a ring that is cut open
 
     @property
     def box(self) -> Box:
@@ -65,7 +66,7 @@ class PlacedContour(NamedTuple):
 
     def contains_hole(self, hole: PlacedContour) -> bool:
         """Return whether a contour is a hole in this one."""
-        if hole.role != HOLE or hole.exterior != self.number:
+        if hole.role != HOLE or hole.exterior != self.number or hole.number == self.opened:
             return False
         return not self.is_piece or bool(winding_numbers(hole.polygon.vertices[:1], self.polygon.vertices)[0])
 

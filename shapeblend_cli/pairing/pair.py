@@ -11,6 +11,7 @@ from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.model import Box
 from shapeblend_cli.pairing.costs import SKIP_COST, FramedContours, pairing_costs
 from shapeblend_cli.pairing.decompose import EXTERIOR, HOLE, LINE, PlacedContour
+from shapeblend_cli.pairing.opening import open_rings
 from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
 from shapeblend_cli.pairing.split import split_exteriors
 
@@ -74,6 +75,7 @@ def pair_contours(
         pairs = _without_swaps(pairs, fixed, below)
     if settings.unmatched != "point":
         pairs = split_exteriors(a, b, pairs, settings.vertices, always=settings.unmatched == "split")
+        pairs = open_rings(a, b, pairs, settings)
     for pair in list(pairs):
         holes_a, holes_b = (
             FramedContours([c for c in side if exterior.contains_hole(c)], exterior.box)

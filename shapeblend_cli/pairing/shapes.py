@@ -142,6 +142,8 @@ def _styles(a: PlacedContour, b: PlacedContour) -> tuple[Style, Style]:
 def _unmatched(contours: Sequence[PlacedContour], matches: Sequence[Match], here: int) -> list[_Unmatched]:
     """Return the contours of A, 0, or B, 1, without a partner: exteriors and lines, then holes."""
     paired = {match.pair[here].number: match for match in matches}
+    opened = {match.pair[here].opened for match in matches}
+    contours = [contour for contour in contours if contour.number not in opened]
     outer = [match for match in matches if match.pair[here].role != HOLE]
     points = [match.points(here) for match in outer]
     loose = [contour for contour in contours if contour.number not in paired and contour.role != HOLE]

@@ -18,7 +18,7 @@ from shapeblend_cli.pairing.growth import WATCHED
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
     from shapeblend_cli.pairing.decompose import ContourPair
 
 
@@ -149,7 +149,7 @@ def _pieces(
         return None
     pieces: list[tuple[Contour, PlacedContour]] = []
     for some, (start, end) in zip(halved[best], ((i, j), (j, i)), strict=True):
-        contour = _section(outline, start, end)
+        contour = _section(outline.contour, outline.polygon, start, end)
         polygon = flatten(contour, vertices)
         inside = [hole for hole in outline.holes if winding_numbers(hole.vertices[:1], polygon.vertices)[0]]
         smaller = _pieces(_Outline(contour, polygon, inside), some, vertices)
@@ -229,9 +229,18 @@ def _lies_inside(start: complex, end: complex, boundaries: Sequence[ComplexArray
     return True
 
 
-def _section(outline: _Outline, i: int, j: int) -> Contour:
+def _section(contour: Contour, polygon: Polygon, i: int, j: int) -> Contour:
     """Return the contour from vertex i to vertex j of its polygon, closed by a straight line."""
-    contour, polygon = outline.contour, outline.polygon
+    segments, straight = run_of_segments(contour, polygon, i, j)
+    closing = cubics.line(segments[-1, 3], segments[0, 0])
+    return Contour(np.vstack([segments, closing]), np.append(straight, True), closed=True)
+
+
+def run_of_segments(contour: Contour, polygon: Polygon, i: int, j: int) -> tuple[ComplexArray, BoolArray]:
+    """Return the segments of a closed contour from vertex i to vertex j of its polygon, and which of them are lines.
+
+    From a vertex to itself that is once round.
+    """
     count = len(contour.segments)
     first, start = int(polygon.segment[i]), float(polygon.parameter[i])
     last, end = int(polygon.segment[j]), float(polygon.parameter[j])
@@ -243,6 +252,4 @@ def _section(outline: _Outline, i: int, j: int) -> Contour:
     numbers = (first + np.arange(steps + 1)) % count
     starts, ends = np.zeros(steps + 1), np.ones(steps + 1)
     starts[0], ends[-1] = start, end
-    segments = cubics.pieces(contour.segments[numbers], starts, ends)
-    closing = cubics.line(segments[-1, 3], segments[0, 0])
-    return Contour(np.vstack([segments, closing]), np.append(contour.straight[numbers], True), closed=True)
+    return cubics.pieces(contour.segments[numbers], starts, ends), contour.straight[numbers]

@@ -1,0 +1,92 @@
+"""A ring that becomes one outline without a hole: it opens where that takes the least work, as an O becomes a C."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.flatten import flatten
+from shapeblend_cli.geometry.placement import to_unit_box
+from shapeblend_cli.geometry.polygons import signed_area
+from shapeblend_cli.model import Contour
+from shapeblend_cli.pairing.costs import coarse_work
+from shapeblend_cli.pairing.decompose import EXTERIOR, PlacedContour
+from shapeblend_cli.pairing.split import run_of_segments
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.pairing.decompose import ContourPair
+    from shapeblend_cli.settings import Settings
+
+PLACES = 40
+"""A ring is tried to be opened at so many places, evenly round its hole."""
+
+LEAST_HOLE = 0.15
+"""The least hole of a ring, as a share of the area within its outer edge."""
+
+WIDTH = 0.5
+"""By which share the work counts more where a ring is twice as wide as at its narrowest."""
+
+CLEAR = 0.6
+"""A ring is opened if that takes at most this share of the work that its outer edge alone takes."""
+
+
+def open_rings(
+    a: Sequence[PlacedContour], b: Sequence[PlacedContour], pairs: Sequence[ContourPair], settings: Settings
+) -> list[ContourPair]:
+    """Open the rings among paired exteriors whose partner has no hole, where that takes far less work.
+
+    Return all pairs. A ring that is opened has the number of its outer edge, and its hole is part of it. Only what is
+    filled and has no stroke is opened, as a stroke would show where.
+    """
+    opened = []
+    for p, q in pairs:
+        holes = [[c for c in side if one.contains_hole(c)] for side, one in zip((a, b), (p, q), strict=True)]
+        styles = p.style, q.style
+        is_plain = all(style.fill is not None and style.stroke is None for style in styles)
+        if p.role == q.role == EXTERIOR and is_plain and {len(some) for some in holes} == {0, 1}:
+            if holes[0]:
+                p = _opened(p, holes[0][0], q, settings)
+            else:
+                q = _opened(q, holes[1][0], p, settings)
+        opened.append((p, q))
+    return opened
+
+
+def _opened(
+    ring: PlacedContour, hole: PlacedContour, partner: PlacedContour, settings: Settings
+) -> PlacedContour:
+    """Return a ring as one outline that becomes its partner with the least work; as it is if that is not much less."""
+    edge, inner = ring.polygon.vertices, hole.polygon.vertices
+    if abs(signed_area(inner)) < LEAST_HOLE * abs(signed_area(edge)):
+        return ring
+    ends = np.unique(np.linspace(0, len(inner), PLACES, endpoint=False).astype(np.intp))
+    across = np.abs(edge[:, None] - inner[ends])
+    starts = across.argmin(axis=0)
+    widths = across.min(axis=0)
+    target = to_unit_box(partner.polygon)
+    cuts = []
+    for start, end, width in zip(starts.tolist(), ends.tolist(), widths.tolist(), strict=True):
+        outline = _keyhole(ring, hole, start, end)
+        polygon = flatten(outline, settings.vertices)
+        work = coarse_work(to_unit_box(polygon), target, True, settings.constants)
+        cuts.append((work * (1.0 + WIDTH * (width / widths.min() - 1.0)), work, outline, polygon))
+    _, work, outline, polygon = min(cuts, key=lambda cut: cut[0])
+    if work > CLEAR * coarse_work(to_unit_box(ring.polygon), target, True, settings.constants):
+        return ring
+    return ring._replace(contour=outline, polygon=polygon, is_piece=True, opened=hole.number)
+
+
+def _keyhole(ring: PlacedContour, hole: PlacedContour, i: int, j: int) -> Contour:
+    """Return the outer edge of a ring from its vertex i once round, and its hole from vertex j, as one outline."""
+    outer, outer_lines = run_of_segments(ring.contour, ring.polygon, i, i)
+    inner, inner_lines = run_of_segments(hole.contour, hole.polygon, j, j)
+    there, back = cubics.line(outer[-1, 3], inner[0, 0]), cubics.line(inner[-1, 3], outer[0, 0])
+    return Contour(
+        np.vstack([outer, there, inner, back]),
+        np.concatenate([outer_lines, [True], inner_lines, [True]]),
+        closed=True,
+    )
