@@ -1,4 +1,4 @@
-"""What it costs to turn one contour into another: work, distance, change of size and of paint."""
+"""What it costs to turn one contour into another: place, change of size and of paint, work; and to have no partner."""
 
 from __future__ import annotations
 
@@ -8,21 +8,29 @@ import numpy as np
 
 from shapeblend_cli.constants import PAPER, WorkConstants
 from shapeblend_cli.geometry.placement import to_unit_box
+from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.geometry.polyline import distinct
 from shapeblend_cli.matching.solve import least_work
 from shapeblend_cli.matching.work import Wires
+from shapeblend_cli.pairing.structure import corners
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Box, ComplexArray, FloatArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray
     from shapeblend_cli.pairing.decompose import PlacedContour
 
-DISTANCE_WEIGHT = 1.0
-"""Cost of a distance as large as the drawing."""
+OVERLAP_WEIGHT, DISTANCE_WEIGHT = 0.65, 1.5
+"""Cost of boxes that do not overlap, and of a distance as large as the frame: the part that a contour lies on."""
 
-SIZE_WEIGHT = 0.5
+MARGIN = 0.03
+"""Boxes are larger by this share of their frame on each side, so that lines and specks have some."""
+
+SIZE_WEIGHT = 0.45
 """Cost of a change of size by the factor e."""
+
+MOST_GROWTH = 3.0
+"""No change of size costs more than by so many times the factor e."""
 
 WORK_WEIGHT, WORK_HALF_SATURATION = 0.5, 10.0
 """Cost of any amount of work, and the least work that costs half of it: a circle into a five-pointed star takes about
@@ -32,58 +40,158 @@ worse partners than those that differ in most."""
 LIKENESS = WorkConstants(**PAPER)
 """By what contours are alike: the paper's work, which does not hang on where they are. The weights are set for it."""
 
-PAINT_WEIGHT = 0.5
+PAINT_WEIGHT = 0.65
 """Cost of turning a filled shape into one that is not, or one without a stroke into one with; and of turning black
 into white."""
 
-SKIP_COST = 1.0
-"""Cost of leaving out a contour as large as the drawing."""
+COLOUR_HALF = 0.6
+"""Of what black into white costs, colours so far apart cost rather more than half: another colour is another colour."""
 
-WORK_VERTICES, MOST_WORKS = 32, 400
+ALONE_COST, ALONE_SIZE_COST = 0.78, 0.35
+"""Cost of a contour without a partner, and more for one as large as the drawing."""
+
+MOST_UNEVEN = 2.0
+"""A part is laid over another with its height scaled by at most so many times its width's factor, or the reverse."""
+
+WORK_VERTICES, MOST_WORKS = 32, 600
 """Vertices of the polygons whose work is compared, and for how many pairs, about: the cheapest ones without it."""
 
 _COINCIDENT = 1e-6
 """Vertices of a unit box nearer than this are one."""
 
 
-class FramedContours(NamedTuple):
-    """Contours of one drawing in their frame: the drawing's box, or for holes that of their exterior."""
+class Boxes(NamedTuple):
+    """Boxes, by centres and by halves of their width and height, both as x + iy."""
+
+    centres: ComplexArray
+    halves: ComplexArray
+
+    def take(self, chosen: Sequence[int]) -> Boxes:
+        """Return some of the boxes."""
+        return Boxes(self.centres[chosen], self.halves[chosen])
+
+    def union(self) -> Boxes:
+        """Return the one box around all."""
+        low, high = self.centres - self.halves, self.centres + self.halves
+        lowest = np.array([complex(low.real.min(), low.imag.min())])
+        highest = np.array([complex(high.real.max(), high.imag.max())])
+        return Boxes((lowest + highest) / 2, (highest - lowest) / 2)
+
+
+class Described(NamedTuple):
+    """What there is to compare of contours, an array each."""
 
     contours: Sequence[PlacedContour]
-    frame: Box
+    boxes: Boxes
+    areas: FloatArray  # 0 for open ones
+    paint: FloatArray  # (n, 2, 3), the channels of fill and stroke from 0 to 1; none are -1
 
-    def centres(self) -> ComplexArray:
-        """Return the centre of each contour relative to the frame's, in units of the frame's diagonal."""
-        return (
-            np.array([contour.centre for contour in self.contours]) - self.frame.centre
-        ) / self.frame.diagonal
+    @classmethod
+    def of(cls, contours: Sequence[PlacedContour]) -> Described:
+        """Measure contours."""
+        low, high = corners([contour.polygon for contour in contours])
+        areas = [abs(signed_area(c.polygon.vertices)) if c.polygon.closed else 0.0 for c in contours]
+        paint = [[_channels(c.style.fill), _channels(c.style.stroke)] for c in contours]
+        boxes = Boxes((low + high) / 2, (high - low) / 2)
+        return cls(contours, boxes, np.array(areas), np.array(paint).reshape(-1, 2, 3))
 
-    def sizes(self) -> FloatArray:
-        """Return the diagonal of each contour's box as a share of the frame's."""
-        return np.array([contour.size for contour in self.contours]) / self.frame.diagonal
+    def take(self, chosen: Sequence[int]) -> Described:
+        """Return some of the contours."""
+        some = [self.contours[k] for k in chosen]
+        return Described(some, self.boxes.take(chosen), self.areas[chosen], self.paint[chosen])
 
-
-def pairing_costs(a: FramedContours, b: FramedContours) -> FloatArray:
-    """Return the costs of turning each contour of `a` into each of `b`, (p, q) float >= 0."""
-    distance = np.abs(a.centres()[:, None] - b.centres())
-    growth = np.abs(np.log(a.sizes())[:, None] - np.log(b.sizes()))
-    paint = np.array([[_paint_difference(p, q) for q in b.contours] for p in a.contours])
-    cheap = DISTANCE_WEIGHT * distance + SIZE_WEIGHT * growth + PAINT_WEIGHT * paint
-    work = np.full(cheap.shape, np.inf)
-    for i, j in _worth_solving(cheap):
-        p, q = a.contours[i].polygon, b.contours[j].polygon
-        work[i, j] = coarse_work(to_unit_box(p), to_unit_box(q), p.closed and q.closed, LIKENESS)
-    return cheap + WORK_WEIGHT * (1.0 - WORK_HALF_SATURATION / (work + WORK_HALF_SATURATION))
+    def alone(self) -> FloatArray:
+        """Return what it costs that each has no partner."""
+        share = np.abs(self.boxes.halves) / np.abs(self.boxes.union().halves)
+        return ALONE_COST + ALONE_SIZE_COST * share
 
 
-def _worth_solving(cheap: FloatArray) -> list[tuple[int, int]]:
-    """Return all pairs, or the cheapest of each row and of each column."""
-    if cheap.size <= MOST_WORKS:
-        return list(np.ndindex(cheap.shape))
+def laid(boxes: Boxes, frames: Boxes, onto: Boxes) -> Boxes:
+    """Lay boxes with the map that takes each one's frame onto another, which scales unevenly within bounds."""
+    tiny = 1e-9 * np.maximum(np.abs(frames.halves), np.abs(onto.halves)) + 1e-300
+    x = np.maximum(onto.halves.real, tiny) / np.maximum(frames.halves.real, tiny)
+    y = np.maximum(onto.halves.imag, tiny) / np.maximum(frames.halves.imag, tiny)
+    whole = np.abs(onto.halves) / np.maximum(np.abs(frames.halves), tiny)
+    uneven = np.sqrt(MOST_UNEVEN)
+    x, y = (np.clip(factor, whole / uneven, whole * uneven) for factor in (x, y))
+    offset = boxes.centres - frames.centres
+    return Boxes(
+        onto.centres + x * offset.real + 1j * y * offset.imag,
+        x * boxes.halves.real + 1j * y * boxes.halves.imag,
+    )
+
+
+def overlaps(a: Boxes, b: Boxes, reach: FloatArray) -> FloatArray:
+    """Return what share of both each box of `a` and each of `b` have in common, with margins for such a reach."""
+    margin = MARGIN * 2.0 * reach
+    away = a.centres[:, None] - b.centres
+    area_a, area_b, shared = (np.ones(away.shape) for _ in range(3))
+    for offset, p, q in (
+        (np.abs(away.real), a.halves.real, b.halves.real),
+        (np.abs(away.imag), a.halves.imag, b.halves.imag),
+    ):
+        half_a, half_b = p[:, None] + margin, q + margin
+        area_a, area_b = area_a * half_a, area_b * half_b
+        shared *= np.clip(half_a + half_b - offset, 0.0, 2.0 * np.minimum(half_a, half_b)) / 2.0
+    return shared / (area_a + area_b - shared)
+
+
+def place_costs(a: Boxes, b: Boxes, reach: FloatArray) -> FloatArray:
+    """Return what it costs to move from each box of `a` to each of `b`, in frames with such half diagonals."""
+    distance = np.abs(a.centres[:, None] - b.centres) / (2.0 * reach)
+    return OVERLAP_WEIGHT * (1.0 - overlaps(a, b, reach)) + DISTANCE_WEIGHT * distance
+
+
+def size_costs(a: Described, b: Described, laid_a: Boxes) -> FloatArray:
+    """Return what it costs that boxes and areas grow or shrink, those of `a` laid over `b`."""
+    p, q = np.abs(laid_a.halves), np.abs(b.boxes.halves)
+    tiny = 1e-9 * max(p.max(), q.max()) + 1e-300
+    growth = np.abs(np.log(np.maximum(p, tiny))[:, None] - np.log(np.maximum(q, tiny)))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        factor = np.sqrt(
+            laid_a.halves.real * laid_a.halves.imag / (a.boxes.halves.real * a.boxes.halves.imag)
+        )
+        spread = np.abs(np.log(factor * np.sqrt(a.areas))[:, None] - np.log(np.sqrt(b.areas)))
+    spread = np.where(np.isfinite(spread), np.minimum(spread, MOST_GROWTH), growth)
+    return SIZE_WEIGHT * (np.minimum(growth, MOST_GROWTH) + spread) / 2
+
+
+def paint_costs(a: Described, b: Described) -> FloatArray:
+    """Return what it costs to change the paint: 1 for black and white, 1 for each kind of paint more."""
+    p, q = a.paint[:, None], b.paint
+    none_p, none_q = p[..., 0] < 0, q[..., 0] < 0
+    apart = np.abs(p - q).mean(axis=-1)
+    apart = (1.0 + COLOUR_HALF) * apart / (apart + COLOUR_HALF)
+    difference = np.where(none_p | none_q, none_p != none_q, apart)
+    return PAINT_WEIGHT * difference.sum(axis=-1)
+
+
+class Works:
+    """What it costs that contours are not alike, solved where it is asked for, and once."""
+
+    def __init__(self, a: Described, b: Described) -> None:
+        self._a, self._b = a, b
+        self._costs = np.full((len(a.contours), len(b.contours)), np.nan)
+
+    def costs(self, wanted: BoolArray, cheap: FloatArray) -> FloatArray:
+        """Return the costs of the wanted pairs, or of those of them that are cheapest without; the others at most."""
+        wanted = wanted & _worth_solving(np.where(wanted, cheap, np.inf))
+        for i, j in np.argwhere(wanted & np.isnan(self._costs)).tolist():
+            p, q = self._a.contours[i].polygon, self._b.contours[j].polygon
+            work = coarse_work(to_unit_box(p), to_unit_box(q), p.closed and q.closed, LIKENESS)
+            self._costs[i, j] = WORK_WEIGHT * (1.0 - WORK_HALF_SATURATION / (work + WORK_HALF_SATURATION))
+        return np.where(np.isnan(self._costs), WORK_WEIGHT, self._costs)
+
+
+def _worth_solving(cheap: FloatArray) -> BoolArray:
+    """Return which pairs are finite, or if there are too many the cheapest of them in each row and column."""
+    finite = np.isfinite(cheap)
+    if finite.sum() <= MOST_WORKS:
+        return finite
     each = max(1, MOST_WORKS // sum(cheap.shape))
-    rows = {(i, int(j)) for i, row in enumerate(cheap) for j in np.argsort(row, kind="stable")[:each]}
-    columns = {(int(i), j) for j, col in enumerate(cheap.T) for i in np.argsort(col, kind="stable")[:each]}
-    return sorted(rows | columns)
+    rows = np.argsort(np.argsort(cheap, axis=1, kind="stable"), axis=1, kind="stable") < each
+    columns = np.argsort(np.argsort(cheap, axis=0, kind="stable"), axis=0, kind="stable") < each
+    return finite & (rows | columns)
 
 
 def coarse_work(p0: ComplexArray, p1: ComplexArray, closed: bool, constants: WorkConstants) -> float:
@@ -108,13 +216,8 @@ def _thinned(vertices: ComplexArray, closed: bool) -> ComplexArray:
     return vertices[distinct(vertices, closed, _COINCIDENT)]
 
 
-def _paint_difference(a: PlacedContour, b: PlacedContour) -> float:
-    """Return how differently two contours are painted: 1 for black and white, 1 for each kind of paint more."""
-    difference = 0.0
-    for p, q in ((a.style.fill, b.style.fill), (a.style.stroke, b.style.stroke)):
-        if p is None or q is None:
-            difference += (p is None) != (q is None)
-        else:
-            channels = zip(bytes.fromhex(p[1:]), bytes.fromhex(q[1:]), strict=True)
-            difference += sum(abs(x - y) for x, y in channels) / 765
-    return difference
+def _channels(colour: str | None) -> tuple[float, float, float]:
+    if colour is None:
+        return -1.0, -1.0, -1.0
+    red, green, blue = bytes.fromhex(colour[1:])
+    return red / 255, green / 255, blue / 255

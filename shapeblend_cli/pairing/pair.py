@@ -4,29 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.similarity import Similarity
-from shapeblend_cli.model import Box
-from shapeblend_cli.pairing.costs import SKIP_COST, FramedContours, pairing_costs
+from shapeblend_cli.pairing.assignment import Pairing
 from shapeblend_cli.pairing.decompose import EXTERIOR, HOLE, LINE, PlacedContour
 from shapeblend_cli.pairing.opening import open_rings
-from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
 from shapeblend_cli.pairing.split import split_exteriors
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Sequence
+    from collections.abc import Sequence
 
-    from shapeblend_cli.model import FloatArray
     from shapeblend_cli.pairing.decompose import ContourPair
     from shapeblend_cli.settings import Settings
 
     Numbers = tuple[int, int]
-
-ROUNDS, REFUSED_COST = 4, 1e6
-"""How often contours that could not keep the order of paint get other partners, and the cost of a pair that is refused
-for that: more than that of any number of others."""
 
 
 def pair_contours(
@@ -35,12 +26,12 @@ def pair_contours(
     settings: Settings,
     required: Sequence[Numbers] = (),
 ) -> list[ContourPair]:
-    """Pair the contours of two drawings.
+    """Pair the contours of two drawings, from the outermost in, each time at the least total cost.
 
-    Exteriors are paired with exteriors and open lines with open lines, each set at the least total cost; holes with
-    holes inside paired exteriors. As many are paired as possible. Where two paired shapes would have to swap places,
-    one now on top and now below, the larger one keeps its partner and the other gets another one, or none. Only if
-    the drawings have no kind in common is an exterior paired with an open line.
+    Where a contour is counts by the part that it lies on, laid over that part's partner. Exteriors are paired with
+    exteriors, open lines with open lines, and holes with holes inside paired exteriors; an exterior is paired with an
+    open line only if the drawings have no kind in common. Having no partner has a price, too: a contour whose partners
+    all cost more stays without.
 
     Required pairs are pairs whatever they cost, and so are the exteriors of paired holes. Exteriors without a
     partner get pieces with ``unmatched="split"``, or by default where they tile what is cut; pieces have its number.
@@ -52,36 +43,13 @@ def pair_contours(
         Required pairs that name no contour, name one twice, or connect what cannot be paired.
     """
     fixed = _required_partners(a, b, required)
-    outer = [[contour for contour in side if contour.role != HOLE] for side in (a, b)]
-    kinds: list[tuple[str, ...]] = [(EXTERIOR,), (LINE,)]
-    if {contour.role for contour in outer[0]}.isdisjoint(contour.role for contour in outer[1]):
-        kinds = [(EXTERIOR, LINE)]
-    framed_a, framed_b = (
-        FramedContours(side, Box.union([contour.box for contour in side])) for side in outer
-    )
-    framed = framed_a, framed_b
-    pairs = [pair for kind in kinds for pair in _cheapest_pairs(framed, kind, fixed)]
-    below = visible_overlaps(a), visible_overlaps(b)
-    refused: set[Numbers] = set()
-    for _ in range(ROUNDS):
-        kept = _without_swaps(pairs, fixed, below)
-        if len(kept) == len(pairs):
-            break
-        settled = {(p.number, q.number) for p, q in kept}
-        refused |= {(p.number, q.number) for p, q in pairs} - settled
-        again = fixed | dict(settled)
-        pairs = [pair for kind in kinds for pair in _cheapest_pairs(framed, kind, again, refused)]
-    else:
-        pairs = _without_swaps(pairs, fixed, below)
+    if len(a) == len(b) == 1:
+        return [(a[0], b[0])]
+    pairing = Pairing(a, b, fixed)
+    pairing.from_outermost_in()
+    pairs = [(a[i], b[j]) for i, j in pairing.partner.items()]
     if settings.unmatched != "point":
-        pairs = split_exteriors(a, b, pairs, settings.vertices, always=settings.unmatched == "split")
-        pairs = open_rings(a, b, pairs, settings)
-    for pair in list(pairs):
-        holes_a, holes_b = (
-            FramedContours([c for c in side if exterior.contains_hole(c)], exterior.box)
-            for side, exterior in zip((a, b), pair, strict=True)
-        )
-        pairs += _cheapest_pairs((holes_a, holes_b), (HOLE,), fixed)
+        pairs = _with_pieces(a, b, pairs, fixed, settings)
     return sorted(pairs, key=lambda pair: pair[0].number)
 
 
@@ -106,71 +74,37 @@ def pair_rotated_contours(
     ]
 
 
-def _cheapest_pairs(
-    framed: tuple[FramedContours, FramedContours],
-    roles: tuple[str, ...],
+def _with_pieces(
+    a: Sequence[PlacedContour],
+    b: Sequence[PlacedContour],
+    pairs: Sequence[ContourPair],
     fixed: dict[int, int],
-    refused: Collection[Numbers] = (),
+    settings: Settings,
 ) -> list[ContourPair]:
-    """Pair the contours of some roles at the least total cost, those that are fixed first, none that is refused."""
-    sides = [[contour for contour in side.contours if contour.role in roles] for side in framed]
-    in_b = {contour.number: contour for contour in sides[1]}
-    pairs = [
-        (contour, in_b[fixed[contour.number]]) for contour in sides[0] if fixed.get(contour.number) in in_b
-    ]
-    taken = {p.number for p, _ in pairs}, {q.number for _, q in pairs}
-    a, b = (
-        side._replace(contours=[contour for contour in contours if contour.number not in numbers])
-        for side, contours, numbers in zip(framed, sides, taken, strict=True)
-    )
-    if not a.contours or not b.contours:
-        return pairs
-    allowed = np.array([[(p.number, q.number) not in refused for q in b.contours] for p in a.contours])
-    if allowed.size == 1:
-        assigned = [(0, 0)]
-    else:
-        costs = pairing_costs(a, b)
-        # Larger contours are cheaper on the side that has more, so that what is left out is small.
-        if len(a.contours) < len(b.contours):
-            costs -= SKIP_COST * b.sizes()
-        elif len(a.contours) > len(b.contours):
-            costs -= SKIP_COST * a.sizes()[:, None]
-        assigned = assign(np.where(allowed, costs, REFUSED_COST))
-    return pairs + [(a.contours[i], b.contours[j]) for i, j in assigned if allowed[i, j]]
-
-
-def assign(costs: FloatArray) -> list[tuple[int, int]]:
-    """Pair the rows of finite costs with columns at the least total: as many as there are of the fewer, by row."""
-    if min(costs.shape) == 0:
-        return []
-    if 1 in costs.shape:
-        return [divmod(int(costs.argmin()), costs.shape[1])]
-    import lap  # most drawings that are blended have one exterior and no need of it
-
-    _, columns, _ = lap.lapjv(np.ascontiguousarray(costs), extend_cost=True)
-    return [(i, int(j)) for i, j in enumerate(columns) if j >= 0]
-
-
-def _without_swaps(
-    pairs: Sequence[ContourPair], fixed: dict[int, int], below: tuple[list[Numbers], list[Numbers]]
-) -> list[ContourPair]:
-    """Return the pairs that can keep the order of paint; of two that cannot both, what is fixed, or the larger."""
-
-    def fits(some: Sequence[ContourPair]) -> bool:
-        return paint_order([(p.shape, q.shape) for p, q in some], *below) is not None
-
-    if fits(pairs):
+    """Split exteriors for those without a partner, open rings, and pair the holes of pieces anew."""
+    outer = [pair for pair in pairs if pair[0].role != HOLE]
+    split = split_exteriors(a, b, outer, settings.vertices, always=settings.unmatched == "split")
+    split = open_rings(a, b, split, settings)
+    cut = [pair for pair in split if pair[0].is_piece or pair[1].is_piece]
+    if not cut:
         return list(pairs)
-    kept = [pair for pair in pairs if pair[0].number in fixed]
-    others = [pair for pair in pairs if pair[0].number not in fixed]
-    others.sort(key=lambda pair: -pair[0].size * pair[1].size)
-    waiting = [others]
-    while waiting:  # by halves, since most of them fit
-        some = waiting.pop()
-        if fits([*kept, *some]):
-            kept += some
-        elif len(some) > 1:
-            waiting += [some[len(some) // 2 :], some[: len(some) // 2]]
+    numbers = [{pair[side].number for pair in cut} for side in (0, 1)]
+    kept = [pair for pair in split if pair not in cut] + [
+        pair
+        for pair in pairs
+        if pair[0].role == HOLE and pair[0].exterior not in numbers[0] and pair[1].exterior not in numbers[1]
+    ]
+    for p, q in cut:
+        inner_a, inner_b = (
+            [c, *(hole for hole in side if c.contains_hole(hole))] for side, c in ((a, p), (b, q))
+        )
+        wanted = {hole.number: fixed.get(hole.number) for hole in inner_a[1:]}
+        there = {hole.number for hole in inner_b}
+        inner = Pairing(
+            inner_a, inner_b, {p.number: q.number} | {i: j for i, j in wanted.items() if j in there}
+        )
+        inner.from_outermost_in()
+        kept += [(inner_a[i], inner_b[j]) for i, j in inner.partner.items()]
     return kept
 
 

@@ -7,8 +7,9 @@ from hypothesis import strategies as st
 
 import shapeblend_cli as sb
 from shapeblend_cli.errors import MatchError
+from shapeblend_cli.pairing.assignment import assign
 from shapeblend_cli.pairing.contour_blends import solved_wires
-from shapeblend_cli.pairing.pair import assign, pair_contours
+from shapeblend_cli.pairing.pair import pair_contours
 from shapeblend_cli.settings import Settings
 from tests.support.drawings import EIGHT, EVENODD, EYED, I_DOT, J_DOT, LEAF, RING, SQUARES, B, contours_of
 
@@ -62,26 +63,104 @@ def test_a_hole_is_paired_inside_the_partner_of_its_outline_only():
     assert dict(pairs(RING, beside)).get(1) in (None, 2)
 
 
-def test_paint_tells_where_shape_does_not():
-    def square(x, colour):
-        return f'<rect x="{x}" width="4" height="4" y="0" fill="{colour}"/>'
-
-    a, b = (square(0, "#f00"), square(2, "#00f")), (square(0, "#00f"), square(2, "#f00"))
-    assert pairs(a, b) != [(0, 1), (1, 0)]  # they overlap: what is on top stays there
-    far = square(30, "#0f0")
-    a, b = (square(0, "#f00"), square(5, "#00f"), far), (square(0, "#00f"), square(5, "#f00"), far)
-    assert pairs(a, b) == [(0, 1), (1, 0), (2, 2)]
+def square(x, y=0, colour="#000", side=4):
+    return f'<rect x="{x}" y="{y}" width="{side}" height="{side}" fill="{colour}"/>'
 
 
-def test_where_paint_would_have_to_swap_places_the_larger_one_keeps_its_partner():
+def test_paint_tells_where_place_does_not():
+    corners = square(-20, -20), square(30, 20)
+    a = square(0, 0, "#f00"), square(6, 0, "#00f"), *corners
+    b = square(3, 2, "#00f"), square(3, -2, "#f00"), *corners
+    assert pairs(a, b) == [(0, 1), (1, 0), (2, 2), (3, 3)]
+
+
+def test_a_contour_keeps_its_partner_where_what_was_on_top_is_below():
     big, small = '<circle cx="12" cy="12" r="{}" fill="#f00"/>', '<circle cx="{}" cy="12" r="2" fill="#00f"/>'
-    # In B the small one is below the big one.
-    a, b = (big.format(10), small.format(12)), (small.format(6), big.format(8))
-    assert pairs(a, b) == [(0, 1)]
-    # Another small one on top takes its place.
-    assert pairs(a, (*b, small.format(14))) == [(0, 1), (1, 2)]
-    # What is required stays, whatever it covers.
-    assert pairs(a, b, [(1, 0)])[-1] == (1, 0)
+    a, b = (big.format(10), small.format(12)), (small.format(10), big.format(8))
+    assert pairs(a, b) == [(0, 1), (1, 0)]
+
+
+def test_what_lies_in_a_contour_goes_where_that_goes():
+    # Two plates change their places, with a dot each; the dots themselves would rather stay where they are.
+    def plate(x, colour, dot):
+        return square(x, 0, colour, 20), square(x + dot, 8, "#000", 4)
+
+    a = *plate(0, "#f80", 3), *plate(24, "#08f", 13)
+    b = *plate(24, "#f80", 3), *plate(0, "#08f", 13)
+    assert pairs(a, b, [(0, 0)]) == [(0, 0), (1, 1), (2, 2), (3, 3)]
+    assert pairs(a, b, [(0, 2)])[:2] == [(0, 2), (1, 3)]
+
+
+def test_a_line_in_an_outline_goes_to_the_line_in_its_partner():
+    stroked = '<path d="M{}V16" fill="none" stroke="#000"/>'
+    a = square(0, 0, "#f80", 20), square(30, 0, "#08f", 20), stroked.format("10 4")
+    b = square(0, 0, "#08f", 20), square(30, 0, "#f80", 20), stroked.format("8 5"), stroked.format("42 4")
+    assert pairs(a, b, [(0, 1)]) == [(0, 1), (1, 0), (2, 3)]
+
+
+def test_no_partner_is_better_than_a_wrong_one():
+    boat = "M10 40H50L42 52H18Z"
+    waves = "M2 90C6 86 10 86 14 90H2Z", "M44 90C48 86 52 86 56 90H44Z"
+    assert pairs((boat, square(4, 4, "#f00", 3)), (boat, *waves)) == [(0, 0)]
+    # But something becomes something, whatever it costs.
+    assert len(pairs((square(0, 0, "#f00", 3),), (square(90, 90, "#00f", 30), square(0, 60, "#0f0", 9)))) == 1
+
+
+def test_of_two_places_for_it_the_better_one_counts_more_than_the_number_of_pairs():
+    bars = [square(0, y, "#000", 6) for y in (0, 7, 40)]
+    assert pairs(bars[:2], bars[1:])[0] == (1, 0)
+
+
+FACE = '<circle cx="20" cy="20" r="20" fill="#fc4"/>'
+
+
+def dot(x, y, r=3.0):
+    return f'<circle cx="{x}" cy="{y}" r="{r}" fill="#640"/>'
+
+
+MOUTH = '<path d="M10 26C14 34 26 34 30 26C26 30 14 30 10 26Z" fill="#640"/>'
+
+
+def test_twins_go_to_twins_left_to_left_and_the_axis_to_the_axis():
+    a = FACE, MOUTH, dot(13, 13), dot(27, 13)
+    # In B the eyes are further down, its left one where A's mouth begins, and a dot on the axis is where they were.
+    b = FACE, dot(29, 20), dot(11, 20), dot(20, 30, 4), dot(20, 10, 2)
+    assert dict(pairs(a, b)) == {0: 0, 1: 3, 2: 2, 3: 1}
+
+
+def test_an_eye_that_winks_stays_on_its_side():
+    wink = '<path d="M23 14C25 10 29 10 31 14C29 12 25 12 23 14Z" fill="#640"/>'
+    assert dict(pairs((FACE, MOUTH, wink, dot(13, 13)), (FACE, dot(12, 14), dot(28, 14), MOUTH))) == {
+        0: 0,
+        1: 3,
+        2: 2,
+        3: 1,
+    }
+
+
+def test_a_fill_and_its_stroke_go_to_one_outline_and_its_stroke():
+    def both(x):
+        data = f'd="M{x} 4H{x + 16}V20H{x}Z"'
+        return f'<path {data} fill="#fc4"/>', f'<path {data} fill="none" stroke="#000"/>'
+
+    a, b = (*both(0), *both(20)), (*both(21), *both(1))
+    assert pairs(a, b) == [(0, 2), (1, 3), (2, 0), (3, 1)]
+
+
+@given(st.lists(st.integers(1, 3), min_size=4, max_size=4), st.permutations(range(8)))
+def test_the_order_in_the_file_of_what_does_not_overlap_means_nothing(sides, order):
+    drawn = [square(12 * k, 12 * y, "#000", 3 + 2 * side) for y in range(2) for k, side in enumerate(sides)]
+    shuffled = [drawn[k] for k in order]
+    assert pairs(drawn, shuffled) == sorted((k, place) for place, k in enumerate(order))
+
+
+def test_five_hundred_contours_find_their_partners():
+    rng = np.random.default_rng(7)
+    places = [(30 * (k % 25), 30 * (k // 25)) for k in range(500)]
+    a = [square(x, y, "#08f", 12) for x, y in places]
+    order = rng.permutation(500)
+    b = [square(x + 3, y - 2, "#08f", 10) for x, y in np.array(places)[order].tolist()]
+    assert pairs(a, b) == sorted((int(k), place) for place, k in enumerate(order))
 
 
 def test_required_pairs_win():
@@ -108,9 +187,9 @@ def test_pairs_that_cannot_be_required(a, b, required, message):
 
 
 def test_lines_there_and_back_and_specks_are_paired():
-    there_and_back = "M2 2L20 9L2 2Z M2 12L20 19L2 12Z M2 20H2.001V20.001Z"
-    contours = [contours_of(d, attributes='fill="none" stroke="#000"') for d in (there_and_back, SQUARES)]
-    assert len(pair_contours(*contours, Settings())) == 3
+    there_and_back = "M{0} 2L20 9L{0} 2Z M2 12L20 1{0}L2 12Z M2 20H2.001V20.001Z"
+    contours = [contours_of(there_and_back.format(x), attributes='fill="none" stroke="#000"') for x in (2, 4)]
+    assert [(p.number, q.number) for p, q in pair_contours(*contours, Settings())] == [(0, 0), (1, 1), (2, 2)]
 
 
 @given(st.data(), st.integers(1, 5), st.integers(1, 5))

@@ -1,0 +1,325 @@
+"""The contours of two drawings paired at the least total cost, from the outermost in."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.pairing.costs import (
+    Boxes,
+    Described,
+    Works,
+    laid,
+    overlaps,
+    paint_costs,
+    place_costs,
+    size_costs,
+)
+from shapeblend_cli.pairing.decompose import HOLE, PlacedContour
+from shapeblend_cli.pairing.structure import structure_of
+from shapeblend_cli.pairing.twins import mirror_of
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import BoolArray, FloatArray, IntArray
+
+    Numbers = tuple[int, int]
+
+LEVEL_COST, STRAY_COST = 0.2, 0.45
+"""Cost of a contour that lies one contour deeper than its partner, and of one that is out of what its partner's part
+becomes, or the reverse."""
+
+SIDE_COST, AXIS_COST, TWIN_GAIN = 0.6, 0.5, 0.2
+"""Cost of one of two twins that changes sides, and of one that goes to the axis or comes from there; what is gained if
+its twin goes where its partner's twin is."""
+
+FOCUS_GAIN, FOCUS_REACH = 1.2, 0.5
+"""Where there is a choice, how much better a pair is that lies in the middle of what both lie in, and how far from
+there it is no better, as a share of half the diagonal: what is left out is rather at the rim, a brow and not an eye."""
+
+BESIDE = 0.15
+"""A contour is beside the axis if its middle is further from it than this share of half the drawing's width."""
+
+LONELY_COST = 0.3
+"""Cost of one of two twins that goes to one of two twins without the other."""
+
+NEVER = 1e6
+"""Cost of what cannot be paired: more than that of any number of others."""
+
+
+class _Side:
+    """One drawing's contours, and what is decided of them, by their places in the sequence."""
+
+    def __init__(self, contours: Sequence[PlacedContour]) -> None:
+        self.described = Described.of(contours)
+        self.structure = structure_of(contours)
+        self.alone = self.described.alone()
+        self.focus = self._focus()
+        self.mirror = mirror_of(contours, self.structure)
+        self.twins = self.mirror.twins(contours) if self.mirror else []
+        self.whole = self.described.boxes.union()
+        self.paired: set[int] = set()
+        self.onto: dict[int, int] = {}  # parts, each with what it becomes
+        self.passed: set[int] = set()
+
+    def _focus(self) -> FloatArray:
+        """Return how near each contour is to the middle of what it lies in, and that of what that lies in."""
+        boxes, structure = self.described.boxes, self.structure
+        away = np.array(
+            [
+                0.0 if p is None else abs(boxes.centres[k] - boxes.centres[p]) / abs(boxes.halves[p])
+                for k, p in enumerate(structure.parent)
+            ]
+        )
+        around = [structure.ancestors(k) for k in range(len(away))]
+        furthest = [max(away[[k, *outer]]) if outer else FOCUS_REACH for k, outer in enumerate(around)]
+        return np.clip(FOCUS_REACH - np.array(furthest), 0.0, None)
+
+    def undecided(self) -> list[int]:
+        return [k for k in range(len(self.alone)) if k not in self.paired]
+
+    def is_open(self, k: int) -> bool:
+        """Return whether what a contour lies in is decided."""
+        first = self.structure.same[k]
+        before = self.structure.parent[k] if first == k else first
+        return before is None or before in self.onto or before in self.passed
+
+    def twins_among(self, some: Sequence[int]) -> IntArray:
+        """Return which of some contours are twins, by their places among them, the left one first, (p, 2)."""
+        at = {k: place for place, k in enumerate(some)}
+        pairs = [(at[i], at[j]) for i, j in self.twins if i in at and j in at]
+        return np.array(pairs, np.intp).reshape(-1, 2)
+
+    def is_on_axis(self, k: int) -> bool:
+        """Return whether a contour is its own mirror image."""
+        return self.mirror is not None and self.mirror.twin[k] == k
+
+    def beside_axis(self, k: int) -> float:
+        """Return 1 for a twin, a half for what else lies clearly to one side of the axis, and 0."""
+        if self.mirror is None or self.is_on_axis(k):
+            return 0.0
+        if self.has_twin(k):
+            return 1.0
+        away = abs(self.described.boxes.centres[k].real - self.mirror.x)
+        return 0.5 if away > BESIDE * self.whole.halves[0].real else 0.0
+
+    def has_twin(self, k: int) -> bool:
+        """Return whether a contour has a mirror image beside it."""
+        return self.mirror is not None and self.mirror.twin[k] not in (None, k)
+
+    def part(self, k: int) -> tuple[int, int]:
+        """Return the innermost paired part that a contour lies on, -1 for none, and how many others are between."""
+        ancestors = self.structure.ancestors(k)
+        for depth, part in enumerate(ancestors):
+            if part in self.onto:
+                return part, depth
+        return -1, len(ancestors)
+
+    def boxes_of(self, parts: Sequence[int]) -> Boxes:
+        """Return the boxes of parts; of -1 that of the drawing."""
+        boxes = self.described.boxes
+        known = np.array(parts, np.intp)
+        return Boxes(
+            np.where(known < 0, self.whole.centres, boxes.centres[known]),
+            np.where(known < 0, self.whole.halves, boxes.halves[known]),
+        )
+
+
+class Pairing:
+    """The contours of two drawings, and their pairs as far as they are decided, by places in the sequences."""
+
+    def __init__(self, a: Sequence[PlacedContour], b: Sequence[PlacedContour], fixed: dict[int, int]) -> None:
+        self.a, self.b = _Side(a), _Side(b)
+        self.partner: dict[int, int] = {}
+        self._works = Works(self.a.described, self.b.described)
+        self._paint = paint_costs(self.a.described, self.b.described)
+        roles = np.array([contour.role for contour in a]), np.array([contour.role for contour in b])
+        self._fit = roles[0][:, None] == roles[1]
+        outer = [side != HOLE for side in roles]
+        if not self._fit[np.ix_(*outer)].any():
+            self._fit |= outer[0][:, None] & outer[1]
+        in_a, in_b = ({contour.number: k for k, contour in enumerate(side)} for side in (a, b))
+        self._exterior = [
+            [-1 if contour.exterior is None else numbers[contour.exterior] for contour in side]
+            for side, numbers in ((a, in_a), (b, in_b))
+        ]
+        for i, j in fixed.items():
+            self._decide(in_a[i], in_b[j])
+
+    def from_outermost_in(self) -> None:
+        """Decide all pairs: first of what lies in nothing, then of what lies in what is decided."""
+        while True:
+            found = self._cheapest()
+            now_open = [{k for k in side.undecided() if side.is_open(k)} for side in (self.a, self.b)]
+            for i, j in found:
+                if i in now_open[0] and j in now_open[1]:
+                    self._decide(i, j)
+            fresh = [some - side.passed for side, some in zip((self.a, self.b), now_open, strict=True)]
+            for side, some in zip((self.a, self.b), fresh, strict=True):
+                side.passed |= some
+            if not any(fresh):
+                break
+
+    def overlap(self, i: int, j: int) -> float:
+        """Return what share of both boxes is common to a pair, as drawn or laid over what they lie on."""
+        a, b = self.a, self.b
+        part_a, _ = a.part(i)
+        box_a, box_b = a.described.boxes.take([i]), b.described.boxes.take([j])
+        onto = b.boxes_of([a.onto.get(part_a, -1)])
+        there = laid(box_a, a.boxes_of([part_a]), onto)
+        reach = np.abs(onto.halves)
+        return float(max(overlaps(box, box_b, reach)[0, 0] for box in (box_a, there)))
+
+    def _decide(self, i: int, j: int) -> None:
+        self.partner[i] = j
+        self.a.paired.add(i)
+        self.b.paired.add(j)
+        i, j = self.a.structure.same[i], self.b.structure.same[j]
+        if i not in self.a.onto and j not in self.b.onto:
+            self.a.onto[i], self.b.onto[j] = j, i
+
+    def _cheapest(self) -> list[Numbers]:
+        """Pair what is undecided at the least total cost, with what is known."""
+        rows, columns = self.a.undecided(), self.b.undecided()
+        if not rows or not columns:
+            return []
+        some = np.ix_(rows, columns)
+        # A pair that leaves most of the larger one without a partner all the same saves less.
+        both = self.a.alone[rows][:, None], self.b.alone[columns]
+        alone = 1.5 * np.minimum(*both) + 0.5 * np.maximum(*both)
+        focus = FOCUS_GAIN * np.minimum(self.a.focus[rows][:, None], self.b.focus[columns])
+        cheap = self._cheap_costs(rows, columns)
+        fit = self._fit[some] & self._inside_partners(rows, columns)
+        everywhere = np.full(self._paint.shape, np.inf)
+        everywhere[some] = np.where(fit, cheap, np.inf)
+        wanted = np.zeros(everywhere.shape, np.bool_)
+        wanted[some] = fit & (cheap < alone)
+        costs = cheap + self._works.costs(wanted, everywhere)[some]
+        costs += self._axis_costs(rows, columns)
+        excess = np.where(fit, costs - alone, NEVER)
+        twins = [side.twins_among(some) for side, some in ((self.a, rows), (self.b, columns))]
+        found = _twins_with_twins(excess, focus, *twins)
+        for i, j in found:
+            excess[i], excess[:, j] = NEVER, NEVER
+        excess[np.ix_(*(pairs.ravel() for pairs in twins))] += LONELY_COST
+        value = _values(excess, focus)
+        found += [(i, j) for i, j in assign(value) if value[i, j] < 0.0]
+        if not found and not self.partner:
+            best = int(np.where(fit, costs - alone, np.inf).argmin())
+            found = [divmod(best, len(columns))]
+        return [(rows[i], columns[j]) for i, j in found]
+
+    def _inside_partners(self, rows: Sequence[int], columns: Sequence[int]) -> BoolArray:
+        """Return where both are no holes, or holes in exteriors that are partners."""
+        around_a, around_b = (
+            np.array([side[k] for k in some])
+            for side, some in zip(self._exterior, (rows, columns), strict=True)
+        )
+        becomes = np.array([-1 if k < 0 else self.partner.get(k, -2) for k in around_a.tolist()])
+        return np.asarray(becomes[:, None] == around_b)
+
+    def _cheap_costs(self, rows: Sequence[int], columns: Sequence[int]) -> FloatArray:
+        """Return what pairs cost but for their work."""
+        a, b = self.a, self.b
+        in_a, in_b = [a.part(i) for i in rows], [b.part(j) for j in columns]
+        parts_a, parts_b = [part for part, _ in in_a], [part for part, _ in in_b]
+        onto_b, onto_a = (
+            [a.onto.get(part, -1) for part in parts_a],
+            [b.onto.get(part, -1) for part in parts_b],
+        )
+        strays = _out_of(b, columns, onto_b) + _out_of(a, rows, onto_a).T
+        # Outlines drawn twice go to such as well.
+        same_a, same_b = ([side.structure.same[k] for k in some] for side, some in ((a, rows), (b, columns)))
+        becomes, comes = [a.onto.get(k, -1) for k in same_a], [b.onto.get(k, -1) for k in same_b]
+        known = (np.array(becomes)[:, None] >= 0) | (np.array(comes) >= 0)
+        strays = strays + (known & (np.array(becomes)[:, None] != same_b))
+        levels = np.abs(np.array([depth for _, depth in in_a])[:, None] - [depth for _, depth in in_b])
+        some_a, some_b = a.described.take(rows), b.described.take(columns)
+        frame_a, frame_b = a.boxes_of(parts_a), b.boxes_of(parts_b)
+        beyond_a, beyond_b = b.boxes_of(onto_b), a.boxes_of(onto_a)
+        there = laid(some_a.boxes, frame_a, beyond_a)
+        back = laid(some_b.boxes, frame_b, beyond_b)
+        carried = (
+            place_costs(there, some_b.boxes, np.abs(frame_b.halves))
+            + place_costs(back, some_a.boxes, np.abs(frame_a.halves)).T
+            + size_costs(some_a, some_b, there)
+            + size_costs(some_b, some_a, back).T
+        ) / 2
+        reach = np.sqrt(np.abs(frame_a.halves)[:, None] * np.abs(frame_b.halves))
+        at_rest = place_costs(some_a.boxes, some_b.boxes, reach) + size_costs(some_a, some_b, some_a.boxes)
+        return (
+            np.minimum(carried, at_rest)
+            + self._paint[np.ix_(rows, columns)]
+            + LEVEL_COST * np.minimum(levels, 2)
+            + STRAY_COST * strays
+        )
+
+    def _axis_costs(self, rows: Sequence[int], columns: Sequence[int]) -> FloatArray:
+        """Return what it costs to leave an axis or come to it, less what is gained by going where the twin has gone."""
+        sides = (self.a, rows), (self.b, columns)
+        costs = np.zeros((len(rows), len(columns)))
+        if self.a.mirror is None or self.b.mirror is None:
+            return costs
+        on_axis = [np.array([float(side.is_on_axis(k)) for k in some]) for side, some in sides]
+        beside = [np.array([side.beside_axis(k) for k in some]) for side, some in sides]
+        costs += AXIS_COST * (on_axis[0][:, None] * beside[1] + beside[0][:, None] * on_axis[1])
+        row, column = ({k: at for at, k in enumerate(some)} for some in (rows, columns))
+        for i, j in self.partner.items():
+            image_a, image_b = self.a.mirror.twin[i], self.b.mirror.twin[j]
+            if image_a in row and image_b in column:
+                costs[row[image_a], column[image_b]] -= TWIN_GAIN
+        return costs
+
+
+def _values(excess: FloatArray, focus: FloatArray) -> FloatArray:
+    """Return what pairs are worth, from what they cost above having no partner: less than 0, or 0 for none.
+
+    That is squared, so that one good pair is worth more than two poor ones.
+    """
+    return -(np.where(excess < 0.0, focus - excess, 0.0) ** 2)
+
+
+def _twins_with_twins(excess: FloatArray, focus: FloatArray, a: IntArray, b: IntArray) -> list[Numbers]:
+    """Return the pairs of twins with twins, (p, 2) rows and (q, 2) columns, at the least total with all others.
+
+    Twins are assigned as one, left to left if that is no dearer, and all others one by one.
+    """
+    if not len(a) or not len(b):
+        return []
+    straight = excess[np.ix_(a[:, 0], b[:, 0])] + excess[np.ix_(a[:, 1], b[:, 1])]
+    crossed = excess[np.ix_(a[:, 0], b[:, 1])] + excess[np.ix_(a[:, 1], b[:, 0])] + 2.0 * SIDE_COST
+    together = np.minimum(straight, crossed) / 2.0 - TWIN_GAIN
+    value = _values(excess, focus)
+    others = [np.setdiff1d(np.arange(n), twins) for n, twins in zip(value.shape, (a, b), strict=True)]
+    units = np.block(
+        [
+            [2.0 * _values(together, focus[np.ix_(a[:, 0], b[:, 0])]), value[a][:, :, others[1]].min(axis=1)],
+            [value[others[0]][:, b].min(axis=2), value[np.ix_(*others)]],
+        ]
+    )
+    found: list[Numbers] = []
+    for i, j in assign(units):
+        if i < len(a) and j < len(b) and units[i, j] < 0.0:
+            first, second = b[j] if straight[i, j] <= crossed[i, j] else b[j][::-1]
+            found += [(int(a[i, 0]), int(first)), (int(a[i, 1]), int(second))]
+    return found
+
+
+def _out_of(side: _Side, contours: Sequence[int], parts: Sequence[int]) -> FloatArray:
+    """Return how much of contours is out of parts, (parts, contours); nothing is out of the drawing, -1."""
+    known = np.array(parts)[:, None]
+    return np.where(known < 0, 0.0, 1.0 - side.structure.within[known, contours])
+
+
+def assign(costs: FloatArray) -> list[tuple[int, int]]:
+    """Pair the rows of finite costs with columns at the least total: as many as there are of the fewer, by row."""
+    if min(costs.shape) == 0:
+        return []
+    if 1 in costs.shape:
+        return [divmod(int(costs.argmin()), costs.shape[1])]
+    import lap  # most drawings that are blended have one exterior and no need of it
+
+    _, columns, _ = lap.lapjv(np.ascontiguousarray(costs), extend_cost=True)
+    return [(i, int(j)) for i, j in enumerate(columns) if j >= 0]
