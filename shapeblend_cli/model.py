@@ -348,6 +348,8 @@ class ContourBlend(NamedTuple):
     ]  # where segments begin and end, in vertices, rising; once round if closed
     rotation: float = 0.0  # by what angle B was turned back while it was solved, in radians
     seconds: float = 0.0  # how long that took
+    reason: str = ""  # why these two are a pair, or why it has no partner, a phrase
+    parents: tuple[int | None, int | None] = (None, None)  # what each lies in, by number; None in nothing
 
     @property
     def grows(self) -> bool:

@@ -26,6 +26,7 @@ from shapeblend_cli.pairing.contour_blends import match_contours
 from shapeblend_cli.pairing.decompose import PlacedDrawing, decompose, main_orientation
 from shapeblend_cli.pairing.direction import watch_part
 from shapeblend_cli.pairing.pair import pair_rotated_contours
+from shapeblend_cli.pairing.reasons import reasons_for
 from shapeblend_cli.pairing.riders import riders_of_pairs
 from shapeblend_cli.pairing.same import same_pairs
 from shapeblend_cli.pairing.shapes import Match, shape_blends
@@ -142,7 +143,7 @@ def _blend_shapes(
     if rotation and not is_rotated_copy([contour for shape in shapes for contour in shape.contours]):
         paired = _pair(a, b, settings, 0.0, clock)
         shapes, places = _match(paired, watch)
-    moved = in_paint_order(_move(paired, shapes), places)
+    moved = in_paint_order(_explained(_move(paired, shapes), paired), places)
     clock.lap("interpolate")
     return moved
 
@@ -156,6 +157,7 @@ class _PairedDrawings(NamedTuple):
     pairs: ConstrainedPairs
     changes: Sequence[Change]
     riders: tuple[dict[int, int], dict[int, int]]
+    required: Sequence[tuple[int, int]]
     settings: Settings
     clock: Clock
 
@@ -177,6 +179,7 @@ def _pair(
     """Pair the contours of two drawings."""
     pins = point_pins(a, b, settings)
     required = required_pairs(a, b, settings) + [pin.pair for pin in pins]
+    asked = list(required)
     changed: Sequence[Change] = ()
     rest = a.contours, b.contours
     if not rotation:
@@ -194,7 +197,8 @@ def _pair(
         pair for pair in pairs if not any(one.number in side for one, side in zip(pair, riders, strict=True))
     ]
     clock.lap("match")
-    return _PairedDrawings(a, b, rotation, constrain(pairs, settings, pins), changed, riders, settings, clock)
+    constrained = constrain(pairs, settings, pins)
+    return _PairedDrawings(a, b, rotation, constrained, changed, riders, asked, settings, clock)
 
 
 def _match(paired: _PairedDrawings, watch: Watch | None) -> tuple[tuple[ShapeBlend, ...], list[Place]]:
@@ -278,6 +282,13 @@ def _rotate_back(
     if rotation is None and common is not None and is_as_good(common, own, shape):
         return shape, common
     return shape, own
+
+
+def _explained(shapes: Sequence[ShapeBlend], paired: _PairedDrawings) -> tuple[ShapeBlend, ...]:
+    """Say of each contour why it has its partner, or none, and what it lies in."""
+    pairs = [pair for pair, _ in paired.pairs.values()]
+    reasons = reasons_for(paired.a.contours, paired.b.contours, pairs, paired.required, paired.riders)
+    return tuple(shape._replace(contours=tuple(map(reasons.added_to, shape.contours))) for shape in shapes)
 
 
 def _with_curves(shape: ShapeBlend, settings: Settings) -> ShapeBlend:

@@ -64,6 +64,8 @@ def report(
             {
                 "a": pair.a,
                 "b": pair.b,
+                "inside_a": _parents(pair, 0),
+                "inside_b": _parents(pair, 1),
                 "contours": [
                     _contour(contour, shape) for shape in pair.each_shape for contour in shape.contours
                 ],
@@ -76,6 +78,12 @@ def report(
         ],
         "seconds": seconds,
     }
+
+
+def _parents(pair: Pair, side: int) -> dict[str, int]:
+    """Return what each contour of A, 0, or B, 1, lies in, by numbers; those that lie in nothing are left out."""
+    parents = {(contour.a, contour.b)[side]: contour.parents[side] for contour in pair.contours}
+    return {str(number): parent for number, parent in sorted(parents.items(), key=str) if parent is not None}
 
 
 def _contour(contour: ContourBlend, shape: ShapeBlend) -> dict[str, Any]:
@@ -103,6 +111,7 @@ def _contour(contour: ContourBlend, shape: ShapeBlend) -> dict[str, Any]:
         "turned_back": float(np.degrees(contour.rotation)),
         "motion": shape.motion_name,
         "motion_because": shape.reason,
+        "pair_because": contour.reason,
     }
 
 

@@ -1,0 +1,92 @@
+"""Why contours are paired, and what each lies in, for the report."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from shapeblend_cli.pairing.assignment import Pairing
+
+if TYPE_CHECKING:
+    from collections.abc import Collection, Mapping, Sequence
+
+    from shapeblend_cli.model import ContourBlend
+    from shapeblend_cli.pairing.decompose import ContourPair, PlacedContour
+
+    Numbers = tuple[int, int]
+
+
+class Reasons(NamedTuple):
+    """Why pairs of contours are pairs, and the number of what each contour lies in, by number."""
+
+    of_pairs: Mapping[Numbers, str]
+    parents: tuple[Mapping[int, int], Mapping[int, int]]
+    riders: tuple[Mapping[int, int], Mapping[int, int]]
+
+    def added_to(self, blend: ContourBlend) -> ContourBlend:
+        """Return a blend with its reason and its parents."""
+        a, b = blend.a, blend.b
+        fills = [
+            side[number]
+            for side, number in zip(self.riders, (a, b), strict=True)
+            if number is not None and number in side
+        ]
+        if fills:
+            reason = f"a stroke on the edge of {fills[0]}"
+        elif a is not None and b is not None:
+            reason = self.of_pairs.get((a, b), "the same but for a part that cuts it")
+        else:
+            reason = f"nothing in {'B' if b is None else 'A'} is like it there"
+        in_a, in_b = (
+            None if number is None else parents.get(number)
+            for number, parents in zip((a, b), self.parents, strict=True)
+        )
+        return blend._replace(reason=reason, parents=(in_a, in_b))
+
+
+def reasons_for(
+    a: Sequence[PlacedContour],
+    b: Sequence[PlacedContour],
+    pairs: Sequence[ContourPair],
+    required: Collection[Numbers],
+    riders: tuple[Mapping[int, int], Mapping[int, int]],
+) -> Reasons:
+    """Say why contours of two drawings are paired, those that users require among them.
+
+    Riders are strokes, by number, and the fill on whose edge each lies.
+    """
+    if len(a) == len(b) == 1:
+        return Reasons({(a[0].number, b[0].number): "the only ones"}, ({}, {}), riders)
+    whole = {p.number: q.number for p, q in pairs if not (p.is_piece or q.is_piece)}
+    pairing = Pairing(a, b, whole)
+    found = {(p.number, q.number): "a piece for it" for p, q in pairs if p.is_piece or q.is_piece}
+    for i, j in pairing.partner.items():
+        numbers = a[i].number, b[j].number
+        found[numbers] = "asked for" if numbers in required else _reason(pairing, i, j)
+    parents = [
+        {
+            contour.number: contours[parent].number
+            for contour, parent in zip(contours, side.structure.parent, strict=True)
+            if parent is not None
+        }
+        for contours, side in ((a, pairing.a), (b, pairing.b))
+    ]
+    return Reasons(found, (parents[0], parents[1]), riders)
+
+
+def _reason(pairing: Pairing, i: int, j: int) -> str:
+    a, b = pairing.a, pairing.b
+    numbers = [[contour.number for contour in side.described.contours] for side in (a, b)]
+    if a.mirror and b.mirror and a.has_twin(i) and b.has_twin(j):
+        other = a.mirror.twin[i]
+        if other is not None and pairing.partner.get(other) == b.mirror.twin[j]:
+            return f"twin of {numbers[0][other]}={numbers[1][pairing.partner[other]]}"
+    (part_a, _), (part_b, _) = a.part(i), b.part(j)
+    if part_a >= 0 and a.onto[part_a] == part_b:
+        inside = [
+            sum(parent == part for parent in side.structure.parent)
+            for side, part in ((a, part_a), (b, part_b))
+        ]
+        if inside == [1, 1]:
+            return f"the only ones inside {numbers[0][part_a]}={numbers[1][part_b]}"
+    share = round(100 * pairing.overlap(i, j))
+    return f"overlaps {share} %" if share else "the nearest of its like"
