@@ -23,7 +23,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser docs-check lint type fmt golden fuzz bench bench-quality bench-truth bench-morphs sweep worst pictures gallery plots options api tables install clean
+.PHONY: help demo test test-browser docs-check lint type fmt golden fuzz bench bench-quality bench-truth bench-morphs bench-faces sweep worst pictures gallery plots options api tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -106,6 +106,9 @@ OPTIONS ?=
 bench-morphs: install ## measure by limbs and morphs whose in-betweens are known, in the folder MORPHS, with OPTIONS of the command
 	$(if $(filter out/morphs,$(MORPHS)),$(BIN)/python -m tools.quality.morphs.make)
 	$(BIN)/python -m tools.quality.morphs $(MORPHS) $(OPTIONS)
+
+bench-faces: install ## count the eyes that become eyes on the same side, and the mouths that become mouths; needs npm
+	$(BIN)/python -m tools.quality.faces
 
 sweep: install ## measure what the constants do, each and jointly, and write docs/defaults.json and .md; needs npm
 	$(BIN)/python -m tools.quality.sweep

@@ -11,6 +11,7 @@ import sys
 
 from tools.quality import crossings, letters, motions, raw, sizes, tables, times
 from tools.quality.data import ROOT
+from tools.quality.faces import section as faces
 from tools.quality.morphs import make, packages
 from tools.quality.morphs import section as morphs
 from tools.quality.peers import ALL, flubber
@@ -26,6 +27,7 @@ def measured() -> dict:
     with_flubber = problems[flubber.NAME] is None
     problems["letters"] = fonts.ready()
     problems["limbs and morphs"] = packages.ready()
+    problems["faces"] = faces.ready()
     missing = [f"{what} ({problem})" for what, problem in problems.items() if problem is not None]
     for line in missing:
         print(f"left out: {line}", file=sys.stderr)
@@ -40,6 +42,7 @@ def measured() -> dict:
         "missing": missing,
         "letters": {} if problems["letters"] else letters.measured(tools),
         "morphs": {} if problems["limbs and morphs"] else morphs.measured(tools),
+        "faces": {} if problems["faces"] else faces.measured(),
         "icons": icons,
         "motions": motions.measured(),
         "sizes": sizes.measured(icons, with_flubber),
@@ -52,6 +55,7 @@ def documents(found: dict, readme: str) -> dict[str, str]:
     measures = {
         "letters": letters,
         "morphs": morphs,
+        "faces": faces,
         "icons": crossings,
         "motions": motions,
         "sizes": sizes,

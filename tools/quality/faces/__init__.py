@@ -1,0 +1,1 @@
+"""Faces whose eyes and mouths are known, and what becomes of them."""
