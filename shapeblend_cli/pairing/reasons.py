@@ -58,7 +58,11 @@ def reasons_for(
         return Reasons({(a[0].number, b[0].number): "the only ones"}, ({}, {}), riders)
     whole = {p.number: q.number for p, q in pairs if not (p.is_piece or q.is_piece)}
     pairing = Pairing(a, b, whole)
-    found = {(p.number, q.number): "a piece for it" for p, q in pairs if p.is_piece or q.is_piece}
+    found = {
+        (p.number, q.number): "a piece for it" if p.opened is q.opened else "a ring that opens for it"
+        for p, q in pairs
+        if p.is_piece or q.is_piece
+    }
     for i, j in pairing.partner.items():
         numbers = a[i].number, b[j].number
         found[numbers] = "asked for" if numbers in required else _reason(pairing, i, j)
