@@ -384,11 +384,11 @@ class Motion(Protocol):
 
 
 class Fade(NamedTuple):
-    """How one of two copies of a shape comes or goes: evenly from one time to another."""
+    """How a shape comes or goes: evenly from one time to another."""
 
     begin: float
     until: float
-    comes: bool  # whether it is the copy that is seen at the end
+    comes: bool  # whether it is seen at the end, and not at the start
 
     @property
     def times(self) -> tuple[float, ...]:
@@ -409,8 +409,9 @@ class ShapeBlend(NamedTuple):
     style_b: Style  # its lengths in A's coordinates
     motion: Motion | None = None  # None is straight paths, eq (2)
     reason: str = ""  # why it moves so, a phrase
-    fade: Fade | None = (
-        None  # where it has two places in the order of paint: how it leaves one, or comes to one
+    fade: Fade | None = None  # how it comes or goes where others like it are seen at an end instead
+    is_twin: bool = (
+        False  # whether it is the second copy of a shape that has two places in the order of paint
     )
 
     @property
@@ -422,11 +423,6 @@ class ShapeBlend(NamedTuple):
     def is_matched(self) -> bool:
         """Whether any of its contours has a partner."""
         return any(contour.is_matched for contour in self.contours)
-
-    @property
-    def is_twin(self) -> bool:
-        """Whether it is the second copy of a shape that has two places in the order of paint."""
-        return self.fade is not None and self.fade.comes
 
 
 class Place(NamedTuple):

@@ -54,7 +54,7 @@ def in_paint_order(shapes: Sequence[ShapeBlend], places: Sequence[Place]) -> tup
             # Two coats that are half transparent come and go at once, lest they be seen through each other.
             begin = time - LENGTH if end or not is_opaque else time
             until = time + LENGTH if not end or not is_opaque else time
-            blend = blend._replace(fade=Fade(begin, until, comes=bool(end)))
+            blend = blend._replace(fade=Fade(begin, until, comes=bool(end)), is_twin=bool(end))
         ordered.append(blend)
     return tuple(ordered)
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.polygons import centroid, signed_area, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places, thin
-from shapeblend_cli.model import Box, ContourBlend, ShapeBlend, Style
+from shapeblend_cli.model import Box, ContourBlend, Fade, ShapeBlend, Style
 from shapeblend_cli.pairing.contour_blends import grow_from_point
 from shapeblend_cli.pairing.decompose import HOLE, PlacedContour
 from shapeblend_cli.pairing.growth import (
@@ -32,6 +32,9 @@ TOUCHING, LEAST_HOST, NEARLY_ALL = 0.02, 0.5, 0.9
 """A contour touches another one within the first share of the drawing's diagonal; what carries it has more than the
 second share of its area; and it lies in one that has the third share of its points inside."""
 
+COVERED = {None: None, 0: Fade(0.0, 0.1, comes=True), 1: Fade(0.9, 1.0, comes=False)}
+"""How strokes come or go that lie on those of the other drawing, but never quite, so that only these are seen there."""
+
 
 class Match(NamedTuple):
     """A pair of contours, and the blend between them."""
@@ -51,12 +54,15 @@ class Match(NamedTuple):
 
 
 class _Group(NamedTuple):
-    """What is painted together: the shapes it comes from, whether a stroke grows with it, or is another's there."""
+    """What is painted together: the shapes it comes from, and whether a stroke grows with it.
+
+    Or the drawing that has other strokes in its place: A, 0, or B, 1.
+    """
 
     a: int | None
     b: int | None
     stroke_grows: bool = False
-    is_covered: bool = False
+    covered_in: int | None = None
 
 
 class _Unmatched(NamedTuple):
@@ -96,7 +102,7 @@ def shape_blends(
         for stroke in riding:
             own, other = stroke.contour.shape, stroke.shape
             group = _Group(other, own) if here else _Group(own, other)
-            group = group._replace(stroke_grows=True, is_covered=other is not None)
+            group = group._replace(stroke_grows=True, covered_in=None if other is None else 1 - here)
             groups.setdefault(group, []).append(stroke.blend)
             both = stroke.contour.style, stroke.style
             styles.setdefault(group, both[::-1] if here else both)
@@ -107,8 +113,10 @@ def shape_blends(
             nothing = contour.style._replace(stroke_width=0.0)
             styles.setdefault(group, (nothing, contour.style) if here else (contour.style, nothing))
     keys = list(groups)
-    shapes = [(group.a, group.b) for group in keys]
-    blends = tuple(ShapeBlend(tuple(groups[key]), *styles[key]) for key in keys)
+    blends = tuple(ShapeBlend(tuple(groups[key]), *styles[key], fade=COVERED[key.covered_in]) for key in keys)
+    shapes = [
+        (None if key.covered_in == 0 else key.a, None if key.covered_in == 1 else key.b) for key in keys
+    ]
     sizes = [sum(c.polygon_a.box.area + c.polygon_b.box.area for c in shape.contours) for shape in blends]
     return blends, paint_places(shapes, sizes, a, b)
 

@@ -23,6 +23,7 @@ def shade(tag, name, attributes, *colours):
 
 RED, BLUE, GOLD, GREEN = ('fill="#d02020"', 'fill="#2040c0"', 'fill="#e8b000"', 'fill="#209040"')
 EDGED = 'fill="#ffe080" stroke="#402000" stroke-width="1.5" stroke-linejoin="round"'
+WIRE = 'fill="none" stroke="#000" stroke-width="2.5" stroke-linecap="round" stroke-linejoin="round"'
 HALF = 'fill-opacity="0.5"'
 SHADES = (
     shade("linearGradient", "g", 'x1="2" x2="22"', "#c02020", "#ffe000")
@@ -92,6 +93,17 @@ ENDS = {
         svg(
             f'<path d="M5 21L12 9L19 21Z" {GREEN} stroke="#402000" stroke-width="1" stroke-miterlimit="9"/>',
             '<path d="M4 4H20" fill="none" stroke="#c00" stroke-width="3" stroke-dasharray="3 1 1 1"/>',
+        ),
+        "",
+    ),
+    "strokes near the edge of a fill": (
+        svg(
+            f'<path d="M4 4H20V20H4Z" {GOLD}/>',
+            f'<path d="M4 4L20 4" {WIRE}/><path d="M20 4V20H4V4" {WIRE}/>',
+        ),
+        svg(
+            f'<path d="M5 4H19V18H5Z" {GOLD}/>',
+            f'<path d="M5 4V17.5L5.5 18H18.5L19 17.5V4" {WIRE}/><path d="M5 4H19" {WIRE}/>',
         ),
         "",
     ),
