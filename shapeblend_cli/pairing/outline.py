@@ -1,4 +1,4 @@
-"""A closed contour by lengths along its polygon."""
+"""A contour by lengths along its polygon."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ if TYPE_CHECKING:
 
 
 class Outline(NamedTuple):
-    """A closed contour with the lengths up to its vertices."""
+    """A contour with the lengths up to its vertices."""
 
     flat: FlatContour
-    line: ComplexArray  # its polygon, the first vertex repeated
+    line: ComplexArray  # its polygon, the first vertex of a closed one repeated
     lengths: FloatArray
 
     @classmethod
     def of(cls, flat: FlatContour) -> Outline:
         """Return the outline of a contour."""
-        line = from_end_to_end(flat.polygon.vertices, closed=True)
+        line = from_end_to_end(flat.polygon.vertices, flat.polygon.closed)
         return cls(flat, line, cumulative_lengths(line))
 
     @property

@@ -8,22 +8,23 @@ else its width grows from nothing.
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, nearest_places, thin
-from shapeblend_cli.model import Contour, Style, unroll
+from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, nearest_places
+from shapeblend_cli.model import Box, Contour, Style, unroll
 from shapeblend_cli.pairing.common_cuts import FlatContour
 from shapeblend_cli.pairing.contour_blends import follow
-from shapeblend_cli.pairing.decompose import EXTERIOR, PlacedContour
+from shapeblend_cli.pairing.decompose import EXTERIOR, LINE, PlacedContour
 from shapeblend_cli.pairing.outline import Outline
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
-    from shapeblend_cli.model import ComplexArray, ContourBlend, FloatArray, IntArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, FloatArray, IntArray
     from shapeblend_cli.pairing.decompose import ContourPair
 
 ON_EDGE, COVERED = 0.5, 0.25
@@ -35,8 +36,8 @@ LEAST_SHARE, SURE_SHARE = 0.75, 0.9
 ONE_WAY = 0.9
 """A stroke runs along an edge one way round with this share of its length."""
 
-WATCHED = 96
-"""Points of a stroke that are looked at, at most."""
+LEAST_SECTION = 2.0
+"""A section that is covered, or is not, is at least so many times as long as the stroke is wide."""
 
 
 def riders(contours: Sequence[PlacedContour], leaders: Collection[int]) -> dict[int, int]:
@@ -102,7 +103,7 @@ def _track(stroke: PlacedContour, line: ComplexArray) -> _Track | None:
 
 
 class Ride(NamedTuple):
-    """A stroke on the edge of a fill, and of which shape of the drawing that has not got it it is one, if of any."""
+    """A stroke on the edge of a fill, or a piece of it, and of which shape it is one there, if of any."""
 
     contour: PlacedContour
     blend: ContourBlend
@@ -121,7 +122,11 @@ def riders_of_pairs(
     """
     found = []
     for side, contours in enumerate(sides):
-        leaders = {pair[side].number for pair in pairs if all(one.style.fill is not None for one in pair)}
+        leaders = {
+            pair[side].number
+            for pair in pairs
+            if all(one.style.fill is not None and one.role == EXTERIOR for one in pair)
+        }
         bound = {numbers[side] for numbers in required}
         free = [contour for contour in contours if contour.number in leaders or contour.number not in bound]
         found.append(riders(free, leaders))
@@ -130,8 +135,41 @@ def riders_of_pairs(
 
 def ride(
     stroke: PlacedContour, leader: ContourBlend, here: int, there: Sequence[PlacedContour]
-) -> Ride | None:
-    """Return a stroke of A, 0, or B, 1, on the edge of a matched fill, `there` being the other drawing's contours."""
+) -> list[Ride]:
+    """Return a stroke of A, 0, or B, 1, on the edge of a matched fill, `there` being the other drawing's contours.
+
+    It is cut where strokes of the other drawing begin to lie, or to lie no longer, where it comes to be. Nothing is
+    returned if it does not run along the edge.
+    """
+    strokes = [contour for contour in there if contour.style.stroke is not None]
+    whole = _follow_edge(stroke, leader, here)
+    if whole is None:
+        return []
+    near = _near(whole.points, stroke.style.stroke_width, strokes)
+    sections = _sections(stroke, np.asarray(near.any(axis=0)))
+    found = [_follow_edge(_piece(stroke, *section), leader, here) for section in sections]
+    parts = [part for part in found if part is not None]
+    rides = []
+    for part in parts if parts and len(parts) == len(found) else [whole]:
+        near = _near(part.points, stroke.style.stroke_width, strokes)
+        if near.any(axis=0).mean() >= SURE_SHARE:
+            cover = strokes[int(near.sum(axis=1).argmax())]
+            style = cover.style._replace(fill=None, fill_gradient=None)
+            rides.append(Ride(stroke, part.blend, cover.shape, style))
+        else:
+            rides.append(Ride(stroke, part.blend, None, stroke.style._replace(stroke_width=0.0)))
+    return rides
+
+
+class _Following(NamedTuple):
+    """A stroke that follows an edge, and where its vertices come to be."""
+
+    blend: ContourBlend
+    points: ComplexArray
+
+
+def _follow_edge(stroke: PlacedContour, leader: ContourBlend, here: int) -> _Following | None:
+    """Return how a stroke follows the edge of a fill; None if it does not run along it."""
     flats = (
         FlatContour(leader.contour_a, leader.polygon_a),
         FlatContour(leader.contour_b, leader.polygon_b),
@@ -150,11 +188,44 @@ def ride(
     if image is None:
         return None
     flat, vertices = image
-    blend = follow(stroke, flat, vertices, of_b=bool(here))
-    cover = _cover(stroke, flat, there)
-    if cover is None:
-        return Ride(stroke, blend, None, stroke.style._replace(stroke_width=0.0))
-    return Ride(stroke, blend, cover.shape, cover.style._replace(fill=None, fill_gradient=None))
+    points = flat.polygon.vertices[vertices[: len(stroke.polygon.vertices)] % len(flat.polygon.vertices)]
+    return _Following(follow(stroke, flat, vertices, of_b=bool(here)), points)
+
+
+def _sections(stroke: PlacedContour, covered: BoolArray) -> list[tuple[int, int]]:
+    """Return the first and the last vertex of each section of a stroke that is covered, or is not, if it has both.
+
+    Short sections are as those beside them. A closed stroke has its sections in a circle, the last one perhaps beyond
+    its last vertex.
+    """
+    closed, count = stroke.polygon.closed, len(covered)
+    lengths = cumulative_lengths(from_end_to_end(stroke.polygon.vertices, closed))
+    lengths = np.concatenate([lengths[:count], lengths[-1] + lengths]) if closed else lengths
+    covered = covered.copy()
+    while True:
+        changes = np.flatnonzero(covered != np.roll(covered, 1))
+        ends = (
+            [*changes, changes[0] + count]
+            if closed and len(changes)
+            else [0, *changes[changes > 0], count - 1]
+        )
+        sections = [(int(first), int(last)) for first, last in pairwise(ends)]
+        if len(sections) < 2:
+            return []
+        shortest = min(sections, key=lambda section: lengths[section[1]] - lengths[section[0]])
+        if lengths[shortest[1]] - lengths[shortest[0]] >= LEAST_SECTION * stroke.style.stroke_width:
+            return sections
+        within = np.arange(shortest[0], shortest[1] + (0 if closed or shortest[1] < count - 1 else 1)) % count
+        covered[within] = ~covered[within]
+
+
+def _piece(stroke: PlacedContour, first: int, last: int) -> PlacedContour:
+    """Return a stroke from one vertex to another."""
+    outline = Outline.of(FlatContour(stroke.contour, stroke.polygon))
+    count = len(stroke.polygon.vertices)
+    start, end = (float(outline.lengths[k % count if k >= count else k]) for k in (first, last))
+    contour = Contour(*outline.between(start, end + (outline.total if last >= count else 0.0)), closed=False)
+    return stroke._replace(contour=contour, polygon=flatten(contour, last - first), role=LINE)
 
 
 def _lengths_at(edge: Outline, positions: FloatArray) -> FloatArray:
@@ -184,19 +255,12 @@ def _image(edge: Outline, lengths: FloatArray, closed: bool) -> tuple[FlatContou
     return FlatContour(contour, polygon), np.maximum.accumulate(nearest)
 
 
-def _cover(stroke: PlacedContour, image: FlatContour, there: Sequence[PlacedContour]) -> PlacedContour | None:
-    """Return the stroke that lies where one comes to be, most of several; None if they do not lie all along it."""
-    points = thin(image.polygon.vertices, WATCHED)
-    covered = np.zeros(len(points), np.bool_)
-    covers = []
-    for other in there:
-        if other.style.stroke is None:
-            continue
-        width = min(stroke.style.stroke_width, other.style.stroke_width)
-        if not other.box.expanded(width).overlaps(image.polygon.box):
-            continue
-        line = from_end_to_end(other.polygon.vertices, other.polygon.closed)
-        near = nearest_places(points, line)[0] <= COVERED * width
-        covered |= near
-        covers.append((int(near.sum()), -other.number, other))
-    return max(covers)[2] if covered.mean() >= SURE_SHARE else None
+def _near(points: ComplexArray, width: float, strokes: Sequence[PlacedContour]) -> BoolArray:
+    """Return for each stroke which points it covers, those of a stroke of a width."""
+    near = np.zeros((len(strokes), len(points)), np.bool_)
+    box = Box.around(points).expanded(width)
+    for k, other in enumerate(strokes):
+        if box.overlaps(other.box.expanded(width)):
+            line = from_end_to_end(other.polygon.vertices, other.polygon.closed)
+            near[k] = nearest_places(points, line)[0] <= COVERED * min(width, other.style.stroke_width)
+    return near

@@ -130,12 +130,12 @@ def _rides(
 ) -> list[Ride]:
     """Return the strokes of A, 0, or B, 1, that ride on the edges of matched fills."""
     leaders = {match.pair[here].number: match.blend for match in matches}
-    found = (
-        ride(contour, leaders[riders[contour.number]], here, there)
+    return [
+        stroke
         for contour in contours
         if contour.number in riders
-    )
-    return [stroke for stroke in found if stroke]
+        for stroke in ride(contour, leaders[riders[contour.number]], here, there)
+    ]
 
 
 def _styles(a: PlacedContour, b: PlacedContour) -> tuple[Style, Style]:

@@ -53,6 +53,18 @@ def test_strokes_that_go_to_strokes_keep_their_width():
         assert [width for _, width in strokes] == pytest.approx([1 + t] * len(strokes))
 
 
+def test_a_stroke_keeps_its_width_where_it_goes_to_strokes_and_loses_it_elsewhere():
+    a = [FILL.format(LEAF), STROKE.format(LEAF, 1)]
+    b = [FILL.format(DROP), STROKE.format("M14 22C6 22 5 15 8 10L14 2", 1)]  # the left half
+    fills, strokes = sides(between(a, b, 0.75))
+    lengths = {0.25: 0.0, 1.0: 0.0}
+    for line, width in strokes:
+        assert furthest(line, *fills) < 0.15
+        lengths[round(width, 6)] += np.abs(np.diff(line)).sum()
+    # What comes of A's stroke, and B's own half.
+    assert lengths[1.0] / (lengths[0.25] + lengths[1.0]) == pytest.approx(2 / 3, abs=0.1)
+
+
 def test_strokes_that_go_to_nothing_lose_their_width():
     _, strokes = sides(between([FILL.format(LEAF), STROKE.format(UPPER, 1)], [FILL.format(DROP)], 0.75))
     assert [width for _, width in strokes] == pytest.approx([0.25])
