@@ -31,7 +31,7 @@ LEVEL_COST, STRAY_COST = 0.2, 0.45
 """Cost of a contour that lies one contour deeper than its partner, and of one that is out of what its partner's part
 becomes, or the reverse."""
 
-SIDE_COST, AXIS_COST, TWIN_GAIN = 0.6, 0.5, 0.2
+SIDE_COST, AXIS_COST, TWIN_GAIN = 0.6, 0.7, 0.2
 """Cost of one of two twins that changes sides, and of one that goes to the axis or comes from there; what is gained if
 its twin goes where its partner's twin is."""
 
