@@ -31,6 +31,9 @@ EXTERIOR, HOLE, LINE = "exterior", "hole", "line"
 MOST_CONTOURS, MOST_SEGMENTS = 2_000, 50_000
 """Limits of a drawing and of each contour: contours are solved one by one, and every two are compared."""
 
+CROWD, LEAST_SHARE = 40, 0.2
+"""In a drawing of more contours than this the smaller ones get fewer vertices, but at least this share."""
+
 
 class PlacedContour(NamedTuple):
     """One contour of a drawing, laid over A, flattened, and with its role.
@@ -145,16 +148,18 @@ def _flatten_shapes(
     """Return the contours of each shape, all closed ones as exteriors, and phrases that name those without extent."""
     by_shape: list[list[PlacedContour]] = []
     left_out: list[str] = []
+    counts = iter(_vertex_counts(drawing, vertices))
     number = 0
     for index, shape in enumerate(drawing.shapes):
         by_shape.append([])
         style = to_a.style(shape.style)
         for drawn in shape.contours:
             contour = to_a.contour(_close_if_filled(drawn, shape.style))
-            polygon = flatten(contour, vertices)
+            count = next(counts)
+            polygon = flatten(contour, count)
             if contour.closed and len(polygon.vertices) < 3 and style.stroke is not None:
                 contour = Contour(contour.segments, contour.straight, closed=False)  # a line there and back
-                polygon = flatten(contour, vertices)
+                polygon = flatten(contour, count)
             if len(polygon.vertices) < (3 if contour.closed else 2):
                 kind = "closed" if contour.closed else "open"
                 left_out.append(f"contour {number}, {kind} with {len(polygon.vertices)} distinct vertices")
@@ -163,6 +168,22 @@ def _flatten_shapes(
                 by_shape[-1].append(PlacedContour(number, index, contour, polygon, role, None, style))
             number += 1
     return by_shape, left_out
+
+
+def _vertex_counts(drawing: Drawing, vertices: int) -> list[int]:
+    """Return how many vertices each contour gets: so many, but of a crowd the smaller ones get fewer.
+
+    Then all together have about as many as `CROWD` contours, if none has less than `LEAST_SHARE` of what is wanted.
+    """
+    sizes = np.array([cubics.bounds(c.segments).diagonal for shape in drawing.shapes for c in shape.contours])
+    if len(sizes) <= CROWD:
+        return [vertices] * len(sizes)
+    shares = sizes / max(sizes.max(), np.finfo(float).tiny)
+    low, high = 0.0, 1.0 / LEAST_SHARE
+    for _ in range(30):
+        scale = 0.5 * (low + high)
+        low, high = (scale, high) if np.clip(scale * shares, LEAST_SHARE, 1.0).sum() < CROWD else (low, scale)
+    return np.ceil(vertices * np.clip(low * shares, LEAST_SHARE, 1.0)).astype(int).tolist()
 
 
 def _close_if_filled(contour: Contour, style: Style) -> Contour:
