@@ -8,6 +8,7 @@ the time to define, and the command starts that much sooner.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
@@ -232,7 +233,7 @@ class Drawing(NamedTuple):
     notes: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Polygon:
     """A flattened contour. A closed polygon stores each vertex once; no two neighbours are equal.
 
@@ -250,7 +251,7 @@ class Polygon:
         object.__setattr__(self, "segment", frozen(self.segment, np.intp))
         object.__setattr__(self, "parameter", frozen(self.parameter, np.float64))
 
-    @property
+    @cached_property
     def box(self) -> Box:
         """The box around the vertices."""
         return Box.around(self.vertices)

@@ -11,7 +11,9 @@ Not in the paper, whose polygons are given.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -43,12 +45,14 @@ NEAR = 0.15
 """A place nearer to a vertex than this share of the usual edge is the vertex."""
 
 
-class FlatContour(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class FlatContour:
     """A contour and its polygon."""
 
     contour: Contour
     polygon: Polygon
 
+    @cached_property
     def lengths(self) -> FloatArray:
         """Return where vertices are along the outline, as shares of it; of a closed one the last is 1."""
         lengths = cumulative_lengths(from_end_to_end(self.polygon.vertices, self.polygon.closed))
@@ -56,7 +60,7 @@ class FlatContour(NamedTuple):
 
     def cut_at(self, places: FloatArray) -> FlatContour:
         """Return the contour with more vertices, on its curves, at shares of the outline."""
-        polygon, own = self.polygon, self.lengths()
+        polygon, own = self.polygon, self.lengths
         places = np.sort(places % 1.0 if polygon.closed else places)
         least = NEAR * _median(np.diff(own))
         before = np.clip(np.searchsorted(own, places, side="right") - 1, 0, len(own) - 2)
@@ -71,12 +75,12 @@ class FlatContour(NamedTuple):
             np.append(polygon.parameter, parameter)[order],
             polygon.closed,
         )
-        return self._replace(polygon=cut)
+        return replace(self, polygon=cut)
 
     def points_between(self, places: FloatArray) -> tuple[ComplexArray, IntArray, FloatArray]:
         """Return points of the contour at shares of the outline in [0, 1), the segments they are on, and parameters."""
         # On the edge from one vertex to the next the parameter of the segment grows evenly.
-        own = self.lengths()
+        own = self.lengths
         edge = np.searchsorted(own, places, side="right") - 1
         segments, start, end = edge_parts(self.contour, self.polygon)
         segment = segments[edge]
@@ -136,11 +140,11 @@ def common_cuts(
     """
     place_a, place_b = _smoothed_path(solved[0], solved[1], found.dots)
     closed = a.polygon.closed
-    own_a, own_b = (flat.lengths()[: len(flat.polygon.vertices)] for flat in (a, b))
+    own_a, own_b = (flat.lengths[: len(flat.polygon.vertices)] for flat in (a, b))
     cut_a = a.cut_at(_along(own_b, place_b, place_a, closed))
     cut_b = b.cut_at(_along(own_a, place_a, place_b, closed))
-    partners = _along(cut_a.lengths()[: len(cut_a.polygon.vertices)], place_a, place_b, closed)
-    known = cut_b.lengths()
+    partners = _along(cut_a.lengths[: len(cut_a.polygon.vertices)], place_a, place_b, closed)
+    known = cut_b.lengths
     nearest = np.round(np.interp(partners % 1.0 if closed else partners, known, np.arange(len(known))))
     return cut_a, cut_b, nearest.astype(np.intp) % len(cut_b.polygon.vertices)
 
@@ -157,7 +161,7 @@ def _smoothed_path(a: FlatContour, b: FlatContour, dots: IntArray) -> tuple[Floa
     positions = unroll(dots, counts if closed else None)
     place_a, place_b = (
         np.interp(positions[:, k] % counts[k], np.arange(len(own)), own) + positions[:, k] // counts[k]
-        for k, own in enumerate((a.lengths(), b.lengths()))
+        for k, own in enumerate((a.lengths, b.lengths))
     )
     middle, ahead = 0.5 * (place_a + place_b), place_b - place_a
     turns = [

@@ -138,8 +138,8 @@ def _blend(
 ) -> ContourBlend:
     """Return a blend along the polygons, a line for every step of the correspondence."""
     dots, closed = correspondence.dots, correspondence.closed
-    (contour_a, polygon_a), (contour_b, polygon_b) = contours
-    period = len(polygon_a.vertices), len(polygon_b.vertices)
+    a, b = contours
+    period = len(a.polygon.vertices), len(b.polygon.vertices)
     positions = unroll(dots, period if closed else None)
     start, end = (
         CubicPath(
@@ -147,11 +147,11 @@ def _blend(
             np.ones(len(lines), np.bool_),
             closed,
         )
-        for side, polygon in enumerate((polygon_a, polygon_b))
+        for side, polygon in enumerate((a.polygon, b.polygon))
     )
     cuts = positions[:, 0], positions[:, 1]
     return ContourBlend(
-        *numbers, contour_a, contour_b, polygon_a, polygon_b, *scales, correspondence, start, end, cuts
+        *numbers, a.contour, b.contour, a.polygon, b.polygon, *scales, correspondence, start, end, cuts
     )
 
 

@@ -31,7 +31,7 @@ EXTERIOR, HOLE, LINE = "exterior", "hole", "line"
 MOST_CONTOURS, MOST_SEGMENTS = 2_000, 50_000
 """Limits of a drawing and of each contour: contours are solved one by one, and every two are compared."""
 
-CROWD, LEAST_SHARE = 40, 0.2
+CROWD, LEAST_SHARE = 40, 0.15
 """In a drawing of more contours than this the smaller ones get fewer vertices, but at least this share."""
 
 

@@ -206,7 +206,7 @@ def cut_in_parts(flat: FlatContour, axes: Sequence[Axis]) -> Parts:
     All nodes stay vertices. A node of one part is the mirror image of a node of another one if it is the nearest there,
     and near; else that part gets a vertex. Further vertices are those of the first part.
     """
-    own = flat.lengths()[:-1]
+    own = flat.lengths[:-1]
     is_node = flat.polygon.parameter == 0.0
     ends = [_at_node(end, own[is_node]) for axis in axes for end in axis.ends]
     parts = _parts(ends)
@@ -285,7 +285,7 @@ def _cut(
     flat: FlatContour, ends: Sequence[float], parts: Sequence[Part], at: Sequence[FloatArray], kept: IntArray
 ) -> Parts:
     """Cut a contour at the ends of parts and at places on each; kept are the numbers of vertices already there."""
-    polygon, own = flat.polygon, flat.lengths()[:-1]
+    polygon, own = flat.polygon, flat.lengths[:-1]
     places = np.concatenate([ends, *at])
     at_ends = [np.flatnonzero(own == end) for end in ends]
     vertex = np.concatenate([[found[0] if len(found) else -1 for found in at_ends], kept.T.ravel()]).astype(
@@ -305,7 +305,7 @@ def _cut(
     )
     cut = Polygon(points[order], segment[order], parameter[order], True)
     return Parts(
-        flat._replace(polygon=cut),
+        replace(flat, polygon=cut),
         [np.concatenate([[first[k]], inner[k], [last[k]]]) for k in range(len(parts))],
     )
 

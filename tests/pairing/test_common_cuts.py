@@ -41,7 +41,7 @@ def assert_cut_of(cut, whole):
     on_curve = cubics.evaluate(segments[polygon.segment], polygon.parameter)
     np.testing.assert_allclose(polygon.vertices, on_curve, atol=1e-9 * abs(segments).max())
     assert (np.diff(polygon.segment + polygon.parameter) > 0.0).all()
-    assert (np.diff(cut.lengths()) > 0.0).all()
+    assert (np.diff(cut.lengths) > 0.0).all()
     # What the solver needs: no two neighbours are equal.
     edges = np.diff(np.append(polygon.vertices, polygon.vertices[0]) if polygon.closed else polygon.vertices)
     assert abs(edges).min() > 0.0
