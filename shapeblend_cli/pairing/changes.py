@@ -22,6 +22,7 @@ from shapeblend_cli.geometry.window import Window
 from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.pairing.common_cuts import FlatContour
 from shapeblend_cli.pairing.contour_blends import grow_from, keep_still
+from shapeblend_cli.pairing.costs import channels
 from shapeblend_cli.pairing.decompose import LINE
 from shapeblend_cli.pairing.outline import Outline
 
@@ -50,6 +51,9 @@ WATCHED, FIRST_SHARE = 32, 0.15
 
 LEAST_BOX = 0.6
 """A box around both shapes is filled by each one's at least to this share, by their diagonals."""
+
+LIKE_PAINT = 0.25
+"""The channels of what both shapes are filled with differ by this at most, on average; 1 is black and white."""
 
 BAR = 0.4
 """What a bar measures across, at most, as a share of what it does along itself."""
@@ -315,7 +319,7 @@ class Change(NamedTuple):
 def changes(a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Settings) -> list[Change]:
     """Return the shapes of two drawings that are the same in place but for something that cuts them.
 
-    They must be filled and nothing else. Nothing is found if contours are to be matched, cut or moved otherwise.
+    They must be filled, with nearly the same colour, and nothing else. Nothing is found if contours are to be matched, cut or moved otherwise.
     """
     free = not (settings.match or settings.pins or settings.start or settings.stiff)
     if not free or settings.unmatched == "split" or settings.motion not in ("auto", "linear"):
@@ -327,7 +331,9 @@ def changes(a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Se
     found: list[Change] = []
     taken: set[int] = set()
     for i, j in _near(*shapes):
-        if i not in taken and ~j not in taken:
+        paint_a, paint_b = (channels(shapes[side][k][0].style.fill) for side, k in enumerate((i, j)))
+        like = np.abs(np.subtract(paint_a, paint_b)).mean() <= LIKE_PAINT
+        if like and i not in taken and ~j not in taken:
             change = _change(shapes[0][i], shapes[1][j], diagonal, settings.vertices)
             if change is not None:
                 found.append(change)

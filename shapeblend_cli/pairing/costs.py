@@ -91,7 +91,7 @@ class Described(NamedTuple):
         """Measure contours."""
         low, high = corners([contour.polygon for contour in contours])
         areas = [abs(signed_area(c.polygon.vertices)) if c.polygon.closed else 0.0 for c in contours]
-        paint = [[_channels(c.style.fill), _channels(c.style.stroke)] for c in contours]
+        paint = [[channels(c.style.fill), channels(c.style.stroke)] for c in contours]
         boxes = Boxes((low + high) / 2, (high - low) / 2)
         return cls(contours, boxes, np.array(areas), np.array(paint).reshape(-1, 2, 3))
 
@@ -216,7 +216,8 @@ def _thinned(vertices: ComplexArray, closed: bool) -> ComplexArray:
     return vertices[distinct(vertices, closed, _COINCIDENT)]
 
 
-def _channels(colour: str | None) -> tuple[float, float, float]:
+def channels(colour: str | None) -> tuple[float, float, float]:
+    """Return red, green and blue of ``#rrggbb`` from 0 to 1; -1 where there is no paint."""
     if colour is None:
         return -1.0, -1.0, -1.0
     red, green, blue = bytes.fromhex(colour[1:])
