@@ -319,7 +319,8 @@ class Change(NamedTuple):
 def changes(a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Settings) -> list[Change]:
     """Return the shapes of two drawings that are the same in place but for something that cuts them.
 
-    They must be filled, with nearly the same colour, and nothing else. Nothing is found if contours are to be matched, cut or moved otherwise.
+    They must be filled, with nearly the same colour, and nothing else. Nothing is found if contours are to be matched,
+    cut or moved otherwise.
     """
     free = not (settings.match or settings.pins or settings.start or settings.stiff)
     if not free or settings.unmatched == "split" or settings.motion not in ("auto", "linear"):
