@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.geometry.similarity import Similarity
+    from shapeblend_cli.model import FloatArray
 
     ContourPair = tuple["PlacedContour", "PlacedContour"]
 
@@ -31,8 +32,9 @@ EXTERIOR, HOLE, LINE = "exterior", "hole", "line"
 MOST_CONTOURS, MOST_SEGMENTS = 2_000, 50_000
 """Limits of a drawing and of each contour: contours are solved one by one, and every two are compared."""
 
-CROWD, LEAST_SHARE = 40, 0.15
-"""In a drawing of more contours than this the smaller ones get fewer vertices, but at least this share."""
+CROWD, LEAST_SHARE, LARGE = 40, 0.15, 0.4
+"""In a drawing of more contours than this the smaller ones get fewer vertices, but at least this share; those of such a
+part of the drawing's size get all."""
 
 
 class PlacedContour(NamedTuple):
@@ -173,17 +175,23 @@ def _flatten_shapes(
 def _vertex_counts(drawing: Drawing, vertices: int) -> list[int]:
     """Return how many vertices each contour gets: so many, but of a crowd the smaller ones get fewer.
 
-    Then all together have about as many as `CROWD` contours, if none has less than `LEAST_SHARE` of what is wanted.
+    Then all together have about as many as `CROWD` contours, if none has less than `LEAST_SHARE` of what is wanted, and
+    those that are `LARGE` have all of it.
     """
-    sizes = np.array([cubics.bounds(c.segments).diagonal for shape in drawing.shapes for c in shape.contours])
-    if len(sizes) <= CROWD:
-        return [vertices] * len(sizes)
-    shares = sizes / max(sizes.max(), np.finfo(float).tiny)
+    boxes = [cubics.bounds(c.segments) for shape in drawing.shapes for c in shape.contours]
+    if len(boxes) <= CROWD:
+        return [vertices] * len(boxes)
+    size = Box.union(boxes).diagonal or 1.0
+    shares = np.array([box.diagonal for box in boxes]) / size
+
+    def counts(scale: float) -> FloatArray:
+        return np.where(shares >= LARGE, 1.0, np.clip(scale * shares, LEAST_SHARE, 1.0))
+
     low, high = 0.0, 1.0 / LEAST_SHARE
     for _ in range(30):
         scale = 0.5 * (low + high)
-        low, high = (scale, high) if np.clip(scale * shares, LEAST_SHARE, 1.0).sum() < CROWD else (low, scale)
-    return np.ceil(vertices * np.clip(low * shares, LEAST_SHARE, 1.0)).astype(int).tolist()
+        low, high = (scale, high) if counts(scale).sum() < CROWD else (low, scale)
+    return np.ceil(vertices * counts(low)).astype(int).tolist()
 
 
 def _close_if_filled(contour: Contour, style: Style) -> Contour:
