@@ -16,7 +16,7 @@ from shapeblend_cli.pairing.decompose import EXTERIOR, PlacedContour
 from shapeblend_cli.pairing.split import run_of_segments
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from shapeblend_cli.pairing.decompose import ContourPair
     from shapeblend_cli.settings import Settings
@@ -30,24 +30,32 @@ LEAST_HOLE = 0.15
 WIDTH = 0.5
 """By which share the work counts more where a ring is twice as wide as at its narrowest."""
 
+NARROW = 1e-3
+"""A ring that is narrower than this share of its size counts as so wide."""
+
 CLEAR = 0.6
 """A ring is opened if that takes at most this share of the work that its outer edge alone takes."""
 
 
 def open_rings(
-    a: Sequence[PlacedContour], b: Sequence[PlacedContour], pairs: Sequence[ContourPair], settings: Settings
+    a: Sequence[PlacedContour],
+    b: Sequence[PlacedContour],
+    pairs: Sequence[ContourPair],
+    settings: Settings,
+    required: Mapping[int, int],
 ) -> list[ContourPair]:
     """Open the rings among paired exteriors whose partner has no hole, where that takes far less work.
 
     Return all pairs. A ring that is opened has the number of its outer edge, and its hole is part of it. Only what is
-    filled and has no stroke is opened, as a stroke would show where.
+    filled and has no stroke is opened, as a stroke would show where; and no required pair, B's numbers by A's.
     """
     opened = []
     for p, q in pairs:
         holes = [[c for c in side if one.contains_hole(c)] for side, one in zip((a, b), (p, q), strict=True)]
         styles = p.style, q.style
         is_plain = all(style.fill is not None and style.stroke is None for style in styles)
-        if p.role == q.role == EXTERIOR and is_plain and {len(some) for some in holes} == {0, 1}:
+        is_free = required.get(p.number) != q.number
+        if p.role == q.role == EXTERIOR and is_plain and is_free and {len(some) for some in holes} == {0, 1}:
             if holes[0]:
                 p = _opened(p, holes[0][0], q, settings)
             else:
@@ -67,15 +75,17 @@ def _opened(
     across = np.abs(edge[:, None] - inner[ends])
     starts = across.argmin(axis=0)
     widths = across.min(axis=0)
+    narrowest = max(float(widths.min()), NARROW * ring.size)
     target = to_unit_box(partner.polygon)
     cuts = []
     for start, end, width in zip(starts.tolist(), ends.tolist(), widths.tolist(), strict=True):
         outline = _keyhole(ring, hole, start, end)
         polygon = flatten(outline, settings.vertices)
         work = coarse_work(to_unit_box(polygon), target, True, settings.constants)
-        cuts.append((work * (1.0 + WIDTH * (width / widths.min() - 1.0)), work, outline, polygon))
+        cuts.append((work * (1.0 + WIDTH * max(width / narrowest - 1.0, 0.0)), work, outline, polygon))
     _, work, outline, polygon = min(cuts, key=lambda cut: cut[0])
-    if work > CLEAR * coarse_work(to_unit_box(ring.polygon), target, True, settings.constants):
+    closed = coarse_work(to_unit_box(ring.polygon), target, True, settings.constants)
+    if not work <= CLEAR * closed < np.inf:
         return ring
     return ring._replace(contour=outline, polygon=polygon, is_piece=True, opened=hole.number)
 

@@ -83,8 +83,8 @@ def _with_pieces(
 ) -> list[ContourPair]:
     """Split exteriors for those without a partner, open rings, and pair the holes of pieces anew."""
     outer = [pair for pair in pairs if pair[0].role != HOLE]
-    split = split_exteriors(a, b, outer, settings.vertices, always=settings.unmatched == "split")
-    split = open_rings(a, b, split, settings)
+    split = split_exteriors(a, b, outer, settings, fixed)
+    split = open_rings(a, b, split, settings, fixed)
     cut = [pair for pair in split if pair[0].is_piece or pair[1].is_piece]
     if not cut:
         return list(pairs)

@@ -16,10 +16,11 @@ from shapeblend_cli.pairing.decompose import EXTERIOR, PlacedContour
 from shapeblend_cli.pairing.growth import WATCHED
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
     from shapeblend_cli.pairing.decompose import ContourPair
+    from shapeblend_cli.settings import Settings
 
 
 ENDS, TRIES = 240, 400
@@ -47,31 +48,33 @@ def split_exteriors(
     a: Sequence[PlacedContour],
     b: Sequence[PlacedContour],
     pairs: Sequence[ContourPair],
-    vertices: int,
-    *,
-    always: bool,
+    settings: Settings,
+    required: Mapping[int, int],
 ) -> list[ContourPair]:
-    """Give exteriors without a partner a piece of the nearest exterior that has one, flattened to so many vertices.
+    """Give exteriors without a partner a piece of the nearest exterior that has one.
 
-    Unless `always`, that is done only where they tile it together with its partner, see `_tiles`. Return all pairs.
-    Pieces have the number of what was cut. An exterior that no straight cut divides stays whole, and the others stay
-    without a partner.
+    Unless ``unmatched="split"``, that is done only where they tile it together with its partner, see `_tiles`, and no
+    required pair is cut; `required` has B's numbers by A's. Return all pairs. Pieces have the number of what was cut.
+    An exterior that no straight cut divides stays whole, and the others stay without a partner.
     """
+    always, vertices = settings.unmatched == "split", settings.vertices
     split = list(pairs)
     for owner_side, contours in enumerate((b, a)):  # exteriors of A are cut for B's, then B's for A's
         paired = {pair[1 - owner_side].number for pair in split}
         wanting: dict[int, list[PlacedContour]] = {}
         owners = [pair for pair in split if pair[0].role == pair[1].role == EXTERIOR]
+        bounds = np.array([pair[owner_side].box.bounds for pair in owners])
         for contour in contours:
             if contour.role == EXTERIOR and contour.number not in paired and owners:
-                nearest = _nearest(contour, [pair[owner_side] for pair in owners])
+                nearest = _nearest(contour, [pair[owner_side] for pair in owners], bounds)
                 wanting.setdefault(nearest, []).append(contour)
         for k, partners in wanting.items():
             pair = owners[k]
             owner = pair[owner_side]
             partners = [pair[1 - owner_side], *partners]
             if not always:
-                partners = _tiles(partners, owner)
+                is_required = required.get(pair[0].number) == pair[1].number
+                partners = [] if is_required else _tiles(partners, owner)
             if len(partners) < 2:
                 continue
             holes = [contour.polygon for contour in (a, b)[owner_side] if contour.exterior == owner.number]
@@ -110,16 +113,24 @@ def _tiles(parts: Sequence[PlacedContour], whole: PlacedContour) -> list[PlacedC
     return tiles if fit else []
 
 
-def _nearest(contour: PlacedContour, owners: Sequence[PlacedContour]) -> int:
-    """Return the index of the exterior nearest to a contour; of two as near, of the larger."""
-    watched = thin(contour.polygon.vertices, WATCHED)
+def _nearest(contour: PlacedContour, owners: Sequence[PlacedContour], bounds: FloatArray) -> int:
+    """Return the index of the exterior nearest to a contour; of two as near, of the larger.
 
-    def distance(owner: PlacedContour) -> tuple[float, float]:
+    `bounds` are those of their boxes, (owners, 4).
+    """
+    watched = thin(contour.polygon.vertices, WATCHED)
+    low, high = Box.around(watched).bounds[:2], Box.around(watched).bounds[2:]
+    apart = np.maximum(np.maximum(bounds[:, :2] - high, low - bounds[:, 2:]), 0.0)
+    gaps = np.hypot(apart[:, 0], apart[:, 1])  # no vertex is nearer than the boxes are
+    best: tuple[float, float, int] = (np.inf, 0.0, 0)
+    for k in np.argsort(gaps, kind="stable").tolist():
+        if gaps[k] > best[0]:
+            break
+        owner = owners[k]
         inside = winding_numbers(watched, owner.polygon.vertices) != 0
         away = np.abs(owner.polygon.vertices[:, None] - watched).min(axis=0)
-        return float(np.where(inside, 0.0, away).min()), -owner.size
-
-    return min(range(len(owners)), key=lambda k: distance(owners[k]))
+        best = min(best, (float(np.where(inside, 0.0, away).min()), -owner.size, k))
+    return best[2]
 
 
 class _Outline(NamedTuple):

@@ -51,6 +51,18 @@ def test_otherwise_it_does_not(a, b):
         assert {j for _, j in numbers if j is not None} == set(range(counts[1]))
 
 
+@pytest.mark.filterwarnings("error")
+def test_a_hole_may_touch_the_edge():
+    touching = "M2 2H22V22H2ZM2 6V18H18V6Z"
+    for a, b in ((touching, CUP), (CUP, touching)):
+        assert blend(a, b)
+
+
+def test_what_is_asked_for_stays_closed():
+    (shape,) = blend(RING, CUP, match=(("0", "0"),))
+    assert len(shape.contours) == 2
+
+
 def test_it_can_be_left_closed():
     (shape,) = blend(RING, CUP, unmatched="point")
     assert len(shape.contours) == 2

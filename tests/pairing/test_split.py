@@ -94,3 +94,11 @@ def test_what_has_a_stroke_is_not_cut_by_itself():
     for attributes in ('fill="#fff" stroke="#000"', 'fill="none" stroke="#000"'):
         whole, parts = (contours_of(d, attributes=attributes) for d in (BAR, HALVES))
         assert not any(p.is_piece or q.is_piece for p, q in pair_contours(whole, parts, Settings()))
+
+
+def test_what_is_asked_for_is_not_cut():
+    small = "M10 10H12V12H10Z"
+    contours = [contours_of(d) for d in (BAR, HALVES + small)]
+    found = pair_contours(*contours, Settings(), [(0, 2)])
+    assert [(p.number, q.number) for p, q in found] == [(0, 2)]
+    assert not any(p.is_piece or q.is_piece for p, q in found)
