@@ -37,6 +37,9 @@ TIME_DIGITS = 3
 SAME = 1e-3
 """Radii that differ by less than that share are the same."""
 
+FLATTEST = 1e-3
+"""The least ratio of two radii: what is drawn in a group that is squashed further needs more digits than files have."""
+
 FILL_RULES = {"nonzero": 1, "evenodd": 2}
 LINE_CAPS = {"butt": 1, "round": 2, "square": 3}
 LINE_JOINS = {"miter": 1, "round": 2, "bevel": 3}
@@ -275,7 +278,9 @@ def _ellipse(shape: MovedShape) -> _Ellipse | None:
     ellipses = set()
     for style in (shape.start.style, shape.end.style):
         fill = style.fill_gradient
-        if not isinstance(fill, RadialGradient) or not 0.0 < fill.radii[1] or style.stroke is not None:
+        if not isinstance(fill, RadialGradient) or style.stroke is not None:
+            return None
+        if not fill.radii[1] > FLATTEST * fill.radii[0]:
             return None
         ellipses.add(_Ellipse(round(fill.angle, 3), round(fill.radii[1] / fill.radii[0], 6)))
     first, *others = ellipses

@@ -168,6 +168,14 @@ def test_a_note_tells_which_gradients_there_are_none_of(here, capsys, attributes
     assert capsys.readouterr().err.count("shape-1: its gradient is a plain colour in Lottie") == notes
 
 
+@pytest.mark.parametrize("ratio", ["1e-7", "1e-4"])
+def test_a_gradient_that_is_nearly_flat_is_a_plain_colour(here, capsys, ratio):
+    shade = f'<radialGradient id="g" gradientTransform="scale(1 {ratio})"><stop stop-color="red"/><stop offset="1"/>'
+    write(a=svg(f"{shade}</radialGradient>", f'<path d="{BAR}" fill="url(#g)"/>'), b=svg(BAR))
+    assert run(["a.svg", "a.svg", "--emit", "lottie"]) == 0
+    assert "shape-1: its gradient is a plain colour in Lottie" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("view", "size", "percent", "centre"),
     [
