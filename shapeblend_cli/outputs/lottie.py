@@ -193,7 +193,7 @@ def _group(shape: MovedShape, keys: _Keyframes) -> dict[str, Any]:
 
 def _dashes(start: Style, end: Style, keys: _Keyframes) -> dict[str, Any]:
     """Return the property for dashes and gaps in turn, if there are any."""
-    if not start.stroke_dasharray or len(start.stroke_dasharray) != len(end.stroke_dasharray):
+    if not start.stroke_dasharray or _loses_dashes(start, end):
         return {}
     every = [
         ("dg"[k % 2], *lengths)
@@ -207,6 +207,12 @@ def _dashes(start: Style, end: Style, keys: _Keyframes) -> dict[str, Any]:
             for k, (kind, *values) in enumerate(every)
         ]
     }
+
+
+def _loses_dashes(start: Style, end: Style) -> bool:
+    """Return whether the dashes of a stroke have no common length at both ends, which keyframes need."""
+    is_drawn = start.stroke is not None and end.stroke is not None
+    return is_drawn and len(start.stroke_dasharray) != len(end.stroke_dasharray)
 
 
 def _coats(shape: MovedShape) -> list[MovedShape]:
@@ -368,7 +374,14 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
 
     moves = moves_of(pairs)
     text = lottie(moves, spec.timing, spec.decimals(pairs))
-    notes = [note for move in moves for note in move.unsupported_in("Lottie", _shows_gradients)]
+    notes = []
+    for move in moves:
+        notes += move.unsupported_in("Lottie", _shows_gradients)
+        notes += [
+            f"{shape.name}: Lottie cannot change its dashes into so many others; its stroke is solid"
+            for shape in move.shapes
+            if _loses_dashes(shape.start.style, shape.end.style)
+        ]
     return Rendered([text], notes)
 
 

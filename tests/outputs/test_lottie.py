@@ -3,6 +3,7 @@
 import json
 import math
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -131,6 +132,16 @@ def test_dashes_and_gaps_in_turn():
     assert [part["n"] for part in (dash, gap, offset)] == ["d", "g", "o"]
     assert [key["s"] for key in dash["v"]["k"]] == [[4], [6]]
     assert (gap["v"]["k"], offset["v"]["k"]) == (2, 1)
+
+
+@pytest.mark.parametrize(("counts", "notes"), [((22, 26), 1), ((22, 11), 0), ((22, 0), 0)])
+def test_a_note_tells_which_dashes_there_are_none_of(here, capsys, counts, notes):
+    line = '<path d="M2 2H20V9" fill="none" stroke="#c00" stroke-dasharray="{}"/>'
+    a, b = (svg(line.format(" ".join(map(str, range(1, count + 1))) or "none")) for count in counts)
+    write(a=a, b=b)
+    assert run(["a.svg", "b.svg", "--emit", "lottie"]) == 0
+    assert capsys.readouterr().err.count("shape-1: Lottie cannot change its dashes") == notes
+    assert ('"n":"d"' in Path("blend.json").read_text(encoding="utf-8")) != bool(notes)
 
 
 def test_gradients_have_a_line_or_a_radius_and_stops():
