@@ -55,14 +55,15 @@ def structure_of(contours: Sequence[PlacedContour]) -> Structure:
     points = [along(contour.polygon, SAMPLES) for contour in contours]
     inside = _inside(contours, points, (lows, highs), areas)
     number = {contour.number: k for k, contour in enumerate(contours)}
-    parent: list[int | None] = []
+    found = Structure([None] * len(contours), same, inside)
     for k, contour in enumerate(contours):
-        if contour.role == HOLE and contour.exterior is not None:
-            parent.append(same[number[contour.exterior]])
-            continue
         around = np.flatnonzero(inside[:, k] > 0.5)
-        parent.append(same[int(around[areas[around].argmin()])] if len(around) else None)
-    found = Structure(parent, same, inside)
+        outer: list[int] = around[np.argsort(areas[around], kind="stable")].tolist()
+        if contour.role == HOLE and contour.exterior in number:
+            outer.insert(0, number[contour.exterior])
+        # What stands for the contours around may coincide with this one, or lie in it: they are almost of one size.
+        roots = (same[i] for i in outer)
+        found.parent[k] = next((i for i in roots if k not in (i, *found.ancestors(i))), None)
     for k in range(len(contours)):
         inside[found.ancestors(k), k] = 1.0
     return found

@@ -1,5 +1,7 @@
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from shapeblend_cli.pairing.structure import structure_of
 from shapeblend_cli.pairing.twins import mirror_of
@@ -42,6 +44,43 @@ def line(d):
 )
 def test_each_contour_lies_in_the_smallest_one_around_most_of_it(paths, parents):
     assert structure_of(contours_of(*paths, attributes=EVENODD)).parent == parents
+
+
+def square(size):
+    return f"M{-size} {-size}H{size}V{size}H{-size}Z"
+
+
+def disc(size):
+    return f"M{size} 0A{size} {size} 0 1 1 {-size} 0A{size} {size} 0 1 1 {size} 0Z"
+
+
+@pytest.mark.parametrize(
+    ("paths", "parents"),
+    [
+        # 3.05 % more area: enough to be around, and little enough to be the same.
+        ((square(50), square(50.7575)), [None, None]),
+        # A frame of one hair, its hole drawn first, and what is around it.
+        ((square(50) + square(50.5),), [None, None]),
+        ((square(50) + square(50.5), square(60)), [2, 2, None]),
+    ],
+)
+def test_no_contour_lies_in_itself(paths, parents):
+    assert structure_of(contours_of(*paths, attributes=EVENODD)).parent == parents
+
+
+outlines = st.builds(
+    lambda draw, step: draw(50 * 1.005**step), st.sampled_from([square, disc]), st.integers(0, 12)
+)
+
+
+@given(st.lists(st.lists(outlines, min_size=1, max_size=3).map("".join), min_size=1, max_size=8))
+def test_what_a_contour_lies_in_ends(paths):
+    contours = contours_of(*paths, vertices=16, attributes=EVENODD)
+    found = structure_of(contours)
+    for k in range(len(contours)):
+        # What stands for contours that coincide is decided before them.
+        outer = found.ancestors(found.same[k])
+        assert len({found.same[k], *outer}) == len(outer) + 1
 
 
 def mirror(*paths):
