@@ -189,7 +189,9 @@ def _pair(
     pairs: Sequence[ContourPair] = ()
     if all(rest):
         required += same_pairs(*rest, required) if not rotation else []
-        pairs = pair_rotated_contours(*rest, settings, required, rotation)
+        boxes = Box.union([c.box for c in a.contours]), Box.union([c.box for c in b.contours])
+        frames = boxes if changed else None
+        pairs = pair_rotated_contours(*rest, settings, required, rotation, frames=frames)
     riders: tuple[dict[int, int], dict[int, int]] = {}, {}
     if settings.motion in ("auto", "linear") and not rotation:
         riders = riders_of_pairs(rest, pairs, required)

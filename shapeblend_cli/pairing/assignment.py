@@ -23,7 +23,7 @@ from shapeblend_cli.pairing.twins import mirror_of
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, FloatArray, IntArray
+    from shapeblend_cli.model import BoolArray, Box, FloatArray, IntArray
 
     Numbers = tuple[int, int]
 
@@ -52,14 +52,17 @@ NEVER = 1e6
 class _Side:
     """One drawing's contours, and what is decided of them, by their places in the sequence."""
 
-    def __init__(self, contours: Sequence[PlacedContour]) -> None:
+    def __init__(self, contours: Sequence[PlacedContour], frame: Box | None) -> None:
         self.described = Described.of(contours)
+        self.whole = self.described.boxes.union()
+        if frame is not None:
+            half = complex(frame.width, frame.height) / 2
+            self.whole = Boxes(np.array([frame.centre]), np.array([half]))
         self.structure = structure_of(contours)
-        self.alone = self.described.alone()
+        self.alone = self.described.alone(self.whole)
         self.focus = self._focus()
         self.mirror = mirror_of(contours, self.structure)
         self.twins = self.mirror.twins(contours) if self.mirror else []
-        self.whole = self.described.boxes.union()
         self.paired: set[int] = set()
         self.onto: dict[int, int] = {}  # parts, each with what it becomes
         self.passed: set[int] = set()
@@ -130,9 +133,17 @@ class _Side:
 class Pairing:
     """The contours of two drawings, and their pairs as far as they are decided, by places in the sequences."""
 
-    def __init__(self, a: Sequence[PlacedContour], b: Sequence[PlacedContour], fixed: dict[int, int]) -> None:
-        self.a, self.b = _Side(a), _Side(b)
+    def __init__(
+        self,
+        a: Sequence[PlacedContour],
+        b: Sequence[PlacedContour],
+        fixed: dict[int, int],
+        frames: tuple[Box, Box] | None = None,
+    ) -> None:
+        frame_a, frame_b = frames or (None, None)
+        self.a, self.b = _Side(a, frame_a), _Side(b, frame_b)
         self.partner: dict[int, int] = {}
+        self._is_rest = frames is not None
         self._works = Works(self.a.described, self.b.described)
         self._paint = paint_costs(self.a.described, self.b.described)
         roles = np.array([contour.role for contour in a]), np.array([contour.role for contour in b])
@@ -206,7 +217,7 @@ class Pairing:
         excess[np.ix_(*(pairs.ravel() for pairs in twins))] += LONELY_COST
         value = _values(excess, focus)
         found += [(i, j) for i, j in assign(value) if value[i, j] < 0.0]
-        if not found and not self.partner:
+        if not found and not self.partner and not self._is_rest:
             best = int(np.where(fit, costs - alone, np.inf).argmin())
             found = [divmod(best, len(columns))]
         return [(rows[i], columns[j]) for i, j in found]

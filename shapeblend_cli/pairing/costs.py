@@ -100,9 +100,9 @@ class Described(NamedTuple):
         some = [self.contours[k] for k in chosen]
         return Described(some, self.boxes.take(chosen), self.areas[chosen], self.paint[chosen])
 
-    def alone(self) -> FloatArray:
-        """Return what it costs that each has no partner."""
-        share = np.abs(self.boxes.halves) / np.abs(self.boxes.union().halves)
+    def alone(self, whole: Boxes) -> FloatArray:
+        """Return what it costs that each has no partner, given the box of the drawing."""
+        share = np.abs(self.boxes.halves) / np.abs(whole.halves)
         return ALONE_COST + ALONE_SIZE_COST * share
 
 

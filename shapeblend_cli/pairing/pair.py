@@ -14,6 +14,7 @@ from shapeblend_cli.pairing.split import split_exteriors
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.model import Box
     from shapeblend_cli.pairing.decompose import ContourPair
     from shapeblend_cli.settings import Settings
 
@@ -25,13 +26,16 @@ def pair_contours(
     b: Sequence[PlacedContour],
     settings: Settings,
     required: Sequence[Numbers] = (),
+    *,
+    frames: tuple[Box, Box] | None = None,
 ) -> list[ContourPair]:
     """Pair the contours of two drawings, from the outermost in, each time at the least total cost.
 
     Where a contour is counts by the part that it lies on, laid over that part's partner. Exteriors are paired with
     exteriors, open lines with open lines, and holes with holes inside paired exteriors; an exterior is paired with an
     open line only if the drawings have no kind in common. Having no partner has a price, too: a contour whose partners
-    all cost more stays without.
+    all cost more stays without. But one pair there is, unless the contours are only
+    the rest of drawings whose others are decided; then `frames` are the boxes of the whole drawings.
 
     Required pairs are pairs whatever they cost, and so are the exteriors of paired holes. Exteriors without a
     partner get pieces with ``unmatched="split"``, or by default where they tile what is cut; pieces have its number.
@@ -43,9 +47,9 @@ def pair_contours(
         Required pairs that name no contour, name one twice, or connect what cannot be paired.
     """
     fixed = _required_partners(a, b, required)
-    if len(a) == len(b) == 1:
+    if len(a) == len(b) == 1 and frames is None:
         return [(a[0], b[0])]
-    pairing = Pairing(a, b, fixed)
+    pairing = Pairing(a, b, fixed, frames)
     pairing.from_outermost_in()
     pairs = [(a[i], b[j]) for i, j in pairing.partner.items()]
     if settings.unmatched != "point":
@@ -59,10 +63,12 @@ def pair_rotated_contours(
     settings: Settings,
     required: Sequence[Numbers],
     rotation: float,
+    *,
+    frames: tuple[Box, Box] | None = None,
 ) -> list[ContourPair]:
     """Pair contours as if B were rotated back by an angle, its largest contour laid over A's; see `pair_contours`."""
     if not rotation:
-        return pair_contours(a, b, settings, required)
+        return pair_contours(a, b, settings, required, frames=frames)
     in_a, in_b = (max(side, key=lambda c: c.size).polygon.vertices.mean() for side in (a, b))
     back = Similarity.rotation(-rotation, about=in_b, onto=in_a)
     there = Similarity.rotation(rotation, about=in_a, onto=in_b)

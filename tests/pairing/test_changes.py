@@ -8,6 +8,7 @@ from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.model import Box
 from shapeblend_cli.pipeline import match_all, shapes_at
 from shapeblend_cli.settings import Settings
+from shapeblend_cli.svg.reading.read import read
 from tests.support.contours import polyline
 from tests.support.drawings import drawing, svg
 
@@ -82,6 +83,19 @@ def test_other_shapes_become_each_other(a, b):
 
 def test_what_users_match_is_matched():
     assert pair_of(CARD, CROSSED_OUT, match=(("0", "0"),)).shapes[0].motion_name != "sweep"
+
+
+def test_what_else_is_far_apart_has_no_partner_for_that():
+    dot, line = (
+        '<path fill="#f00" d="M0 0H1V1H0Z"/>',
+        '<path fill="none" stroke="#0f0" d="M22 21L24 22L21 24"/>',
+    )
+    files = (f'<path d="{d}"/>{more}' for d, more in ((CARD, dot), (CROSSED_OUT, line)))
+    documents = (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24">{d}</svg>' for d in files)
+    (pair,), _ = match_all([read("a.svg", document.encode()) for document in documents], Settings())
+    assert "sweep" in {shape.motion_name for shape in pair.shapes}
+    others = [c for shape in pair.shapes if shape.motion_name != "sweep" for c in shape.contours]
+    assert sorted((c.a is None, c.b is None) for c in others) == [(False, True), (True, False)]
 
 
 def test_it_goes_there_and_back_in_one_animation(tmp_path):
