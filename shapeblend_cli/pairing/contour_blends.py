@@ -66,7 +66,7 @@ def match_contours(
 
     if settings.makes_common_cuts:
         turned = partial(_rotated_back, rotation=rotation)
-        is_free = not (free.start or free.pins or settings.stiff)
+        is_free = not (free.pins or settings.stiff)
         solved = (
             solve_with_symmetry(flat_a, flat_b, found, turned, solve_again, settings) if is_free else None
         )

@@ -223,7 +223,7 @@ def _piece(stroke: PlacedContour, first: int, last: int) -> PlacedContour:
     """Return a stroke from one vertex to another."""
     outline = Outline.of(FlatContour(stroke.contour, stroke.polygon))
     count = len(stroke.polygon.vertices)
-    start, end = (float(outline.lengths[k % count if k >= count else k]) for k in (first, last))
+    start, end = (float(outline.lengths[k % count]) for k in (first, last))
     contour = Contour(*outline.between(start, end + (outline.total if last >= count else 0.0)), closed=False)
     return stroke._replace(contour=contour, polygon=flatten(contour, last - first), role=LINE)
 

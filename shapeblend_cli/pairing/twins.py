@@ -38,10 +38,6 @@ class Mirror(NamedTuple):
     x: float
     twin: list[int | None]
 
-    def axis(self) -> list[int]:
-        """Return what is its own mirror image."""
-        return [k for k, other in enumerate(self.twin) if other == k]
-
     def twins(self, contours: Sequence[PlacedContour]) -> list[tuple[int, int]]:
         """Return those that mirror each other, the left one first."""
         pairs = [(i, j) for i, j in enumerate(self.twin) if j is not None and i < j]
