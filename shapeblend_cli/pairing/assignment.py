@@ -153,7 +153,7 @@ class Pairing:
             self._fit |= outer[0][:, None] & outer[1]
         in_a, in_b = ({contour.number: k for k, contour in enumerate(side)} for side in (a, b))
         self._exterior = [
-            [-1 if contour.exterior is None else numbers[contour.exterior] for contour in side]
+            [-1 if contour.exterior is None else numbers.get(contour.exterior, -1) for contour in side]
             for side, numbers in ((a, in_a), (b, in_b))
         ]
         for i, j in fixed.items():
@@ -223,13 +223,13 @@ class Pairing:
         return [(rows[i], columns[j]) for i, j in found]
 
     def _inside_partners(self, rows: Sequence[int], columns: Sequence[int]) -> BoolArray:
-        """Return where both are no holes, or holes in exteriors that are partners."""
+        """Return where both are no holes, or holes in exteriors that are partners or not here."""
         around_a, around_b = (
             np.array([side[k] for k in some])
             for side, some in zip(self._exterior, (rows, columns), strict=True)
         )
         becomes = np.array([-1 if k < 0 else self.partner.get(k, -2) for k in around_a.tolist()])
-        return np.asarray(becomes[:, None] == around_b)
+        return (becomes[:, None] == around_b) | (around_a[:, None] < 0) | (around_b < 0)
 
     def _cheap_costs(self, rows: Sequence[int], columns: Sequence[int]) -> FloatArray:
         """Return what pairs cost but for their work."""

@@ -143,6 +143,17 @@ def test_pairs_by_number_and_by_id(here):
     assert (found[3], found[0]) == (0, 1)
 
 
+@pytest.mark.parametrize("hole", [0, 1])
+def test_a_hole_by_number_becomes_the_hole_of_a_shape_by_id(here, hole):
+    ring = RING if hole else " ".join(f"M{part}" for part in reversed(RING.split("M")[1:]))
+    named = f'<path id="ring" d="{ring}" {EVENODD}/>'
+    write(a=svg(ring, attributes=EVENODD), b=svg(named, SQUARES))
+    for files, match in ((("a.svg", "b.svg"), f"{hole}=ring"), (("b.svg", "a.svg"), f"ring={hole}")):
+        (pair,) = report(*files, "-n", "0", "--match", match)["pairs"]
+        asked = [(c["a"], c["b"]) for c in pair["contours"] if c["pair_because"] == "asked for"]
+        assert asked == [(hole, hole)]
+
+
 @pytest.mark.parametrize(
     ("points", "pair"),
     [
