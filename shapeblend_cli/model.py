@@ -325,7 +325,7 @@ def unroll(dots: IntArray, period: tuple[int, int] | None) -> FloatArray:
 class ContourBlend(NamedTuple):
     """A contour of A, the contour of B it becomes, and the paths it moves between.
 
-    Contours are numbered through each file in paint order; None is for one that grows from a point or shrinks to one.
+    Contours are numbered through each file in paint order; None is for one without a partner.
     Both are in A's coordinates and in the same direction. A point is a contour whose control points are all there, and
     a polygon of one vertex.
 
@@ -366,6 +366,11 @@ class ContourBlend(NamedTuple):
     def is_matched(self) -> bool:
         """Whether it is a contour at both ends."""
         return self.a is not None and self.b is not None
+
+    @property
+    def follows_edge(self) -> bool:
+        """Whether it has no partner and goes where the edge goes that it lies on, a line or an outline at both ends."""
+        return not self.is_matched and min(len(self.polygon_a.vertices), len(self.polygon_b.vertices)) > 1
 
     def dot_points(self) -> tuple[ComplexArray, ComplexArray]:
         """Return the vertices that correspond, a pair for every dot."""

@@ -56,13 +56,14 @@ def details(run: Run) -> Iterator[str]:
     for c in (contour for pair in run.pairs for contour in pair.contours):
         found = c.correspondence
         if c.a is None or c.b is None:
-            change = f"contour {c.a} of A shrinks to" if c.b is None else f"contour {c.b} of B grows from"
-            there = (c.polygon_b if c.b is None else c.polygon_a).vertices
-            point = f"{there[0].real:.6g},{there[0].imag:.6g}"
+            name = f"contour {c.a} of A" if c.b is None else f"contour {c.b} of B"
+            change = "shrinks to" if c.b is None else "grows from"
+            spot = (c.polygon_b if c.b is None else c.polygon_a).vertices[0]
+            kind = "the point" if (c.end if c.b is None else c.start).is_point else "a line at"
             yield (
-                f"{change} the point {point}"
-                if len(there) == 1
-                else f"{change} an edge that begins at {point}"
+                f"{name} has no partner and goes where the edge goes that it lies on"
+                if c.follows_edge
+                else f"{name} {change} {kind} {spot.real:.6g},{spot.imag:.6g}"
             )
             continue
         proof = "proven least" if found.gap == 0.0 else f"lower bound {found.lower_bound:.6g}"

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 ASKED = "asked for"
 STILL = "what is the same stays"
+FOLLOWS, GROWS = "it goes where the edge goes that it lies on", "a point at one end"
 
 BLURRED_LEVEL, ROUND_LEVEL = 17, 20
 """Levels above which smoothed outlines have only large features left, and hardly any."""
@@ -66,11 +67,7 @@ def try_straight(
     The rotation is the angle by which B is A rotated, in radians, if that is all there is between them.
     """
     trials = [
-        Trial(
-            shape._replace(
-                reason=STILL if shape.motion else ASKED if shape.is_matched else "a point at one end"
-            )
-        )
+        Trial(shape._replace(reason=STILL if shape.motion else ASKED if shape.is_matched else _alone(shape)))
         for shape in shapes
     ]
     if motion == "linear":
@@ -86,6 +83,12 @@ def try_straight(
         else:
             trials[k] = _try_safe(trials[k].shape) if motion == "safe" else Trial(trials[k].shape, False)
     return trials
+
+
+def _alone(shape: ShapeBlend) -> str:
+    """Return why a shape moves as it does of which no contour has a partner."""
+    reasons = (FOLLOWS if contour.follows_edge else GROWS for contour in shape.contours)
+    return "; ".join(dict.fromkeys(reasons))
 
 
 def _settle_without_defect(trials: list[Trial], matched: Sequence[int], times: Sequence[float]) -> None:

@@ -89,6 +89,12 @@ function show() {
   overlay();
 }
 
+// What a contour without a partner does.
+function changeOf({ a, counts, motion }) {
+  if (Math.min(...counts) > 1) return "goes where the edge goes that it lies on";
+  return (a === null ? "grows from a " : "shrinks to a ") + (motion === "sweep" ? "line" : "point");
+}
+
 function enter(pair) {
   seen = { pair };
   state.chosen = null;
@@ -96,9 +102,10 @@ function enter(pair) {
   const order = data.pairs[pair].order;
   at("contour").replaceChildren(
     ...order.map((k) => {
-      const { a, b, counts, work } = contours()[k];
+      const contour = contours()[k];
+      const { a, b, counts, work } = contour;
       const solved = `${a} → ${b}: ${counts[0]} × ${counts[1]}, work ${figures(work, 3)}`;
-      const what = a === null ? `${b}: grows from a point` : b === null ? `${a}: shrinks to a point` : solved;
+      const what = a !== null && b !== null ? solved : `${a ?? b}: ${changeOf(contour)}`;
       return made("option", { value: k }, what);
     }),
   );
@@ -348,9 +355,9 @@ async function choose(number) {
   pick(null);
   if (!solved) {
     const [a, b] = names();
-    at("graph-absent").textContent = contour.a === null
-      ? `Contour ${contour.b} of ${b} has no partner and grows from a point: nothing was solved, so there is no graph.`
-      : `Contour ${contour.a} of ${a} has no partner and shrinks to a point: nothing was solved, so there is no graph.`;
+    const name = contour.a === null ? `${contour.b} of ${b}` : `${contour.a} of ${a}`;
+    at("graph-absent").textContent =
+      `Contour ${name} has no partner and ${changeOf(contour)}: nothing was solved, so there is no graph.`;
     return;
   }
   const [a, b] = names();

@@ -372,6 +372,20 @@ def test_contours_are_chosen_the_largest_first(opened):
     assert page.is_visible("#graph")
 
 
+def test_a_stroke_on_an_edge_is_no_point(browser, tmp_path):
+    square, wide = "M2 2H10V10H2Z", "M2 2H18V10H2Z"
+    for name, shapes in {"a": [square], "b": [wide, f'<path d="{wide}" fill="none" stroke="red"/>']}.items():
+        (tmp_path / f"{name}.svg").write_text(svg(*shapes))
+    files = [str(tmp_path / name) for name in ("a.svg", "b.svg", "out", "page.html")]
+    assert run([*files[:2], "-o", files[2], "--preview", files[3], "-q"]) == 0
+    page = browser.new_page()
+    page.goto((tmp_path / "page.html").as_uri())
+    options = page.locator("#contour option").all_inner_texts()
+    page.close()
+    assert sum("goes where the edge goes that it lies on" in option for option in options) == 1
+    assert not any("point" in option for option in options)
+
+
 def test_three_drawings_run_through_or_one_pair_at_a_time(opened):
     page = opened("three")
     assert (page.get_attribute("#time", "max"), page.locator("#scope option").count()) == ("2", 3)

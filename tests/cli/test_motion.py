@@ -143,3 +143,24 @@ def test_what_stays_inside_leaves_the_viewbox_as_it_is(here):
     write(l=svg(L, viewbox="-4 -4 32 32"), turned=svg(L_TURNED, viewbox="-4 -4 32 32"))
     assert run(["l.svg", "turned.svg", "-o", "out", "--ends"]) == 0
     assert [viewbox(file) for file in here.glob("out/*")] == [[-4, -4, 32, 32]] * 7
+
+
+BOX, EDGE = "M2 2H18V10H2Z", "goes where the edge goes that it lies on"
+CARD = "M4 4H20V20H4Z M10 8V12H15V8Z"
+CROSSED_OUT = "M1 2L2 1L23 22L22 23L19 20H4V5Z M7 4H20V17L15 12V8H11Z"
+EDGED = svg(BOX, '<path d="M2 2H18V10" fill="none" stroke="#c00"/>')
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "line"),
+    [
+        (svg(BOX), EDGED, f"contour 1 of B has no partner and {EDGE}"),
+        (EDGED, svg(BOX), f"contour 1 of A has no partner and {EDGE}"),
+        (svg(BOX), svg(BOX, "M20 20H24V24H20Z"), "contour 1 of B grows from the point 22,22"),
+        (svg(CARD), svg(CROSSED_OUT), " of B grows from a line at "),
+    ],
+)
+def test_verbose_says_what_becomes_of_contours_without_a_partner(here, capsys, a, b, line):
+    write(a=a, b=b)
+    assert run(["a.svg", "b.svg", "-v"]) == 0
+    assert line in capsys.readouterr().err

@@ -112,6 +112,13 @@ def test_a_shape_that_appears_has_nothing_to_choose():
     assert sorted(reasons(pair_of(a, b, motion="rigid"))) == ["a point at one end", "asked for"]
 
 
+def test_a_stroke_on_an_edge_has_nothing_to_choose_and_is_no_point():
+    square, wide = "M2 2H10V10H2Z", "M2 2H18V10H2Z"
+    edge = f'<path d="{wide}" fill="none" stroke="#c00"/>'
+    a, b = drawings.drawing(square), drawings.drawing(wide, edge)
+    assert sorted(reasons(pair_of(a, b))) == ["it goes where the edge goes that it lies on", "no fault"]
+
+
 @pytest.mark.parametrize("other", [comb(3) * np.exp(2j), comb(3) + 1])
 def test_backwards_it_is_the_same_motion(other):
     assert motions(polygon_pair(comb(3), other)) == motions(polygon_pair(other, comb(3)))
