@@ -120,8 +120,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         default="auto",
         section=SHAPES,
         help="What happens to a contour without a partner. point: it grows from a point or shrinks to one; split: an "
-        "outline of the other drawing is cut for it; auto: that only where several have the place of one together. "
-        "Both open a ring whose partner has no hole, where that takes far less work.",
+        "outline of the other drawing is cut for it; auto: that only where several outlines together fill the place "
+        "of one. split and auto also open a ring whose partner has no hole, where that takes far less work.",
     )
     solver: str = option(
         types.choice("exact", "simplified"),
