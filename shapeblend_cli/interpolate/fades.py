@@ -1,6 +1,7 @@
 """Where a shape changes its place in the order of paint, and when: on the way, at a time when least is seen of it.
 
 It is there twice, with the same outlines and paint. The copy at B's place comes first; the one at A's place then goes.
+Of paint that is not opaque, one comes while the other goes.
 """
 
 from __future__ import annotations
