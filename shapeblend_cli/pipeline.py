@@ -25,7 +25,7 @@ from shapeblend_cli.pairing.constraints import check_stiff, constrain, point_pin
 from shapeblend_cli.pairing.contour_blends import match_contours
 from shapeblend_cli.pairing.decompose import PlacedDrawing, decompose, main_orientation
 from shapeblend_cli.pairing.direction import watch_part
-from shapeblend_cli.pairing.pair import pair_rotated_contours
+from shapeblend_cli.pairing.pair import pair_rotated_contours, rotated_back
 from shapeblend_cli.pairing.reasons import reasons_for
 from shapeblend_cli.pairing.riders import riders_of_pairs
 from shapeblend_cli.pairing.same import same_pairs
@@ -289,7 +289,10 @@ def _rotate_back(
 def _explained(shapes: Sequence[ShapeBlend], paired: _PairedDrawings) -> tuple[ShapeBlend, ...]:
     """Say of each contour why it has its partner, or none, and what it lies in."""
     pairs = [pair for pair, _ in paired.pairs.values()]
-    reasons = reasons_for(paired.a.contours, paired.b.contours, pairs, paired.required, paired.riders)
+    a, b = paired.a.contours, paired.b.contours
+    if paired.rotation:
+        b = rotated_back(a, b, paired.rotation)
+    reasons = reasons_for(a, b, pairs, paired.required, paired.riders)
     return tuple(shape._replace(contours=tuple(map(reasons.added_to, shape.contours))) for shape in shapes)
 
 

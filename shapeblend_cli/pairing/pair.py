@@ -69,15 +69,28 @@ def pair_rotated_contours(
     """Pair contours as if B were rotated back by an angle, its largest contour laid over A's; see `pair_contours`."""
     if not rotation:
         return pair_contours(a, b, settings, required, frames=frames)
-    in_a, in_b = (max(side, key=lambda c: c.size).polygon.vertices.mean() for side in (a, b))
-    back = Similarity.rotation(-rotation, about=in_b, onto=in_a)
+    in_a, in_b = _middles(a, b)
     there = Similarity.rotation(rotation, about=in_a, onto=in_b)
-    upright = [contour.transformed(back) for contour in b]
+    upright = rotated_back(a, b, rotation)
     as_drawn = {contour.number: contour for contour in b}
     return [
         (p, q.transformed(there) if q.is_piece else as_drawn[q.number])
         for p, q in pair_contours(a, upright, settings, required)
     ]
+
+
+def rotated_back(
+    a: Sequence[PlacedContour], b: Sequence[PlacedContour], rotation: float
+) -> list[PlacedContour]:
+    """Return B's contours rotated back by an angle, the largest one laid over A's."""
+    in_a, in_b = _middles(a, b)
+    back = Similarity.rotation(-rotation, about=in_b, onto=in_a)
+    return [contour.transformed(back) for contour in b]
+
+
+def _middles(a: Sequence[PlacedContour], b: Sequence[PlacedContour]) -> tuple[complex, complex]:
+    in_a, in_b = (complex(max(side, key=lambda c: c.size).polygon.vertices.mean()) for side in (a, b))
+    return in_a, in_b
 
 
 def _with_pieces(

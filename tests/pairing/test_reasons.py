@@ -51,3 +51,10 @@ def test_what_is_asked_for_and_what_has_no_choice_say_so(report):
     assert reasons == ["asked for", "the only ones inside 0=0"]
     (alone,) = report((FACE,), (MOUTH,))["contours"]
     assert alone["pair_because"] == "the only ones"
+
+
+def test_of_a_copy_that_is_turned_it_is_said_what_overlaps_once_it_is_turned_back(report):
+    parts = '<path d="M4 4H34V12H14V36H4Z" fill="#640"/>' + rect(20, 20, 6, 3) + rect(30, 30, 3, 6)
+    found = report((parts,), (f'<g transform="rotate(90 20 20)">{parts}</g>',))
+    assert all(contour["turned_back"] == pytest.approx(90) for contour in found["contours"])
+    assert {contour["pair_because"] for contour in found["contours"]} == {"overlaps 100 %"}
