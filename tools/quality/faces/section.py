@@ -84,8 +84,8 @@ HEADER = (
 TEXT = f"""\
 {len(FACES)} faces of Twemoji, which npm installs from a lock file, in {len(PAIRS)} pairs: each with the face {APART}
 places on in the list of `tools/quality/faces/section.py`. Which contours are the left eye, the right eye and the
-mouth was seen by eye, and is in that list; where eyes are of several contours (white, pupil) the outer one counts,
-and of a mouth with teeth or a tongue what they lie on. shapeblend is told nothing.
+mouth were identified by eye, and are in that list; where eyes are of several contours (white, pupil) the outer one
+counts, and of a mouth with teeth or a tongue what they lie on. shapeblend is told nothing.
 {FLUBBER[0].upper()}{FLUBBER[1:]}: contours in order of size, as flubber gets them wherever it is measured here.
 `make bench-faces` measures this alone."""
 
