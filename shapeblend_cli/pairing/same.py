@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import reduce
+from operator import or_
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,7 +14,7 @@ from shapeblend_cli.pairing.decompose import HOLE, PlacedContour
 from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from shapeblend_cli.pairing.decompose import ContourPair
 
@@ -56,17 +58,49 @@ def _in_order_of_paint(
 ) -> list[ContourPair]:
     """Return the pairs that can all keep the order of paint, of two that cannot the larger one."""
     below = visible_overlaps(a), visible_overlaps(b)
-
-    def fits(some: Sequence[ContourPair]) -> bool:
-        return paint_order([(p.shape, q.shape) for p, q in some], *below) is not None
-
-    if fits(pairs):
+    if paint_order([(p.shape, q.shape) for p, q in pairs], *below) is not None:
         return list(pairs)
+    neighbours = [_lower_and_higher(overlaps) for overlaps in below]
     kept: list[ContourPair] = []
+    above: list[int] = []  # the kept pairs above each, directly or not: bit k is number k
+    of_shapes: list[dict[int, int]] = [{}, {}]  # those of each shape of A and B
     for pair in sorted(pairs, key=lambda pair: -pair[0].size):
-        if fits([*kept, pair]):
-            kept.append(pair)
+        shapes = pair[0].shape, pair[1].shape
+        lower, higher = (
+            _union(
+                known.get(other, 0)
+                for shape, known, near in zip(shapes, of_shapes, neighbours, strict=True)
+                for other in near[end].get(shape, ())
+            )
+            for end in (0, 1)
+        )
+        higher |= _union(those for k, those in enumerate(above) if higher >> k & 1)
+        if higher & lower:
+            continue
+        new = 1 << len(kept)
+        above = [
+            those | higher | new if lower >> k & 1 or those & lower else those
+            for k, those in enumerate(above)
+        ]
+        above.append(higher)
+        kept.append(pair)
+        for shape, known in zip(shapes, of_shapes, strict=True):
+            known[shape] = known.get(shape, 0) | new
     return kept
+
+
+def _lower_and_higher(overlaps: Sequence[Numbers]) -> tuple[dict[int, list[int]], dict[int, list[int]]]:
+    """Return the shapes directly below each shape, and those above it."""
+    lower: dict[int, list[int]] = {}
+    higher: dict[int, list[int]] = {}
+    for low, high in overlaps:
+        lower.setdefault(high, []).append(low)
+        higher.setdefault(low, []).append(high)
+    return lower, higher
+
+
+def _union(sets: Iterable[int]) -> int:
+    return reduce(or_, sets, 0)
 
 
 def _with_exteriors(p: PlacedContour, q: PlacedContour) -> list[tuple[int | None, int | None]]:
