@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
+from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.pairing.pair import pair_contours
 
@@ -148,7 +148,7 @@ def _at(point: complex, contours: Sequence[PlacedContour]) -> PlacedContour:
     here = np.array([point])
     around = [c for c in contours if c.polygon.closed and winding_numbers(here, c.polygon.vertices)[0]]
     if around:
-        return min(around, key=lambda c: (abs(signed_area(c.polygon.vertices)), -c.number))
+        return min(around, key=lambda c: (c.area, -c.number))
     return min(contours, key=lambda c: float(np.abs(c.polygon.vertices - point).min()))
 
 

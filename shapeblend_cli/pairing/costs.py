@@ -8,7 +8,6 @@ import numpy as np
 
 from shapeblend_cli.constants import PAPER, WorkConstants
 from shapeblend_cli.geometry.placement import to_unit_box
-from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.geometry.polyline import distinct
 from shapeblend_cli.matching.solve import least_work
 from shapeblend_cli.matching.work import Wires
@@ -90,7 +89,7 @@ class Described(NamedTuple):
     def of(cls, contours: Sequence[PlacedContour]) -> Described:
         """Measure contours."""
         low, high = corners([contour.polygon for contour in contours])
-        areas = [abs(signed_area(c.polygon.vertices)) if c.polygon.closed else 0.0 for c in contours]
+        areas = [contour.area for contour in contours]
         paint = [[channels(c.style.fill), channels(c.style.stroke)] for c in contours]
         boxes = Boxes((low + high) / 2, (high - low) / 2)
         return cls(contours, boxes, np.array(areas), np.array(paint).reshape(-1, 2, 3))

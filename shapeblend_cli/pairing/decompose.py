@@ -65,6 +65,11 @@ class PlacedContour(NamedTuple):
         return self.box.diagonal
 
     @property
+    def area(self) -> float:
+        """Area within the polygon; 0 for an open one."""
+        return abs(signed_area(self.polygon.vertices)) if self.polygon.closed else 0.0
+
+    @property
     def centre(self) -> complex:
         """Centre of the box."""
         return self.box.centre

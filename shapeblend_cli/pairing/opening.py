@@ -9,7 +9,6 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.placement import to_unit_box
-from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.model import Contour
 from shapeblend_cli.pairing.costs import coarse_work
 from shapeblend_cli.pairing.decompose import EXTERIOR, PlacedContour
@@ -69,7 +68,7 @@ def _opened(
 ) -> PlacedContour:
     """Return a ring as one outline that becomes its partner with the least work; as it is if that is not much less."""
     edge, inner = ring.polygon.vertices, hole.polygon.vertices
-    if abs(signed_area(inner)) < LEAST_HOLE * abs(signed_area(edge)):
+    if hole.area < LEAST_HOLE * ring.area:
         return ring
     ends = np.unique(np.linspace(0, len(inner), PLACES, endpoint=False).astype(np.intp))
     across = np.abs(edge[:, None] - inner[ends])

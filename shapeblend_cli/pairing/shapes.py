@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.polygons import centroid, signed_area, winding_numbers
+from shapeblend_cli.geometry.polygons import centroid, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places, thin
 from shapeblend_cli.model import Box, ContourBlend, Fade, ShapeBlend, Style
 from shapeblend_cli.pairing.contour_blends import grow_from_point
@@ -199,7 +199,7 @@ def _growth_points(
     around = {contour.number: contour for contour in contours if contour.polygon.closed}
     hosts = [c for c in around.values() if c.number in paired or c.role != HOLE]
     touching = TOUCHING * Box.union([contour.box for contour in contours]).diagonal
-    areas = {c.number: abs(signed_area(c.polygon.vertices)) if c.polygon.closed else 0.0 for c in contours}
+    areas = {contour.number: contour.area for contour in contours}
     bounds = np.array([contour.box.bounds for contour in hosts]).reshape(-1, 4)
     outer = [match.points(here) for match in matches if match.pair[here].role != HOLE]
     spots: dict[int, complex] = {}

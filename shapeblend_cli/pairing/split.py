@@ -175,7 +175,7 @@ def _centre(contours: Sequence[PlacedContour]) -> complex:
 
 
 def _area(contours: Sequence[PlacedContour]) -> float:
-    return sum(abs(signed_area(contour.polygon.vertices)) for contour in contours)
+    return sum(contour.area for contour in contours)
 
 
 def _best_cut(outline: _Outline, share: float, offset: complex) -> tuple[float, int, int]:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
+from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, points_at, thin
 from shapeblend_cli.pairing.decompose import HOLE
 
@@ -50,7 +50,7 @@ class Structure(NamedTuple):
 def structure_of(contours: Sequence[PlacedContour]) -> Structure:
     """Find for each contour the smallest contour that it lies in: a hole in its exterior, all others in any."""
     lows, highs = corners([contour.polygon for contour in contours])
-    areas = np.array([abs(signed_area(c.polygon.vertices)) if c.polygon.closed else 0.0 for c in contours])
+    areas = np.array([contour.area for contour in contours])
     same = _coincident(contours, lows, highs, areas)
     points = [along(contour.polygon, SAMPLES) for contour in contours]
     inside = _inside(contours, points, (lows, highs), areas)
