@@ -156,35 +156,21 @@ def _group(shape: MovedShape, keys: _Keyframes) -> dict[str, Any]:
     ]
     s, e = shape.start.style, shape.end.style
     if s.stroke is not None and e.stroke is not None:
-        gradients = _gradients(shape, "stroke")
+        kind, shade = _paint(shape, "stroke", keys)
         stroke = {
-            **(
-                _shade(*gradients, keys)
-                if gradients
-                else {"c": keys.value(_colour(s.stroke), _colour(e.stroke))}
-            ),
-            "o": keys.opacity(shape, "stroke"),
+            **shade,
             "w": keys.value(*(_rounded(style.stroke_width, keys.decimals) for style in (s, e))),
             "lc": LINE_CAPS[s.stroke_linecap],
             "lj": LINE_JOINS[s.stroke_linejoin],
             "ml": _rounded(s.stroke_miterlimit, 4),
             **_dashes(s, e, keys),
         }
-        items.append({"ty": "gs" if gradients else "st", "nm": "stroke", **stroke})
+        items.append({"ty": kind, "nm": "stroke", **stroke})
     for coat in _coats(shape):
         s, e = coat.start.style, coat.end.style
         if s.fill is not None and e.fill is not None:
-            gradients = _gradients(coat, "fill")
-            fill = {
-                **(
-                    _shade(*gradients, keys)
-                    if gradients
-                    else {"c": keys.value(_colour(s.fill), _colour(e.fill))}
-                ),
-                "o": keys.opacity(coat, "fill"),
-                "r": FILL_RULES[s.fill_rule],
-            }
-            items.append({"ty": "gf" if gradients else "fl", "nm": "fill", **fill})
+            kind, shade = _paint(coat, "fill", keys)
+            items.append({"ty": kind, "nm": "fill", **shade, "r": FILL_RULES[s.fill_rule]})
     still = _constant({"p": [0, 0], "a": [0, 0], "s": [100, 100], "r": 0, "o": 100})
     if ellipse is not None:
         still |= _constant({"s": [100, _rounded(100.0 * ellipse.ratio, 6)], "r": _rounded(ellipse.angle, 4)})
@@ -228,6 +214,16 @@ def _coats(shape: MovedShape) -> list[MovedShape]:
         shape._replace(start=shape.start._replace(style=begun)),
         shape._replace(end=shape.end._replace(style=below)),
     ]
+
+
+def _paint(shape: MovedShape, name: str, keys: _Keyframes) -> tuple[str, dict[str, Any]]:
+    """Return the kind of a fill or a stroke, and its colours and opacity."""
+    gradients = _gradients(shape, name)
+    opacity = {"o": keys.opacity(shape, name)}
+    if gradients:
+        return {"fill": "gf", "stroke": "gs"}[name], _shade(*gradients, keys) | opacity
+    colours = (_colour(getattr(side.style, name)) for side in (shape.start, shape.end))
+    return {"fill": "fl", "stroke": "st"}[name], {"c": keys.value(*colours)} | opacity
 
 
 def _shows_gradients(shape: MovedShape, paint: str) -> bool:
