@@ -178,8 +178,8 @@ def _pair(
 ) -> _PairedDrawings:
     """Pair the contours of two drawings."""
     pins = point_pins(a, b, settings)
-    required = required_pairs(a, b, settings) + [pin.pair for pin in pins]
-    asked = list(required)
+    asked = required_pairs(a, b, settings) + [pin.pair for pin in pins]
+    required = asked
     changed: Sequence[Change] = ()
     rest = a.contours, b.contours
     if not rotation:
@@ -188,7 +188,8 @@ def _pair(
             rest = change.without(rest[0], 0), change.without(rest[1], 1)
     pairs: Sequence[ContourPair] = ()
     if all(rest):
-        required += same_pairs(*rest, required) if not rotation else []
+        if not rotation:
+            required = asked + same_pairs(*rest, asked)
         boxes = Box.union([c.box for c in a.contours]), Box.union([c.box for c in b.contours])
         frames = boxes if changed else None
         pairs = pair_rotated_contours(*rest, settings, required, rotation, frames=frames)
@@ -255,10 +256,11 @@ def _move(paired: _PairedDrawings, shapes: Sequence[ShapeBlend]) -> tuple[ShapeB
     trials = try_straight(straight, settings.motion, times, rotated_copy and rotated_copy.rotation)
     moved = []
     for matched, trial in zip(shapes, trials, strict=True):
-        if trial.is_settled or paired.leads(trial.shape):
-            moved.append(
-                trial.shape._replace(reason=trial.shape.reason if trial.is_settled else trial.reason)
-            )
+        if trial.is_settled:
+            moved.append(trial.shape)
+            continue
+        if paired.leads(trial.shape):
+            moved.append(trial.shape._replace(reason=trial.reason))
             continue
         if rotated_copy:
             rotated = RotatedShape(trial.shape, rotated_copy)
