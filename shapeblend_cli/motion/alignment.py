@@ -13,6 +13,16 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, ContourBlend, FloatArray
 
 
+REWEIGHTINGS, SETTLED = 20, 1e-3
+"""How often points are weighted anew at most, and what share less that leaves moving ends it."""
+
+NEAR = 0.02
+"""A point that moves by this share of the size half stays where it is."""
+
+IN_PLACE = 0.7
+"""A similarity leaves at most this share of what moves without it, or there is none."""
+
+
 class Alignment(NamedTuple):
     """The similarity ``a -> scale * exp(1j * rotation) * (a - centre_a) + centre_b``, in parts that move evenly.
 
@@ -31,10 +41,10 @@ class Alignment(NamedTuple):
     def apply(self, z: ComplexArray, t: float) -> ComplexArray:
         """Map points around the origin to where they are at time t.
 
-        The angle changes evenly, the scale geometrically, and the centre moves on a straight line.
+        The angle and the scale change evenly, and the centre moves on a straight line.
         """
         centre = (1.0 - t) * self.centre_a + t * self.centre_b
-        return z * cmath.rect(self.scale**t, self.rotation * t) + centre
+        return z * cmath.rect(1.0 - t + t * self.scale, self.rotation * t) + centre
 
 
 class Rigid(NamedTuple):
@@ -95,12 +105,57 @@ def _adjacent_length(z: ComplexArray, closed: bool) -> FloatArray:
 
 
 def align(points: PointPairs) -> Alignment:
-    """Return the similarity that takes A's points nearest to B's, by weighted least squares.
+    """Return the similarity under which most of the outlines' length stays where it is.
 
-    The rotation is that of least squares. The scale is the ratio of both sizes, so that it makes no difference which
-    drawing comes first: where outlines have little in common, least squares would shrink in both directions.
+    That is the one of the least mean logarithm of ``1 + (distance / NEAR)²``: a limb that swings hardly counts by how
+    far it goes. It is found by least squares that are weighted anew again and again, once from those of even weights
+    and once from what rests in its place. Distances are in units of the geometric mean of both sizes, so that it makes
+    no difference which drawing comes first. If it leaves not much less than no similarity at all, there is none.
+    """
+    everywhere = _least_squares(points)
+    middle = 0.5 * (everywhere.centre_a + everywhere.centre_b)
+    in_place = Alignment(middle, middle, 1.0, 0.0)
+    found = [_reweighted(points, start) for start in (in_place, everywhere)]
+    alignment, least = min(found, key=lambda one: one[1])
+    return in_place if IN_PLACE * _moving_length(points, in_place) <= least else alignment
+
+
+def _reweighted(points: PointPairs, alignment: Alignment) -> tuple[Alignment, float]:
+    """Return the similarity near another one under which most stays, and what it leaves moving."""
+    left = np.inf
+    for _ in range(REWEIGHTINGS):
+        before, left = left, _moving_length(points, alignment)
+        if before - left <= SETTLED * left:
+            break
+        alignment = _least_squares(points._replace(weight=points.weight * resting(points, alignment)))
+    return alignment, left
+
+
+def resting(points: PointPairs, alignment: Alignment) -> FloatArray:
+    """Return how much each point stays where it is once a similarity is undone, (k,) float: 1 if it does."""
+    return 1.0 / (1.0 + _squares(points, alignment) / NEAR**2)
+
+
+def _moving_length(points: PointPairs, alignment: Alignment) -> float:
+    """Return the mean logarithm of `align`."""
+    return float(points.weight @ np.log1p(_squares(points, alignment) / NEAR**2))
+
+
+def _squares(points: PointPairs, alignment: Alignment) -> FloatArray:
+    """Return the squares of the distances that a similarity leaves, in units of both sizes; (k,) float."""
+    a, b, weight = points
+    left = alignment.undo(b) - (a - alignment.centre_a)
+    unit = _size(a - weight @ a, weight) * _size(b - weight @ b, weight)
+    return alignment.scale * (left.real**2 + left.imag**2) / unit if unit > 0.0 else np.zeros(len(a))
+
+
+def _least_squares(points: PointPairs) -> Alignment:
+    """Return the similarity that takes A's points nearest to B's by weighted least squares, but for its scale.
+
+    That is the ratio of both sizes.
     """
     a, b, weight = points
+    weight = weight / weight.sum()
     centre_a, centre_b = complex((weight * a).sum()), complex((weight * b).sum())
     a, b = a - centre_a, b - centre_b
     common = complex((weight * a.conj() * b).sum())

@@ -119,7 +119,7 @@ def choose_motion(trial: Trial, motion: str, rotated: RotatedShape, times: Seque
     """
     if motion == "auto" and rests(trial.shape):
         rotated = RotatedShape(trial.shape, Alignment(0j, 0j, 1.0, 0.0))
-        candidates = {"intrinsic": lambda: _intrinsic(rotated, turns=False)}
+        candidates = {"intrinsic": lambda: _intrinsic(rotated)}
         return _without_defect(trial, candidates, times)
     candidates = {
         "rigid": lambda: _rigid(rotated),
@@ -171,10 +171,10 @@ def _rigid(rotated: RotatedShape, reason: str = ASKED) -> ShapeBlend:
     return rotated.shape._replace(motion=Rigid(rotated.alignment), reason=reason)
 
 
-def _intrinsic(rotated: RotatedShape, *, turns: bool = True) -> ShapeBlend:
+def _intrinsic(rotated: RotatedShape) -> ShapeBlend:
     from shapeblend_cli.motion.intrinsic import intrinsic
 
-    motion = intrinsic(rotated.shape.contours, rotated.alignment, turns=turns)
+    motion = intrinsic(rotated.shape.contours, rotated.alignment)
     return rotated.shape._replace(motion=motion, reason=ASKED)
 
 

@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.motion.alignment import Alignment, Rigid
+from shapeblend_cli.motion.alignment import PointPairs, Rigid, resting
 from shapeblend_cli.motion.turning import FULL_TURN, directions
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, CubicPath, FloatArray, IntArray
+    from shapeblend_cli.motion.alignment import Alignment
 
 LEAST_CHANGE = 0.2
 """The floor under the relative change of length in an edge's compliance, the paper's ``L_tol``."""
@@ -84,7 +85,7 @@ class MovingPolygon(NamedTuple):
 class Intrinsic(NamedTuple):
     """Motion in which lengths of edges and the angles between them change evenly; `intrinsic` makes it."""
 
-    alignment: Alignment  # its rotation is that of most of the contours' length
+    alignment: Alignment
     polygons: tuple[MovingPolygon | None, ...]  # for each contour; None where it moves as `Rigid` has it
 
     @property
@@ -109,10 +110,8 @@ class Intrinsic(NamedTuple):
         return every
 
 
-def intrinsic(contours: Sequence[ContourBlend], alignment: Alignment, *, turns: bool = True) -> Intrinsic:
+def intrinsic(contours: Sequence[ContourBlend], alignment: Alignment) -> Intrinsic:
     """Return the intrinsic motion of contours that are painted together, given the best similarity between them.
-
-    If the whole turns, the similarity's rotation is replaced by that of most of the outlines.
 
     Notes
     -----
@@ -131,7 +130,7 @@ def intrinsic(contours: Sequence[ContourBlend], alignment: Alignment, *, turns: 
     * It is the control polygons that move, an edge for a straight segment and three for a curve. Where the outlines are
       smooth at a joint in both drawings, the turn there is zero at the start and at the end, and so always.
     * The similarity is taken out of B first, and comes in again as in `Rigid`. A shape and the same shape rotated,
-      scaled and moved have that shape between them, scaled geometrically, and several contours keep together.
+      scaled and moved have that shape between them, and several contours keep together.
     * ``w_i²`` is ``σ_i L_i`` with ``σ_i = ((L_Ai - L_Bi) / (L_Ai + L_Bi))² + LEAST_CHANGE²``. An edge cut into two then
       gives way as much as before, while the paper's, twice as stiff, would depend on where curves happen to be cut.
     * Lengths change by a factor, ``L_i exp(σ_i (λ_1 cos α_i + λ_2 sin α_i))``, which differs from the paper's in the
@@ -139,21 +138,15 @@ def intrinsic(contours: Sequence[ContourBlend], alignment: Alignment, *, turns: 
     * Edges that are a point in one of the drawings, cusps and sums of turns: see `turning.directions`.
     * Directions of B are those of A plus a change, and a whole number of rounds is free. The mean change, weighted by
       length, is the nearest possible to the similarity's rotation.
-    * A limb that swings takes the best similarity with it. So the similarity's rotation is replaced by the median of
-      all edges' changes, weighted by length: that of the body, if a limb is less than half the outline.
     * The paper puts the first vertex on a straight path. Here it is a weighted mean of the control points that is
-      where the rigid motion, with that rotation, has it. An edge counts by its length and ``cos²`` of half its change,
-      which is the share of its length that it has half way on a straight path, squared; so a limb that swings hardly
-      pushes the body away.
+      where the rigid motion has it. An edge counts by its length, and by how much its ends rest once the similarity is
+      undone; so a limb that swings does not push the body away.
 
     Contours that grow from a point or shrink to one move as `Rigid` has it; also those whose turning numbers differ in
     both drawings, such as an outline that becomes a figure of eight, for then no even turning leads from one to the
     other.
     """
     polygons = [_matched_polygons(contour) for contour in contours]
-    moving = [polygon for polygon in polygons if polygon is not None]
-    if moving and turns:
-        alignment = alignment._replace(rotation=_median_rotation(moving, alignment.rotation))
     return Intrinsic(alignment, tuple(polygon and _moving(polygon, alignment) for polygon in polygons))
 
 
@@ -188,19 +181,6 @@ def _matched_polygons(contour: ContourBlend) -> ControlPolygons | None:
     return ControlPolygons(contour.start, control_points, (a, b), moves, start, end, both[0], change, share)
 
 
-def _median_rotation(polygons: Sequence[ControlPolygons], rotation: float) -> float:
-    """Return the change of direction with as much of the contours' length below as above, in rounds near a rotation."""
-    change = np.concatenate([polygon.changes_near(rotation) for polygon in polygons])
-    start = np.concatenate([polygon.start for polygon in polygons])
-    end = np.concatenate([polygon.end for polygon in polygons])
-    order = change.argsort()
-    change = change[order]
-    below = (start / start.sum() + end / end.sum())[order].cumsum()
-    # Where exactly half is below, time backwards finds the next one.
-    low, high = np.searchsorted(below, below[-1] * np.array([0.5 - 1e-9, 0.5 + 1e-9]))
-    return 0.5 * float(change[low] + change[min(high, len(change) - 1)])
-
-
 def _moving(polygon: ControlPolygons, alignment: Alignment) -> MovingPolygon:
     """Return how a control polygon moves, once a similarity is undone."""
     start, end = polygon.start, polygon.end / alignment.scale
@@ -208,8 +188,9 @@ def _moving(polygon: ControlPolygons, alignment: Alignment) -> MovingPolygon:
     compliance = ((start - end) / (start + end)) ** 2 + LEAST_CHANGE**2
     compliance /= (polygon.share * compliance).sum()
     of_edge = np.zeros(len(polygon.moves))
-    of_edge[polygon.moves] = polygon.share * (np.cos(0.5 * np.clip(change, -np.pi, np.pi)) ** 2 + 1e-6)
+    of_edge[polygon.moves] = polygon.share
     weight = np.append(of_edge, 0.0) + np.append(0.0, of_edge)
+    weight *= resting(PointPairs(*polygon.points, weight / weight.sum()), alignment)
     weight /= weight.sum()
     a, b = polygon.points[0] - alignment.centre_a, alignment.undo(polygon.points[1])
     positions = complex((weight * a).sum()), complex((weight * b).sum())

@@ -108,7 +108,7 @@ class BlendSpace:
         high = min(low + 1, self.top)
         f = level - low
         rotation = (1.0 - f) * self.rotations[low] + f * self.rotations[high]
-        placed = scale * self.alignment.scale**share * np.exp(1j * rotation * share)
+        placed = scale * (1.0 - share + share * self.alignment.scale) * np.exp(1j * rotation * share)
         of_a = placed * (1.0 - share)
         of_b = placed * share * np.exp(-1j * rotation) / self.alignment.scale
         centre_a = (1.0 - f) * self.centres_a[low] + f * self.centres_a[high]

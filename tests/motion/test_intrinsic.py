@@ -73,9 +73,11 @@ def test_samples_start_and_end_as_drawn_and_stay_closed(samples, names):
 def test_a_shape_and_the_same_rotated_scaled_and_moved_have_it_between_them(rng, m, rotation, scale, shift):
     a = smooth_contour(rng, m)
     b = scale * np.exp(1j * rotation) * a + shift
-    contour, centre = moving_curves(a, b), a.mean()
+    contour = moving_curves(a, b)
+    centre = similarity_of(moving_shape(contour)).centre_a
     for t in TIMES:
-        expected = scale**t * np.exp(1j * rotation * t) * (a - centre) + (1.0 - t) * centre + t * b.mean()
+        scaled = (1.0 - t + t * scale) * np.exp(1j * rotation * t) * (a - centre)
+        expected = scaled + (1.0 - t) * centre + t * (scale * np.exp(1j * rotation) * centre + shift)
         np.testing.assert_allclose(at(contour, t), expected, atol=1e-9 * (1.0 + abs(shift) + scale))
 
 

@@ -76,12 +76,14 @@ def moving_polygons(*pairs, closed=True):
 
 
 def similarity_of(shape):
-    """The best one between a shape's start and its end, by its control points."""
+    """The best one between a shape's start and its end, by its control points and the lengths between them."""
     a, b = (
-        np.concatenate([getattr(contour, side).segments.ravel() for contour in shape.contours])
+        np.concatenate([getattr(contour, side).segments for contour in shape.contours])
         for side in ("start", "end")
     )
-    return align(PointPairs(a, b, np.full(len(a), 1.0 / len(a))))
+    length = sum(abs(np.diff(z)).sum(axis=1) for z in (a, b))
+    weight = np.repeat(length, 4) / (4.0 * length.sum())
+    return align(PointPairs(a.ravel(), b.ravel(), weight))
 
 
 def rigidly(shape):
