@@ -407,6 +407,13 @@ class Fade(NamedTuple):
         return come if self.comes else 1.0 - come
 
 
+class Candidate(NamedTuple):
+    """A way to blend a shape that was judged."""
+
+    name: str
+    wrong: float  # the judge's number
+
+
 class ShapeBlend(NamedTuple):
     """Contours that are painted together, from one paint to another."""
 
@@ -419,6 +426,8 @@ class ShapeBlend(NamedTuple):
     is_twin: bool = (
         False  # whether it is the second copy of a shape that has two places in the order of paint
     )
+    candidates: tuple[Candidate, ...] = ()  # what was judged, in this order, where there was a choice
+    wrong: float = 0.0  # how wrong the one that was taken looks, by the judge
 
     @property
     def motion_name(self) -> str:
@@ -429,6 +438,11 @@ class ShapeBlend(NamedTuple):
     def is_matched(self) -> bool:
         """Whether any of its contours has a partner."""
         return any(contour.is_matched for contour in self.contours)
+
+    @property
+    def size(self) -> float:
+        """The larger side of its largest contour's box."""
+        return max(max(contour.scale_a, contour.scale_b) for contour in self.contours)
 
 
 class Place(NamedTuple):

@@ -16,7 +16,19 @@ from shapeblend_cli.interpolate.fades import in_paint_order
 from shapeblend_cli.interpolate.paths import paths_at, with_curves
 from shapeblend_cli.model import Box, CubicPath, Drawing, Frame, PaintedShape, Pair, ShapeBlend, Style
 from shapeblend_cli.motion.alignment import Alignment, align, point_pairs
-from shapeblend_cli.motion.choose import RotatedShape, choose_motion, is_as_good, try_straight
+from shapeblend_cli.motion.choose import (
+    ASKED,
+    LEADS,
+    MANY,
+    RIGHT,
+    RotatedShape,
+    best_motion,
+    is_as_good,
+    moved_as_asked,
+    reason_to_be_straight,
+    straight,
+    turned,
+)
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.motion.sweep import Sweep
 from shapeblend_cli.paint.styles import painted_as, shape_styles
@@ -41,6 +53,11 @@ if TYPE_CHECKING:
     from shapeblend_cli.pairing.constraints import ConstrainedPairs, NumbersOrNone
     from shapeblend_cli.pairing.decompose import ContourPair
     from shapeblend_cli.pairing.direction import Watch
+
+
+AFFORDABLE_SEGMENTS = 2000
+"""Once several motions have been tried on shapes of so many segments, further ones move straight. That takes
+a few seconds; a drawing of hundreds of shapes would take minutes."""
 
 
 def match_all(
@@ -76,7 +93,8 @@ def match_all(
     clock.lap("flatten")
     pairs = []
     for k, (a, b) in enumerate(pairwise(flat)):
-        shapes = _blend_shapes(a, b, settings, clock, watch_part(watch, k, len(flat) - 1))
+        view = Box.union([views[k], views[k + 1]])
+        shapes = _blend_shapes(a, b, settings, view, (clock, watch_part(watch, k, len(flat) - 1)))
         pairs.append(Pair(k, k + 1, shapes, drawn=(drawn[k], drawn[k + 1]), views=(views[k], views[k + 1])))
         clock.lap("interpolate")
     views = views_with_room(pairs)
@@ -131,9 +149,10 @@ def _views(
 
 
 def _blend_shapes(
-    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, clock: Clock, watch: Watch | None
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: tuple[Clock, Watch | None]
 ) -> tuple[ShapeBlend, ...]:
-    """Pair the contours of two drawings, match them, and choose how their shapes move."""
+    """Pair the contours of two drawings, match them, and choose how their shapes move in a view."""
+    clock, watch = progress
     rotation = 0.0
     if settings.motion != "linear":
         largest = [max(side.contours, key=lambda contour: contour.size) for side in (a, b)]
@@ -143,7 +162,7 @@ def _blend_shapes(
     if rotation and not is_rotated_copy([contour for shape in shapes for contour in shape.contours]):
         paired = _pair(a, b, settings, 0.0, clock)
         shapes, places = _match(paired, watch)
-    moved = in_paint_order(_explained(_move(paired, shapes), paired), places)
+    moved = in_paint_order(_explained(_move(paired, shapes, view), paired), places)
     clock.lap("interpolate")
     return moved
 
@@ -244,31 +263,49 @@ def _in_style(shape: ShapeBlend, style: str) -> ShapeBlend:
     return shape._replace(style_a=style_a, style_b=style_b)
 
 
-def _move(paired: _PairedDrawings, shapes: Sequence[ShapeBlend]) -> tuple[ShapeBlend, ...]:
-    """Choose how shapes move; those that are not to move straight are matched again first, unless B is rotated."""
+def _move(paired: _PairedDrawings, shapes: Sequence[ShapeBlend], view: Box) -> tuple[ShapeBlend, ...]:
+    """Choose how shapes move: as is asked for, or as the judge has it."""
     settings = paired.settings
-    times = frame_times(settings.frames, settings.ends, settings.ease)
     common = None
-    if settings.motion != "linear" and (paired.rotation or len(shapes) > 1):
-        common = align(point_pairs([contour for shape in shapes for contour in shape.contours]))
-    rotated_copy = common if paired.rotation else None
-    straight = [_with_curves(shape, settings) for shape in shapes]
-    trials = try_straight(straight, settings.motion, times, rotated_copy and rotated_copy.rotation)
-    moved = []
-    for matched, trial in zip(shapes, trials, strict=True):
-        if trial.is_settled:
-            moved.append(trial.shape)
-            continue
-        if paired.leads(trial.shape):
-            moved.append(trial.shape._replace(reason=trial.reason))
-            continue
-        if rotated_copy:
-            rotated = RotatedShape(trial.shape, rotated_copy)
+    matched_ones = [shape for shape in shapes if shape.is_matched]
+    if settings.motion != "linear" and matched_ones and (paired.rotation or len(shapes) > 1):
+        common = align(point_pairs([contour for shape in matched_ones for contour in shape.contours]))
+    moved: dict[int, ShapeBlend] = {}
+    affordable = AFFORDABLE_SEGMENTS
+    # The largest first, as what is wrong with them is seen most.
+    for k in sorted(range(len(shapes)), key=lambda k: -shapes[k].size):
+        matched = shapes[k]
+        shape = _with_curves(matched, settings)
+        if reason := reason_to_be_straight(shape):
+            moved[k] = shape._replace(reason=reason)
+        elif settings.motion == "linear":
+            moved[k] = shape._replace(reason=ASKED)
+        elif settings.motion != "auto":
+            moved[k] = moved_as_asked(shape, settings.motion, _rotated(paired, matched, shape, common))
+        elif paired.rotation:
+            moved[k] = turned(_rotated(paired, matched, shape, common))
+        elif paired.leads(shape):
+            moved[k] = shape._replace(reason=LEADS)
+        elif affordable <= 0:
+            moved[k] = shape._replace(reason=MANY)
         else:
-            again, alignment = _rotate_back(paired, matched, common)
-            rotated = RotatedShape(_with_curves(again, settings), alignment)
-        moved.append(choose_motion(trial, settings.motion, rotated, times))
-    return tuple(moved)
+            affordable -= sum(len(contour.start.segments) for contour in shape.contours)
+            shape = straight(shape, view)
+            if shape.wrong > RIGHT:
+                shape = best_motion(shape, _rotated(paired, matched, shape, common), view)
+            moved[k] = shape
+    return tuple(moved[k] for k in range(len(shapes)))
+
+
+def _rotated(
+    paired: _PairedDrawings, matched: ShapeBlend, shape: ShapeBlend, common: Alignment | None
+) -> RotatedShape:
+    """Return a shape with B rotated back, if its largest contour is A's rotated, and what its motion separates."""
+    if paired.rotation:
+        assert common is not None, "what is rotated is aligned"
+        return RotatedShape(shape, common)
+    again, alignment = _rotate_back(paired, matched, common)
+    return RotatedShape(shape if again is matched else _with_curves(again, paired.settings), alignment)
 
 
 def _rotate_back(

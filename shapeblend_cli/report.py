@@ -111,6 +111,8 @@ def _contour(contour: ContourBlend, shape: ShapeBlend) -> dict[str, Any]:
         "turned_back": float(np.degrees(contour.rotation)),
         "motion": shape.motion_name,
         "motion_because": shape.reason,
+        "wrong": shape.wrong,
+        "candidates": [{"name": one.name, "wrong": one.wrong} for one in shape.candidates],
         "pair_because": contour.reason,
     }
 

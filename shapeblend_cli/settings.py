@@ -152,7 +152,7 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         default="auto",
         section=IN_BETWEENS,
         help="How shapes move. linear: along straight lines; rigid: rotated as a whole; intrinsic: by their lengths "
-        "and angles; safe: without crossing themselves; auto: linear, or else the first of these without a defect.",
+        "and angles; safe: without crossing themselves; auto: the one of the first three that looks best.",
     )
     style: str = option(
         types.choice("blend", "a", "b"),

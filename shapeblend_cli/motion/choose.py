@@ -1,8 +1,7 @@
-"""Which motion a shape gets: the one asked for, or the first without a defect.
+"""Which motion a shape gets: the one asked for, or the best of several by the judge.
 
-A motion other than a straight one may need the correspondence solved again, with B rotated back, and only the pipeline
-can do that. So there are two steps: `try_straight` says on which shapes other motions are to be tried, and
-`choose_motion` tries them on what was solved again.
+Straight paths that look right settle it. Other motions may need the correspondence solved again, with B rotated back,
+and only the pipeline can do that: it hands over what it solved.
 """
 
 from __future__ import annotations
@@ -10,46 +9,28 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
+from shapeblend_cli.model import Candidate
 from shapeblend_cli.motion.alignment import Alignment, Rigid, align, point_pairs, residual
-from shapeblend_cli.motion.defects import COLLAPSE, OVERLAP, Defect, worst_defect
+from shapeblend_cli.motion.judge import judge
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    from shapeblend_cli.model import ShapeBlend
-    from shapeblend_cli.motion.safe import Route
+    from shapeblend_cli.model import Box, ShapeBlend
 
 ASKED = "asked for"
+RIGHT_ENOUGH = "little is wrong with it"
 STILL = "what is the same stays"
 FOLLOWS, GROWS = "it goes where the edge goes that it lies on", "a point at one end"
+LEADS = "straight, as strokes on its edges go with it"
+MANY = "too many shapes to try other motions on each"
 
-BLURRED_LEVEL, ROUND_LEVEL = 17, 20
-"""Levels above which smoothed outlines have only large features left, and hardly any."""
+RIGHT = 0.01
+"""With so little wrong nothing else is tried."""
 
-AFFORDABLE_SEGMENTS = 600
-"""Once other motions have been tried on shapes of so many segments, further ones move straight in any case. That
-takes a few seconds; a drawing of hundreds of defective shapes would take minutes."""
-
-LARGE, AT_REST = 0.5, 5e-3
-"""A contour rests that moves nowhere further than the second share of its shape's size; that counts if it has the first
-share of that size."""
+BETTER = 0.8
+"""Another motion is taken if it has at most this share of what is wrong on straight paths: these are predictable."""
 
 COMMON_RESIDUAL = 2.0
 """Shapes of a drawing move by one similarity unless it leaves so many times as much as their own."""
-
-
-class Trial(NamedTuple):
-    """A shape on straight paths, and whether it is settled: no other motions are to be tried on it.
-
-    If it is not: the reason, the defect of straight paths unless they are out of the question, and the route of `safe`
-    motion if it is known already.
-    """
-
-    shape: ShapeBlend
-    is_settled: bool = True
-    reason: str = ""
-    defect: Defect | None = None
-    route: Route | None = None
 
 
 class RotatedShape(NamedTuple):
@@ -59,103 +40,50 @@ class RotatedShape(NamedTuple):
     alignment: Alignment
 
 
-def try_straight(
-    shapes: Sequence[ShapeBlend], motion: str, times: Sequence[float], rotation: float | None
-) -> list[Trial]:
-    """Try shapes on straight paths, at the times of the frames.
-
-    The rotation is the angle by which B is A rotated, in radians, if that is all there is between them.
-    """
-    trials = [
-        Trial(shape._replace(reason=STILL if shape.motion else ASKED if shape.is_matched else _alone(shape)))
-        for shape in shapes
-    ]
-    if motion == "linear":
-        return trials
-    matched = [k for k, shape in enumerate(shapes) if shape.is_matched and shape.motion is None]
-    if motion == "auto" and rotation is None:
-        _settle_without_defect(trials, matched, times)
-        return trials
-    for k in matched:
-        if motion == "auto":
-            reason = f"B is A turned by {math.degrees(rotation or 0.0):.3g} degrees"
-            trials[k] = Trial(shapes[k], False, reason)
-        else:
-            trials[k] = _try_safe(trials[k].shape) if motion == "safe" else Trial(trials[k].shape, False)
-    return trials
+def reason_to_be_straight(shape: ShapeBlend) -> str:
+    """Return why a shape does not get another motion, a phrase; empty if it may."""
+    if shape.motion is not None:
+        return STILL
+    if not shape.is_matched:
+        reasons = (FOLLOWS if contour.follows_edge else GROWS for contour in shape.contours)
+        return "; ".join(dict.fromkeys(reasons))
+    return ""
 
 
-def _alone(shape: ShapeBlend) -> str:
-    """Return why a shape moves as it does of which no contour has a partner."""
-    reasons = (FOLLOWS if contour.follows_edge else GROWS for contour in shape.contours)
-    return "; ".join(dict.fromkeys(reasons))
+def moved_as_asked(shape: ShapeBlend, motion: str, rotated: RotatedShape) -> ShapeBlend:
+    """Return a shape with the motion that is asked for, not a straight one."""
+    return _safe(shape, rotated) if motion == "safe" else _with_motion(rotated, motion)._replace(reason=ASKED)
 
 
-def _settle_without_defect(trials: list[Trial], matched: Sequence[int], times: Sequence[float]) -> None:
-    """Settle shapes without a defect, and those for which other motions would take too long, the smallest."""
-    defects = {k: worst_defect(trials[k].shape, times) for k in matched}
-    affordable = AFFORDABLE_SEGMENTS
-    # The larger side of a shape's largest box.
-    sizes = {k: max(max(c.scale_a, c.scale_b) for c in trials[k].shape.contours) for k in matched}
-    for k in sorted(matched, key=lambda k: -sizes[k]):
-        shape, defect = trials[k].shape, defects[k]
-        if defect is None:
-            trials[k] = Trial(shape._replace(reason="no fault"))
-            continue
-        reason = f"linear: {defect.message}"
-        if affordable > 0:
-            affordable -= sum(len(contour.start.segments) for contour in shape.contours)
-            trials[k] = Trial(shape, False, reason, defect)
-        else:
-            reason += "; too many shapes to try another motion on each"
-            trials[k] = Trial(shape._replace(reason=reason))
+def turned(rotated: RotatedShape) -> ShapeBlend:
+    """Return a shape of a drawing that is turned as a whole."""
+    degrees = math.degrees(rotated.alignment.rotation)
+    return _with_motion(rotated, "rigid")._replace(reason=f"B is A turned by {degrees:.3g} degrees")
 
 
-def choose_motion(trial: Trial, motion: str, rotated: RotatedShape, times: Sequence[float]) -> ShapeBlend:
-    """Give a shape that is not settled its motion; `auto` is the first without a defect, else that with the least.
-
-    With a defect, `safe` is not taken: a blob that nothing needed is missed more than a crossing. What rests stays
-    where it is, and so a shape with a contour that does is not turned as a whole.
-    """
-    if motion == "auto" and rests(trial.shape):
-        rotated = RotatedShape(trial.shape, Alignment(0j, 0j, 1.0, 0.0))
-        candidates = {"intrinsic": lambda: _intrinsic(rotated)}
-        return _without_defect(trial, candidates, times)
-    candidates = {
-        "rigid": lambda: _rigid(rotated),
-        "intrinsic": lambda: _intrinsic(rotated),
-        "safe": lambda: _safe(trial, rotated),
-    }
-    return candidates[motion]() if motion != "auto" else _without_defect(trial, candidates, times)
+def straight(shape: ShapeBlend, view: Box) -> ShapeBlend:
+    """Return a shape on straight paths, judged."""
+    wrong = _wrong(shape, view)
+    return shape._replace(reason=RIGHT_ENOUGH, candidates=(Candidate("linear", wrong),), wrong=wrong)
 
 
-def _without_defect(
-    trial: Trial, candidates: dict[str, Callable[[], ShapeBlend]], times: Sequence[float]
-) -> ShapeBlend:
-    """Return the first candidate without a defect, else the one with the least, or straight paths."""
-    reasons = [trial.reason]
-    defective = [] if trial.defect is None else [(trial.shape, trial.defect)]
-    for name, make in candidates.items():
-        shape = make()
-        defects = [worst_defect(shape, times), _blurred(shape)]
-        worst = max(filter(None, defects), key=lambda defect: defect.rank, default=None)
-        if worst is None:
-            return shape._replace(reason="; ".join(reasons))
-        reasons.append(f"{name}: {worst.message}")
-        if name != "safe":
-            defective.append((shape, worst))
-    least, _ = min(defective, key=lambda candidate: candidate[1].rank)
-    return least._replace(reason="; ".join(reasons))
+def best_motion(shape: ShapeBlend, rotated: RotatedShape, view: Box) -> ShapeBlend:
+    """Return the best of a shape on straight paths, which are judged, and in other motions."""
+    best = shape
+    judged = list(shape.candidates)
+    for motion in ("rigid", "intrinsic"):
+        candidate = _with_motion(rotated, motion)
+        wrong = _wrong(candidate, view)
+        judged.append(Candidate(motion, wrong))
+        if wrong <= BETTER * shape.wrong and wrong < best.wrong:
+            best = candidate._replace(wrong=wrong)
+    reason = "the least wrong of " + ", ".join(f"{one.name} {one.wrong:.3f}" for one in judged)
+    return best._replace(reason=reason, candidates=tuple(judged))
 
 
-def rests(shape: ShapeBlend) -> bool:
-    """Return whether a large contour of a shape is the same in place at both ends."""
-    matched = [contour for contour in shape.contours if contour.is_matched]
-    size = max(contour.scale_a for contour in matched)
-    large = (contour for contour in matched if contour.scale_a >= LARGE * size)
-    return any(
-        float(abs(a - b).max()) <= AT_REST * size for a, b in (contour.dot_points() for contour in large)
-    )
+def _wrong(shape: ShapeBlend, view: Box) -> float:
+    """Return the judge's number, rounded, so that the last digit of a machine's arithmetic does not choose."""
+    return round(judge(shape, view).number, 4)
 
 
 def is_as_good(common: Alignment, own: Alignment, shape: ShapeBlend) -> bool:
@@ -167,46 +95,23 @@ def is_as_good(common: Alignment, own: Alignment, shape: ShapeBlend) -> bool:
 # Modules that take long to import, and that most blends do without, are imported where they are used.
 
 
-def _rigid(rotated: RotatedShape, reason: str = ASKED) -> ShapeBlend:
-    return rotated.shape._replace(motion=Rigid(rotated.alignment), reason=reason)
-
-
-def _intrinsic(rotated: RotatedShape) -> ShapeBlend:
+def _with_motion(rotated: RotatedShape, motion: str) -> ShapeBlend:
+    shape, alignment = rotated
+    if motion == "rigid":
+        return shape._replace(motion=Rigid(alignment))
     from shapeblend_cli.motion.intrinsic import intrinsic
 
-    motion = intrinsic(rotated.shape.contours, rotated.alignment)
-    return rotated.shape._replace(motion=motion, reason=ASKED)
+    return shape._replace(motion=intrinsic(shape.contours, alignment))
 
 
-def _try_safe(shape: ShapeBlend) -> Trial:
-    """Settle a shape that `safe` motion need not smooth anywhere."""
+def _safe(shape: ShapeBlend, rotated: RotatedShape) -> ShapeBlend:
+    """Take the cheaper route, of the correspondences solved with B as it is and, if something crosses, rotated back."""
     from shapeblend_cli.motion.safe import find_route, follow_route
 
     route = find_route(shape, align(point_pairs(shape.contours)))
-    if route is not None and route.is_level:
-        return Trial(follow_route(route)._replace(reason=ASKED))
-    return Trial(shape, is_settled=False, route=route)
-
-
-def _safe(trial: Trial, rotated: RotatedShape) -> ShapeBlend:
-    """Take the cheapest route, of the correspondences solved with B as it is and rotated back."""
-    from shapeblend_cli.motion.safe import find_route, follow_route
-
-    shape = trial.shape
-    route = trial.route or find_route(shape, align(point_pairs(shape.contours)))
     if route is None or not route.is_level:
         most = math.inf if route is None else route.cost
-        route = find_route(rotated.shape, rotated.alignment, most) or route
+        route = find_route(*rotated, most) or route
     if route is None:
-        return _rigid(rotated, "no way without crossings was found")
+        return _with_motion(rotated, "rigid")._replace(reason="no way without crossings was found")
     return follow_route(route)._replace(reason=ASKED)
-
-
-def _blurred(shape: ShapeBlend) -> Defect | None:
-    """Return a defect if smoothing takes away too much on the way."""
-    levels = getattr(shape.motion, "levels", None)
-    if levels is None or levels.max() <= BLURRED_LEVEL:
-        return None
-    if levels.max() > ROUND_LEVEL:
-        return Defect(COLLAPSE, "nothing but round outlines half way")
-    return Defect(OVERLAP, "details are smoothed away half way")

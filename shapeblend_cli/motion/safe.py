@@ -26,7 +26,6 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import chain_crossings, path_crossings
 from shapeblend_cli.model import ContourBlend, CubicPath, ShapeBlend, frozen
 from shapeblend_cli.motion.alignment import Alignment
-from shapeblend_cli.motion.defects import checked_contours
 from shapeblend_cli.motion.levels import smoothing_levels
 
 if TYPE_CHECKING:
@@ -241,7 +240,7 @@ class CrossingMap:
 
     def __init__(self, space: BlendSpace, contours: Sequence[ContourBlend]) -> None:
         self.space = space
-        checked = checked_contours(contours)
+        checked = _checked_contours(contours)
         self._lengths = [space.lengths[k] for k in checked]
         self._rows = np.repeat([k in checked for k in range(len(contours))], space.lengths)
         self._straight = np.concatenate([_bent(contours[k].start).straight for k in checked])
@@ -385,3 +384,21 @@ def _bent(path: CubicPath) -> CubicPath:
     if path.straight.all():
         return path
     return replace(path, straight=np.zeros(len(path.straight), np.bool_))
+
+
+def _checked_contours(contours: Sequence[ContourBlend]) -> list[int]:
+    """Return the indices of the contours that are not to cross.
+
+    Not those of exteriors that grow out of others, or shrink into them: these begin or end on the border of another
+    one, painted alike, and are seen to come out of it.
+    """
+    larger = [
+        max((c.start, c.end), key=lambda path: abs(cubics.signed_area(path.segments))) for c in contours
+    ]
+    areas = [cubics.signed_area(path.segments) if path.closed else 0.0 for path in larger]
+    largest = max(areas, key=abs)
+    return [
+        k
+        for k, (contour, area) in enumerate(zip(contours, areas, strict=True))
+        if not ((contour.grows or contour.shrinks) and area * largest > 0.0)
+    ]

@@ -25,8 +25,12 @@ def test_the_report_says_how_each_contour_moves_and_why(here):
     assert contour["turned_back"] == pytest.approx(90, abs=1.5)
     assert contour["motion_because"] == "B is A turned by 90 degrees"
     (contour,) = contours("bar.svg", "leaf.svg")
-    told = [contour[name] for name in ("motion", "motion_because", "turned_back")]
-    assert told == ["linear", "no fault", 0.0]
+    assert (contour["motion"], contour["turned_back"]) == ("linear", 0.0)
+    judged = {one["name"]: one["wrong"] for one in contour["candidates"]}
+    assert list(judged) == ["linear", "rigid", "intrinsic"]
+    assert contour["wrong"] == judged["linear"]
+    because = ", ".join(f"{name} {wrong:.3f}" for name, wrong in judged.items())
+    assert contour["motion_because"] == f"the least wrong of {because}"
     for motion in ("linear", "rigid", "intrinsic", "safe"):
         (contour,) = contours("bar.svg", "leaf.svg", "--motion", motion)
         assert (contour["motion"], contour["motion_because"]) == (motion, "asked for")
@@ -42,12 +46,12 @@ def test_verbose_says_the_motion_and_why_of_each_shape(here, capsys):
     assert run(["l.svg", "turned.svg", "-v"]) == 0
     assert "shapeblend: motion rigid: B is A turned by 90 degrees\n" in capsys.readouterr().err
     assert run(["bar.svg", "leaf.svg", "-v", "-f"]) == 0
-    assert "shapeblend: motion linear: no fault\n" in capsys.readouterr().err
+    assert "shapeblend: motion linear: the least wrong of linear " in capsys.readouterr().err
     write(two=svg(L, "M14 3H20V9Z"))
     assert run(["two.svg", "two.svg", "-v", "-f"]) == 0
     said = capsys.readouterr().err
     for number in (1, 2):
-        assert f"shapeblend: shape {number}: motion linear: no fault\n" in said
+        assert f"shapeblend: shape {number}: motion linear: little is wrong with it\n" in said
 
 
 @pytest.mark.parametrize(

@@ -232,20 +232,15 @@ def test_the_short_table_has_no_further_rows_in_which_all_is_well():
     assert [tool.name for tool in ALL if tool.brief and "shapeblend" in tool.name] == [shapeblend.NAME]
 
 
-def test_choices_are_counted_and_faults_told_from_reasons():
-    def report(motion, because):
-        return {"pairs": [{"contours": [{"motion": motion, "motion_because": because}]}]}
-
-    assert choice(report("linear", "no fault")) == Choice("linear", False)
-    assert choice(report("rigid", "linear: a limb shrinks to 50 % at t = 0.5")) == Choice("rigid", False)
-    crossed = "linear: outlines cross each other at t = 0.5; rigid: an outline crosses itself at t = 0.5"
-    assert choice(report("linear", crossed)) == Choice("linear", True)
-    twice = [Choice("safe", True), None, Choice("safe", True)]
-    chosen = {"single": twice, "whole": [Choice("linear", False)]}
+def test_choices_are_counted_with_the_median_of_what_is_wrong():
+    report = {"pairs": [{"contours": [{"motion": "rigid", "wrong": 0.25}]}]}
+    assert choice(report) == Choice("rigid", 0.25)
+    twice = [Choice("rigid", 0.1), None, Choice("rigid", 0.3)]
+    chosen = {"single": twice, "whole": [Choice("linear", 0.05)]}
     table = motions.section({name: raw.columns(Choice, found) for name, found in chosen.items()}).table
     assert table.header[1::2] == ["one contour, 2 pairs", "two to five contours, 1 pairs"]
-    assert table.rows[0] == ["linear", "0", "0", "1", "0"]
-    assert table.rows[-1] == ["safe", "2", "2", "0", "0"]
+    assert table.rows[0] == ["linear", "0", "", "1", "0.050"]
+    assert table.rows[1] == ["rigid", "2", "0.200", "0", ""]
 
 
 def test_the_sheet_of_the_worst_has_both_motions_of_each(monkeypatch, tmp_path, capsys):

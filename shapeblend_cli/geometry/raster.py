@@ -1,0 +1,84 @@
+# cython: boundscheck=False, wraparound=False, cdivision=True, initializedcheck=False
+"""Winding numbers on a grid of points: which of them polygons fill, and how often.
+
+This file is compiled by Cython and runs uncompiled as well.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+try:
+    import cython
+except ImportError:  # Cython is needed to build, not to run
+    from shapeblend_cli import _cython as cython
+
+if cython.compiled:
+    from cython.cimports.libc.math import ceil
+else:
+    from math import ceil
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import ComplexArray, IntArray
+
+COMPILED = cython.compiled
+
+
+def winding_grid(
+    starts: ComplexArray, ends: ComplexArray, corner: complex, step: float, side: int
+) -> IntArray:
+    """Return how often closed polygons, taken together, wind round each point of a square grid.
+
+    Parameters
+    ----------
+    starts, ends : (n,) complex
+        The edges of all polygons, in any order.
+    corner : complex
+        Where the grid begins; its first point is half a step further, both ways.
+    step : float
+        The distance between neighbouring points.
+    side : int
+        The number of points along each side.
+
+    Returns
+    -------
+    (side, side) int
+        A row for each y; positive where a polygon runs from x towards y.
+    """
+    # At each crossing of an edge and a row the number changes for all points of the row beyond it.
+    changes = np.zeros((side, side + 1), np.intc)
+    p, q = (starts - corner) / step - (0.5 + 0.5j), (ends - corner) / step - (0.5 + 0.5j)
+    x0, y0, x1, y1 = (np.ascontiguousarray(one) for one in (p.real, p.imag, q.real, q.imag))
+    _add_crossings(x0, y0, x1, y1, changes)
+    return changes.cumsum(axis=1)[:, :side]
+
+
+def _add_crossings(
+    x0: cython.double[::1],
+    y0: cython.double[::1],
+    x1: cython.double[::1],
+    y1: cython.double[::1],
+    changes: cython.int[:, ::1],
+) -> None:
+    """Add what crossing each edge changes, in steps of the grid; rows and columns lie on whole numbers."""
+    side: cython.Py_ssize_t = changes.shape[0]
+    k: cython.Py_ssize_t
+    row: cython.Py_ssize_t
+    first: cython.Py_ssize_t
+    last: cython.Py_ssize_t
+    for k in range(x0.shape[0]):
+        change: cython.int = -1 if y1[k] > y0[k] else 1
+        low: cython.double = min(y0[k], y1[k])
+        high: cython.double = max(y0[k], y1[k])
+        if high <= 0.0 or low > side - 1:
+            continue
+        first = 0 if low <= 0.0 else cython.cast(cython.Py_ssize_t, ceil(low))
+        last = side if high > side - 1 else cython.cast(cython.Py_ssize_t, ceil(high))
+        for row in range(first, last):
+            x: cython.double = x0[k] + (row - y0[k]) * (x1[k] - x0[k]) / (y1[k] - y0[k])
+            if x <= 0.0:
+                changes[row, 0] += change
+            elif x <= side - 1:
+                changes[row, cython.cast(cython.Py_ssize_t, ceil(x))] += change

@@ -1,0 +1,341 @@
+"""A judge of blends: how wrong the in-betweens look, as one number.
+
+A fault is what the eye sees: wrong area, for as long as it is seen. Each term below is an area on average over the time
+of the blend, as a share of the area that the shape paints. Candidates for the same shape can so be compared, whatever
+they differ in: their motion, their correspondence, their start. `docs/motion.md` has a picture of what each punishes.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.geometry.raster import winding_grid
+from shapeblend_cli.interpolate.paths import paths_at
+from shapeblend_cli.model import Box
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray, ShapeBlend
+
+STEPS = 8
+"""The blend is looked at so many times, evenly spaced, beginning with A; the last is B."""
+
+SIDE = 64
+"""Areas that no formula gives are counted on a grid of so many points along the larger side."""
+
+TIMES = np.arange(STEPS + 1) / STEPS
+INNER = slice(1, -1)
+
+SYMMETRIC = 0.05
+"""An end is symmetric if its mirror image differs from it in less than this share of its area."""
+
+LEAST_ARC, MOST_CHORD = 2.5, 0.06
+"""Two points are on both sides of a limb if the way along the outline is so many times the distance between them, or
+more, and that distance is at most the second share of the outline."""
+
+PROBES = 96
+"""Places of an outline at which the width of limbs is measured."""
+
+LINE_WIDTH = 0.04
+"""What is painted as a line without a width of its own counts as so wide, as a share of its size."""
+
+
+class Judgement(NamedTuple):
+    """What is wrong with a blend: areas, on average over its time, as shares of the area painted.
+
+    Attributes
+    ----------
+    sweep : float
+        Area that outlines sweep beyond that in which A and B differ.
+    strain : float
+        Pieces of outline that are shorter or longer than at an even change from A to B, times half the width of what
+        they bound.
+    stretch : float
+        Pieces of outline that have another share of it in B than in A, times half that width: what melts away in one
+        place and grows in another. It is the same for all motions of a correspondence.
+    area : float
+        Area lost or gained against an even change.
+    symmetry : float
+        What the in-betweens lack of a symmetry from left to right that both ends have.
+    folds : float
+        Area round which outlines wind the wrong way or twice, beyond that of the ends.
+    limbs : float
+        Limbs that are thinner or fatter than at either end.
+    view : float
+        What is outside the view.
+    """
+
+    sweep: float = 0.0
+    strain: float = 0.0
+    stretch: float = 0.0
+    area: float = 0.0
+    symmetry: float = 0.0
+    folds: float = 0.0
+    limbs: float = 0.0
+    view: float = 0.0
+
+    @property
+    def number(self) -> float:
+        """All terms together, each with its weight."""
+        return float(sum(w * x for w, x in zip(WEIGHTS, self, strict=True)))
+
+
+WEIGHTS = Judgement(
+    sweep=0.01, strain=1.0, stretch=1.0, area=0.25, symmetry=3.0, folds=4.0, limbs=0.5, view=0.1
+)
+
+
+class Outlines(NamedTuple):
+    """The outlines of a shape, as chords between points that correspond, at all `TIMES`."""
+
+    points: ComplexArray  # (STEPS + 1, n)
+    following: IntArray  # (n,), the point where the chord from each one ends; the last of a line is its own
+    contour: IntArray  # (n,), the number of the contour each point is on
+    closed: BoolArray  # (n,), whether that is closed
+    width: float  # of strokes
+
+    def chords(self) -> ComplexArray:
+        """Return the chords as differences, (STEPS + 1, n)."""
+        return self.points[:, self.following] - self.points
+
+
+def judge(shape: ShapeBlend, view: Box | None = None) -> Judgement:
+    """Return what is wrong with the motion of a shape.
+
+    Parameters
+    ----------
+    shape : ShapeBlend
+    view : Box, optional
+        What is seen of both drawings.
+    """
+    return judge_outlines(outlines_of(shape), view)
+
+
+def outlines_of(shape: ShapeBlend) -> Outlines:
+    """Sample the outlines of a shape: the nodes, and the middle of each curve."""
+    straight = np.concatenate([contour.start.straight for contour in shape.contours])
+    ends = [_points(shape, t) for t in (0.0, 1.0)]
+    if shape.motion is None:
+        t = TIMES[:, None]
+        points = (1.0 - t) * ends[0] + t * ends[1]
+    else:
+        points = np.stack([ends[0], *(_points(shape, t) for t in TIMES[INNER].tolist()), ends[1]])
+    # Every segment gives its first node and its middle, every line its last node as well.
+    kept = []
+    following: list[IntArray] = []
+    contour: list[IntArray] = []
+    closed: list[BoolArray] = []
+    first = 0
+    count = 0
+    for number, one in enumerate(shape.contours):
+        path = one.start
+        segments = len(path.segments)
+        keep = np.ones(2 * segments + (not path.closed), np.bool_)
+        keep[1 : 2 * segments : 2] = ~straight[first : first + segments]
+        first += segments
+        n = int(keep.sum())
+        after = count + np.arange(1, n + 1)
+        after[-1] = count if path.closed else count + n - 1
+        kept.append(keep)
+        following.append(after)
+        contour.append(np.full(n, number))
+        closed.append(np.full(n, path.closed))
+        count += n
+    widths = [style.stroke_width for style in (shape.style_a, shape.style_b) if style.stroke]
+    return Outlines(
+        points[:, np.concatenate(kept)],
+        np.concatenate(following),
+        np.concatenate(contour),
+        np.concatenate(closed),
+        max(widths, default=0.0),
+    )
+
+
+def _points(shape: ShapeBlend, t: float) -> ComplexArray:
+    """Return the nodes and the middles of all segments, one after the other, and the end of each line."""
+    points = []
+    for path in paths_at(shape, t):
+        z = path.segments
+        both = np.empty((len(z), 2), np.complex128)
+        both[:, 0] = z[:, 0]
+        both[:, 1] = (z[:, 0] + 3.0 * (z[:, 1] + z[:, 2]) + z[:, 3]) / 8.0
+        points.append(both.ravel())
+        if not path.closed:
+            points.append(z[-1:, 3])
+    return np.concatenate(points)
+
+
+def judge_outlines(outlines: Outlines, view: Box | None = None) -> Judgement:
+    """Return what is wrong with outlines that move, see `judge`."""
+    chords = outlines.chords()
+    lengths = np.abs(chords)
+    total = lengths.sum(axis=1)
+    longest = float(max(total[0], total[-1]))
+    if longest == 0.0:
+        return Judgement()
+    areas = _areas(outlines, chords)
+    painted = _painted(outlines, areas, longest)
+    half_width = painted / longest  # of what the outlines bound, on average
+
+    expected = _even(lengths[0], lengths[-1])
+    strain = half_width * float(np.abs(lengths - expected)[INNER].mean(axis=0).sum())
+    swept, symmetry, folds = _swept(outlines, chords), 0.0, 0.0
+    if outlines.closed.any():
+        regions = _Regions(outlines)
+        swept -= regions.difference()
+        folds, symmetry = regions.folds(), regions.asymmetry()
+    return Judgement(
+        max(swept, 0.0) / painted,
+        strain / painted,
+        half_width * _stretched(outlines, lengths) / painted,
+        _area_lost(areas) / painted,
+        symmetry,
+        folds / painted,
+        _limbs(outlines, lengths) / painted,
+        half_width * _outside(outlines, lengths, view) / painted,
+    )
+
+
+def _even(a: FloatArray, b: FloatArray) -> FloatArray:
+    """Return an even change from a to b at all times, (STEPS + 1, ...)."""
+    t = TIMES.reshape(-1, *[1] * a.ndim)
+    return (1.0 - t) * a + t * b
+
+
+def _areas(outlines: Outlines, chords: ComplexArray) -> FloatArray:
+    """Return the area inside closed outlines at all times; holes count against it."""
+    closed = outlines.closed
+    return np.abs(0.5 * (outlines.points[:, closed].conj() * chords[:, closed]).imag.sum(axis=1))
+
+
+def _painted(outlines: Outlines, areas: FloatArray, longest: float) -> float:
+    """Return the larger area that a shape paints at either end; of lines their length times their width."""
+    size = Box.around(outlines.points[[0, -1]].ravel()).larger_side
+    filled = float(max(areas[0], areas[-1]))
+    if filled > LINE_WIDTH**2 * size**2:
+        return filled
+    return longest * max(outlines.width, LINE_WIDTH * size)
+
+
+def _stretched(outlines: Outlines, lengths: FloatArray) -> float:
+    """Return the length of outline that is elsewhere in B than even stretching would have it."""
+    a, b = lengths[0], lengths[-1]
+    whole_a, whole_b = (np.bincount(outlines.contour, one)[outlines.contour] for one in (a, b))
+    at_both = (whole_a > 0.0) & (whole_b > 0.0)
+    a, b, whole_a, whole_b = (one[at_both] for one in (a, b, whole_a, whole_b))
+    return 0.25 * float(np.abs((whole_a + whole_b) * (a / whole_a - b / whole_b)).sum())
+
+
+def _swept(outlines: Outlines, chords: ComplexArray) -> float:
+    """Return the area that the outlines pass over, as often as they do."""
+    z, after = outlines.points, outlines.points[:, outlines.following]
+    # Between two times each chord sweeps a quadrilateral: half the product of its diagonals.
+    return 0.5 * float(np.abs(((after[1:] - z[:-1]).conj() * (z[1:] - after[:-1])).imag).sum())
+
+
+def _area_lost(areas: FloatArray) -> float:
+    """Return the area lost or gained on average. What only grows may do so in size or in area."""
+    a, b = float(areas[0]), float(areas[-1])
+    least = _even(np.array(a**0.5), np.array(b**0.5)) ** 2
+    off = np.maximum(least - areas, 0.0) + np.maximum(areas - _even(np.array(a), np.array(b)), 0.0)
+    return float(off[INNER].mean())
+
+
+class _Regions:
+    """The areas of closed outlines at all times, on grids."""
+
+    def __init__(self, outlines: Outlines) -> None:
+        closed = outlines.closed
+        self.starts = outlines.points[:, closed]
+        self.ends = outlines.points[:, outlines.following[closed]]
+        self.boxes = [Box.around(points) for points in self.starts]
+
+    def grid(self, k: int, box: Box) -> tuple[IntArray, float]:
+        """Return winding numbers at time k, on a grid around the middle of a box, and the area of its elements."""
+        step = box.larger_side / (SIDE - 2)
+        left, top, right, bottom = box.bounds
+        corner = 0.5 * complex(left + right, top + bottom) - 0.5 * SIDE * step * (1.0 + 1.0j)
+        return winding_grid(self.starts[k], self.ends[k], corner, step, SIDE), step * step
+
+    def difference(self) -> float:
+        """Return the area in which both ends differ."""
+        both = Box.union([self.boxes[0], self.boxes[-1]])
+        if both.larger_side == 0.0:
+            return 0.0
+        (a, element), (b, _) = (self.grid(k, both) for k in (0, -1))
+        return element * float(np.count_nonzero((a != 0) != (b != 0)))
+
+    def folds(self) -> float:
+        """Return the area with winding numbers that a painted region does not have, beyond that at the ends."""
+        wrong = np.zeros(STEPS + 1)
+        for k, box in enumerate(self.boxes):
+            if box.larger_side > 0.0:
+                numbers, element = self.grid(k, box)
+                numbers = -numbers if numbers.sum() < 0 else numbers
+                wrong[k] = element * np.count_nonzero((numbers < 0) | (numbers > 1))
+        return float(np.maximum(wrong - max(wrong[0], wrong[-1]), 0.0)[INNER].mean())
+
+    def asymmetry(self) -> float:
+        """Return the share of the area that a mirror image of the in-betweens lacks, beyond that of the ends."""
+        ends = max(self._mirrored(0), self._mirrored(-1))
+        if ends > SYMMETRIC:
+            return 0.0
+        return float(np.mean([max(self._mirrored(k) - ends, 0.0) for k in range(1, STEPS)]))
+
+    def _mirrored(self, k: int) -> float:
+        box = self.boxes[k]
+        if box.larger_side == 0.0:
+            return 1.0
+        filled = self.grid(k, box)[0] != 0
+        return 0.5 * float(np.count_nonzero(filled != filled[:, ::-1])) / max(int(filled.sum()), 1)
+
+
+def _limbs(outlines: Outlines, lengths: FloatArray) -> float:
+    """Return the area by which limbs are thinner or fatter than at either end, on average."""
+    total = float(lengths[0].sum() + lengths[-1].sum())
+    area = 0.0
+    for number in range(int(outlines.contour[-1]) + 1):
+        on = np.flatnonzero(outlines.contour == number)
+        own = lengths[:, on]
+        both = 0.5 * float(own[0].sum() + own[-1].sum())
+        if len(on) < 8 or both < 0.05 * total or min(own[0].sum(), own[-1].sum()) == 0.0:
+            continue
+        share = 0.5 * (own[0] / own[0].sum() + own[-1] / own[-1].sum())
+        place = np.concatenate([[0.0], np.cumsum(share)[:-1]])
+        probes = np.unique(np.searchsorted(place, (np.arange(PROBES) + 0.5) / PROBES).clip(0, len(on) - 1))
+        area += both * _widths_off(
+            outlines.points[:, on[probes]], place[probes], own, bool(outlines.closed[on[0]])
+        )
+    return area
+
+
+def _widths_off(points: ComplexArray, place: FloatArray, lengths: FloatArray, closed: bool) -> float:
+    """Return by how much the width of limbs is off, on average along the outline and over time."""
+    along = np.abs(place[:, None] - place)
+    if closed:
+        along = np.minimum(along, 1.0 - along)
+    across = np.abs(points[:, :, None] - points[:, None, :])
+    off = 0.0
+    for end in (0, -1):
+        length = float(lengths[end].sum())
+        width = np.where(along * length > LEAST_ARC * across[end], across[end], np.inf)
+        opposite = width.argmin(axis=1)
+        probe = np.flatnonzero(width[np.arange(len(place)), opposite] < MOST_CHORD * length)
+        widths = across[:, probe, opposite[probe]]
+        thin, fat = np.minimum(widths[0], widths[-1]), np.maximum(widths[0], widths[-1])
+        wrong = np.maximum(thin - widths, 0.0) + np.minimum(np.maximum(widths - fat, 0.0), fat)
+        off += float(wrong[INNER].mean(axis=0).sum())
+    # Both ends are asked, and both sides of each limb.
+    return off / (4.0 * len(place))
+
+
+def _outside(outlines: Outlines, lengths: FloatArray, view: Box | None) -> float:
+    """Return the length of outline outside a view on average, beyond that of the ends."""
+    if view is None:
+        return 0.0
+    left, top, right, bottom = view.bounds
+    z = outlines.points
+    beyond = (z.real < left) | (z.real > right) | (z.imag < top) | (z.imag > bottom)
+    length = (lengths * beyond).sum(axis=1)
+    return float(np.maximum(length - max(length[0], length[-1]), 0.0)[INNER].mean())
