@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.model import Box
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, ContourBlend, FloatArray
+    from shapeblend_cli.model import ComplexArray, ContourBlend, FloatArray, ShapeBlend
 
 
 REWEIGHTINGS, SETTLED = 20, 1e-3
@@ -21,6 +23,14 @@ NEAR = 0.02
 
 IN_PLACE = 0.7
 """A similarity leaves at most this share of what moves without it, or there is none."""
+
+
+SUITED = np.log(2.0)
+"""A similarity suits a shape if it leaves no more than this much more of it moving than its own; points that rest under
+that one are then less than `NEAR` away."""
+
+PIVOT_REACH = 1.75
+"""A shape turns about a point no further from its middle than so many times its size; the end of a bar is at 1.73."""
 
 
 class Alignment(NamedTuple):
@@ -117,7 +127,24 @@ def align(points: PointPairs) -> Alignment:
     in_place = Alignment(middle, middle, 1.0, 0.0)
     found = [_reweighted(points, start) for start in (in_place, everywhere)]
     alignment, least = min(found, key=lambda one: one[1])
-    return in_place if IN_PLACE * _moving_length(points, in_place) <= least else alignment
+    return in_place if IN_PLACE * _moving_length(points, in_place) <= least else _pivoted(points, alignment)
+
+
+def _pivoted(points: PointPairs, alignment: Alignment) -> Alignment:
+    """Return a similarity as a rotation about the point that it leaves where it is, if that is near the outlines.
+
+    So the hand of a clock turns about its end, and what is far away goes straight.
+    """
+    factor = cmath.rect(alignment.scale, alignment.rotation)
+    if abs(factor - 1.0) < 1e-9:
+        return alignment
+    pivot = (alignment.centre_b - factor * alignment.centre_a) / (1.0 - factor)
+    a, b, weight = points
+    mean_a, mean_b = complex(weight @ a), complex(weight @ b)
+    sizes = _size(a - mean_a, weight) * _size(b - mean_b, weight)
+    if abs(pivot - mean_a) * abs(pivot - mean_b) > PIVOT_REACH**2 * sizes:
+        return alignment
+    return alignment._replace(centre_a=pivot, centre_b=pivot)
 
 
 def _reweighted(points: PointPairs, alignment: Alignment) -> tuple[Alignment, float]:
@@ -163,6 +190,50 @@ def _least_squares(points: PointPairs) -> Alignment:
     rotation = cmath.phase(common) if abs(common) > 1e-12 * size_a * size_b else 0.0
     scale = size_b / size_a if size_a > 0.0 and size_b > 0.0 else 1.0
     return Alignment(centre_a, centre_b, scale, rotation)
+
+
+def shared_alignments(shapes: Sequence[ShapeBlend]) -> list[Alignment | None]:
+    """Return for each shape the similarity that its motion separates; None if it has no contour with a partner.
+
+    Shapes that touch or lie in each other at both ends have one similarity, so that eyes do not drift against the head;
+    and all have that of the whole drawing which it suits about as well as their own.
+    """
+    found: list[Alignment | None] = [None] * len(shapes)
+    groups = _together(shapes)
+    if not groups:
+        return found
+    points = [point_pairs([contour for k in group for contour in shapes[k].contours]) for group in groups]
+    common = align(point_pairs([contour for shape in shapes for contour in shape.contours]))
+    for group, pairs in zip(groups, points, strict=True):
+        own = align(pairs) if len(groups) > 1 else common
+        for k in group:
+            found[k] = common if _suits(pairs, common, own) else own
+    return found
+
+
+def _suits(points: PointPairs, common: Alignment, own: Alignment) -> bool:
+    """Return whether a similarity leaves hardly more than another one."""
+    return _moving_length(points, common) <= _moving_length(points, own) + SUITED
+
+
+def _together(shapes: Sequence[ShapeBlend]) -> list[list[int]]:
+    """Return groups of shapes with partners, by number, whose boxes overlap at both ends."""
+    matched = [k for k, shape in enumerate(shapes) if shape.is_matched]
+    boxes = {k: [_box(shapes[k], side) for side in ("start", "end")] for k in matched}
+    groups: list[list[int]] = []
+    for k in matched:
+        near = [group for group in groups if any(_overlap(boxes[k], boxes[other]) for other in group)]
+        groups = [group for group in groups if group not in near]
+        groups.append([k, *(other for group in near for other in group)])
+    return groups
+
+
+def _box(shape: ShapeBlend, side: str) -> Box:
+    return Box.around(np.concatenate([getattr(c, side).segments.ravel() for c in shape.contours]))
+
+
+def _overlap(one: Sequence[Box], other: Sequence[Box]) -> bool:
+    return all(box.overlaps(another) for box, another in zip(one, other, strict=True))
 
 
 def residual(points: PointPairs, alignment: Alignment) -> float:

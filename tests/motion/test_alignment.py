@@ -5,7 +5,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.motion.alignment import PointPairs, align, residual
+from shapeblend_cli.motion.alignment import PointPairs, align, point_pairs, residual, shared_alignments
+from tests.support.drawings import drawing
+from tests.support.motions import pair_of
 from tests.support.strategies import rngs
 
 
@@ -67,10 +69,19 @@ def test_from_b_to_a_it_is_the_inverse(rng):
 
 def test_half_way_it_is_rotated_and_scaled_by_half():
     a = np.array([1, 1j, -1, -1j, 2 + 1j])
-    points = pairs_of(a, 9.0 * np.exp(0.8j) * a + 10.0)
+    points = pairs_of(a, 9.0 * np.exp(0.8j) * a + 1000.0)
     found = align(points)
     expected = 5.0 * np.exp(0.4j) * (a - a.mean()) + 0.5 * (a.mean() + points.b.mean())
     np.testing.assert_allclose(found.apply(a - found.centre_a, 0.5), expected)
+
+
+@pytest.mark.parametrize("degrees", [60, -120, 180])
+def test_the_hand_of_a_clock_turns_about_its_end(degrees):
+    hand = np.array([0.3j, 0, -0.3j, 5 - 0.2j, 5 + 0.2j]) + 2 + 3j
+    found = align(pairs_of(hand, (hand - 2 - 3j) * np.exp(1j * np.radians(degrees)) + 2 + 3j))
+    for t in (0.2, 0.5, 0.8):
+        assert found.apply(2 + 3j - found.centre_a, t) == pytest.approx(2 + 3j)
+        assert abs(found.apply(hand[-1] - found.centre_a, t) - 2 - 3j) == pytest.approx(abs(5 + 0.2j))
 
 
 LINE, SQUARE, POINT = [0, 1, 2, 3], [0, 1, 1 + 1j, 1j], [5, 5, 5, 5]
@@ -99,3 +110,27 @@ def test_lines_and_points_have_a_finite_one(a, b):
 
 def test_collinear_points_rotate_with_their_line():
     assert align(pairs_of(LINE, [0, 1j, 2j, 3j])).rotation == pytest.approx(np.pi / 2.0)
+
+
+FACE = "M2 2H22V22H2Z", "M6 6H9V9H6Z", "M15 6H18V9H15Z"
+LARGER = "M2 2H26V26H2Z", "M7 6H10V9H7Z", "M17 7H20V10H17Z"
+
+
+def similarities(a, b):
+    shapes = pair_of(drawing(*a), drawing(*b), motion="linear").shapes
+    return shapes, shared_alignments(shapes)
+
+
+def test_what_lies_in_each_other_has_one_similarity():
+    shapes, (face, *eyes) = similarities(FACE, LARGER)
+    assert eyes == [face] * 2
+    whole = align(point_pairs([contour for shape in shapes for contour in shape.contours]))
+    assert face == whole
+
+
+def test_what_lies_apart_has_its_own_and_what_has_no_partner_none():
+    a = *FACE, "M40 0H44V9H40Z"
+    b = *LARGER, "M40 20L58 2L54 -2L36 16Z", "M80 80H81V81H80Z"
+    shapes, found = similarities(a, b)
+    assert [one is None for one in found] == [not shape.is_matched for shape in shapes]
+    assert len(set(found) - {None}) == 2
