@@ -89,7 +89,7 @@ def match_all(
     flat, notes = _flatten(drawings, maps, settings.vertices)
     check_stiff([contour.polygon for contour in flat[0].contours], settings)
     drawn = [as_drawn(drawing, to_a) for drawing, to_a in zip(drawings, maps, strict=True)]
-    views = _views(drawings, maps, drawn, settings.place)
+    views = _views(drawings, maps, drawn, settings)
     clock.lap("flatten")
     pairs = []
     for k, (a, b) in enumerate(pairwise(flat)):
@@ -97,7 +97,7 @@ def match_all(
         shapes = _blend_shapes(a, b, settings, view, (clock, watch_part(watch, k, len(flat) - 1)))
         pairs.append(Pair(k, k + 1, shapes, drawn=(drawn[k], drawn[k + 1]), views=(views[k], views[k + 1])))
         clock.lap("interpolate")
-    views = views_with_room(pairs)
+    views = views_with_room(pairs, settings.viewbox)
     return [pair._replace(views=(views[pair.a], views[pair.b])) for pair in pairs], notes
 
 
@@ -137,15 +137,19 @@ def _views(
     drawings: Sequence[Drawing],
     maps: Sequence[Similarity],
     drawn: Sequence[tuple[PaintedShape, ...]],
-    place: str,
+    settings: Settings,
 ) -> list[Box]:
     """Return what to show of each drawing: its own viewBox, or the first one's if they are laid by their bounds."""
     viewboxes = [
         drawing.viewbox and to_a.box(drawing.viewbox) for drawing, to_a in zip(drawings, maps, strict=True)
     ]
-    if place == "bbox":
+    is_bbox = settings.place == "bbox"
+    if is_bbox:
         viewboxes = [drawings[0].viewbox] * len(drawings)
-    return list(map(view_of, drawn, viewboxes))
+    return [
+        view_of(shapes, viewbox, settings.viewbox, own=k == 0 or not is_bbox)
+        for k, (shapes, viewbox) in enumerate(zip(drawn, viewboxes, strict=True))
+    ]
 
 
 def _blend_shapes(

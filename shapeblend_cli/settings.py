@@ -154,6 +154,13 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         help="How shapes move. linear: along straight lines; rigid: rotated as a whole; intrinsic: by their lengths "
         "and angles; safe: without crossing themselves; auto: the one of the first three that looks best.",
     )
+    viewbox: str = option(
+        types.choice("auto", "keep", "grow"),
+        default="auto",
+        section=IN_BETWEENS,
+        help="What frames show. keep: the drawings' viewBoxes; grow: also what is outside of them; auto: keep, unless "
+        "something clearly seen would leave them on its way.",
+    )
     style: str = option(
         types.choice("blend", "a", "b"),
         default="blend",
@@ -268,7 +275,7 @@ class TerminalOptions(Record, section=OTHER):
 
 REPORTED = (
     "frames ends output emit force select_a select_b lenient place vertices start pins reverse stiff match unmatched "
-    "solver band effort preset ks kb es eb pb mb cs bending kt smoothing motion style curves precision animate "
+    "solver band effort preset ks kb es eb pb mb cs bending kt smoothing motion viewbox style curves precision animate "
     "duration ease repeat format width columns background fps report preview"
 )
 """The order of the settings in reports of format 1; any others follow."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.interpolate.paths import waypoints
+from shapeblend_cli.interpolate.paths import paths_at, waypoints
 from shapeblend_cli.model import Box, CubicPath, PaintedShape, Pair, Style
 
 if TYPE_CHECKING:
@@ -15,44 +15,64 @@ if TYPE_CHECKING:
 MARGIN = 0.02
 """Room around what a drawing without a viewBox paints, as a share of its larger side."""
 
+CUT_OFF = 0.04
+"""What leaves the viewBox on its way by less than this share of its size is not missed: a unit of 24."""
+
 SLACK = 1e-9
 """What sticks out of a viewBox by less than this share of its size does so by rounding."""
 
 
-def view_of(drawn: Sequence[PaintedShape], viewbox: Box | None) -> Box:
-    """Return what to show of a drawing: its viewBox and what it paints outside; without one, what it paints.
+def view_of(
+    drawn: Sequence[PaintedShape], viewbox: Box | None, keeping: str = "auto", *, own: bool = True
+) -> Box:
+    """Return what to show of a drawing: its viewBox, as browsers do; without one, what it paints.
 
-    Where drawings are laid by their own boxes, the viewBox of the first stands in for the others'.
+    `keeping` is as `--viewbox` has it. What is painted outside the viewBox is shown if it is to grow; also if else
+    nothing would be seen, or if the viewBox is not the drawing's own: where drawings are laid by their own boxes, the
+    viewBox of the first stands in for the others'.
     """
     painted = Box.union([_painted(shape.paths, shape.style) for shape in drawn])
     if viewbox is None:
         return _with_margin(painted)
-    return viewbox if _is_inside(painted, viewbox) else Box.union([viewbox, _with_margin(painted)])
+    is_shown = own and viewbox.overlaps(painted)
+    if keeping == "keep" or (keeping == "auto" and is_shown) or _is_inside(painted, viewbox):
+        return viewbox
+    return Box.union([viewbox, _with_margin(painted)])
 
 
-def views_with_room(pairs: Sequence[Pair]) -> list[Box]:
+def views_with_room(pairs: Sequence[Pair], keeping: str = "auto") -> list[Box]:
     """Return the view of each drawing, enlarged for what leaves it on the way to the next drawing or from the last.
 
-    A drawing that ends one pair and begins the next has the same view in both.
+    `keeping` is as `--viewbox` has it. A drawing that ends one pair and begins the next has the same view in both.
     """
     views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
+    if keeping == "keep":
+        return views
     for pair in pairs:
-        reach = _reach(pair)
+        reach = _reach(pair, SLACK if keeping == "grow" else CUT_OFF)
         for k in (pair.a, pair.b):
             if reach is not None and not views[k].contains(reach):
                 views[k] = Box.union([views[k], reach])
     return views
 
 
-def _reach(pair: Pair) -> Box | None:
-    """Return the box around what does not move straight and leaves the views of both drawings, if any does."""
+def _reach(pair: Pair, slack: float) -> Box | None:
+    """Return the box around what does not move straight and leaves the views of both drawings, if any does.
+
+    It may stick out by a share of the view's size, beyond what it sticks out at both ends.
+    """
     boxes = []
     for shape in pair.shapes:
         if shape.motion_name == "sweep":  # nothing is seen of it that is not seen in one of the drawings
             continue
+        ends = [
+            _overhang(_painted(paths_at(shape, float(t)), style), pair.views[t])
+            for t, style in enumerate((shape.style_a, shape.style_b))
+        ]
         for point in waypoints(shape):
             painted = _painted(point.paths, shape.style_a, shape.style_b)
-            if not _is_inside(painted, pair.views[0].interpolate(pair.views[1], point.t)):
+            view = pair.views[0].interpolate(pair.views[1], point.t)
+            if _overhang(painted, view) > max(slack, *ends):
                 boxes.append(_with_margin(painted))
     return Box.union(boxes) if boxes else None
 
@@ -68,4 +88,11 @@ def _with_margin(painted: Box) -> Box:
 
 
 def _is_inside(painted: Box, view: Box) -> bool:
-    return view.contains(painted, SLACK * view.larger_side)
+    return _overhang(painted, view) <= SLACK
+
+
+def _overhang(painted: Box, view: Box) -> float:
+    """Return how far a box sticks out of another one, as a share of that one's larger side."""
+    left, top, right, bottom = view.bounds
+    x0, y0, x1, y1 = painted.bounds
+    return max(left - x0, top - y0, x1 - right, y1 - bottom, 0.0) / view.larger_side

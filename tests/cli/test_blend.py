@@ -62,20 +62,31 @@ def test_the_viewbox_is_that_of_the_inputs(here):
     assert boxes == [[0, 0, 10, 10], [-2.5, 0, 15, 10], [-5, 0, 20, 10]]
 
 
-@pytest.mark.parametrize("given", ["", 'viewBox="2 2 4 4"'], ids=["none", "too small"])
-def test_the_viewbox_holds_what_is_drawn(here, given):
+TOO_SMALL = 'viewBox="2 2 4 4"'
+
+
+@pytest.mark.parametrize("keeping", ["auto", "keep"])
+def test_a_viewbox_that_cuts_off_a_drawing_is_kept(here, keeping):
+    write(a=svg(SQUARE).replace('viewBox="0 0 10 10"', TOO_SMALL))
+    assert run(["a.svg", "a.svg", "--ends", "-o", "out", "--viewbox", keeping]) == 0
+    assert [viewbox(file) for file in here.glob("out/*")] == [[2, 2, 4, 4]] * 7
+
+
+@pytest.mark.parametrize(
+    ("given", "keeping"), [("", "auto"), ("", "keep"), (TOO_SMALL, "grow"), ('viewBox="-9 -9 9 9"', "auto")]
+)
+def test_the_view_holds_what_is_drawn(here, given, keeping):
     write(
         a=svg(SQUARE).replace('viewBox="0 0 10 10"', given),
         b=svg(TRIANGLE).replace('viewBox="0 0 10 10"', given),
     )
-    assert run(["a.svg", "b.svg", "--ends", "-o", "out"]) == 0
+    assert run(["a.svg", "b.svg", "--ends", "-o", "out", "--viewbox", keeping]) == 0
     for file in here.glob("out/*"):
         x, y, width, height = viewbox(file)
         z = points(file.read_text())
         assert x < z.real.min() < z.real.max() < x + width
         assert y < z.imag.min() < z.imag.max() < y + height
-        assert width < 12
-        assert height < 12
+        assert max(width, height) < (12 if given != 'viewBox="-9 -9 9 9"' else 20)
 
 
 @pytest.mark.parametrize("arguments", [["-o", "x.svg"], ["-o", "-"]])

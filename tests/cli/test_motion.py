@@ -143,6 +143,17 @@ def test_what_leaves_the_viewbox_on_its_way_is_shown(here, output):
     assert [viewbox(file) for file in here.glob("straight/*")] == [[0, 0, 24, 24]] * 5
 
 
+def test_the_viewbox_is_kept_if_that_is_asked_for_or_hardly_anything_is_cut_off(here):
+    write(a=svg("M0 0H24V24H0V10H4V6H0Z"), b=svg("M24 0V24H0V0H14V4H18V0Z"))
+    assert run(["a.svg", "b.svg", "-o", "kept", "--ends", "--viewbox", "keep"]) == 0
+    write(a=svg(L), b=svg(L_TURNED))
+    for keeping in ("auto", "grow"):
+        assert run(["a.svg", "b.svg", "-o", keeping, "--ends", "--viewbox", keeping]) == 0
+    assert [viewbox(file) for file in here.glob("kept/*")] == [[0, 0, 24, 24]] * 7
+    assert [viewbox(file) for file in here.glob("auto/*")] == [[0, 0, 24, 24]] * 7
+    assert all(viewbox(file)[2] > 24 for file in here.glob("grow/*"))
+
+
 def test_what_stays_inside_leaves_the_viewbox_as_it_is(here):
     write(l=svg(L, viewbox="-4 -4 32 32"), turned=svg(L_TURNED, viewbox="-4 -4 32 32"))
     assert run(["l.svg", "turned.svg", "-o", "out", "--ends"]) == 0
