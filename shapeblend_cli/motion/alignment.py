@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import math
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -141,39 +142,43 @@ def _pivoted(points: PointPairs, alignment: Alignment) -> Alignment:
     pivot = (alignment.centre_b - factor * alignment.centre_a) / (1.0 - factor)
     a, b, weight = points
     mean_a, mean_b = complex(weight @ a), complex(weight @ b)
-    sizes = _size(a - mean_a, weight) * _size(b - mean_b, weight)
-    if abs(pivot - mean_a) * abs(pivot - mean_b) > PIVOT_REACH**2 * sizes:
+    if abs(pivot - mean_a) * abs(pivot - mean_b) > PIVOT_REACH**2 * _unit(points):
         return alignment
     return alignment._replace(centre_a=pivot, centre_b=pivot)
 
 
 def _reweighted(points: PointPairs, alignment: Alignment) -> tuple[Alignment, float]:
     """Return the similarity near another one under which most stays, and what it leaves moving."""
-    left = np.inf
+    left, unit = np.inf, _unit(points)
     for _ in range(REWEIGHTINGS):
-        before, left = left, _moving_length(points, alignment)
+        off = _off(points, alignment, unit)
+        before, left = left, float(points.weight @ np.log(off))
         if before - left <= SETTLED * left:
             break
-        alignment = _least_squares(points._replace(weight=points.weight * resting(points, alignment)))
+        alignment = _least_squares(points._replace(weight=points.weight / off))
     return alignment, left
 
 
 def resting(points: PointPairs, alignment: Alignment) -> FloatArray:
     """Return how much each point stays where it is once a similarity is undone, (k,) float: 1 if it does."""
-    return 1.0 / (1.0 + _squares(points, alignment) / NEAR**2)
+    return 1.0 / _off(points, alignment, _unit(points))
 
 
 def _moving_length(points: PointPairs, alignment: Alignment) -> float:
     """Return the mean logarithm of `align`."""
-    return float(points.weight @ np.log1p(_squares(points, alignment) / NEAR**2))
+    return float(points.weight @ np.log(_off(points, alignment, _unit(points))))
 
 
-def _squares(points: PointPairs, alignment: Alignment) -> FloatArray:
-    """Return the squares of the distances that a similarity leaves, in units of both sizes; (k,) float."""
+def _unit(points: PointPairs) -> float:
+    """Return the product of both sizes."""
     a, b, weight = points
-    left = alignment.undo(b) - (a - alignment.centre_a)
-    unit = _size(a - weight @ a, weight) * _size(b - weight @ b, weight)
-    return alignment.scale * (left.real**2 + left.imag**2) / unit if unit > 0.0 else np.zeros(len(a))
+    return _size(a - weight @ a, weight) * _size(b - weight @ b, weight)
+
+
+def _off(points: PointPairs, alignment: Alignment, unit: float) -> FloatArray:
+    """Return ``1 + (distance / NEAR)²`` of each point, (k,) float."""
+    left = alignment.undo(points.b) - (points.a - alignment.centre_a)
+    return 1.0 + (left.real**2 + left.imag**2) * (alignment.scale / (unit * NEAR**2) if unit > 0.0 else 0.0)
 
 
 def _least_squares(points: PointPairs) -> Alignment:
@@ -183,9 +188,9 @@ def _least_squares(points: PointPairs) -> Alignment:
     """
     a, b, weight = points
     weight = weight / weight.sum()
-    centre_a, centre_b = complex((weight * a).sum()), complex((weight * b).sum())
+    centre_a, centre_b = complex(weight @ a), complex(weight @ b)
     a, b = a - centre_a, b - centre_b
-    common = complex((weight * a.conj() * b).sum())
+    common = complex(weight @ (a.conj() * b))
     size_a, size_b = _size(a, weight), _size(b, weight)
     rotation = cmath.phase(common) if abs(common) > 1e-12 * size_a * size_b else 0.0
     scale = size_b / size_a if size_a > 0.0 and size_b > 0.0 else 1.0
@@ -246,4 +251,4 @@ def residual(points: PointPairs, alignment: Alignment) -> float:
 
 def _size(z: ComplexArray, weight: FloatArray) -> float:
     """Return the root mean square distance from the origin."""
-    return float(np.sqrt((weight * (z.real**2 + z.imag**2)).sum()))
+    return math.sqrt(weight @ (z.real**2 + z.imag**2))
