@@ -3,16 +3,33 @@
 from __future__ import annotations
 
 import gc
+import os
+import signal
 import sys
 
 gc.disable()  # one short run; looking for garbage while modules load costs a tenth of the start
 
-from shapeblend_cli.cli import run  # noqa: E402
+
+def _stop(*_: object) -> None:
+    """End at once, in one line, while modules load."""
+    os.write(2, b"shapeblend: interrupted; nothing was written\n")
+    os._exit(1)
+
+
+if __name__ == "__main__" or os.path.basename(sys.argv[0]).startswith("shapeblend"):
+    for each in (signal.SIGINT, signal.SIGTERM):
+        if signal.getsignal(each) is not signal.SIG_IGN:
+            signal.signal(each, _stop)
+
+from shapeblend_cli.cli import run_safely  # noqa: E402
 
 
 def main() -> None:
-    """Run the command line and leave with its exit status."""
-    sys.exit(run(sys.argv[1:]))
+    """Run the command line and leave with its exit status.
+
+    Nothing is left to be done at the end of the interpreter, which could only fail there, with a traceback.
+    """
+    os._exit(run_safely(sys.argv[1:]))
 
 
 if __name__ == "__main__":

@@ -216,7 +216,7 @@ class Blend:
         rendered = spec.format.render(spec, pairs)
         for note in rendered.notes:
             warnings.warn(note, stacklevel=2)
-        write_files(dict(zip(files, rendered.contents, strict=True)))
+        write_files(spec.by_target(rendered), force)
         return files
 
     def report(self) -> dict[str, Any]:

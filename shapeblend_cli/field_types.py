@@ -68,11 +68,12 @@ def file(*suffixes: str) -> FieldType:
     """The name of a file or folder; if there are suffixes, it ends in one of them."""
 
     def canonical(value: Any) -> str:
-        if suffixes and not str(value).lower().endswith(suffixes):
+        if not str(value).lower().endswith(suffixes or "") or not str(value):
             raise ValueError
         return str(value)
 
-    return FieldType(f"a file name ending in {' or '.join(suffixes)}", canonical, "FILE", is_file=True)
+    ending = f" ending in {' or '.join(suffixes)}" if suffixes else ""
+    return FieldType(f"a file name{ending}", canonical, "FILE", is_file=True)
 
 
 def _flag(value: Any) -> bool:

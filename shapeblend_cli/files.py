@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import re
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -13,7 +15,7 @@ from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
 from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.model import Pair
-from shapeblend_cli.output import check_targets, write_files
+from shapeblend_cli.output import Content, check_targets, write_files
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
 from shapeblend_cli.pipeline import make_frames, match_all, times_of_frames
 from shapeblend_cli.report import Measures, measure, report
@@ -52,10 +54,16 @@ class Run:
         return [measure(pair, t) for pair, t in times_of_frames(self.pairs, self.settings)]
 
 
-def blend_files(job: Job, note: Callable[[str], None], progress: Callable[[float], None]) -> Run:
+def blend_files(
+    job: Job,
+    note: Callable[[str], None],
+    warn: Callable[[str], None],
+    progress: Callable[[float], None],
+) -> Run:
     """Read files, blend each with the next, and write what is asked for, all of it or nothing.
 
-    `note` takes what the user should know, a line at a time; `progress` the share of the matching that is done, 0 to 1.
+    `note` takes what the user should know, a line at a time, and `warn` what even one who wants to read little should;
+    `progress` takes the share of the matching that is done, 0 to 1.
     """
     clock = Clock()
     notes: list[str] = []
@@ -80,12 +88,12 @@ def blend_files(job: Job, note: Callable[[str], None], progress: Callable[[float
     clock.lap("render")
     for text in rendered.notes:
         note_and_keep(text)
-    contents: dict[Path, str | bytes] = {}
+    contents: dict[Path, Content | dict[str, Content]] = {}
     standard_output: str | bytes = ""
     if output.path == STANDARD_OUTPUT:
         (standard_output,) = rendered.contents
     else:
-        contents.update(zip(map(Path, output.files()), rendered.contents, strict=True))
+        contents.update(output.by_target(rendered))
     if job.write.report or job.write.preview:
         found = report(
             __version__, job.files, job.reported, pairs, run.measures, output.frame_files(), clock.seconds
@@ -101,10 +109,10 @@ def blend_files(job: Job, note: Callable[[str], None], progress: Callable[[float
         if job.write.preview:
             contents[Path(job.write.preview)] = _preview(job, found, pairs, notes)
             clock.lap("preview")
-    write_files(contents)
-    print_text(standard_output)
+    write_files(contents, job.write.force)
+    print_text(standard_output, "; the files were written" if any(contents.values()) else "")
     if stale := _stale_frames(output):
-        note(f"{output.path}: {len(stale)} frame files of another run remain, {min(stale)} among them")
+        warn(f"{output.path}: {len(stale)} frame files of another run remain, {min(stale)} among them")
     clock.lap("write")
     return run
 
@@ -119,7 +127,7 @@ def match_files(
 ) -> list[Pair]:
     """Read files and match each with the next; see `blend_files` for the parameters."""
     drawings = [
-        read(file, lenient=options.lenient, select=selector)
+        read(file, lenient=options.lenient, select=selector, is_to_blend=True)
         for file, selector in zip(files, options.selections(len(files)), strict=True)
     ]
     for drawing in drawings:
@@ -147,8 +155,11 @@ def _named(output: str) -> Iterator[None]:
 def _stale_frames(output: OutputSpec) -> set[str]:
     """Return the names of frame files in the folder that are none of the run's own."""
     names = {name for name in output.frame_files() if name}
-    suffixes = {Path(name).suffix for name in names}
-    return {path.name for suffix in suffixes for path in Path(output.path).glob(f"frame-*{suffix}")} - names
+    suffixes = {re.escape(Path(name).suffix) for name in names}
+    if not suffixes:
+        return set()
+    frames = re.compile(rf"frame-[0-9]+({'|'.join(suffixes)})")
+    return {name for name in os.listdir(output.path) if frames.fullmatch(name)} - names
 
 
 def _preview(job: Job, found: dict[str, Any], pairs: Sequence[Pair], notes: Sequence[str]) -> str:
@@ -162,14 +173,21 @@ def _preview(job: Job, found: dict[str, Any], pairs: Sequence[Pair], notes: Sequ
 def _all_targets(job: Job) -> list[Path]:
     names = [*job.output.files(), job.write.report, job.write.preview]
     targets = [Path(name) for name in names if name and name != STANDARD_OUTPUT]
-    twice = [target for k, target in enumerate(targets) if target in targets[:k]]
-    if twice:
-        raise OutputError(str(twice[0]), "is named for two different outputs; another name would work")
+    places = [os.path.normpath(target) for target in targets]
+    for k, place in enumerate(places):
+        if place in places[:k]:
+            raise OutputError(str(targets[k]), "is named for two different outputs; another name would work")
     return targets
 
 
-def print_text(text: str | bytes) -> None:
-    """Write to standard output as UTF-8, whatever the locale."""
-    if text:
-        sys.stdout.buffer.write(text.encode("utf-8") if isinstance(text, str) else text)
+def print_text(text: str | bytes, stands: str = "") -> None:
+    """Write to standard output as UTF-8, whatever the locale; an error says what else stands."""
+    if not text:
+        return
+    try:
+        sys.stdout.buffer.write(text.encode("utf-8", "replace") if isinstance(text, str) else text)
         sys.stdout.buffer.flush()
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        raise OutputError("standard output", f"cannot be written ({error.strerror}){stands}") from error

@@ -196,6 +196,10 @@ class CubicPath:
         return bool((self.segments == self.segments[0, 0]).all())
 
 
+MOST_CONTOURS, MOST_SEGMENTS = 2_000, 50_000
+"""Limits of a drawing to blend, and of each contour: contours are solved one by one, and every two are compared."""
+
+
 class Contour(CubicPath):
     """One subpath of a drawing, transforms applied; closed if it ends in ``Z`` or where it began."""
 

@@ -261,10 +261,27 @@ class PlotOptions(Record, section=PLOT):
     )
 
 
+class RunOptions(Record, section=OTHER):
+    """How long a command may take."""
+
+    timeout: float | None = option(
+        types.number(0.0, 1e6, above=True),
+        default=None,
+        metavar="S",
+        help="Stop after so many seconds, with an error and with nothing written.",
+        default_text="none",
+    )
+
+
 class TerminalOptions(Record, section=OTHER):
     """What a command prints."""
 
-    quiet: bool = option(types.FLAG, default=False, flags=("-q", "--quiet"), help="Print errors only.")
+    quiet: bool = option(
+        types.FLAG,
+        default=False,
+        flags=("-q", "--quiet"),
+        help="Print errors only, and that frame files of another run remain.",
+    )
     verbose: bool = option(
         types.FLAG,
         default=False,

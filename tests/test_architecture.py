@@ -18,7 +18,7 @@ PACKAGE = Path(shapeblend_cli.__file__).parent
 # A room is a module or a folder; the longest name that fits a module is its room.
 ROOMS = {
     "__main__": "cli",
-    "cli": "plot files outputs report svg.reading settings fields field_types errors version",
+    "cli": "plot files outputs report interrupts svg.reading settings fields field_types errors version",
     "__init__": "api outputs model settings errors version",
     "api": "pipeline outputs output report pairing svg.reading svg.writing settings model clock version easing errors",
     "plot": "files outputs output svg.reading svg.writing pairing interpolate geometry settings matching model clock "
@@ -27,7 +27,9 @@ ROOMS = {
     "preview": "svg.reading svg.writing pairing interpolate paint settings matching model easing",
     "report": "interpolate geometry model",
     "outputs": "pipeline interpolate svg.writing settings fields field_types model easing errors",
-    "output": "errors",
+    "output": "staging interrupts errors",
+    "staging": "",
+    "interrupts": "errors",
     "pipeline": "views pairing motion interpolate paint geometry settings model clock easing",
     "views": "interpolate geometry model",
     "pairing": "geometry settings matching constants model errors",
@@ -70,7 +72,12 @@ SHARED = {"numpy", *sys.stdlib_module_names}
 
 # What a room hands to one below it, which calls it there.
 HANDED_DOWN = {
-    *("Terminal.note", "watch_part.<locals>.<lambda>", "Terminal.progress"),  # how far a run has come
+    *(
+        "Terminal.note",
+        "Terminal.warn",
+        "watch_part.<locals>.<lambda>",
+        "Terminal.progress",
+    ),  # how far a run has come
     # A `Motion`, which `model` declares.
     *(
         f"{motion}.{what}"

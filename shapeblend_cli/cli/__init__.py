@@ -5,7 +5,9 @@ Nothing heavy is imported before it is needed: ``--help`` and usage errors need 
 
 from __future__ import annotations
 
+import os
 import sys
+import traceback
 from collections.abc import Sequence
 
 import click
@@ -15,8 +17,9 @@ from shapeblend_cli.cli.completion import completion
 from shapeblend_cli.cli.group import DefaultGroup
 from shapeblend_cli.cli.inspect import inspect
 from shapeblend_cli.cli.plot import plot
-from shapeblend_cli.cli.terminal import Terminal
+from shapeblend_cli.cli.terminal import say
 from shapeblend_cli.errors import OptionError, ShapeblendError
+from shapeblend_cli.interrupts import Interrupted, listening
 from shapeblend_cli.version import __version__
 
 FAILED, USAGE = 1, 2
@@ -37,25 +40,57 @@ def run(arguments: Sequence[str]) -> int:
 
     Return the exit status: 0 done, 1 the input or the run failed, 2 the command line is wrong.
     """
-    note = Terminal().note
     try:
-        shapeblend.main(list(arguments), prog_name="shapeblend", standalone_mode=False)
+        with listening():
+            shapeblend.main(list(arguments), prog_name="shapeblend", standalone_mode=False)
+            if sys.stdout is not None:
+                sys.stdout.flush()
     except click.ClickException as error:
-        note(f"{' '.join(error.format_message().split())} (shapeblend --help lists the options)")
+        say(f"{error.format_message()} (shapeblend --help lists the options)")
         return USAGE
     except OptionError as error:
-        note(f"{error} (shapeblend --help lists the options)")
+        say(f"{error} (shapeblend --help lists the options)")
         return USAGE
-    except click.Abort:
-        note("interrupted; nothing was written")
+    except (Interrupted, ShapeblendError) as error:
+        say(str(error))
         return FAILED
-    except ShapeblendError as error:
-        note(" ".join(str(error).split()))
-        return FAILED
-    except BrokenPipeError:
-        sys.stderr.close()  # whatever read our output is gone, and needs to be told nothing
+    except (BrokenPipeError, SystemExit):
+        return FAILED  # whatever read our output is gone, and needs to be told nothing
+    except OSError as error:
+        say(f"{error.filename or 'standard output'}: cannot be written ({error.strerror or error})")
         return FAILED
     except MemoryError:
-        note("not enough memory for contours of so many vertices; a smaller --vertices would help")
+        say("not enough memory for contours of so many vertices; a smaller --vertices would help")
         return FAILED
     return 0
+
+
+def run_safely(arguments: Sequence[str]) -> int:
+    """Run a command line as a process of its own, which ends without a traceback whatever happens."""
+    _occupy_streams()
+    sys.unraisablehook = _end
+    try:
+        return run(arguments)
+    except Exception as error:
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        where = f"{os.path.basename(place.filename)}, line {place.lineno}"
+        say(f"this is a bug of shapeblend, {type(error).__name__}: {error} ({where}); please report it")
+        return FAILED
+
+
+def _occupy_streams() -> None:
+    """Open what is closed of the standard streams, so that no file takes its number; printing fails as before."""
+    for number in range(3):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDONLY)
+    if sys.stdout is None:
+        sys.stdout = open(1, "w", encoding="utf-8", closefd=False)
+
+
+def _end(unraisable: sys.UnraisableHookArgs) -> None:
+    """Stop where a signal came while an object was deleted, which Python would only report."""
+    if isinstance(unraisable.exc_value, Interrupted):
+        say(str(unraisable.exc_value))
+        os._exit(FAILED)

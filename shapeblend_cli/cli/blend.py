@@ -7,11 +7,19 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from shapeblend_cli.cli.group import TYPED, SectionedCommand
-from shapeblend_cli.cli.options import options_of
+from shapeblend_cli.cli.options import NAME, options_of
 from shapeblend_cli.cli.terminal import Terminal, details
+from shapeblend_cli.interrupts import stop_after
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.outputs.options import OutputOptions, specify
-from shapeblend_cli.settings import ReadOptions, Settings, TerminalOptions, WriteOptions, report_settings
+from shapeblend_cli.settings import (
+    ReadOptions,
+    RunOptions,
+    Settings,
+    TerminalOptions,
+    WriteOptions,
+    report_settings,
+)
 
 if TYPE_CHECKING:
     from shapeblend_cli.files import Job
@@ -29,9 +37,9 @@ EXAMPLES = (
 @click.command(
     cls=SectionedCommand,
     examples=EXAMPLES,
-    params=options_of(ReadOptions, Settings, OutputOptions, WriteOptions, TerminalOptions),
+    params=options_of(ReadOptions, Settings, OutputOptions, WriteOptions, RunOptions, TerminalOptions),
 )
-@click.argument("files", type=click.Path(), nargs=-1, required=True, metavar="A.svg B.svg [C.svg ...]")
+@click.argument("files", type=NAME, nargs=-1, required=True, metavar="A.svg B.svg [C.svg ...]")
 def blend(files: tuple[str, ...], **given: Any) -> None:
     """Blend A.svg into B.svg, and on into further files, with the least work of bending and stretching.
 
@@ -41,11 +49,12 @@ def blend(files: tuple[str, ...], **given: Any) -> None:
     if printed.quiet and printed.verbose:
         raise click.UsageError("--quiet and --verbose contradict each other")
     job = _job(files, given)
+    stop_after(RunOptions.of(given).timeout)
 
     from shapeblend_cli.files import blend_files
 
     with Terminal(quiet=printed.quiet) as terminal:
-        run = blend_files(job, terminal.note, terminal.progress)
+        run = blend_files(job, terminal.note, terminal.warn, terminal.progress)
         if printed.verbose:
             for line in details(run):
                 terminal.note(line)
@@ -76,6 +85,8 @@ def _job(files: tuple[str, ...], given: dict[str, Any]) -> Job:
         read,
         output,
         write,
-        reported=report_settings(read, output.settings, options.replace(**output.decided()), write),
+        reported=report_settings(
+            read, output.settings, options.replace(**output.decided()), write, RunOptions.of(given)
+        ),
         command=("shapeblend", *click.get_current_context().meta[TYPED]),
     )

@@ -9,9 +9,10 @@ from typing import Any, Literal
 
 import click
 
-from shapeblend_cli.cli.options import FieldOption
+from shapeblend_cli.cli.options import NAME, FieldOption
 from shapeblend_cli.cli.terminal import Terminal
-from shapeblend_cli.settings import InspectOptions, ReadOptions
+from shapeblend_cli.interrupts import stop_after
+from shapeblend_cli.settings import InspectOptions, ReadOptions, RunOptions
 
 COLUMNS = ("shape", "element", "id", "contours", "ends", "length", "box", "fill", "stroke", "rule")
 
@@ -29,18 +30,25 @@ SELECT = ReadOptions.options["select_a"]._replace(
 
 
 PARAMS = [
-    FieldOption(each) for each in (SELECT, ReadOptions.options["lenient"], *InspectOptions.options.values())
+    FieldOption(each)
+    for each in (
+        SELECT,
+        ReadOptions.options["lenient"],
+        *InspectOptions.options.values(),
+        *RunOptions.options.values(),
+    )
 ]
 
 
 @click.command(params=PARAMS)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON, for programs.")
-@click.argument("file", type=click.Path(), metavar="FILE")
+@click.argument("file", type=NAME, metavar="FILE")
 def inspect(file: str, select: str | None, lenient: bool | None, as_json: bool, **given: Any) -> None:
     """List the shapes a file draws; - is standard input."""
     from shapeblend_cli.report import inspection
     from shapeblend_cli.svg.reading.read import read
 
+    stop_after(RunOptions.of(given).timeout)
     drawing = read(file, lenient=bool(lenient), select=select)
     options = InspectOptions.of(given)
     if options.picture is not None:

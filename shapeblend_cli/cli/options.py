@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from shapeblend_cli.fields import Option, Record
 
 
+NAME = click.Path(readable=False)
+"""The name of a file to read. Whether it can be read shows where it is read, in one way for all reasons."""
+
+
 class FieldText(click.ParamType):  # type: ignore[type-arg]  # generic only in newer releases
     """Text that stands for the value of a field."""
 

@@ -8,9 +8,10 @@ import click
 
 from shapeblend_cli.cli.blend import check_files
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.cli.options import options_of
+from shapeblend_cli.cli.options import NAME, options_of
 from shapeblend_cli.cli.terminal import Terminal
-from shapeblend_cli.settings import PlotOptions, ReadOptions, Settings, TerminalOptions
+from shapeblend_cli.interrupts import stop_after
+from shapeblend_cli.settings import PlotOptions, ReadOptions, RunOptions, Settings, TerminalOptions
 
 KINDS = ("graph", "surface", "angle", "starts")  # each is a module of that name in `plot`
 DOTTED = ("angle", "starts")  # those about a single dot
@@ -22,12 +23,13 @@ DOTTED = ("angle", "starts")  # those about a single dot
         PlotOptions,
         ReadOptions,
         Settings,
+        RunOptions,
         TerminalOptions,
         without=("frames", "ends", "style", "curves", "ease", "verbose"),
     ),
 )
 @click.argument("kind", type=click.Choice(KINDS), metavar="KIND")
-@click.argument("files", type=click.Path(), nargs=-1, required=True, metavar="A.svg B.svg")
+@click.argument("files", type=NAME, nargs=-1, required=True, metavar="A.svg B.svg")
 def plot(kind: str, files: tuple[str, ...], **given: Any) -> None:
     """Draw how two files correspond, in the form of the paper's figures.
 
@@ -40,6 +42,7 @@ def plot(kind: str, files: tuple[str, ...], **given: Any) -> None:
     check_files(files, settings)
     if options.dot is not None and kind not in DOTTED:
         raise click.UsageError(f"--dot is for {' and '.join(DOTTED)}; {kind} shows all dots")
+    stop_after(RunOptions.of(given).timeout)
     if kind == "starts" and (settings.start or settings.pins):
         raise click.UsageError("starts compares all starts; --start and --pin would leave one")
 

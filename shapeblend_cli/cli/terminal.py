@@ -14,11 +14,23 @@ if TYPE_CHECKING:
     from shapeblend_cli.files import Run
 
 PATIENCE = 1.0  # seconds before the bar shows
+OFTEN, SELDOM = (
+    10.0,
+    60.0,
+)  # seconds before the first line in a pipe or a file, and between further ones at most
 UNITS = 1000
 
 
+def say(text: str) -> None:
+    """Print a line on standard error; that it is closed or full fails no run."""
+    try:
+        click.echo(f"shapeblend: {' '.join(text.split())}", err=True)
+    except (OSError, ValueError):
+        pass
+
+
 class Terminal:
-    """Standard error; a context that ends the progress bar. If `quiet`, nothing but errors is printed."""
+    """Standard error; a context that ends the progress bar. If `quiet`, only errors and warnings are printed."""
 
     def __init__(self, *, quiet: bool = False, now: Callable[[], float] = time.monotonic) -> None:
         self._quiet = quiet
@@ -26,6 +38,7 @@ class Terminal:
         self._began = now()
         self._bar: Any = None
         self._shown = 0
+        self._next_line = OFTEN
 
     def __enter__(self) -> Terminal:
         return self
@@ -37,11 +50,21 @@ class Terminal:
     def note(self, text: str) -> None:
         """Print a line."""
         if not self._quiet:
-            click.echo(f"shapeblend: {text}", err=True)
+            say(text)
+
+    def warn(self, text: str) -> None:
+        """Print a line even if quiet."""
+        say(text)
 
     def progress(self, share: float) -> None:
         """Show the share of the work that is done, 0 to 1, if there is a terminal and the work takes long."""
-        if self._quiet or self._now() - self._began < PATIENCE or not sys.stderr.isatty():
+        passed = self._now() - self._began
+        if self._quiet or sys.stderr is None or passed < PATIENCE:
+            return
+        if not sys.stderr.isatty():
+            if passed >= self._next_line:
+                self._next_line = passed + min(passed, SELDOM)
+                say(f"matching: {share:.0%} after {passed:.0f} s")
             return
         if self._bar is None:
             self._bar = click.progressbar(length=UNITS, label="matching", file=sys.stderr)

@@ -7,6 +7,7 @@ numpy, svgwrite, Pillow and resvg_py only in the functions that need them.
 from __future__ import annotations
 
 from os.path import join
+from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
@@ -101,6 +102,13 @@ class OutputSpec(NamedTuple):
         if self.format.suffix:
             return [self.path]
         return [join(self.path, name) for name in self.format.files or self.frame_files() if name]
+
+    def by_target(self, rendered: Rendered) -> dict[Path, str | bytes | dict[str, str | bytes]]:
+        """Return the contents by what they are written to: a file, or a folder with names of files in it."""
+        if self.format.suffix:
+            return {Path(self.path): rendered.contents[0]}
+        names = [name for name in self.format.files or self.frame_files() if name]
+        return {Path(self.path): dict(zip(names, rendered.contents, strict=True))}
 
     def decimals(self, pairs: Sequence[Pair]) -> int:
         """Return the number of decimals of coordinates."""

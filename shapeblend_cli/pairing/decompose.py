@@ -16,7 +16,7 @@ from shapeblend_cli.geometry.polygons import (
     signed_area,
     winding_numbers,
 )
-from shapeblend_cli.model import Box, Contour, Drawing, Polygon, Style
+from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Contour, Drawing, Polygon, Style
 from shapeblend_cli.pairing.nesting import nest
 
 if TYPE_CHECKING:
@@ -28,9 +28,6 @@ if TYPE_CHECKING:
     ContourPair = tuple["PlacedContour", "PlacedContour"]
 
 EXTERIOR, HOLE, LINE = "exterior", "hole", "line"
-
-MOST_CONTOURS, MOST_SEGMENTS = 2_000, 50_000
-"""Limits of a drawing and of each contour: contours are solved one by one, and every two are compared."""
 
 CROWD, LEAST_SHARE, LARGE = 40, 0.15, 0.4
 """In a drawing of more contours than this the smaller ones get fewer vertices, but at least this share; those of such a

@@ -55,7 +55,7 @@ def write_picture(drawing: Drawing, file: str, picture: str, *, force: bool) -> 
     """Write the picture of a drawing that was read from a file; raises OutputError where that cannot be."""
     target = Path(picture)
     check_targets([target], [] if file == STANDARD_INPUT else [Path(file)], force)
-    write_files({target: draw(drawing)})
+    write_files({target: draw(drawing)}, force)
 
 
 def draw(drawing: Drawing) -> str:

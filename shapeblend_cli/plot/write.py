@@ -60,4 +60,4 @@ def plot_files(
     if output == STANDARD_OUTPUT:
         print_text(text)
     else:
-        write_files({target: text})
+        write_files({target: text}, options.force)

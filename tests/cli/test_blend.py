@@ -7,7 +7,6 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from shapeblend_cli import output
 from shapeblend_cli.cli import run
 from tests.support.commands import contours, names, points, process, viewbox, write
 
@@ -248,22 +247,6 @@ def test_bad_input_is_one_line_and_nothing_written(here, refused, files, content
         bad.write_text(content)
     line = refused([*files, "--vertices", "0", "--report", "r.json"], 1, "shapeblend: bad.svg: ")
     assert problem.lower() in line.lower()
-
-
-@pytest.mark.parametrize(
-    ("arguments", "last"), [(["-o", "deep/er", "--report", "r.json"], 3), (["--emit", "pair"], 2)]
-)
-def test_nothing_is_left_when_writing_fails_half_way(here, monkeypatch, refused, arguments, last):
-    replace, calls = output.os.replace, []
-
-    def fail_at_the_last(source, target):
-        calls.append(target)
-        if len(calls) == last:
-            raise OSError(28, "No space left on device")
-        replace(source, target)
-
-    monkeypatch.setattr(output.os, "replace", fail_at_the_last)
-    refused(["a.svg", "b.svg", *arguments], 1, "No space left")
 
 
 def test_as_a_module_and_its_version():

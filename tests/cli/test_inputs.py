@@ -11,7 +11,7 @@ import sys
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.svg.reading import xmltree
+from shapeblend_cli.svg.reading import walk, xmltree
 from tests.support.commands import report, write
 
 SQUARE = "M0 0H10V10H0Z"
@@ -122,3 +122,22 @@ def test_inspect_lists_what_a_selector_takes_under_the_numbers_of_the_file_or_fa
     (shape,) = json.loads(capsys.readouterr().out)["shapes"]
     assert (shape["index"], shape["id"]) == (1, "small")
     refused(["inspect", "a.svg", "--select", "#1st"], 1, "nothing in it matches '#1st'")
+
+
+def test_what_is_too_much_is_refused_before_all_of_it_is_read(here, refused, monkeypatch):
+    read = []
+    contours_of = walk.contours_of
+    monkeypatch.setattr(walk, "contours_of", lambda *given: read.append(given) or contours_of(*given))
+    write(a=svg(f'<path d="{SQUARE}"/>' * 20_000))
+    refused(["a.svg", "b.svg"], 1, "contours or more, and 2000 are the most that are blended; selecting some")
+    assert len(read) == 2001
+    assert run(["inspect", "a.svg"]) == 0
+
+
+@pytest.mark.parametrize("size", ["1e-308", "1e-320", "1e-30"])
+@pytest.mark.parametrize("viewbox", ["0 0 10 10", "0 0 1e-300 1e-300"])
+def test_drawings_without_any_size_are_one_line(here, refused, size, viewbox):
+    path = f"M0 0H{size}V{size}z"
+    write(a=svg(f'<path d="{path}"/>').replace("0 0 10 10", viewbox))
+    refused(["a.svg", "b.svg"], 1, "a.svg: no painted shape: 1 shape without extent")
+    refused(["b.svg", "a.svg"], 1, "a.svg: no painted shape: 1 shape without extent")

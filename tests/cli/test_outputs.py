@@ -164,11 +164,11 @@ def test_a_folder_of_png_frames(here):
         assert image.getpixel((256, 256))[3] == 255
 
 
-def test_frames_of_another_run_are_spoken_of(here, capsys):
+def test_frames_of_another_run_are_spoken_of_if_quiet_too(here, capsys):
     png = ["--format", "png", "--width", "20"]
     assert run([*AB, *png]) == run(AB) == 0
     assert capsys.readouterr().err == ""
-    assert run([*AB, *png, "-n", "2", "-f"]) == 0
+    assert run([*AB, *png, "-n", "2", "-f", "-q"]) == 0
     (line,) = capsys.readouterr().err.splitlines()
     assert "3 frame files of another run remain, frame-3.png among them" in line
 

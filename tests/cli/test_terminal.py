@@ -85,6 +85,16 @@ def test_no_bar_where_there_is_no_terminal(files, monkeypatch, capfd):
     assert capfd.readouterr() == ("", "")
 
 
+def test_a_line_now_and_then_where_there_is_no_terminal(capfd):
+    now = 0.0
+    with terminal.Terminal(now=lambda: now) as shown:
+        for now in range(100):
+            shown.progress(now / 100)
+    lines = capfd.readouterr().err.splitlines()
+    assert lines[0] == "shapeblend: matching: 10% after 10 s"
+    assert 2 <= len(lines) <= 5
+
+
 def test_a_clock_adds_up_the_laps_of_a_stage():
     clock = Clock(now=iter((1.0, 3.0, 7.0, 8.0)).__next__)
     assert [clock.lap(stage) for stage in ("read", "match", "read")] == [2.0, 4.0, 1.0]

@@ -19,14 +19,19 @@ def title_of(file: str) -> str:
 
 
 def read(
-    file: str, data: bytes | None = None, *, lenient: bool = False, select: str | None = None
+    file: str,
+    data: bytes | None = None,
+    *,
+    lenient: bool = False,
+    select: str | None = None,
+    is_to_blend: bool = False,
 ) -> Drawing:
     """Return what an SVG file paints; without its contents as `data`, the file is opened.
 
     The file ``-`` is standard input, called ``<stdin>`` in the drawing and in messages. If `lenient`, path data and
     points that break the grammar are drawn up to the error. To `select`, by ``#id`` or a CSS selector, is to return
     only the shapes it matches, those in groups it matches, and those drawn through a ``use`` it matches; `Shape.index`
-    still counts all the file paints.
+    still counts all the file paints. What `is_to_blend` is refused early if it is too much for that.
 
     Raises
     ------
@@ -41,7 +46,7 @@ def read(
             tag = printable(root.tag.lstrip(":"))
             raise Problem(f"its root element is <{tag}>, not <svg>; an SVG file would work")
         box = viewports.root_box(root, notes)
-        shapes = Walk(root, notes, lenient).shapes(viewports.root_lengths(box), select)
+        shapes = Walk(root, notes, lenient, is_to_blend).shapes(viewports.root_lengths(box), select)
     except Problem as problem:
         raise InputError(name, str(problem)) from None
     return Drawing(name, box, shapes, notes.phrases())

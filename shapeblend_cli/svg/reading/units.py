@@ -18,6 +18,7 @@ BLANKS = " \t\r\n\f"
 BLANK = r"[ \t\r\n\f]"
 GAP = rf"{BLANK}*+(?:,{BLANK}*+)?+"  # what may stand between two numbers
 LIMIT = 1e9  # numbers of this size or more are refused: products of a few of them must stay finite
+LEAST = 1e-12  # coordinates smaller than this are 0: so small a drawing has no digits left beside another one
 PIXELS = {
     "": 1.0,
     "px": 1.0,

@@ -7,7 +7,7 @@ import re
 from shapeblend_cli.model import Box
 from shapeblend_cli.svg.reading.messages import Notes
 from shapeblend_cli.svg.reading.transforms import Affine, translation
-from shapeblend_cli.svg.reading.units import Lengths, length, numbers
+from shapeblend_cli.svg.reading.units import LEAST, Lengths, length, numbers
 from shapeblend_cli.svg.reading.xmltree import Node
 
 _MAX_LENGTH = 1000
@@ -24,7 +24,7 @@ def viewbox(node: Node, notes: Notes) -> Box | None:
         x, y, width, height = numbers(text[:_MAX_LENGTH])
     except ValueError:
         width = height = 0.0
-    if width <= 0 or height <= 0:
+    if width < LEAST or height < LEAST:
         notes.add("an invalid viewBox ignored")
         return None
     return Box(x, y, width, height)

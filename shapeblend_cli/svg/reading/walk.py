@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.model import Contour, Shape
+from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Contour, Shape
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.cascade import INITIAL, Cascade, Inherited, inherit, share
 from shapeblend_cli.svg.reading.declarations import Declarations, substitute
@@ -18,7 +19,7 @@ from shapeblend_cli.svg.reading.path_data import MAX_SEGMENTS
 from shapeblend_cli.svg.reading.selection import ancestors, paints_nothing, select
 from shapeblend_cli.svg.reading.shapes import contours_of
 from shapeblend_cli.svg.reading.transforms import IDENTITY, Affine, is_sound, origin, parse, translation
-from shapeblend_cli.svg.reading.units import LIMIT, Lengths
+from shapeblend_cli.svg.reading.units import LEAST, LIMIT, Lengths
 from shapeblend_cli.svg.reading.xmltree import GROUPS, LEFT_OUT, POINT_LISTS, SHAPES, Node
 
 _EFFECTS = dict.fromkeys(("clip-path", "mask", "filter"), "not applied")
@@ -62,13 +63,16 @@ class _Visit(NamedTuple):
 class Walk:
     """One walk from an ``svg`` element, with an explicit stack: a hostile file must not reach the recursion limit.
 
-    `lenient` draws broken path data and points up to the error; `notes` takes phrases on what is left out.
+    `lenient` draws broken path data and points up to the error; `notes` takes phrases on what is left out; if it
+    `is_to_blend`, what is too much for that is refused.
     """
 
-    def __init__(self, root: Node, notes: Notes, lenient: bool = False) -> None:
+    def __init__(self, root: Node, notes: Notes, lenient: bool = False, is_to_blend: bool = False) -> None:
         self._root = root
         self._notes = notes
         self._lenient = lenient
+        self._is_to_blend = is_to_blend
+        self._drawn = 0  # contours
         self._cascade = Cascade(root)
         self._ids: dict[str, Node] = {}
         for node in root.walk():
@@ -228,6 +232,9 @@ class Walk:
             return "without extent"
         self._segments += sum(len(contour.segments) for contour in own_contours)
         check_limit(self._segments, MAX_SEGMENTS, "segments")
+        placed = [each for contour in own_contours if (each := _placed(contour, visit.matrix)) is not None]
+        if not placed:
+            return "without extent"
         index = self._painted
         self._painted += 1
         name = _clean(node.get("id") or visit.use_id)
@@ -235,7 +242,8 @@ class Walk:
             if name and len(self._other_names) < _MAX_NAMES:
                 self._other_names[name] = None
             return None
-        placed = tuple(contours.transform(contour, visit.matrix) for contour in own_contours)
+        if self._is_to_blend:
+            self._check_limits(placed)
         if not all(np.abs(contour.segments).max() < LIMIT for contour in placed):
             raise Problem(f"{node}: coordinates beyond {LIMIT:g}; smaller ones would work")
         style = self._painter.with_gradients(
@@ -243,8 +251,23 @@ class Walk:
         )
         if style.stroke_dasharray and node.get("pathLength") is not None:
             self._notes.add("pathLength not applied to dashes")
-        self._shapes.append(Shape(index, name, node.tag, placed, style))
+        self._shapes.append(Shape(index, name, node.tag, tuple(placed), style))
         return None
+
+    def _check_limits(self, placed: Sequence[Contour]) -> None:
+        """Refuse what is too much to blend as soon as it shows."""
+        self._drawn += len(placed)
+        if self._drawn > MOST_CONTOURS:
+            raise Problem(
+                f"it draws {self._drawn} contours or more, and {MOST_CONTOURS} are the most that are blended; "
+                "selecting some of its shapes would work (--select-a, --select-b)"
+            )
+        largest = max(len(contour.segments) for contour in placed)
+        if largest > MOST_SEGMENTS:
+            raise Problem(
+                f"it draws a contour of {largest} segments, and {MOST_SEGMENTS} are the most that are blended; a "
+                "simpler drawing would work"
+            )
 
     def _contours(self, visit: _Visit, declared: Declarations) -> list[Contour]:
         node = visit.node
@@ -293,3 +316,14 @@ def _is_for_us(node: Node) -> bool:
 def _clean(name: str | None) -> str | None:
     """Return an id without control characters, and not too long."""
     return "".join(c for c in name[:_MAX_ID] if c.isprintable()) or None if name else None
+
+
+def _placed(contour: Contour, matrix: Affine) -> Contour | None:
+    """Return a contour in the root's coordinates, or None if it is a point there."""
+    placed = contours.transform(contour, matrix)
+    parts = np.ascontiguousarray(placed.segments).view(float)
+    is_small = np.abs(parts) < LEAST
+    if not is_small.any():
+        return placed
+    parts = np.where(is_small, 0.0, parts)
+    return Contour(parts.view(np.complex128), placed.straight, placed.closed) if parts.any() else None

@@ -1,0 +1,402 @@
+"""What stands when writing fails, is interrupted, or meets another run; and targets that are no files."""
+
+import errno
+import json
+import os
+import signal
+import stat
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+
+from shapeblend_cli import files, staging
+from shapeblend_cli.cli import run
+from tests.support.commands import contents, made, names
+from tools.faults import runs
+
+AB = ["a.svg", "b.svg", "--vertices", "12"]
+BA = ["b.svg", "a.svg", "--vertices", "12"]
+
+
+@pytest.fixture(autouse=True)
+def here(three):
+    return three
+
+
+def failing(function, at):
+    """A function that fails with an error of the disk when it is called for a certain time, from 1."""
+    calls = []
+
+    def call(*arguments, **options):
+        calls.append(arguments)
+        if len(calls) == at:
+            raise OSError(errno.EIO, os.strerror(errno.EIO))
+        return function(*arguments, **options)
+
+    return call
+
+
+FAILING = {
+    "a folder made ready": ("fsync", 3, ["-f"]),
+    "a folder exchanged": ("fsync", 7, ["-f"]),
+    "a new folder": ("rename", 1, ["-o", "deep/er"]),
+    "files one by one": ("replace", 2, ["-o", ".", "-f"]),
+    "files and a report": ("fsync", 5, ["-o", "x.svg", "--report", "r.json"]),
+    "a folder after a report": ("fsync", 7, ["-f", "-n", "2", "--report", "b.json"]),
+}
+
+
+@pytest.mark.parametrize(("function", "at", "arguments"), FAILING.values(), ids=FAILING)
+def test_an_error_while_writing_changes_nothing_and_says_so(
+    here, refused, monkeypatch, function, at, arguments
+):
+    assert run([*BA]) == run([*BA, "-o", "."]) == run([*BA, "-n", "0", "--report", "b.json"]) == 0
+    Path("blend/mine.txt").write_text("mine")
+    monkeypatch.setattr(os, function, failing(getattr(os, function), at))
+    refused([*AB, *arguments], 1, "(Input/output error); nothing was changed")
+
+
+def without_exchange(*_):
+    raise OSError(errno.EINVAL, "")
+
+
+@pytest.mark.parametrize("system", ["exchange", "two steps", "files one by one"])
+def test_a_folder_is_replaced_with_all_that_is_in_it(here, monkeypatch, system):
+    assert run([*BA, "-n", "3"]) == 0
+    os.chmod("blend", 0o750)
+    os.chmod("blend/frame-2.svg", 0o604)
+    Path("blend/mine.txt").write_text("mine")
+    os.symlink("mine.txt", "blend/link")
+    if system != "exchange":
+        monkeypatch.setattr(staging, "exchange", without_exchange)
+    if system == "files one by one":
+        Path("blend/inner").mkdir()
+        Path("blend/inner/mine.txt").write_text("mine")
+    assert run([*AB, "-n", "2", "-f"]) == 0
+    assert run([*AB, "-n", "2", "-o", "alone"]) == 0
+    for k in (1, 2):
+        assert Path(f"blend/frame-{k}.svg").read_bytes() == Path(f"alone/frame-{k}.svg").read_bytes()
+    assert Path("blend/mine.txt").read_text() == os.readlink("blend/link").replace(".txt", "") == "mine"
+    assert (system != "files one by one") or Path("blend/inner/mine.txt").read_text() == "mine"
+    assert stat.S_IMODE(os.stat("blend").st_mode) == 0o750
+    assert stat.S_IMODE(os.stat("blend/frame-2.svg").st_mode) == 0o604
+    assert not list(here.rglob(".shapeblend*"))
+
+
+def test_a_folder_that_cannot_be_exchanged_in_two_steps_either_is_put_back(here, refused, monkeypatch):
+    assert run([*BA, "-n", "3"]) == 0
+    monkeypatch.setattr(staging, "exchange", without_exchange)
+    monkeypatch.setattr(os, "rename", failing(os.rename, 2))
+    refused([*AB, "-n", "3", "-f"], 1, "nothing was changed")
+
+
+def test_the_folder_of_a_shell_stays_the_same_folder(here):
+    assert run([*BA, "-n", "3"]) == 0
+    os.chdir("blend")
+    before = os.stat(".").st_ino
+    assert run(["../a.svg", "../b.svg", "-n", "3", "-o", ".", "-f"]) == 0
+    assert os.stat("../blend").st_ino == before
+
+
+def test_stages_that_killed_runs_have_left_are_in_nobodys_way(here):
+    assert run([*BA]) == 0
+    for folder in (".", "blend"):
+        for name in (f".shapeblend-{os.getpid()}", ".shapeblend-0123"):
+            Path(folder, name, "new").mkdir(parents=True)
+            Path(folder, name, "new", "frame-1.svg").write_text("half")
+    assert run([*AB, "-f"]) == 0
+    assert made() == ["blend", *(f"blend/frame-{k}.svg" for k in range(1, 6))]
+
+
+class Killed(BaseException):
+    """The end of a process, after which it does nothing any more."""
+
+
+@pytest.fixture
+def half_moved(here, monkeypatch):
+    """The folder as it was, after a run was killed that was moving a second frame of three into it."""
+    for k in (1, 2, 3):
+        Path(f"frame-{k}.svg").write_text(f"old {k}")
+    before = contents()
+    stage = staging.Stage(here)
+    for k in (1, 2, 3):
+        (stage.new / f"frame-{k}.svg").write_text(f"new {k}")
+    replace, calls = os.replace, []
+
+    def killed_at_the_second(source, target):
+        calls.append(target)
+        if len(calls) == 2:
+            raise Killed
+        replace(source, target)
+
+    with monkeypatch.context() as context:
+        context.setattr(os, "replace", killed_at_the_second)
+        with pytest.raises(Killed):
+            stage.move(force=True)
+    assert Path("frame-1.svg").read_text() == "new 1"
+    return before
+
+
+def test_the_next_run_puts_back_what_a_killed_one_was_moving(half_moved, refused):
+    assert run([*AB, "-n", "3", "-o", "."]) == 1
+    assert contents() == half_moved
+
+
+def test_what_has_changed_since_is_not_put_back(half_moved):
+    Path("frame-1.svg").write_text("edited")
+    assert run([*AB, "-n", "3", "-o", "."]) == 1
+    assert Path("frame-1.svg").read_text() == "edited"
+    assert not list(Path().glob(".shapeblend*"))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "first"),
+    [
+        (["-o", "out"], "out/frame-1.svg"),
+        (["-o", "deep/out"], "deep/out/frame-1.svg"),
+        (["-o", "x.svg"], "x.svg"),
+        (["-o", "."], "frame-1.svg"),
+    ],
+)
+def test_what_another_run_has_written_meanwhile_stays(here, capsys, monkeypatch, arguments, first):
+    match_files = files.match_files
+
+    def match_while_another_runs(*given):
+        monkeypatch.setattr(files, "match_files", match_files)
+        assert run([*BA, *arguments]) == 0
+        theirs.update(contents())
+        return match_files(*given)
+
+    theirs = {}
+    monkeypatch.setattr(files, "match_files", match_while_another_runs)
+    assert run([*AB, *arguments]) == 1
+    assert capsys.readouterr().err == f"shapeblend: {first}: exists; --force replaces it\n"
+    assert contents() == theirs
+
+
+def test_runs_that_make_the_same_new_folder_both_get_what_they_want(here):
+    match_files = files.match_files
+    with pytest.MonkeyPatch.context() as patch:
+
+        def match_while_another_runs(*given):
+            patch.undo()
+            assert run([*BA, "-o", "deep/other.svg"]) == 0
+            return match_files(*given)
+
+        patch.setattr(files, "match_files", match_while_another_runs)
+        assert run([*AB, "-o", "deep/one.svg"]) == 0
+    assert made() == ["deep", "deep/one.svg", "deep/other.svg"]
+
+
+@pytest.mark.parametrize("force", [True, False])
+def test_of_two_runs_at_once_one_wins_whole(tmp_path, force):
+    runs.two_at_once("folder", force, tmp_path / "two")
+
+
+@pytest.mark.parametrize("name", ["shorter folder", "new folder"])
+def test_a_run_that_is_killed_leaves_the_old_or_the_new(tmp_path, name):
+    expected = runs.prepare(name, tmp_path / "it")
+    for what, moment in (
+        ("SIGKILL", expected.changes // 2),
+        ("SIGTERM", expected.changes // 2),
+        ("SIGKILL", expected.changes - 4),
+    ):
+        runs.kill_at_moves(expected, what, [moment], tmp_path / "it")
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_who_is_interrupted_after_writing_is_told_the_truth(here, capsys, monkeypatch, number):
+    if signal.getsignal(number) is signal.SIG_IGN:
+        pytest.skip("the tests run where this signal is ignored")
+    monkeypatch.setattr(files, "print_text", lambda *_: signal.raise_signal(number))
+    assert run([*AB, "-o", "x.svg"]) == 1
+    assert capsys.readouterr().err == "shapeblend: interrupted; all files were written\n"
+    assert made() == ["x.svg"]
+
+
+def test_a_signal_while_files_are_moved_waits(here, capsys, monkeypatch):
+    link = os.link
+
+    def link_and_raise(*arguments):
+        signal.raise_signal(signal.SIGTERM)
+        link(*arguments)
+
+    monkeypatch.setattr(os, "link", link_and_raise)
+    assert run([*AB, "-n", "3", "-o", "."]) == 1
+    assert capsys.readouterr().err == "shapeblend: interrupted; all files were written\n"
+    assert made() == ["frame-1.svg", "frame-2.svg", "frame-3.svg"]
+
+
+@pytest.mark.parametrize("module", ["click", "numpy", "svgpathtools"])
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
+def test_a_signal_while_modules_load_is_one_line(here, module, name):
+    code = (
+        "import os, signal, sys\n"
+        "for name in ('SIGINT', 'SIGTERM'): signal.signal(getattr(signal, name), signal.SIG_DFL)\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        "def watch(event, given):\n"
+        f"    if event == 'import' and given[0] == '{module}': os.kill(os.getpid(), signal.{name})\n"
+        "sys.addaudithook(watch)\n"
+        "sys.argv = ['shapeblend', 'a.svg', 'b.svg']\n"
+        "from shapeblend_cli.__main__ import main; main()\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (1, "shapeblend: interrupted; nothing was written\n")
+
+
+def test_a_timeout_ends_a_run_with_nothing_written(here, refused):
+    refused([*AB, "--timeout", "0.001"], 1, "stopped after 0.001 s (--timeout); nothing was written")
+    refused(["inspect", "a.svg", "--timeout", "0"], 2, "--timeout must be greater than 0")
+    assert run([*AB, "--timeout", "600", "--report", "r.json"]) == 0
+    assert json.loads(Path("r.json").read_text())["settings"]["timeout"] == 600
+
+
+@pytest.mark.parametrize("force", [[], ["-f"]])
+def test_a_device_is_written_to_and_stays(here, force):
+    assert run([*AB, "-n", "0", "--report", "/dev/null", *force]) == 0
+    assert stat.S_ISCHR(os.stat("/dev/null").st_mode)
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
+def test_a_full_device_is_an_error_that_says_what_stands(here, capsys):
+    assert run([*AB, "-o", "x.svg", "--report", "/dev/full"]) == 1
+    said = capsys.readouterr().err
+    assert said == (
+        "shapeblend: /dev/full: cannot be written (No space left on device); the other files were written\n"
+    )
+    assert made() == ["x.svg"]
+
+
+def test_a_pipe_with_a_name_is_written_to_and_stays(here):
+    os.mkfifo("pipe.svg")
+    read = []
+    reader = threading.Thread(target=lambda: read.append(Path("pipe.svg").read_bytes()))
+    reader.start()
+    assert run([*AB, "-o", "pipe.svg"]) == 0
+    reader.join()
+    assert run([*AB, "-o", "x.svg"]) == 0
+    assert read == [Path("x.svg").read_bytes()]
+    assert stat.S_ISFIFO(os.stat("pipe.svg").st_mode)
+
+
+def test_a_link_stays_and_the_file_it_names_is_replaced(here, refused):
+    Path("real").mkdir()
+    Path("real/x.svg").write_text("old")
+    os.chmod("real/x.svg", 0o640)
+    os.symlink("real/x.svg", "x.svg")
+    refused([*AB, "-o", "x.svg"], 1, "x.svg: exists; --force replaces it")
+    assert run([*AB, "-o", "x.svg", "-f"]) == 0
+    assert os.readlink("x.svg") == "real/x.svg"
+    assert "<svg" in Path("real/x.svg").read_text()
+    assert stat.S_IMODE(os.stat("real/x.svg").st_mode) == 0o640
+
+
+def test_a_link_to_a_folder_stays_and_the_folder_is_replaced(here):
+    assert run([*BA, "-o", "real"]) == 0
+    os.symlink("real", "blend")
+    assert run([*AB, "-f"]) == 0
+    assert run([*AB, "-o", "alone"]) == 0
+    assert os.readlink("blend") == "real"
+    assert [*contents("real").values()] == [*contents("alone").values()]
+
+
+@pytest.mark.skipif(not hasattr(os, "chown") or os.geteuid() != 0, reason="only root gives files away")
+def test_what_is_replaced_keeps_its_owner(here):
+    assert run([*BA, "-n", "1"]) == run([*BA, "-o", "x.svg"]) == 0
+    for path in ("blend", "blend/frame-1.svg", "x.svg"):
+        os.chown(path, 65534, 65533)
+    assert run([*AB, "-n", "1", "-f"]) == run([*AB, "-o", "x.svg", "-f"]) == 0
+    for path in ("blend", "blend/frame-1.svg", "x.svg"):
+        found = os.stat(path)
+        assert (found.st_uid, found.st_gid) == (65534, 65533)
+
+
+@pytest.mark.parametrize("option", ["--output", "--report"])
+def test_an_empty_name_is_an_error(refused, option):
+    refused([*AB, option, ""], 2, f"{option} must be a file name, not ''")
+
+
+def test_a_file_that_cannot_be_read_has_the_status_of_one_that_is_missing(here, refused, monkeypatch):
+    os.chmod("a.svg", 0)
+    monkeypatch.setattr(os, "access", lambda path, mode, **_: mode != os.R_OK)
+    if os.geteuid() == 0:
+        monkeypatch.setattr("builtins.open", forbidden)
+    refused_status = 1
+    assert run(["inspect", "a.svg"]) == run(["inspect", "nowhere.svg"]) == refused_status
+
+
+def forbidden(*_, **__):
+    raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+
+
+@pytest.mark.parametrize(
+    "arguments", [["-o", "x" * 300 + ".svg"], ["-o", "x" * 300], ["--report", "x" * 300]]
+)
+def test_a_name_that_is_too_long_is_one_line(refused, arguments):
+    refused([*AB, *arguments], 1, "cannot be written (File name too long)")
+
+
+def test_names_that_are_not_utf_8(here, capsys):
+    name = os.fsdecode(b"\xff\xfe.svg")
+    os.rename("a.svg", name)
+    more = ["--preview", "p.html", "--report", "r.json", "-v"]
+    assert run([name, *AB[1:], "-o", os.fsdecode(b"\xff"), *more]) == 0
+    assert run(["inspect", name, "--picture", "p.svg"]) == run(["plot", "graph", name, "b.svg"]) == 0
+    for text in ("p.html", "p.svg", "graph.svg"):
+        assert Path(text).read_text("utf-8")
+    assert "Traceback" not in capsys.readouterr().err
+
+
+def test_a_working_folder_that_is_gone_is_one_line(here, capsys):
+    gone = here / "gone"
+    gone.mkdir()
+    os.chdir(gone)
+    gone.rmdir()
+    try:
+        assert run([str(here / "a.svg"), str(here / "b.svg"), "-o", str(here / "out")]) == 0
+        assert run([str(here / "a.svg"), str(here / "b.svg")]) == 1
+        assert run(["../a.svg", "../b.svg", "-o", "x.svg"]) == 1
+        assert capsys.readouterr().err.count("\n") == 2
+    finally:
+        os.chdir(here)
+
+
+STREAMS = {
+    "--help >/dev/full": (1, "standard output: cannot be written (No space left on device)"),
+    "--version >/dev/full": (1, "standard output: cannot be written (No space left on device)"),
+    "inspect a.svg >/dev/full": (1, "standard output: cannot be written (No space left on device)"),
+    "inspect a.svg --json >/dev/full": (1, "standard output: cannot be written (No space left on device)"),
+    "inspect a.svg >&-": (1, "standard output: cannot be written (Bad file descriptor)"),
+    "a.svg b.svg -o - >&-": (1, "standard output: cannot be written (Bad file descriptor)"),
+    "a.svg b.svg --report - >/dev/full": (
+        1,
+        "standard output: cannot be written (No space left on device); the files were written",
+    ),
+    "a.svg b.svg >&-": (0, ""),
+    "a.svg b.svg -v 2>&-": (0, ""),
+    "a.svg b.svg -v 2>/dev/full": (0, ""),
+    "a.svg b.svg -v <&- >&- 2>&-": (0, ""),
+    "nowhere.svg b.svg 2>&-": (1, ""),
+}
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
+@pytest.mark.parametrize(("line", "expected"), STREAMS.items())
+def test_streams_that_are_closed_or_full(here, line, expected):
+    command = f"'{sys.executable}' -m shapeblend_cli {line}"
+    done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, check=False)
+    status, words = expected
+    assert (done.returncode, done.stderr) == (status, words and f"shapeblend: {words}\n")
+    assert bool(names("blend")) == ("were written" in words or status == 0)
+
+
+def test_the_fresh_folder_is_one_step(here, monkeypatch):
+    # Whoever looks sees no folder, or all of it.
+    seen = []
+    rename = os.rename
+    monkeypatch.setattr(os, "rename", lambda *given: (seen.append(made()), rename(*given)))
+    assert run([*AB, "-o", "deep/er"]) == 0
+    assert [name for name in seen[0] if not name.startswith(staging.PREFIX)] == []

@@ -1,0 +1,226 @@
+"""Runs over targets that are there, and what may be there afterwards."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterable
+from pathlib import Path
+from typing import NamedTuple
+
+ROOT = Path(__file__).parents[2]
+A = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24"><path fill="#c00" d="M4 4H20V20H4Z"/></svg>'
+B = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24"><path fill="#00c" d="M12 3L21 20H3Z"/></svg>'
+COMMAND = [sys.executable, "-m", "shapeblend_cli"]
+FEW = ["--vertices", "12"]
+PREFIX = ".shapeblend-"
+
+TARGETS = {
+    "folder": ["-o", "out"],
+    "shorter folder": ["-o", "out", "-n", "3"],
+    "new folder": ["-o", "deep/out"],
+    "animation": ["-o", "out.svg"],
+    "GIF": ["-o", "out.gif", "-n", "2", "--width", "24"],
+    "report": ["-n", "0", "--report", "out.json"],
+}
+"""Further arguments of a run, by what it writes."""
+
+SIGNALS = ("SIGKILL", "SIGTERM", "SIGINT")
+
+
+class Fault(AssertionError):
+    """A promise that was not kept."""
+
+
+class Expected(NamedTuple):
+    """What stands in a folder before and after a run, by name."""
+
+    arguments: list[str]
+    old: dict[str, object]
+    new: dict[str, object]
+    changes: int  # moments that can be aimed at
+    seconds: float
+
+
+def environment() -> dict[str, str]:
+    return {**os.environ, "PYTHONPATH": str(ROOT)}
+
+
+def run(arguments: list[str], where: Path) -> subprocess.CompletedProcess[bytes]:
+    return subprocess.run(
+        [*COMMAND, *arguments], cwd=where, env=environment(), capture_output=True, check=False
+    )
+
+
+def state(where: Path) -> dict[str, object]:
+    """Return what is in a folder, by name; of a report, without the seconds."""
+    found: dict[str, object] = {}
+    for path in sorted(where.rglob("*")):
+        name = path.relative_to(where).as_posix()
+        if name.startswith(PREFIX) or f"/{PREFIX}" in name or path.is_dir():
+            continue
+        data = path.read_bytes()
+        found[name] = without_seconds(json.loads(data)) if name.endswith(".json") else data
+    return found
+
+
+def without_seconds(value: object) -> object:
+    if isinstance(value, dict):
+        return {key: without_seconds(each) for key, each in value.items() if key != "seconds"}
+    return [without_seconds(each) for each in value] if isinstance(value, list) else value
+
+
+def litter(where: Path) -> list[str]:
+    return [str(path) for path in where.rglob(f"{PREFIX}*")]
+
+
+def begin(where: Path) -> Path:
+    """Make a folder with two drawings and a file of somebody else's where the frames go."""
+    shutil.rmtree(where, ignore_errors=True)
+    where.mkdir(parents=True)
+    (where / "a.svg").write_text(A)
+    (where / "b.svg").write_text(B)
+    return where
+
+
+def prepare(name: str, where: Path) -> Expected:
+    """Make a folder in which a target is there already, and return what a run may make of it."""
+    begin(where)
+    arguments = [*FEW, *TARGETS[name]]
+    first = ["b.svg", "a.svg", *arguments, "-f", "-n", "0" if name == "report" else "5"]
+    if name != "new folder":
+        done(run(first, where))
+        if "folder" in name:
+            (where / "out" / "mine.txt").write_text("mine")
+    old = state(where)
+    before = where.with_name(where.name + ".before")
+    shutil.rmtree(before, ignore_errors=True)
+    shutil.copytree(where, before)
+    arguments = ["a.svg", "b.svg", *arguments, "-f"]
+    began = time.perf_counter()
+    done(run(arguments, where))
+    seconds = time.perf_counter() - began
+    new = state(where)
+    if old == new:
+        raise Fault(f"{name}: old and new are the same")
+    restore(where)
+    counted = aimed(0, "count", arguments, where)
+    restore(where)
+    return Expected(arguments, old, new, counted.stdout.count(b"."), seconds)
+
+
+def restore(where: Path) -> None:
+    shutil.rmtree(where)
+    shutil.copytree(where.with_name(where.name + ".before"), where)
+
+
+def done(process: subprocess.CompletedProcess[bytes]) -> None:
+    if process.returncode:
+        raise Fault(f"{process.args}: {process.stderr.decode()}")
+
+
+def aimed(moment: int, what: str, arguments: list[str], where: Path) -> subprocess.CompletedProcess[bytes]:
+    command = [sys.executable, "-m", "tools.faults.aimed", str(moment), what, *arguments]
+    return subprocess.run(command, cwd=where, env=environment(), capture_output=True, check=False)
+
+
+def killed(
+    seconds: float, what: str, arguments: list[str], where: Path
+) -> subprocess.CompletedProcess[bytes]:
+    """Run, and send a signal after so many seconds."""
+    command = [*COMMAND, *arguments]
+    with subprocess.Popen(
+        command, cwd=where, env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        time.sleep(seconds)
+        process.send_signal(getattr(signal, what))
+        out, err = process.communicate()
+    return subprocess.CompletedProcess(command, process.returncode, out, err)
+
+
+def check_killed(
+    process: subprocess.CompletedProcess[bytes], expected: Expected, where: Path, what: str
+) -> None:
+    """Check what stands after a run was sent a signal, what it said, and the run after it."""
+    found = state(where)
+    said = process.stderr.decode()
+    if found not in (expected.old, expected.new):
+        raise Fault(f"neither old nor new: {sorted(found)} after {said!r}")
+    if "Traceback" in said or said.count("\n") > 2:
+        raise Fault(f"said {said!r}")
+    if "nothing was written" in said and found != expected.old:
+        raise Fault(f"said {said!r}, and it is new")
+    if "all files were written" in said and found != expected.new:
+        raise Fault(f"said {said!r}, and it is old")
+    if process.returncode == 0 and found != expected.new:
+        raise Fault("status 0, and it is old")
+    if what != "SIGKILL" and litter(where):
+        raise Fault(f"left {litter(where)}")
+    again(expected, where)
+
+
+def again(expected: Expected, where: Path) -> None:
+    """Run once more, which has to work, and to leave no litter."""
+    done(run(expected.arguments, where))
+    if state(where) != expected.new or litter(where):
+        raise Fault(f"after the next run: {sorted(state(where))}, {litter(where)}")
+
+
+def kill_at_random(expected: Expected, what: str, count: int, where: Path, rng: random.Random) -> None:
+    for _ in range(count):
+        restore(where)
+        process = killed(rng.uniform(0.0, 1.1 * expected.seconds), what, expected.arguments, where)
+        check_killed(process, expected, where, what)
+
+
+def kill_at_moves(expected: Expected, what: str, moments: Iterable[int], where: Path) -> None:
+    for moment in moments:
+        restore(where)
+        process = aimed(moment, what, expected.arguments, where)
+        check_killed(process, expected, where, what)
+
+
+def fail_at_moves(expected: Expected, error: str, moments: Iterable[int], where: Path) -> None:
+    """Let changes meet an error, one in each run."""
+    for moment in moments:
+        restore(where)
+        process = aimed(moment, error, expected.arguments, where)
+        found, said = state(where), process.stderr.decode()
+        if found != (expected.old if process.returncode else expected.new):
+            raise Fault(f"status {process.returncode}, {sorted(found)}, said {said!r}")
+        if process.returncode and "nothing was changed" not in said:
+            raise Fault(f"said {said!r}")
+        again(expected, where)
+
+
+def two_at_once(name: str, force: bool, where: Path) -> None:
+    """Start two runs on one target; one wins whole, and without force the other one says so."""
+    begin(where)
+    options = [*FEW, *TARGETS[name], *(["-f"] if force else [])]
+    pairs = (["a.svg", "b.svg"], ["b.svg", "a.svg"])
+    processes = [
+        subprocess.Popen(
+            [*COMMAND, *pair, *options], cwd=where, env=environment(), stderr=subprocess.PIPE, text=True
+        )
+        for pair in pairs
+    ]
+    said = [process.communicate()[1] for process in processes]
+    statuses = [process.returncode for process in processes]
+    found = state(where)
+    whole = []
+    for pair in pairs:
+        alone = begin(where.with_name(where.name + ".alone"))
+        done(run([*pair, *options], alone))
+        whole.append(state(alone))
+    if litter(where) or found not in whole:
+        raise Fault(f"{sorted(found)}, {litter(where)}")
+    if force and statuses != [0, 0]:
+        raise Fault(f"{statuses}, {said}")
+    if not force and (sorted(statuses) != [0, 1] or found != whole[statuses.index(0)]):
+        raise Fault(f"{statuses}, {said}")
