@@ -23,7 +23,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser docs-check lint type fmt golden fuzz bench bench-quality bench-truth bench-morphs bench-faces sweep worst pictures gallery plots options api tables install clean
+.PHONY: help demo test test-browser docs-check lint type fmt golden faults fuzz bench bench-quality bench-truth bench-morphs bench-faces sweep worst pictures gallery plots options api tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -63,6 +63,9 @@ fmt: $(VENV)/.installed ## format, and mend what the linter can mend
 
 golden: install ## write the expected files of the golden tests anew; look at the diff before committing
 	$(BIN)/python -m pytest -q tests/golden tests/plot --update-golden
+
+faults: install ## kill runs, let them meet, fill their disks, and write docs/reliability.md; takes half an hour
+	$(BIN)/python -m tools.faults
 
 SECONDS ?= 60
 

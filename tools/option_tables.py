@@ -10,6 +10,7 @@ from shapeblend_cli.settings import (
     SECTIONS,
     PlotOptions,
     ReadOptions,
+    RunOptions,
     Settings,
     TerminalOptions,
     WriteOptions,
@@ -24,7 +25,7 @@ README = ROOT / "README.md"
 
 BEGIN, END = "<!-- options: written by make options -->", "<!-- end of options -->"
 
-RECORDS = (ReadOptions, Settings, OutputOptions, WriteOptions, TerminalOptions, PlotOptions)
+RECORDS = (ReadOptions, Settings, OutputOptions, WriteOptions, RunOptions, TerminalOptions, PlotOptions)
 
 
 def tables() -> str:

@@ -3,8 +3,8 @@
     python -m tools.faults.aimed MOMENT WHAT [ARGUMENT ...]
 
 WHAT is a signal, which the process gets just before change number MOMENT, or the name of an error, which that change
-meets instead. The changes are counted by Python's audit events, so that the command has no part in this. With `count`
-for WHAT, a dot is printed for each of them.
+meets instead. With `hang` it says so and waits to be killed, with `count` a dot is printed for each change. The changes
+are counted by Python's audit events, so that the command has no part in this.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import errno
 import os
 import signal
 import sys
+import time
 
 CHANGES = {"os.mkdir", "os.rename", "os.link", "os.remove", "os.rmdir", "ctypes.dlsym"}
 
@@ -29,6 +30,9 @@ def main() -> None:
         seen += 1
         if what == "count":
             os.write(1, b".")
+        elif seen == moment and what == "hang":
+            os.write(1, b"here\n")
+            time.sleep(3600)
         elif seen == moment and what.startswith("SIG"):
             os.kill(os.getpid(), getattr(signal, what))
         elif seen == moment:
