@@ -39,6 +39,14 @@ FOCUS_GAIN, FOCUS_REACH = 1.2, 0.5
 """Where there is a choice, how much better a pair is that lies in the middle of what both lie in, and how far from
 there it is no better, as a share of half the diagonal: what is left out is rather at the rim, a brow and not an eye."""
 
+INNER_GAIN = 0.6
+"""In drawings with an axis, where there is a choice, how much better a pair is if on its side of what it lies on each
+one is the nearest to the middle: eyes, and not the brows above them or the cheeks beside."""
+
+OUTER_GAIN = 0.3
+"""By so much a pair may be dearer and still be taken instead of one that leaves out what one of its contours lies in:
+the white of an eye and not the pupil, a mouth and not its teeth."""
+
 BESIDE = 0.15
 """A contour is beside the axis if its middle is further from it than this share of half the drawing's width."""
 
@@ -63,22 +71,39 @@ class _Side:
         self.focus = self._focus()
         self.mirror = mirror_of(contours, self.structure)
         self.twins = self.mirror.twins(contours) if self.mirror else []
+        self.inner = self._inner()
         self.paired: set[int] = set()
         self.onto: dict[int, int] = {}  # parts, each with what it becomes
         self.passed: set[int] = set()
 
     def _focus(self) -> FloatArray:
         """Return how near each contour is to the middle of what it lies in, and that of what that lies in."""
-        boxes, structure = self.described.boxes, self.structure
-        away = np.array(
-            [
-                0.0 if p is None else abs(boxes.centres[k] - boxes.centres[p]) / abs(boxes.halves[p])
-                for k, p in enumerate(structure.parent)
-            ]
-        )
+        structure = self.structure
+        away = np.array([self._away(k) for k in range(len(structure.parent))])
         around = [structure.ancestors(k) for k in range(len(away))]
         furthest = [max(away[[k, *outer]]) if outer else FOCUS_REACH for k, outer in enumerate(around)]
         return np.clip(FOCUS_REACH - np.array(furthest), 0.0, None)
+
+    def _away(self, k: int) -> float:
+        """Return how far a contour is from the middle of what it lies in, as a share of half that one's diagonal."""
+        boxes, parent = self.described.boxes, self.structure.parent[k]
+        return (
+            0.0
+            if parent is None
+            else float(abs(boxes.centres[k] - boxes.centres[parent]) / abs(boxes.halves[parent]))
+        )
+
+    def _inner(self) -> FloatArray:
+        """Return 1 for what is the nearest to the middle of what it lies in on its side of the axis, else 0."""
+        parents = self.structure.parent
+        nearest: dict[tuple[int, bool], tuple[float, int]] = {}
+        for k, parent in enumerate(parents):
+            if self.mirror is not None and parent is not None and self.beside_axis(k):
+                side = parent, bool(self.described.boxes.centres[k].real > self.mirror.x)
+                nearest[side] = min(nearest.get(side, (np.inf, k)), (self._away(k), k))
+        inner = np.zeros(len(parents))
+        inner[[k for _, k in nearest.values()]] = 1.0
+        return inner
 
     def undecided(self) -> list[int]:
         return [k for k in range(len(self.alone)) if k not in self.paired]
@@ -201,6 +226,7 @@ class Pairing:
         both = self.a.alone[rows][:, None], self.b.alone[columns]
         alone = 1.5 * np.minimum(*both) + 0.5 * np.maximum(*both)
         focus = FOCUS_GAIN * np.minimum(self.a.focus[rows][:, None], self.b.focus[columns])
+        focus += INNER_GAIN * self.a.inner[rows][:, None] * self.b.inner[columns]
         cheap = self._cheap_costs(rows, columns)
         fit = self._fit[some] & self._inside_partners(rows, columns)
         everywhere = np.full(self._paint.shape, np.inf)
@@ -212,11 +238,15 @@ class Pairing:
         excess = np.where(fit, costs - alone, NEVER)
         twins = [side.twins_among(some) for side, some in ((self.a, rows), (self.b, columns))]
         found = _twins_with_twins(excess, focus, *twins)
+        left = excess.copy()
         for i, j in found:
-            excess[i], excess[:, j] = NEVER, NEVER
-        excess[np.ix_(*(pairs.ravel() for pairs in twins))] += LONELY_COST
-        value = _values(excess, focus)
+            left[i], left[:, j] = NEVER, NEVER
+        left[np.ix_(*(pairs.ravel() for pairs in twins))] += LONELY_COST
+        value = _values(left, focus)
         found += [(i, j) for i, j in assign(value) if value[i, j] < 0.0]
+        sides = (self.a, rows), (self.b, columns)
+        found = _outer_first(found, excess, *sides)
+        found = [(i, j) for j, i in _outer_first([(j, i) for i, j in found], excess.T, *sides[::-1])]
         if not found and not self.partner and not self._is_rest:
             best = int(np.where(fit, costs - alone, np.inf).argmin())
             found = [divmod(best, len(columns))]
@@ -315,6 +345,33 @@ def _twins_with_twins(excess: FloatArray, focus: FloatArray, a: IntArray, b: Int
         if i < len(a) and j < len(b) and units[i, j] < 0.0:
             first, second = b[j] if straight[i, j] <= crossed[i, j] else b[j][::-1]
             found += [(int(a[i, 0]), int(first)), (int(a[i, 1]), int(second))]
+    return found
+
+
+def _outer_first(
+    pairs: Sequence[Numbers],
+    excess: FloatArray,
+    here: tuple[_Side, Sequence[int]],
+    there: tuple[_Side, Sequence[int]],
+) -> list[Numbers]:
+    """Return pairs, with what the first contour lies in instead of it where that is left out and about as good.
+
+    Pairs are places in `excess` and among the contours of both sides.
+    """
+    (side, some), (other, others) = here, there
+    place = {k: at for at, k in enumerate(some)}
+    taken = {some[i] for i, _ in pairs}
+    found = []
+    for i, j in pairs:
+        part, between = side.part(some[i])
+        around = side.structure.ancestors(some[i])[:between]
+        # What lies in the whole drawing may be a ground for the rest: a mane around a face.
+        deeper = part >= 0 and between > other.part(others[j])[1]
+        free = [place[k] for k in reversed(around) if k in place and k not in taken] if deeper else []
+        better = (at for at in free if excess[at, j] < min(0.0, excess[i, j] + OUTER_GAIN))
+        outer = next(better, i)
+        taken.add(some[outer])
+        found.append((outer, j))
     return found
 
 

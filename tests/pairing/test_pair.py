@@ -222,3 +222,35 @@ def test_a_correspondence_costs_on_the_solved_wires_what_it_says(a, b, settings)
     for contour in blend.pairs[0].contours:
         price = solved_wires(contour, settings).path_work(contour.correspondence.dots)
         assert price.total == pytest.approx(contour.correspondence.work, rel=1e-9)
+
+
+DISC = '<circle cx="50" cy="50" r="50" fill="#fc4"/>'
+LIPS = '<rect x="35" y="72" width="30" height="8" fill="#640"/>'
+
+
+def two(x, y, width, height, fill="#640"):
+    """Two ellipses beside each other on a face."""
+    return "".join(
+        f'<ellipse cx="{cx}" cy="{y}" rx="{width}" ry="{height}" fill="{fill}"/>' for cx in (50 - x, 50 + x)
+    )
+
+
+EYES, BROWS, CHEEKS = two(17, 42, 5, 7), two(22, 20, 10, 3), two(36, 55, 10, 10, "#f78")
+
+
+@pytest.mark.parametrize("others", [BROWS, CHEEKS, BROWS + CHEEKS])
+@pytest.mark.parametrize("eyes", [EYES, two(25, 22, 18, 18, "#d24")], ids=["dark", "large, red and high"])
+def test_what_is_left_out_of_a_face_is_not_the_eyes(eyes, others):
+    a = DISC, eyes, LIPS
+    b = DISC, others, EYES, LIPS
+    left = len(others.split("<ellipse"))
+    assert pairs(a, b) == [(0, 0), (1, left), (2, left + 1), (3, left + 2)]
+
+
+def test_eyes_become_eyeballs_and_a_mouth_a_mouth_rather_than_what_lies_in_these():
+    a = DISC, two(19, 41, 12, 6), LIPS
+    balls = two(19, 38, 15, 15, "#fff") + two(19, 32, 6, 6)
+    teeth = '<rect x="30" y="66" width="40" height="22" fill="#640"/>'
+    teeth += '<rect x="34" y="72" width="32" height="8" fill="#fff"/>'
+    b = DISC, balls, teeth
+    assert pairs(a, b) == [(0, 0), (1, 1), (2, 2), (3, 5)]
