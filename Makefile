@@ -76,8 +76,9 @@ fuzz: install ## feed the reader damaged files for SECONDS (60)
 bench: install ## time the solver
 	$(BIN)/python -m pytest tests/bench -o addopts= --benchmark-only
 
-pictures: install ## draw the pictures of the README
+pictures: install ## draw the pictures of the README and of docs/motion.md
 	$(BIN)/python -m tools.readme_pictures
+	$(BIN)/python -m tools.judge_pictures
 
 gallery: install ## draw pairs beside flubber for docs/gallery.md; needs node and npm
 	$(BIN)/python -m tools.gallery

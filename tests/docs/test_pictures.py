@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tools import gallery, plots, readme_pictures
+from tools import gallery, judge_pictures, plots, readme_pictures
 from tools.quality.data import NUMBER, Pair, polygon
 from tools.quality.peers import flubber
 from tools.quality.truth import letters
@@ -27,6 +27,14 @@ def differ(p, q):
     return float(np.abs(p - q).mean())
 
 
+def same_but_for_rounding(drawn, file):
+    """Compare an SVG document with a file; the last digit may differ from machine to machine."""
+    kept = file.read_text(encoding="utf-8")
+    assert NUMBER.sub("#", drawn) == NUMBER.sub("#", kept)
+    numbers = [[float(n) for n in NUMBER.findall(text)] for text in (drawn, kept)]
+    assert numbers[0] == pytest.approx(numbers[1], rel=1e-4, abs=0.11)
+
+
 def in_gallery(shown):
     return Image.open(gallery.GALLERY / f"{shown.name}.png")
 
@@ -45,16 +53,17 @@ def test_a_picture_of_the_readme_is_what_is_drawn(name):
 
 @pytest.mark.parametrize("kind", plots.PLOTS)
 def test_a_plot_in_the_docs_is_what_the_command_draws_and_the_document_says_so(kind):
-    drawn, kept = plots.plot(kind), (DOCS / f"plot-{kind}.svg").read_text(encoding="utf-8")
-    assert NUMBER.sub("#", drawn) == NUMBER.sub("#", kept)
-    # Rounding may differ by a last digit from machine to machine.
-    numbers = [[float(n) for n in NUMBER.findall(text)] for text in (drawn, kept)]
-    assert numbers[0] == pytest.approx(numbers[1], rel=1e-4, abs=0.11)
+    same_but_for_rounding(plots.plot(kind), DOCS / f"plot-{kind}.svg")
     document = (DOCS / "plots.md").read_text(encoding="utf-8")
     a, b, *options = plots.PLOTS[kind].split()
     command = " ".join([f"shapeblend plot {kind} samples/{a}.svg samples/{b}.svg", *options])
     assert f"`{command}`" in document
     assert f"(plot-{kind}.svg)" in document
+
+
+@pytest.mark.parametrize("name", judge_pictures.EXAMPLES)
+def test_a_picture_of_the_judge_is_what_is_drawn(name):
+    same_but_for_rounding(judge_pictures.drawn(name), DOCS / f"judge-{name}.svg")
 
 
 @pytest.mark.parametrize("shown", ICONS, ids=lambda shown: shown.name)
@@ -86,6 +95,7 @@ def test_every_picture_is_made_by_a_target_and_every_link_has_one():
     made = {DOCS / f"{name}.png" for name in readme_pictures.SHEETS}
     made |= {gallery.GALLERY / name for name in gallery_pages}
     made |= {DOCS / f"plot-{kind}.svg" for kind in plots.PLOTS}
+    made |= {DOCS / f"judge-{name}.svg" for name in judge_pictures.EXAMPLES}
     assert linked == made == {*DOCS.rglob("*.png"), *DOCS.rglob("*.svg")}
     names = {shown.name for shown in ICONS}
     for name, every in gallery.LETTERS.items():
