@@ -12,7 +12,7 @@ from shapeblend_cli.motion.alignment import align, point_pairs, residual
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, ContourBlend, Polygon
+    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, Polygon
 
 SAMPLES = 256
 """Points, evenly spread along an outline, that are compared."""
@@ -24,6 +24,11 @@ NEARLY_BEST, ROUNDING = 1e-3, 1e-6
 """Starts whose correlation is less than this below the best are as good, and then the smallest angle is meant; those
 whose correlation differs by less are the same."""
 
+HINGE, END, LONG = 0.4, 0.8, 0.8
+"""An outline is long if its spread along and across differ by this share of their sum, as of a bar three times as long
+as wide. It is hinged at its end if the point that a rotation leaves where it is, is near the outline and far from its
+middle, as shares of its size."""
+
 LEAST_ROTATION, MOST_RESIDUAL = np.radians(1.0), 0.03
 """B is a rotated copy if the angle is larger, and no more than this share of A's size is left, root mean square, once
 it is rotated back."""
@@ -33,23 +38,27 @@ def rotation_between(a: Polygon, b: Polygon) -> float | None:
     """Return the angle by which one polygon is another rotated, in (-pi, pi]; None if they are not alike.
 
     The angle of least squares for every starting point is the argument of a cyclic correlation of both outlines, whose
-    absolute value says how well they then agree. Closed polygons must have the same orientation.
+    absolute value says how well they then agree. Of angles that are as good, the smallest is meant; but one that leaves
+    the end of an outline where it is comes first: the hand of a clock turns. Closed polygons must have the same
+    orientation.
     """
     if a.closed != b.closed:
         return None
-    p, q = (_even(polygon) for polygon in (a, b))
+    (p, mean_a), (q, mean_b) = (_even(polygon) for polygon in (a, b))
     if a.closed:
         starts = np.arange(SAMPLES)
         # Summed here, since numpy.fft takes longer to import.
         common = q[(starts[:, None] + starts) % SAMPLES] @ p.conj() / SAMPLES
     else:
         common = np.stack([q, q[::-1]]) @ p.conj() / SAMPLES
-    size = float(np.sqrt((np.abs(p) ** 2).mean() * (np.abs(q) ** 2).mean()))
-    correlation = np.abs(common) / size
+    size_a, size_b = (float(np.sqrt((np.abs(z) ** 2).mean())) for z in (p, q))
+    correlation = np.abs(common) / (size_a * size_b)
     if correlation.max() < ALIKE:
         return None
     angles = np.angle(common)
     good = np.flatnonzero(correlation >= correlation.max() - NEARLY_BEST)
+    hinged = _are_hinged(p, mean_b - mean_a, size_b / size_a * np.exp(1j * angles[good]))
+    good = good[hinged] if hinged.any() else good
     best = int(good[np.abs(angles[good]).argmin()])
     # A neighbour may be better still, and then its angle is right. On a circle none is.
     while a.closed:
@@ -61,6 +70,19 @@ def rotation_between(a: Polygon, b: Polygon) -> float | None:
     return angle if abs(angle) > LEAST_ROTATION else None
 
 
+def _are_hinged(z: ComplexArray, shift: complex, factors: ComplexArray) -> BoolArray:
+    """Return which rotations leave an end of a long outline where it is.
+
+    Given are its points relative to their mean, how far that is shifted, and the rotations as complex factors.
+    """
+    square = float((np.abs(z) ** 2).mean())
+    if abs((z * z).mean()) < LONG * square:
+        return np.zeros(len(factors), np.bool_)
+    size = square**0.5
+    hinges = shift / np.where(np.abs(factors - 1.0) > 1e-9, 1.0 - factors, 1e-9)
+    return (np.abs(hinges[:, None] - z).min(axis=1) <= HINGE * size) & (np.abs(hinges) >= END * size)
+
+
 def is_rotated_copy(contours: Sequence[ContourBlend]) -> bool:
     """Return whether B as a whole is A rotated, scaled and shifted."""
     if not all(contour.is_matched for contour in contours):
@@ -69,9 +91,10 @@ def is_rotated_copy(contours: Sequence[ContourBlend]) -> bool:
     return residual(points, align(points)) < MOST_RESIDUAL
 
 
-def _even(polygon: Polygon) -> ComplexArray:
-    """Return points spread evenly along a polygon, relative to their mean."""
+def _even(polygon: Polygon) -> tuple[ComplexArray, complex]:
+    """Return points spread evenly along a polygon, relative to their mean, and that mean."""
     points = from_end_to_end(polygon.vertices, polygon.closed)
     lengths = cumulative_lengths(points)
     even = points_at(np.linspace(0.0, lengths[-1], SAMPLES, endpoint=not polygon.closed), points, lengths)
-    return even - even.mean()
+    mean = complex(even.mean())
+    return even - mean, mean

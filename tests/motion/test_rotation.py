@@ -81,6 +81,16 @@ def test_nor_is_an_outline_with_a_bite(rng):
     assert degrees_between(z, bitten * 1j) is None
 
 
+@pytest.mark.parametrize("degrees", [90, -90, 180, 60])
+def test_the_hand_of_a_clock_turns_about_its_end(degrees):
+    hand = np.array([-0.3j, 5 - 0.2j, 5 + 0.2j, 0.3j])
+    square = 0.2 * np.array([-1 - 1j, 24 - 1j, 24 + 1j, -1 + 1j])  # as long on both sides, and it has a tail
+    for z in (hand, square):
+        turned = z * unit(degrees)
+        assert abs(degrees_between(z + 7, turned + 7)) == pytest.approx(abs(degrees), abs=0.75)
+        assert degrees_between(z + 7, turned + 7) * degrees > 0 or abs(degrees) == 180
+
+
 def test_open_lines_are_seen_from_both_ends():
     z = spiral(1.5)[:60]
     for line in (z, z[::-1]):
