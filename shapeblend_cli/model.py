@@ -412,10 +412,12 @@ class Fade(NamedTuple):
 
 
 class Candidate(NamedTuple):
-    """A way to blend a shape that was judged."""
+    """A motion of a shape that was judged."""
 
     name: str
     wrong: float  # the judge's number
+    terms: tuple[tuple[str, float], ...]  # what it adds up, with weights
+    painted: float  # the area that the shape paints, whose shares these are
 
 
 class ShapeBlend(NamedTuple):
@@ -431,7 +433,6 @@ class ShapeBlend(NamedTuple):
         False  # whether it is the second copy of a shape that has two places in the order of paint
     )
     candidates: tuple[Candidate, ...] = ()  # what was judged, in this order, where there was a choice
-    wrong: float = 0.0  # how wrong the one that was taken looks, by the judge
 
     @property
     def motion_name(self) -> str:
@@ -442,6 +443,11 @@ class ShapeBlend(NamedTuple):
     def is_matched(self) -> bool:
         """Whether any of its contours has a partner."""
         return any(contour.is_matched for contour in self.contours)
+
+    @property
+    def taken(self) -> Candidate | None:
+        """The candidate that it is, if any were judged."""
+        return next((one for one in self.candidates if one.name == self.motion_name), None)
 
     @property
     def size(self) -> float:

@@ -295,7 +295,7 @@ def _move(paired: _PairedDrawings, shapes: Sequence[ShapeBlend], view: Box) -> t
         else:
             affordable -= sum(len(contour.start.segments) for contour in shape.contours)
             shape = straight(shape, view)
-            if shape.wrong > RIGHT:
+            if shape.candidates[0].wrong > RIGHT:
                 shape = best_motion(shape, _rotated(paired, matched, shape, common), view)
             moved[k] = shape
     return tuple(moved[k] for k in range(len(shapes)))

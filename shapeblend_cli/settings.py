@@ -79,8 +79,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
     vertices: int = option(
         types.whole(0, 100_000),
         default=200,
-        help="Approximate number of vertices per contour; of more than 40 contours the smaller ones get fewer. Those "
-        "of the drawing are always kept; 0 adds only what curves need.",
+        help="Approximate number of vertices of a large contour; smaller ones get fewer, and fewer still if there are "
+        "more than 40. Those of the drawing are always kept; 0 adds only what curves need.",
     )
     start: tuple[int, int] | None = option(
         types.START,

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.model import Candidate
 from shapeblend_cli.motion.alignment import Alignment, Rigid, align, point_pairs, residual
-from shapeblend_cli.motion.judge import judge
+from shapeblend_cli.motion.judge import judge_outlines, outlines_of, painted_area
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import Box, ShapeBlend
@@ -63,27 +63,28 @@ def turned(rotated: RotatedShape) -> ShapeBlend:
 
 def straight(shape: ShapeBlend, view: Box) -> ShapeBlend:
     """Return a shape on straight paths, judged."""
-    wrong = _wrong(shape, view)
-    return shape._replace(reason=RIGHT_ENOUGH, candidates=(Candidate("linear", wrong),), wrong=wrong)
+    return shape._replace(reason=RIGHT_ENOUGH, candidates=(_judged(shape, view),))
 
 
 def best_motion(shape: ShapeBlend, rotated: RotatedShape, view: Box) -> ShapeBlend:
     """Return the best of a shape on straight paths, which are judged, and in other motions."""
-    best = shape
     judged = list(shape.candidates)
+    best, least = shape, BETTER * judged[0].wrong
     for motion in ("rigid", "intrinsic"):
         candidate = _with_motion(rotated, motion)
-        wrong = _wrong(candidate, view)
-        judged.append(Candidate(motion, wrong))
-        if wrong <= BETTER * shape.wrong and wrong < best.wrong:
-            best = candidate._replace(wrong=wrong)
+        judged.append(_judged(candidate, view))
+        if judged[-1].wrong < least:
+            best, least = candidate, judged[-1].wrong
     reason = "the least wrong of " + ", ".join(f"{one.name} {one.wrong:.3f}" for one in judged)
     return best._replace(reason=reason, candidates=tuple(judged))
 
 
-def _wrong(shape: ShapeBlend, view: Box) -> float:
-    """Return the judge's number, rounded, so that the last digit of a machine's arithmetic does not choose."""
-    return round(judge(shape, view).number, 4)
+def _judged(shape: ShapeBlend, view: Box) -> Candidate:
+    """Judge a shape; the number is rounded, so that the last digit of a machine's arithmetic does not choose."""
+    outlines = outlines_of(shape)
+    found = judge_outlines(outlines, view).weighted
+    terms = tuple((name, round(x, 4)) for name, x in found._asdict().items())
+    return Candidate(shape.motion_name, round(sum(found), 4), terms, painted_area(outlines))
 
 
 def is_as_good(common: Alignment, own: Alignment, shape: ShapeBlend) -> bool:

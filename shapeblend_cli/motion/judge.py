@@ -76,9 +76,14 @@ class Judgement(NamedTuple):
     view: float = 0.0
 
     @property
+    def weighted(self) -> Judgement:
+        """Each term times its weight."""
+        return Judgement(*(w * x for w, x in zip(WEIGHTS, self, strict=True)))
+
+    @property
     def number(self) -> float:
         """All terms together, each with its weight."""
-        return float(sum(w * x for w, x in zip(WEIGHTS, self, strict=True)))
+        return sum(self.weighted)
 
 
 WEIGHTS = Judgement(
@@ -175,7 +180,7 @@ def judge_outlines(outlines: Outlines, view: Box | None = None) -> Judgement:
     if longest == 0.0:
         return Judgement()
     areas = _areas(outlines, chords)
-    painted = _painted(outlines, areas, longest)
+    painted = _painted_area(outlines, areas, longest)
     half_width = painted / longest  # of what the outlines bound, on average
 
     expected = _even(lengths[0], lengths[-1])
@@ -197,6 +202,13 @@ def judge_outlines(outlines: Outlines, view: Box | None = None) -> Judgement:
     )
 
 
+def painted_area(outlines: Outlines) -> float:
+    """Return the larger area that a shape paints at either end; of lines their length times their width."""
+    chords = outlines.chords()
+    total = np.abs(chords).sum(axis=1)
+    return _painted_area(outlines, _areas(outlines, chords), float(max(total[0], total[-1])))
+
+
 def _even(a: FloatArray, b: FloatArray) -> FloatArray:
     """Return an even change from a to b at all times, (STEPS + 1, ...)."""
     t = TIMES.reshape(-1, *[1] * a.ndim)
@@ -209,8 +221,7 @@ def _areas(outlines: Outlines, chords: ComplexArray) -> FloatArray:
     return np.abs(0.5 * (outlines.points[:, closed].conj() * chords[:, closed]).imag.sum(axis=1))
 
 
-def _painted(outlines: Outlines, areas: FloatArray, longest: float) -> float:
-    """Return the larger area that a shape paints at either end; of lines their length times their width."""
+def _painted_area(outlines: Outlines, areas: FloatArray, longest: float) -> float:
     size = Box.around(outlines.points[[0, -1]].ravel()).larger_side
     filled = float(max(areas[0], areas[-1]))
     if filled > LINE_WIDTH**2 * size**2:

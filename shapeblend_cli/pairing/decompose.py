@@ -29,9 +29,9 @@ if TYPE_CHECKING:
 
 EXTERIOR, HOLE, LINE = "exterior", "hole", "line"
 
-CROWD, LEAST_SHARE, LARGE = 40, 0.15, 0.4
-"""In a drawing of more contours than this the smaller ones get fewer vertices, but at least this share; those of such a
-part of the drawing's size get all."""
+CROWD, LEAST_SHARE, LARGE = 40, 0.15, 0.25
+"""A crowd has more contours than this; no contour has less than the second share of the vertices that are wanted, and those
+of the third share of the drawing's size have all of them."""
 
 
 class PlacedContour(NamedTuple):
@@ -175,22 +175,22 @@ def _flatten_shapes(
 
 
 def _vertex_counts(drawing: Drawing, vertices: int) -> list[int]:
-    """Return how many vertices each contour gets: so many, but of a crowd the smaller ones get fewer.
+    """Return how many vertices each contour gets: so many if it is `LARGE`, and the smaller the fewer.
 
-    Then all together have about as many as `CROWD` contours, if none has less than `LEAST_SHARE` of what is wanted, and
-    those that are `LARGE` have all of it.
+    A crowd gets fewer still: all together have about as many as `CROWD` contours, but none less than `LEAST_SHARE` of
+    what is wanted.
     """
     boxes = [cubics.bounds(c.segments) for shape in drawing.shapes for c in shape.contours]
-    if len(boxes) <= CROWD:
-        return [vertices] * len(boxes)
     size = Box.union(boxes).diagonal or 1.0
     shares = np.array([box.diagonal for box in boxes]) / size
 
     def counts(scale: float) -> FloatArray:
-        return np.where(shares >= LARGE, 1.0, np.clip(scale * shares, LEAST_SHARE, 1.0))
+        return np.where(shares >= LARGE, 1.0, np.clip(scale * np.sqrt(shares / LARGE), LEAST_SHARE, 1.0))
 
-    low, high = 0.0, 1.0 / LEAST_SHARE
-    for _ in range(30):
+    low, high = 0.0, 1.0
+    if counts(high).sum() <= CROWD:
+        low = high
+    while high - low > 1e-6:
         scale = 0.5 * (low + high)
         low, high = (scale, high) if counts(scale).sum() < CROWD else (low, scale)
     return np.ceil(vertices * counts(low)).astype(int).tolist()
