@@ -14,7 +14,8 @@ from typing import Any, NamedTuple
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
 from shapeblend_cli.matching.solve import COMPILED
-from shapeblend_cli.model import Pair
+from shapeblend_cli.model import Drawing, Pair
+from shapeblend_cli.motion.verdict import verdict
 from shapeblend_cli.output import Content, check_targets, write_files
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
 from shapeblend_cli.pipeline import make_frames, match_all, times_of_frames
@@ -81,7 +82,9 @@ def blend_files(
         _all_targets(job), [Path(file) for file in job.files if file != STANDARD_INPUT], job.write.force
     )
 
-    pairs = match_files(job.files, job.read, settings, clock, note_and_keep, progress)
+    drawings = read_files(job.files, job.read, clock, note_and_keep)
+    pairs = match_drawings(drawings, settings, clock, note_and_keep, progress)
+    _say_if_poor(job, pairs, note_and_keep)
     run = Run(pairs, settings, clock.seconds)
     with _named(output.path):
         rendered = output.format.render(output, pairs)
@@ -109,6 +112,9 @@ def blend_files(
         if job.write.preview:
             contents[Path(job.write.preview)] = _preview(job, found, pairs, notes)
             clock.lap("preview")
+    if job.write.tries:
+        contents[Path(job.write.tries)] = _tries(drawings, settings, pairs[0])
+        clock.lap("tries")
     write_files(contents, job.write.force)
     print_text(standard_output, "; the files were written" if any(contents.values()) else "")
     if stale := _stale_frames(output):
@@ -126,6 +132,13 @@ def match_files(
     progress: Callable[[float], None],
 ) -> list[Pair]:
     """Read files and match each with the next; see `blend_files` for the parameters."""
+    return match_drawings(read_files(files, options, clock, note), settings, clock, note, progress)
+
+
+def read_files(
+    files: Sequence[str], options: ReadOptions, clock: Clock, note: Callable[[str], None]
+) -> list[Drawing]:
+    """Read files."""
     drawings = [
         read(file, lenient=options.lenient, select=selector, is_to_blend=True)
         for file, selector in zip(files, options.selections(len(files)), strict=True)
@@ -134,6 +147,17 @@ def match_files(
         for text in drawing.notes:
             note(f"{drawing.file}: {text}")
     clock.lap("read")
+    return drawings
+
+
+def match_drawings(
+    drawings: Sequence[Drawing],
+    settings: Settings,
+    clock: Clock,
+    note: Callable[[str], None],
+    progress: Callable[[float], None],
+) -> list[Pair]:
+    """Match each drawing with the next."""
     try:
         pairs, notes = match_all(drawings, settings, clock, progress)
     except MatchError as error:
@@ -141,6 +165,19 @@ def match_files(
     for text in notes:
         note(text)
     return pairs
+
+
+def _say_if_poor(job: Job, pairs: Sequence[Pair], note: Callable[[str], None]) -> None:
+    """Say that in-betweens look poor, what is worst and what would help; raise that if it is asked for."""
+    found = verdict(pairs)
+    if found is None or not found.is_poor:
+        return
+    files = f"{job.files[found.a]} and {job.files[found.b]}"
+    sheet = "" if job.write.tries else ", and --try FILE.svg shows other blends"
+    problem = f"the in-betweens look poor, {found.wrong:.2f}: {found.fault}; --pin or --match may help{sheet}"
+    if job.write.fail_on == "poor":
+        raise InputError(files, problem)
+    note(f"{files}: {problem}")
 
 
 @contextmanager
@@ -170,8 +207,15 @@ def _preview(job: Job, found: dict[str, Any], pairs: Sequence[Pair], notes: Sequ
     return preview(found, pairs, ends, settings, job.output.timing, job.command, notes)
 
 
+def _tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> str:
+    from shapeblend_cli.tries import tries, tries_sheet  # most runs try nothing else
+
+    as_drawn = settings.curves and settings.style == "blend"
+    return tries_sheet(tries(drawings, settings, pair), as_drawn=as_drawn)
+
+
 def _all_targets(job: Job) -> list[Path]:
-    names = [*job.output.files(), job.write.report, job.write.preview]
+    names = [*job.output.files(), job.write.report, job.write.preview, job.write.tries]
     targets = [Path(name) for name in names if name and name != STANDARD_OUTPUT]
     places = [os.path.normpath(target) for target in targets]
     for k, place in enumerate(places):

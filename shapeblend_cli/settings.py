@@ -220,6 +220,19 @@ class WriteOptions(Record, section=OUTPUT):
         metavar="FILE.html",
         help="Write a web page that shows the blend, its correspondence and its graph.",
     )
+    tries: str | None = option(
+        types.file(".svg"),
+        default=None,
+        flags=("--try",),
+        metavar="FILE.svg",
+        help="Write a sheet of other blends of two drawings, for choosing by eye: each with how wrong it looks to the "
+        "judge, 0 being perfect, and the options that give it.",
+    )
+    fail_on: str = option(
+        types.choice("never", "poor"),
+        default="never",
+        help="poor: write nothing, and fail, if even the best in-betweens look poor to the judge.",
+    )
 
 
 class InspectOptions(Record, section=OUTPUT):

@@ -23,7 +23,9 @@ ROOMS = {
     "api": "pipeline outputs output report pairing svg.reading svg.writing settings model clock version easing errors",
     "plot": "files outputs output svg.reading svg.writing pairing interpolate geometry settings matching model clock "
     "errors",
-    "files": "preview report outputs output pipeline svg.reading settings matching model clock errors version",
+    "files": "preview tries report outputs output pipeline svg.reading motion settings matching model clock errors "
+    "version",
+    "tries": "pipeline svg.writing motion geometry settings model errors",
     "preview": "svg.reading svg.writing pairing interpolate paint settings matching model easing",
     "report": "interpolate geometry model",
     "outputs": "pipeline interpolate svg.writing settings fields field_types model easing errors",

@@ -77,6 +77,8 @@ def _job(files: tuple[str, ...], given: dict[str, Any]) -> Job:
     output = specify(options, settings, len(files))
     if output.path == write.report == STANDARD_OUTPUT:
         raise click.UsageError("--output and --report cannot both be standard output")
+    if write.tries is not None and len(files) > 2:
+        raise click.UsageError(f"--try applies to two files; {len(files)} given")
 
     from shapeblend_cli.files import Job
 

@@ -63,7 +63,7 @@ def turned(rotated: RotatedShape) -> ShapeBlend:
 
 def straight(shape: ShapeBlend, view: Box) -> ShapeBlend:
     """Return a shape on straight paths, judged."""
-    return shape._replace(reason=RIGHT_ENOUGH, candidates=(_judged(shape, view),))
+    return shape._replace(reason=RIGHT_ENOUGH, candidates=(judged_shape(shape, view),))
 
 
 def best_motion(shape: ShapeBlend, rotated: RotatedShape, view: Box) -> ShapeBlend:
@@ -72,14 +72,14 @@ def best_motion(shape: ShapeBlend, rotated: RotatedShape, view: Box) -> ShapeBle
     best, least = shape, BETTER * judged[0].wrong
     for motion in ("rigid", "intrinsic"):
         candidate = _with_motion(rotated, motion)
-        judged.append(_judged(candidate, view))
+        judged.append(judged_shape(candidate, view))
         if judged[-1].wrong < least:
             best, least = candidate, judged[-1].wrong
     reason = "the least wrong of " + ", ".join(f"{one.name} {one.wrong:.3f}" for one in judged)
     return best._replace(reason=reason, candidates=tuple(judged))
 
 
-def _judged(shape: ShapeBlend, view: Box) -> Candidate:
+def judged_shape(shape: ShapeBlend, view: Box) -> Candidate:
     """Judge a shape; the number is rounded, so that the last digit of a machine's arithmetic does not choose."""
     outlines = outlines_of(shape)
     found = judge_outlines(outlines, view).weighted

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from shapeblend_cli.model import Box
+from shapeblend_cli.motion.choose import ASKED, judged_shape
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -26,10 +29,12 @@ FAULTS = {
 
 
 class Verdict(NamedTuple):
-    """How wrong a blend looks, and what is worst with it, a phrase."""
+    """How wrong a blend looks, and what is worst with it, a phrase; with the numbers of its drawings."""
 
     wrong: float
     fault: str
+    a: int
+    b: int
 
     @property
     def is_poor(self) -> bool:
@@ -37,18 +42,21 @@ class Verdict(NamedTuple):
         return self.wrong >= POOR
 
 
-def verdict(pairs: Sequence[Pair]) -> Verdict | None:
+def verdict(pairs: Sequence[Pair], *, asked_too: bool = False) -> Verdict | None:
     """Return what the judge says of blends: of the worst, the mean over its shapes, by the area that each paints.
 
     Shapes that the judge did not see, as they come, go or stay, do not count. None if it saw nothing: where a motion
-    was asked for.
+    was asked for, and shapes whose motion was `asked_too` are not to be judged now.
     """
-    found = [one for pair in pairs if (one := _of_pair(pair)) is not None]
+    found = [one for pair in pairs if (one := _of_pair(pair, asked_too))]
     return max(found, key=lambda one: one.wrong, default=None)
 
 
-def _of_pair(pair: Pair) -> Verdict | None:
+def _of_pair(pair: Pair, asked_too: bool) -> Verdict | None:
+    view = Box.union(list(pair.views))
     taken = [shape.taken for shape in pair.each_shape if shape.taken is not None]
+    if asked_too:
+        taken += [judged_shape(shape, view) for shape in pair.each_shape if shape.reason == ASKED]
     painted = sum(one.painted for one in taken)
     if painted == 0.0:
         return None
@@ -57,4 +65,4 @@ def _of_pair(pair: Pair) -> Verdict | None:
         for name, amount in one.terms:
             terms[name] += amount * one.painted / painted
     worst = max(terms, key=terms.__getitem__)
-    return Verdict(round(sum(terms.values()), 3), FAULTS[worst])
+    return Verdict(round(sum(terms.values()), 3), FAULTS[worst], pair.a, pair.b)

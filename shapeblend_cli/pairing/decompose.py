@@ -30,8 +30,8 @@ if TYPE_CHECKING:
 EXTERIOR, HOLE, LINE = "exterior", "hole", "line"
 
 CROWD, LEAST_SHARE, LARGE = 40, 0.15, 0.25
-"""A crowd has more contours than this; no contour has less than the second share of the vertices that are wanted, and those
-of the third share of the drawing's size have all of them."""
+"""A crowd has more contours than this; no contour has less than the second share of the vertices that are wanted, and
+those of the third share of the drawing's size have all of them."""
 
 
 class PlacedContour(NamedTuple):

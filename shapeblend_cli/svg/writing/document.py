@@ -28,13 +28,16 @@ def box_text(box: Box, decimals: int) -> str:
 def text(drawing: Any, style: str | None = None, definitions: Sequence[ElementTree.Element] = ()) -> str:
     """Return the text of a drawing, with a style sheet and definitions if there are any.
 
-    What svgwrite adds unasked is removed: a size of 100 %, a profile, two unused namespaces.
+    What svgwrite adds unasked is removed: a size of 100 %, a profile, unused namespaces.
     """
     root = drawing.get_xml()
     for name in ("width", "height"):
         if root.get(name) == "100%":
             del root.attrib[name]
-    for name in ("version", "baseProfile", "xmlns:ev", "xmlns:xlink"):
+    unused = ["version", "baseProfile", "xmlns:ev"]
+    if not any("xlink:href" in element.attrib for element in root.iter()):
+        unused.append("xmlns:xlink")
+    for name in unused:
         root.attrib.pop(name, None)
     if definitions:
         holder = ElementTree.Element("defs")

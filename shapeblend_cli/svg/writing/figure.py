@@ -54,6 +54,11 @@ class Figure:
         more: dict[str, Any] = {"transform": f"rotate({number(turn, 1)} {x} {y})"} if turn else {}
         self._drawing.add(self._drawing.text(printable(text), insert=(x, y), class_=kind, **more))
 
+    def image(self, href: str, at: Point, size: Point) -> None:
+        """Add an image, drawn as large as fits into a box."""
+        (x, y), (width, height) = ([number(v, DECIMALS) for v in pair] for pair in (at, size))
+        self._drawing.add(self._drawing.image(href, insert=(x, y), size=(width, height)))
+
 
 def printable(text: str) -> str:
     """Return `text` without characters that documents cannot have, such as control characters in a file's name."""

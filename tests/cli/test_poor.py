@@ -1,0 +1,88 @@
+"""What the command says and does where even the best in-betweens look poor: a line, --fail-on and --try."""
+
+import base64
+import re
+from xml.etree import ElementTree
+
+import pytest
+
+from shapeblend_cli.cli import run
+from shapeblend_cli.motion.verdict import POOR, verdict
+from shapeblend_cli.svg.reading.read import read
+from tests.support.commands import write
+from tests.support.drawings import BAR, svg
+from tests.support.motions import pair_of
+from tests.support.shapes import comb, spiral
+
+SVG = "{http://www.w3.org/2000/svg}"
+HREF = "{http://www.w3.org/1999/xlink}href"
+
+
+def path(z):
+    return "M" + " ".join(f"{v.real:.4f},{v.imag:.4f}" for v in z) + "Z"
+
+
+@pytest.fixture(autouse=True)
+def here(here):
+    write(comb=svg(path(comb(5))), spiral=svg(path(spiral(2.0, 60))), bar=svg(BAR))
+    return here
+
+
+def test_a_poor_blend_is_said_in_one_line_that_says_what_would_help(here, capsys):
+    assert run(["comb.svg", "spiral.svg"]) == 0
+    (line,) = capsys.readouterr().err.splitlines()
+    assert re.fullmatch(
+        r"shapeblend: comb.svg and spiral.svg: the in-betweens look poor, 0\.\d\d: [a-z ,]+; "
+        r"--pin or --match may help, and --try FILE.svg shows other blends",
+        line,
+    )
+    assert run(["comb.svg", "spiral.svg", "-f", "-q"]) == 0
+    assert run(["comb.svg", "spiral.svg", "-f", "--motion", "linear"]) == 0
+    assert run(["bar.svg", "bar.svg", "-f"]) == 0
+    assert capsys.readouterr().err == ""
+
+
+def test_in_a_pipeline_a_poor_blend_can_fail_and_then_nothing_is_written(here, capsys):
+    assert run(["comb.svg", "spiral.svg", "--fail-on", "poor", "-o", "out"]) == 1
+    assert "comb.svg and spiral.svg: the in-betweens look poor, " in capsys.readouterr().err
+    assert not (here / "out").exists()
+    assert run(["bar.svg", "bar.svg", "--fail-on", "poor", "-o", "out"]) == 0
+
+
+def test_the_verdict_is_the_worst_pairs_and_names_it(here):
+    good, poor = (pair_of(read(f"{a}.svg"), read("spiral.svg")) for a in ("spiral", "comb"))
+    assert verdict([good]).wrong < POOR
+    found = verdict([good, poor._replace(a=1, b=2)])
+    assert (found.a, found.b, found.is_poor) == (1, 2, True)
+    assert verdict([pair_of(read("comb.svg"), read("spiral.svg"), motion="linear")]) is None
+
+
+def test_a_sheet_of_tries_has_other_blends_with_their_numbers_and_options(here, capsys):
+    assert run(["comb.svg", "spiral.svg", "--try", "sheet.svg", "-o", "out"]) == 0
+    assert "--try" not in capsys.readouterr().err
+    root = ElementTree.fromstring((here / "sheet.svg").read_text("utf-8"))
+    words = [element.text for element in root.iter(f"{SVG}text")]
+    numbers = [float(line.split()[0]) for line in words]
+    assert words[0].split(None, 1)[1] == "as it is"
+    assert len(words) > 1
+    assert numbers[1:] == sorted(numbers[1:])
+    assert all(re.match(r"\d+\.\d\d --", line.replace("  ", " ")) for line in words[1:])
+    pictures = [element.get(HREF) for element in root.iter(f"{SVG}image")]
+    assert len(pictures) == 9 * len(words)
+    first = base64.b64decode(pictures[0].partition("base64,")[2]).decode("utf-8")
+    assert ElementTree.fromstring(first).tag == f"{SVG}svg"
+
+    # The options do what the sheet says.
+    options = words[1].split(None, 1)[1].split()
+    assert run(["comb.svg", "spiral.svg", *options, "-f", "-n", "1", "-o", "half.svg", "-q"]) == 0
+
+
+def test_what_is_asked_for_is_not_tried_otherwise(here):
+    assert run(["comb.svg", "spiral.svg", "--try", "sheet.svg", "--motion", "linear", "-o", "out"]) == 0
+    text = (here / "sheet.svg").read_text("utf-8")
+    assert "--motion" not in text
+
+
+def test_tries_are_of_two_files(here, capsys):
+    assert run(["comb.svg", "spiral.svg", "bar.svg", "--try", "sheet.svg"]) == 2
+    assert "--try applies to two files; 3 given" in capsys.readouterr().err
