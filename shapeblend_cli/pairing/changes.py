@@ -20,6 +20,7 @@ from shapeblend_cli.geometry.polygons import reverse_contour
 from shapeblend_cli.geometry.polyline import thin
 from shapeblend_cli.geometry.window import Window
 from shapeblend_cli.model import Box, Contour
+from shapeblend_cli.pairing.assignment import assign
 from shapeblend_cli.pairing.common_cuts import FlatContour
 from shapeblend_cli.pairing.contour_blends import grow_from, keep_still
 from shapeblend_cli.pairing.costs import channels
@@ -70,6 +71,9 @@ its length."""
 
 PARALLEL, ROUNDING = np.radians(10.0), 1e-6
 """Outlines along a bar are off its axis by this angle at most; and how exactly an axis is upright."""
+
+CUTS = "it cuts what is the same"
+"""Why a loop has no partner, for the report."""
 
 UNEVEN = 0.2
 """By how much a stretch may be longer on one outline than on the other."""
@@ -397,17 +401,16 @@ def _change(
     if shrinks:
         loops = [reverse_contour(loop) for loop in loops]
     windows = _windows(loops)
-    contours = []
-    for contour in still:
-        number = _nearest(contour.polygon.vertices, others).number
-        contours.append(
-            keep_still(contour, (number, contour.number) if shrinks else (contour.number, number))
-        )
-    for loop, window in zip(loops, windows, strict=True):
+    numbers = _numbers([*(c.polygon.vertices for c in still), *(c.segments[:, 0] for c in loops)], others)
+    contours = [
+        keep_still(contour, (number, contour.number) if shrinks else (contour.number, number))
+        for contour, number in zip(still, numbers, strict=False)
+    ]
+    for loop, window, number in zip(loops, windows, numbers[len(still) :], strict=True):
         cut = _cut_along(loop, window, STEP * diagonal)
         flat = FlatContour(cut, flatten(cut, vertices))
-        number = _nearest(cut.segments[:, 0], others).number
-        contours.append(grow_from(window.clip(cut.segments, 0.0), flat, number, of_b=not shrinks))
+        grown = grow_from(window.clip(cut.segments, 0.0), flat, number, of_b=not shrinks)
+        contours.append(grown._replace(reason=CUTS))
     return Change((a[0], b[0]), tuple(contours), (*(None for _ in still), *windows))
 
 
@@ -415,6 +418,15 @@ def _outline(contour: PlacedContour) -> Outline:
     return Outline.of(FlatContour(contour.contour, contour.polygon))
 
 
-def _nearest(points: ComplexArray, contours: Sequence[PlacedContour]) -> PlacedContour:
-    """Return the contour that is nearest to some points on average."""
-    return min(contours, key=lambda c: float(np.abs(c.polygon.vertices[:, None] - points).min(axis=0).mean()))
+def _numbers(outlines: Sequence[ComplexArray], contours: Sequence[PlacedContour]) -> list[int]:
+    """Return the number of a contour that is near each outline, on average, and none twice while others are left."""
+    away = np.array(
+        [
+            [np.abs(contour.polygon.vertices[:, None] - points).min(axis=0).mean() for contour in contours]
+            for points in outlines
+        ]
+    )
+    nearest = away.argmin(axis=1)
+    for k, other in assign(away):
+        nearest[k] = other
+    return [contours[k].number for k in nearest.tolist()]

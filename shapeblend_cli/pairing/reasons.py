@@ -30,7 +30,9 @@ class Reasons(NamedTuple):
             for side, number in zip(self.riders, (a, b), strict=True)
             if number is not None and number in side
         ]
-        if fills:
+        if blend.reason:
+            reason = blend.reason
+        elif fills:
             reason = f"a stroke on the edge of {fills[0]}"
         elif a is not None and b is not None:
             reason = self.of_pairs.get((a, b), "the same but for a part that cuts it")

@@ -58,3 +58,19 @@ def test_of_a_copy_that_is_turned_it_is_said_what_overlaps_once_it_is_turned_bac
     found = report((parts,), (f'<g transform="rotate(90 20 20)">{parts}</g>',))
     assert all(contour["turned_back"] == pytest.approx(90) for contour in found["contours"])
     assert {contour["pair_because"] for contour in found["contours"]} == {"overlaps 100 %"}
+
+
+# A card with a window, and the same crossed out: a bar from corner to corner, and beside it a gap.
+CARD = '<path d="M4 4H20V20H4Z M10 8V12H15V8Z"/>'
+CROSSED_OUT = '<path d="M1 2L2 1L23 22L22 23L19 20H4V5Z M7 4H20V17L15 12V8H11Z"/>'
+
+
+@pytest.mark.parametrize(("a", "b"), [(CARD, CROSSED_OUT), (CROSSED_OUT, CARD)])
+def test_of_what_is_crossed_out_every_contour_is_there_and_the_bar_says_what_it_does(report, a, b):
+    contours = report((a,), (b,))["contours"]
+    assert {c["a"] for c in contours} - {None} == {c["b"] for c in contours} - {None} == {0, 1}
+    for contour in contours:
+        alone = contour["a"] is None or contour["b"] is None
+        assert contour["pair_because"] == (
+            "it cuts what is the same" if alone else "the same but for a part that cuts it"
+        )
