@@ -69,8 +69,9 @@ faults: install ## kill runs, let them meet, fill their disks, and write docs/re
 
 SECONDS ?= 60
 
-fuzz: install ## feed the reader damaged files for SECONDS (60)
+fuzz: install ## feed the reader damaged files for SECONDS (60), then blend such files with random options for as long
 	$(BIN)/python tools/fuzz_reader.py $(SECONDS)
+	$(BIN)/python -m tools.fuzz_blend $(SECONDS)
 
 # The usual options say --benchmark-skip, which contradicts --benchmark-only: hence the empty addopts.
 bench: install ## time the solver

@@ -8,6 +8,7 @@ without it. With fewer the document is printed and not written. The first promis
 
 from __future__ import annotations
 
+import os
 import random
 import shutil
 import subprocess
@@ -21,6 +22,8 @@ from tools.faults import runs
 from tools.faults.document import DOCUMENT, Counts, document
 
 FULL = 200
+AFTER = 0.06
+"""Seconds in which Python has started and come to the first line of the command."""
 NAMESPACES = 10
 
 
@@ -33,7 +36,8 @@ def kills(count: int, where: Path, expected: dict[str, runs.Expected]) -> None:
             folder = where / name
             runs.kill_at_random(each, what, share, folder, rng)
             runs.kill_at_moves(each, what, islice(cycle(range(1, each.changes + 1)), share), folder)
-        say(f"{what}: {count} at random moments, {count} at the moves")
+        runs.kill_early(expected["folder"], what, count // 4, where / "folder", rng, AFTER)
+        say(f"{what}: {count} at random moments, {count} at the moves, {count // 4} while modules load")
 
 
 def meetings(count: int, where: Path) -> None:
@@ -94,14 +98,15 @@ def say(text: str) -> None:
 
 def main() -> None:
     count = int(sys.argv[1]) if len(sys.argv) > 1 else FULL
-    where = Path(tempfile.mkdtemp(prefix="shapeblend-faults-"))
+    memory = "/dev/shm"  # where nothing waits for a disk
+    where = Path(tempfile.mkdtemp(prefix="shapeblend-", dir=memory if os.path.isdir(memory) else None))
     try:
         expected = {name: runs.prepare(name, where / name) for name in runs.TARGETS}
+        kills(count, where, expected)
+        meetings(count, where)
         found = Counts(
             namespaces=namespaces(where), errors=errors(where, expected), kills=count, meetings=count
         )
-        kills(count, where, expected)
-        meetings(count, where)
     finally:
         shutil.rmtree(where)
     text = document(found)

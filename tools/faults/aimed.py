@@ -18,11 +18,8 @@ import time
 CHANGES = {"os.mkdir", "os.rename", "os.link", "os.remove", "os.rmdir", "ctypes.dlsym"}
 
 
-def main() -> None:
-    moment, what = int(sys.argv[1]), sys.argv[2]
-    sys.argv = ["shapeblend", *sys.argv[3:]]
-    from shapeblend_cli.__main__ import main as command
-
+def strike_at(moment: int, what: str) -> None:
+    """Have this process struck, once, at a change that it makes from now on."""
     seen = 0
 
     def change() -> None:
@@ -51,6 +48,14 @@ def main() -> None:
 
     os.fsync = fsync
     sys.addaudithook(watch)
+
+
+def main() -> None:
+    moment, what = int(sys.argv[1]), sys.argv[2]
+    sys.argv = ["shapeblend", *sys.argv[3:]]
+    from shapeblend_cli.__main__ import main as command
+
+    strike_at(moment, what)
     command()
 
 

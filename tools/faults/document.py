@@ -94,6 +94,7 @@ def document(counts: Counts) -> str:
     for name in SIGNALS:
         rows.append((f"{name} at a random moment", str(counts.kills), "0"))
         rows.append((f"{name} at a move", str(counts.kills), "0"))
+        rows.append((f"{name} while the program loads its modules", str(counts.kills // 4), "0"))
     rows.append(("an error of the disk at a move", str(counts.errors), "0"))
     rows.append(("two runs at once on one target", str(counts.meetings), "0"))
     times = "not on this machine" if counts.namespaces is None else str(counts.namespaces)

@@ -1,4 +1,7 @@
-"""Runs over targets that are there, and what may be there afterwards."""
+"""Runs over targets that are there, and what may be there afterwards.
+
+Most runs are forks of this process, which has everything loaded already: two hundred of them take a minute.
+"""
 
 from __future__ import annotations
 
@@ -9,10 +12,16 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from contextlib import chdir
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
+
+from shapeblend_cli import cli
+from tools.faults.aimed import strike_at
 
 ROOT = Path(__file__).parents[2]
 A = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24"><path fill="#c00" d="M4 4H20V20H4Z"/></svg>'
@@ -52,10 +61,43 @@ def environment() -> dict[str, str]:
     return {**os.environ, "PYTHONPATH": str(ROOT)}
 
 
+def warm_up(arguments: list[str], where: Path) -> None:
+    """Run in this process, so that forks of it find all modules loaded."""
+    with chdir(where):
+        if cli.run(arguments):
+            raise Fault(f"{arguments}")
+
+
+class Fork:
+    """A run of the command in a fork of this process."""
+
+    def __init__(
+        self, arguments: list[str], where: Path, before: Callable[[], object] = lambda: None
+    ) -> None:
+        self.arguments = arguments
+        self._said = Path(tempfile.mkstemp()[1])
+        self.number = os.fork()
+        if self.number == 0:
+            status = 99
+            try:
+                os.chdir(where)
+                os.dup2(os.open(self._said, os.O_WRONLY), 2)
+                sys.stderr = open(2, "w", closefd=False)
+                signal.signal(signal.SIGINT, signal.default_int_handler)
+                before()
+                status = cli.run_safely(arguments)
+            finally:
+                os._exit(status)
+
+    def wait(self) -> subprocess.CompletedProcess[bytes]:
+        _, status = os.waitpid(self.number, 0)
+        said = self._said.read_bytes()
+        self._said.unlink()
+        return subprocess.CompletedProcess(self.arguments, os.waitstatus_to_exitcode(status), b"", said)
+
+
 def run(arguments: list[str], where: Path) -> subprocess.CompletedProcess[bytes]:
-    return subprocess.run(
-        [*COMMAND, *arguments], cwd=where, env=environment(), capture_output=True, check=False
-    )
+    return Fork(arguments, where).wait()
 
 
 def state(where: Path) -> dict[str, object]:
@@ -94,10 +136,11 @@ def prepare(name: str, where: Path) -> Expected:
     begin(where)
     arguments = [*FEW, *TARGETS[name]]
     first = ["b.svg", "a.svg", *arguments, "-f", "-n", "0" if name == "report" else "5"]
-    if name != "new folder":
-        done(run(first, where))
-        if "folder" in name:
-            (where / "out" / "mine.txt").write_text("mine")
+    warm_up(first, where)
+    if name == "new folder":
+        begin(where)
+    elif "folder" in name:
+        (where / "out" / "mine.txt").write_text("mine")
     old = state(where)
     before = where.with_name(where.name + ".before")
     shutil.rmtree(before, ignore_errors=True)
@@ -110,7 +153,13 @@ def prepare(name: str, where: Path) -> Expected:
     if old == new:
         raise Fault(f"{name}: old and new are the same")
     restore(where)
-    counted = aimed(0, "count", arguments, where)
+    counted = subprocess.run(
+        [sys.executable, "-m", "tools.faults.aimed", "0", "count", *arguments],
+        cwd=where,
+        env=environment(),
+        capture_output=True,
+        check=True,
+    )
     restore(where)
     return Expected(arguments, old, new, counted.stdout.count(b"."), seconds)
 
@@ -126,14 +175,23 @@ def done(process: subprocess.CompletedProcess[bytes]) -> None:
 
 
 def aimed(moment: int, what: str, arguments: list[str], where: Path) -> subprocess.CompletedProcess[bytes]:
-    command = [sys.executable, "-m", "tools.faults.aimed", str(moment), what, *arguments]
-    return subprocess.run(command, cwd=where, env=environment(), capture_output=True, check=False)
+    return Fork(arguments, where, lambda: strike_at(moment, what)).wait()
 
 
 def killed(
     seconds: float, what: str, arguments: list[str], where: Path
 ) -> subprocess.CompletedProcess[bytes]:
     """Run, and send a signal after so many seconds."""
+    fork = Fork(arguments, where)
+    time.sleep(seconds)
+    os.kill(fork.number, getattr(signal, what))
+    return fork.wait()
+
+
+def killed_early(
+    seconds: float, what: str, arguments: list[str], where: Path
+) -> subprocess.CompletedProcess[bytes]:
+    """Do that to a process of its own, which loads everything first."""
     command = [*COMMAND, *arguments]
     with subprocess.Popen(
         command, cwd=where, env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE
@@ -179,6 +237,16 @@ def kill_at_random(expected: Expected, what: str, count: int, where: Path, rng: 
         check_killed(process, expected, where, what)
 
 
+def kill_early(
+    expected: Expected, what: str, count: int, where: Path, rng: random.Random, after: float
+) -> None:
+    """Kill processes as they start, after so many seconds at least."""
+    for _ in range(count):
+        restore(where)
+        process = killed_early(rng.uniform(after, 0.4), what, expected.arguments, where)
+        check_killed(process, expected, where, what)
+
+
 def kill_at_moves(expected: Expected, what: str, moments: Iterable[int], where: Path) -> None:
     for moment in moments:
         restore(where)
@@ -199,25 +267,25 @@ def fail_at_moves(expected: Expected, error: str, moments: Iterable[int], where:
         again(expected, where)
 
 
+@cache
+def alone(name: str, pair: tuple[str, str], where: Path) -> dict[str, object]:
+    """Return what stands after a run of its own."""
+    begin(where)
+    done(run([*pair, *FEW, *TARGETS[name]], where))
+    return state(where)
+
+
 def two_at_once(name: str, force: bool, where: Path) -> None:
     """Start two runs on one target; one wins whole, and without force the other one says so."""
     begin(where)
     options = [*FEW, *TARGETS[name], *(["-f"] if force else [])]
     pairs = (["a.svg", "b.svg"], ["b.svg", "a.svg"])
-    processes = [
-        subprocess.Popen(
-            [*COMMAND, *pair, *options], cwd=where, env=environment(), stderr=subprocess.PIPE, text=True
-        )
-        for pair in pairs
-    ]
-    said = [process.communicate()[1] for process in processes]
-    statuses = [process.returncode for process in processes]
+    forks = [Fork([*pair, *options], where) for pair in pairs]
+    ended = [fork.wait() for fork in forks]
+    statuses = [process.returncode for process in ended]
+    said = [process.stderr for process in ended]
     found = state(where)
-    whole = []
-    for pair in pairs:
-        alone = begin(where.with_name(where.name + ".alone"))
-        done(run([*pair, *options], alone))
-        whole.append(state(alone))
+    whole = [alone(name, tuple(pair), where.with_name(where.name + ".alone")) for pair in pairs]
     if litter(where) or found not in whole:
         raise Fault(f"{sorted(found)}, {litter(where)}")
     if force and statuses != [0, 0]:
