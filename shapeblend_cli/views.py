@@ -63,7 +63,8 @@ def _reach(pair: Pair, slack: float) -> Box | None:
     """
     boxes = []
     for shape in pair.shapes:
-        if shape.motion_name == "sweep":  # nothing is seen of it that is not seen in one of the drawings
+        # Nothing is seen of a sweep that is not seen in one of the drawings, and straight paths stay between them.
+        if shape.motion is None or shape.motion_name == "sweep":
             continue
         ends = [
             _overhang(_painted(paths_at(shape, float(t)), style), pair.views[t])
