@@ -64,6 +64,9 @@ TWO_PI = cython.declare(cython.double, 6.283185307179586)
 # rounding does to the angle between two edges, far below what can be seen.
 ANGLE_NOISE = cython.declare(cython.double, 1e-9)
 
+# Directions this much less than half a round apart are certainly on one side.
+HALF_ROUND_NOISE = cython.declare(cython.double, 1e-6)
+
 # d is nothing but rounding when it is this small beside the products it is the difference of.
 CROSS_NOISE = cython.declare(cython.double, 1e-12)
 
@@ -110,6 +113,8 @@ class Corners:
         -(90 degrees + theta / 2).
     back_arg, fwd_arg, base_arg : (m,) float
         Their angles in [-pi, pi].
+    heading : (m,) float
+        The angle of -B, the way in, in [-pi, pi]; the way out is this and the turn.
     """
 
     theta = cython.declare(cython.double[::1], visibility="readonly")
@@ -120,6 +125,7 @@ class Corners:
     back_arg: cython.double[::1]
     fwd_arg: cython.double[::1]
     base_arg: cython.double[::1]
+    heading: cython.double[::1]
 
     def __init__(self, vertices: ComplexArray, closed: bool) -> None:
         last = len(vertices) - 1
@@ -134,6 +140,7 @@ class Corners:
         self.theta, self.turn = theta, np.pi - theta
         self.back, self.fwd, self.base = back, fwd, base
         self.back_arg, self.fwd_arg, self.base_arg = _arg(back), _arg(fwd), _arg(base)
+        self.heading = _arg(-back)
 
     def sharpness(self) -> FloatArray:
         """Return how far each angle is from straight, radians."""
@@ -158,6 +165,22 @@ def _short_way(angle: cython.double) -> cython.double:
 def _is_zero(theta: cython.double) -> cython.bint:
     """Whether an unwrapped angle has left (0, 2 pi)."""
     return theta < ANGLE_NOISE or theta > TWO_PI - ANGLE_NOISE
+
+
+@cython.cfunc
+@cython.inline
+@cython.exceptval(check=False)
+def _all_ahead(
+    heading0: cython.double, turn0: cython.double, heading1: cython.double, turn1: cython.double
+) -> cython.bint:
+    """Whether both wires go on within half a round, in and out: no angle on the way between them is then zero.
+
+    Among coincident vertices on both sides of a dot, where the limit of the angle counts, it may still be.
+    """
+    ahead: cython.double = _short_way(heading1 - heading0)
+    low: cython.double = min(0.0, turn0, ahead, ahead + turn1)
+    high: cython.double = max(0.0, turn0, ahead, ahead + turn1)
+    return high - low < PI - HALF_ROUND_NOISE
 
 
 @cython.cfunc
@@ -482,7 +505,7 @@ class TurnBending(Bending):
 
     Not in the paper. Each end of a run of coincident vertices has half of the turn that the run's vertex has, as in
     section 2.2, and its inside has none. Whether an angle reaches zero is left to the paper's bending, and it is asked
-    only where the turns do not exclude it.
+    only where headings and turns do not exclude it.
     """
 
     k_b: cython.double
@@ -535,9 +558,10 @@ class TurnBending(Bending):
             work[k, DD] += self._of_change(turn - other, weight)
             if has_price:
                 work[k, EE] += self._price_inside_run(p, i, q, j)
+                work[k, SS] += self._price_inside_run(q, j, p, i)
+            if has_price and not _all_ahead(p.heading[i], turn, q.heading[j], other):
                 work[k, ED] += self._price_at_run(p.theta[i], _turns_out_of_run(p, i, q, j))
                 work[k, DE] += self._price_at_run(p.theta[i], _turns_into_run(p, i, q, j))
-                work[k, SS] += self._price_inside_run(q, j, p, i)
                 work[k, SD] += self._price_at_run(q.theta[j], _turns_out_of_run(q, j, p, i))
                 work[k, DS] += self._price_at_run(q.theta[j], _turns_into_run(q, j, p, i))
                 work[k, DD] += self._price_moving(p, i, q, j)
