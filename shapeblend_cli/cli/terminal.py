@@ -1,77 +1,96 @@
-"""What a command prints on standard error while it runs: notes, details, and a progress bar."""
+"""What a command prints on standard error while it runs: notes, details, and how far it is."""
 
 from __future__ import annotations
 
 import sys
+import threading
 import time
-from typing import TYPE_CHECKING, Any
+from contextlib import suppress
+from typing import TYPE_CHECKING
 
 import click
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
     from shapeblend_cli.files import Run
 
-PATIENCE = 1.0  # seconds before the bar shows
+PATIENCE = 1.0  # seconds before a terminal shows how far a run is, and between two looks
 OFTEN, SELDOM = (
     10.0,
     60.0,
 )  # seconds before the first line in a pipe or a file, and between further ones at most
-UNITS = 1000
+CLEAR = "\r\x1b[K"
 
 
 def say(text: str) -> None:
     """Print a line on standard error; that it is closed or full fails no run."""
-    try:
-        click.echo(f"shapeblend: {' '.join(text.split())}", err=True)
-    except (OSError, ValueError):
-        pass
+    _write(f"shapeblend: {' '.join(text.split())}\n")
+
+
+def _write(text: str) -> None:
+    with suppress(OSError, ValueError):
+        click.echo(text, err=True, nl=False)
 
 
 class Terminal:
-    """Standard error; a context that ends the progress bar. If `quiet`, only errors and warnings are printed."""
+    """Standard error; a context in which it is told now and then how far a run is, and for how long it has been at it.
 
-    def __init__(self, *, quiet: bool = False, now: Callable[[], float] = time.monotonic) -> None:
+    The share of the matching that is done says nothing about the time that the rest takes; the seconds show that it
+    goes on. If `quiet`, only errors and warnings are printed.
+    """
+
+    def __init__(self, *, quiet: bool = False) -> None:
         self._quiet = quiet
-        self._now = now
-        self._began = now()
-        self._bar: Any = None
-        self._shown = 0
-        self._next_line = OFTEN
+        self._share = 0.0
+        self._is_shown = False
+        self._is_done = threading.Event()
+        self._ticks = threading.Thread(target=self._tick, daemon=True)
 
     def __enter__(self) -> Terminal:
+        if not self._quiet and sys.stderr is not None:
+            self._ticks.start()
         return self
 
     def __exit__(self, *_error: object) -> None:
-        if self._bar is not None:
-            self._bar.render_finish()
+        self._is_done.set()
+        if self._ticks.is_alive():
+            self._ticks.join()
+        self._clear()
 
     def note(self, text: str) -> None:
         """Print a line."""
         if not self._quiet:
-            say(text)
+            self.warn(text)
 
     def warn(self, text: str) -> None:
         """Print a line even if quiet."""
+        self._clear()
         say(text)
 
     def progress(self, share: float) -> None:
-        """Show the share of the work that is done, 0 to 1, if there is a terminal and the work takes long."""
-        passed = self._now() - self._began
-        if self._quiet or sys.stderr is None or passed < PATIENCE:
-            return
-        if not sys.stderr.isatty():
-            if passed >= self._next_line:
-                self._next_line = passed + min(passed, SELDOM)
-                say(f"matching: {share:.0%} after {passed:.0f} s")
-            return
-        if self._bar is None:
-            self._bar = click.progressbar(length=UNITS, label="matching", file=sys.stderr)
-            self._bar.render_progress()
-        units = max(int(share * UNITS), self._shown)
-        self._bar.update(units - self._shown)
-        self._shown = units
+        """Take the share of the matching that is done, 0 to 1."""
+        self._share = max(self._share, share)
+
+    def _tick(self) -> None:
+        """Say how far the run is until it is done."""
+        began = time.monotonic()
+        is_terminal = sys.stderr.isatty()
+        wait = PATIENCE if is_terminal else OFTEN
+        while not self._is_done.wait(wait):
+            passed = time.monotonic() - began
+            text = f"matching {self._share:.0%}" if self._share < 1.0 else "matched, drawing"
+            if is_terminal:
+                _write(f"{CLEAR}{text}, {passed:.0f} s")
+                self._is_shown = True
+            else:
+                say(f"{text}, {passed:.0f} s")
+                wait = min(passed, SELDOM)
+
+    def _clear(self) -> None:
+        if self._is_shown:
+            self._is_shown = False
+            _write(CLEAR)
 
 
 def details(run: Run) -> Iterator[str]:

@@ -5,6 +5,7 @@ import os
 import pty
 import signal
 import sys
+import time
 from functools import partial
 
 import numpy as np
@@ -47,52 +48,59 @@ def test_ctrl_c_leaves_nothing_behind(here):
     seen = read_to(ours, b"%")
     assert b"matching" in seen
     process.send_signal(signal.SIGINT)
-    # The bar may be drawn again before the signal is heard; it ends where the cursor shows again.
-    bar, _, said = (seen + read_to(ours)).rpartition(b"\x1b[?25h")
+    shown, _, said = (seen + read_to(ours)).rpartition(terminal.CLEAR.encode())
     os.close(ours)
-    assert b"\n" not in bar
+    assert b"\n" not in shown
     assert said.split() == b"shapeblend: interrupted; nothing was written".split()
     assert process.wait(timeout=60) == 1
     assert names() == ["a.svg", "b.svg"]
 
 
-def test_a_bar_shows_on_a_terminal_when_it_takes_long():
+@pytest.fixture
+def impatient(monkeypatch):
+    """Show at once how far a run is."""
+    for name in ("PATIENCE", "OFTEN", "SELDOM"):
+        monkeypatch.setattr(terminal, name, 0.01)
+
+
+def test_a_terminal_shows_how_far_a_run_is_and_clears_that(impatient):
     def work():
-        now = 0.0
-        with terminal.Terminal(now=lambda: now) as shown:
-            shown.progress(0.1)
-            now = terminal.PATIENCE
+        with terminal.Terminal() as shown:
             shown.progress(0.5)
+            shown.progress(0.1)  # it does not go back
+            while not shown._is_shown:
+                time.sleep(0.01)
+            shown.note("a line")
 
-    seen = on_screen(work)
-    assert b"matching" in seen
-    assert b"50%" in seen
-    assert b"10%" not in seen
+    seen = on_screen(work).decode()
+    assert "matching 50%, 0 s" in seen
+    assert f"{terminal.CLEAR}shapeblend: a line" in seen
+    assert seen.rpartition(terminal.CLEAR)[2].strip() in ("", "shapeblend: a line")
 
 
-def test_a_command_shows_the_bar_and_goes_on(files, monkeypatch):
-    monkeypatch.setattr(terminal, "PATIENCE", 0.0)
+def test_a_command_shows_it_and_goes_on(files, impatient):
     codes = []
     seen = on_screen(lambda: codes.append(run(files)))
     assert codes == [0]
     assert b"matching" in seen
-    assert b"%" in seen
 
 
-def test_no_bar_where_there_is_no_terminal(files, monkeypatch, capfd):
-    monkeypatch.setattr(terminal, "PATIENCE", 0.0)
+def test_a_line_now_and_then_where_there_is_no_terminal(impatient, capfd):
+    said = ""
+    with terminal.Terminal() as shown:
+        while "matched, drawing" not in said:
+            shown.progress(1.0)
+            time.sleep(0.01)
+            said += capfd.readouterr().err
+    assert all(line.startswith("shapeblend: matched, drawing, 0 s") for line in said.splitlines()[1:])
+
+
+def test_short_runs_and_quiet_ones_show_nothing(files, capfd, monkeypatch):
     assert run(files) == 0
+    for name in ("PATIENCE", "OFTEN", "SELDOM"):
+        monkeypatch.setattr(terminal, name, 0.001)
+    assert run([*files, "-o", "quiet", "-q"]) == 0
     assert capfd.readouterr() == ("", "")
-
-
-def test_a_line_now_and_then_where_there_is_no_terminal(capfd):
-    now = 0.0
-    with terminal.Terminal(now=lambda: now) as shown:
-        for now in range(100):
-            shown.progress(now / 100)
-    lines = capfd.readouterr().err.splitlines()
-    assert lines[0] == "shapeblend: matching: 10% after 10 s"
-    assert 2 <= len(lines) <= 5
 
 
 def test_a_clock_adds_up_the_laps_of_a_stage():

@@ -75,7 +75,9 @@ class Fork:
         self, arguments: list[str], where: Path, before: Callable[[], object] = lambda: None
     ) -> None:
         self.arguments = arguments
-        self._said = Path(tempfile.mkstemp()[1])
+        handle, name = tempfile.mkstemp()
+        os.close(handle)
+        self._said = Path(name)
         self.number = os.fork()
         if self.number == 0:
             status = 99
