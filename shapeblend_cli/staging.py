@@ -14,6 +14,7 @@ from __future__ import annotations
 import errno
 import os
 import shutil
+import time
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -28,6 +29,9 @@ if TYPE_CHECKING:
 
 PREFIX = ".shapeblend-"
 NEW, OLD, MOVED = "new", "old", "moved.json"
+
+PATIENCE = 30.0
+"""Seconds to wait for a lock. A script may hold it that runs the command itself, as `flock FOLDER command` does."""
 
 
 class CannotSwap(Exception):
@@ -129,7 +133,7 @@ class Stage:
 def locked(folder: Path) -> Iterator[bool]:
     """Hold the lock of a folder, for which this waits; give whether the folder is still the one that was locked.
 
-    Where the system has no such locks, as on some network drives, nothing is held.
+    Where the system has no such locks, as on some network drives, and where the wait is too long, nothing is held.
     """
     try:
         handle = os.open(folder, os.O_RDONLY)
@@ -137,9 +141,7 @@ def locked(folder: Path) -> Iterator[bool]:
         yield True
         return
     try:
-        with suppress(OSError):
-            if fcntl is not None:
-                fcntl.flock(handle, fcntl.LOCK_EX)
+        _lock(handle)
         try:
             is_same = os.path.samestat(os.fstat(handle), os.stat(folder))
         except OSError:
@@ -149,6 +151,23 @@ def locked(folder: Path) -> Iterator[bool]:
         os.close(handle)
 
 
+def _lock(handle: int) -> bool:
+    """Lock an open folder until it is closed, and return whether that was possible."""
+    last = time.monotonic() + PATIENCE
+    while fcntl is not None:
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            if time.monotonic() > last:
+                return False
+            time.sleep(0.01)
+        except OSError:
+            return False
+        else:
+            return True
+    return False
+
+
 def clear(folder: Path) -> None:
     """Take away stages that killed runs have left in a folder, and put back what those were moving."""
     if fcntl is None or not _stages(folder):
@@ -156,8 +175,7 @@ def clear(folder: Path) -> None:
     with suppress(OSError):
         handle = os.open(folder, os.O_RDONLY)
         try:
-            fcntl.flock(handle, fcntl.LOCK_EX)  # without it a stage may be in use
-            for stage in _stages(folder):
+            for stage in _stages(folder) if _lock(handle) else ():  # without the lock they may be in use
                 _undo(stage)
                 shutil.rmtree(stage, ignore_errors=True)
         finally:

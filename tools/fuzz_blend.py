@@ -176,6 +176,11 @@ def main() -> int:
             files, options = case(number, seeds)
             found, end = complaint(files, options)
             ends[end] += 1
+            if end == "stopped":
+                print(
+                    f"stopped after {SECONDS} s: {sys.executable} -m tools.fuzz_blend --case {number}",
+                    flush=True,
+                )
             if found:
                 FAILED.mkdir(parents=True, exist_ok=True)
                 for name, data in zip("ab", files, strict=True):

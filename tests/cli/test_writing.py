@@ -111,6 +111,20 @@ def test_stages_that_killed_runs_have_left_are_in_nobodys_way(here):
     assert made() == ["blend", *(f"blend/frame-{k}.svg" for k in range(1, 6))]
 
 
+def test_who_holds_the_lock_of_a_folder_for_long_stops_nobody(here, monkeypatch):
+    # As `flock FOLDER shapeblend ...` does; and a stage may be in use as long as the lock is held.
+    fcntl = pytest.importorskip("fcntl")
+    monkeypatch.setattr(staging, "PATIENCE", 0.05)
+    Path(".shapeblend-in-use").mkdir()
+    handle = os.open(here, os.O_RDONLY)
+    fcntl.flock(handle, fcntl.LOCK_EX)
+    assert run([*AB, "-o", "x.svg"]) == 0
+    os.close(handle)
+    assert made() == [".shapeblend-in-use", "x.svg"]
+    assert run([*AB, "-o", "x.svg", "-f"]) == 0
+    assert made() == ["x.svg"]
+
+
 class Killed(BaseException):
     """The end of a process, after which it does nothing any more."""
 
@@ -162,32 +176,31 @@ def test_what_has_changed_since_is_not_put_back(half_moved):
     ],
 )
 def test_what_another_run_has_written_meanwhile_stays(here, capsys, monkeypatch, arguments, first):
-    match_files = files.match_files
+    write_files = files.write_files
 
-    def match_while_another_runs(*given):
-        monkeypatch.setattr(files, "match_files", match_files)
+    def write_after_another_run(*given):
+        monkeypatch.setattr(files, "write_files", write_files)
         assert run([*BA, *arguments]) == 0
         theirs.update(contents())
-        return match_files(*given)
+        write_files(*given)
 
     theirs = {}
-    monkeypatch.setattr(files, "match_files", match_while_another_runs)
+    monkeypatch.setattr(files, "write_files", write_after_another_run)
     assert run([*AB, *arguments]) == 1
     assert capsys.readouterr().err == f"shapeblend: {first}: exists; --force replaces it\n"
     assert contents() == theirs
 
 
-def test_runs_that_make_the_same_new_folder_both_get_what_they_want(here):
-    match_files = files.match_files
-    with pytest.MonkeyPatch.context() as patch:
+def test_runs_that_make_the_same_new_folder_both_get_what_they_want(here, monkeypatch):
+    write_files = files.write_files
 
-        def match_while_another_runs(*given):
-            patch.undo()
-            assert run([*BA, "-o", "deep/other.svg"]) == 0
-            return match_files(*given)
+    def write_after_another_run(*given):
+        monkeypatch.setattr(files, "write_files", write_files)
+        assert run([*BA, "-o", "deep/other.svg"]) == 0
+        write_files(*given)
 
-        patch.setattr(files, "match_files", match_while_another_runs)
-        assert run([*AB, "-o", "deep/one.svg"]) == 0
+    monkeypatch.setattr(files, "write_files", write_after_another_run)
+    assert run([*AB, "-o", "deep/one.svg"]) == 0
     assert made() == ["deep", "deep/one.svg", "deep/other.svg"]
 
 

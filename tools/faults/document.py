@@ -74,9 +74,10 @@ EXCEPTIONS = (
     "between them leaves no folder there; the next one puts the old one back.",
     "A folder that was exchanged is another folder: programs that had the old one open, such as one that watches it, "
     "have to open it anew.",
-    "What tells runs apart are the system's locks on folders (`flock`). Where there are none, as on Windows and on "
+    "What keeps runs apart are the system's locks on folders (`flock`). Where there are none, as on Windows and on "
     "some network drives, two runs at once are not kept apart, except that without `--force` no single file is "
-    "replaced, and `.shapeblend-*` folders that killed runs have left stay. So do those of another user.",
+    "replaced, and `.shapeblend-*` folders that killed runs have left stay. So do those of another user. "
+    "A run waits half a minute for a lock, and then does without.",
     "A signal that comes before Python has read the first line of this program ends it in Python's own way.",
 )
 
