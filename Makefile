@@ -23,7 +23,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser docs-check lint type fmt golden faults fuzz bench bench-quality bench-truth bench-morphs bench-faces sweep worst pictures gallery plots options api tables install clean
+.PHONY: help demo test test-browser docs-check lint type fmt golden faults fuzz bench bench-quality bench-truth bench-morphs bench-faces bench-judge sweep worst pictures gallery plots options api tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -114,6 +114,9 @@ bench-morphs: install ## measure by limbs and morphs whose in-betweens are known
 
 bench-faces: install ## count the eyes that become eyes on the same side, and the mouths that become mouths; needs npm
 	$(BIN)/python -m tools.quality.faces
+
+bench-judge: install ## count the pairs of which the judge takes the blend that was graded best by eye; needs npm
+	$(BIN)/python -m tools.quality.judge
 
 sweep: install ## measure what the constants do, each and jointly, and write docs/defaults.json and .md; needs npm
 	$(BIN)/python -m tools.quality.sweep

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tools.quality.judge import pairs as judge_icons
 from tools.quality.morphs import packages
 from tools.quality.npm import install
 from tools.quality.peers import flubber
@@ -27,6 +28,7 @@ EQUIPMENT = {
     "flubber": flubber.ready,
     "fonts": letters.ready,
     "morphs": packages.ready,
+    "graded icons": judge_icons.ready,
 }
 """For each program a function that makes it ready, and returns None, or why it cannot."""
 

@@ -10,6 +10,7 @@ from PIL import Image
 from tools.quality import __main__ as quality
 from tools.quality import crossings, data, motions, npm, raw, sizes, tables, times, worst
 from tools.quality.data import Pair, icon_pairs, polygon, subpaths
+from tools.quality.judge import pairs as judge_icons
 from tools.quality.morphs import packages
 from tools.quality.motions import Choice, choice
 from tools.quality.peers import ALL, Tool, arc_length, flubber, shapeblend
@@ -272,7 +273,7 @@ def test_figures_are_replaced_and_nothing_else():
 
 
 def test_without_node_the_rest_is_measured_and_the_document_says_so(monkeypatch, tmp_path, capsys):
-    for module in (flubber, letters, packages):
+    for module in (flubber, letters, packages, judge_icons):
         monkeypatch.setattr(module, "install", lambda *what: "node and npm are not there")
     small = {name: sorted(icon_pairs(name), key=lambda pair: len(pair.a + pair.b)) for name in data.SETS}
     few = {"single": small["single"][:2], "whole": small["whole"][:1]}
@@ -291,6 +292,7 @@ def test_without_node_the_rest_is_measured_and_the_document_says_so(monkeypatch,
     readme, document = once = files()
     assert f"Not measured: {flubber.NAME} (node and npm are not there)." in document
     assert "Not measured: letters (node and npm are not there)." in document
+    assert "Not measured: judge (node and npm are not there)." in document
     assert "Not measured: limbs and morphs (node and npm are not there)." in document
     assert f"| {flubber.NAME}" not in document
     assert "| one contour | shapeblend | 2 | 2 |" in document

@@ -12,6 +12,8 @@ import sys
 from tools.quality import crossings, letters, motions, raw, sizes, tables, times
 from tools.quality.data import ROOT
 from tools.quality.faces import section as faces
+from tools.quality.judge import pairs as judge_icons
+from tools.quality.judge import section as judge
 from tools.quality.morphs import make, packages
 from tools.quality.morphs import section as morphs
 from tools.quality.peers import ALL, flubber
@@ -28,6 +30,7 @@ def measured() -> dict:
     problems["letters"] = fonts.ready()
     problems["limbs and morphs"] = packages.ready()
     problems["faces"] = faces.ready()
+    problems["judge"] = judge_icons.ready()
     missing = [f"{what} ({problem})" for what, problem in problems.items() if problem is not None]
     for line in missing:
         print(f"left out: {line}", file=sys.stderr)
@@ -43,6 +46,7 @@ def measured() -> dict:
         "letters": {} if problems["letters"] else letters.measured(tools),
         "morphs": {} if problems["limbs and morphs"] else morphs.measured(tools),
         "faces": {} if problems["faces"] else faces.measured(),
+        "judge": {} if problems["judge"] else judge.measured(),
         "icons": icons,
         "motions": motions.measured(),
         "sizes": sizes.measured(icons, with_flubber),
@@ -56,6 +60,7 @@ def documents(found: dict, readme: str) -> dict[str, str]:
         "letters": letters,
         "morphs": morphs,
         "faces": faces,
+        "judge": judge,
         "icons": crossings,
         "motions": motions,
         "sizes": sizes,

@@ -1,0 +1,103 @@
+"""Pairs of icons drawn by lot, from packages that npm installs."""
+
+from __future__ import annotations
+
+import functools
+import json
+import random
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from tools.quality.data import ROOT
+from tools.quality.npm import install
+
+INSTALLED = ROOT / "out" / "quality" / "judge"
+
+GAME, CONTRAST = "game-icons", "fluent-emoji-high-contrast"
+SETS = (GAME, "ph", GAME, CONTRAST, GAME, "material-symbols", "healthicons", GAME, "twemoji", GAME)
+"""The packages of ten pairs; the next ten have the same ones."""
+
+LEFT_OUT = (
+    *("skin", "flag", "keycap", "family", "couple", "holding-hands", "kiss-", "-hair"),
+    *("letter", "input-", "clock"),
+)
+"""Names with these are left out: there are hundreds that are nearly the same."""
+
+VARIANTS = {
+    "ph": ("-bold", "-duotone", "-light", "-thin"),
+    "material-symbols": ("-rounded", "-sharp", "-outline"),
+    "healthicons": ("-outline", "-24px"),
+}
+"""The same drawings again in another style, by how their names end."""
+
+COMMON_WORDS = {"fill", "face", "with", "sign", "button"}
+"""Words that do not make two icons alike."""
+
+LONGEST, MOST_TAGS = 1300, 8
+"""Characters of a drawing, and tags in it."""
+
+
+class Pair(NamedTuple):
+    """Two icons of a package."""
+
+    icons: str
+    a: str
+    b: str
+
+
+def ready() -> str | None:
+    """Install the icons, or say why that cannot be."""
+    return install(Path(__file__).parent, INSTALLED)
+
+
+@functools.cache
+def known(icons: str) -> dict[str, Any]:
+    """What a package has."""
+    file = INSTALLED / "node_modules" / "@iconify-json" / icons / "icons.json"
+    return json.loads(file.read_text(encoding="utf-8"))
+
+
+def drawn(icons: str, name: str) -> str:
+    """The file that draws an icon."""
+    package = known(icons)
+    icon = package["icons"][name]
+    width, height = (icon.get(side, package.get(side, 16)) for side in ("width", "height"))
+    box = f"{icon.get('left', 0)} {icon.get('top', 0)} {width} {height}"
+    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}">{icon["body"]}</svg>'
+
+
+@functools.cache
+def names(icons: str) -> list[str]:
+    """The icons of a package that may be drawn."""
+    return sorted(
+        name
+        for name in known(icons)["icons"]
+        if not any(part in name for part in LEFT_OUT) and not name.endswith(VARIANTS.get(icons, ()))
+    )
+
+
+def picked(seed: int, count: int) -> list[Pair]:
+    """So many pairs by lot: every other one of two icons with a word in common, the rest of any two."""
+    lots = random.Random(seed)
+    return [_pick(lots, SETS[k % len(SETS)], related=k % 2 == 0) for k in range(count)]
+
+
+def _pick(lots: random.Random, icons: str, related: bool) -> Pair:
+    every = names(icons)
+    while True:
+        a = lots.choice(every)
+        words = {word for word in a.split("-") if len(word) > 3} - COMMON_WORDS
+        if related:
+            others = [name for name in every if name != a and words & set(name.split("-"))]
+        else:
+            others = lots.sample(every, 1)
+        if not others:
+            continue
+        b = lots.choice(others)
+        if a != b and _is_simple(icons, a) and _is_simple(icons, b):
+            return Pair(icons, a, b)
+
+
+def _is_simple(icons: str, name: str) -> bool:
+    body = known(icons)["icons"][name]["body"]
+    return len(body) <= LONGEST and body.count("<") <= MOST_TAGS
