@@ -1,14 +1,21 @@
 """Draw a further set of pairs to be graded by eye: python -m tools.quality.judge.sheets SEED COUNT.
 
-Into `out/quality/judge/SEED` go a sheet for each pair, its rows in shuffled order with letters for names, and a table
-of which letter stands for what: look into it only when all is graded.
+Into `out/quality/judge/SEED` go a sheet for each pair, its rows in shuffled order with letters for names, and `key.tsv`
+with what each letter stands for: look into that only when all is graded. Write the grades into a file, a line for each
+pair, as
+
+    0|A3 B0 C2|what is wrong with the rest
+
+and `--grades FILE` makes of it the tables beside this file. Pairs whose grades are all alike are left out.
 """
 
 from __future__ import annotations
 
 import argparse
+import csv
 import random
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,6 +24,7 @@ from PIL import Image, ImageDraw
 from tools.contact_sheet import sheet
 from tools.quality.judge import pairs
 from tools.quality.judge.blends import OPTIONS, blend_of, look, unlikeness
+from tools.quality.judge.section import HERE
 
 if TYPE_CHECKING:
     import shapeblend_cli as sb
@@ -28,7 +36,9 @@ CELL, GUTTER = 84, 20
 """Pixels of a drawing, and what is free for a letter."""
 
 SAME = 0.05
-"""Of two blends whose looks differ by no more than this one is drawn."""
+"""Of two blends whose looks differ by no more than this one is drawn, and the other gets its grade."""
+
+KEY = ("pair", "icons", "a", "b", "blend", "letter", "look")
 
 
 def drawn(pair: Pair, blends: dict[str, sb.Blend], order: list[str]) -> Image.Image:
@@ -44,19 +54,13 @@ def drawn(pair: Pair, blends: dict[str, sb.Blend], order: list[str]) -> Image.Im
     return picture
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("seed", type=int)
-    parser.add_argument("count", type=int)
-    options = parser.parse_args()
-    if problem := pairs.ready():
-        sys.exit(f"no icons: {problem}")
-    folder = pairs.INSTALLED / str(options.seed)
+def draw(seed: int, count: int, folder: Path) -> None:
+    """Write the sheets of a set, and the key."""
     folder.mkdir(parents=True, exist_ok=True)
-    lots = random.Random(options.seed)
-    lines = ["\t".join(("pair", "icons", "a", "b", "blend", "letter", "look"))]
-    for k, pair in enumerate(pairs.picked(options.seed, options.count)):
-        blends = {name: blend_of(pair, how) for name, how in OPTIONS.items()}
+    lots = random.Random(seed)
+    lines = [KEY]
+    for k, pair in enumerate(pairs.picked(seed, count)):
+        blends = {name: blend_of(pair, options) for name, options in OPTIONS.items()}
         looks = {name: look(blend) for name, blend in blends.items()}
         unlike: list[str] = []
         for name in OPTIONS:
@@ -66,9 +70,48 @@ def main() -> None:
         drawn(pair, blends, unlike).save(folder / f"{k:03d}.png")
         for name in OPTIONS:
             shown = min(unlike, key=lambda other: unlikeness(looks[name], looks[other]))
-            lines.append("\t".join((str(k), *pair, name, LETTERS[unlike.index(shown)], looks[name])))
-        print(k, *pair)
-    (folder / "key.tsv").write_text("\n".join(lines) + "\n", encoding="utf-8")
+            lines.append((str(k), *pair, name, LETTERS[unlike.index(shown)], looks[name]))
+    (folder / "key.tsv").write_text("".join("\t".join(line) + "\n" for line in lines), encoding="utf-8")
+
+
+def tables(key: str, graded: str) -> dict[str, str]:
+    """The tables of grades and of looks, of a key and the grades of its letters."""
+    rows = list(csv.DictReader(key.splitlines(), delimiter="\t"))
+    made = {
+        "grades": [("icons", "a", "b", *OPTIONS, "note")],
+        "looks": [("icons", "a", "b", *OPTIONS)],
+    }
+    for line in graded.splitlines():
+        number, grades, note = line.split("|")
+        grade = {word[0]: word[1:] for word in grades.split()}
+        of_pair = [row for row in rows if row["pair"] == number]
+        if grade.keys() != {row["letter"] for row in of_pair}:
+            raise SystemExit(
+                f"pair {number} has the letters {', '.join(sorted({r['letter'] for r in of_pair}))}"
+            )
+        if len(set(grade.values())) > 1:
+            icons = tuple(of_pair[0][name] for name in ("icons", "a", "b"))
+            made["grades"].append((*icons, *(grade[row["letter"]] for row in of_pair), note))
+            made["looks"].append((*icons, *(row["look"] for row in of_pair)))
+    return {what: "".join("\t".join(line) + "\n" for line in lines) for what, lines in made.items()}
+
+
+def main(arguments: list[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("seed", type=int)
+    parser.add_argument("count", type=int)
+    parser.add_argument("--grades", type=Path, metavar="FILE")
+    options = parser.parse_args(arguments)
+    if problem := pairs.ready():
+        sys.exit(f"no icons: {problem}")
+    folder = pairs.INSTALLED / str(options.seed)
+    if options.grades is None:
+        draw(options.seed, options.count, folder)
+        print(folder)
+        return
+    made = tables((folder / "key.tsv").read_text("utf-8"), options.grades.read_text("utf-8"))
+    for what, text in made.items():
+        (HERE / f"{what}-{options.seed}.tsv").write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":
