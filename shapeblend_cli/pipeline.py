@@ -15,7 +15,7 @@ from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.fades import in_paint_order
 from shapeblend_cli.interpolate.paths import paths_at, with_curves
 from shapeblend_cli.model import Box, CubicPath, Drawing, Frame, PaintedShape, Pair, ShapeBlend, Style
-from shapeblend_cli.motion.alignment import Alignment, align, point_pairs
+from shapeblend_cli.motion.alignment import Alignment, align, point_pairs, shared_alignments
 from shapeblend_cli.motion.choose import (
     ASKED,
     LEADS,
@@ -23,7 +23,6 @@ from shapeblend_cli.motion.choose import (
     RIGHT,
     RotatedShape,
     best_motion,
-    is_as_good,
     moved_as_asked,
     reason_to_be_straight,
     straight,
@@ -270,10 +269,13 @@ def _in_style(shape: ShapeBlend, style: str) -> ShapeBlend:
 def _move(paired: _PairedDrawings, shapes: Sequence[ShapeBlend], view: Box) -> tuple[ShapeBlend, ...]:
     """Choose how shapes move: as is asked for, or as the judge has it."""
     settings = paired.settings
-    common = None
-    matched_ones = [shape for shape in shapes if shape.is_matched]
-    if settings.motion != "linear" and matched_ones and (paired.rotation or len(shapes) > 1):
-        common = align(point_pairs([contour for shape in matched_ones for contour in shape.contours]))
+    shared: Sequence[Alignment | None] = [None] * len(shapes)
+    if paired.rotation:
+        shared = [align(point_pairs([contour for shape in shapes for contour in shape.contours]))] * len(
+            shapes
+        )
+    elif settings.motion != "linear" and len(shapes) > 1:
+        shared = shared_alignments(shapes)
     moved: dict[int, ShapeBlend] = {}
     affordable = AFFORDABLE_SEGMENTS
     # The largest first, as what is wrong with them is seen most.
@@ -285,9 +287,9 @@ def _move(paired: _PairedDrawings, shapes: Sequence[ShapeBlend], view: Box) -> t
         elif settings.motion == "linear":
             moved[k] = shape._replace(reason=ASKED)
         elif settings.motion != "auto":
-            moved[k] = moved_as_asked(shape, settings.motion, _rotated(paired, matched, shape, common))
+            moved[k] = moved_as_asked(shape, settings.motion, _rotated(paired, matched, shape, shared[k]))
         elif paired.rotation:
-            moved[k] = turned(_rotated(paired, matched, shape, common))
+            moved[k] = turned(_rotated(paired, matched, shape, shared[k]))
         elif paired.leads(shape):
             moved[k] = shape._replace(reason=LEADS)
         elif affordable <= 0:
@@ -296,7 +298,7 @@ def _move(paired: _PairedDrawings, shapes: Sequence[ShapeBlend], view: Box) -> t
             affordable -= sum(len(contour.start.segments) for contour in shape.contours)
             shape = straight(shape, view)
             if shape.candidates[0].wrong > RIGHT:
-                shape = best_motion(shape, _rotated(paired, matched, shape, common), view)
+                shape = best_motion(shape, _rotated(paired, matched, shape, shared[k]), view)
             moved[k] = shape
     return tuple(moved[k] for k in range(len(shapes)))
 
@@ -323,10 +325,9 @@ def _rotate_back(
     rotation = rotation_between(largest.polygon_a, largest.polygon_b)
     if rotation is not None:
         shape = _match_again(paired, shape, rotation)
-    own = align(point_pairs(shape.contours))
-    if rotation is None and common is not None and is_as_good(common, own, shape):
+    elif common is not None:
         return shape, common
-    return shape, own
+    return shape, align(point_pairs(shape.contours))
 
 
 def _explained(shapes: Sequence[ShapeBlend], paired: _PairedDrawings) -> tuple[ShapeBlend, ...]:

@@ -10,7 +10,7 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.model import Candidate
-from shapeblend_cli.motion.alignment import Alignment, Rigid, align, point_pairs, residual
+from shapeblend_cli.motion.alignment import Alignment, Rigid, align, point_pairs
 from shapeblend_cli.motion.judge import judge_outlines, outlines_of, painted_area
 
 if TYPE_CHECKING:
@@ -28,9 +28,6 @@ RIGHT = 0.01
 
 BETTER = 0.8
 """Another motion is taken if it has at most this share of what is wrong on straight paths: these are predictable."""
-
-COMMON_RESIDUAL = 2.0
-"""Shapes of a drawing move by one similarity unless it leaves so many times as much as their own."""
 
 
 class RotatedShape(NamedTuple):
@@ -85,12 +82,6 @@ def judged_shape(shape: ShapeBlend, view: Box) -> Candidate:
     found = judge_outlines(outlines, view).weighted
     terms = tuple((name, round(x, 4)) for name, x in found._asdict().items())
     return Candidate(shape.motion_name, round(sum(found), 4), terms, painted_area(outlines))
-
-
-def is_as_good(common: Alignment, own: Alignment, shape: ShapeBlend) -> bool:
-    """Return whether the similarity of a whole drawing suits one of its shapes about as well as the shape's own."""
-    points = point_pairs(shape.contours)
-    return residual(points, common) <= COMMON_RESIDUAL * residual(points, own)
 
 
 # Modules that take long to import, and that most blends do without, are imported where they are used.
