@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
+from shapeblend_cli.geometry.crossings import path_crossings
+from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import Candidate
 from shapeblend_cli.motion.alignment import Alignment, Rigid, align, point_pairs
 from shapeblend_cli.motion.judge import judge_outlines, outlines_of, painted_area
@@ -25,6 +27,12 @@ MANY = "too many shapes to try other motions on each"
 
 RIGHT = 0.01
 """With so little wrong nothing else is tried."""
+
+CHECKED_TIMES = tuple(k / 10 for k in range(1, 10))
+"""When outlines are looked at for crossings of any size; the judge weighs what they turn over."""
+
+CLEAN = 1.35
+"""A motion without crossings is taken for one with them if it has at most so many times as much wrong with it."""
 
 BETTER = 0.8
 """Another motion is taken if it has at most this share of what is wrong on straight paths: these are predictable."""
@@ -67,13 +75,23 @@ def best_motion(shape: ShapeBlend, rotated: RotatedShape, view: Box) -> ShapeBle
     """Return the best of a shape on straight paths, which are judged, and in other motions."""
     judged = list(shape.candidates)
     best, least = shape, BETTER * judged[0].wrong
+    crossed = _crosses(shape)
     for motion in ("rigid", "intrinsic"):
         candidate = _with_motion(rotated, motion)
         judged.append(judged_shape(candidate, view))
-        if judged[-1].wrong < least:
-            best, least = candidate, judged[-1].wrong
+        wrong = judged[-1].wrong
+        if crossed and wrong <= CLEAN * judged[0].wrong and not _crosses(candidate):
+            best, least, crossed = candidate, wrong, False
+        elif wrong < least and (crossed or not _crosses(candidate)):
+            best, least = candidate, wrong
     reason = "the least wrong of " + ", ".join(f"{one.name} {one.wrong:.3f}" for one in judged)
     return best._replace(reason=reason, candidates=tuple(judged))
+
+
+def _crosses(shape: ShapeBlend) -> bool:
+    """Return whether an outline crosses itself, or another of its shape, more often on the way than at either end."""
+    most = max(path_crossings(paths_at(shape, t)) for t in (0.0, 1.0))
+    return any(path_crossings(paths_at(shape, t), most + 1) > most for t in CHECKED_TIMES)
 
 
 def judged_shape(shape: ShapeBlend, view: Box) -> Candidate:

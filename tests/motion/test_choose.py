@@ -50,7 +50,7 @@ def test_nearly_a_rotated_shape_does_not_move_straight():
     assert motions(pair) != ["linear"]
     (shape,) = pair.shapes
     assert [one.name for one in shape.candidates] == ["linear", "rigid", "intrinsic"]
-    assert shape.taken.wrong == min(one.wrong for one in shape.candidates)
+    assert shape.taken.wrong < shape.candidates[0].wrong
     assert reasons(pair)[0].startswith(f"the least wrong of linear {shape.candidates[0].wrong:.3f}, ")
 
 
@@ -84,10 +84,14 @@ def crossings(outlines, motion, times):
 
 
 @pytest.mark.parametrize("outlines", HARD)
-def test_what_is_chosen_is_no_more_wrong_than_straight_paths(outlines):
+def test_what_is_chosen_is_no_more_wrong_than_straight_paths_unless_these_cross(outlines):
     (shape,) = polygon_pair(*outlines).shapes
-    assert shape.taken.wrong <= shape.candidates[0].wrong
-    assert shape.candidates[0].name == "linear"
+    straight = shape.candidates[0]
+    assert straight.name == "linear"
+    times = np.arange(1, 10) / 10
+    if shape.taken.wrong > straight.wrong:
+        assert crossings(outlines, "linear", times) > 0
+        assert sum(path_crossings(paths_at(shape, t)) for t in times) == 0
 
 
 @pytest.mark.parametrize("outlines", HARD)
