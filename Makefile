@@ -64,7 +64,7 @@ fmt: $(VENV)/.installed ## format, and mend what the linter can mend
 golden: install ## write the expected files of the golden tests anew; look at the diff before committing
 	$(BIN)/python -m pytest -q tests/golden tests/plot --update-golden
 
-faults: install ## kill runs, let them meet, fill their disks, and write docs/reliability.md; takes half an hour
+faults: install ## kill runs, let them meet, fill their disks, and write docs/reliability.md; takes minutes
 	$(BIN)/python -m tools.faults
 
 SECONDS ?= 60

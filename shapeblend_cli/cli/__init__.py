@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import sys
 import traceback
+import warnings
 from collections.abc import Sequence
 
 import click
@@ -69,6 +70,8 @@ def run_safely(arguments: Sequence[str]) -> int:
     """Run a command line as a process of its own, which ends without a traceback whatever happens."""
     _occupy_streams()
     sys.unraisablehook = _end
+    if not sys.warnoptions:
+        warnings.simplefilter("ignore")  # what numpy says of numbers is nothing that a user can put right
     try:
         return run(arguments)
     except Exception as error:

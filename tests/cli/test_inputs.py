@@ -141,3 +141,10 @@ def test_drawings_without_any_size_are_one_line(here, refused, size, viewbox):
     write(a=svg(f'<path d="{path}"/>').replace("0 0 10 10", viewbox))
     refused(["a.svg", "b.svg"], 1, "a.svg: no painted shape: 1 shape without extent")
     refused(["b.svg", "a.svg"], 1, "a.svg: no painted shape: 1 shape without extent")
+
+
+def test_a_drawing_whose_width_is_next_to_nothing_has_no_box(here, capsys):
+    write(a=svg(f'<path d="{SQUARE}"/>').replace('viewBox="0 0 10 10"', 'width="1e-300" height="10"'))
+    assert run(["a.svg", "b.svg", "-n", "1"]) == 0
+    assert capsys.readouterr().err == ""
+    assert "nan" not in (here / "blend" / "frame-1.svg").read_text()

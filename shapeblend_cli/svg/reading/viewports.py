@@ -36,7 +36,7 @@ def root_box(root: Node, notes: Notes) -> Box | None:
     if box is not None:
         return box
     width, height = (length(root.get(name) or "") for name in ("width", "height"))
-    return Box(0.0, 0.0, width, height) if width and height and width > 0 and height > 0 else None
+    return Box(0.0, 0.0, width, height) if width and height and min(width, height) >= LEAST else None
 
 
 def root_lengths(box: Box | None) -> Lengths:
