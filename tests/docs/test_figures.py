@@ -10,6 +10,7 @@ from tools import solver_table
 from tools.quality import __main__ as quality
 from tools.quality import crossings, letters, motions, raw, sizes, sweep, times
 from tools.quality.data import ROOT, SETS, icon_pairs
+from tools.quality.judge import section as judge
 from tools.quality.morphs import section as limbs
 from tools.quality.motions import Choice
 from tools.quality.peers import ALL, arc_length, flubber, shapeblend
@@ -32,6 +33,7 @@ EVERY = {
 }
 """One pair in so many is measured anew."""
 SWEPT_EVERY = 12
+JUDGED_EVERY = 20
 SOLVED_NEAR = {"rel": 1e-3, "abs": 1e-6}
 
 
@@ -124,6 +126,17 @@ def test_limbs_and_morphs_measured_anew(what, tool, morphs):
     assert [truth.id for truth in truths] == FOUND["morphs"][what]["pairs"]
     scores = letters.scored(TOOLS[tool], [truths[k] for k in numbers])
     same(Nearness, scores, FOUND["morphs"][what]["scores"][tool], numbers)
+
+
+@pytest.mark.parametrize("seed", judge.SEEDS)
+def test_the_judge_measured_anew(seed):
+    require("graded icons")
+    told, every = FOUND["judge"][str(seed)], judge.graded(seed)
+    assert told["pairs"] == [" ".join(one.pair) for one in every]
+    for k in range(0, len(every), JUDGED_EVERY):
+        found = judge.measure(every[k])
+        assert found.numbers == pytest.approx({n: c[k] for n, c in told["numbers"].items()}, abs=2e-3)
+        assert found.taken == told["taken"][k]
 
 
 def test_times_are_of_commands_that_write_what_they_should(node, tmp_path):

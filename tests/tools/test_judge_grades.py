@@ -53,17 +53,21 @@ def test_a_blend_is_known_again_by_its_look():
 def graded(*rows):
     return [
         Graded(
-            Pair(WHERE, a, b), dict(zip(OPTIONS, grades, strict=False)), dict.fromkeys(OPTIONS, ""), "note"
+            Pair(WHERE, a, b),
+            dict(zip(OPTIONS, grades, strict=False)),
+            dict.fromkeys(OPTIONS, "0" * 108),
+            "note",
         )
         for a, b, grades in rows
     ]
 
 
-def found(*numbers):
+def found(taken, *numbers):
     rows = [dict(zip(OPTIONS, row, strict=True)) for row in numbers]
     return {
         "pairs": [f"pair {k}" for k in range(len(rows))],
-        "numbers": {n: [r[n] for r in rows] for n in OPTIONS},
+        "numbers": {name: [row[name] for row in rows] for name in OPTIONS},
+        "taken": taken,
     }
 
 
@@ -73,7 +77,8 @@ def test_what_no_longer_looks_as_it_was_graded_does_not_count(monkeypatch):
     one = one._replace(looks=one.looks | looks | {"rigid": looks["linear"]})
     monkeypatch.setattr(section, "graded", lambda seed: [one])
     monkeypatch.setattr(section, "SEEDS", {5: 1})
-    kept = section.measured()["5"]["numbers"]
+    found = section.measured()["5"]
+    kept = found["numbers"]
     assert kept["linear"][0] > 0.0 < kept["intrinsic"][0]
     assert kept["rigid"] == kept["safe"] == [None]
 
@@ -88,6 +93,7 @@ def test_agreement_is_counted(monkeypatch):
     ]
     every = graded(*rows)
     numbers = found(
+        ["intrinsic", "linear", "linear", None],
         (0.5, 0.1, 0.3, 0.9, 0.2, 0.15),
         (0.5, 0.45, 0.6, 0.9, None, None),
         (0.5, 0.6, 0.7, None, None, None),
@@ -99,21 +105,24 @@ def test_agreement_is_counted(monkeypatch):
     assert (seed, count) == ("5", "4")
     assert auto == "2 of 3, 67 %"
     assert always == ["1 of 3, 33 %", "0 of 3, 0 %", "2 of 3, 67 %"]
-    # Of the first 12 couples differ, all in order; of the second 5, one of them not; of the third 3, two not;
-    # of the last 12: the straight one before three others that are as good, and nothing else out of order.
+    # 12 couples of the first pair differ, 5 of the second, one of them out of order, 3 of the third, two of them out of
+    # order, and 12 of the last.
     assert couples == "29 of 32, 91 %"
     assert least == "2 of 4, 50 %"
     (line,) = section.wrong({"5": numbers})
-    assert line.startswith("5 pair 2: linear 0.500 (grade 0)")
+    assert line.startswith("5 pair 2: takes linear of linear 0.500 (grade 0)")
 
 
-@pytest.mark.parametrize("wrong", [0.0, 0.005])
-def test_straight_paths_with_little_wrong_settle_it(wrong):
-    assert section.taken(Judged("", "", {}, {"linear": wrong, "rigid": 0.0, "intrinsic": 0.0})) == "linear"
+def test_what_auto_takes_is_found_by_its_look(monkeypatch):
+    (one,) = graded(("bar-up", "bar-down", (1, 3, 3)))
+    took = blend_of(one.pair, {}).pairs[0].shapes[0].motion_name
+    assert section.measure(one).taken == took != "linear"
+    monkeypatch.setattr(section, "CHOICES", ("linear",))
+    assert section.measure(one).taken is None
 
 
 def test_what_is_as_good_as_the_best_is_the_best():
-    one = Judged("", "", {"linear": 3, "rigid": 3, "safe": 0}, {})
+    one = Judged("", "", {"linear": 3, "rigid": 3, "safe": 0}, {}, None)
     assert [one.best(name) for name in one.grades] == [True, True, False]
 
 

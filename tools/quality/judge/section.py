@@ -7,7 +7,6 @@ from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from shapeblend_cli.motion.choose import BETTER, RIGHT
 from tools.quality import raw
 from tools.quality.judge.blends import ALIKE, OPTIONS, blend_of, look, number, unlikeness
 from tools.quality.judge.pairs import Pair
@@ -46,9 +45,10 @@ when motions had changed, these pairs were graded again in the same way. It was 
 had been graded. Pairs drawn twice, and those of which all blends look alike, are left out. The grades are in
 `tools/quality/judge`.
 
-*auto takes the best*: of how many pairs the one that the rule of `auto` takes, of straight, rigid and intrinsic
-motion, has the best grade of the three, where these differ; beside it the same for always taking one of them. Icons
-drawn by lot have little in common, and then straight paths are hard to beat; limbs that swing are another measure's.
+*auto takes the best*: of how many pairs the one that `auto` takes, of straight, rigid and intrinsic motion, has the
+best grade of the three, where these differ and it takes the same for all shapes; beside it the same for always taking
+one of them. Icons drawn by lot have little in common, and then straight paths are hard to beat; limbs that swing are
+another measure's.
 *Couples in order*: of how many couples of blends of a pair with unlike grades the judge's numbers have the order of
 the grades. *Least of six*: of how many pairs the blend with the least number has the best grade of all six. A blend
 counts only if it still looks as it did when it was graded; others are drawn otherwise today. `make bench-judge`
@@ -82,41 +82,48 @@ def _table(name: str) -> csv.DictReader[str]:
     return csv.DictReader(lines, delimiter="\t", quoting=csv.QUOTE_NONE)
 
 
+class Measured(NamedTuple):
+    """The judge's number of each blend of a pair that still looks as it did, and which of them `auto` takes."""
+
+    numbers: dict[str, float | None]
+    taken: str | None
+
+
 def measured() -> dict[str, Any]:
-    """The judge's number of every blend that still looks as it did; of the others nothing."""
+    """Every pair of all sets."""
     found = {}
     for seed in SEEDS:
         every = graded(seed)
-        rows = [_numbers(one) for one in every]
+        rows = [measure(one) for one in every]
         found[str(seed)] = {
             "pairs": [" ".join(one.pair) for one in every],
-            "numbers": {name: [row[name] for row in rows] for name in OPTIONS},
+            "numbers": {name: [row.numbers[name] for row in rows] for name in OPTIONS},
+            "taken": [row.taken for row in rows],
         }
     return found
 
 
-def _numbers(one: Graded) -> dict[str, float | None]:
+def measure(one: Graded) -> Measured:
+    """Draw the blends of a pair, and the one of `auto`."""
     numbers: dict[str, float | None] = dict.fromkeys(OPTIONS)
+    looks = {}
     for name in one.grades:
         blend = blend_of(one.pair, OPTIONS[name])
-        if unlikeness(look(blend), one.looks[name]) <= ALIKE:
+        looks[name] = look(blend)
+        if unlikeness(looks[name], one.looks[name]) <= ALIKE:
             numbers[name] = round(number(blend), raw.DIGITS)
-    return numbers
+    auto = look(blend_of(one.pair, {}))
+    return Measured(numbers, next((name for name in CHOICES if looks.get(name) == auto), None))
 
 
 class Judged(NamedTuple):
-    """A pair's grades and numbers, of the blends that have both."""
+    """A pair's grades and numbers, of the blends that have both, and which of them `auto` takes."""
 
     name: str
     note: str
     grades: dict[str, int]
     numbers: dict[str, float]
-
-    def of(self, names: Sequence[str]) -> Judged:
-        """Return what there is of some blends."""
-        kept = [name for name in names if name in self.numbers]
-        grades, numbers = ({name: all_[name] for name in kept} for all_ in (self.grades, self.numbers))
-        return self._replace(grades=grades, numbers=numbers)
+    taken: str | None
 
     @property
     def differs(self) -> bool:
@@ -128,9 +135,9 @@ class Judged(NamedTuple):
         """The one with the least number; of several the first."""
         return min(self.numbers, key=lambda name: self.numbers[name])
 
-    def best(self, name: str) -> bool:
+    def best(self, name: str | None) -> bool:
         """Whether no other has a better grade."""
-        return self.grades[name] == max(self.grades.values())
+        return name in self.grades and self.grades[name] == max(self.grades.values())
 
 
 def judged(found: dict[str, Any], seed: int) -> list[Judged]:
@@ -141,14 +148,8 @@ def judged(found: dict[str, Any], seed: int) -> list[Judged]:
         numbers = {name: kept["numbers"][name][k] for name in one.grades}
         known = {name: value for name, value in numbers.items() if value is not None}
         grades = {name: one.grades[name] for name in known}
-        rows.append(Judged(kept["pairs"][k], one.note, grades, known))
+        rows.append(Judged(kept["pairs"][k], one.note, grades, known, kept["taken"][k]))
     return rows
-
-
-def taken(one: Judged) -> str:
-    """What `auto` takes by the judge's numbers."""
-    straight = one.numbers["linear"]
-    return one.least if straight > RIGHT and one.numbers[one.least] < BETTER * straight else "linear"
 
 
 def couples(one: Judged) -> list[bool]:
@@ -165,18 +166,24 @@ def wrong(found: dict[str, Any]) -> list[str]:
     lines = []
     for seed in SEEDS:
         for one in choices(judged(found, seed)):
-            if not one.best(taken(one)):
+            if not one.best(one.taken):
                 told = ", ".join(
                     f"{name} {x:.3f} (grade {one.grades[name]})" for name, x in one.numbers.items()
                 )
-                lines.append(f"{seed} {one.name}: {told}; {one.note}")
+                lines.append(f"{seed} {one.name}: takes {one.taken} of {told}; {one.note}")
     return lines
 
 
 def choices(every: Sequence[Judged]) -> list[Judged]:
-    """The pairs for which it matters what `auto` takes."""
-    few = [one.of(CHOICES) for one in every]
-    return [one for one in few if len(one.grades) == len(CHOICES) and one.differs]
+    """The pairs for which it matters what `auto` takes, with what it chooses from alone."""
+    few = []
+    for one in every:
+        if one.taken in one.grades and all(name in one.grades for name in CHOICES):
+            grades, numbers = (
+                {name: of_all[name] for name in CHOICES} for of_all in (one.grades, one.numbers)
+            )
+            few.append(one._replace(grades=grades, numbers=numbers))
+    return [one for one in few if one.differs]
 
 
 def of(conditions: Sequence[bool]) -> str:
@@ -194,7 +201,7 @@ def section(found: dict[str, Any]) -> Section:
             [
                 str(seed),
                 str(len(every)),
-                of([one.best(taken(one)) for one in few]),
+                of([one.best(one.taken) for one in few]),
                 *(of([one.best(name) for one in few]) for name in CHOICES),
                 of([right for one in every for right in couples(one)]),
                 of([one.best(one.least) for one in every if one.differs]),
