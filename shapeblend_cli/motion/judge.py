@@ -314,7 +314,8 @@ def _limbs(outlines: Outlines, lengths: FloatArray) -> float:
             continue
         share = 0.5 * (own[0] / own[0].sum() + own[-1] / own[-1].sum())
         place = np.concatenate([[0.0], np.cumsum(share)[:-1]])
-        probes = np.unique(np.searchsorted(place, (np.arange(PROBES) + 0.5) / PROBES).clip(0, len(on) - 1))
+        probes = np.searchsorted(place, (np.arange(PROBES) + 0.5) / PROBES).clip(0, len(on) - 1)
+        probes = probes[np.diff(probes, prepend=-1) > 0]
         area += both * _widths_off(
             outlines.points[:, on[probes]], place[probes], own, bool(outlines.closed[on[0]])
         )
