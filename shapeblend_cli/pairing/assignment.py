@@ -94,15 +94,16 @@ class _Side:
         )
 
     def _inner(self) -> FloatArray:
-        """Return 1 for what is the nearest to the middle of what it lies in on its side of the axis, else 0."""
+        """Return 1 for twins of which each is the nearest to the middle of what it lies in on its side, else 0."""
         parents = self.structure.parent
         nearest: dict[tuple[int, bool], tuple[float, int]] = {}
         for k, parent in enumerate(parents):
             if self.mirror is not None and parent is not None and self.beside_axis(k):
                 side = parent, bool(self.described.boxes.centres[k].real > self.mirror.x)
                 nearest[side] = min(nearest.get(side, (np.inf, k)), (self._away(k), k))
+        found = {k for _, k in nearest.values()}
         inner = np.zeros(len(parents))
-        inner[[k for _, k in nearest.values()]] = 1.0
+        inner[[k for twins in self.twins if found.issuperset(twins) for k in twins]] = 1.0
         return inner
 
     def undecided(self) -> list[int]:

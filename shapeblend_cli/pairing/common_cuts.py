@@ -41,6 +41,9 @@ found counts where nothing bends, in radians for the whole outline."""
 FIXED = 1e6
 """Weight of the ends of open outlines, in radians."""
 
+SHORTEST_STEP = 1e-15
+"""Steps along outlines, as shares of their length, are at least as long: shorter ones are rounding."""
+
 NEAR = 0.15
 """A place nearer to a vertex than this share of the usual edge is the vertex."""
 
@@ -168,7 +171,7 @@ def _smoothed_path(a: FlatContour, b: FlatContour, dots: IntArray) -> tuple[Floa
         np.asarray(Corners(flat.polygon.vertices, closed).turn)[dots[:, k]] for k, flat in enumerate((a, b))
     ]
     weight = np.where(turns[0] * turns[1] > 0.0, np.minimum(*np.abs(turns)), 0.0)
-    steps = np.diff(middle)
+    steps = np.maximum(np.diff(middle), SHORTEST_STEP)
     weight[: len(steps)] += BASE * steps
     if not closed:
         weight[[0, -1]] = FIXED

@@ -186,8 +186,9 @@ def _best_cut(outline: _Outline, share: float, offset: complex) -> tuple[float, 
     z = outline.polygon.vertices
     ends = np.round(np.linspace(0, len(z), min(ENDS, len(z)), endpoint=False)).astype(np.intp)
     shares, offsets = _halves(z, ends)
-    lengths = np.abs(z[ends][:, None] - z[ends]) / np.sqrt(abs(signed_area(z)))
+    # An outline there and back has no area, and then no cut is finite.
     with np.errstate(divide="ignore", invalid="ignore"):
+        lengths = np.abs(z[ends][:, None] - z[ends]) / np.sqrt(abs(signed_area(z)))
         cosine = (offsets * np.conj(offset)).real / (np.abs(offsets) * abs(offset))
     cost = (
         SHARE_WEIGHT * np.abs(shares - share)
