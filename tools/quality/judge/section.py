@@ -41,18 +41,17 @@ in pairs drawn by lot: {SEEDS[17]} with the seed 17, {SEEDS[18]} with 18. Every 
 and `bat-wing`. Of each pair six blends were drawn (straight, intrinsic, rigid and safe motion; straight and intrinsic
 motion of the paper's correspondence), in shuffled rows without names, and graded from 0 to {BEST} by eye. The judge's
 weights were chosen with earlier blends of the pairs of seed 17 in view, which had been graded before there was a judge;
-when motions had changed, these pairs were graded again in the same way. It was run on those of seed 18 only when they
-had been graded. Pairs drawn twice, and those of which all blends look alike, are left out. The grades are in
-`tools/quality/judge`.
+when motions had changed, these pairs were graded again in the same way. Its numbers for those of seed 18 were looked at
+only when they had been graded. Pairs drawn twice, and those of which all blends were graded alike, are left out. The
+grades are in `tools/quality/judge`.
 
 *auto takes the best*: of how many pairs the one that `auto` takes, of straight, rigid and intrinsic motion, has the
 best grade of the three, where these differ and it takes the same for all shapes; beside it the same for always taking
 one of them. Icons drawn by lot have little in common, and then straight paths are hard to beat; limbs that swing are
-another measure's.
-*Couples in order*: of how many couples of blends of a pair with unlike grades the judge's numbers have the order of
-the grades. *Least of six*: of how many pairs the blend with the least number has the best grade of all six. A blend
-counts only if it still looks as it did when it was graded; others are drawn otherwise today. `make bench-judge`
-measures this alone."""
+another measure's. *Couples in order*: of how many couples of blends of a pair with unlike grades the judge's numbers
+have the order of the grades. *Least of six*: of how many pairs the blend with the least number has the best grade of
+all six. A blend counts only if it still looks as it did when it was graded; others are drawn otherwise today.
+`make bench-judge` measures this alone."""
 
 
 class Graded(NamedTuple):
