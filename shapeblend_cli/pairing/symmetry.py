@@ -4,7 +4,7 @@ The least work does not know that two halves which mirror each other should do t
 through the left half and another way through the right one, and a smile becomes a frown by one corner of the mouth. So
 where both outlines have an axis, and both axes run the same way, the ends of one become the ends of the other, and only
 half of each outline is solved. The other half does the same in the mirror. Where both have two axes, at right angles,
-it is a quarter.
+it is a quarter. A line has an axis if its second half is the mirror image of its first.
 
 Not in the paper.
 """
@@ -51,13 +51,14 @@ NEAR, SAME = 0.3, 1e-9
 
 
 class Axis(NamedTuple):
-    """An axis of a closed outline: its direction, and the places where the outline meets it, as shares of its length.
+    """An axis of an outline: its direction, and the places where the outline meets it, as shares of its length.
 
-    The first end lies further in that direction. The other one is half the outline's length away.
+    The first end lies further in that direction. The other one is half the outline's length away. A line meets its axis
+    in the middle alone.
     """
 
     direction: complex
-    ends: tuple[float, float]
+    ends: tuple[float, ...]
 
     def reversed(self) -> Axis:
         """Return the same axis seen from its other end."""
@@ -65,7 +66,7 @@ class Axis(NamedTuple):
 
 
 class Part(NamedTuple):
-    """A half or a quarter of a closed outline, from one end to the other, forwards, 1, or backwards, -1."""
+    """A half or a quarter of an outline, from one end to the other, forwards, 1, or backwards, -1."""
 
     begin: float
     end: float
@@ -95,7 +96,10 @@ class Parts(NamedTuple):
     vertices: Sequence[IntArray]
 
     def around(self, along: IntArray) -> IntArray:
-        """Return the vertices once round the outline, where on each part one goes through it as `along` says."""
+        """Return the vertices along the whole outline, where on each part one goes through it as `along` says."""
+        if not self.flat.polygon.closed:
+            first, second = self.vertices
+            return np.concatenate([first[along[::-1]], second[along[1:]]])
         # Every second part is gone through from its end, so that each begins where the one before it ends.
         order = (0, 1) if len(self.vertices) == 2 else (0, 2, 3, 1)
         return np.concatenate(
@@ -134,7 +138,7 @@ def solve_with_symmetry(
 
     None without such axes, or if it takes far more work than other matches.
     """
-    axes = common_axes(a.polygon, turned(b.polygon)) if a.polygon.closed else []
+    axes = common_axes(a.polygon, turned(b.polygon))
     if not axes:
         return None
     axes_a, axes_b = zip(*axes, strict=True)
@@ -142,7 +146,7 @@ def solve_with_symmetry(
     def solve_part(p: FlatContour, q: FlatContour, near: IntArray | None = None) -> Solved:
         parts = cut_in_parts(p, axes_a), cut_in_parts(q, axes_b)
         vertices = to_unit_box(parts[0].flat.polygon), to_unit_box(turned(parts[1].flat.polygon))
-        whole = Wires(*vertices, True, settings.constants)
+        whole = Wires(*vertices, a.polygon.closed, settings.constants)
         return parts[0].flat, parts[1].flat, _solve_parts(parts, whole, settings.effort)
 
     cut_a, cut_b, found = solve_with_common_cuts(*solve_part(a, b), solve_part, settings.effort)
@@ -153,7 +157,7 @@ def solve_with_symmetry(
 
 
 def common_axes(a: Polygon, b: Polygon) -> list[tuple[Axis, Axis]]:
-    """Return the axes of two closed polygons that run the same way: one of each, two at right angles, or none.
+    """Return the axes of two polygons that run the same way: one of each, two at right angles, or none.
 
     Upright axes come before others.
     """
@@ -167,11 +171,14 @@ def common_axes(a: Polygon, b: Polygon) -> list[tuple[Axis, Axis]]:
     square = [
         pair for pair in common if abs((pair[0].direction * np.conj(common[0][0].direction)).real) < SQUARE
     ]
-    return common[:1] + square[:1]
+    return common[:1] + square[:1] if a.closed else common[:1]
 
 
 def _axes(polygon: Polygon) -> Iterator[Axis]:
-    """Yield the axes of a closed polygon."""
+    """Yield the axes of a polygon."""
+    if not polygon.closed:
+        yield from _axes_of_line(polygon)
+        return
     outline = from_end_to_end(polygon.vertices, closed=True)
     lengths = cumulative_lengths(outline)
     places = lengths / lengths[-1]
@@ -193,6 +200,18 @@ def _axes(polygon: Polygon) -> Iterator[Axis]:
             yield Axis(along, (float(ends[0]), float(ends[1])))
 
 
+def _axes_of_line(polygon: Polygon) -> Iterator[Axis]:
+    """Yield the axes of an open polygon that take each half to the other one."""
+    lengths = cumulative_lengths(polygon.vertices)
+    even = np.linspace(0.0, 1.0, SAMPLES)
+    points = points_at(even, polygon.vertices, lengths / lengths[-1])
+    middle = points.mean()
+    for along in _directions(points - middle):
+        images = middle + along * along * (points - middle).conj()
+        if np.abs(points[::-1] - images).max() <= TOLERANCE * polygon.box.larger_side:
+            yield Axis(along, (0.5,))
+
+
 def _directions(points: ComplexArray) -> list[complex]:
     """Return the directions in which points about their middle may have an axis."""
     moment = complex((points**2).mean())
@@ -201,15 +220,17 @@ def _directions(points: ComplexArray) -> list[complex]:
 
 
 def cut_in_parts(flat: FlatContour, axes: Sequence[Axis]) -> Parts:
-    """Cut a closed contour where it meets one or two axes of it, and at places that mirror each other.
+    """Cut a contour where it meets one or two axes of it, and at places that mirror each other.
 
     All nodes stay vertices. A node of one part is the mirror image of a node of another one if it is the nearest there,
     and near; else that part gets a vertex. Further vertices are those of the first part.
     """
-    own = flat.lengths[:-1]
+    own = flat.lengths[: len(flat.polygon.vertices)]
     is_node = flat.polygon.parameter == 0.0
     ends = [_at_node(end, own[is_node]) for axis in axes for end in axis.ends]
-    parts = _parts(ends)
+    if not flat.polygon.closed:
+        ends += [0.0, 1.0]
+    parts = _parts(ends, flat.polygon.closed)
     shares = np.stack([part.shares(own) for part in parts], axis=1)
     within = (shares > SAME) & (shares < 1.0 - SAME)
 
@@ -242,8 +263,14 @@ def _at_node(place: float, nodes: FloatArray) -> float:
     return float(nodes[away.argmin()]) if away.min() <= 0.5 * TOLERANCE else place
 
 
-def _parts(ends: Sequence[float]) -> list[Part]:
-    """Return the parts between the ends of one or two axes, each a mirror image of the first one or that turned."""
+def _parts(ends: Sequence[float], closed: bool) -> list[Part]:
+    """Return the parts between the ends of one or two axes, each a mirror image of the first one or that turned.
+
+    Of a line these are the place in the middle, its beginning and its end.
+    """
+    if not closed:
+        middle, begin, end = ends
+        return [Part(middle, begin, -1), Part(middle, end, 1)]
     front, back = ends[:2]
     if len(ends) == 2:
         return [Part(front, back, 1), Part(front, back, -1)]
@@ -285,7 +312,7 @@ def _cut(
     flat: FlatContour, ends: Sequence[float], parts: Sequence[Part], at: Sequence[FloatArray], kept: IntArray
 ) -> Parts:
     """Cut a contour at the ends of parts and at places on each; kept are the numbers of vertices already there."""
-    polygon, own = flat.polygon, flat.lengths[:-1]
+    polygon, own = flat.polygon, flat.lengths[: len(flat.polygon.vertices)]
     places = np.concatenate([ends, *at])
     at_ends = [np.flatnonzero(own == end) for end in ends]
     vertex = np.concatenate([[found[0] if len(found) else -1 for found in at_ends], kept.T.ravel()]).astype(
@@ -303,7 +330,7 @@ def _cut(
     first, last = (
         [number[ends.index(end)] for end in some] for some in zip(*(part[:2] for part in parts), strict=True)
     )
-    cut = Polygon(points[order], segment[order], parameter[order], True)
+    cut = Polygon(points[order], segment[order], parameter[order], polygon.closed)
     return Parts(
         replace(flat, polygon=cut),
         [np.concatenate([[first[k]], inner[k], [last[k]]]) for k in range(len(parts))],
@@ -321,16 +348,17 @@ def _solve_parts(parts: tuple[Parts, Parts], whole: Wires, effort: str) -> Corre
     ]
     found = least_work(Wires(first[0], first[1], False, whole.constants), Search(effort=effort))
     dots = np.stack([side.around(found.dots[:, k]) for k, side in enumerate(parts)], axis=1)
-    dots = from_column_0(dots)
+    if whole.closed:
+        dots = from_column_0(dots)
     price = whole.path_work(dots)
     return replace(
         found,
         dots=dots,
-        closed=True,
+        closed=whole.closed,
         stretching=price.stretching,
         bending=price.bending,
         travel=price.travel,
         lower_bound=0.0,
         zero_angles=price.zero_angles,
-        diagonal_deviation=diagonal_deviation(dots, whole.m, whole.n, True),
+        diagonal_deviation=diagonal_deviation(dots, whole.m, whole.n, whole.closed),
     )

@@ -49,7 +49,7 @@ def blended(a, b, tmp_path, **options):
 def off_mirror(path, level=False):
     """How far the mirror image of a path is from it, as a share of its size."""
     fine = np.concatenate(
-        [cubics.evaluate(path.segments, np.full(len(path.segments), u)) for u in np.arange(40) / 40]
+        [cubics.evaluate(path.segments, np.full(len(path.segments), u)) for u in np.arange(41) / 40]
     )
     if level:
         fine = fine * 1j
@@ -68,6 +68,30 @@ def test_what_has_an_upright_axis_at_both_ends_has_it_on_the_way(a, b, tmp_path)
     for first, second in ((a, b), (b, a)):
         shape = blended(first, second, tmp_path, motion=motion)
         assert max(off_mirror(paths_at(shape, t)[0]) for t in TIMES) < 0.02
+
+
+LINES = {
+    "V": "M20 20L50 80L80 20",
+    "U": "M20 20V50A30 30 0 0 0 80 50V20",
+    "smile": "M20 50Q50 80 80 50",
+    "frown": "M20 70C35 40 65 40 80 70",
+    "hat": "M10 70H30V20H70V70H90",
+}
+
+
+@pytest.mark.parametrize(("a", "b"), [("V", "U"), ("smile", "frown"), ("hat", "V"), ("U", "hat")])
+@pytest.mark.parametrize("motion", ["auto", "linear"])
+def test_a_line_that_mirrors_itself_at_both_ends_does_so_on_the_way(a, b, motion, tmp_path):
+    files = []
+    for name in (a, b):
+        file = tmp_path / f"{name}.svg"
+        file.write_text(svg(f'<path d="{LINES[name]}" fill="none" stroke="#000"/>'))
+        files.append(read(str(file)))
+    for pair in (files, files[::-1]):
+        (shape,) = pair_of(*pair, motion=motion).shapes
+        assert max(off_mirror(paths_at(shape, t)[0]) for t in TIMES) < 0.02
+        contour = shape.contours[0].correspondence
+        assert contour.lower_bound <= contour.work * (1 + 1e-9)
 
 
 @pytest.mark.parametrize("vertices", [50, 400])
