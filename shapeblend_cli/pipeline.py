@@ -21,6 +21,7 @@ from shapeblend_cli.motion.choose import (
     LEADS,
     MANY,
     RIGHT,
+    TINY,
     RotatedShape,
     best_motion,
     moved_as_asked,
@@ -57,6 +58,10 @@ if TYPE_CHECKING:
 AFFORDABLE_SEGMENTS = 2000
 """Once several motions have been tried on shapes of so many segments, further ones move straight. That takes
 a few seconds; a drawing of hundreds of shapes would take minutes."""
+
+
+SMALL = 0.05
+"""Shapes of less than this share of the largest one's size move straight: how they turn is hardly seen."""
 
 
 def match_all(
@@ -278,6 +283,7 @@ def _move(paired: _PairedDrawings, shapes: Sequence[ShapeBlend], view: Box) -> t
         shared = shared_alignments(shapes)
     moved: dict[int, ShapeBlend] = {}
     affordable = AFFORDABLE_SEGMENTS
+    largest = max((shape.size for shape in shapes), default=0.0)
     # The largest first, as what is wrong with them is seen most.
     for k in sorted(range(len(shapes)), key=lambda k: -shapes[k].size):
         matched = shapes[k]
@@ -292,6 +298,8 @@ def _move(paired: _PairedDrawings, shapes: Sequence[ShapeBlend], view: Box) -> t
             moved[k] = turned(_rotated(paired, matched, shape, shared[k]))
         elif paired.leads(shape):
             moved[k] = shape._replace(reason=LEADS)
+        elif shape.size < SMALL * largest:
+            moved[k] = shape._replace(reason=TINY)
         elif affordable <= 0:
             moved[k] = shape._replace(reason=MANY)
         else:

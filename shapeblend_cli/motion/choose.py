@@ -23,6 +23,7 @@ RIGHT_ENOUGH = "little is wrong with it"
 STILL = "what is the same stays"
 FOLLOWS, GROWS = "it goes where the edge goes that it lies on", "a point at one end"
 LEADS = "straight, as strokes on its edges go with it"
+TINY = "too small to be seen to turn"
 MANY = "too many shapes to try other motions on each"
 
 RIGHT = 0.01
