@@ -254,13 +254,14 @@ def _area_lost(areas: FloatArray) -> float:
 
 
 class _Regions:
-    """The areas of closed outlines at all times, on grids."""
+    """The areas of closed outlines at all times, on grids; `own` are those around each time's own box."""
 
     def __init__(self, outlines: Outlines) -> None:
         closed = outlines.closed
         self.starts = outlines.points[:, closed]
         self.ends = outlines.points[:, outlines.following[closed]]
         self.boxes = [Box.around(points) for points in self.starts]
+        self.own = [self.grid(k, box) if box.larger_side > 0.0 else None for k, box in enumerate(self.boxes)]
 
     def grid(self, k: int, box: Box) -> tuple[IntArray, float]:
         """Return winding numbers at time k, on a grid around the middle of a box, and the area of its elements."""
@@ -280,9 +281,9 @@ class _Regions:
     def folds(self) -> float:
         """Return the area with winding numbers that a painted region does not have, beyond that at the ends."""
         wrong = np.zeros(STEPS + 1)
-        for k, box in enumerate(self.boxes):
-            if box.larger_side > 0.0:
-                numbers, element = self.grid(k, box)
+        for k, own in enumerate(self.own):
+            if own is not None:
+                numbers, element = own
                 numbers = -numbers if numbers.sum() < 0 else numbers
                 wrong[k] = element * np.count_nonzero((numbers < 0) | (numbers > 1))
         return float(np.maximum(wrong - max(wrong[0], wrong[-1]), 0.0)[INNER].mean())
@@ -295,10 +296,10 @@ class _Regions:
         return float(np.mean([max(self._mirrored(k) - ends, 0.0) for k in range(1, STEPS)]))
 
     def _mirrored(self, k: int) -> float:
-        box = self.boxes[k]
-        if box.larger_side == 0.0:
+        own = self.own[k]
+        if own is None:
             return 1.0
-        filled = self.grid(k, box)[0] != 0
+        filled = own[0] != 0
         return 0.5 * float(np.count_nonzero(filled != filled[:, ::-1])) / max(int(filled.sum()), 1)
 
 
@@ -327,14 +328,14 @@ def _widths_off(points: ComplexArray, place: FloatArray, lengths: FloatArray, cl
     along = np.abs(place[:, None] - place)
     if closed:
         along = np.minimum(along, 1.0 - along)
-    across = np.abs(points[:, :, None] - points[:, None, :])
     off = 0.0
     for end in (0, -1):
         length = float(lengths[end].sum())
-        width = np.where(along * length > LEAST_ARC * across[end], across[end], np.inf)
+        across = np.abs(points[end, :, None] - points[end])
+        width = np.where(along * length > LEAST_ARC * across, across, np.inf)
         opposite = width.argmin(axis=1)
         probe = np.flatnonzero(width[np.arange(len(place)), opposite] < MOST_CHORD * length)
-        widths = across[:, probe, opposite[probe]]
+        widths = np.abs(points[:, probe] - points[:, opposite[probe]])
         thin, fat = np.minimum(widths[0], widths[-1]), np.maximum(widths[0], widths[-1])
         wrong = np.maximum(thin - widths, 0.0) + np.minimum(np.maximum(widths - fat, 0.0), fat)
         off += float(wrong[INNER].mean(axis=0).sum())

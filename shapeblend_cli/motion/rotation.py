@@ -48,9 +48,10 @@ def rotation_between(a: Polygon, b: Polygon) -> float | None:
     if _spread_differently(p, q):
         return None
     if a.closed:
-        starts = np.arange(SAMPLES)
         # Summed here, since numpy.fft takes longer to import.
-        common = q[(starts[:, None] + starts) % SAMPLES] @ p.conj() / SAMPLES
+        round_twice = np.concatenate([q, q[:-1]])
+        begun = np.ascontiguousarray(np.lib.stride_tricks.sliding_window_view(round_twice, SAMPLES))
+        common = begun @ p.conj() / SAMPLES
     else:
         common = np.stack([q, q[::-1]]) @ p.conj() / SAMPLES
     size_a, size_b = (float(np.sqrt((np.abs(z) ** 2).mean())) for z in (p, q))

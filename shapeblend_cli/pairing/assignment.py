@@ -334,7 +334,7 @@ def _twins_with_twins(excess: FloatArray, focus: FloatArray, a: IntArray, b: Int
     crossed = excess[np.ix_(a[:, 0], b[:, 1])] + excess[np.ix_(a[:, 1], b[:, 0])] + 2.0 * SIDE_COST
     together = np.minimum(straight, crossed) / 2.0 - TWIN_GAIN
     value = _values(excess, focus)
-    others = [np.setdiff1d(np.arange(n), twins) for n, twins in zip(value.shape, (a, b), strict=True)]
+    others = [np.delete(np.arange(n), twins.ravel()) for n, twins in zip(value.shape, (a, b), strict=True)]
     units = np.block(
         [
             [2.0 * _values(together, focus[np.ix_(a[:, 0], b[:, 0])]), value[a][:, :, others[1]].min(axis=1)],

@@ -70,7 +70,8 @@ def _opened(
     edge, inner = ring.polygon.vertices, hole.polygon.vertices
     if hole.area < LEAST_HOLE * ring.area:
         return ring
-    ends = np.unique(np.linspace(0, len(inner), PLACES, endpoint=False).astype(np.intp))
+    ends = np.linspace(0, len(inner), PLACES, endpoint=False).astype(np.intp)
+    ends = ends[np.diff(ends, prepend=-1) > 0]
     across = np.abs(edge[:, None] - inner[ends])
     starts = across.argmin(axis=0)
     widths = across.min(axis=0)

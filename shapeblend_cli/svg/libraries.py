@@ -1,9 +1,9 @@
 """svgpathtools and svgwrite, imported without modules that cost more time than the two themselves.
 
 Both import modules for features this program does not use: `scipy.integrate` for the length of an arc, `urllib.request`
-to embed web fonts, `webbrowser` and `tempfile` to show a drawing, `xml.dom.minidom` to read one, and
-`svgwrite.data.svgparser`, the regular expressions of a validator that is switched off. During the import each is
-replaced by a stand-in, which imports the real module when one of its functions is called.
+to embed web fonts, `webbrowser` and `tempfile` to show a drawing, `xml.dom.minidom` to read one, and of a validator
+that is switched off `svgwrite.data.svgparser`, its regular expressions, and `svgwrite.data.tiny12`, what SVG Tiny has.
+During the import each is replaced by a stand-in, which imports the real module when one of its functions is called.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 _PUT_OFF = (
     "scipy.integrate",
     "svgwrite.data.svgparser",
+    "svgwrite.data.tiny12",
     "tempfile",
     "urllib.request",
     "webbrowser",
