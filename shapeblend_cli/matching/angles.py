@@ -557,8 +557,10 @@ class TurnBending(Bending):
             work[k, DS] += other_beside
             work[k, DD] += self._of_change(turn - other, weight)
             if has_price:
-                work[k, EE] += self._price_inside_run(p, i, q, j)
-                work[k, SS] += self._price_inside_run(q, j, p, i)
+                if not _stays_off_zero(_inside_run(p, i, q, j)):
+                    work[k, EE] += self._price_inside_run(p, i, q, j)
+                if not _stays_off_zero(_inside_run(q, j, p, i)):
+                    work[k, SS] += self._price_inside_run(q, j, p, i)
             if has_price and not _all_ahead(p.heading[i], turn, q.heading[j], other):
                 work[k, ED] += self._price_at_run(p.theta[i], _turns_out_of_run(p, i, q, j))
                 work[k, DE] += self._price_at_run(p.theta[i], _turns_into_run(p, i, q, j))
@@ -583,11 +585,9 @@ class TurnBending(Bending):
     def _price_inside_run(
         self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t
     ) -> cython.double:
-        """Return p_b if theta reaches zero among coincident vertices of q, else 0."""
+        """Return p_b if theta reaches zero among coincident vertices of q, else 0; not all control points are ahead."""
         curve: Curve = _inside_run(p, i, q, j)
         x0, y0, x1, y1 = curve.x0, curve.y0, curve.x1, curve.y1  # type: ignore[attr-defined]
-        if _stays_off_zero(curve):
-            return 0.0
         # From Q0 to Q1 theta goes the short way, and from there on to pi.
         across: cython.double = x0 * fabs(y1) + x1 * fabs(y0)
         size: cython.double = (

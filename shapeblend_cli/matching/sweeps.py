@@ -218,7 +218,7 @@ def sweep(
     cython.declare(new_first=cython.Py_ssize_t, new_last=cython.Py_ssize_t)
     cython.declare(w_e=cython.double, w_s=cython.double, w_d=cython.double, leaving_south=cython.double)
     cython.declare(by_e=cython.double, by_s=cython.double, by_d=cython.double)
-    cython.declare(parent_e=cython.int, parent_s=cython.int, parent_d=cython.int)
+    cython.declare(parent_e=cython.int, parent_s=cython.int, parent_d=cython.int, alive=cython.bint)
     column: cython.Py_ssize_t = progress.column
     g: cython.Py_ssize_t = 0
 
@@ -258,7 +258,8 @@ def sweep(
                 if w_d + to_go[g, SOUTHEAST] >= limit:
                     w_d = INFINITY
                 g += 1
-            if w_e < INFINITY or w_s < INFINITY or w_d < INFINITY:
+            alive = w_e < INFINITY or w_s < INFINITY or w_d < INFINITY
+            if alive:
                 if new_first < 0:
                     new_first = r
                 new_last = r
@@ -277,32 +278,37 @@ def sweep(
                 else:  # eq 28
                     w_e = w_s = INFINITY
 
-            # Leaving Southeast, after any step.
-            by_e = w_e + bends[k, ED]
-            by_s = w_s + bends[k, SD]
-            by_d = w_d + bends[k, DD]
-            parent_d = SOUTHEAST
-            if by_d > by_e or by_d > by_s:
-                parent_d = SOUTH if by_s < by_e else EAST
-                by_d = min(by_e, by_s)
-            leaving[current + 1, r - base] = by_d + southeast[k]
-            # Leaving South, after South or Southeast.
-            by_s = w_s + bends[k, SS]
-            by_d = w_d + bends[k, DS]
-            parent_s = SOUTH
-            if by_d < by_s:
-                by_s = by_d
-                parent_s = SOUTHEAST
-            leaving_south = by_s + south[j] * weight[i]
-            # Leaving East, after East or Southeast.
-            by_e = w_e + bends[k, EE]
-            by_d = w_d + bends[k, DE]
-            parent_e = EAST
-            if by_d < by_e:
-                by_e = by_d
-                parent_e = SOUTHEAST
-            leaving[current, r - base] = by_e + east[i]
-            parents[parent_offset[c] + r - low[c]] = parent_d << 4 | parent_s << 2 | parent_e
+            if alive:
+                # Leaving Southeast, after any step.
+                by_e = w_e + bends[k, ED]
+                by_s = w_s + bends[k, SD]
+                by_d = w_d + bends[k, DD]
+                parent_d = SOUTHEAST
+                if by_d > by_e or by_d > by_s:
+                    parent_d = SOUTH if by_s < by_e else EAST
+                    by_d = min(by_e, by_s)
+                leaving[current + 1, r - base] = by_d + southeast[k]
+                # Leaving South, after South or Southeast.
+                by_s = w_s + bends[k, SS]
+                by_d = w_d + bends[k, DS]
+                parent_s = SOUTH
+                if by_d < by_s:
+                    by_s = by_d
+                    parent_s = SOUTHEAST
+                leaving_south = by_s + south[j] * weight[i]
+                # Leaving East, after East or Southeast.
+                by_e = w_e + bends[k, EE]
+                by_d = w_d + bends[k, DE]
+                parent_e = EAST
+                if by_d < by_e:
+                    by_e = by_d
+                    parent_e = SOUTHEAST
+                leaving[current, r - base] = by_e + east[i]
+                parents[parent_offset[c] + r - low[c]] = parent_d << 4 | parent_s << 2 | parent_e
+            else:
+                leaving[current + 1, r - base] = INFINITY
+                leaving[current, r - base] = INFINITY
+                leaving_south = INFINITY
             r += 1
             j += 1
             if j == n:

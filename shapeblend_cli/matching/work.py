@@ -14,7 +14,7 @@ The constants of a preset leave all of that out.
 
 from __future__ import annotations
 
-from functools import cached_property
+from functools import cached_property, lru_cache, partial
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -27,6 +27,8 @@ from shapeblend_cli.matching.tables import Tables, Window
 from shapeblend_cli.matching.travel import Stations, add_travel, places
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
 STRETCHING_DOTS = 1 << 18
@@ -101,7 +103,9 @@ class Wire(NamedTuple):
     @classmethod
     def of(cls, vertices: ComplexArray, closed: bool, constants: WorkConstants) -> Wire:
         """Look at a polygon as the constants say."""
-        smooth = smoothed(vertices, closed, constants.smoothing) if constants.smoothing else vertices
+        smooth = vertices
+        if constants.smoothing:
+            smooth = _smoothed(np.asarray(vertices, np.complex128).tobytes(), closed, constants.smoothing)
         return cls(vertices, smooth, places(vertices))
 
     def at(self, places: FloatArray) -> Wire:
@@ -113,6 +117,12 @@ class Wire(NamedTuple):
     def beginning_at(self, i: int) -> Wire:
         """Return the same closed wire with another first vertex."""
         return Wire(*(np.concatenate([points[i:], points[:i]]) for points in self))
+
+
+@lru_cache(maxsize=64)
+def _smoothed(vertices: bytes, closed: bool, sigma: float) -> ComplexArray:
+    """Return `smoothed` vertices; the same polygon is matched more than once, near a path and then everywhere."""
+    return smoothed(np.frombuffer(vertices, np.complex128), closed, sigma)
 
 
 class Wires:
@@ -156,6 +166,10 @@ class Wires:
         """The angles of the second wire."""
         return Corners(self.p1, self.closed)
 
+    @property
+    def _corners(self) -> tuple[Corners, Corners]:
+        return self.corners0, self.corners1
+
     @cached_property
     def _smooth_corners(self) -> tuple[Corners, Corners]:
         first, second = self.wires
@@ -193,7 +207,9 @@ class Wires:
             work = stretching_work(self.len0[i], self.len1[j % self.n], self.constants) * self.edge_weight[i]
             first = int(window.column_offset[part.start])
             southeast[first : first + work.size] = work.ravel()
-        bends = self._bends(columns, window, self.constants)
+        bends = np.zeros((window.dots, 7))
+        self._add_bending(columns, window, bends)
+        self._add_travel(columns, window, bends)
         if not self.closed:
             if columns[0] == 0 and window.low[0] == 0:
                 bends[0] = 0.0
@@ -210,25 +226,31 @@ class Wires:
             bends=bends,
         )
 
-    def _bends(self, columns: IntArray, window: Window, c: WorkConstants) -> FloatArray:
-        """Price the dots of a window, whose columns are these vertices of the first wire, for each bend there."""
-        bends = np.zeros((window.dots, 7))
-        weight = self.weight[columns]
-
-        def add(p: Corners, q: Corners, k_b: float, p_b: float) -> None:
-            kind = (
-                PaperBending(k_b, c.m_b, c.e_b, p_b) if c.bending == "paper" else TurnBending(k_b, c.e_b, p_b)
-            )
-            fill_bends(p, q, kind, columns, weight, window, bends)
-
+    def _add_bending(self, columns: IntArray, window: Window, bends: FloatArray) -> None:
+        """Add the bending work of the dots of a window, whose columns are these vertices of the first wire."""
+        c = self.constants
         smooth = c.k_b * SMOOTH_SHARE if c.smoothing else 0.0
         if c.k_b or c.p_b:
-            add(self.corners0, self.corners1, c.k_b - smooth, c.p_b)
+            self._fill(self._corners, c.k_b - smooth, c.p_b, columns, window, bends)
         if smooth:
-            add(*self._smooth_corners, smooth, 0.0)
-        if c.k_t:
-            add_travel(*self._stations, c.k_t, columns, window, bends)
-        return bends
+            self._fill(self._smooth_corners, smooth, 0.0, columns, window, bends)
+
+    def _fill(
+        self,
+        corners: tuple[Corners, Corners],
+        k_b: float,
+        p_b: float,
+        columns: IntArray,
+        window: Window,
+        bends: FloatArray,
+    ) -> None:
+        c = self.constants
+        kind = PaperBending(k_b, c.m_b, c.e_b, p_b) if c.bending == "paper" else TurnBending(k_b, c.e_b, p_b)
+        fill_bends(*corners, kind, columns, self.weight[columns], window, bends)
+
+    def _add_travel(self, columns: IntArray, window: Window, bends: FloatArray) -> None:
+        if self.constants.k_t:
+            add_travel(*self._stations, self.constants.k_t, columns, window, bends)
 
     def path_work(self, dots: IntArray) -> PathWork:
         """Price a given path by the equations, without a graph.
@@ -244,19 +266,19 @@ class Wires:
             A step is not East, South or Southeast, or a turn of 90 degrees.
         """
         start, moves, at, kinds = self._path(dots)
-        bending = self._bends_along(at, kinds, k_t=0.0)
-        travel = self._bends_along(at, kinds, k_b=0.0, p_b=0.0)
-        zeros = self._bends_along(at, kinds, k_b=0.0, p_b=1.0, k_t=0.0)
         stiff = np.where(moves[:, 0] > 0, self.edge_weight[start[:, 0]], self.weight[start[:, 0]])
         stretching = stiff * stretching_work(
             self.len0[start[:, 0]] * moves[:, 0], self.len1[start[:, 1]] * moves[:, 1], self.constants
+        )
+        bending, travel, zeros = self._bends_along(
+            at, kinds, self._add_bending, self._add_travel, partial(self._fill, self._corners, 0.0, 1.0)
         )
         return PathWork(float(stretching.sum()), float(bending.sum()), float(travel.sum()), int(zeros.sum()))
 
     def bends_on(self, dots: IntArray) -> tuple[IntArray, IntArray, FloatArray]:
         """Return the dots of a path (see `path_work`) that have an angle, their bends, and the bending work of each."""
         _, _, at, kinds = self._path(dots)
-        return at, kinds, self._bends_along(at, kinds, k_t=0.0)
+        return at, kinds, self._bends_along(at, kinds, self._add_bending)[0]
 
     def _path(self, dots: IntArray) -> tuple[IntArray, IntArray, IntArray, IntArray]:
         """Return the dots that steps leave, and the steps; the dots that have an angle, and their bends."""
@@ -275,10 +297,16 @@ class Wires:
             )
         return start, moves, at, kinds
 
-    def _bends_along(self, at: IntArray, kinds: IntArray, **changes: float) -> FloatArray:
-        """Price a bend of each dot, with other constants."""
-        if not len(at):
-            return np.zeros(0)
-        columns, rows = at[:, 0].copy(), at[:, 1].copy()
-        constants = self.constants.replace(**changes)
-        return self._bends(columns, Window.between(rows, rows), constants)[np.arange(len(at)), kinds]
+    def _bends_along(
+        self, at: IntArray, kinds: IntArray, *parts: Callable[[IntArray, Window, FloatArray], None]
+    ) -> FloatArray:
+        """Price a bend of each dot, for each part of the work: (parts, dots)."""
+        found = np.zeros((len(parts), len(at)))
+        if len(at):
+            columns, rows = at[:, 0].copy(), at[:, 1].copy()
+            window, dot = Window.between(rows, rows), np.arange(len(at))
+            for part, work in zip(parts, found, strict=True):
+                bends = np.zeros((len(at), 7))
+                part(columns, window, bends)
+                work[:] = bends[dot, kinds]
+        return found
