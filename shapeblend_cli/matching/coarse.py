@@ -70,6 +70,7 @@ class Problem(NamedTuple):
     solver: str = "exact"
     watch: Callable[[float], None] = lambda share: None
     near: IntArray | None = None
+    known: float = np.inf
 
 
 def solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[Path | None, float]:
@@ -158,9 +159,10 @@ def _search(problem: Problem, region: Window, pins: list[Dot] | None) -> tuple[P
     graph.forbid([(c, r) for c, r in past if 0 <= c < m and 0 <= r < n])
     if problem.solver == "simplified":
         find = starts.simplified_of_all if pins is None else starts.simplified_from
-    else:
-        find = starts.least_of_all if pins is None else starts.least_from
-    return find(graph), graph
+        return find(graph), graph
+    if pins is None:
+        return starts.least_of_all(graph, problem.known) or starts.least_of_all(graph), graph
+    return starts.least_from(graph), graph
 
 
 def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Graph]:
@@ -178,6 +180,7 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Grap
             wires.wires[0].at(at0), wires.wires[1].at(at1), wires.closed, wires.constants, wires.weight[kept0]
         ),
         watch=lambda share: watch(share / FACTOR),
+        known=np.inf,
     )
     problem = problem._replace(watch=lambda share: watch((1.0 + (FACTOR - 1.0) * share) / FACTOR))
     coarse_pins = None

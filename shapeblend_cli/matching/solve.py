@@ -46,6 +46,8 @@ class Search(NamedTuple):
     near : (m,) int, optional
         Roughly which vertex of the second polygon corresponds to each of the first. Only paths that keep near that are
         searched, whatever the effort.
+    known : float
+        The work of some path among those that are searched: only others that take less need be looked for, and it.
     """
 
     start: Dot | None = None
@@ -54,6 +56,7 @@ class Search(NamedTuple):
     solver: str = "exact"
     effort: str = "auto"
     near: IntArray | None = None
+    known: float = np.inf
 
 
 EVERYWHERE = Search()
@@ -105,6 +108,7 @@ def least_work(
         solver=search.solver,
         watch=watch or (lambda share: None),
         near=near,
+        known=search.known,
     )
     limit = EXACT_DOTS[search.effort]
     if search.solver == "simplified":  # it works on tables that are all there

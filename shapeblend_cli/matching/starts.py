@@ -37,6 +37,10 @@ SLACKS = (0.02, 0.2)
 """How far above its lower bound a first closed path is looked for, as a share, before it is looked for anywhere."""
 
 
+KNOWN = 1e-9
+"""A work that is known may be off by so much, or by so large a share: it was added up in another order."""
+
+
 def least_from(graph: Graph) -> Path | None:
     """Find the least path from the first dot of the region: back to it when closed, to the other ends when open."""
     row = int(graph.region.low[0])
@@ -46,27 +50,28 @@ def least_from(graph: Graph) -> Path | None:
     return Path(found[1], found[0], graph.sweeps) if found else None
 
 
-def least_of_all(graph: Graph) -> Path | None:
-    """Find the least closed path over all starts in the region's column 0."""
+def least_of_all(graph: Graph, known: float = np.inf) -> Path | None:
+    """Find the least closed path over all starts in the region's column 0, where one is known to take so much work."""
     first = int(graph.region.low[0])
     bounds = graph.bound_starts()
     if bounds is None:
         last = min(int(graph.region.high[0]), first + graph.wires.n - 1)
         return _branch_and_bound(graph, [Starts(0.0, first, last, ENTERING)], np.inf)
 
-    # A first closed path from the most promising start, looked for close above its bound first: the closer, the
-    # fewer dots a sweep visits.
     row = int(bounds.argmin())
     lowest = float(bounds[row])
     if not np.isfinite(lowest):
         return None
-    limits = [lowest + slack * max(lowest, 1.0) for slack in SLACKS] + [np.inf]
-    best = None
-    for limit in limits:
-        best = best or _branch_and_bound(graph, [Starts(lowest, first + row, first + row, ENTERING)], limit)
+    best, limit = None, known + KNOWN * max(known, 1.0)
+    if known == np.inf:
+        # A first closed path from the most promising start, looked for close above its bound first: the closer, the
+        # fewer dots a sweep visits.
+        likely = [Starts(lowest, first + row, first + row, ENTERING)]
+        for most in [lowest + slack * max(lowest, 1.0) for slack in SLACKS] + [np.inf]:
+            best = best or _branch_and_bound(graph, likely, most)
+        limit = best.work * (1.0 - ROUNDING) if best else np.inf
 
     # Then runs of neighbouring rows that could still do better.
-    limit = best.work * (1.0 - ROUNDING) if best else np.inf
     rows = np.flatnonzero(bounds < limit)
     runs = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1) if len(rows) else []
     sets = [Starts(float(bounds[r].min()), first + int(r[0]), first + int(r[-1]), ENTERING) for r in runs]

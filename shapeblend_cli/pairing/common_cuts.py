@@ -96,7 +96,7 @@ def solve_with_common_cuts(
     a: FlatContour,
     b: FlatContour,
     found: Correspondence,
-    solve: Callable[[FlatContour, FlatContour, IntArray | None], Solved],
+    solve: Callable[[FlatContour, FlatContour, IntArray | None, float], Solved],
     effort: str,
 ) -> Solved:
     """Cut two outlines where they correspond and solve again near that, until the work stops falling.
@@ -112,7 +112,8 @@ def solve_with_common_cuts(
         Of their polygons.
     solve : callable
         Finds the correspondence of polygons of these contours; near a vertex of the second for each of the first, if
-        that is given. Returns it after the contours, whose polygons it may have changed.
+        that is given; and may count on that some correspondence takes a given work. Returns it after the contours,
+        whose polygons it may have changed.
     effort : {'auto', 'exact', 'fast'}
         See `Search`.
 
@@ -123,14 +124,14 @@ def solve_with_common_cuts(
     correspondence : Correspondence
         Of these two.
     """
-    solved = solve(*common_cuts(a, b, (a, b), found))
+    solved = solve(*common_cuts(a, b, (a, b), found), np.inf)
     for _ in range(ROUNDS - 1):
-        again = solve(*common_cuts(a, b, solved[:2], solved[2]))
+        again = solve(*common_cuts(a, b, solved[:2], solved[2]), np.inf)
         if again[2].work >= solved[2].work:
             break
         solved = again
     if is_proven(len(solved[0].polygon.vertices), len(solved[1].polygon.vertices), effort):
-        solved = solve(*solved[:2], None)
+        solved = solve(*solved[:2], None, solved[2].work)
     return solved
 
 

@@ -60,9 +60,14 @@ def match_contours(
         flat_b = FlatContour(reverse_contour(b.contour), reverse_polygon(b.polygon, len(b.contour.segments)))
 
     def solve_again(
-        p: FlatContour, q: FlatContour, near: IntArray | None = None, required: Constraints = free
+        p: FlatContour,
+        q: FlatContour,
+        near: IntArray | None = None,
+        known: float = np.inf,
+        required: Constraints = free,
     ) -> Solved:
-        return p, q, solve(p.polygon, _rotated_back(q.polygon, rotation), settings, required, near=near)
+        directed = _rotated_back(q.polygon, rotation)
+        return p, q, solve(p.polygon, directed, settings, required, near=near, known=known)
 
     if settings.makes_common_cuts:
         turned = partial(_rotated_back, rotation=rotation)

@@ -57,8 +57,12 @@ def solve(
     constraints: Constraints,
     watch: Watch | None = None,
     near: IntArray | None = None,
+    known: float = np.inf,
 ) -> Correspondence:
-    """Solve as polygons run, or only near a path (see `Search`). Constraints that cannot be met raise a MatchError."""
+    """Solve as polygons run, or only near a path, or knowing the work of one (see `Search`).
+
+    Constraints that cannot be met raise a MatchError.
+    """
     wires = Wires(to_unit_box(a), to_unit_box(b), a.closed, settings.constants, stiffness(a, settings))
     search = Search(
         start=constraints.start,
@@ -67,6 +71,7 @@ def solve(
         solver=settings.solver,
         effort=settings.effort,
         near=near,
+        known=known,
     )
     return least_work(wires, search, watch)
 

@@ -112,7 +112,7 @@ def solve_with_symmetry(
     b: FlatContour,
     first: Correspondence,
     turned: Callable[[Polygon], Polygon],
-    solve: Callable[[FlatContour, FlatContour], Solved],
+    solve: Callable[[FlatContour, FlatContour, IntArray | None, float], Solved],
     settings: Settings,
 ) -> Solved | None:
     """Solve two contours that have an axis each, with common cuts, such that both halves do the same.
@@ -126,7 +126,7 @@ def solve_with_symmetry(
     turned : callable
         Returns B's polygons as they are solved, perhaps rotated back.
     solve : callable
-        Finds the least work, whatever becomes of the axes.
+        Finds the least work, whatever becomes of the axes; see `solve_with_common_cuts`.
     settings : Settings
 
     Returns
@@ -143,14 +143,16 @@ def solve_with_symmetry(
         return None
     axes_a, axes_b = zip(*axes, strict=True)
 
-    def solve_part(p: FlatContour, q: FlatContour, near: IntArray | None = None) -> Solved:
+    def solve_part(
+        p: FlatContour, q: FlatContour, near: IntArray | None = None, known: float = np.inf
+    ) -> Solved:
         parts = cut_in_parts(p, axes_a), cut_in_parts(q, axes_b)
         vertices = to_unit_box(parts[0].flat.polygon), to_unit_box(turned(parts[1].flat.polygon))
         whole = Wires(*vertices, a.polygon.closed, settings.constants)
         return parts[0].flat, parts[1].flat, _solve_parts(parts, whole, settings.effort)
 
     cut_a, cut_b, found = solve_with_common_cuts(*solve_part(a, b), solve_part, settings.effort)
-    least = solve(cut_a, cut_b)[2]
+    least = solve(cut_a, cut_b, None, found.work)[2]
     if found.work > MOST * min(first.work, least.work) + NOISE:
         return None
     return cut_a, cut_b, replace(found, lower_bound=min(least.lower_bound, found.work))

@@ -135,3 +135,18 @@ def test_where_no_path_is_near_what_is_required_all_are_searched():
     found = find_least(p0, p1, near=near, **required)
     assert {(0, 0), (30, 70)} <= set(map(tuple, found.dots.tolist()))
     assert found.work >= find_least(p0, p1, **required).work * (1 - 1e-12)
+
+
+@pytest.mark.parametrize("share", [1.0, 1.01, 2.0])
+def test_knowing_the_work_of_a_path_changes_nothing_but_the_time(rng, share):
+    p0, p1 = wavy(90, 3), star_polygon(rng, 40)
+    least = find_least(p0, p1)
+    found = find_least(p0, p1, known=share * least.work)
+    assert np.array_equal(found.dots, least.dots)
+    assert (found.work, found.lower_bound) == (least.work, least.lower_bound)
+
+
+def test_what_no_path_takes_is_not_taken_for_known():
+    p0, p1 = wavy(90, 3), wavy(80, 4)
+    least = find_least(p0, p1)
+    assert np.array_equal(find_least(p0, p1, known=0.5 * least.work).dots, least.dots)

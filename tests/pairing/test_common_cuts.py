@@ -70,7 +70,7 @@ def test_a_segment_that_is_a_point_is_passed_over():
 def test_both_are_cut_and_the_path_goes_through_all_of_it(pair):
     a, b = (flat(contour) for contour in pair)
 
-    def solve(p, q, near=None):
+    def solve(p, q, near=None, known=np.inf):
         return p, q, find_least(to_unit_box(p.polygon), to_unit_box(q.polygon), p.polygon.closed, near=near)
 
     first = solve(a, b)[2]
