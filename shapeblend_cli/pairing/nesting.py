@@ -100,12 +100,12 @@ def _both_sides(polygon: Polygon, box: Box, sign: int) -> tuple[ComplexArray, Co
 def _windings(points: ComplexArray, polygons: Sequence[Polygon], boxes: Sequence[Box]) -> IntArray:
     """Return how often each polygon winds round each point, (polygons, points) int."""
     numbers = np.zeros((len(polygons), len(points)), np.intp)
-    for k, (polygon, box) in enumerate(zip(polygons, boxes, strict=True)):
-        near = (np.abs(points.real - box.x - box.width / 2) <= box.width / 2) & (
-            np.abs(points.imag - box.y - box.height / 2) <= box.height / 2
-        )
-        if near.any():
-            numbers[k, near] = winding_numbers(points[near], polygon.vertices)
+    x, y, width, height = np.array(boxes).T[:, :, None]
+    near = (np.abs(points.real - x - width / 2) <= width / 2) & (
+        np.abs(points.imag - y - height / 2) <= height / 2
+    )
+    for k in np.flatnonzero(near.any(axis=1)).tolist():
+        numbers[k, near[k]] = winding_numbers(points[near[k]], polygons[k].vertices)
     return numbers
 
 
