@@ -9,10 +9,11 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
+from shapeblend_cli.jobs import Job, all_targets
 from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.model import Drawing, Pair
 from shapeblend_cli.motion.verdict import verdict
@@ -20,7 +21,7 @@ from shapeblend_cli.output import Content, check_targets, write_files
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
 from shapeblend_cli.pipeline import make_frames, match_all, times_of_frames
 from shapeblend_cli.report import Measures, measure, report
-from shapeblend_cli.settings import ReadOptions, Settings, WriteOptions
+from shapeblend_cli.settings import ReadOptions, Settings
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, read
 from shapeblend_cli.version import __version__
 
@@ -28,17 +29,6 @@ SLOW = (
     "the solver was installed without a C compiler and runs uncompiled, far slower; "
     "installing again with a C compiler makes it fast"
 )
-
-
-class Job(NamedTuple):
-    """One run of the command: files in, files out."""
-
-    files: tuple[str, ...]  # two or more, one of them perhaps `-`, standard input
-    read: ReadOptions
-    output: OutputSpec
-    write: WriteOptions
-    reported: dict[str, Any]  # every option's value in force, for the report
-    command: tuple[str, ...]  # the command line
 
 
 class Run:
@@ -79,7 +69,7 @@ def blend_files(
     with _named(output.path):
         output.format.check_libraries()
     check_targets(
-        _all_targets(job), [Path(file) for file in job.files if file != STANDARD_INPUT], job.write.force
+        all_targets(job), [Path(file) for file in job.files if file != STANDARD_INPUT], job.write.force
     )
 
     drawings = read_files(job.files, job.read, clock, note_and_keep)
@@ -212,16 +202,6 @@ def _tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> str:
 
     as_drawn = settings.curves and settings.style == "blend"
     return tries_sheet(tries(drawings, settings, pair), as_drawn=as_drawn)
-
-
-def _all_targets(job: Job) -> list[Path]:
-    names = [*job.output.files(), job.write.report, job.write.preview, job.write.tries]
-    targets = [Path(name) for name in names if name and name != STANDARD_OUTPUT]
-    places = [os.path.normpath(target) for target in targets]
-    for k, place in enumerate(places):
-        if place in places[:k]:
-            raise OutputError(str(targets[k]), "is named for two different outputs; another name would work")
-    return targets
 
 
 def print_text(text: str | bytes, stands: str = "") -> None:

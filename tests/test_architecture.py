@@ -18,16 +18,17 @@ PACKAGE = Path(shapeblend_cli.__file__).parent
 # A room is a module or a folder; the longest name that fits a module is its room.
 ROOMS = {
     "__main__": "cli",
-    "cli": "plot files outputs report interrupts svg.reading settings fields field_types errors version",
+    "cli": "plot files jobs outputs report interrupts svg.reading settings fields field_types errors version",
     "__init__": "api outputs model settings errors version",
     "api": "pipeline outputs output report pairing svg.reading svg.writing settings model clock version easing errors",
     "plot": "files outputs output svg.reading svg.writing pairing interpolate geometry settings matching model clock "
     "errors",
-    "files": "preview tries report outputs output pipeline svg.reading motion settings matching model clock errors "
-    "version",
+    "files": "preview tries report jobs outputs output pipeline svg.reading motion settings matching model clock "
+    "errors version",
     "tries": "pipeline svg.writing motion geometry settings model errors",
     "preview": "svg.reading svg.writing pairing interpolate paint settings matching model easing",
     "report": "interpolate geometry model",
+    "jobs": "outputs settings errors",
     "outputs": "pipeline interpolate svg.writing settings fields field_types model easing errors",
     "output": "staging interrupts errors",
     "staging": "",
