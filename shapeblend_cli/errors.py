@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 
 class ShapeblendError(Exception):
     """Something a user can understand and put right: one line, no traceback.
@@ -37,3 +39,18 @@ class MatchError(ShapeblendError, ValueError):
 
 class PictureError(ShapeblendError, ValueError):
     """Pictures that cannot be drawn, or not at this size."""
+
+
+def in_words(error: BaseException) -> str:
+    """Return what a user is told of an error, whatever it is."""
+    if isinstance(error, ShapeblendError):
+        return str(error)
+    if isinstance(error, OSError):
+        return f"{error.filename or 'standard output'}: cannot be written ({error.strerror or error})"
+    if isinstance(error, MemoryError):
+        return "not enough memory for contours of so many vertices; a smaller --vertices would help"
+    import traceback
+
+    place = traceback.extract_tb(error.__traceback__)[-1]
+    where = f"{os.path.basename(place.filename)}, line {place.lineno}"
+    return f"this is a bug of shapeblend, {type(error).__name__}: {error} ({where}); please report it"

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import os
 import sys
-import traceback
 import warnings
 from collections.abc import Sequence
 
@@ -19,7 +18,7 @@ from shapeblend_cli.cli.group import DefaultGroup
 from shapeblend_cli.cli.inspect import inspect
 from shapeblend_cli.cli.plot import plot
 from shapeblend_cli.cli.terminal import say
-from shapeblend_cli.errors import OptionError, ShapeblendError
+from shapeblend_cli.errors import OptionError, ShapeblendError, in_words
 from shapeblend_cli.interrupts import Interrupted, listening
 from shapeblend_cli.version import __version__
 
@@ -39,13 +38,15 @@ def shapeblend() -> None:
 def run(arguments: Sequence[str]) -> int:
     """Run a command line; an error is one line on standard error.
 
-    Return the exit status: 0 done, 1 the input or the run failed, 2 the command line is wrong.
+    Return the exit status: 0 done, 1 the input or the run failed, 2 the command line is wrong; a command may return
+    others.
     """
     try:
         with listening():
-            shapeblend.main(list(arguments), prog_name="shapeblend", standalone_mode=False)
+            status = shapeblend.main(list(arguments), prog_name="shapeblend", standalone_mode=False)
             if sys.stdout is not None:
                 sys.stdout.flush()
+            return status or 0
     except click.ClickException as error:
         say(f"{error.format_message()} (shapeblend --help lists the options)")
         return USAGE
@@ -57,13 +58,9 @@ def run(arguments: Sequence[str]) -> int:
         return FAILED
     except (BrokenPipeError, SystemExit):
         return FAILED  # whatever read our output is gone, and needs to be told nothing
-    except OSError as error:
-        say(f"{error.filename or 'standard output'}: cannot be written ({error.strerror or error})")
+    except (OSError, MemoryError) as error:
+        say(in_words(error))
         return FAILED
-    except MemoryError:
-        say("not enough memory for contours of so many vertices; a smaller --vertices would help")
-        return FAILED
-    return 0
 
 
 def run_safely(arguments: Sequence[str]) -> int:
@@ -75,9 +72,7 @@ def run_safely(arguments: Sequence[str]) -> int:
     try:
         return run(arguments)
     except Exception as error:
-        place = traceback.extract_tb(error.__traceback__)[-1]
-        where = f"{os.path.basename(place.filename)}, line {place.lineno}"
-        say(f"this is a bug of shapeblend, {type(error).__name__}: {error} ({where}); please report it")
+        say(in_words(error))
         return FAILED
 
 
