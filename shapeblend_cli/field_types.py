@@ -35,9 +35,13 @@ class FieldType(NamedTuple):
         return self._try(self.canonical, value, repr(value))
 
     def parse(self, text: str) -> Any:
-        """Return the value that a typed text stands for, or raise ValueError."""
+        """Return the value that a typed text stands for, or raise ValueError.
+
+        A word for None stays that word, as None would say that nothing was typed.
+        """
         shown = text if self.split in (int, float) else repr(text)
-        return self._try(lambda typed: self.canonical(self.split(typed)), text, shown)
+        value = self._try(lambda typed: self.canonical(self.split(typed)), text, shown)
+        return text if value is None else value
 
     def _try(self, read: Callable[[Any], Any], value: Any, shown: str) -> Any:
         try:

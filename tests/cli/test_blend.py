@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
-from tests.support.commands import contours, names, points, process, viewbox, write
+from tests.support.commands import contours, names, points, process, report, viewbox, write
 
 SVG = "{http://www.w3.org/2000/svg}"
 SQUARE = "M0 0H10V10H0Z"
@@ -251,3 +251,9 @@ def test_bad_input_is_one_line_and_nothing_written(here, refused, files, content
 
 def test_as_a_module_and_its_version():
     assert re.fullmatch(rb"shapeblend \d+\.\d+\.\d+\n", process("--version").stdout)
+
+
+def test_the_band_of_a_preset_can_be_left_out(three):
+    settings = report("a.svg", "b.svg", "-n", "0", "--preset", "fig27", "--band", "none")["settings"]
+    assert (settings["preset"], settings["band"]) == ("fig27", None)
+    assert report("a.svg", "b.svg", "-n", "0", "--preset", "fig27")["settings"]["band"] > 0.0
