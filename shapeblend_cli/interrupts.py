@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from shapeblend_cli.errors import OptionError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
 STOPS = [
     getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGALRM") if hasattr(signal, name)
@@ -19,6 +19,14 @@ STOPS = [
 
 class Interrupted(BaseException):
     """A run was asked to stop. No Exception, so that nothing on the way takes it for something else."""
+
+    def __init__(
+        self, message: str, number: int, *, is_late: bool = False, has_written: bool = False
+    ) -> None:
+        super().__init__(message)
+        self.number = number  # of the signal
+        self.is_late = is_late  # by --timeout
+        self.has_written = has_written  # all files
 
 
 class _Run:
@@ -56,6 +64,13 @@ def has_written() -> None:
 
 
 @contextmanager
+def told(handler: Callable[[int], None]) -> Iterator[None]:
+    """Have a handler told the numbers of signals that ask to stop, instead of raising `Interrupted`."""
+    with _handling(lambda number, _: handler(number)):
+        yield
+
+
+@contextmanager
 def uninterrupted() -> Iterator[None]:
     """Let signals wait until the block is done."""
     waiting: list[int] = []
@@ -90,4 +105,5 @@ def _handling(handler: Any) -> Iterator[None]:
 def _interrupt(number: int, _: object) -> None:
     is_late = _Run.seconds is not None and number == signal.SIGALRM
     what = f"stopped after {_Run.seconds:g} s (--timeout)" if is_late else "interrupted"
-    raise Interrupted(f"{what}; {'all files were written' if _Run.has_written else 'nothing was written'}")
+    stands = "all files were written" if _Run.has_written else "nothing was written"
+    raise Interrupted(f"{what}; {stands}", number, is_late=is_late, has_written=_Run.has_written)
