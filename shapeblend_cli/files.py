@@ -17,7 +17,7 @@ from shapeblend_cli.jobs import Job, all_targets
 from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.model import Drawing, Pair
 from shapeblend_cli.motion.verdict import verdict
-from shapeblend_cli.output import Content, check_targets, write_files
+from shapeblend_cli.output import Content, Contents, check_targets, write_files
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
 from shapeblend_cli.pipeline import make_frames, match_all, times_of_frames
 from shapeblend_cli.report import Measures, measure, report
@@ -50,11 +50,13 @@ def blend_files(
     note: Callable[[str], None],
     warn: Callable[[str], None],
     progress: Callable[[float], None],
+    before_writing: Callable[[Contents], None] = lambda contents: None,
 ) -> Run:
     """Read files, blend each with the next, and write what is asked for, all of it or nothing.
 
     `note` takes what the user should know, a line at a time, and `warn` what even one who wants to read little should;
-    `progress` takes the share of the matching that is done, 0 to 1.
+    `progress` takes the share of the matching that is done, 0 to 1; `before_writing` takes all that is going to be
+    written to files, and may refuse that by an error.
     """
     clock = Clock()
     notes: list[str] = []
@@ -105,6 +107,7 @@ def blend_files(
     if job.write.tries:
         contents[Path(job.write.tries)] = _tries(drawings, settings, pairs[0])
         clock.lap("tries")
+    before_writing(contents)
     write_files(contents, job.write.force)
     print_text(standard_output, "; the files were written" if any(contents.values()) else "")
     if stale := _stale_frames(output):
