@@ -29,6 +29,7 @@ class FieldType(NamedTuple):
     split: Callable[[str], Any] = str  # turns what is typed into a value for `canonical`
     choices: tuple[str, ...] = ()  # all values, if they are a few words
     is_file: bool = False  # whether a value names a file
+    words: int = 1  # how many words on the command line make a value
 
     def check(self, value: Any) -> Any:
         """Return a value in its canonical form, or raise ValueError."""
@@ -197,6 +198,18 @@ def _floats(text: str) -> list[float]:
     return list(map(float, text.split(",")))
 
 
+def _folders(value: Any) -> tuple[str, str]:
+    one, other = map(str, value)
+    return one, other
+
+
+def _shard(value: Any) -> tuple[int, int]:
+    number, count = map(_integer, value)
+    if not 1 <= number <= count:
+        raise ValueError
+    return number, count
+
+
 FLAG = FieldType("True or False", _flag, "")
 SELECTOR = FieldType("", _selector, "SEL")
 START = FieldType(
@@ -236,3 +249,10 @@ REPEAT = FieldType(
     lambda text: int(text) if text.isdecimal() else text,
 )
 COLOUR = FieldType("transparent, or an opaque CSS colour such as white or #f4f4f0", _colour, "COLOUR")
+FOLDERS = FieldType("two folders", _folders, "FROM TO", words=2)
+SHARD = FieldType(
+    "K/N, with K from 1 to N, such as 3/16",
+    _shard,
+    "K/N",
+    lambda text: tuple(map(int, text.split("/"))),
+)

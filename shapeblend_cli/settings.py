@@ -20,9 +20,10 @@ Contours = tuple[str, str] | tuple[complex, complex]
 OUTPUT, SHAPES, CORRESPONDENCE = "Output", "Which shapes", "Correspondence"
 IN_BETWEENS, ANIMATIONS, OTHER = "In-betweens", "Animations", "Other"
 PLOT = "Plot"
+BATCH = "Batch"
 PICTURES = "Pictures, with the extra shapeblend[pictures]"
 
-SECTIONS = (PLOT, OUTPUT, SHAPES, CORRESPONDENCE, WIRE, IN_BETWEENS, ANIMATIONS, PICTURES, OTHER)
+SECTIONS = (PLOT, BATCH, OUTPUT, SHAPES, CORRESPONDENCE, WIRE, IN_BETWEENS, ANIMATIONS, PICTURES, OTHER)
 """The order in which help lists options."""
 
 
@@ -271,6 +272,54 @@ class PlotOptions(Record, section=PLOT):
         metavar="I,J",
         help="For angle: vertices of A and B that correspond. For starts: a vertex of A, I; J does not count.",
         default_text="the dot with the most bending work; 0",
+    )
+
+
+class BatchOptions(Record, section=BATCH):
+    """Which jobs a batch has, and how they are done."""
+
+    pairs: tuple[str, str] | None = option(
+        types.FOLDERS,
+        default=None,
+        help="Blend each drawing in FROM, or in a folder inside it, into the one of the same name in TO.",
+    )
+    chain: str | None = option(
+        types.file(),
+        default=None,
+        metavar="'*.svg'",
+        help="Blend each of these drawings, or of a folder's, into the next, 9.svg before 10.svg.",
+    )
+    every_two: str | None = option(
+        types.file(),
+        default=None,
+        key="all",
+        metavar="FOLDER",
+        help="Blend every two drawings of a folder, or of a pattern in quotes.",
+    )
+    jobs: int | None = option(
+        types.whole(1, 1024),
+        default=None,
+        flags=("-j", "--jobs"),
+        help="How many jobs are done at a time.",
+        default_text="the number of processors",
+    )
+    results: str | None = option(
+        types.file(),
+        default=None,
+        metavar="FILE.jsonl",
+        help="Write a line of JSON about each job as it ends; - for standard output.",
+    )
+    fail_fast: bool = option(
+        types.FLAG, default=False, help="Begin no further jobs after one that fails, instead of going on."
+    )
+    dry_run: bool = option(
+        types.FLAG, default=False, help="Print what would be done, and why, and do nothing."
+    )
+    why: bool = option(types.FLAG, default=False, help="Say of each job why it is done.")
+    shard: tuple[int, int] | None = option(
+        types.SHARD,
+        default=None,
+        help="Do the Kth of N parts of the batch, on one of N machines.",
     )
 
 

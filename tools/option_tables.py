@@ -7,7 +7,10 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.outputs.options import OutputOptions
 from shapeblend_cli.settings import (
+    BATCH,
+    PLOT,
     SECTIONS,
+    BatchOptions,
     PlotOptions,
     ReadOptions,
     RunOptions,
@@ -25,14 +28,18 @@ README = ROOT / "README.md"
 
 BEGIN, END = "<!-- options: written by make options -->", "<!-- end of options -->"
 
-RECORDS = (ReadOptions, Settings, OutputOptions, WriteOptions, RunOptions, TerminalOptions, PlotOptions)
+RECORDS = (
+    *(ReadOptions, Settings, OutputOptions, WriteOptions, RunOptions, TerminalOptions),
+    *(PlotOptions, BatchOptions),
+)
 
 
 def tables() -> str:
     """Return a table for each section of the help, with the lines around them."""
     fields = [field for record in RECORDS for field in record.options.values()]
     parts = [BEGIN, ""]
-    for section in (*SECTIONS[1:], SECTIONS[0]):
+    of_commands = PLOT, BATCH
+    for section in (*(each for each in SECTIONS if each not in of_commands), *of_commands):
         rows = [(_typed(field), _help(field)) for field in fields if field.section == section]
         parts.append(Table((section, ""), rows).markdown())
     return "\n".join([*parts, END])

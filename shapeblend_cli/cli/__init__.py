@@ -12,6 +12,7 @@ from collections.abc import Sequence
 
 import click
 
+from shapeblend_cli.cli.batch import batch
 from shapeblend_cli.cli.blend import blend
 from shapeblend_cli.cli.completion import completion
 from shapeblend_cli.cli.group import DefaultGroup
@@ -27,7 +28,7 @@ FAILED, USAGE = 1, 2
 
 @click.group(
     cls=DefaultGroup,
-    commands=[blend, inspect, plot, completion],
+    commands=[blend, batch, inspect, plot, completion],
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 @click.version_option(__version__, prog_name="shapeblend", message="%(prog)s %(version)s")

@@ -53,7 +53,14 @@ class FieldOption(click.Option):
     def __init__(self, field: Option) -> None:
         value: dict[str, Any] = {"is_flag": True}
         if field.kind is not FLAG:
-            value = {"type": FieldText(field.kind), "metavar": field.metavar, "multiple": field.many}
+            # Where several words make a value, the record alone checks it.
+            kind = FieldText(field.kind) if field.kind.words == 1 else NAME
+            value = {
+                "type": kind,
+                "metavar": field.metavar,
+                "multiple": field.many,
+                "nargs": field.kind.words,
+            }
         super().__init__([*field.flags, field.name], help=field.full_help, default=None, **value)
         self.section = field.section
 

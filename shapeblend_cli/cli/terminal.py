@@ -6,7 +6,7 @@ import sys
 import threading
 import time
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 import click
 
@@ -20,6 +20,7 @@ OFTEN, SELDOM = (
     10.0,
     60.0,
 )  # seconds before the first line in a pipe or a file, and between further ones at most
+BAR = 30  # characters of the bar that shows how far a batch is
 CLEAR = "\r\x1b[K"
 
 
@@ -47,7 +48,7 @@ class Terminal:
         self._is_done = threading.Event()
         self._ticks = threading.Thread(target=self._tick, daemon=True)
 
-    def __enter__(self) -> Terminal:
+    def __enter__(self) -> Self:
         if not self._quiet and sys.stderr is not None:
             self._ticks.start()
         return self
@@ -79,7 +80,7 @@ class Terminal:
         wait = PATIENCE if is_terminal else OFTEN
         while not self._is_done.wait(wait):
             passed = time.monotonic() - began
-            text = f"matching {self._share:.0%}" if self._share < 1.0 else "matched, drawing"
+            text = self._state()
             if is_terminal:
                 _write(f"{CLEAR}{text}, {passed:.0f} s")
                 self._is_shown = True
@@ -87,10 +88,36 @@ class Terminal:
                 say(f"{text}, {passed:.0f} s")
                 wait = min(passed, SELDOM)
 
+    def _state(self) -> str:
+        """Say how far the run is."""
+        return f"matching {self._share:.0%}" if self._share < 1.0 else "matched, drawing"
+
     def _clear(self) -> None:
         if self._is_shown:
             self._is_shown = False
             _write(CLEAR)
+
+
+class BatchTerminal(Terminal):
+    """Standard error while a batch runs; it is told which jobs have ended."""
+
+    def __init__(self, *, quiet: bool = False, count: int = 0) -> None:
+        super().__init__(quiet=quiet)
+        self._count = count
+        self._ended = 0
+        self._failed = 0
+
+    def ended(self, is_done: bool) -> None:
+        """Take that a job has ended."""
+        self._ended += 1
+        self._failed += not is_done
+
+    def _state(self) -> str:
+        share = self._ended / max(self._count, 1)
+        bar = "#" * int(BAR * share)
+        failed = f", {self._failed} failed" if self._failed else ""
+        drawn = f"[{bar:-<{BAR}}] " if sys.stderr.isatty() else ""
+        return f"{drawn}{self._ended} of {_count(self._count, 'job')}{failed}"
 
 
 def details(run: Run) -> Iterator[str]:

@@ -1,0 +1,227 @@
+"""What a job's outputs were made of, kept beside them, so that a job is done again only when that has changed.
+
+The record of `out/x.svg` is `out/.shapeblend/x.svg.json`. It is written before the outputs and has the hashes that
+they are to have, and those that they had before. So whenever a run is killed, each output is known as the batch's own,
+and is up to date if it has the hash that it is to have. What has any other hash was not written by a batch.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from shapeblend_cli.errors import OutputError
+from shapeblend_cli.jobs import Job
+from shapeblend_cli.staging import locked, sync_folder
+from shapeblend_cli.version import __version__
+
+FOLDER = ".shapeblend"
+
+FORM = 1
+"""The number of the form of records. Any other one is as good as none."""
+
+UNRECORDED = ("output", "force", "report", "preview", "tries", "timeout")
+"""Settings that do not change what is in the outputs; which files those are is recorded by their names."""
+
+IRRELEVANT = ("cli", "batch")
+"""Parts of the package that outputs do not depend on."""
+
+Hashes = dict[str, str]
+
+
+class State(NamedTuple):
+    """How a job stands before it is done."""
+
+    reason: str  # why it is to be done; empty if it is up to date
+    refusal: OutputError | None = None  # why it must not be done
+    edited: str = ""  # an output of a job that is up to date but for that, edited since
+
+
+class Record:
+    """The record of a job."""
+
+    def __init__(self, job: Job, targets: Sequence[Path]) -> None:
+        self._job = job
+        self._targets = targets
+        place = Path(job.output.path if job.output.files() else targets[0])
+        self._home = place.parent
+        self.path = self._home / FOLDER / f"{place.name}.json"
+
+    def state(self, hash_of: Callable[[str | Path], str], force: bool) -> State:
+        """Say whether the job is up to date, or why not, by the hashes of files."""
+        old, new = self._read(), self._made_of(hash_of)
+        now = {self._name(target): hash_of(target) for target in self._targets}
+        if force:
+            return State("--force")
+        reason = _difference(old, new, now) if old else "it was never done"
+        foreign = self._foreign(old, now)
+        if not foreign:
+            if not reason and (
+                missing := [name for name, value in now.items() if value != old["outputs"][name]]
+            ):
+                reason = (
+                    f"{missing[0]} is missing" if not now[missing[0]] else f"{missing[0]} is of an older run"
+                )
+            return State(reason)
+        if not reason and all(now.values()):
+            return State("", edited=foreign)
+        return State(reason or "outputs are missing", self._refusal(foreign, bool(old)))
+
+    def write(self, made_of: dict[str, Any], contents: Mapping[Path, Any], force: bool) -> None:
+        """Record what is about to be written; OutputError is raised if that would replace what is not the batch's."""
+        old = self._read()
+        now = {self._name(target): hash_of_file(target) for target in self._targets}
+        if not force and (foreign := self._foreign(old, now)):
+            raise self._refusal(foreign, bool(old))
+        record = {
+            "record": FORM,
+            **made_of,
+            "outputs": {self._name(path): _hash(content) for path, content in _files(contents)},
+            "before": {name: value for name, value in now.items() if value},
+        }
+        _replace(self.path, json.dumps(record, indent=1).encode())
+
+    def made_of(self) -> dict[str, Any]:
+        """Return what outputs would be made of now."""
+        return self._made_of(hash_of_file)
+
+    def _made_of(self, hash_of: Callable[[str | Path], str]) -> dict[str, Any]:
+        reported = {key: value for key, value in self._job.reported.items() if key not in UNRECORDED}
+        return {
+            "version": __version__,
+            "method": method(),
+            "inputs": [[os.path.basename(file), hash_of(file)] for file in self._job.files],
+            "settings": json.loads(json.dumps(reported)),
+        }
+
+    def _name(self, target: Path) -> str:
+        return os.path.relpath(target, self._home)
+
+    def _foreign(self, old: dict[str, Any], now: Hashes) -> str:
+        """Return the name of an output that no batch has written so; empty if there is none."""
+        known = [old.get("outputs", {}), old.get("before", {})]
+        return next((n for n, value in now.items() if value and value not in (k.get(n) for k in known)), "")
+
+    def _refusal(self, name: str, is_edited: bool) -> OutputError:
+        problem = (
+            "was edited since a batch wrote it; --force replaces it"
+            if is_edited
+            else "exists; --force replaces it"
+        )
+        return OutputError(str(self._home / name), problem)
+
+    def _read(self) -> dict[str, Any]:
+        """Return what is recorded; nothing if that cannot be read."""
+        with suppress(OSError, ValueError):
+            found = json.loads(self.path.read_bytes())
+            if _is_record(found):
+                return dict(found)
+        return {}
+
+
+class HashOf:
+    """Hashes of files by their names, each taken once."""
+
+    def __init__(self) -> None:
+        self._known: dict[str, str] = {}
+
+    def __call__(self, path: str | Path) -> str:
+        """Return the hash of a file; empty if it cannot be read."""
+        name = str(path)
+        if name not in self._known:
+            self._known[name] = hash_of_file(name)
+        return self._known[name]
+
+
+def hash_of_file(path: str | Path) -> str:
+    """Return the SHA-256 of a file's bytes; empty if it cannot be read, or is a device or the like."""
+    try:
+        if not os.path.isfile(path):
+            return ""
+        with open(path, "rb") as stream:
+            return hashlib.file_digest(stream, "sha256").hexdigest()
+    except (OSError, ValueError):
+        return ""
+
+
+@cache
+def method() -> str:
+    """Return a hash of all code that outputs depend on."""
+    package = Path(__file__).parents[1]
+    found = hashlib.sha256()
+    for file in sorted(package.rglob("*")):
+        inside = file.relative_to(package)
+        if file.suffix in (".py", ".js", ".css", ".html") and inside.parts[0] not in IRRELEVANT:
+            found.update(inside.as_posix().encode() + b"\0" + file.read_bytes() + b"\0")
+    return found.hexdigest()
+
+
+def _difference(old: dict[str, Any], new: dict[str, Any], now: Hashes) -> str:
+    """Say in what a job differs from its record; empty if in nothing."""
+    if old["version"] != new["version"] or old["method"] != new["method"]:
+        return f"it was done by another version of shapeblend, {old['version']}"
+    for (old_name, old_hash), (name, value) in zip(old["inputs"], new["inputs"], strict=False):
+        if old_name != name:
+            return f"it was done of {old_name}, not {name}"
+        if old_hash != value:
+            return f"{name} has changed" if value else f"{name} is missing"
+    if len(old["inputs"]) != len(new["inputs"]):
+        return "it has more drawings, or fewer"
+    for key in sorted({*old["settings"], *new["settings"]}):
+        before, after = old["settings"].get(key), new["settings"].get(key)
+        if before != after:
+            return f"{key} is {json.dumps(after)}, and was {json.dumps(before)}"
+    if {*old["outputs"]} != {*now}:
+        return "it has other outputs"
+    return ""
+
+
+def _is_record(found: Any) -> bool:
+    """Return whether what was read has the form of a record."""
+    return (
+        isinstance(found, dict)
+        and found.get("record") == FORM
+        and all(isinstance(found.get(key), str) for key in ("version", "method"))
+        and all(isinstance(found.get(key), dict) for key in ("settings", "outputs", "before"))
+        and isinstance(found.get("inputs"), list)
+        and all(isinstance(each, list) and len(each) == 2 for each in found["inputs"])
+    )
+
+
+def _files(contents: Mapping[Path, Any]) -> list[tuple[Path, str | bytes]]:
+    """Return contents by files, of what is written to files and folders."""
+    found: list[tuple[Path, str | bytes]] = []
+    for target, content in contents.items():
+        found += (
+            [(target / n, c) for n, c in content.items()]
+            if isinstance(content, Mapping)
+            else [(target, content)]
+        )
+    return found
+
+
+def _hash(content: str | bytes) -> str:
+    data = content.encode("utf-8", "replace") if isinstance(content, str) else content
+    return hashlib.sha256(data).hexdigest()
+
+
+def _replace(path: Path, data: bytes) -> None:
+    """Write a file in one step, and have it on the disk."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with locked(path.parent):
+            new = path.with_suffix(".new")
+            with open(new, "wb") as file:
+                file.write(data)
+                file.flush()
+                os.fsync(file.fileno())
+            os.replace(new, path)
+            sync_folder(path.parent)
+    except OSError as error:
+        raise OutputError(str(path), f"cannot be written ({error.strerror})") from error

@@ -1,0 +1,240 @@
+"""Worker processes, and who watches over them: a worker that dies costs its own job one more attempt, and no other.
+
+Each worker has a thread that hands it one job at a time. What becomes of jobs goes to a queue, which the main thread
+empties; signals go there, too.
+"""
+
+from __future__ import annotations
+
+import pickle
+import subprocess
+import sys
+import threading
+from collections import deque
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from pathlib import Path
+from queue import SimpleQueue
+from typing import Any, NamedTuple
+
+from shapeblend_cli.batch.worker import DONE, READY, STOPPED, TIMEOUT, Answer, Order
+from shapeblend_cli.errors import ShapeblendError
+from shapeblend_cli.interrupts import told
+
+ATTEMPTS = 2
+DIED = "died"
+
+GRACE = 5.0
+"""Seconds in which a job may end by itself after its time, or when asked to; then its process is killed."""
+
+START = "import sys; sys.path.append(sys.argv[1]); from shapeblend_cli.batch.worker import main; main()"
+"""What a worker runs. The working folder is not searched for modules, so that no file there is taken for one."""
+
+
+class Ended(NamedTuple):
+    """A job that has ended."""
+
+    number: int
+    answer: Answer
+    attempts: int
+
+
+class Stopped(ShapeblendError):
+    """The batch was asked to stop by a signal."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__("interrupted")
+        self.number = number  # of the signal
+
+
+class CannotStart(ShapeblendError):
+    """Worker processes end before they have loaded all that they need."""
+
+
+def run_all(orders: Iterable[tuple[int, Order]], count: int, fail_fast: bool) -> Iterator[Ended]:
+    """Do numbered jobs in so many processes, and yield each as it ends; after one that fails no others, if `fail_fast`.
+
+    Raises
+    ------
+    Stopped
+        If a signal asked to stop, after all processes have ended; what they were writing is whole.
+    CannotStart
+        If no process can be started.
+    """
+    waiting = deque(orders)
+    events: SimpleQueue[Ended | Exception | None] = SimpleQueue()
+    workers = [_Worker(waiting, events, fail_fast) for _ in range(min(count, len(waiting)))]
+    error: Exception | None = None
+    with told(lambda number: events.put(Stopped(number))):
+        for worker in workers:
+            worker.start()
+        running = len(workers)
+        try:
+            while running:
+                event = events.get()
+                if event is None:
+                    running -= 1
+                elif isinstance(event, Ended):
+                    yield event
+                else:
+                    is_again = error is not None
+                    error = error or event
+                    waiting.clear()
+                    for worker in workers:
+                        worker.stop(at_once=is_again and isinstance(event, Stopped))
+        finally:
+            waiting.clear()
+            for worker in workers:
+                worker.stop()
+    if error is not None:
+        raise error
+
+
+class _Worker:
+    """A process that does jobs, and the thread that waits for it."""
+
+    def __init__(self, waiting: deque[tuple[int, Order]], events: SimpleQueue[Any], fail_fast: bool) -> None:
+        self._waiting = waiting
+        self._events = events
+        self._fail_fast = fail_fast
+        self._process: subprocess.Popen[bytes] | None = None
+        self._is_stopped = False
+        self._lock = threading.Lock()
+
+    def start(self) -> None:
+        """Begin to do jobs."""
+        threading.Thread(target=self._run, daemon=True).start()
+
+    def _run(self) -> None:
+        """Do jobs until there are no more."""
+        try:
+            while not self._is_stopped:
+                try:
+                    number, order = self._waiting.popleft()
+                except IndexError:
+                    break
+                self._do(number, order)
+        except Exception as error:
+            self._events.put(error)
+        finally:
+            self._end()
+            self._events.put(None)
+
+    def stop(self, *, at_once: bool = False) -> None:
+        """Have the process end, after what it is writing is whole."""
+        with self._lock:
+            self._is_stopped = True
+            if self._process is None or self._process.poll() is not None:
+                return
+            if at_once:
+                self._process.kill()
+                return
+            self._process.terminate()
+            end = threading.Timer(GRACE, self._process.kill)  # which leaves no file half written, either
+            end.daemon = True
+            end.start()
+
+    def _do(self, number: int, order: Order) -> None:
+        for attempt in range(1, ATTEMPTS + 1):
+            process = self._started()
+            if process is None:
+                return
+            answer = self._asked(process, order)
+            if answer is None and self._is_stopped:
+                return
+            if answer is not None and answer.status == STOPPED:
+                if self._is_stopped:
+                    return
+                answer = None  # somebody else has told the process to stop
+            if answer is not None:
+                self._tell(Ended(number, answer, attempt))
+                if answer.status == TIMEOUT:
+                    self._end()
+                return
+            ending = _ending(self._end())
+        error = f"{' and '.join(order.files)}: the process that did it died twice, {ending} at last"
+        self._tell(Ended(number, Answer(DIED, error), ATTEMPTS))
+
+    def _tell(self, ended: Ended) -> None:
+        if self._fail_fast and ended.answer.status != DONE:
+            self._waiting.clear()
+        self._events.put(ended)
+
+    def _started(self) -> subprocess.Popen[bytes] | None:
+        """Return the process, started where it is not running; None after `stop`."""
+        if self._process is not None:
+            return self._process
+        for _ in range(ATTEMPTS):
+            with self._lock:
+                if self._is_stopped:
+                    return None
+                self._process = _start()
+            if _received(self._process) == READY:
+                return self._process
+            code = self._end()
+            if self._is_stopped:
+                return None
+        raise CannotStart(f"the processes that do the jobs do not start: {_ending(code)}")
+
+    def _asked(self, process: subprocess.Popen[bytes], order: Order) -> Answer | None:
+        """Return what has become of a job; None if the process died."""
+        seconds = order.given.get("timeout")
+        is_late = threading.Event()
+
+        def kill() -> None:
+            is_late.set()
+            process.kill()
+
+        timer = threading.Timer(seconds + GRACE, kill) if seconds else None
+        if timer:
+            timer.start()
+        try:
+            assert process.stdin is not None
+            pickle.dump(order, process.stdin)
+            process.stdin.flush()
+            answer = _received(process)
+        except OSError:
+            answer = None
+        finally:
+            if timer:
+                timer.cancel()
+        if answer is None and seconds and is_late.is_set():
+            stopped = f"stopped after {seconds:g} s (--timeout); nothing was written"
+            return Answer(TIMEOUT, stopped, seconds=seconds + GRACE)
+        return answer
+
+    def _end(self) -> int:
+        """End the process, and return its status."""
+        with self._lock:
+            process, self._process = self._process, None
+        if process is None:
+            return 0
+        for stream in (process.stdin, process.stdout):
+            if stream is not None:
+                with suppress(OSError):
+                    stream.close()
+        return process.wait()
+
+
+def _start() -> subprocess.Popen[bytes]:
+    folder = str(Path(__file__).parents[2])
+    return subprocess.Popen(
+        [sys.executable, "-P", "-c", START, folder],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,  # so that Ctrl-C is for the supervisor alone
+    )
+
+
+def _received(process: subprocess.Popen[bytes]) -> Any:
+    """Return what a process sends; None if it is gone."""
+    assert process.stdout is not None
+    try:
+        return pickle.load(process.stdout)
+    except (EOFError, OSError, pickle.UnpicklingError):
+        return None
+
+
+def _ending(code: int) -> str:
+    return f"by signal {-code}" if code < 0 else f"with exit status {code}"

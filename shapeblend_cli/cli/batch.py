@@ -1,0 +1,201 @@
+"""``shapeblend batch``."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from shapeblend_cli.cli.group import SectionedCommand
+from shapeblend_cli.cli.options import NAME, FieldOption, options_of
+from shapeblend_cli.cli.terminal import BatchTerminal, say
+from shapeblend_cli.errors import OptionError
+from shapeblend_cli.interrupts import Interrupted
+from shapeblend_cli.outputs.options import OutputOptions
+from shapeblend_cli.settings import (
+    BatchOptions,
+    ReadOptions,
+    RunOptions,
+    Settings,
+    TerminalOptions,
+    WriteOptions,
+)
+
+if TYPE_CHECKING:
+    from shapeblend_cli.batch.plan import Task
+    from shapeblend_cli.batch.records import State
+    from shapeblend_cli.batch.sources import Found
+
+STANDARD_OUTPUT = "-"
+
+PATTERN, PATTERN_OF_PAIRS = "blend/{a}-{b}", "blend/{a}"
+"""Where outputs go by default, without a suffix."""
+
+EXAMPLES = (
+    ("shapeblend batch --chain icons -o 'moving/{a}-{b}.svg'", "an animation from each icon to the next"),
+    ("shapeblend batch --pairs off on -o 'moving/{a}.svg'", "off/wifi.svg into on/wifi.svg, and so on"),
+    ("shapeblend batch --all icons -o 'moving/{a}-{b}.json' --emit lottie", "every two icons"),
+    ("shapeblend batch jobs.csv", "a job a line, under names such as a,b,o,duration"),
+)
+
+_CHANGED = {
+    "output": "What each job writes, a folder or a file. {a} and {b} stand for the names of its drawings, with "
+    "the folders that it is found in, and {n} for the number of the job.  [default: blend/{a}-{b}]",
+    "force": "Do every job, and replace files that no batch has written, or that were edited since.",
+    "timeout": "Stop a job after so many seconds; what it was to write stays as it was.  [default: none]",
+}
+
+
+def _params() -> list[FieldOption]:
+    """Return the options of a batch, and those of a blend, some of which have another help here."""
+    params = options_of(
+        BatchOptions, ReadOptions, Settings, OutputOptions, WriteOptions, RunOptions, TerminalOptions
+    )
+    for param in params:
+        if param.name in _CHANGED:
+            param.help = _CHANGED[param.name]
+    return params
+
+
+@click.command(cls=SectionedCommand, examples=EXAMPLES, params=_params())
+@click.argument("names", type=NAME, nargs=-1, metavar="[JOBS.jsonl|JOBS.csv|JOBS.toml|-]")
+def batch(names: tuple[str, ...], **given: Any) -> int:
+    """Do many blends, on all processors, and only those of which something has changed.
+
+    The jobs are those of a manifest, a line each, or what --pairs, --chain or --all finds. Options hold for all jobs
+    that do not have their own. A batch that is run again does what is missing or out of date, and nothing else.
+    """
+    options, printed = BatchOptions.of(given), TerminalOptions.of(given)
+    if printed.quiet and printed.verbose:
+        raise click.UsageError("--quiet and --verbose contradict each other")
+    try:
+        return _batch(names, options, printed, given)
+    except Interrupted as stop:
+        say(str(stop))
+        return 128 + stop.number
+
+
+def _batch(
+    names: tuple[str, ...], options: BatchOptions, printed: TerminalOptions, given: Mapping[str, Any]
+) -> int:
+    from shapeblend_cli.batch import run
+    from shapeblend_cli.batch.supervisor import Stopped
+
+    tasks, notes = _tasks(names, options, given)
+    if options.results not in (None, STANDARD_OUTPUT):
+        assert options.results is not None
+        run.check_results(options.results, tasks, names[0] if names else None)
+    if options.shard is not None:
+        number, count = options.shard
+        tasks = tasks[number - 1 :: count]
+    found = run.states(tasks)
+    if options.dry_run:
+        _show(tasks, found, with_current=options.why)
+        return 0
+    ended: Counter[str] = Counter()
+    status = 0
+    with (
+        BatchTerminal(quiet=printed.quiet, count=len(tasks)) as terminal,
+        run.results(options.results) as write,
+    ):
+        for note in notes:
+            terminal.note(note)
+        if options.why:
+            for line in _reasons(tasks, found):
+                terminal.note(line)
+        try:
+            for outcome in run.run_tasks(tasks, found, options.jobs or run.processors(), options.fail_fast):
+                is_done = outcome.answer.error is None
+                ended[outcome.status] += 1
+                write(outcome)
+                terminal.ended(is_done)
+                for text in outcome.answer.notes if printed.verbose else ():
+                    terminal.note(f"{outcome.task.output}: {text}")
+                for text in outcome.answer.warnings:
+                    terminal.warn(text)
+                if not is_done:
+                    terminal.warn(f"{outcome.task.where}: {outcome.answer.error}")
+                    status = 1
+        except Stopped as stop:
+            terminal.warn("interrupted; what was being written is whole, and the same command does the rest")
+            status = 128 + stop.number
+        terminal.note(_summary(ended, len(tasks)))
+    return status
+
+
+def _tasks(
+    names: tuple[str, ...], options: BatchOptions, given: Mapping[str, Any]
+) -> tuple[list[Task], list[str]]:
+    """Return the tasks of a batch, and notes."""
+    from shapeblend_cli.batch.manifest import read_manifest
+    from shapeblend_cli.batch.plan import plan
+    from shapeblend_cli.batch.rows import named
+
+    found = _found(names, options)
+    rows, defaults = (found.rows, {}) if found else read_manifest(names[0])
+    asked = {name: value for name, value in given.items() if value is not None and value != ()}
+    pattern = PATTERN_OF_PAIRS if options.pairs else PATTERN
+    tasks = plan(rows, {**defaults, **named(asked)}, pattern)
+    if found is not None:
+        for task in tasks:
+            for target in task.targets:
+                if found.would_find(str(target)):
+                    raise OptionError(
+                        f"{target} would be taken for one of the drawings the next time; another folder in --output "
+                        "would work"
+                    )
+    return tasks, found.notes if found else []
+
+
+def _found(names: tuple[str, ...], options: BatchOptions) -> Found | None:
+    """Return the jobs that options find; None if there is a manifest."""
+    from shapeblend_cli.batch import sources
+    from shapeblend_cli.batch.manifest import is_manifest
+
+    ways = sum(way is not None for way in (options.pairs, options.chain, options.every_two))
+    # Without quotes, a shell makes further names of a pattern.
+    are_drawings = ways == 1 and options.pairs is None and not any(map(is_manifest, names))
+    if ways + (0 if are_drawings else len(names)) != 1:
+        raise click.UsageError(
+            "a batch is one of: a manifest, --pairs FROM TO, --chain '*.svg', --all FOLDER"
+        )
+    if options.pairs is not None:
+        return sources.same_names(*options.pairs)
+    if options.chain is not None:
+        return sources.chain(options.chain, names)
+    if options.every_two is not None:
+        return sources.every_two(options.every_two, names)
+    return None
+
+
+def _show(tasks: Sequence[Task], found: Sequence[State], *, with_current: bool) -> None:
+    """Print what would be done, and why."""
+    for task, state in zip(tasks, found, strict=True):
+        if state.refusal is not None:
+            click.echo(f"{task.output}\twould fail: {state.refusal}")
+        elif state.reason:
+            click.echo(f"{task.output}\t{state.reason}")
+        elif with_current:
+            edited = f", but {state.edited} was edited since" if state.edited else ""
+            click.echo(f"{task.output}\tup to date{edited}")
+
+
+def _reasons(tasks: Sequence[Task], found: Sequence[State]) -> list[str]:
+    return [
+        f"{task.output}: {state.reason}" for task, state in zip(tasks, found, strict=True) if state.reason
+    ]
+
+
+def _summary(ended: Mapping[str, int], count: int) -> str:
+    words = {
+        "done": "done",
+        "current": "up to date",
+        "failed": "failed",
+        "timeout": "took too long",
+        "died": "died",
+    }
+    parts = [f"{ended[status]} {text}" for status, text in words.items() if ended.get(status)]
+    left = count - sum(ended.values())
+    return ", ".join([*parts, *([f"{left} not begun"] if left else [])]) or "no jobs"

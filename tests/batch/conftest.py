@@ -1,0 +1,41 @@
+"""Drawings to blend in bulk."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from shapeblend_cli.cli import run
+from tests.support.commands import write
+from tests.support.drawings import BAR, LEAF, RING, svg
+
+
+@pytest.fixture
+def drawings(here):
+    """A working folder with a folder of four drawings, of which natural order and that of letters differ."""
+    Path("in").mkdir()
+    write(**{"in/1": svg(BAR), "in/2": svg(LEAF), "in/9": svg(BAR + LEAF), "in/10": svg(RING)})
+    return here
+
+
+@pytest.fixture
+def batch(here, capsys):
+    """Run a batch; the exit status, its results by number, and what it printed."""
+
+    def do(*arguments):
+        status = run(["batch", *arguments, "--results", "results.jsonl"])
+        found = [json.loads(line) for line in Path("results.jsonl").read_text("utf-8").splitlines()]
+        return status, {each["job"]: each for each in found}, capsys.readouterr()
+
+    return do
+
+
+@pytest.fixture
+def statuses(batch):
+    """Run a batch; the exit status, and the statuses of its jobs in order."""
+
+    def do(*arguments):
+        status, results, _ = batch(*arguments)
+        return status, " ".join(results[number]["status"] for number in sorted(results))
+
+    return do

@@ -1,0 +1,158 @@
+"""Which jobs a batch has, and what is refused before anything starts."""
+
+import io
+import json
+import sys
+from pathlib import Path
+
+import pytest
+
+from shapeblend_cli.batch.rows import RECORDS, command_of, options_of
+from shapeblend_cli.cli import run
+from tests.support.commands import contents, names
+
+ROWS = [
+    {"a": "1.svg", "b": "2.svg", "o": "x.svg", "duration": 3, "curves": False, "match": ["0=0"]},
+    {"a": "2.svg", "b": "9.svg", "c": "10.svg", "output": "y", "frames": 2, "ends": True},
+]
+AS_JSON_LINES = "\n\n".join(map(json.dumps, ROWS))
+AS_CSV = "a,b,c,o,duration,polygons,match,frames,ends\n1.svg,2.svg,,x.svg,3,yes,0=0,,\n2.svg,9.svg,10.svg,y,,,,2,true\n"
+AS_TOML = """
+[defaults]
+frames = 2
+[[job]]
+a = "1.svg"
+b = "2.svg"
+o = "x.svg"
+duration = 3
+polygons = true
+match = ["0=0"]
+[[job]]
+files = ["2.svg", "9.svg", "10.svg"]
+output = "y"
+ends = true
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "text"), {"jobs.jsonl": AS_JSON_LINES, "jobs.csv": AS_CSV, "jobs.toml": AS_TOML}.items()
+)
+def test_a_row_is_what_a_command_line_would_be(name, text, drawings, statuses):
+    Path("in", name).write_text(text, "utf-8")
+    assert statuses(f"in/{name}") == (0, "done done")
+    single = "in/1.svg in/2.svg -o x.svg --duration 3 --polygons --match 0=0"
+    assert run(single.split()) == 0
+    assert Path("in/x.svg").read_bytes() == Path("x.svg").read_bytes()
+    assert run("in/2.svg in/9.svg in/10.svg -o y -n 2 --ends".split()) == 0
+    frames = {path.name: path.read_bytes() for path in Path("in/y").iterdir()}
+    assert frames == {path.name: path.read_bytes() for path in Path("y").iterdir()}
+    assert len(frames) == 2 * 2 + 3
+
+
+def test_standard_input_has_json_lines(drawings, monkeypatch):
+    text = json.dumps({"a": "in/1.svg", "b": "in/2.svg"}).encode()
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(text)))
+    assert run(["batch", "-", "-q"]) == 0
+    assert Path("blend/in/1-2/frame-5.svg").is_file()
+
+
+def test_the_command_line_counts_more_than_defaults_and_less_than_a_row(drawings, statuses):
+    row = "\n[[job]]\na = '1.svg'\nb = '2.svg'\n"
+    Path("in/jobs.toml").write_text(f"[defaults]\nframes = 2{row}{row}o = 'more'\nframes = 4", "utf-8")
+    assert statuses("in/jobs.toml", "-n", "3", "-o", "three") == (0, "done done")
+    assert len(names("three")) == 3
+    assert len(names("in/more")) == 4
+
+
+WRONG = {
+    '{"a": "1.svg", "b": "2.svg", "vertexes": 3}': "line 2: 'vertexes' is no option of a job",
+    '{"a": "1.svg", "b": "2.svg", "vertices": -3}': "line 2: vertices must be 0 or more, not -3",
+    '{"a": "1.svg", "b": "2.svg", "fps": 9, "frames": 3, "o": "x.gif"}': "line 2: --frames and --fps both say",
+    '{"a": "1.svg", "b": "2.svg", "quiet": true}': "line 2: 'quiet' is no option of a job",
+    '{"a": "1.svg", "b": "2.svg", "ends": "perhaps"}': "line 2: ends must be True or False",
+    '{"a": "1.svg", "b": "2.svg", "o": "y.svg", "output": "z.svg"}': "line 2: output is given twice",
+    '{"a": "1.svg", "b": "2.svg", "o": "{x}.svg"}': "line 2: {x}.svg has {x}; {a}, {b}, {n} would work",
+    '{"a": "1.svg", "b": "2.svg", "o": "-"}': "line 2: a batch writes files",
+    '{"a": "1.svg", "b": "2.svg", "frames": 0}': "line 2: nothing is written",
+    '{"a": "1.svg", "b": "2.svg", "o": "./x.svg"}': "line 2: in/x.svg is written by in/jobs.jsonl, line 1 as well",
+    '{"a": "1.svg", "b": "2.svg", "o": "2.svg"}': "line 2: in/2.svg would be written, which in/jobs.jsonl, line 1",
+    '{"a": "1.svg"}': "line 2: a job has drawings a and b",
+    '{"a": "1.svg", "c": "2.svg"}': "line 2: a job has drawings a and b",
+    '{"a": "-", "b": "2.svg"}': "line 2: a drawing must be the name of a file, not '-'",
+    '{"files": "1.svg"}': "line 2: files must be a list",
+    '{"a": "1.svg", "a": "2.svg", "b": "2.svg"}': "line 2: not a JSON object (a key is given twice)",
+    '{"a": "1.svg"': "line 2: not a JSON object",
+    "[1]": "line 2: not a JSON object",
+}
+
+
+@pytest.mark.parametrize("row", WRONG)
+def test_what_is_wrong_stops_the_batch_before_it_starts(row, drawings, capsys):
+    Path("in/jobs.jsonl").write_text('{"a": "1.svg", "b": "2.svg", "o": "x.svg"}\n' + row, "utf-8")
+    before = contents()
+    assert run(["batch", "in/jobs.jsonl", "--results", "results.jsonl"]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith(f"shapeblend: in/jobs.jsonl, {WRONG[row]}")
+    assert contents() == before
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "words"),
+    [
+        ("jobs.csv", "a,b,vertexes\n1.svg,2.svg,3\n", "jobs.csv, line 1: 'vertexes' is no option"),
+        ("jobs.csv", 'a,b\n"1.svg",2.svg\n"1\n.svg",2.svg,3\n', "jobs.csv, line 3: 3 cells, and 2 columns"),
+        ("jobs.csv", "a,b,n\n1.svg,2.svg,3\n", "jobs.csv, line 1: 'n' is no option"),
+        ("jobs.csv", "a,b,b\n", "jobs.csv, line 1: two columns have one name"),
+        ("jobs.toml", "[[job]]\na='1.svg'\nb='2.svg'\n[[job]]\na='1.svg'\n", "jobs.toml, line 4: a job has"),
+        ("jobs.toml", "[default]\nframes = 3\n", "jobs.toml: 'default' is unknown"),
+        ("jobs.toml", "[defaults]\nframes = 'x'\n", "jobs.toml, [defaults]: frames must be a whole number"),
+        ("jobs.toml", "[[job]\n", "jobs.toml: "),
+        ("jobs.txt", "", "jobs.txt: a manifest ends in .jsonl, .csv or .toml"),
+    ],
+)
+def test_what_is_wrong_in_other_manifests(name, text, words, here, capsys):
+    Path(name).write_text(text, "utf-8")
+    assert run(["batch", name]) == 2
+    assert words in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("", "a batch is one of: a manifest, --pairs FROM TO, --chain '*.svg', --all FOLDER"),
+        ("jobs.csv --all in", "a batch is one of"),
+        ("--pairs in in in/1.svg", "a batch is one of"),
+        ("--all in --chain in", "a batch is one of"),
+        ("--all none", "--all none: no drawings found; it takes two"),
+        ("--pairs in none", "--pairs: none is no folder"),
+        ("--chain in -o in/{a}-{b}.svg", "in/1-2.svg would be taken for one of the drawings the next time"),
+        ("--chain in --shard 3/2", "--shard must be K/N, with K from 1 to N, such as 3/16, not '3/2'"),
+        ("--chain in --results in/1.svg", "in/1.svg: is read or written by the batch"),
+    ],
+)
+def test_what_does_not_go_together_on_the_command_line(line, words, drawings, capsys):
+    before = contents()
+    assert run(["batch", *line.split()]) == (1 if "results" in line else 2)
+    assert words in capsys.readouterr().err
+    assert contents() == before
+
+
+def test_a_command_line_is_what_gives_the_same_values():
+    values = {
+        "frames": 3, "ends": True, "curves": False, "ks": 0.3, "band": "none", "pin": ["0,3", "1.5,2:3,4"],
+        "stiff": ["10,20,5=3"], "match": ["0=1", "left=right", "120,40:98,44"], "start": "0,3", "lenient": False,
+        "ease": "ease-in", "repeat": "pingpong", "background": "white", "timeout": 2.5, "select_a": "#x y",
+    }  # fmt: skip
+    given = options_of(values, "here", "")
+    _, *words = command_of((), given)
+    again = {}
+    flags = {flag: field for r in RECORDS for field in r.options.values() for flag in field.flags}
+    while words:
+        flag = words.pop(0)
+        name = flag.lstrip("-")
+        if flag in flags and flags[flag].metavar:
+            again.setdefault(name, []).append(words.pop(0))
+        else:
+            again[name] = True
+    again = {name: v[0] if v is not True and len(v) == 1 else v for name, v in again.items()}
+    assert options_of(again, "here", "") | {"lenient": False} == given

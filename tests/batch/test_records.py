@@ -1,0 +1,122 @@
+"""What is done again, and what is not."""
+
+import os
+import shutil
+from pathlib import Path
+
+import pytest
+
+from shapeblend_cli.cli import run
+from tests.support.commands import contents
+
+LINE = ("--chain", "in", "-o", "m/{a}-{b}.svg")
+
+
+@pytest.fixture
+def done(drawings, statuses):
+    """A batch that was done."""
+    assert statuses(*LINE) == (0, "done done done")
+    return drawings
+
+
+def reasons(capsys, *line):
+    """What a dry run says, without changing anything."""
+    before = contents()
+    capsys.readouterr()
+    assert run(["batch", *line, "--dry-run"]) == 0
+    assert contents() == before
+    return dict(line.split("\t") for line in capsys.readouterr().out.splitlines())
+
+
+def test_nothing_is_done_twice(done, statuses, capsys):
+    assert reasons(capsys, *LINE) == {}
+    before = {path: path.stat().st_mtime_ns for path in Path("m").rglob("*")}
+    assert statuses(*LINE) == (0, "current current current")
+    assert {path: path.stat().st_mtime_ns for path in Path("m").rglob("*")} == before
+    os.utime("in/2.svg")
+    assert statuses(*LINE) == (0, "current current current")
+
+
+def test_what_has_changed_is_done_again(done, statuses, capsys):
+    shutil.copy("in/1.svg", "in/10.svg")
+    assert reasons(capsys, *LINE) == {"m/9-10.svg": "10.svg has changed"}
+    assert statuses(*LINE) == (0, "current current done")
+    assert statuses(*LINE) == (0, "current current current")
+
+
+def test_other_settings_are_said(done, statuses, capsys):
+    assert {*reasons(capsys, *LINE, "--duration", "3").values()} == {"duration is 3.0, and was 2.0"}
+    assert statuses(*LINE, "--duration", "3") == (0, "done done done")
+    assert reasons(capsys, *LINE, "--duration", "3", "--timeout", "100") == {}
+
+
+def test_an_output_that_is_gone_is_made_again(done, statuses, capsys):
+    before = Path("m/2-9.svg").read_bytes()
+    Path("m/2-9.svg").unlink()
+    assert reasons(capsys, *LINE) == {"m/2-9.svg": "2-9.svg is missing"}
+    assert statuses(*LINE) == (0, "current done current")
+    assert Path("m/2-9.svg").read_bytes() == before
+
+
+def test_another_version_does_everything_again(done, statuses, monkeypatch, capsys):
+    monkeypatch.setattr("shapeblend_cli.batch.records.method", lambda: "another")
+    assert {*reasons(capsys, *LINE).values()} == {"it was done by another version of shapeblend, 0.1.0"}
+
+
+def test_why_says_it_while_it_is_done(done, batch):
+    Path("m/2-9.svg").unlink()
+    _, _, printed = batch(*LINE, "--why")
+    assert "shapeblend: m/2-9.svg: 2-9.svg is missing" in printed.err
+    assert "m/1-2.svg" not in printed.err
+
+
+def test_an_edited_output_stays_and_that_is_said(done, batch):
+    Path("m/1-2.svg").write_text("mine", "utf-8")
+    status, results, printed = batch(*LINE)
+    assert (status, results[1]["status"]) == (0, "current")
+    assert "1-2.svg: was edited since it was written, and stays as it is" in printed.err
+
+
+def test_an_edited_output_is_not_replaced_without_force(done, batch):
+    Path("m/1-2.svg").write_text("mine", "utf-8")
+    shutil.copy("in/9.svg", "in/1.svg")
+    status, results, printed = batch(*LINE)
+    assert (status, results[1]["status"], results[2]["status"]) == (1, "failed", "current")
+    assert results[1]["error"] == "m/1-2.svg: was edited since a batch wrote it; --force replaces it"
+    assert results[1]["error"] in printed.err
+    assert Path("m/1-2.svg").read_text("utf-8") == "mine"
+    status, results, _ = batch(*LINE, "--force")
+    assert (status, [each["status"] for each in results.values()]) == (0, ["done"] * 3)
+    assert Path("m/1-2.svg").read_text("utf-8") != "mine"
+
+
+def test_what_no_batch_has_written_is_not_replaced_without_force(drawings, batch):
+    assert run(["in/1.svg", "in/2.svg", "-o", "m/1-2.svg"]) == 0
+    status, results, _ = batch(*LINE)
+    assert (status, results[1]["error"]) == (1, "m/1-2.svg: exists; --force replaces it")
+    assert [each["status"] for each in results.values()] == ["failed", "done", "done"]
+
+
+def test_folders_of_frames_and_reports_are_outputs_too(drawings, statuses):
+    line = ("--chain", "in", "--report", "r/{a}-{b}.json", "-n", "2")
+    assert statuses(*line) == (0, "done done done")
+    assert statuses(*line) == (0, "current current current")
+    Path("r/1-2.json").unlink()
+    Path("blend/2-9/frame-2.svg").unlink()
+    assert statuses(*line) == (0, "done done current")
+    assert statuses(*line) == (0, "current current current")
+
+
+def test_a_batch_can_be_moved_with_its_outputs(done, statuses):
+    Path("elsewhere").mkdir()
+    for folder in ("in", "m"):
+        shutil.move(folder, "elsewhere")
+    os.chdir("elsewhere")
+    assert statuses(*LINE) == (0, "current current current")
+
+
+@pytest.mark.parametrize("damage", ["", "{", "[]", '{"record": 1}'])
+def test_a_damaged_record_is_none(damage, done, batch):
+    Path("m/.shapeblend/1-2.svg.json").write_text(damage, "utf-8")
+    status, results, _ = batch(*LINE)
+    assert (status, results[1]["error"]) == (1, "m/1-2.svg: exists; --force replaces it")

@@ -1,0 +1,175 @@
+"""Processes that die, take too long or are stopped, and what stands then."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from shapeblend_cli.cli import run
+from tests.support.commands import read_to, start_on_terminal, write
+from tests.support.drawings import BAR, LEAF, svg
+
+COMMAND = [sys.executable, "-m", "shapeblend_cli", "batch"]
+
+LINE = ("--all", "in", "-o", "m/{n}.svg")
+
+
+@pytest.fixture
+def broken(monkeypatch, here):
+    """Have workers do something before some jobs: Python code in which `order` is the job and `once(name)` a test."""
+
+    def have(code):
+        Path("broken").mkdir()
+        Path("broken/sitecustomize.py").write_text(
+            "import os, signal, sys, time\n"
+            "def once(name):\n"
+            "    try: os.close(os.open(name, os.O_CREAT | os.O_EXCL)); return True\n"
+            "    except FileExistsError: return False\n"
+            "def before(order):\n"
+            f"    output = order.given['output']\n    {code}\n"
+            "import builtins; builtins.before = before\n",
+            "utf-8",
+        )
+        monkeypatch.setenv("PYTHONPATH", str(Path("broken").resolve()))
+        start = (
+            "import sys; sys.path.append(sys.argv[1]); import shapeblend_cli.batch.worker as w; do = w.do; "
+            "w.do = lambda order: (before(order), do(order))[1]; w.main()"
+        )
+        monkeypatch.setattr("shapeblend_cli.batch.supervisor.START", start)
+
+    return have
+
+
+def test_many_processes_do_what_one_does(drawings, batch):
+    for count, folder in ((1, "one"), (3, "three")):
+        status, results, printed = batch("--all", "in", "-o", f"{folder}/{{n}}.svg", "-j", str(count))
+        assert (status, len(results)) == (0, 6)
+        assert "shapeblend: 6 done" in printed.err
+        assert all(each["attempts"] == 1 and each["seconds"] > 0.0 for each in results.values())
+    for path in Path("one").glob("*.svg"):
+        assert path.read_bytes() == Path("three", path.name).read_bytes()
+
+
+def test_a_process_that_dies_costs_its_job_one_more_attempt(drawings, broken, batch):
+    broken("once('died-' + output[-5]) and output[-5] in '25' and os.kill(os.getpid(), 9)")
+    status, results, _ = batch(*LINE, "-j", "2")
+    assert (status, len(list(Path("m").glob("*.svg")))) == (0, 6)
+    assert [results[n]["attempts"] for n in range(1, 7)] == [1, 2, 1, 1, 2, 1]
+
+
+def test_a_job_that_kills_every_process_has_died_and_the_others_are_done(drawings, broken, batch):
+    broken("output.endswith('3.svg') and os.kill(os.getpid(), 11)")
+    status, results, printed = batch(*LINE, "-j", "2")
+    assert status == 1
+    assert [results[n]["status"] for n in range(1, 7)] == ["done"] * 2 + ["died"] + ["done"] * 3
+    assert results[3] | {"seconds": 0} == {
+        "job": 3,
+        "a": "in/1.svg",
+        "b": "in/10.svg",
+        "status": "died",
+        "outputs": [],
+        "seconds": 0,
+        "error": "in/1.svg and in/10.svg: the process that did it died twice, by signal 11 at last",
+        "attempts": 2,
+        "notes": [],
+    }
+    assert "shapeblend: 5 done, 1 died" in printed.err
+
+
+@pytest.mark.parametrize("how", ["time.sleep(60)", "[signal.pthread_sigmask(0, [14]), time.sleep(60)]"])
+def test_a_job_that_takes_too_long(how, drawings, broken, batch, monkeypatch):
+    """By itself, or where it does not listen, because the supervisor kills its process."""
+    monkeypatch.setattr("shapeblend_cli.batch.supervisor.GRACE", 0.5)
+    broken(f"output.endswith('3.svg') and {how}")
+    status, results, _ = batch(*LINE, "-j", "2", "--timeout", "2.5")
+    assert status == 1
+    assert [results[n]["status"] for n in range(1, 7)] == ["done"] * 2 + ["timeout"] + ["done"] * 3
+    assert "stopped after 2.5 s (--timeout)" in results[3]["error"]
+
+
+def test_an_input_that_fails_stops_no_other_job_but_with_fail_fast(drawings, batch):
+    Path("in/1.svg").write_text("<svg/>", "utf-8")
+    status, results, printed = batch("--chain", "in", "-o", "m/{n}.svg", "-j", "1")
+    assert (status, [results[n]["status"] for n in (1, 2, 3)]) == (1, ["failed", "done", "done"])
+    assert "in/1.svg: " in results[1]["error"]
+    assert "1 failed" in printed.err
+    status, results, printed = batch("--chain", "in", "-o", "n/{n}.svg", "-j", "1", "--fail-fast")
+    assert (status, [*results], "2 not begun" in printed.err) == (1, [1], True)
+
+
+def test_processes_that_do_not_start_are_one_line(drawings, monkeypatch, capsys):
+    monkeypatch.setattr("shapeblend_cli.batch.supervisor.START", "import nothing_of_that_name")
+    assert run(["batch", *LINE]) == 1
+    assert "the processes that do the jobs do not start: with exit status 1" in capsys.readouterr().err
+
+
+def test_modules_in_the_working_folder_are_not_taken_for_others(drawings, statuses):
+    Path("json.py").write_text("raise SystemExit(3)", "utf-8")
+    Path("numpy.py").write_text("raise SystemExit(3)", "utf-8")
+    assert statuses("--chain", "in", "-o", "m/{n}.svg") == (0, "done done done")
+
+
+def many(count):
+    """Make a folder of so many drawings."""
+    Path("in").mkdir()
+    write(**{f"in/{k}": svg(f"M{k} 0" + (BAR if k % 2 else LEAF)) for k in range(count)})
+
+
+def wait_for(file, text=b"\n"):
+    """Wait until a file has some text."""
+    end = time.monotonic() + 60.0
+    while not (Path(file).exists() and text in Path(file).read_bytes()):
+        assert time.monotonic() < end
+        time.sleep(0.01)
+
+
+@pytest.mark.parametrize(("number", "status"), [("SIGINT", 130), ("SIGTERM", 143)])
+def test_a_signal_ends_it_when_what_is_being_written_is_whole(number, status, here):
+    many(40)
+    line = ["--chain", "in", "-o", "m/{n}.svg", "-j", "2", "--results", "r.jsonl"]
+    process = subprocess.Popen([*COMMAND, *line], stderr=subprocess.PIPE)
+    wait_for("r.jsonl")
+    process.send_signal(getattr(signal, number))
+    _, err = process.communicate(timeout=60)
+    assert process.returncode == status
+    assert b"interrupted; what was being written is whole" in err
+    told = {name for each in Path("r.jsonl").read_text().splitlines() for name in json.loads(each)["outputs"]}
+    assert told == {str(path) for path in Path("m").glob("*.svg")}
+    assert 0 < len(told) < 39
+    assert not [path for path in Path("m").iterdir() if path.name.startswith(".shapeblend-")]
+
+
+def test_a_batch_that_is_killed_and_run_again_does_what_is_missing(here):
+    many(25)
+    line = [*COMMAND, "--chain", "in", "-o", "m/{n}.svg", "--report", "r/{n}.json", "-j", "2"]
+    for _ in range(3):
+        process = subprocess.Popen([*line, "--results", "r.jsonl"], stderr=subprocess.DEVNULL)
+        wait_for("r.jsonl", b'"done"')
+        time.sleep(0.05)
+        process.kill()
+        process.wait()
+        done = Path("r.jsonl").read_text().count('"done"')
+        assert 0 < done < 24
+        Path("r.jsonl").unlink()
+    subprocess.run([*line, "--results", "r.jsonl"], check=True)
+    found = [json.loads(each) for each in Path("r.jsonl").read_text().splitlines()]
+    assert {each["status"] for each in found} == {"current", "done"}
+    assert sum(each["status"] == "current" for each in found) >= 3
+    assert len(list(Path("m").glob("*.svg"))) == 24
+    assert run(["in/0.svg", "in/1.svg", "-o", "single.svg"]) == 0
+    assert Path("single.svg").read_bytes() == Path("m/01.svg").read_bytes()
+
+
+def test_a_terminal_shows_a_bar(here):
+    many(30)
+    process, ours = start_on_terminal([*COMMAND, "--chain", "in", "-o", "m/{n}.svg", "-j", "1"])
+    seen = read_to(ours, b" of 29 jobs")
+    assert b"[" in seen
+    process.kill()
+    process.wait()
+    os.close(ours)
