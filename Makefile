@@ -74,7 +74,7 @@ fuzz: install ## feed the reader damaged files for SECONDS (60), then blend such
 	$(BIN)/python -m tools.fuzz_blend $(SECONDS)
 
 # The usual options say --benchmark-skip, which contradicts --benchmark-only: hence the empty addopts.
-bench: install ## time the solver
+bench: install ## time the solver, whole commands and batches
 	$(BIN)/python -m pytest tests/bench -o addopts= --benchmark-only
 
 pictures: install ## draw the pictures of the README and of docs/motion.md
