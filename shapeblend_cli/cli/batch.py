@@ -41,8 +41,9 @@ EXAMPLES = (
 )
 
 _CHANGED = {
-    "output": "What each job writes, a folder or a file. {a} and {b} stand for the names of its drawings, with "
-    "the folders that it is found in, and {n} for the number of the job.  [default: blend/{a}-{b}]",
+    "output": "What each job writes: by the end of its name a folder of frames, an animated .svg, and so on as for "
+    "a single blend. {a} and {b} stand for the names of the drawings, and {n} for the number of the job.  [default: "
+    f"{PATTERN}]",
     "force": "Do every job, and replace files that no batch has written, or that were edited since.",
     "timeout": "Stop a job after so many seconds; what it was to write stays as it was.  [default: none]",
 }
@@ -198,4 +199,4 @@ def _summary(ended: Mapping[str, int], count: int) -> str:
     }
     parts = [f"{ended[status]} {text}" for status, text in words.items() if ended.get(status)]
     left = count - sum(ended.values())
-    return ", ".join([*parts, *([f"{left} not begun"] if left else [])]) or "no jobs"
+    return ", ".join([*parts, *([f"{left} left"] if left else [])]) or "no jobs"

@@ -99,7 +99,7 @@ def test_an_input_that_fails_stops_no_other_job_but_with_fail_fast(drawings, bat
     assert "in/1.svg: " in results[1]["error"]
     assert "1 failed" in printed.err
     status, results, printed = batch("--chain", "in", "-o", "n/{n}.svg", "-j", "1", "--fail-fast")
-    assert (status, [*results], "2 not begun" in printed.err) == (1, [1], True)
+    assert (status, [*results], "1 failed, 2 left" in printed.err) == (1, [1], True)
 
 
 def test_processes_that_do_not_start_are_one_line(drawings, monkeypatch, capsys):
