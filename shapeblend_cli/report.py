@@ -111,7 +111,6 @@ def _contour(contour: ContourBlend, shape: ShapeBlend) -> dict[str, Any]:
         "turned_back": float(np.degrees(contour.rotation)),
         "motion": shape.motion_name,
         "motion_because": shape.reason,
-        "wrong": shape.taken.wrong if shape.taken else None,
         "candidates": [
             {"name": one.name, "wrong": one.wrong, "terms": dict(one.terms)} for one in shape.candidates
         ],

@@ -172,7 +172,7 @@ def test_shapeblend_gives_the_motion_it_is_told():
     assert shares.pop("linear") == pytest.approx(0.5, abs=0.02)
     assert shares == {name: pytest.approx(1.0, abs=0.02) for name in ("rigid", "intrinsic", "safe")}
     assert area_share(shapeblend.blends([pair])[0]) == pytest.approx(1.0, abs=0.02)
-    assert choice(shapeblend.report(pair)) == Choice("rigid", with_fault=False)
+    assert choice(shapeblend.report(pair)).motion == "rigid"
 
 
 def test_shapeblend_failing_is_no_answer(capsys):
@@ -234,8 +234,12 @@ def test_the_short_table_has_no_further_rows_in_which_all_is_well():
 
 
 def test_choices_are_counted_with_the_median_of_what_is_wrong():
-    report = {"pairs": [{"contours": [{"motion": "rigid", "wrong": 0.25}]}]}
-    assert choice(report) == Choice("rigid", 0.25)
+    contour = {
+        "motion": "rigid",
+        "candidates": [{"name": "linear", "wrong": 0.5}, {"name": "rigid", "wrong": 0.25}],
+    }
+    assert choice({"pairs": [{"contours": [contour]}]}) == Choice("rigid", 0.25)
+    assert choice({"pairs": [{"contours": [{**contour, "candidates": []}]}]}) == Choice("rigid", 0.0)
     twice = [Choice("rigid", 0.1), None, Choice("rigid", 0.3)]
     chosen = {"single": twice, "whole": [Choice("linear", 0.05)]}
     table = motions.section({name: raw.columns(Choice, found) for name, found in chosen.items()}).table

@@ -12,7 +12,7 @@ from tools.quality.tables import Section, Table
 
 TEXT = """\
 How many pairs get which motion by `--motion auto`, as the report has it (`motion`), and how wrong the judge finds the
-in-betweens with it, in the median (`wrong`; [motion](motion.md) says what that adds up)."""
+in-betweens with it, in the median (`wrong`, 0 where it was not asked; [motion](motion.md) says what that adds up)."""
 
 
 class Choice(NamedTuple):
@@ -25,7 +25,8 @@ class Choice(NamedTuple):
 def choice(report: dict) -> Choice:
     """The motion of the one shape of an icon, from the report."""
     contour = report["pairs"][0]["contours"][0]
-    return Choice(contour["motion"], contour["wrong"])
+    judged = {one["name"]: one["wrong"] for one in contour["candidates"]}
+    return Choice(contour["motion"], judged.get(contour["motion"], 0.0))
 
 
 def measured() -> dict:
