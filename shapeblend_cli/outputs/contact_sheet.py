@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.outputs.formats import WHITE, Format, OutputSpec, Rendered, frame_svgs
-from shapeblend_cli.outputs.raster import Size, check_libraries, check_pixels, rasterize, read_png, size_for
+from shapeblend_cli.outputs.raster import Size, check_libraries, check_pixels, rasterize, read_png, size_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -69,7 +69,7 @@ def contact_sheet(
 
 
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
-    cell, ground = size_for(spec.width, pairs[0].views[0], spec.frame_count), spec.ground
+    cell, ground = size_of(spec.width, pairs, spec.frame_count), spec.ground
     sheet = contact_sheet(frame_svgs(spec, pairs), cell, spec.columns, ground, PAGE if ground else None)
     file = io.BytesIO()
     sheet.save(file, "PNG", optimize=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.outputs.formats import TRANSPARENT, Format, OutputSpec, Rendered, frame_svgs
-from shapeblend_cli.outputs.raster import check_libraries, rasterize, size_for
+from shapeblend_cli.outputs.raster import check_libraries, rasterize, size_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -18,7 +18,7 @@ def _render_svg(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
 
 
 def _render_png(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
-    size = size_for(spec.width, pairs[0].views[0], spec.frame_count)
+    size = size_of(spec.width, pairs, spec.frame_count)
     return Rendered([rasterize(svg, size, spec.ground) for svg in frame_svgs(spec, pairs)])
 
 

@@ -9,12 +9,17 @@ from typing import TYPE_CHECKING, NamedTuple
 from shapeblend_cli.errors import PictureError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from PIL import Image
 
-    from shapeblend_cli.model import Box
+    from shapeblend_cli.model import Box, Pair
 
 MOST_SIDE = 16_383
 """Pixels; WebP has no more."""
+
+WIDEST_STROKE = 1e5
+"""In sizes of what is shown. resvg ends the process on strokes some millions as wide."""
 
 MOST_PIXELS = 80_000_000
 """Of all pictures of a run together. They take four bytes each, and Pillow warns of pictures somewhat larger."""
@@ -49,6 +54,20 @@ def size_for(width: int | None, view: Box, count: int = 1) -> Size:
             "or a viewBox of other proportions would work"
         )
     return check_pixels(Size(width, height), count)
+
+
+def size_of(width: int | None, pairs: Sequence[Pair], count: int = 1) -> Size:
+    """Return the size of pictures of a blend; see `size_for`. Strokes far too wide raise PictureError as well."""
+    for pair in pairs:
+        for shape in pair.shapes:
+            widths = [style.stroke_width for style in (shape.style_a, shape.style_b) if style.stroke]
+            times = max(widths, default=0.0) / pair.views[0].larger_side
+            if times > WIDEST_STROKE:
+                raise PictureError(
+                    f"a stroke is {times:.1g} times as wide as what is shown, and pictures can be drawn of strokes up "
+                    f"to {WIDEST_STROKE:.0e}; --place bbox, or a viewBox of its drawing's size, would work"
+                )
+    return size_for(width, pairs[0].views[0], count)
 
 
 def check_pixels(size: Size, count: int = 1) -> Size:

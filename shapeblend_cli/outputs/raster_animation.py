@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from shapeblend_cli.easing import Timing
 from shapeblend_cli.errors import OptionError, PictureError
 from shapeblend_cli.outputs.formats import TRANSPARENT, WHITE, Format, OutputSpec, Rendered, frame_svgs
-from shapeblend_cli.outputs.raster import Size, check_libraries, rasterize, read_png, size_for
+from shapeblend_cli.outputs.raster import Size, check_libraries, rasterize, read_png, size_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -122,7 +122,7 @@ def _run_of(spec: OutputSpec) -> Run:
 
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     run = _run_of(spec)
-    size = size_for(spec.width, pairs[0].views[0], run.pictures)
+    size = size_of(spec.width, pairs, run.pictures)
     svgs = frame_svgs(spec, pairs, spec.settings.replace(frames=run.steps - 1, ends=True))
     return Rendered([encode(spec.format.name, svgs, size, run, spec.ground)])
 

@@ -3,11 +3,13 @@
 import pytest
 from PIL.ImageColor import getrgb as colour
 
+from shapeblend_cli.cli import run
 from shapeblend_cli.errors import PictureError
 from shapeblend_cli.model import Box
 from shapeblend_cli.outputs.contact_sheet import PAGE, columns_for, contact_sheet
 from shapeblend_cli.outputs.formats import WHITE
 from shapeblend_cli.outputs.raster import MOST_SIDE, Size, rasterize, read_png, size_for
+from tests.support.commands import write
 from tests.support.drawings import svg
 
 RED = svg("M0 0H24V24H0Z", attributes='fill="#ff0000"')
@@ -61,6 +63,17 @@ def test_a_background_leaves_nothing_transparent():
     found = read_png(rasterize(WIDE, Size(30, 60), "#00ff00"))
     assert found.getpixel((0, 0)) == (0, 255, 0, 255)
     assert found.getextrema()[3] == (255, 255)
+
+
+def test_strokes_too_wide_for_pictures_are_refused(here, capsys):
+    # Laid viewBox on viewBox, B's stroke is millions as wide as the view; drawn by pixels that ends the process.
+    tiny = svg("M0 0L1e-6 0L1e-6 1e-6Z", attributes='fill="none" stroke="red"', viewbox="0 0 1e-6 1e-6")
+    write(a=svg("M2 2H20V20Z"), b=tiny)
+    for target in ("x.png", "x.gif"):
+        assert run(["a.svg", "b.svg", "-o", target]) == 1
+        assert "times as wide as what is shown" in capsys.readouterr().err
+        assert not (here / target).exists()
+    assert run(["a.svg", "b.svg", "-o", "x.svg"]) == 0
 
 
 def test_sizes():
