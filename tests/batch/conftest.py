@@ -20,12 +20,13 @@ def drawings(here):
 
 @pytest.fixture
 def batch(here, capsys):
-    """Run a batch; the exit status, its results by number, and what it printed."""
+    """Run a batch; the exit status, its results in order of their numbers, and what it printed."""
 
     def do(*arguments):
         status = run(["batch", *arguments, "--results", "results.jsonl"])
         found = [json.loads(line) for line in Path("results.jsonl").read_text("utf-8").splitlines()]
-        return status, {each["job"]: each for each in found}, capsys.readouterr()
+        results = {each["job"]: each for each in sorted(found, key=lambda each: each["job"])}
+        return status, results, capsys.readouterr()
 
     return do
 
