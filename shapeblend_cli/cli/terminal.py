@@ -46,6 +46,7 @@ class Terminal:
         self._share = 0.0
         self._is_shown = False
         self._is_done = threading.Event()
+        self._turn = threading.Lock()  # to print: a line comes between a clearing and the next tick
         self._ticks = threading.Thread(target=self._tick, daemon=True)
 
     def __enter__(self) -> Self:
@@ -66,8 +67,9 @@ class Terminal:
 
     def warn(self, text: str) -> None:
         """Print a line even if quiet."""
-        self._clear()
-        say(text)
+        with self._turn:
+            self._clear()
+            say(text)
 
     def progress(self, share: float) -> None:
         """Take the share of the matching that is done, 0 to 1."""
@@ -82,8 +84,9 @@ class Terminal:
             passed = time.monotonic() - began
             text = self._state()
             if is_terminal:
-                _write(f"{CLEAR}{text}, {passed:.0f} s")
-                self._is_shown = True
+                with self._turn:
+                    _write(f"{CLEAR}{text}, {passed:.0f} s")
+                    self._is_shown = True
             else:
                 say(f"{text}, {passed:.0f} s")
                 wait = min(passed, SELDOM)
