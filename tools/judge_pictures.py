@@ -117,7 +117,7 @@ def term(name: str, moving: Moving, view: Box | None) -> float:
     count = points.shape[1]
     following, contour = np.roll(np.arange(count), -1), np.zeros(count, int)
     outlines = Outlines(points, following, contour, np.ones(count, bool), 0.0)
-    return float(getattr(judge_outlines(outlines, view), name))
+    return float(getattr(judge_outlines(outlines, view).judgement, name))
 
 
 def drawn(name: str) -> str:

@@ -13,7 +13,7 @@ from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import Candidate
 from shapeblend_cli.motion.alignment import Alignment, Rigid, align, point_pairs
-from shapeblend_cli.motion.judge import judge_outlines, outlines_of, painted_area
+from shapeblend_cli.motion.judge import judged
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import Box, ShapeBlend
@@ -74,19 +74,19 @@ def straight(shape: ShapeBlend, view: Box) -> ShapeBlend:
 
 def best_motion(shape: ShapeBlend, rotated: RotatedShape, view: Box) -> ShapeBlend:
     """Return the best of a shape on straight paths, which are judged, and in other motions."""
-    judged = list(shape.candidates)
-    best, least = shape, BETTER * judged[0].wrong
+    tried = list(shape.candidates)
+    best, least = shape, BETTER * tried[0].wrong
     crossed = _crosses(shape)
     for motion in ("rigid", "intrinsic"):
         candidate = _with_motion(rotated, motion)
-        judged.append(judged_shape(candidate, view))
-        wrong = judged[-1].wrong
-        if crossed and wrong <= CLEAN * judged[0].wrong and not _crosses(candidate):
+        tried.append(judged_shape(candidate, view))
+        wrong = tried[-1].wrong
+        if crossed and wrong <= CLEAN * tried[0].wrong and not _crosses(candidate):
             best, least, crossed = candidate, wrong, False
         elif wrong < least and (crossed or not _crosses(candidate)):
             best, least = candidate, wrong
-    reason = "the least wrong of " + ", ".join(f"{one.name} {one.wrong:.3f}" for one in judged)
-    return best._replace(reason=reason, candidates=tuple(judged))
+    reason = "the least wrong of " + ", ".join(f"{one.name} {one.wrong:.3f}" for one in tried)
+    return best._replace(reason=reason, candidates=tuple(tried))
 
 
 def _crosses(shape: ShapeBlend) -> bool:
@@ -97,10 +97,10 @@ def _crosses(shape: ShapeBlend) -> bool:
 
 def judged_shape(shape: ShapeBlend, view: Box) -> Candidate:
     """Judge a shape; the number is rounded, so that the last digit of a machine's arithmetic does not choose."""
-    outlines = outlines_of(shape)
-    found = judge_outlines(outlines, view).weighted
+    judgement, painted = judged(shape, view)
+    found = judgement.weighted
     terms = tuple((name, round(x, 4)) for name, x in found._asdict().items())
-    return Candidate(shape.motion_name, round(sum(found), 4), terms, painted_area(outlines))
+    return Candidate(shape.motion_name, round(sum(found), 4), terms, painted)
 
 
 # Modules that take long to import, and that most blends do without, are imported where they are used.

@@ -91,6 +91,13 @@ WEIGHTS = Judgement(
 )
 
 
+class Judged(NamedTuple):
+    """What is wrong with a shape, and the area that it paints itself, whose shares the terms are."""
+
+    judgement: Judgement
+    painted: float  # in square units of the drawing, the larger one of both ends
+
+
 class Outlines(NamedTuple):
     """The outlines of a shape, as chords between points that correspond, at all `TIMES`."""
 
@@ -114,6 +121,11 @@ def judge(shape: ShapeBlend, view: Box | None = None) -> Judgement:
     view : Box, optional
         What is seen of both drawings.
     """
+    return judged(shape, view).judgement
+
+
+def judged(shape: ShapeBlend, view: Box | None = None) -> Judged:
+    """Return what is wrong with the motion of a shape, and the area that it paints; see `judge`."""
     return judge_outlines(outlines_of(shape), view)
 
 
@@ -171,14 +183,14 @@ def _points(shape: ShapeBlend, t: float) -> ComplexArray:
     return np.concatenate(points)
 
 
-def judge_outlines(outlines: Outlines, view: Box | None = None) -> Judgement:
-    """Return what is wrong with outlines that move, see `judge`."""
+def judge_outlines(outlines: Outlines, view: Box | None = None) -> Judged:
+    """Return what is wrong with outlines that move, and the area that they paint; see `judge`."""
     chords = outlines.chords()
     lengths = np.abs(chords)
     total = lengths.sum(axis=1)
     longest = float(max(total[0], total[-1]))
     if longest == 0.0:
-        return Judgement()
+        return Judged(Judgement(), 0.0)
     areas = _areas(outlines, chords)
     painted = _painted_area(outlines, areas, longest)
     half_width = painted / longest  # of what the outlines bound, on average
@@ -190,7 +202,7 @@ def judge_outlines(outlines: Outlines, view: Box | None = None) -> Judgement:
         regions = _Regions(outlines)
         swept -= regions.difference()
         folds, symmetry = regions.folds(), regions.asymmetry()
-    return Judgement(
+    judgement = Judgement(
         max(swept, 0.0) / painted,
         strain / painted,
         half_width * _stretched(outlines, lengths) / painted,
@@ -200,13 +212,7 @@ def judge_outlines(outlines: Outlines, view: Box | None = None) -> Judgement:
         _limbs(outlines, lengths) / painted,
         half_width * _outside(outlines, lengths, view) / painted,
     )
-
-
-def painted_area(outlines: Outlines) -> float:
-    """Return the larger area that a shape paints at either end; of lines their length times their width."""
-    chords = outlines.chords()
-    total = np.abs(chords).sum(axis=1)
-    return _painted_area(outlines, _areas(outlines, chords), float(max(total[0], total[-1])))
+    return Judged(judgement, painted)
 
 
 def _even(a: FloatArray, b: FloatArray) -> FloatArray:
@@ -222,6 +228,7 @@ def _areas(outlines: Outlines, chords: ComplexArray) -> FloatArray:
 
 
 def _painted_area(outlines: Outlines, areas: FloatArray, longest: float) -> float:
+    """Return the larger area that outlines paint at either end; of lines their length times their width."""
     size = Box.around(outlines.points[[0, -1]].ravel()).larger_side
     filled = float(max(areas[0], areas[-1]))
     if filled > LINE_WIDTH**2 * size**2:
