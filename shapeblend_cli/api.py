@@ -150,9 +150,8 @@ class Blend:
         if not 0.0 <= t <= len(self.pairs):
             raise ValueError(f"t must lie between 0 and {len(self.pairs)}, not {t}")
         pair = self.pairs[min(int(t), len(self.pairs) - 1)]
-        as_drawn = self.settings.curves and self.settings.style == "blend"
         decimals = decimals_for(views(self.pairs))
-        return Picture(frame_at(pair, t - pair.a, as_drawn=as_drawn), decimals)
+        return Picture(frame_at(pair, t - pair.a, as_drawn=self.settings.draws_ends), decimals)
 
     def save(
         self,

@@ -203,8 +203,7 @@ def _preview(job: Job, found: dict[str, Any], pairs: Sequence[Pair], notes: Sequ
 def _tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> str:
     from shapeblend_cli.tries import tries, tries_sheet  # most runs try nothing else
 
-    as_drawn = settings.curves and settings.style == "blend"
-    return tries_sheet(tries(drawings, settings, pair), as_drawn=as_drawn)
+    return tries_sheet(tries(drawings, settings, pair), as_drawn=settings.draws_ends)
 
 
 def print_text(text: str | bytes, stands: str = "") -> None:

@@ -364,8 +364,7 @@ def times_of_frames(pairs: Sequence[Pair], settings: Settings) -> list[tuple[Pai
 
 def make_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
     """Draw the frames that settings ask for."""
-    as_drawn = settings.curves and settings.style == "blend"
-    return [frame_at(pair, t, as_drawn=as_drawn) for pair, t in times_of_frames(pairs, settings)]
+    return [frame_at(pair, t, as_drawn=settings.draws_ends) for pair, t in times_of_frames(pairs, settings)]
 
 
 def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:

@@ -195,6 +195,11 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
             raise OptionError(f"--start, --pin, --match and --stiff apply to two files; {count} given")
 
     @property
+    def draws_ends(self) -> bool:
+        """Whether frames at t = 0 and t = 1 are the drawings: not polygons of them, nor painted otherwise."""
+        return self.curves and self.style == "blend"
+
+    @property
     def makes_common_cuts(self) -> bool:
         """Whether outlines are cut at each other's vertices: not in the paper, nor where no vertices are added."""
         is_paper = self.bending == "paper" or self.solver == "simplified" or self.band is not None
