@@ -8,11 +8,15 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from shapeblend_cli.errors import OptionError, OutputError
+from shapeblend_cli.fields import Record
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
 from shapeblend_cli.outputs.options import OutputOptions, specify
 from shapeblend_cli.settings import ReadOptions, RunOptions, Settings, WriteOptions, report_settings
 
 STANDARD_INPUT = "-"
+
+RECORDS: tuple[type[Record], ...] = (ReadOptions, Settings, OutputOptions, WriteOptions, RunOptions)
+"""What can be asked of a job."""
 
 
 class Job(NamedTuple):

@@ -29,7 +29,7 @@ ROOMS = {
     "tries": "pipeline svg.writing motion geometry settings model errors",
     "preview": "svg.reading svg.writing pairing interpolate paint settings matching model easing",
     "report": "interpolate geometry model",
-    "jobs": "outputs settings errors",
+    "jobs": "outputs settings fields errors",
     "outputs": "pipeline interpolate svg.writing settings fields field_types model easing errors",
     "output": "staging interrupts errors",
     "staging": "",

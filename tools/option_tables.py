@@ -5,18 +5,14 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.outputs.options import OutputOptions
+from shapeblend_cli.jobs import RECORDS as OF_BLEND
 from shapeblend_cli.settings import (
     BATCH,
     PLOT,
     SECTIONS,
     BatchOptions,
     PlotOptions,
-    ReadOptions,
-    RunOptions,
-    Settings,
     TerminalOptions,
-    WriteOptions,
 )
 from tools.quality.data import ROOT
 from tools.quality.tables import Table, with_figures
@@ -28,10 +24,7 @@ README = ROOT / "README.md"
 
 BEGIN, END = "<!-- options: written by make options -->", "<!-- end of options -->"
 
-RECORDS = (
-    *(ReadOptions, Settings, OutputOptions, WriteOptions, RunOptions, TerminalOptions),
-    *(PlotOptions, BatchOptions),
-)
+RECORDS = (*OF_BLEND, TerminalOptions, PlotOptions, BatchOptions)
 
 
 def tables() -> str:

@@ -8,9 +8,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from shapeblend_cli.batch.rows import LETTERS, RECORDS, Name, Row, command_of
+from shapeblend_cli.batch.rows import LETTERS, Name, Row, command_of
 from shapeblend_cli.errors import OptionError, ShapeblendError
-from shapeblend_cli.jobs import Job, all_targets, job_of
+from shapeblend_cli.jobs import RECORDS, Job, all_targets, job_of
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.outputs.registry import EMITS, FORMATS
 

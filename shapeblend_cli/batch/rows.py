@@ -10,12 +10,8 @@ from typing import Any, NamedTuple
 from shapeblend_cli.easing import Ease
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.field_types import FLAG
-from shapeblend_cli.fields import Option, Record
-from shapeblend_cli.outputs.options import OutputOptions
-from shapeblend_cli.settings import ReadOptions, RunOptions, Settings, WriteOptions
-
-RECORDS: tuple[type[Record], ...] = (ReadOptions, Settings, OutputOptions, WriteOptions, RunOptions)
-"""What can be asked of a job."""
+from shapeblend_cli.fields import Option
+from shapeblend_cli.jobs import RECORDS
 
 LETTERS = "abcdefghijklm"
 """Names of a row's files, in order; `n` and `o` mean something else."""

@@ -13,22 +13,17 @@ from shapeblend_cli.cli.options import NAME, FieldOption, options_of
 from shapeblend_cli.cli.terminal import BatchTerminal, say
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.interrupts import Interrupted
-from shapeblend_cli.outputs.options import OutputOptions
+from shapeblend_cli.jobs import RECORDS
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.settings import (
     BatchOptions,
-    ReadOptions,
-    RunOptions,
-    Settings,
     TerminalOptions,
-    WriteOptions,
 )
 
 if TYPE_CHECKING:
     from shapeblend_cli.batch.plan import Task
     from shapeblend_cli.batch.records import State
     from shapeblend_cli.batch.sources import Found
-
-STANDARD_OUTPUT = "-"
 
 PATTERN, PATTERN_OF_PAIRS = "blend/{a}-{b}", "blend/{a}"
 """Where outputs go by default, without a suffix."""
@@ -51,9 +46,7 @@ _CHANGED = {
 
 def _params() -> list[FieldOption]:
     """Return the options of a batch, and those of a blend, some of which have another help here."""
-    params = options_of(
-        BatchOptions, ReadOptions, Settings, OutputOptions, WriteOptions, RunOptions, TerminalOptions
-    )
+    params = options_of(BatchOptions, *RECORDS, TerminalOptions)
     for param in params:
         if param.name in _CHANGED:
             param.help = _CHANGED[param.name]

@@ -10,14 +10,10 @@ from shapeblend_cli.cli.group import TYPED, SectionedCommand
 from shapeblend_cli.cli.options import NAME, options_of
 from shapeblend_cli.cli.terminal import Terminal, details
 from shapeblend_cli.interrupts import stop_after
-from shapeblend_cli.jobs import job_of
-from shapeblend_cli.outputs.options import OutputOptions
+from shapeblend_cli.jobs import RECORDS, job_of
 from shapeblend_cli.settings import (
-    ReadOptions,
     RunOptions,
-    Settings,
     TerminalOptions,
-    WriteOptions,
 )
 
 EXAMPLES = (
@@ -31,7 +27,7 @@ EXAMPLES = (
 @click.command(
     cls=SectionedCommand,
     examples=EXAMPLES,
-    params=options_of(ReadOptions, Settings, OutputOptions, WriteOptions, RunOptions, TerminalOptions),
+    params=options_of(*RECORDS, TerminalOptions),
 )
 @click.argument("files", type=NAME, nargs=-1, required=True, metavar="A.svg B.svg [C.svg ...]")
 def blend(files: tuple[str, ...], **given: Any) -> None:
