@@ -21,7 +21,7 @@ ROOMS = {
     "cli": "batch plot files jobs outputs report interrupts svg.reading settings fields field_types errors version",
     "__init__": "api outputs model settings errors version",
     "api": "pipeline outputs output report pairing svg.reading svg.writing settings model clock version easing errors",
-    "batch": "files jobs outputs staging interrupts settings fields field_types easing errors version",
+    "batch": "files jobs outputs staging interrupts fields field_types easing errors version",
     "plot": "files outputs output svg.reading svg.writing pairing interpolate geometry settings matching model clock "
     "errors",
     "files": "preview tries report jobs outputs output pipeline svg.reading motion settings matching model clock "
