@@ -5,11 +5,12 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from types import MappingProxyType
+from typing import Any, NamedTuple
 
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
@@ -45,20 +46,53 @@ class Run:
         return [measure(pair, t) for pair, t in times_of_frames(self.pairs, self.settings)]
 
 
+class Made(NamedTuple):
+    """What a run is going to write, and nothing of it written yet."""
+
+    run: Run
+    contents: Contents
+    standard_output: str | bytes
+
+
 def blend_files(
     job: Job,
     note: Callable[[str], None],
     warn: Callable[[str], None],
     progress: Callable[[float], None],
     before_writing: Callable[[Contents], None] = lambda contents: None,
+    sources: Mapping[str, bytes] = MappingProxyType({}),
 ) -> Run:
     """Read files, blend each with the next, and write what is asked for, all of it or nothing.
 
+    Files among the `sources` have these contents, and are not opened.
     `note` takes what the user should know, a line at a time, and `warn` what even one who wants to read little should;
     `progress` takes the share of the matching that is done, 0 to 1; `before_writing` takes all that is going to be
     written to files, and may refuse that by an error.
     """
+    with _named(job.output.path):
+        job.output.format.check_libraries()
+    check_targets(
+        all_targets(job), [Path(file) for file in job.files if file != STANDARD_INPUT], job.write.force
+    )
     clock = Clock()
+    run, contents, standard_output = make(job, clock, note, progress, sources)
+    before_writing(contents)
+    write_files(contents, job.write.force)
+    print_text(standard_output, "; the files were written" if any(contents.values()) else "")
+    if stale := _stale_frames(job.output):
+        warn(f"{job.output.path}: {len(stale)} frame files of another run remain, {min(stale)} among them")
+    clock.lap("write")
+    return run
+
+
+def make(
+    job: Job,
+    clock: Clock,
+    note: Callable[[str], None],
+    progress: Callable[[float], None],
+    sources: Mapping[str, bytes] = MappingProxyType({}),
+) -> Made:
+    """Read files, blend each with the next, and return what is to be written; see `blend_files` for the parameters."""
     notes: list[str] = []
 
     def note_and_keep(text: str) -> None:
@@ -68,13 +102,7 @@ def blend_files(
     if not COMPILED:
         note_and_keep(SLOW)
     output, settings = job.output, job.output.settings
-    with _named(output.path):
-        output.format.check_libraries()
-    check_targets(
-        all_targets(job), [Path(file) for file in job.files if file != STANDARD_INPUT], job.write.force
-    )
-
-    drawings = read_files(job.files, job.read, clock, note_and_keep)
+    drawings = read_files(job.files, job.read, clock, note_and_keep, sources)
     pairs = match_drawings(drawings, settings, clock, note_and_keep, progress)
     _say_if_poor(job, pairs, note_and_keep)
     run = Run(pairs, settings, clock.seconds)
@@ -107,13 +135,7 @@ def blend_files(
     if job.write.tries:
         contents[Path(job.write.tries)] = _tries(drawings, settings, pairs[0])
         clock.lap("tries")
-    before_writing(contents)
-    write_files(contents, job.write.force)
-    print_text(standard_output, "; the files were written" if any(contents.values()) else "")
-    if stale := _stale_frames(output):
-        warn(f"{output.path}: {len(stale)} frame files of another run remain, {min(stale)} among them")
-    clock.lap("write")
-    return run
+    return Made(run, contents, standard_output)
 
 
 def match_files(
@@ -129,11 +151,15 @@ def match_files(
 
 
 def read_files(
-    files: Sequence[str], options: ReadOptions, clock: Clock, note: Callable[[str], None]
+    files: Sequence[str],
+    options: ReadOptions,
+    clock: Clock,
+    note: Callable[[str], None],
+    sources: Mapping[str, bytes] = MappingProxyType({}),
 ) -> list[Drawing]:
-    """Read files."""
+    """Read files; those among the `sources` have these contents, and are not opened."""
     drawings = [
-        read(file, lenient=options.lenient, select=selector, is_to_blend=True)
+        read(file, sources.get(file), lenient=options.lenient, select=selector, is_to_blend=True)
         for file, selector in zip(files, options.selections(len(files)), strict=True)
     ]
     for drawing in drawings:

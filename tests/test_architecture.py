@@ -18,9 +18,11 @@ PACKAGE = Path(shapeblend_cli.__file__).parent
 # A room is a module or a folder; the longest name that fits a module is its room.
 ROOMS = {
     "__main__": "cli",
-    "cli": "batch plot files jobs outputs report interrupts svg.reading settings fields field_types errors version",
+    "cli": "project batch plot files jobs outputs report interrupts svg.reading settings fields field_types errors "
+    "version",
     "__init__": "api outputs model settings errors version",
     "api": "pipeline outputs output report pairing svg.reading svg.writing settings model clock version easing errors",
+    "project": "batch field_types errors",
     "batch": "files jobs outputs staging interrupts fields field_types easing errors version",
     "plot": "files outputs output svg.reading svg.writing pairing interpolate geometry settings matching model clock "
     "errors",

@@ -71,7 +71,7 @@ def _json_lines(text: str, name: str) -> Iterator[tuple[str, dict[str, Any]]]:
         if not line.strip():
             continue
         try:
-            values = json.loads(line, object_pairs_hook=_once)
+            values = json.loads(line, object_pairs_hook=once)
         except (ValueError, RecursionError) as error:
             raise OptionError(f"{where}: not a JSON object ({error})") from None
         if not isinstance(values, dict):
@@ -79,7 +79,7 @@ def _json_lines(text: str, name: str) -> Iterator[tuple[str, dict[str, Any]]]:
         yield where, values
 
 
-def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     """Return an object of JSON; ValueError if it has a key twice."""
     found = dict(pairs)
     if len(found) < len(pairs):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -99,27 +99,32 @@ def named(values: Mapping[str, Any]) -> dict[str, Any]:
 def command_of(files: Iterable[str], given: Mapping[str, Any]) -> tuple[str, ...]:
     """Return the command line that does a job alone; names of files are texts."""
     words = ["shapeblend", *files]
-    for record in RECORDS:
-        for name, field in record.options.items():
-            value = given.get(name)
-            if value is None or name == "force":
-                continue
-            yes, _, no = field.flags[-1].partition("/")
-            if field.kind is FLAG:
-                words += [flag for flag in [yes if value else no] if flag]
-                continue
-            for one in value if field.many else (value,):
-                words += [yes, _typed(one)]
+    for field, value in fields_of(given):
+        yes, _, no = field.flags[-1].partition("/")
+        if field.kind is FLAG:
+            words += [flag for flag in [yes if value else no] if flag]
+            continue
+        for one in value if field.many else (value,):
+            words += [yes, typed(one)]
     return tuple(words)
 
 
-def _typed(value: Any) -> str:
+def fields_of(given: Mapping[str, Any]) -> Iterator[tuple[Option, Any]]:
+    """Yield the options of a job that are given, with their values, in the order of help; replacing files is none."""
+    for record in RECORDS:
+        for name, field in record.options.items():
+            value = given.get(name)
+            if value is not None and name != "force":
+                yield field, value
+
+
+def typed(value: Any) -> str:
     """Return what is typed for a value."""
     if isinstance(value, complex):
         return f"{value.real!r},{value.imag!r}"
     if not isinstance(value, tuple) or isinstance(value, Ease):
         return str(value)
-    parts = [_typed(part) for part in value]
+    parts = [typed(part) for part in value]
     if isinstance(value[0], complex):  # points of A and of B, or a region of A
         return ":".join(parts) if len(parts) == 2 else f"{parts[0]},{parts[1]}={parts[2]}"
     return ("=" if isinstance(value[0], str) else ",").join(parts)

@@ -20,6 +20,7 @@ EXAMPLES = (
     ("shapeblend a.svg b.svg", "five in-betweens: blend/frame-1.svg ... blend/frame-5.svg"),
     ("shapeblend a.svg b.svg -o moving.svg", "an animated SVG, for any browser"),
     ("shapeblend a.svg b.svg --preview look.html", "a page to look at the blend and its correspondence"),
+    ("shapeblend blend.json", "a project: drawings and options, as the studio saves them"),
     ("shapeblend a.svg b.svg c.svg -n 9 --ends", "frames through three drawings, which are among them"),
 )
 
@@ -38,6 +39,7 @@ def blend(files: tuple[str, ...], **given: Any) -> None:
     printed = TerminalOptions.of(given)
     if printed.quiet and printed.verbose:
         raise click.UsageError("--quiet and --verbose contradict each other")
+    files, given = opened(files, given)
     job = job_of(files, given, ("shapeblend", *click.get_current_context().meta[TYPED]))
     stop_after(RunOptions.of(given).timeout)
 
@@ -48,3 +50,16 @@ def blend(files: tuple[str, ...], **given: Any) -> None:
         if printed.verbose:
             for line in details(run):
                 terminal.note(line)
+
+
+def opened(files: tuple[str, ...], given: dict[str, Any]) -> tuple[tuple[str, ...], dict[str, Any]]:
+    """Return the drawings and the options of a project, if that is what is given, and else what is given."""
+    from shapeblend_cli.project import is_project, read_project
+
+    projects = [file for file in files if is_project(file)]
+    if not projects:
+        return files, given
+    if len(files) > 1:
+        raise click.UsageError(f"{projects[0]}: a project names its drawings itself; it is given alone")
+    project = read_project(projects[0]).with_given(given)
+    return project.files, dict(project.given)

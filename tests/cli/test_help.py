@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 from collections import Counter
+from pathlib import Path
 
 import click
 import pytest
@@ -54,6 +55,7 @@ def test_the_help_says_what_the_work_is_by_default_and_by_the_paper(capsys):
 
 @pytest.mark.parametrize("line", [line for line, _ in EXAMPLES])
 def test_the_examples_work(line, three):
+    Path("blend.json").write_text('{"files": ["a.svg", "b.svg"]}')
     assert run(line.split()[1:]) == 0
 
 
