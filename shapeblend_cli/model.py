@@ -206,15 +206,59 @@ class Contour(CubicPath):
     __slots__ = ()
 
 
+class Name(NamedTuple):
+    """What an element of a file is called: in the file, in editors, and for people. None is what it does not have."""
+
+    id: str | None = None
+    label: str | None = None  # as Inkscape shows it
+    title: str | None = None
+    description: str | None = None
+
+    @classmethod
+    def common(cls, names: Sequence[Name]) -> Name:
+        """Return what several names have in common: what those that have it agree on."""
+        found = [{value for value in values if value is not None} for values in zip(*names, strict=True)]
+        return cls(*(values.pop() if len(values) == 1 else None for values in found))
+
+
+UNNAMED = Name()
+
+
+class Group(NamedTuple):
+    """A group or a layer around shapes; transforms and paint that it has are in the shapes."""
+
+    number: int  # tells it from the others of a drawing
+    name: Name
+    is_layer: bool = False  # for Inkscape
+
+
+class Length(NamedTuple):
+    """A length as a file writes it: a number, and ``mm``, ``%``, nothing and so on."""
+
+    number: float
+    unit: str
+
+
+class Page(NamedTuple):
+    """The root of a file: its size, and the box in the plane that is so large; what it is called."""
+
+    width: Length | None = None
+    height: Length | None = None
+    box: Box | None = None
+    name: Name = Name()
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Shape:
-    """One painted element of a file, in the root's user units."""
+    """One painted element of a file, in the root's user units, and the groups it is in, the outermost first."""
 
     index: int
-    id: str | None
+    id: str | None  # its own, or else that of a `use` through which it is drawn
     element: str
     contours: tuple[Contour, ...]
     style: Style
+    name: Name = UNNAMED
+    groups: tuple[Group, ...] = ()
 
 
 class Drawing(NamedTuple):
@@ -229,12 +273,14 @@ class Drawing(NamedTuple):
     shapes : tuple of Shape
     notes : tuple of str
         What was left out or read otherwise than a browser would, one phrase each.
+    page : Page
     """
 
     file: str
     viewbox: Box | None
     shapes: tuple[Shape, ...]
     notes: tuple[str, ...] = ()
+    page: Page = Page()
 
 
 @dataclass(frozen=True, eq=False)
@@ -433,6 +479,14 @@ class ShapeBlend(NamedTuple):
         False  # whether it is the second copy of a shape that has two places in the order of paint
     )
     candidates: tuple[Candidate, ...] = ()  # what was judged, in this order, where there was a choice
+    sources: tuple[int | None, int | None] = (None, None)  # the shapes of A and B it is, by index
+    names: tuple[Name, ...] = ()  # of these
+    groups: tuple[Group, ...] = ()
+
+    @property
+    def name(self) -> Name:
+        """What it is called in a blend."""
+        return Name.common(self.names) if self.names else UNNAMED
 
     @property
     def motion_name(self) -> str:
@@ -468,6 +522,8 @@ class PaintedShape(NamedTuple):
     paths: tuple[CubicPath, ...]
     style: Style
     below: Style | None = None  # painted first, under `style`, where one paint has to dissolve into another
+    name: Name = Name()
+    groups: tuple[Group, ...] = ()  # the outermost first
 
 
 class Waypoint(NamedTuple):
@@ -489,6 +545,8 @@ class KeyframedShape(NamedTuple):
     first: int  # number of the drawing it begins with
     waypoints: tuple[tuple[Waypoint, ...], ...]
     fading: tuple[tuple[tuple[float, Style], ...], ...] = ()
+    name: Name = Name()
+    groups: tuple[Group, ...] = ()
 
 
 class Pair(NamedTuple):
@@ -501,6 +559,7 @@ class Pair(NamedTuple):
     ]  # in paint order; where that changes, a shape and its twin at another place
     drawn: tuple[tuple[PaintedShape, ...], tuple[PaintedShape, ...]]  # as they are, laid over A
     views: tuple[Box, Box]  # what part of the plane to show of each
+    pages: tuple[Page, Page] = (Page(), Page())  # of each, the box in A's coordinates
 
     @property
     def each_shape(self) -> list[ShapeBlend]:
@@ -520,3 +579,4 @@ class Frame(NamedTuple):
     pair: int
     shapes: tuple[PaintedShape, ...]  # in paint order
     view: Box  # what part of the plane to show
+    page: Page = Page()

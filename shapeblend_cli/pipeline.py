@@ -14,7 +14,7 @@ from shapeblend_cli.geometry.placement import place_over
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.fades import in_paint_order
 from shapeblend_cli.interpolate.paths import paths_at, with_curves
-from shapeblend_cli.model import Box, CubicPath, Drawing, Frame, PaintedShape, Pair, ShapeBlend, Style
+from shapeblend_cli.model import Box, CubicPath, Drawing, Frame, Page, PaintedShape, Pair, ShapeBlend, Style
 from shapeblend_cli.motion.alignment import Alignment, align, point_pairs, shared_alignments
 from shapeblend_cli.motion.choose import (
     ASKED,
@@ -31,6 +31,7 @@ from shapeblend_cli.motion.choose import (
 )
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.motion.sweep import Sweep
+from shapeblend_cli.names import common_page, page_for, with_names
 from shapeblend_cli.paint.styles import painted_as, shape_styles
 from shapeblend_cli.pairing.changes import changes
 from shapeblend_cli.pairing.constraints import check_stiff, constrain, point_pins, required_pairs
@@ -102,7 +103,12 @@ def match_all(
         pairs.append(Pair(k, k + 1, shapes, drawn=(drawn[k], drawn[k + 1]), views=(views[k], views[k + 1])))
         clock.lap("interpolate")
     views = views_with_room(pairs, settings.viewbox)
-    return [pair._replace(views=(views[pair.a], views[pair.b])) for pair in pairs], notes
+    pages = _pages(drawings, maps, settings.place)
+    pairs = [
+        pair._replace(views=(views[pair.a], views[pair.b]), pages=(pages[pair.a], pages[pair.b]))
+        for pair in pairs
+    ]
+    return with_names(pairs, drawings), notes
 
 
 def _place(drawings: Sequence[Drawing], place: str) -> list[Similarity]:
@@ -132,9 +138,23 @@ def as_drawn(drawing: Drawing, to_a: Similarity) -> tuple[PaintedShape, ...]:
         PaintedShape(
             tuple(CubicPath(to_a.points(c.segments), c.straight, c.closed) for c in shape.contours),
             to_a.style(shape.style),
+            name=shape.name,
+            groups=shape.groups,
         )
         for shape in drawing.shapes
     )
+
+
+def _pages(drawings: Sequence[Drawing], maps: Sequence[Similarity], place: str) -> list[Page]:
+    """Return the page of each drawing, laid over A; the first one's size if they are laid by their bounds."""
+    pages = []
+    for drawing, to_a in zip(drawings, maps, strict=True):
+        own = drawing.page
+        page = own._replace(box=own.box and to_a.box(own.box))
+        if place == "bbox":
+            page = drawings[0].page._replace(name=own.name)
+        pages.append(page)
+    return pages
 
 
 def _views(
@@ -369,7 +389,10 @@ def make_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
 
 def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
     """Return the shapes of a pair at time t, at all times with the same commands; points are kept."""
-    return tuple(PaintedShape(paths_at(shape, t), *shape_styles(shape, t)) for shape in pair.shapes)
+    return tuple(
+        PaintedShape(paths_at(shape, t), *shape_styles(shape, t), shape.name, shape.groups)
+        for shape in pair.shapes
+    )
 
 
 def fading_styles(shape: ShapeBlend) -> tuple[tuple[float, Style], ...]:
@@ -382,8 +405,10 @@ def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:
     """Return the frame at time t; at t = 0 and t = 1 it may be the drawing itself."""
     view = pair.views[0].interpolate(pair.views[1], t)
     if t not in (0.0, 1.0):
-        return Frame(t, pair.a, tuple(shape for shape, _ in _seen(pair, t)), view)
-    return Frame(t, pair.a, pair.drawn[int(t)] if as_drawn else _without_points(pair, t), view)
+        page = page_for(common_page(pair.pages), view)
+        return Frame(t, pair.a, tuple(shape for shape, _ in _seen(pair, t)), view, page)
+    shapes = pair.drawn[int(t)] if as_drawn else _without_points(pair, t)
+    return Frame(t, pair.a, shapes, view, page_for(pair.pages[int(t)], view))
 
 
 def _seen(pair: Pair, t: float) -> list[tuple[PaintedShape, ShapeBlend]]:

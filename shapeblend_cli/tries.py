@@ -9,7 +9,7 @@ import numpy as np
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.raster import winding_grid
-from shapeblend_cli.model import Box
+from shapeblend_cli.model import Box, Page
 from shapeblend_cli.motion.verdict import verdict
 from shapeblend_cli.pipeline import frame_at, match_all, shapes_at
 from shapeblend_cli.svg.writing.document import frame_svg
@@ -82,7 +82,7 @@ def tries_sheet(found: Sequence[Try], *, as_drawn: bool) -> str:
         frames = [frame_at(one.pair, t, as_drawn=as_drawn) for t in TIMES]
         view = Box.union([frame.view for frame in frames])
         decimals = decimals_for([view])
-        pictures = [frame_svg(frame._replace(view=view), decimals) for frame in frames]
+        pictures = [frame_svg(frame._replace(view=view, page=Page()), decimals) for frame in frames]
         rows.append(Row(f"{one.wrong:.2f}  {one.options}", pictures))
     view = found[0].pair.views[0]
     scale = LARGER_SIDE / view.larger_side

@@ -15,7 +15,19 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.parametrization import parametrize
 from shapeblend_cli.interpolate.paths import waypoints
-from shapeblend_cli.model import CubicPath, KeyframedShape, PaintedShape, Pair, ShapeBlend, Style, Waypoint
+from shapeblend_cli.model import (
+    UNNAMED,
+    CubicPath,
+    Group,
+    KeyframedShape,
+    Name,
+    PaintedShape,
+    Pair,
+    ShapeBlend,
+    Style,
+    Waypoint,
+)
+from shapeblend_cli.names import common_groups
 from shapeblend_cli.paint.styles import faded_coats, keyed_styles
 
 if TYPE_CHECKING:
@@ -77,6 +89,8 @@ class _ShapeChain(NamedTuple):
     styles: list[Style]
     times: list[tuple[float, ...]]
     fading: ShapeBlend | None = None  # the shape, if it fades
+    names: tuple[Name, ...] = ()
+    groups: tuple[Group, ...] = ()
 
 
 def keyframed_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
@@ -159,7 +173,9 @@ def _start(shape: ShapeBlend, first: int) -> _ShapeChain:
         for k, blend in enumerate(shape.contours)
     ]
     styles = [shape.style_a, shape.style_b]
-    return _ShapeChain(first, contours, styles, [tuple(p.t for p in points)], shape if shape.fade else None)
+    times = [tuple(p.t for p in points)]
+    fading = shape if shape.fade else None
+    return _ShapeChain(first, contours, styles, times, fading, shape.names, shape.groups)
 
 
 def _coats(chain: _ShapeChain) -> list[KeyframedShape]:
@@ -186,6 +202,8 @@ def _coats(chain: _ShapeChain) -> list[KeyframedShape]:
             chain.first,
             tuple(between),
             (tuple(zip(times, styles[1:-1], strict=True)),) if times else (),
+            Name.common(chain.names) if chain.names and styles is coats[-1] else UNNAMED,
+            chain.groups,
         )
         for styles in coats
     ]
@@ -205,7 +223,13 @@ def _continue(chain: _ShapeChain, following: _ShapeChain) -> _ShapeChain | None:
         if not _is_continued(contour, after):
             return None  # cut open, or a piece
         contours.append(_extend(contour, after))
-    return _ShapeChain(chain.first, contours, styles, [*chain.times, *following.times])
+    return chain._replace(
+        contours=contours,
+        styles=styles,
+        times=[*chain.times, *following.times],
+        names=(*chain.names, *following.names),
+        groups=common_groups(chain.groups, following.groups),
+    )
 
 
 def _is_continued(contour: _ContourChain, after: _ContourChain) -> bool:

@@ -16,18 +16,21 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Frames that are visible in turn include the drawings."""
     from shapeblend_cli.interpolate.chains import keyframed_shapes
     from shapeblend_cli.model import Box
+    from shapeblend_cli.names import common_page, page_for
     from shapeblend_cli.pipeline import make_frames
     from shapeblend_cli.svg.writing.css import css_svg
     from shapeblend_cli.svg.writing.smil import smil_svg, stacked_svg
 
     boxes, timing, decimals = views(pairs), spec.timing, spec.decimals(pairs)
+    page = common_page([pairs[0].pages[0], *(pair.pages[1] for pair in pairs)])
     if spec.animate == "frames":
         frames = make_frames(pairs, spec.settings.replace(ends=True))
-        return Rendered([stacked_svg(frames, timing, len(pairs), decimals)])
+        return Rendered([stacked_svg(frames, timing, len(pairs), decimals, page_for(page, frames[0].view))])
     shapes = keyframed_shapes(pairs)
     if spec.animate == "css":
-        return Rendered([css_svg(shapes, Box.union(boxes), timing, decimals)])
-    return Rendered([smil_svg(shapes, boxes, timing, decimals)])
+        shown = Box.union(boxes)
+        return Rendered([css_svg(shapes, shown, timing, decimals, page_for(page, shown))])
+    return Rendered([smil_svg(shapes, boxes, timing, decimals, page_for(page, boxes[0]))])
 
 
 FORMAT = Format("animated svg", "one animated SVG", _render, suffix=".svg", to_standard_output=True)

@@ -14,7 +14,11 @@ if TYPE_CHECKING:
 
 
 def _render_svg(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
-    return Rendered(frame_svgs(spec, pairs))
+    from shapeblend_cli.pipeline import make_frames
+    from shapeblend_cli.svg.writing.document import frame_svg
+
+    decimals = spec.decimals(pairs)
+    return Rendered([frame_svg(frame, decimals) for frame in make_frames(pairs, spec.settings)])
 
 
 def _render_png(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
 from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import Box, CubicPath, PaintedShape, Pair, Style, Waypoint
+from shapeblend_cli.names import Ids
 from shapeblend_cli.pipeline import fading_styles, shapes_at
 
 if TYPE_CHECKING:
@@ -128,7 +129,12 @@ def moves_of(pairs: Sequence[Pair]) -> list[Move]:
     moves = []
     for pair in pairs:
         shapes = zip(shapes_at(pair, 0.0), shapes_at(pair, 1.0), map(waypoints, pair.shapes), strict=True)
-        moved = [moved_shape(f"shape-{number}", *shape) for number, shape in enumerate(shapes, 1)]
+        ids = Ids.of(pair.shapes)
+        names = [
+            ids.take(shape.name.id) or ids.new(f"shape-{number}")
+            for number, shape in enumerate(pair.shapes, 1)
+        ]
+        moved = [moved_shape(name, *shape) for name, shape in zip(names, shapes, strict=True)]
         fading = zip(moved, map(fading_styles, pair.shapes), strict=True)
         moves.append(Move(tuple(shape._replace(fading=styles) for shape, styles in fading), pair.views))
     return moves

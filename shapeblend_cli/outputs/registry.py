@@ -10,6 +10,7 @@ from shapeblend_cli.outputs import (
     avd,
     contact_sheet,
     frames,
+    layers,
     lottie,
     raster_animation,
     svg_pair,
@@ -26,6 +27,7 @@ FORMATS: tuple[Format, ...] = (
     contact_sheet.FORMAT,
     *raster_animation.FORMATS,
     svg_pair.FORMAT,
+    layers.FORMAT,
     lottie.FORMAT,
     avd.FORMAT,
 )

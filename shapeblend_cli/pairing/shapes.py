@@ -113,10 +113,13 @@ def shape_blends(
             nothing = contour.style._replace(stroke_width=0.0)
             styles.setdefault(group, (nothing, contour.style) if here else (contour.style, nothing))
     keys = list(groups)
-    blends = tuple(ShapeBlend(tuple(groups[key]), *styles[key], fade=COVERED[key.covered_in]) for key in keys)
     shapes = [
         (None if key.covered_in == 0 else key.a, None if key.covered_in == 1 else key.b) for key in keys
     ]
+    blends = tuple(
+        ShapeBlend(tuple(groups[key]), *styles[key], fade=COVERED[key.covered_in], sources=sources)
+        for key, sources in zip(keys, shapes, strict=True)
+    )
     sizes = [sum(c.polygon_a.box.area + c.polygon_b.box.area for c in shape.contours) for shape in blends]
     return blends, paint_places(shapes, sizes, a, b)
 

@@ -49,7 +49,7 @@ def read(
         shapes = Walk(root, notes, lenient, is_to_blend).shapes(viewports.root_lengths(box), select)
     except Problem as problem:
         raise InputError(name, str(problem)) from None
-    return Drawing(name, box, shapes, notes.phrases())
+    return Drawing(name, box, shapes, notes.phrases(), viewports.root_page(root, box))
 
 
 def _contents(file: str) -> bytes:

@@ -10,6 +10,7 @@ import math
 import re
 from typing import NamedTuple
 
+from shapeblend_cli.model import Length
 from shapeblend_cli.svg.reading.messages import printable
 
 NUMBER = r"(?>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
@@ -107,6 +108,15 @@ def length(text: str, whole: float | None = None, font_size: float = _ROOT_FONT_
         return None
     value = float(match[1]) * factor
     return value if abs(value) < LIMIT else None
+
+
+def measured(text: str) -> Length | None:
+    """Return a length as it is written, a number and a unit, or None if it has another unit than `PIXELS` and ``%``."""
+    match = _LENGTH.fullmatch(text.strip()) if len(text) <= _MAX_LENGTH else None
+    if match is None or not (match[2] == "%" or match[2].lower() in PIXELS):
+        return None
+    number = float(match[1])
+    return Length(number, match[2]) if abs(number) < LIMIT else None
 
 
 def one_blank(text: str) -> str:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 
-from shapeblend_cli.model import Box
+from shapeblend_cli.model import Box, Length, Page
 from shapeblend_cli.svg.reading.messages import Notes
+from shapeblend_cli.svg.reading.names import name_of
 from shapeblend_cli.svg.reading.transforms import Affine, translation
-from shapeblend_cli.svg.reading.units import LEAST, Lengths, length, numbers
+from shapeblend_cli.svg.reading.units import LEAST, Lengths, length, measured, numbers
 from shapeblend_cli.svg.reading.xmltree import Node
 
 _MAX_LENGTH = 1000
@@ -37,6 +38,18 @@ def root_box(root: Node, notes: Notes) -> Box | None:
         return box
     width, height = (length(root.get(name) or "") for name in ("width", "height"))
     return Box(0.0, 0.0, width, height) if width and height and min(width, height) >= LEAST else None
+
+
+def root_page(root: Node, box: Box | None) -> Page:
+    """Return the size that the root has as it is written, for the box that it shows, and what it is called."""
+    width, height = (_written(root.get(name) or "") for name in ("width", "height"))
+    return Page(width if box else None, height if box else None, box, name_of(root))
+
+
+def _written(text: str) -> Length | None:
+    """Return a length as it is written, if it is one that needs no font and is greater than 0."""
+    found = measured(text)
+    return found if found is not None and found.number > 0.0 else None
 
 
 def root_lengths(box: Box | None) -> Lengths:

@@ -9,11 +9,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Contour, Shape
+from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Contour, Group, Shape
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.cascade import INITIAL, Cascade, Inherited, inherit, share
 from shapeblend_cli.svg.reading.declarations import Declarations, substitute
 from shapeblend_cli.svg.reading.messages import Notes, Problem, check_limit, printable
+from shapeblend_cli.svg.reading.names import clean, group_of, name_of
 from shapeblend_cli.svg.reading.painter import Painter
 from shapeblend_cli.svg.reading.path_data import MAX_SEGMENTS
 from shapeblend_cli.svg.reading.selection import ancestors, paints_nothing, select
@@ -28,10 +29,10 @@ _EFFECTS |= dict.fromkeys(("marker-start", "marker-mid", "marker-end"), "not dra
 _SINGLE_TRANSFORMS = ("translate", "rotate", "scale")
 _TRANSFORMS = frozenset(("transform", *_SINGLE_TRANSFORMS))
 
+MAX_GROUPS = 32  # around a shape; deeper ones are left out, and what is in them is in the one around
 MAX_USE_DEPTH = 16
 MAX_USED = 10_000
 MAX_VARIABLES = 1000
-_MAX_ID = 1000
 _MAX_NAMES = 3
 
 
@@ -40,6 +41,7 @@ class _Visit(NamedTuple):
 
     `used` are the elements that the open ``use`` elements refer to, `use_id` is the id of the innermost; `given` is the
     size that a ``use`` gives to the viewport it refers to. `chosen` tells whether it or one around it is selected.
+    `groups` are around it, the outermost first.
     """
 
     node: Node
@@ -51,6 +53,7 @@ class _Visit(NamedTuple):
     use_id: str | None = None
     given: tuple[str | None, str | None] = (None, None)
     chosen: bool = True
+    groups: tuple[Group, ...] = ()
 
     def transformed(self, inner: Affine) -> _Visit:
         """Return the visit with a transform of its element applied."""
@@ -73,6 +76,7 @@ class Walk:
         self._lenient = lenient
         self._is_to_blend = is_to_blend
         self._drawn = 0  # contours
+        self._groups = 0
         self._cascade = Cascade(root)
         self._ids: dict[str, Node] = {}
         for node in root.walk():
@@ -191,7 +195,7 @@ class Walk:
         children = node.children
         if node.tag == "switch":
             children = [child for child in children if ":" not in child.tag and _is_for_us(child)][:1]
-        visit = visit._replace(given=(None, None))
+        visit = self._grouped(visit._replace(given=(None, None)))
         self._stack.extend(visit._replace(node=child) for child in reversed(children))
 
     def _use(self, visit: _Visit) -> None:
@@ -207,6 +211,7 @@ class Walk:
         if len(visit.used) >= MAX_USE_DEPTH:
             raise Problem(f"{node}: use nested deeper than {MAX_USE_DEPTH}, the deepest that is read")
         shift = translation(*viewports.offset(node, visit.lengths))
+        visit = self._grouped(visit)
         self._stack.append(
             visit.transformed(shift)._replace(
                 node=target,
@@ -215,6 +220,13 @@ class Walk:
                 given=(node.get("width"), node.get("height")),
             )
         )
+
+    def _grouped(self, visit: _Visit) -> _Visit:
+        """Return the visit with its element around what comes next."""
+        if visit.node is self._root or len(visit.groups) >= MAX_GROUPS:
+            return visit
+        self._groups += 1
+        return visit._replace(groups=(*visit.groups, group_of(visit.node, self._groups)))
 
     def _draw(self, visit: _Visit, declared: Declarations) -> str | None:
         """Add a shape, or return why it is not painted."""
@@ -237,7 +249,7 @@ class Walk:
             return "without extent"
         index = self._painted
         self._painted += 1
-        name = _clean(node.get("id") or visit.use_id)
+        name = clean(node.get("id") or visit.use_id)
         if not visit.chosen:
             if name and len(self._other_names) < _MAX_NAMES:
                 self._other_names[name] = None
@@ -251,7 +263,8 @@ class Walk:
         )
         if style.stroke_dasharray and node.get("pathLength") is not None:
             self._notes.add("pathLength not applied to dashes")
-        self._shapes.append(Shape(index, name, node.tag, tuple(placed), style))
+        called = name_of(node), visit.groups
+        self._shapes.append(Shape(index, name, node.tag, tuple(placed), style, *called))
         return None
 
     def _check_limits(self, placed: Sequence[Contour]) -> None:
@@ -311,11 +324,6 @@ def _is_for_us(node: Node) -> bool:
     return languages is None or any(
         tag.strip().lower().split("-")[0] == "en" for tag in languages[:1000].split(",")
     )
-
-
-def _clean(name: str | None) -> str | None:
-    """Return an id without control characters, and not too long."""
-    return "".join(c for c in name[:_MAX_ID] if c.isprintable()) or None if name else None
 
 
 def _placed(contour: Contour, matrix: Affine) -> Contour | None:

@@ -49,6 +49,9 @@ GROUPS = frozenset(("g", "a", "switch", "svg", "use"))
 LEFT_OUT = frozenset(("text", "image", "foreignObject", "video", "canvas", "iframe"))
 """Elements that browsers draw and this reader does not."""
 
+WITH_TEXT = frozenset(("style", "title", "desc"))
+"""Elements whose text is kept."""
+
 
 @dataclass(slots=True, eq=False, repr=False)
 class Node:
@@ -58,7 +61,7 @@ class Node:
     attrib: dict[str, str]  # by the names in the file
     line: int  # where the element begins in the file, counted from 1
     children: list[Node] = field(default_factory=list)
-    text: str = ""  # directly inside, of `style` elements only
+    text: str = ""  # directly inside, of elements in `WITH_TEXT` only
 
     def get(self, name: str, default: str | None = None) -> str | None:
         """Return the value of an attribute."""
@@ -190,14 +193,14 @@ class _Builder:
         node = Node(_local(name, namespaces), attrib, self._parser.CurrentLineNumber)
         self._open[-1].children.append(node)
         self._open.append(node)
-        if node.tag == "style":
+        if node.tag in WITH_TEXT:
             self._text = []
             self._parser.CharacterDataHandler = self._text.append
 
     def _end(self, name: str) -> None:
         node = self._open.pop()
         self._namespaces.pop()
-        if node.tag == "style":
+        if node.tag in WITH_TEXT:
             node.text = "".join(self._text)
             self._parser.CharacterDataHandler = None
 

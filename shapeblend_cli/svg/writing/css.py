@@ -6,13 +6,15 @@ import zlib
 from collections.abc import Sequence
 
 from shapeblend_cli.easing import FOREVER, PINGPONG, Timing
-from shapeblend_cli.model import Box, KeyframedShape
+from shapeblend_cli.model import Box, KeyframedShape, Page
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import COLOURS, TIME_DIGITS, Moment, attribute_values, moments
 from shapeblend_cli.svg.writing.rounding import number
 
 
-def css_svg(shapes: Sequence[KeyframedShape], view: Box, timing: Timing, decimals: int) -> str:
+def css_svg(
+    shapes: Sequence[KeyframedShape], view: Box, timing: Timing, decimals: int, page: Page | None = None
+) -> str:
     """Return an SVG document animated by CSS; with prefers-reduced-motion it shows A at rest.
 
     Gradients become plain colours, and there is one view, since CSS can animate neither. The shapes are in paint order.
@@ -25,7 +27,8 @@ def css_svg(shapes: Sequence[KeyframedShape], view: Box, timing: Timing, decimal
     last = max(shape.first + len(shape.keys) for shape in shapes) - 1
     endless: dict[int | str, str] = {FOREVER: "infinite", PINGPONG: "infinite alternate"}
     run = f"{number(timing.seconds * last, 4)}s {endless.get(timing.repeat, f'{timing.repeat} forwards')}"
-    drawing = document.empty(view, decimals)
+    drawing = document.empty(view, decimals, page)
+    tree = document.Tree.of(drawing, shapes)
     rules = []
     for k, (shape, attributes) in enumerate(zip(shapes, values_by_shape, strict=True)):
         name, animations = f"{prefix}-{k}", []
@@ -45,7 +48,7 @@ def css_svg(shapes: Sequence[KeyframedShape], view: Box, timing: Timing, decimal
             rules.append(_keyframes(name, at_keys))
             animations.append(f"{name} {run} {timing.ease.css()}")
         path = drawing.path(
-            id=name, **{attribute: values.keys[0] for attribute, values in attributes.items()}
+            class_=name, **{attribute: values.keys[0] for attribute, values in attributes.items()}
         )
         if len(shape.keys) <= last:
             visible = {0.0: ["visibility:hidden"], times[0]: ["visibility:visible"]}
@@ -55,9 +58,9 @@ def css_svg(shapes: Sequence[KeyframedShape], view: Box, timing: Timing, decimal
             animations.append(f"{name}-shown {run} step-end")
             path["visibility"] = "hidden" if shape.first else "visible"
         if animations:
-            rules.append(f"#{name}{{animation:{','.join(animations)}}}")
-        drawing.add(path)
-    rules.append(f"@media (prefers-reduced-motion:reduce){{[id^={prefix}]{{animation:none!important}}}}")
+            rules.append(f".{name}{{animation:{','.join(animations)}}}")
+        tree.add(path, shape.groups, shape.name)
+    rules.append(f"@media (prefers-reduced-motion:reduce){{[class^={prefix}]{{animation:none!important}}}}")
     return document.text(drawing, style="\n".join(["", *rules, ""]))
 
 

@@ -2,22 +2,107 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 from xml.etree import ElementTree  # svgwrite has imported it anyway
 
-from shapeblend_cli.model import Box, Frame
+from shapeblend_cli.model import Box, Frame, Group, KeyframedShape, Name, Page, PaintedShape
+from shapeblend_cli.names import Ids, page_for
 from shapeblend_cli.svg.libraries import svgwrite
 from shapeblend_cli.svg.writing.paint import Gradients, visible_styles
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
 
+INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 
-def empty(viewbox: Box, decimals: int) -> Any:
-    """Return an svgwrite drawing that draws nothing yet."""
+SIZE_DIGITS = 6  # decimals of the width and the height of a page
+
+TEXTS = ("title", "desc")
+
+
+def empty(viewbox: Box, decimals: int, page: Page | None = None) -> Any:
+    """Return an svgwrite drawing that draws nothing yet, of the size of a page if that has one."""
     drawing = svgwrite.Drawing(debug=False, viewBox=box_text(viewbox, decimals))
     drawing.elements.remove(drawing.defs)
+    if page is not None:
+        for name, length in (("width", page.width), ("height", page.height)):
+            if length is not None:
+                drawing[name] = f"{number(length.number, SIZE_DIGITS)}{length.unit}"
+        if page.name.id is not None:
+            drawing["id"] = page.name.id
+        _add_texts(drawing, page.name)
     return drawing
+
+
+def _add_texts(element: Any, name: Name) -> None:
+    """Add a title and a description to an element, if it has any."""
+    if name.title is not None:
+        element.add(svgwrite.base.Title(name.title))
+    if name.description is not None:
+        element.add(svgwrite.base.Desc(name.description))
+
+
+def ids_of(drawing: Any, shapes: Iterable[PaintedShape | KeyframedShape]) -> Ids:
+    """Return the ids of a drawing of some shapes, of which it has its own so far."""
+    ids = Ids.of(shapes)
+    ids.take(drawing.attribs.get("id"))
+    return ids
+
+
+class Tree:
+    """A drawing to which elements are added in paint order, each in its groups and with its name.
+
+    A group that is left and entered again is there twice, since paint order comes first; the id is the first one's.
+    """
+
+    def __init__(self, drawing: Any, ids: Ids, root: Any = None) -> None:
+        self._drawing = drawing
+        self._ids = ids
+        self._root = drawing if root is None else root  # what elements in no group are added to
+        self._open: list[tuple[int, Any]] = []  # groups by their numbers, the outermost first
+
+    @classmethod
+    def of(cls, drawing: Any, shapes: Iterable[PaintedShape | KeyframedShape]) -> Tree:
+        """Return the tree of a drawing of some shapes, none of which has been added yet."""
+        return cls(drawing, ids_of(drawing, shapes))
+
+    @property
+    def ids(self) -> Ids:
+        """The ids of the document."""
+        return self._ids
+
+    def add(self, element: Any, groups: Sequence[Group] = (), name: Name | None = None) -> None:
+        """Add an element, which has no title yet if it gets a name."""
+        shared = 0
+        while shared < min(len(self._open), len(groups)) and self._open[shared][0] == groups[shared].number:
+            shared += 1
+        del self._open[shared:]
+        for group in groups[shared:]:
+            opened = self._drawing.g()
+            self._name(opened, group.name)
+            if group.is_layer:
+                opened["inkscape:groupmode"] = "layer"
+            self._parent.add(opened)
+            self._open.append((group.number, opened))
+        if name is not None:
+            self._name(element, name)
+        self._parent.add(element)
+
+    @property
+    def _parent(self) -> Any:
+        return self._open[-1][1] if self._open else self._root
+
+    def _name(self, element: Any, name: Name) -> None:
+        taken = self._ids.take(name.id)
+        if taken is not None:
+            element["id"] = taken
+        label = name.label or (name.id if taken is None else None)
+        if label is not None:
+            element["inkscape:label"] = label
+        content = element.elements[:]
+        element.elements.clear()
+        _add_texts(element, name)
+        element.elements.extend(content)
 
 
 def box_text(box: Box, decimals: int) -> str:
@@ -34,28 +119,57 @@ def text(drawing: Any, style: str | None = None, definitions: Sequence[ElementTr
     for name in ("width", "height"):
         if root.get(name) == "100%":
             del root.attrib[name]
+    if any(name.startswith("inkscape:") for element in root.iter() for name in element.attrib):
+        root.set("xmlns:inkscape", INKSCAPE)
     unused = ["version", "baseProfile", "xmlns:ev"]
     if not any("xlink:href" in element.attrib for element in root.iter()):
         unused.append("xmlns:xlink")
     for name in unused:
         root.attrib.pop(name, None)
+    first = sum(element.tag in TEXTS for element in root)  # a title is the first element
     if definitions:
         holder = ElementTree.Element("defs")
         holder.extend(definitions)
-        root.insert(0, holder)
+        root.insert(first, holder)
     if style is not None:
         sheet = ElementTree.Element("style")
         sheet.text = style
-        root.insert(0, sheet)
+        root.insert(first, sheet)
     return ElementTree.tostring(root, encoding="unicode") + "\n"
 
 
 def frame_svg(frame: Frame, decimals: int) -> str:
     """Return a frame as an SVG document, its coordinates rounded to so many decimals."""
-    drawing = empty(frame.view, decimals)
-    gradients = Gradients(decimals)
-    for shape in frame.shapes:
-        data = path_data(shape.paths, decimals)
-        for style in visible_styles(shape, frame.t):
-            drawing.add(drawing.path(d=data, **gradients.attributes(style)))
+    drawing = empty(frame.view, decimals, frame.page)
+    tree = Tree.of(drawing, frame.shapes)
+    gradients = Gradients(decimals, tree.ids)
+    add_shapes(tree, drawing, frame, gradients)
     return text(drawing, definitions=gradients.elements)
+
+
+def layers_svg(frames: Sequence[Frame], decimals: int, page: Page) -> str:
+    """Return frames as one SVG document, each in a layer of Inkscape that is called by its time.
+
+    It shows what any of them shows. An id is there once, in the first frame that has it; elsewhere it is a label.
+    """
+    view = Box.union([frame.view for frame in frames])
+    drawing = empty(view, decimals, page_for(page, view))
+    ids = ids_of(drawing, [shape for frame in frames for shape in frame.shapes])
+    gradients = Gradients(decimals, ids)
+    for k, frame in enumerate(frames, 1):
+        layer = drawing.g(id=ids.new(f"frame-{k}"))
+        layer["inkscape:groupmode"] = "layer"
+        layer["inkscape:label"] = f"{k}: t = {number(frame.pair + frame.t, 4)}"
+        drawing.add(layer)
+        add_shapes(Tree(drawing, ids, layer), drawing, frame, gradients)
+    return text(drawing, definitions=gradients.elements)
+
+
+def add_shapes(tree: Tree, drawing: Any, frame: Frame, gradients: Gradients) -> None:
+    """Add the shapes of a frame to a drawing. Of two coats of paint the upper one has the name."""
+    for shape in frame.shapes:
+        data = path_data(shape.paths, gradients.decimals)
+        *below, above = visible_styles(shape, frame.t)
+        for style in below:
+            tree.add(drawing.path(d=data, **gradients.attributes(style)), shape.groups)
+        tree.add(drawing.path(d=data, **gradients.attributes(above)), shape.groups, shape.name)

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from xml.etree.ElementTree import Element, SubElement
 
 from shapeblend_cli.model import Gradient, LinearGradient, PaintedShape, RadialGradient, Style
+from shapeblend_cli.names import Ids
 from shapeblend_cli.svg.writing.rounding import number
 
 SHARE_DIGITS = 5  # decimals of shares, such as the offset of a gradient's stop
@@ -121,8 +122,9 @@ def _coordinates(point: complex, decimals: int) -> tuple[str, str]:
 class Gradients:
     """The gradients of a document, each defined once in `elements`."""
 
-    def __init__(self, decimals: int) -> None:
+    def __init__(self, decimals: int, ids: Ids | None = None) -> None:
         self.decimals = decimals
+        self._ids = ids or Ids()
         self.elements: list[Element] = []
         self._names: dict[Gradient, str] = {}
 
@@ -137,7 +139,7 @@ class Gradients:
     def link(self, gradient: Gradient) -> str:
         """Return the value of ``fill`` or ``stroke`` that refers to a gradient."""
         if gradient not in self._names:
-            self._names[gradient] = f"gradient-{len(self._names) + 1}"
+            self._names[gradient] = self._ids.new(f"gradient-{len(self._names) + 1}")
             written = gradient_attributes(gradient, self.decimals)
             self.elements.append(gradient_element(self._names[gradient], gradient, *written))
         return f"url(#{self._names[gradient]})"

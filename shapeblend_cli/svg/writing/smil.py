@@ -7,7 +7,7 @@ from typing import Any
 from xml.etree.ElementTree import Element
 
 from shapeblend_cli.easing import FOREVER, PINGPONG, Timing
-from shapeblend_cli.model import Box, Frame, Gradient, KeyframedShape, RadialGradient
+from shapeblend_cli.model import Box, Frame, Gradient, KeyframedShape, Page, RadialGradient
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import (
     TIME_DIGITS,
@@ -24,9 +24,16 @@ DISCRETE = frozenset(("fill_rule", "stroke_linecap", "stroke_linejoin", "spreadM
 """Attributes that have nothing in between and switch at half time."""
 
 
-def smil_svg(shapes: Sequence[KeyframedShape], views: Sequence[Box], timing: Timing, decimals: int) -> str:
+def smil_svg(
+    shapes: Sequence[KeyframedShape],
+    views: Sequence[Box],
+    timing: Timing,
+    decimals: int,
+    page: Page | None = None,
+) -> str:
     """Return an SVG document in which paths, in paint order, are animated by SMIL; it shows one view a key."""
-    drawing = document.empty(views[0], decimals)
+    drawing = document.empty(views[0], decimals, page)
+    tree = document.Tree.of(drawing, shapes)
     timeline = _Timeline(drawing, len(views) - 1, timing)
     gradients: list[Element] = []
     boxes = [document.box_text(view, decimals) for view in views]
@@ -38,7 +45,7 @@ def smil_svg(shapes: Sequence[KeyframedShape], views: Sequence[Box], timing: Tim
         for paint in ("fill", "stroke"):
             keys = [getattr(key.style, f"{paint}_gradient") for key in extended.keys]
             if all(keys):
-                name = f"gradient-{len(gradients) + 1}"
+                name = tree.ids.new(f"gradient-{len(gradients) + 1}")
                 gradients.append(_animated_gradient(timeline, name, keys, decimals))
                 attributes[paint] = values_between(paint, [f"url(#{name})"] * len(keys))
         path = drawing.path(**{name: values.keys[0] for name, values in attributes.items()})
@@ -49,11 +56,13 @@ def smil_svg(shapes: Sequence[KeyframedShape], views: Sequence[Box], timing: Tim
             if shape.first:
                 path["visibility"] = "hidden"
             path.add(timeline.show(shape.first, shape.first + len(shape.keys) - 1))
-        drawing.add(path)
+        tree.add(path, shape.groups, shape.name)
     return document.text(drawing, definitions=gradients)
 
 
-def stacked_svg(frames: Sequence[Frame], timing: Timing, pairs: int, decimals: int) -> str:
+def stacked_svg(
+    frames: Sequence[Frame], timing: Timing, pairs: int, decimals: int, page: Page | None = None
+) -> str:
     """Return an SVG document with all frames on top of each other, one of them visible at a time.
 
     The frames are at even times of all `pairs` together; they are eased already.
@@ -62,7 +71,7 @@ def stacked_svg(frames: Sequence[Frame], timing: Timing, pairs: int, decimals: i
     if timing.is_pingpong:
         order += order[-2:0:-1]
     view = frames[0].view
-    drawing = document.empty(view, decimals)
+    drawing = document.empty(view, decimals, page)
     timeline = _Timeline(drawing, pairs, timing)
     gradients = Gradients(decimals)
     for k, frame in enumerate(frames):
@@ -92,6 +101,8 @@ def _extend(shape: KeyframedShape, drawings: int) -> KeyframedShape:
         first=0,
         waypoints=((),) * before + shape.waypoints + ((),) * after,
         fading=((),) * before + shape.fading + ((),) * after if shape.fading else (),
+        name=shape.name,
+        groups=shape.groups,
     )
 
 

@@ -86,4 +86,4 @@ def test_drawings_that_move_differently_have_different_names_in_css():
     straight = pairs_of(LEAF, BAR)
     moved = ([rotated(straight[0], degrees)] for degrees in (90.0, 120.0))
     texts = [css(pairs, Timing()) for pairs in (straight, *moved)]
-    assert len({re.search(r' id="([^"]*)"', text)[1] for text in texts}) == 3
+    assert len({re.search(r' class="([^"]*)"', text)[1] for text in texts}) == 3

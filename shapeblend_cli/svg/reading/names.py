@@ -1,0 +1,40 @@
+"""What elements are called: ids, the labels of Inkscape, titles and descriptions."""
+
+from __future__ import annotations
+
+from shapeblend_cli.model import Group, Name
+from shapeblend_cli.svg.reading.xmltree import Node
+
+MAX_ID = 1000
+_MAX_TEXT = 10_000
+
+
+def name_of(node: Node) -> Name:
+    """Return what an element is called."""
+    title, description = (
+        next((child.text for child in node.children if child.tag == tag), None) for tag in ("title", "desc")
+    )
+    return Name(
+        clean(node.get("id")), clean(_prefixed(node, "label")), clean_text(title), clean_text(description)
+    )
+
+
+def group_of(node: Node, number: int) -> Group:
+    """Return an element as a group, with a number that tells it from others."""
+    return Group(number, name_of(node), _prefixed(node, "groupmode") == "layer")
+
+
+def clean(name: str | None) -> str | None:
+    """Return an id without control characters, and not too long."""
+    return "".join(c for c in name[:MAX_ID] if c.isprintable()) or None if name else None
+
+
+def clean_text(text: str | None) -> str | None:
+    """Return words with one blank between them, and not too many; None if there are none."""
+    words = "".join(c if c.isprintable() else " " for c in (text or "")[:_MAX_TEXT]).split()
+    return " ".join(words) or None
+
+
+def _prefixed(node: Node, name: str) -> str | None:
+    """Return the value of an attribute of another namespace than SVG's, which only editors write, by its local name."""
+    return next((value for key, value in node.attrib.items() if key.endswith(f":{name}")), None)
