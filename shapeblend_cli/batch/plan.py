@@ -14,7 +14,7 @@ from shapeblend_cli.jobs import RECORDS, Job, all_targets, job_of
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.outputs.registry import EMITS, FORMATS
 
-_FIELD = re.compile(r"\{([^{}]*)\}")
+_FIELD = re.compile(r"\{\{|\}\}|\{([^{}]*)\}")
 
 FILES = tuple(o.name for record in RECORDS for o in record.options.values() if o.kind.is_file)
 
@@ -84,14 +84,17 @@ def _fields(row: Row, number: int, count: int) -> dict[str, str]:
 
 
 def _filled(name: Name, fields: Mapping[str, str], where: str) -> str:
-    """Return a name with its fields filled in, below its base."""
+    """Return a name with its fields filled in, below its base; `{{` and `}}` are braces."""
 
     def fill(match: re.Match[str]) -> str:
+        if match[1] is None:
+            return match[0][0]
         try:
             return fields[match[1]]
         except KeyError:
             known = ", ".join(f"{{{field}}}" for field in fields)
-            raise OptionError(f"{where}: {name.pattern} has {match[0]}; {known} would work") from None
+            remedy = f"{known} would work, and {{{{ for a brace"
+            raise OptionError(f"{where}: {name.pattern} has {match[0]}; {remedy}") from None
 
     if name.pattern == STANDARD_OUTPUT:
         raise OptionError(f"{where}: a batch writes files, and nothing to standard output")

@@ -64,6 +64,12 @@ def test_the_command_line_counts_more_than_defaults_and_less_than_a_row(drawings
     assert len(names("in/more")) == 4
 
 
+def test_doubled_braces_are_braces(drawings, statuses):
+    Path("in/jobs.csv").write_text("a,b,o\n1.svg,2.svg,{{a}}-{b}{{{n}}}.svg\n", "utf-8")
+    assert statuses("in/jobs.csv") == (0, "done")
+    assert Path("in/{a}-2{1}.svg").is_file()
+
+
 WRONG = {
     '{"a": "1.svg", "b": "2.svg", "vertexes": 3}': "line 2: 'vertexes' is no option of a job",
     '{"a": "1.svg", "b": "2.svg", "vertices": -3}': "line 2: vertices must be 0 or more, not -3",
@@ -71,7 +77,7 @@ WRONG = {
     '{"a": "1.svg", "b": "2.svg", "quiet": true}': "line 2: 'quiet' is no option of a job",
     '{"a": "1.svg", "b": "2.svg", "ends": "perhaps"}': "line 2: ends must be True or False",
     '{"a": "1.svg", "b": "2.svg", "o": "y.svg", "output": "z.svg"}': "line 2: output is given twice",
-    '{"a": "1.svg", "b": "2.svg", "o": "{x}.svg"}': "line 2: {x}.svg has {x}; {a}, {b}, {n} would work",
+    '{"a": "1.svg", "b": "2.svg", "o": "{x}.svg"}': "line 2: {x}.svg has {x}; {a}, {b}, {n} would work, and {{ for",
     '{"a": "1.svg", "b": "2.svg", "o": "-"}': "line 2: a batch writes files",
     '{"a": "1.svg", "b": "2.svg", "frames": 0}': "line 2: nothing is written",
     '{"a": "1.svg", "b": "2.svg", "o": "./x.svg"}': "line 2: in/x.svg is written by in/jobs.jsonl, line 1 as well",
