@@ -7,6 +7,10 @@ import os
 import signal
 import sys
 
+# Starting threads for large matrices, of which there are none, costs a sixth of the start; and with one thread, sums do
+# not depend on the number of processors.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 gc.disable()  # one short run; looking for garbage while modules load costs a tenth of the start
 
 

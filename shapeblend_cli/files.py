@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
 from shapeblend_cli.jobs import Job, all_targets
+from shapeblend_cli.kept import Kept
 from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.model import Drawing, Pair
 from shapeblend_cli.motion.verdict import verdict
@@ -23,7 +24,7 @@ from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
 from shapeblend_cli.pipeline import make_frames, match_all, times_of_frames
 from shapeblend_cli.report import Measures, measure, report
 from shapeblend_cli.settings import ReadOptions, Settings
-from shapeblend_cli.svg.reading.read import STANDARD_INPUT, read
+from shapeblend_cli.svg.reading.read import STANDARD_INPUT, contents_of, read
 from shapeblend_cli.version import __version__
 
 SLOW = (
@@ -47,10 +48,10 @@ class Run:
 
 
 class Made(NamedTuple):
-    """What a run is going to write, and nothing of it written yet."""
+    """What a run has made, before any of it is written."""
 
     run: Run
-    contents: Contents
+    contents: Contents  # of files and folders
     standard_output: str | bytes
 
 
@@ -59,40 +60,48 @@ def blend_files(
     note: Callable[[str], None],
     warn: Callable[[str], None],
     progress: Callable[[float], None],
-    before_writing: Callable[[Contents], None] = lambda contents: None,
     sources: Mapping[str, bytes] = MappingProxyType({}),
 ) -> Run:
     """Read files, blend each with the next, and write what is asked for, all of it or nothing.
 
     Files among the `sources` have these contents, and are not opened.
     `note` takes what the user should know, a line at a time, and `warn` what even one who wants to read little should;
-    `progress` takes the share of the matching that is done, 0 to 1; `before_writing` takes all that is going to be
-    written to files, and may refuse that by an error.
+    `progress` takes the share of the matching that is done, 0 to 1.
     """
+    check_libraries(job)
+    check_files_of(job)
+    clock = Clock()
+    made = make(job, clock, note, progress, sources)
+    write(job, made.contents, warn, made.standard_output)
+    clock.lap("write")
+    return made.run
+
+
+def check_libraries(job: Job) -> None:
+    """Raise OutputError if a job needs a library that is not there."""
     with _named(job.output.path):
         job.output.format.check_libraries()
+
+
+def check_files_of(job: Job) -> None:
+    """Raise OutputError if a job would write what it must not; see `check_targets`."""
     check_targets(
         all_targets(job), [Path(file) for file in job.files if file != STANDARD_INPUT], job.write.force
     )
-    clock = Clock()
-    run, contents, standard_output = make(job, clock, note, progress, sources)
-    before_writing(contents)
-    write_files(contents, job.write.force)
-    print_text(standard_output, "; the files were written" if any(contents.values()) else "")
-    if stale := _stale_frames(job.output):
-        warn(f"{job.output.path}: {len(stale)} frame files of another run remain, {min(stale)} among them")
-    clock.lap("write")
-    return run
 
 
 def make(
     job: Job,
     clock: Clock,
     note: Callable[[str], None],
-    progress: Callable[[float], None],
+    progress: Callable[[float], None] = lambda share: None,
     sources: Mapping[str, bytes] = MappingProxyType({}),
+    kept: Kept | None = None,
 ) -> Made:
-    """Read files, blend each with the next, and return what is to be written; see `blend_files` for the parameters."""
+    """Read files, blend each with the next, and return what is to be written; see `blend_files` for the parameters.
+
+    What is `kept` of drawings is not made again.
+    """
     notes: list[str] = []
 
     def note_and_keep(text: str) -> None:
@@ -102,8 +111,8 @@ def make(
     if not COMPILED:
         note_and_keep(SLOW)
     output, settings = job.output, job.output.settings
-    drawings = read_files(job.files, job.read, clock, note_and_keep, sources)
-    pairs = match_drawings(drawings, settings, clock, note_and_keep, progress)
+    drawings = read_files(job.files, job.read, clock, note_and_keep, sources, kept)
+    pairs = match_drawings(drawings, settings, clock, note_and_keep, progress, kept)
     _say_if_poor(job, pairs, note_and_keep)
     run = Run(pairs, settings, clock.seconds)
     with _named(output.path):
@@ -138,6 +147,16 @@ def make(
     return Made(run, contents, standard_output)
 
 
+def write(
+    job: Job, contents: Contents, warn: Callable[[str], None], standard_output: str | bytes = ""
+) -> None:
+    """Write what was made, all of it or nothing."""
+    write_files(contents, job.write.force)
+    print_text(standard_output, "; the files were written" if any(contents.values()) else "")
+    if stale := _stale_frames(job.output):
+        warn(f"{job.output.path}: {len(stale)} frame files of another run remain, {min(stale)} among them")
+
+
 def match_files(
     files: Sequence[str],
     options: ReadOptions,
@@ -156,12 +175,19 @@ def read_files(
     clock: Clock,
     note: Callable[[str], None],
     sources: Mapping[str, bytes] = MappingProxyType({}),
+    kept: Kept | None = None,
 ) -> list[Drawing]:
     """Read files; those among the `sources` have these contents, and are not opened."""
-    drawings = [
-        read(file, sources.get(file), lenient=options.lenient, select=selector, is_to_blend=True)
-        for file, selector in zip(files, options.selections(len(files)), strict=True)
-    ]
+    kept = kept or Kept(0)
+    drawings = []
+    for file, selector in zip(files, options.selections(len(files)), strict=True):
+        content = sources[file] if file in sources else contents_of(file)
+        key = file, content, options.lenient, selector
+        drawing = kept.find(key)
+        if drawing is None:
+            drawing = read(file, content, lenient=options.lenient, select=selector, is_to_blend=True)
+            kept.keep(key, drawing, len(content))
+        drawings.append(drawing)
     for drawing in drawings:
         for text in drawing.notes:
             note(f"{drawing.file}: {text}")
@@ -175,10 +201,11 @@ def match_drawings(
     clock: Clock,
     note: Callable[[str], None],
     progress: Callable[[float], None],
+    kept: Kept | None = None,
 ) -> list[Pair]:
     """Match each drawing with the next."""
     try:
-        pairs, notes = match_all(drawings, settings, clock, progress)
+        pairs, notes = match_all(drawings, settings, clock, progress, kept)
     except MatchError as error:
         raise InputError(" and ".join(drawing.file for drawing in drawings), str(error)) from error
     for text in notes:

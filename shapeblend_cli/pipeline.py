@@ -14,6 +14,7 @@ from shapeblend_cli.geometry.placement import place_over
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.fades import in_paint_order
 from shapeblend_cli.interpolate.paths import paths_at, with_curves
+from shapeblend_cli.kept import Kept
 from shapeblend_cli.model import Box, CubicPath, Drawing, Frame, Page, PaintedShape, Pair, ShapeBlend, Style
 from shapeblend_cli.motion.alignment import Alignment, align, point_pairs, shared_alignments
 from shapeblend_cli.motion.choose import (
@@ -36,7 +37,7 @@ from shapeblend_cli.paint.styles import painted_as, shape_styles
 from shapeblend_cli.pairing.changes import changes
 from shapeblend_cli.pairing.constraints import check_stiff, constrain, point_pins, required_pairs
 from shapeblend_cli.pairing.contour_blends import match_contours
-from shapeblend_cli.pairing.decompose import PlacedDrawing, decompose, main_orientation
+from shapeblend_cli.pairing.decompose import PlacedContour, PlacedDrawing, decompose, main_orientation
 from shapeblend_cli.pairing.direction import watch_part
 from shapeblend_cli.pairing.pair import pair_rotated_contours, rotated_back
 from shapeblend_cli.pairing.reasons import reasons_for
@@ -70,6 +71,7 @@ def match_all(
     settings: Settings,
     clock: Clock | None = None,
     watch: Watch | None = None,
+    kept: Kept | None = None,
 ) -> tuple[list[Pair], list[str]]:
     """Blend drawings, each with the next one: everything up to the first frame.
 
@@ -82,6 +84,8 @@ def match_all(
         Measures the stages `flatten`, `match` and `interpolate`.
     watch : callable, optional
         Called now and then with the share of the matching that is done, from 0 to 1.
+    kept : Kept, optional
+        Contours of drawings that were flattened before.
 
     Returns
     -------
@@ -91,7 +95,7 @@ def match_all(
     """
     clock = clock or Clock()
     maps = _place(drawings, settings.place)
-    flat, notes = _flatten(drawings, maps, settings.vertices)
+    flat, notes = _flatten(drawings, maps, settings.vertices, kept or Kept(0))
     check_stiff([contour.polygon for contour in flat[0].contours], settings)
     drawn = [as_drawn(drawing, to_a) for drawing, to_a in zip(drawings, maps, strict=True)]
     views = _views(drawings, maps, drawn, settings)
@@ -118,18 +122,33 @@ def _place(drawings: Sequence[Drawing], place: str) -> list[Similarity]:
 
 
 def _flatten(
-    drawings: Sequence[Drawing], maps: Sequence[Similarity], vertices: int
+    drawings: Sequence[Drawing], maps: Sequence[Similarity], vertices: int, kept: Kept
 ) -> tuple[list[PlacedDrawing], list[str]]:
     """Decompose drawings into flattened contours, those of all oriented as in the first."""
     placed: list[PlacedDrawing] = []
     notes: list[str] = []
     orientation = None
     for drawing, to_a in zip(drawings, maps, strict=True):
-        contours, left_out = decompose(drawing, to_a, vertices, orientation)
+        contours, left_out = _contours(drawing, to_a, vertices, orientation, kept)
         orientation = orientation or main_orientation([contour.polygon for contour in contours])
         placed.append(PlacedDrawing(drawing, to_a, contours))
         notes += left_out
     return placed, notes
+
+
+def _contours(
+    drawing: Drawing, to_a: Similarity, vertices: int, orientation: int | None, kept: Kept
+) -> tuple[list[PlacedContour], list[str]]:
+    """Decompose a drawing, unless that is kept."""
+    # The number of a drawing is no other one's for as long as it is there, and it is kept with its contours.
+    key = id(drawing), to_a, vertices, orientation
+    found = kept.find(key)
+    if found is None:
+        found = drawing, decompose(drawing, to_a, vertices, orientation)
+        size = sum(contour.segments.nbytes for shape in drawing.shapes for contour in shape.contours)
+        kept.keep(key, found, size)
+    contours: tuple[list[PlacedContour], list[str]] = found[1]
+    return contours
 
 
 def as_drawn(drawing: Drawing, to_a: Similarity) -> tuple[PaintedShape, ...]:

@@ -41,7 +41,7 @@ def read(
     notes = Notes()
     name = "<stdin>" if file == STANDARD_INPUT else file
     try:
-        root = xmltree.parse(_contents(file) if data is None else data)
+        root = xmltree.parse(contents_of(file) if data is None else data)
         if root.tag != "svg":
             tag = printable(root.tag.lstrip(":"))
             raise Problem(f"its root element is <{tag}>, not <svg>; an SVG file would work")
@@ -52,16 +52,20 @@ def read(
     return Drawing(name, box, shapes, notes.phrases(), viewports.root_page(root, box))
 
 
-def _contents(file: str) -> bytes:
+def contents_of(file: str) -> bytes:
+    """Return the bytes of a file, or of standard input, no more than can be read; InputError if it cannot be opened."""
     try:
         if file == STANDARD_INPUT:
             if sys.stdin is None:
-                raise Problem("standard input is closed; an SVG file would work")
+                raise InputError("<stdin>", "standard input is closed; an SVG file would work")
             return sys.stdin.buffer.read(xmltree.MAX_BYTES + 1)
         with open(file, "rb") as stream:
             return stream.read(xmltree.MAX_BYTES + 1)
+    except InputError:
+        raise
     except OSError as error:
-        raise Problem(f"cannot be read ({error.strerror}); a readable SVG file would work") from None
+        name = "<stdin>" if file == STANDARD_INPUT else file
+        raise InputError(name, f"cannot be read ({error.strerror}); a readable SVG file would work") from None
     except ValueError:
         # Names with a null character.
-        raise Problem("not the name of a file") from None
+        raise InputError(file, "not the name of a file") from None
