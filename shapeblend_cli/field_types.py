@@ -153,6 +153,14 @@ def _repeat(value: Any) -> Any:
     return index(value)
 
 
+def _address(value: Any) -> str:
+    _, _, rest = str(value).rpartition("://")
+    host, _, port = rest.rpartition(":")
+    if not host or not port.isdecimal():
+        raise ValueError
+    return str(value)
+
+
 def _colour(value: Any) -> str:
     from shapeblend_cli.svg.reading.colours import parse_colour
 
@@ -250,6 +258,7 @@ REPEAT = FieldType(
 )
 COLOUR = FieldType("transparent, or an opaque CSS colour such as white or #f4f4f0", _colour, "COLOUR")
 FOLDERS = FieldType("two folders", _folders, "FROM TO", words=2)
+ADDRESS = FieldType("the address of a scheduler, such as tcp://192.168.0.1:8786", _address, "tcp://HOST:PORT")
 SHARD = FieldType(
     "K/N, with K from 1 to N, such as 3/16",
     _shard,

@@ -326,6 +326,11 @@ class BatchOptions(Record, section=BATCH):
         default=None,
         help="Do the Kth of N parts of the batch, on one of N machines.",
     )
+    cluster: str | None = option(
+        types.ADDRESS,
+        default=None,
+        help="Have the jobs done by the workers of a dask scheduler. Drawings and outputs travel; no folder is shared.",
+    )
 
 
 class RunOptions(Record, section=OTHER):

@@ -23,10 +23,11 @@ ROOMS = {
     "__init__": "api outputs model settings errors version",
     "api": "pipeline outputs output report pairing svg.reading svg.writing settings model clock version easing errors",
     "project": "batch field_types errors",
-    "batch": "files jobs outputs staging interrupts fields field_types easing errors version",
+    "batch": "files svg.reading jobs outputs output kept staging interrupts fields field_types clock easing errors "
+    "version",
     "plot": "files outputs output svg.reading svg.writing pairing interpolate geometry settings matching model clock "
     "errors",
-    "files": "preview tries report jobs outputs output pipeline svg.reading motion settings matching model clock "
+    "files": "preview tries report jobs outputs output pipeline svg.reading motion settings matching model kept clock "
     "errors version",
     "tries": "pipeline svg.writing motion geometry settings model errors",
     "preview": "svg.reading svg.writing pairing interpolate paint settings matching model easing",
@@ -36,7 +37,7 @@ ROOMS = {
     "output": "staging interrupts errors",
     "staging": "",
     "interrupts": "errors",
-    "pipeline": "views pairing motion interpolate names paint geometry settings model clock easing",
+    "pipeline": "views pairing motion interpolate names paint geometry settings model kept clock easing",
     "views": "interpolate geometry model",
     "pairing": "geometry settings matching constants model errors",
     "motion": "interpolate geometry model _cython",
@@ -55,6 +56,7 @@ ROOMS = {
     "geometry": "model _cython",
     "model": "",
     "clock": "",
+    "kept": "",
     "easing": "",
     "errors": "",
     "version": "",
@@ -72,6 +74,7 @@ LIBRARIES = {
     "PIL": "outputs",
     "resvg_py": "outputs",
     "coloraide": "paint",
+    "distributed": "batch",
     "lap": "pairing",
     "cython": "geometry matching motion",
 }

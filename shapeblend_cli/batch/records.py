@@ -55,7 +55,7 @@ class Record:
 
     def state(self, hash_of: Callable[[str | Path], str], force: bool) -> State:
         """Say whether the job is up to date, or why not, by the hashes of files."""
-        old, new = self._read(), self._made_of(hash_of)
+        old, new = self._read(), self.made_of(hash_of)
         now = {self._name(target): hash_of(target) for target in self._targets}
         if force:
             return State("--force")
@@ -87,11 +87,9 @@ class Record:
         }
         _replace(self.path, json.dumps(record, indent=1).encode())
 
-    def made_of(self) -> dict[str, Any]:
-        """Return what outputs would be made of now."""
-        return self._made_of(hash_of_file)
-
-    def _made_of(self, hash_of: Callable[[str | Path], str]) -> dict[str, Any]:
+    def made_of(self, hash_of: Callable[[str | Path], str] | None = None) -> dict[str, Any]:
+        """Return what outputs would be made of now, by the hashes of files."""
+        hash_of = hash_of or hash_of_file
         reported = {key: value for key, value in self._job.reported.items() if key not in UNRECORDED}
         return {
             "version": __version__,

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from shapeblend_cli.batch.plan import Task
 from shapeblend_cli.batch.records import HashOf, Record, State
-from shapeblend_cli.batch.supervisor import run_all
+from shapeblend_cli.batch.supervisor import Ended
 from shapeblend_cli.batch.worker import DONE, FAILED, Answer, Order
 from shapeblend_cli.errors import OutputError
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
@@ -54,12 +54,16 @@ def states(tasks: Sequence[Task]) -> list[State]:
     return [Record(task.job, task.targets).state(hash_of, bool(task.given.get("force"))) for task in tasks]
 
 
-def run_tasks(
-    tasks: Sequence[Task], found: Sequence[State], count: int, fail_fast: bool
-) -> Iterator[Outcome]:
-    """Do the tasks that are not up to date in so many processes; yield all of them as they end.
+Orders = Sequence[tuple[int, Order]]
 
-    `found` are the tasks' states. See `supervisor.run_all` for what is raised.
+
+def run_tasks(
+    tasks: Sequence[Task], found: Sequence[State], run: Callable[[Orders], Iterator[Ended]], fail_fast: bool
+) -> Iterator[Outcome]:
+    """Have the tasks done that are not up to date; yield all of them as they end.
+
+    `found` are the tasks' states, and `run` does numbered orders: see `supervisor.run_all` and `cluster.run_all`, also
+    for what is raised.
     """
     waiting: dict[int, Task] = {}
     for task, state in zip(tasks, found, strict=True):
@@ -75,7 +79,7 @@ def run_tasks(
             )
             yield Outcome(task, CURRENT, Answer(CURRENT, warnings=(edited,) if edited else ()), 0)
     orders = [(n, Order(t.files, t.given, bool(t.given.get("force")))) for n, t in waiting.items()]
-    for ended in run_all(orders, count, fail_fast):
+    for ended in run(orders):
         yield Outcome(waiting[ended.number], ended.answer.status, ended.answer, ended.attempts)
 
 

@@ -6,6 +6,7 @@ empties; signals go there, too.
 
 from __future__ import annotations
 
+import os
 import pickle
 import subprocess
 import sys
@@ -63,11 +64,32 @@ def run_all(orders: Iterable[tuple[int, Order]], count: int, fail_fast: bool) ->
     """
     waiting = deque(orders)
     events: SimpleQueue[Ended | Exception | None] = SimpleQueue()
-    workers = [_Worker(waiting, events, fail_fast) for _ in range(min(count, len(waiting)))]
+    workers = [Worker() for _ in range(min(count, len(waiting)))]
+
+    def work(worker: Worker) -> None:
+        """Do jobs until there are no more."""
+        try:
+            while True:
+                try:
+                    number, order = waiting.popleft()
+                except IndexError:
+                    break
+                done = worker.do(order)
+                if done is None:
+                    break
+                if fail_fast and done[0].status != DONE:
+                    waiting.clear()
+                events.put(Ended(number, *done))
+        except Exception as error:
+            events.put(error)
+        finally:
+            worker.end()
+            events.put(None)
+
     error: Exception | None = None
     with told(lambda number: events.put(Stopped(number))):
         for worker in workers:
-            worker.start()
+            threading.Thread(target=work, args=(worker,), daemon=True).start()
         running = len(workers)
         try:
             while running:
@@ -90,38 +112,42 @@ def run_all(orders: Iterable[tuple[int, Order]], count: int, fail_fast: bool) ->
         raise error
 
 
-class _Worker:
-    """A process that does jobs, and the thread that waits for it."""
+class Worker:
+    """A process that does a job at a time. It is started when it is needed, and again after it has died."""
 
-    def __init__(self, waiting: deque[tuple[int, Order]], events: SimpleQueue[Any], fail_fast: bool) -> None:
-        self._waiting = waiting
-        self._events = events
-        self._fail_fast = fail_fast
+    def __init__(self) -> None:
         self._process: subprocess.Popen[bytes] | None = None
         self._is_stopped = False
         self._lock = threading.Lock()
 
-    def start(self) -> None:
-        """Begin to do jobs."""
-        threading.Thread(target=self._run, daemon=True).start()
+    def do(self, order: Order) -> tuple[Answer, int] | None:
+        """Do a job, and return what has become of it, and after how many attempts; None if it was stopped.
 
-    def _run(self) -> None:
-        """Do jobs until there are no more."""
-        try:
-            while not self._is_stopped:
-                try:
-                    number, order = self._waiting.popleft()
-                except IndexError:
-                    break
-                self._do(number, order)
-        except Exception as error:
-            self._events.put(error)
-        finally:
-            self._end()
-            self._events.put(None)
+        Raises
+        ------
+        CannotStart
+            If no process can be started.
+        """
+        for attempt in range(1, ATTEMPTS + 1):
+            process = self._started()
+            if process is None:
+                return None
+            answer = self._asked(process, order)
+            if answer is None and self._is_stopped:
+                return None
+            if answer is not None and answer.status == STOPPED:
+                if self._is_stopped:
+                    return None
+                answer = None  # somebody else has told the process to stop
+            if answer is not None:
+                if answer.status == TIMEOUT:
+                    self.end()
+                return answer, attempt
+            ending = _ending(self.end())
+        return Answer(DIED, died(order, ATTEMPTS, f"{ending} at last")), ATTEMPTS
 
     def stop(self, *, at_once: bool = False) -> None:
-        """Have the process end, after what it is writing is whole."""
+        """Have the process end, after what it is writing is whole. It is not started again."""
         with self._lock:
             self._is_stopped = True
             if self._process is None or self._process.poll() is not None:
@@ -134,31 +160,17 @@ class _Worker:
             end.daemon = True
             end.start()
 
-    def _do(self, number: int, order: Order) -> None:
-        for attempt in range(1, ATTEMPTS + 1):
-            process = self._started()
-            if process is None:
-                return
-            answer = self._asked(process, order)
-            if answer is None and self._is_stopped:
-                return
-            if answer is not None and answer.status == STOPPED:
-                if self._is_stopped:
-                    return
-                answer = None  # somebody else has told the process to stop
-            if answer is not None:
-                self._tell(Ended(number, answer, attempt))
-                if answer.status == TIMEOUT:
-                    self._end()
-                return
-            ending = _ending(self._end())
-        error = f"{' and '.join(order.files)}: the process that did it died twice, {ending} at last"
-        self._tell(Ended(number, Answer(DIED, error), ATTEMPTS))
-
-    def _tell(self, ended: Ended) -> None:
-        if self._fail_fast and ended.answer.status != DONE:
-            self._waiting.clear()
-        self._events.put(ended)
+    def end(self) -> int:
+        """End the process, and return its status."""
+        with self._lock:
+            process, self._process = self._process, None
+        if process is None:
+            return 0
+        for stream in (process.stdin, process.stdout):
+            if stream is not None:
+                with suppress(OSError):
+                    stream.close()
+        return process.wait()
 
     def _started(self) -> subprocess.Popen[bytes] | None:
         """Return the process, started where it is not running; None after `stop`."""
@@ -171,7 +183,7 @@ class _Worker:
                 self._process = _start()
             if _received(self._process) == READY:
                 return self._process
-            code = self._end()
+            code = self.end()
             if self._is_stopped:
                 return None
         raise CannotStart(f"the processes that do the jobs do not start: {_ending(code)}")
@@ -203,17 +215,11 @@ class _Worker:
             return Answer(TIMEOUT, stopped, seconds=seconds + GRACE)
         return answer
 
-    def _end(self) -> int:
-        """End the process, and return its status."""
-        with self._lock:
-            process, self._process = self._process, None
-        if process is None:
-            return 0
-        for stream in (process.stdin, process.stdout):
-            if stream is not None:
-                with suppress(OSError):
-                    stream.close()
-        return process.wait()
+
+def died(order: Order, attempts: int, how: str) -> str:
+    """Say that the process that did a job died so many times."""
+    times = "twice" if attempts == 2 else f"{attempts} times"
+    return f"{' and '.join(order.files)}: the process that did it died {times}, {how}"
 
 
 def _start() -> subprocess.Popen[bytes]:
@@ -224,6 +230,7 @@ def _start() -> subprocess.Popen[bytes]:
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
         start_new_session=True,  # so that Ctrl-C is for the supervisor alone
+        env={"OPENBLAS_NUM_THREADS": "1"} | os.environ,  # as of a command
     )
 
 

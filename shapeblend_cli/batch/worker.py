@@ -10,14 +10,18 @@ import pickle
 import signal
 import warnings
 from collections.abc import Callable
+from functools import cache
 from time import perf_counter
 from typing import Any, BinaryIO, NamedTuple
 
 from shapeblend_cli.batch.records import Record
 from shapeblend_cli.batch.rows import command_of
+from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import in_words
 from shapeblend_cli.interrupts import Interrupted, listening, stop_after
-from shapeblend_cli.jobs import all_targets, job_of
+from shapeblend_cli.jobs import Job, all_targets, job_of
+from shapeblend_cli.kept import Kept
+from shapeblend_cli.output import Contents
 
 READY = "ready"
 
@@ -30,6 +34,7 @@ class Order(NamedTuple):
     files: tuple[str, ...]
     given: dict[str, Any]  # values of options by the names of their fields
     force: bool  # whether files that no batch wrote are replaced
+    data: tuple[bytes, ...] | None = None  # what is in the files, for a worker that does not have them
 
 
 class Answer(NamedTuple):
@@ -40,6 +45,7 @@ class Answer(NamedTuple):
     notes: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
     seconds: float = 0.0
+    contents: Contents | None = None  # what is to be written, by a worker that was given data
 
 
 def do(order: Order) -> Answer:
@@ -47,13 +53,14 @@ def do(order: Order) -> Answer:
     began = perf_counter()
     notes: list[str] = []
     warned: list[str] = []
+    contents = None
 
     def answer(status: str, error: str | None = None) -> Answer:
-        return Answer(status, error, tuple(notes), tuple(warned), perf_counter() - began)
+        return Answer(status, error, tuple(notes), tuple(warned), perf_counter() - began, contents)
 
     try:
         with listening():
-            _blend(order, notes.append, warned.append)
+            contents = _blend(order, notes.append, warned.append)
     except Interrupted as stop:
         if stop.has_written:
             return answer(DONE)
@@ -63,24 +70,58 @@ def do(order: Order) -> Answer:
     return answer(DONE)
 
 
-def _blend(order: Order, note: Callable[[str], None], warn: Callable[[str], None]) -> None:
-    from shapeblend_cli.files import blend_files
+def _blend(order: Order, note: Callable[[str], None], warn: Callable[[str], None]) -> Contents | None:
+    from shapeblend_cli.files import check_files_of, check_libraries, make
 
     if hasattr(signal, "setitimer"):  # elsewhere the supervisor alone watches the time
         stop_after(order.given.get("timeout"))
+    job = _job(order)
+    check_libraries(job)
+    if order.data is not None:
+        return make(
+            job, Clock(), note, sources=dict(zip(order.files, order.data, strict=True)), kept=_kept()
+        ).contents
+    # Before anything is read: what changes meanwhile is done again by the next batch.
+    made_of = Record(job, all_targets(job)).made_of()
+    check_files_of(job)
+    _write(job, make(job, Clock(), note, kept=_kept()).contents, made_of, order.force, warn)
+    return None
+
+
+def _job(order: Order) -> Job:
+    """Return the job of an order. It replaces whatever there is: the record knows better what may be replaced."""
     job = job_of(order.files, order.given, command_of(order.files, order.given))
-    record = Record(job, all_targets(job))
-    made_of = (
-        record.made_of()
-    )  # before anything is read: what changes meanwhile is done again by the next batch
+    return job._replace(write=job.write.replace(force=True))
 
-    def keep_record(contents: Any) -> None:
-        record.write(made_of, contents, order.force)
 
-    # The record knows better than `force` what may be replaced.
-    blend_files(
-        job._replace(write=job.write.replace(force=True)), note, warn, lambda share: None, keep_record
-    )
+def _write(
+    job: Job, contents: Contents, made_of: dict[str, Any], force: bool, warn: Callable[[str], None]
+) -> None:
+    """Write what was made, after its record."""
+    from shapeblend_cli.files import write
+
+    Record(job, all_targets(job)).write(made_of, contents, force)
+    write(job, contents, warn)
+
+
+@cache
+def _kept() -> Kept:
+    """Return what this process keeps of drawings."""
+    return Kept()
+
+
+def write_answer(order: Order, answer: Answer, made_of: dict[str, Any]) -> Answer:
+    """Write what a worker made of data, and say what has become of the job then; see `Record.made_of`."""
+    from shapeblend_cli.files import check_files_of
+
+    warned: list[str] = []
+    try:
+        job = _job(order)
+        check_files_of(job)
+        _write(job, answer.contents or {}, made_of, order.force, warned.append)
+    except Exception as error:
+        return answer._replace(status=FAILED, error=in_words(error), contents=None)
+    return answer._replace(warnings=(*answer.warnings, *warned), contents=None)
 
 
 def main() -> None:

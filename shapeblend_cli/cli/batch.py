@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -23,7 +23,9 @@ from shapeblend_cli.settings import (
 if TYPE_CHECKING:
     from shapeblend_cli.batch.plan import Task
     from shapeblend_cli.batch.records import State
+    from shapeblend_cli.batch.run import Orders
     from shapeblend_cli.batch.sources import Found
+    from shapeblend_cli.batch.supervisor import Ended
 
 PATTERN, PATTERN_OF_PAIRS = "blend/{a}-{b}", "blend/{a}"
 """Where outputs go by default, without a suffix."""
@@ -64,6 +66,10 @@ def batch(names: tuple[str, ...], **given: Any) -> int:
     options, printed = BatchOptions.of(given), TerminalOptions.of(given)
     if printed.quiet and printed.verbose:
         raise click.UsageError("--quiet and --verbose contradict each other")
+    if options.cluster is not None and options.jobs is not None:
+        raise click.UsageError(
+            "--jobs is for processes on this machine; a cluster has the workers that were started"
+        )
     try:
         return _batch(names, options, printed, given)
     except Interrupted as stop:
@@ -100,7 +106,7 @@ def _batch(
             for line in _reasons(tasks, found):
                 terminal.note(line)
         try:
-            for outcome in run.run_tasks(tasks, found, options.jobs or run.processors(), options.fail_fast):
+            for outcome in run.run_tasks(tasks, found, _way(options, terminal.warn), options.fail_fast):
                 is_done = outcome.answer.error is None
                 ended[outcome.status] += 1
                 write(outcome)
@@ -117,6 +123,18 @@ def _batch(
             status = 128 + stop.number
         terminal.note(_summary(ended, len(tasks)))
     return status
+
+
+def _way(options: BatchOptions, note: Callable[[str], None]) -> Callable[[Orders], Iterator[Ended]]:
+    """Return what does jobs: processes here, or a cluster."""
+    if options.cluster is not None:
+        from shapeblend_cli.batch import cluster
+
+        return lambda orders: cluster.run_all(orders, str(options.cluster), options.fail_fast, note)
+    from shapeblend_cli.batch.run import processors
+    from shapeblend_cli.batch.supervisor import run_all
+
+    return lambda orders: run_all(orders, options.jobs or processors(), options.fail_fast)
 
 
 def _tasks(
