@@ -10,7 +10,7 @@ from collections.abc import Callable
 from operator import index
 from typing import Any, NamedTuple
 
-from shapeblend_cli import easing
+from shapeblend_cli import easing, triggers
 
 
 class Unfit(ValueError):
@@ -257,6 +257,11 @@ REPEAT = FieldType(
     lambda text: int(text) if text.isdecimal() else text,
 )
 COLOUR = FieldType("transparent, or an opaque CSS colour such as white or #f4f4f0", _colour, "COLOUR")
+TRIGGER = FieldType(
+    "load, click, hover, or the id of an element and an event of it, such as menu.click",
+    lambda value: value if isinstance(value, triggers.Trigger) else triggers.parse(str(value)),
+    "load|click|hover|NAME.event",
+)
 FOLDERS = FieldType("two folders", _folders, "FROM TO", words=2)
 ADDRESS = FieldType("the address of a scheduler, such as tcp://192.168.0.1:8786", _address, "tcp://HOST:PORT")
 SHARD = FieldType(

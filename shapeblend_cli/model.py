@@ -245,7 +245,8 @@ class Page(NamedTuple):
     width: Length | None = None
     height: Length | None = None
     box: Box | None = None
-    name: Name = Name()
+    name: Name = UNNAMED
+    heading: str = ""  # what it can be called for want of a title: its file, or several
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -19,9 +19,10 @@ SAME_SCALE = 1e-3
 def common_page(pages: Sequence[Page]) -> Page:
     """Return the page for a blend: its sizes are those on which all agree for the same part of the plane."""
     name = Name.common([page.name for page in pages])
+    heading = " to ".join(page.heading for page in pages)
     sized = [page for page in pages if page.box is not None]
     if not sized:
-        return Page(name=name)
+        return Page(name=name, heading=heading)
     box = sized[0].box
     assert box is not None, "it is sized"
     alike = [page_for(page, box) for page in sized]
@@ -29,7 +30,7 @@ def common_page(pages: Sequence[Page]) -> Page:
         _common_length([page.width for page in alike]),
         _common_length([page.height for page in alike]),
     )
-    return Page(width, height, box, name)
+    return Page(width, height, box, name, heading)
 
 
 def page_for(page: Page, view: Box) -> Page:
@@ -41,7 +42,7 @@ def page_for(page: Page, view: Box) -> Page:
         width = width._replace(number=width.number * view.width / page.box.width)
     if height is not None and height.unit != "%":
         height = height._replace(number=height.number * view.height / page.box.height)
-    return Page(width, height, view, page.name)
+    return page._replace(width=width, height=height, box=view)
 
 
 def _common_length(lengths: Sequence[Length | None]) -> Length | None:

@@ -6,6 +6,7 @@ Each stage is a function from values to values. Polygons are normalised, section
 from __future__ import annotations
 
 from itertools import pairwise
+from pathlib import PurePath
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.clock import Clock
@@ -172,7 +173,7 @@ def _pages(drawings: Sequence[Drawing], maps: Sequence[Similarity], place: str) 
         page = own._replace(box=own.box and to_a.box(own.box))
         if place == "bbox":
             page = drawings[0].page._replace(name=own.name)
-        pages.append(page)
+        pages.append(page._replace(heading=PurePath(drawing.file).stem))
     return pages
 
 

@@ -13,6 +13,7 @@ from shapeblend_cli.constants import PRESETS, WIRE, WorkConstants
 from shapeblend_cli.easing import LINEAR, Ease
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.fields import Record, option
+from shapeblend_cli.triggers import Trigger
 
 Vertices = tuple[int, int] | tuple[complex, complex]
 Contours = tuple[str, str] | tuple[complex, complex]
@@ -382,5 +383,5 @@ def _plain(value: Any) -> Any:
     if isinstance(value, complex):
         return [value.real, value.imag]
     if isinstance(value, tuple):
-        return str(value) if isinstance(value, Ease) else [_plain(one) for one in value]
+        return str(value) if isinstance(value, Ease | Trigger) else [_plain(one) for one in value]
     return value

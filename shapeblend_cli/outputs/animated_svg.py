@@ -9,7 +9,10 @@ from shapeblend_cli.outputs.formats import Format, OutputSpec, Rendered, views
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Pair
+    from shapeblend_cli.model import Page, Pair
+
+ANIMATED = "animated svg"
+"""The name of the format."""
 
 
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
@@ -26,6 +29,8 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     if spec.animate == "frames":
         frames = make_frames(pairs, spec.settings.replace(ends=True))
         return Rendered([stacked_svg(frames, timing, len(pairs), decimals, page_for(page, frames[0].view))])
+    if not spec.trigger.is_load:
+        return _render_reacting(spec, pairs, page)
     shapes = keyframed_shapes(pairs)
     if spec.animate == "css":
         shown = Box.union(boxes)
@@ -33,4 +38,29 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     return Rendered([smil_svg(shapes, boxes, timing, decimals, page_for(page, boxes[0]))])
 
 
-FORMAT = Format("animated svg", "one animated SVG", _render, suffix=".svg", to_standard_output=True)
+def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Rendered:
+    """Return an animation that waits for its trigger."""
+    from shapeblend_cli.interpolate.chains import keyframed_shapes
+    from shapeblend_cli.model import Box
+    from shapeblend_cli.names import page_for
+    from shapeblend_cli.outputs.move import moves_of
+    from shapeblend_cli.svg.writing.reacting import Reaction, reacting_css, reacting_smil
+
+    reaction = Reaction(
+        keyframed_shapes(pairs), views(pairs), page_for(page, pairs[0].views[0]), spec.trigger
+    )
+    decimals = spec.decimals(pairs)
+    if spec.animate == "smil":
+        return Rendered([reacting_smil(reaction, spec.timing, decimals)])
+    (move,) = moves_of(pairs)
+    shown = Box.union(reaction.views)
+    reaction = reaction._replace(page=page_for(page, shown), views=[shown, shown])
+    notes = [
+        f"{shape.name}: moves on curved paths, which CSS transitions cannot show: straight between the drawings"
+        for shape in move.shapes
+        if shape.waypoints
+    ]
+    return Rendered([reacting_css(reaction, spec.timing, decimals)], notes)
+
+
+FORMAT = Format(ANIMATED, "one animated SVG", _render, suffix=".svg", to_standard_output=True)

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.easing import Timing
     from shapeblend_cli.model import Box, Pair
     from shapeblend_cli.settings import Settings
+    from shapeblend_cli.triggers import Trigger
 
 STANDARD_OUTPUT = "-"
 
@@ -66,6 +67,7 @@ class OutputSpec(NamedTuple):
     drawings: int
     timing: Timing
     animate: str
+    trigger: Trigger
     precision: int | None
     width: int | None
     columns: int | None

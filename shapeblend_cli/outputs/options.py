@@ -6,13 +6,15 @@ from typing import Any
 
 from shapeblend_cli.easing import Timing
 from shapeblend_cli.errors import OptionError
-from shapeblend_cli.field_types import COLOUR, REPEAT, choice, file, number, whole
+from shapeblend_cli.field_types import COLOUR, REPEAT, TRIGGER, choice, file, number, whole
 from shapeblend_cli.fields import Record, option
-from shapeblend_cli.outputs.formats import OutputSpec
+from shapeblend_cli.outputs.animated_svg import ANIMATED
+from shapeblend_cli.outputs.formats import Format, OutputSpec
 from shapeblend_cli.outputs.raster import MOST_SIDE
 from shapeblend_cli.outputs.raster_animation import FASTEST
 from shapeblend_cli.outputs.registry import DEFAULT, EMITS, FORMATS, FRAME_FORMATS, alternatives, choose
 from shapeblend_cli.settings import ANIMATIONS, IN_BETWEENS, OUTPUT, PICTURES, Settings
+from shapeblend_cli.triggers import Trigger
 
 SHARED = {
     "columns": "a contact sheet",
@@ -97,6 +99,15 @@ class OutputOptions(Record, section=PICTURES):
         section=ANIMATIONS,
         help="How often an animation runs; pingpong: forwards and backwards, forever.",
     )
+    trigger: Trigger = option(
+        TRIGGER,
+        default=Trigger(),
+        section=ANIMATIONS,
+        help="What sets an animated SVG off. load: it begins by itself; click: one click, or Enter, and another one "
+        "brings it back; hover: it goes while it is pointed at or has the keyboard's focus, and comes back; "
+        "NAME.event: an event of the element with that id, with --animate smil.",
+        default_text="load",
+    )
     format: str | None = option(
         choice(*FRAME_FORMATS),
         default=None,
@@ -148,13 +159,46 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
         defaults.pop("fps", None)
         if options.fps is not None:
             raise OptionError("--frames and --fps both say how many pictures there are; one will do")
+    if not options.trigger.is_load:
+        _check_trigger(options, format, drawings, asked)
     if settings.motion == "auto":
-        settings = settings.replace(motion=format.motion)
+        # CSS transitions go straight from value to value.
+        is_transition = options.animate == "css" and not options.trigger.is_load
+        settings = settings.replace(motion="linear" if is_transition else format.motion)
     timing = Timing(options.duration, settings.ease, options.repeat)
     shared = {name: getattr(options, name) or defaults.get(name) for name in SHARED}
-    spec = OutputSpec(format, path, settings, drawings, timing, options.animate, options.precision, **shared)
+    spec = OutputSpec(
+        format,
+        path,
+        settings,
+        drawings,
+        timing,
+        options.animate,
+        options.trigger,
+        options.precision,
+        **shared,
+    )
     format.check(spec)
     return spec
+
+
+def _check_trigger(options: OutputOptions, format: Format, drawings: int, asked: str) -> None:
+    """Raise OptionError if an output cannot wait for a trigger."""
+    given = f"--trigger {options.trigger}"
+    if format.name != ANIMATED or options.animate == "frames":
+        what = "--animate frames" if format.name == ANIMATED else asked
+        raise OptionError(
+            f"{given} is for an animated SVG, --output FILE.svg with --animate smil or css; {what} is none"
+        )
+    if options.is_given("repeat"):
+        raise OptionError(f"--repeat is for animations that begin by themselves; {given} goes and comes back")
+    if options.animate == "css" and options.trigger.name:
+        raise OptionError(f"{given}: CSS knows no events of other elements; --animate smil does")
+    if options.animate == "css" and drawings > 2:
+        raise OptionError(
+            f"{given} with --animate css takes two files; {drawings} given. --animate smil takes more, and "
+            "shapeblend states makes one drawing of several states"
+        )
 
 
 def _ways_to(name: str) -> str:

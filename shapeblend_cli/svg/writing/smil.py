@@ -33,14 +33,20 @@ def smil_svg(
 ) -> str:
     """Return an SVG document in which paths, in paint order, are animated by SMIL; it shows one view a key."""
     drawing = document.empty(views[0], decimals, page)
-    tree = document.Tree.of(drawing, shapes)
-    timeline = _Timeline(drawing, len(views) - 1, timing)
+    timeline = Timeline(drawing, len(views) - 1, timing)
+    timeline.add_views(drawing, [document.box_text(view, decimals) for view in views])
+    gradients = add_animated(document.Tree.of(drawing, shapes), drawing, shapes, timeline, decimals)
+    return document.text(drawing, definitions=gradients)
+
+
+def add_animated(
+    tree: document.Tree, drawing: Any, shapes: Sequence[KeyframedShape], timeline: Timeline, decimals: int
+) -> list[Element]:
+    """Add animated paths to a drawing, and return the gradients they are painted with."""
     gradients: list[Element] = []
-    boxes = [document.box_text(view, decimals) for view in views]
-    if len(set(boxes)) > 1:
-        drawing.add(timeline.animate("viewBox", values_between("viewBox", boxes)))
+    drawings = timeline.pairs + 1
     for shape in shapes:
-        extended = _extend(shape, len(views))
+        extended = _extend(shape, drawings)
         attributes = attribute_values(extended, decimals)
         for paint in ("fill", "stroke"):
             keys = [getattr(key.style, f"{paint}_gradient") for key in extended.keys]
@@ -51,13 +57,13 @@ def smil_svg(
         path = drawing.path(**{name: values.keys[0] for name, values in attributes.items()})
         for name, values in attributes.items():
             if not values.is_constant:
-                path.add(timeline.animate(name, values))
-        if len(shape.keys) < len(views):
+                timeline.animate(path, name, values)
+        if len(shape.keys) < drawings:
             if shape.first:
                 path["visibility"] = "hidden"
-            path.add(timeline.show(shape.first, shape.first + len(shape.keys) - 1))
+            timeline.show(path, shape.first, shape.first + len(shape.keys) - 1)
         tree.add(path, shape.groups, shape.name)
-    return document.text(drawing, definitions=gradients)
+    return gradients
 
 
 def stacked_svg(
@@ -72,7 +78,7 @@ def stacked_svg(
         order += order[-2:0:-1]
     view = frames[0].view
     drawing = document.empty(view, decimals, page)
-    timeline = _Timeline(drawing, pairs, timing)
+    timeline = Timeline(drawing, pairs, timing)
     gradients = Gradients(decimals)
     for k, frame in enumerate(frames):
         if frame.view == view:
@@ -83,7 +89,7 @@ def stacked_svg(
             layer = drawing.svg(insert=(x, y), size=(width, height), viewBox=box)
         layer["visibility"] = "hidden" if k else "visible"
         states = {n / len(order): "visible" if k == shown else "hidden" for n, shown in enumerate(order)}
-        layer.add(timeline.steps("visibility", states))
+        timeline.steps(layer, "visibility", states)
         for shape in frame.shapes:
             data = short_path_data(shape.paths, decimals)
             for style in visible_styles(shape, frame.t):
@@ -106,13 +112,13 @@ def _extend(shape: KeyframedShape, drawings: int) -> KeyframedShape:
     )
 
 
-def _animated_gradient(timeline: _Timeline, name: str, keys: Sequence[Gradient], decimals: int) -> Element:
+def _animated_gradient(timeline: Timeline, name: str, keys: Sequence[Gradient], decimals: int) -> Element:
     """Return a gradient that is animated together with the shape it paints."""
     as_ellipse = any(isinstance(key, RadialGradient) and key.radii[0] != key.radii[1] for key in keys)
     written = [gradient_attributes(key, decimals, as_ellipse=as_ellipse) for key in keys]
     gradient = gradient_element(name, keys[0], *written[0])
     stop_elements = list(gradient)
-    animations = []
+    animations = _Holder()
     for attribute in sorted({key for attributes, _ in written for key in attributes}):
         texts = [attributes.get(attribute, "pad") for attributes, _ in written]
         if len(set(texts)) == 1:
@@ -122,20 +128,44 @@ def _animated_gradient(timeline: _Timeline, name: str, keys: Sequence[Gradient],
             for step in zip(*(text.rstrip(")").split(") ") for text in texts), strict=True):
                 kinds, numbers = zip(*(function.split("(") for function in step), strict=True)
                 values = values_between(attribute, numbers)
-                animations.append(timeline.animate_transform(kinds[0], values))
+                timeline.animate_transform(animations, kinds[0], values)
         else:
             values = values_between(attribute, texts)
-            animations.append(timeline.animate(attribute, values).get_xml())
-    gradient[:0] = animations
+            timeline.animate(animations, attribute, values)
+    gradient[:0] = animations.elements
     for k, element in enumerate(stop_elements):
         for attribute in written[0][1][k]:
             values = values_between(attribute, [stops[k][attribute] for _, stops in written])
             if not values.is_constant:
-                element.append(timeline.animate(attribute, values).get_xml())
+                inside = _Holder()
+                timeline.animate(inside, attribute, values)
+                element.extend(inside.elements)
     return gradient
 
 
-class _Timeline:
+class _Holder:
+    """Takes animations of what is no element of a drawing yet."""
+
+    def __init__(self) -> None:
+        self.elements: list[Element] = []
+
+    def add(self, animation: Any) -> None:
+        """Add an animation."""
+        self.elements.append(animation.get_xml())
+
+
+class _Written:
+    """An element as svgwrite has them."""
+
+    def __init__(self, element: Element) -> None:
+        self._element = element
+
+    def get_xml(self) -> Element:
+        """Return the element."""
+        return self._element
+
+
+class Timeline:
     """Makes the animations of a drawing; key times are shares of one run, forwards and perhaps backwards."""
 
     def __init__(self, drawing: Any, pairs: int, timing: Timing) -> None:
@@ -145,22 +175,28 @@ class _Timeline:
         self.backwards = timing.is_pingpong
         self.total = pairs * (2 if self.backwards else 1)
 
-    def animate(self, name: str, values: Values) -> Any:
-        """Return an ``animate`` element through all keys."""
-        if name in DISCRETE or (name == "stroke_dasharray" and len({v.count(" ") for v in values.keys}) > 1):
-            return self._switch(name, values.keys)
-        return self._element(name, *self._timed(values))
+    def add_views(self, drawing: Any, boxes: Sequence[str]) -> None:
+        """Let a drawing show one box after another."""
+        if len(set(boxes)) > 1:
+            self.animate(drawing, "viewBox", values_between("viewBox", boxes))
 
-    def animate_transform(self, kind: str, values: Values) -> Element:
-        """Return an ``animateTransform`` element through all keys; all but the first, a translation, are added."""
+    def animate(self, element: Any, name: str, values: Values) -> None:
+        """Animate an attribute of an element through all keys."""
+        if name in DISCRETE or (name == "stroke_dasharray" and len({v.count(" ") for v in values.keys}) > 1):
+            self._switch(element, name, values.keys)
+        else:
+            self._add(element, "animate", {"attributeName": name.replace("_", "-")}, *self._timed(values))
+
+    def animate_transform(self, element: Any, kind: str, values: Values) -> None:
+        """Animate a part of ``gradientTransform`` through all keys; all but the first, a translation, are added."""
         texts, extra = self._timed(values)
         if kind != "translate":
             extra["additive"] = "sum"
-        given = {"attributeName": "gradientTransform", "type": kind, "values": ";".join(texts)}
-        return Element("animateTransform", {**given, **self._run(), **extra})
+        given = {"attributeName": "gradientTransform", "type": kind}
+        self._add(element, "animateTransform", given, texts, extra)
 
-    def show(self, first: int, last: int) -> Any:
-        """Return an ``animate`` element that makes something visible from one key to another."""
+    def show(self, element: Any, first: int, last: int) -> None:
+        """Make an element visible from one key to another."""
         spans = [(first, last)]
         if self.backwards:
             spans.append((2 * self.pairs - last, 2 * self.pairs - first))
@@ -171,24 +207,26 @@ class _Timeline:
             states[start / self.total] = "visible"
             if end < self.total:
                 states[end / self.total] = "hidden"
-        return self.steps("visibility", states)
+        self.steps(element, "visibility", states)
 
-    def steps(self, name: str, states: dict[float, str]) -> Any:
-        """Return an ``animate`` element that switches to each value at its time."""
+    def steps(self, element: Any, name: str, states: dict[float, str]) -> None:
+        """Switch an attribute of an element to each value at its time."""
         kept: dict[float, str] = {}
         for time, value in states.items():
             if not kept or value != list(kept.values())[-1]:
                 kept[time] = value
         times = ";".join(number(time, TIME_DIGITS) for time in kept)
-        return self._element(name, list(kept.values()), {"calcMode": "discrete", "keyTimes": times})
+        extra = {"calcMode": "discrete", "keyTimes": times}
+        given = {"attributeName": name.replace("_", "-")}
+        self._add(element, "animate", given, list(kept.values()), extra)
 
-    def _switch(self, name: str, keys: Sequence[str]) -> Any:
-        """Return an ``animate`` element that switches halfway from key to key."""
+    def _switch(self, element: Any, name: str, keys: Sequence[str]) -> None:
+        """Switch an attribute halfway from key to key."""
         half = self.timing.ease.time_of(0.5)
         states = {0.0: keys[0], **{(k + half) / self.total: value for k, value in enumerate(keys[1:])}}
         if self.backwards:
             states |= {(self.total - k - half) / self.total: value for k, value in enumerate(keys[:-1])}
-        return self.steps(name, dict(sorted(states.items())))
+        self.steps(element, name, dict(sorted(states.items())))
 
     def _timed(self, values: Values) -> tuple[list[str], dict[str, str]]:
         """Return the values of a run, and the attributes for their times and easing."""
@@ -209,16 +247,24 @@ class _Timeline:
             extra["keySplines"] = ";".join(" ".join(number(v, 4) for v in spline) for spline in splines)
         return texts, extra
 
-    def _element(self, name: str, texts: Sequence[str], extra: dict[str, str]) -> Any:
-        return self.drawing.animate(
-            attributeName=name.replace("_", "-"), values=";".join(texts), **self._run(), **extra
-        )
-
-    def _run(self) -> dict[str, str]:
-        """Return the attributes for the length of a run and the number of runs."""
+    def _add(
+        self, element: Any, tag: str, given: dict[str, str], texts: Sequence[str], extra: dict[str, str]
+    ) -> None:
+        """Add an animation to an element."""
         is_endless = self.timing.repeat in (FOREVER, PINGPONG)
-        return {
-            "dur": f"{number(self.timing.seconds * self.total, 4)}s",
+        run = {
+            "dur": self.duration,
             "repeatCount": "indefinite" if is_endless else str(self.timing.repeat),
             **({} if is_endless else {"fill": "freeze"}),
         }
+        element.add(written(tag, {**given, "values": ";".join(texts), **run, **extra}))
+
+    @property
+    def duration(self) -> str:
+        """How long a run takes."""
+        return f"{number(self.timing.seconds * self.total, 4)}s"
+
+
+def written(tag: str, attributes: dict[str, str]) -> Any:
+    """Return an element that can be added to those of svgwrite."""
+    return _Written(Element(tag, dict(sorted(attributes.items()))))

@@ -1,0 +1,308 @@
+"""SVG documents that wait for a trigger, move, and come back: by SMIL, or by CSS transitions.
+
+No script is needed to point at them, to click them or to reach them by keyboard. Only Enter and Space on what moves by
+SMIL take a line of script in an attribute, and events of other elements that no other event undoes.
+"""
+
+from __future__ import annotations
+
+import json
+import zlib
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any, NamedTuple
+from xml.etree.ElementTree import Element, SubElement
+
+from shapeblend_cli.easing import Timing
+from shapeblend_cli.model import Box, KeyframedShape, Page, PaintedShape
+from shapeblend_cli.svg.writing import document
+from shapeblend_cli.svg.writing.animation import COLOURS, Values, attribute_values
+from shapeblend_cli.svg.writing.paint import Gradients, visible_styles
+from shapeblend_cli.svg.writing.path_data import short_path_data
+from shapeblend_cli.svg.writing.rounding import number
+from shapeblend_cli.svg.writing.smil import Timeline, add_animated, written
+from shapeblend_cli.triggers import CLICK, HOVER, Trigger
+
+XHTML = "http://www.w3.org/1999/xhtml"
+
+PRESS = (
+    "if(/^( |Enter)$/.test(event.key)){event.preventDefault();for(const r of this.querySelectorAll(':scope>rect[id]'))"
+    "if(getComputedStyle(r).display!='none'){r.dispatchEvent(new Event('click',{bubbles:true}));break}}"
+)
+"""What a key does to a button: it clicks the one of its two areas that is there."""
+
+PRESSED = "this.setAttribute('aria-pressed',this.getAttribute('aria-pressed')!='true')"
+
+LISTEN = """\
+(function(g){var o=false;function s(e){g.dispatchEvent(new Event(e))}
+function f(){var n=document.getElementById(%s);if(n){%s}}
+document.readyState=="loading"?document.addEventListener("DOMContentLoaded",f):f()})(document.currentScript.parentNode)"""
+IN_TURN = 'n.addEventListener(%s,function(){o=!o;s(o?"forth":"back")})'
+EACH = 'n.addEventListener(%s,function(){s("forth")});n.addEventListener(%s,function(){s("back")})'
+"""Turn the events of another element into events of our own: one and the other in turn, or each of two into one."""
+
+
+class Reaction(NamedTuple):
+    """What moves, the view of each drawing, the page, and what sets it off."""
+
+    shapes: Sequence[KeyframedShape]
+    views: Sequence[Box]
+    page: Page
+    trigger: Trigger
+
+    @property
+    def title(self) -> str:
+        """What it is called for those who do not see it."""
+        return self.page.name.title or self.page.heading
+
+    @property
+    def id(self) -> str:
+        """An id of its own, a word as SMIL takes it."""
+        drawn = [
+            [([path.segments.tolist() for path in key.paths], key.style) for key in shape.keys]
+            for shape in self.shapes
+        ]
+        return f"b{zlib.crc32(repr((drawn, self.trigger, self.title)).encode()):08x}"
+
+    def empty(self, decimals: int) -> Any:
+        """Return a drawing of it that draws nothing yet; it has a title."""
+        name = self.page.name._replace(title=self.title)
+        return document.empty(self.views[0], decimals, self.page._replace(name=name))
+
+
+def reacting_smil(reaction: Reaction, timing: Timing, decimals: int) -> str:
+    """Return an SVG document that goes from the first drawing to the last and back, by SMIL.
+
+    Straight motion that is interrupted goes on from where it is. For those who prefer reduced motion there are both
+    drawings, of which one or the other is seen.
+    """
+    drawing, trigger, name = reaction.empty(decimals), reaction.trigger, reaction.id
+    timeline = _ThereAndBack(drawing, len(reaction.views) - 1, timing, *_begins(trigger, name))
+    timeline.add_views(drawing, [document.box_text(view, decimals) for view in reaction.views])
+    drawing["role"] = "presentation"  # what it is, is said of what is in it
+    around = written_group({"id": name, **_role(trigger, reaction.title)})
+    drawing.add(around)
+    area = {**_area(Box.union(reaction.views), decimals), "fill": "none", "pointer-events": "all"}
+    around.add(written("rect", area))
+    ids = document.ids_of(drawing, reaction.shapes)
+    moving = drawing.g(class_=f"{name}-moving")
+    around.add(moving)
+    gradients = add_animated(
+        document.Tree(drawing, ids, moving), drawing, reaction.shapes, timeline, decimals
+    )
+    still = drawing.g(class_=f"{name}-still")
+    around.add(still)
+    defined = Gradients(decimals, ids)
+    for end in (0, -1):
+        group = drawing.g(display="none") if end else drawing.g()
+        for kind, display in (("forth", "inline" if end else "none"), ("back", "none" if end else "inline")):
+            group.add(timeline.switch(display, kind))
+        _add_still(group, drawing, reaction, end, defined)
+        still.add(group)
+    if trigger.kind == CLICK:
+        for kind, other in (("forth", "back"), ("back", "forth")):
+            rect = drawing.rect(id=f"{name}{kind}", style="cursor:pointer")
+            rect.attribs.update(area)
+            if kind == "back":
+                rect["display"] = "none"
+            rect.add(timeline.switch("none", kind))
+            rect.add(timeline.switch("inline", other))
+            around.add(rect)
+    if trigger.name and not _is_declared(trigger):
+        script = Element("script")
+        events = [json.dumps(event) for event in (trigger.event, trigger.opposite) if event]
+        listens = (EACH if trigger.opposite else IN_TURN) % tuple(events)
+        script.text = LISTEN % (json.dumps(trigger.name), listens)
+        around.add(_Ready(script))
+    style = (
+        f"#{name}:focus:not(:focus-visible){{outline:none}}.{name}-still{{display:none}}"
+        f"@media (prefers-reduced-motion:reduce){{.{name}-still{{display:inline}}.{name}-moving{{display:none}}}}"
+    )
+    return document.text(drawing, style=style, definitions=[*gradients, *defined.elements])
+
+
+def written_group(attributes: dict[str, str]) -> Any:
+    """Return a group for elements of svgwrite."""
+    from shapeblend_cli.svg.libraries import svgwrite
+
+    group = svgwrite.container.Group(debug=False)
+    group.attribs.update(attributes)
+    return group
+
+
+class _Ready:
+    """An element as svgwrite has them, its attributes in their order."""
+
+    def __init__(self, element: Element) -> None:
+        self._element = element
+
+    def get_xml(self) -> Element:
+        """Return the element."""
+        return self._element
+
+
+def _area(box: Box, decimals: int) -> dict[str, str]:
+    names = ("x", "y", "width", "height")
+    return {name: number(value, decimals) for name, value in zip(names, box, strict=True)}
+
+
+def _role(trigger: Trigger, title: str) -> dict[str, str]:
+    """Return what tells people who do not see or do not point what they have before them."""
+    if trigger.kind == CLICK:
+        keys = {"onkeydown": PRESS, "onclick": PRESSED}
+        return {"role": "button", "tabindex": "0", "aria-pressed": "false", "aria-label": title, **keys}
+    focus = {"tabindex": "0"} if trigger.kind == HOVER else {}
+    return {"role": "img", "aria-label": title, **focus}
+
+
+def _is_declared(trigger: Trigger) -> bool:
+    """Return whether SMIL alone can wait for an event of another element; browsers split names at hyphens."""
+    return trigger.opposite is not None and "-" not in trigger.name
+
+
+def _begins(trigger: Trigger, name: str) -> tuple[str, str]:
+    """Return when the animation begins to go, and to come back."""
+    if trigger.kind == CLICK:
+        return f"{name}forth.click", f"{name}back.click"
+    if trigger.kind == HOVER:
+        return f"{name}.mouseenter;{name}.focusin", f"{name}.mouseleave;{name}.focusout"
+    if _is_declared(trigger):
+        return f"{trigger.name}.{trigger.event}", f"{trigger.name}.{trigger.opposite}"
+    return f"{name}.forth", f"{name}.back"
+
+
+def _add_still(group: Any, drawing: Any, reaction: Reaction, end: int, gradients: Gradients) -> None:
+    """Add the shapes as they are in the first drawing, or in the last."""
+    last = len(reaction.views) - 1
+    for shape in reaction.shapes:
+        is_there = shape.first == 0 if end == 0 else shape.first + len(shape.keys) - 1 == last
+        painted: PaintedShape = shape.keys[end]
+        if is_there and not all(path.is_point for path in painted.paths):
+            data = short_path_data(painted.paths, gradients.decimals)
+            for style in visible_styles(painted, float(bool(end))):
+                group.add(drawing.path(d=data, **gradients.attributes(style)))
+
+
+class _ThereAndBack(Timeline):
+    """Makes two animations of each: one that goes when something begins, and one that comes back."""
+
+    def __init__(self, drawing: Any, pairs: int, timing: Timing, forth: str, back: str) -> None:
+        super().__init__(drawing, pairs, timing._replace(repeat=1))
+        self._begins = {"forth": forth, "back": back}
+
+    def animate(self, element: Any, name: str, values: Values) -> None:
+        """Animate an attribute; between two keys colours go straight, so that they can turn round on the way."""
+        if name in COLOURS and len(values.keys) == 2:
+            values = values._replace(waypoints=[()])
+        super().animate(element, name, values)
+
+    def switch(self, display: str, kind: str) -> Any:
+        """Return what shows or hides an element at once."""
+        run = {"attributeName": "display", "to": display, "begin": self._begins[kind], "fill": "freeze"}
+        return written("set", run)
+
+    def _add(
+        self, element: Any, tag: str, given: dict[str, str], texts: Sequence[str], extra: dict[str, str]
+    ) -> None:
+        # Without a start an animation begins with what is there, on the way too; only two values can do that.
+        is_straight = len(texts) == 2 and tag == "animate" and extra.get("calcMode") != "discrete"
+        for kind in ("forth", "back"):
+            values, own = (texts, extra) if kind == "forth" else (texts[::-1], _reversed(extra))
+            way = {"to": values[-1]} if is_straight else {"values": ";".join(values)}
+            run = {"dur": self.duration, "begin": self._begins[kind], "fill": "freeze"}
+            element.add(written(tag, {**given, **way, **run, **own}))
+
+
+def _reversed(extra: dict[str, str]) -> dict[str, str]:
+    """Return times and easing of the way back."""
+    changed = dict(extra)
+    times = [1.0 - float(time) for time in extra.get("keyTimes", "").split(";") if time][::-1]
+    if extra.get("calcMode") == "discrete":
+        # A value is held until the next one; the last one until the end.
+        times = [0.0, *times[:-1]]
+    if times:
+        changed["keyTimes"] = ";".join(number(time, 5) for time in times)
+    if "keySplines" in extra:
+        splines = [[float(value) for value in spline.split()] for spline in extra["keySplines"].split(";")]
+        mirrored = [(1.0 - x2, 1.0 - y2, 1.0 - x1, 1.0 - y1) for x1, y1, x2, y2 in splines[::-1]]
+        changed["keySplines"] = ";".join(
+            " ".join(number(value, 4) for value in spline) for spline in mirrored
+        )
+    return changed
+
+
+def reacting_css(reaction: Reaction, timing: Timing, decimals: int) -> str:
+    """Return an SVG document that goes from one drawing to another and back, by CSS transitions.
+
+    They turn round wherever they are. A click is that on a check box, which keyboards reach too. With
+    prefers-reduced-motion the other drawing is there at once.
+    """
+    drawing, trigger, name = reaction.empty(decimals), reaction.trigger, reaction.id
+    drawing["class"] = name
+    is_click = trigger.kind == CLICK
+    if not is_click:
+        drawing.attribs.update(_role(trigger, reaction.title))
+    tree = document.Tree.of(drawing, reaction.shapes)
+    active = [f".{name}:has(:checked)"] if is_click else [f".{name}:hover", f".{name}:focus-visible"]
+    rules = []
+    for k, shape in enumerate(reaction.shapes):
+        own = f"{name}-{k}"
+        values = attribute_values(shape, decimals)
+        start = {attribute: value.keys[0] for attribute, value in values.items()}
+        changing = [attribute for attribute, value in values.items() if not value.is_constant]
+        if changing:
+            there, back = (
+                _transitions(shape, changing, timing, is_back=is_back) for is_back in (False, True)
+            )
+            at_rest = [_declaration(attribute, start[attribute]) for attribute in changing]
+            moved = [_declaration(attribute, values[attribute].keys[-1]) for attribute in changing]
+            rules.append(f".{own}{{{';'.join([*at_rest, back])}}}")
+            rules.append(f"{','.join(f'{one} .{own}' for one in active)}{{{';'.join([*moved, there])}}}")
+        tree.add(drawing.path(class_=own, **start), shape.groups, shape.name)
+    if is_click:
+        drawing.add(_Ready(_check_box(reaction, decimals)))
+        rules.append(f".{name}:has(:focus-visible){{outline:2px solid}}")
+    rules.append(f"@media (prefers-reduced-motion:reduce){{[class^={name}]{{transition:none!important}}}}")
+    return document.text(drawing, style="\n".join(["", *rules, ""]))
+
+
+def _check_box(reaction: Reaction, decimals: int) -> Element:
+    """Return a check box over all of the drawing, which is not seen."""
+    holder = Element("foreignObject", _area(Box.union(reaction.views), decimals))
+    given = {"type": "checkbox", "role": "switch", "aria-label": reaction.title}
+    style = "width:100%;height:100%;margin:0;opacity:0;cursor:pointer"
+    SubElement(holder, "input", {"xmlns": XHTML, **given, "style": style})
+    return holder
+
+
+def _transitions(shape: KeyframedShape, changing: Sequence[str], timing: Timing, *, is_back: bool) -> str:
+    """Return the transitions of attributes, on the way there or back; what has nothing in between changes half way."""
+    ease = timing.ease.mirrored() if is_back else timing.ease
+    fading = shape.fading[0] if shape.fading else ()
+    parts = []
+    for attribute in changing:
+        name = attribute.replace("_", "-")
+        begin, until = 0.0, 1.0
+        if fading and attribute.endswith("opacity"):
+            begin, until = _span(shape, attribute)
+            begin, until = (1.0 - until, 1.0 - begin) if is_back else (begin, until)
+            begin, until = ease.time_of(begin), ease.time_of(until)
+        if attribute in ("fill_rule", "stroke_linecap", "stroke_linejoin"):
+            begin = until = ease.time_of(0.5)
+        length, delay = (number(timing.seconds * share, 4) for share in (until - begin, begin))
+        wait = f" {delay}s" if begin else ""
+        curve = ease.css() if until - begin == 1.0 else "linear"
+        parts.append(f"{name} {length}s {curve}{wait}")
+    return f"transition:{','.join(parts)}"
+
+
+def _span(shape: KeyframedShape, attribute: str) -> tuple[float, float]:
+    """Return the times between which an opacity changes."""
+    stops = [(0.0, shape.keys[0].style), *shape.fading[0], (1.0, shape.keys[-1].style)]
+    values = [(t, getattr(style, attribute)) for t, style in stops]
+    changes = [(p[0], q[0]) for p, q in pairwise(values) if p[1] != q[1]]
+    return (changes[0][0], changes[-1][1]) if changes else (0.0, 1.0)
+
+
+def _declaration(name: str, value: str) -> str:
+    return f'd:path("{value}")' if name == "d" else f"{name.replace('_', '-')}:{value}"

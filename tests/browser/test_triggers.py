@@ -1,0 +1,243 @@
+"""Animated SVGs that wait for a click, for being pointed at, for the keyboard or for another element, in Chromium."""
+
+import io
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from shapeblend_cli.cli import run
+from tests.support.commands import write
+from tests.support.drawings import EYED, LEAF, svg
+
+SIZE = 120
+SECONDS = 0.5
+BODY = "<!doctype html><style>body{{margin:0;background:#fff}}svg{{width:120px;height:120px;display:block}}</style>{}"
+BOX, FAR = '<path id="box" d="M2 8h8v8h-8z"/>', '<path id="box" d="M14 8h8v8h-8z"/>'
+
+each_method = pytest.mark.parametrize("method", ["smil", "css"])
+
+
+def reacting(trigger, method, *options, a=BOX, b=FAR, more=()):
+    """An animated SVG of two drawings or more."""
+    write(a=svg(a), b=svg(b))
+    files = ["a.svg", "b.svg"]
+    for k, path in enumerate(more):
+        Path(f"more-{k}.svg").write_text(svg(path))
+        files.append(f"more-{k}.svg")
+    command = [*files, "--trigger", trigger, "--animate", method, "--duration", str(SECONDS), "-o", "r.svg"]
+    assert run([*command, "-f", "-q", *options]) == 0
+    return Path("r.svg").read_text()
+
+
+class Shown:
+    """A page with a drawing, and a mouse and a keyboard."""
+
+    def __init__(self, page):
+        self.page = page
+
+    def left(self, name="box"):
+        """Where a shape is now: 2 in the first drawing, 14 in the second."""
+        return self.page.evaluate(f"document.getElementById('{name}').getBBox().x")
+
+    def path(self):
+        """Where it is, every 30 ms until it rests, and for a while at first."""
+        places = []
+        while len(places) < 5 or len(set(places[-5:])) > 1:
+            places.append(self.left())
+            self.page.wait_for_timeout(30)
+        return np.array(places)
+
+    def picture(self):
+        with Image.open(io.BytesIO(self.page.screenshot())) as image:
+            return np.asarray(image.convert("L"), float)
+
+    def point(self):
+        self.page.mouse.move(60, 60)
+
+    def leave(self):
+        self.page.mouse.move(400, 400)
+
+    def click(self):
+        self.page.mouse.click(60, 60)
+
+
+@pytest.fixture
+def show(browser, tmp_path):
+    """Show the body of a page."""
+    contexts = []
+
+    def shown(body, **options):
+        file = tmp_path / "page.html"
+        file.write_text(BODY.format(body), encoding="utf-8")
+        context = browser.new_context(viewport={"width": 500, "height": 500}, **options)
+        contexts.append(context)
+        page = context.new_page()
+        page.goto(file.as_uri())
+        return Shown(page)
+
+    yield shown
+    for context in contexts:
+        context.close()
+
+
+def assert_moves(places, start, end):
+    """It goes from one place to another, over places between."""
+    assert places[-1] == pytest.approx(end, abs=0.01)
+    between = (places > min(start, end) + 0.5) & (places < max(start, end) - 0.5)
+    assert between.sum() >= 3
+    steps = np.diff(places) * np.sign(end - start)
+    assert (steps >= -0.01).all()
+
+
+@each_method
+def test_a_click_moves_it_and_another_one_brings_it_back(here, show, method):
+    shown = show(reacting("click", method))
+    assert (shown.path() == 2.0).all()
+    for start, end in ((2, 14), (14, 2), (2, 14)):
+        shown.click()
+        assert_moves(shown.path(), start, end)
+
+
+@each_method
+def test_pointing_at_it_moves_it_and_leaving_brings_it_back(here, show, method):
+    shown = show(reacting("hover", method))
+    for _ in range(2):
+        shown.point()
+        assert_moves(shown.path(), 2, 14)
+        shown.leave()
+        assert_moves(shown.path(), 14, 2)
+
+
+@each_method
+def test_the_focus_of_the_keyboard_moves_it_and_brings_it_back(here, show, method):
+    shown = show(reacting("hover", method) + "<button>next</button>")
+    shown.page.keyboard.press("Tab")
+    assert_moves(shown.path(), 2, 14)
+    shown.page.keyboard.press("Tab")
+    assert_moves(shown.path(), 14, 2)
+
+
+@pytest.mark.parametrize(("method", "keys"), [("smil", ["Enter", " "]), ("css", [" ", " "])])
+def test_keys_press_what_clicks_press(here, show, method, keys):
+    shown = show(reacting("click", method))
+    shown.page.keyboard.press("Tab")
+    for key, start, end in zip(keys, (2, 14), (14, 2), strict=True):
+        shown.page.keyboard.press(key)
+        assert_moves(shown.path(), start, end)
+
+
+@each_method
+def test_it_turns_round_on_the_way_without_a_jump(here, show, method):
+    shown = show(reacting("hover", method))
+    shown.point()
+    shown.page.wait_for_timeout(int(400 * SECONDS))
+    middle = shown.left()
+    assert 3.0 < middle < 13.0
+    shown.leave()
+    places = np.append(middle, shown.path())
+    assert places[-1] == pytest.approx(2.0, abs=0.01)
+    assert np.abs(np.diff(places)).max() < 4.0
+
+
+@each_method
+@pytest.mark.parametrize("trigger", ["click", "hover"])
+def test_with_reduced_motion_it_changes_at_once(here, show, method, trigger):
+    shown = show(reacting(trigger, method, "--duration", "30"), reduced_motion="reduce")
+    still = show(svg(BOX)).picture(), show(svg(FAR)).picture()
+    for k in (1, 0):
+        if trigger == "click":
+            shown.click()
+        else:
+            shown.leave() if k == 0 else shown.point()
+        shown.page.wait_for_timeout(100)
+        assert np.abs(shown.picture() - still[k])[:110, :110].mean() < 2.0
+
+
+@each_method
+@pytest.mark.parametrize("drawings", [(EYED, LEAF), (LEAF, EYED)])
+def test_it_looks_like_the_drawings_at_both_ends(here, show, method, drawings):
+    paths = [f'<path fill="#2040c0" fill-rule="evenodd" d="{data}"/>' for data in drawings]
+    shown = show(reacting("click", method, a=paths[0], b=paths[1]))
+    for still in (paths[0], paths[1], paths[0]):
+        expected = show(svg(still)).picture()
+        assert np.abs(shown.picture() - expected).mean() < 1.0
+        shown.click()
+        shown.page.wait_for_timeout(int(1000 * SECONDS) + 150)
+
+
+def test_shapes_that_change_places_do_so_on_the_way(here, show):
+    """Paint order changes: a copy comes and another goes."""
+    red, blue = (f'<path fill="{c}" d="M{x} 4h12v12h-12z"/>' for c, x in (("#f00", 2), ("#00f", 8)))
+    for method in ("smil", "css"):
+        shown = show(reacting("click", method, a=red + blue, b=blue + red))
+        for still in (red + blue, blue + red, red + blue):
+            assert np.abs(shown.picture() - show(svg(still)).picture()).mean() < 1.0
+            shown.click()
+            shown.page.wait_for_timeout(int(1000 * SECONDS) + 150)
+
+
+def test_several_drawings_are_gone_through_and_back(here, show):
+    middle = '<path id="box" d="M8 14h8v8h-8z"/>'
+    shown = show(reacting("click", "smil", b=middle, more=[FAR]))
+    for start, end in ((2, 14), (14, 2)):
+        shown.click()
+        assert_moves(shown.path(), start, end)
+
+
+@pytest.mark.parametrize("name", ["menu", "the-menu"])
+def test_the_event_of_another_element_moves_it_and_the_next_one_brings_it_back(here, show, name):
+    shown = show(f'<button id="{name}">menu</button>' + reacting(f"{name}.click", "smil"))
+    for start, end in ((2, 14), (14, 2), (2, 14)):
+        shown.page.click("button")
+        assert_moves(shown.path(), start, end)
+
+
+@pytest.mark.parametrize("name", ["menu", "the-menu"])
+def test_an_event_with_an_opposite_is_undone_by_that(here, show, name):
+    shown = show(
+        f'<button id="{name}">menu</button>' + reacting(f"{name}.focusin", "smil") + "<button>next</button>"
+    )
+    shown.page.focus(f"#{name}")
+    assert_moves(shown.path(), 2, 14)
+    shown.page.keyboard.press("Tab")
+    assert_moves(shown.path(), 14, 2)
+
+
+@each_method
+def test_it_tells_what_it_is_and_whether_it_is_pressed(here, show, method):
+    titled = "<title>Open the box</title>" + BOX
+    shown = show(reacting("click", method, a=titled, b="<title>Open the box</title>" + FAR))
+    role = "button" if method == "smil" else "switch"
+    element = shown.page.get_by_role(role, name="Open the box")
+    assert element.count() == 1
+    shown.click()
+    if method == "smil":
+        assert element.get_attribute("aria-pressed") == "true"
+    else:
+        assert element.is_checked()
+    named = show(reacting("hover", method))
+    assert named.page.get_by_role("img", name="a to b").count() == 1
+
+
+@each_method
+def test_a_file_of_its_own_reacts_too(here, browser, method):
+    reacting("click", method)
+    page = browser.new_page(viewport={"width": 120, "height": 120})
+    page.goto(Path("r.svg").absolute().as_uri())
+    shown = Shown(page)
+    for start, end in ((2, 14), (14, 2)):
+        shown.click()
+        assert_moves(shown.path(), start, end)
+    page.close()
+
+
+def test_fifty_copies_in_one_page_react_each_by_itself(here, show):
+    icon = reacting("hover", "css")
+    shown = show('<div style="display:flex;flex-wrap:wrap">' + icon * 50 + "</div>")
+    shown.page.mouse.move(180, 60)
+    shown.page.wait_for_timeout(int(1000 * SECONDS) + 100)
+    places = shown.page.evaluate("[...document.querySelectorAll('path')].map(p => p.getBBox().x)")
+    assert places[1] == pytest.approx(14.0)
+    assert {*places[:1], *places[2:]} == {2.0}
