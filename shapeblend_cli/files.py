@@ -21,7 +21,7 @@ from shapeblend_cli.model import Drawing, Pair
 from shapeblend_cli.motion.verdict import verdict
 from shapeblend_cli.output import Content, Contents, check_targets, write_files
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
-from shapeblend_cli.pipeline import make_frames, match_all, times_of_frames
+from shapeblend_cli.pipeline import make_frames, match_all, place, times_of_frames
 from shapeblend_cli.report import Measures, measure, report
 from shapeblend_cli.settings import ReadOptions, Settings
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, contents_of, read
@@ -139,7 +139,7 @@ def make(
             else:
                 contents[Path(job.write.report)] = text
         if job.write.preview:
-            contents[Path(job.write.preview)] = _preview(job, found, pairs, notes)
+            contents[Path(job.write.preview)] = _preview(job, found, (drawings, pairs), notes)
             clock.lap("preview")
     if job.write.tries:
         contents[Path(job.write.tries)] = _tries(drawings, settings, pairs[0])
@@ -245,12 +245,15 @@ def _stale_frames(output: OutputSpec) -> set[str]:
     return {name for name in os.listdir(output.path) if frames.fullmatch(name)} - names
 
 
-def _preview(job: Job, found: dict[str, Any], pairs: Sequence[Pair], notes: Sequence[str]) -> str:
+def _preview(
+    job: Job, found: dict[str, Any], blended: tuple[Sequence[Drawing], Sequence[Pair]], notes: Sequence[str]
+) -> str:
     from shapeblend_cli.preview.page import preview  # most runs write none
 
-    settings = job.output.settings
+    settings, (drawings, pairs) = job.output.settings, blended
+    maps = place(drawings, settings.place)
     ends = make_frames(pairs, settings.replace(frames=0, ends=True))
-    return preview(found, pairs, ends, settings, job.output.timing, job.command, notes)
+    return preview(found, pairs, ends, settings, job.output.timing, job.command, notes, maps)
 
 
 def _tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> str:

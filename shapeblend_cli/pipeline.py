@@ -63,6 +63,8 @@ AFFORDABLE_SEGMENTS = 2000
 a few seconds; a drawing of hundreds of shapes would take minutes."""
 
 
+AS_IT_IS = Similarity()
+
 SMALL = 0.05
 """Shapes of less than this share of the largest one's size move straight: how they turn is hardly seen."""
 
@@ -95,7 +97,7 @@ def match_all(
         What was left out, one phrase each.
     """
     clock = clock or Clock()
-    maps = _place(drawings, settings.place)
+    maps = place(drawings, settings.place)
     flat, notes = _flatten(drawings, maps, settings.vertices, kept or Kept(0))
     check_stiff([contour.polygon for contour in flat[0].contours], settings)
     drawn = [as_drawn(drawing, to_a) for drawing, to_a in zip(drawings, maps, strict=True)]
@@ -116,7 +118,7 @@ def match_all(
     return with_names(pairs, drawings), notes
 
 
-def _place(drawings: Sequence[Drawing], place: str) -> list[Similarity]:
+def place(drawings: Sequence[Drawing], place: str) -> list[Similarity]:
     """Return the maps that lay drawings over the first."""
     first, *others = drawings
     return [Similarity(), *(place_over(first, drawing, place) for drawing in others)]
@@ -152,7 +154,7 @@ def _contours(
     return contours
 
 
-def as_drawn(drawing: Drawing, to_a: Similarity) -> tuple[PaintedShape, ...]:
+def as_drawn(drawing: Drawing, to_a: Similarity = AS_IT_IS) -> tuple[PaintedShape, ...]:
     """Return what a drawing paints, laid over A."""
     return tuple(
         PaintedShape(

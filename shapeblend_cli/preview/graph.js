@@ -1,5 +1,7 @@
 // The graph of a correspondence: the work of other paths, and a canvas that shows it.
 
+import { mixed, unpacked } from "./values.js";
+
 const PALETTES = {
   light: {
     ramp: ["#123c69", "#1f6f8b", "#5aa9a3", "#b5d6c3", "#ece9df"],
@@ -12,17 +14,17 @@ const PALETTES = {
     other: "#ff8be6", halo: "#14161a", guide: "#ffffff",
   },
 };
-const isDark = () => {
+export const isDark = () => {
   const theme = document.documentElement.dataset.theme;
   return theme ? theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
 };
-const palette = () => PALETTES[isDark() ? "dark" : "light"];
+export const palette = () => PALETTES[isDark() ? "dark" : "light"];
 
 // Extra work, in units of the least, from which the scale begins to tell apart, and at which it ends.
-const [FIRST, LAST] = [1e-3, 100];
-const height = (extra) => Math.min(Math.log1p(extra / FIRST) / Math.log1p(LAST / FIRST), 1);
+export const [FIRST, LAST] = [1e-3, 100];
+export const height = (extra) => Math.min(Math.log1p(extra / FIRST) / Math.log1p(LAST / FIRST), 1);
 
-function shade(level, ramp) {
+export function shade(level, ramp) {
   const x = level * (ramp.length - 1);
   const k = Math.min(Math.floor(x), ramp.length - 2);
   return mixed(ramp[k], ramp[k + 1], x - k);
@@ -31,7 +33,7 @@ function shade(level, ramp) {
 // East, South and Southeast, as columns and rows.
 const MOVES = [[1, 0], [0, 1], [1, 1]];
 
-class Landscape {
+export class Landscape {
   constructor(told, works, step, before, after) {
     Object.assign(this, told, { step, before, after });
     const { rows, columns } = told;
@@ -80,7 +82,7 @@ class Landscape {
   }
 }
 
-class Graph {
+export class Graph {
   // `pointed` is told of the dot that the cursor is on.
   constructor(canvas, contour, dots, { letters, band, pointed }) {
     Object.assign(this, { canvas, letters, band, pointed, landscape: null, image: null, cursor: null, dot: null, chosen: null });

@@ -1,27 +1,33 @@
 // The page itself: what is shown, and what users do.
 
+import { at, copy, counted, drawn, figures, made, mixed, place, share, unpacked } from "./values.js";
+import { Matching, Picture, Scene } from "./picture.js";
+import { Player, showPlaying } from "./player.js";
+import { coloured, Filmstrip, tinted } from "./parts.js";
+import { Graph, height, isDark, Landscape, LAST, palette, shade } from "./graph.js";
+import { listFrames, showNumbers, showRun } from "./report.js";
+
 const data = JSON.parse(at("data").textContent);
 const letterOf = (k) => (k < 26 ? String.fromCharCode(65 + k) : `drawing ${k + 1}`);
 
 // ---- state
 
-const { at: eased, timeOf } = easing(data.timing.ease);
 const prefersStill = matchMedia("(prefers-reduced-motion: reduce)");
 const state = {
-  from: 0, // what is shown: from this drawing
-  to: data.pairs.length, // to this one
-  now: 0, // the drawing that was left last, and the share of the way to the next
-  playing: false,
-  forwards: true,
-  speed: 1,
-  repeat: String(data.timing.repeat), // a number of runs, or forever, or pingpong
-  left: Infinity, // runs
   contour: 0,
   dot: null,
   chosen: null, // { column, row, path, extra }
 };
-const pairOf = (now) => Math.min(Math.floor(now), state.to - 1);
 const scenes = [];
+const pictures = [];
+const player = new Player(data.timing, data.pairs.length, {
+  shown: show,
+  played: (playing) => showPlaying(at("play"), at("play-icon"), playing),
+});
+const film = new Filmstrip(at("film"), 9, (t) => {
+  player.play(false);
+  player.seek(seen.pair + t);
+});
 let matching = null;
 let graph = null;
 let seen = { pair: -1 };
@@ -29,63 +35,20 @@ let seen = { pair: -1 };
 const names = () => [letterOf(data.pairs[seen.pair].a), letterOf(data.pairs[seen.pair].b)];
 const contours = () => data.pairs[seen.pair].contours;
 
-// ---- the player
-
-function seek(now) {
-  state.now = Math.min(Math.max(now, state.from), state.to);
-  show();
-}
-
-function play(playing) {
-  if (playing && state.repeat !== "pingpong" && state.now >= state.to) state.now = state.from;
-  if (playing && !state.playing) {
-    state.left = Number(state.repeat) || Infinity;
-    before = null;
-    requestAnimationFrame(tick);
-  }
-  state.playing = playing;
-  at("play").setAttribute("aria-label", playing ? "Pause" : "Play");
-  at("play-icon").setAttribute("d", playing ? "M7 5h4v14H7zM13 5h4v14h-4z" : "M8 5l12 7-12 7z");
-}
-
-let before = null;
-
-function tick(time) {
-  if (!state.playing) return;
-  const passed = before === null ? 0 : Math.min((time - before) / 1000, 0.25);
-  before = time;
-  const pair = pairOf(state.now);
-  const way = (state.forwards ? 1 : -1) * (passed * state.speed) / data.timing.seconds;
-  let moved = pair + timeOf(state.now - pair) + way;
-  if (moved > state.to || moved < state.from) {
-    if (state.repeat === "pingpong") {
-      state.forwards = moved < state.from;
-      moved = state.forwards ? 2 * state.from - moved : 2 * state.to - moved;
-    } else if (--state.left > 0) {
-      moved = state.from + (moved - state.to) % (state.to - state.from);
-    } else {
-      moved = state.to;
-    }
-  }
-  moved = Math.min(Math.max(moved, state.from), state.to);
-  const next = pairOf(moved);
-  state.now = next + eased(moved - next);
-  show();
-  if (state.left === 0) play(false);
-  else requestAnimationFrame(tick);
-}
+// ---- what is shown
 
 function show() {
-  const pair = pairOf(state.now);
-  const t = state.now - pair;
+  const { pair, t } = player;
   if (pair !== seen.pair) enter(pair);
   const scene = scenes[pair];
-  seen = { pair, t, points: scene.show(t) };
+  seen = { ...seen, pair, t, points: pictures[pair].show(t) };
   at("drawing").setAttribute("viewBox", scene.view(t).join(" "));
-  at("time").value = state.now;
+  at("time").value = player.now;
   const [a, b] = names();
   at("clock").textContent = (data.pairs.length > 1 ? `${a} → ${b} ` : "") + t.toFixed(2);
   at("time").setAttribute("aria-valuetext", `${t.toFixed(2)} of the way from ${a} to ${b}`);
+  film.mark(t);
+  tint();
   overlay();
 }
 
@@ -96,7 +59,7 @@ function changeOf({ a, counts, motion }) {
 }
 
 function enter(pair) {
-  seen = { pair };
+  seen = { pair, colours: coloured(data.pairs[pair].contours, data.pairs[pair].order) };
   state.chosen = null;
   state.dot = null;
   const order = data.pairs[pair].order;
@@ -112,18 +75,19 @@ function enter(pair) {
   at("contour-row").hidden = order.length < 2;
   fillOnion();
   choose(order[0]);
+  fillFilm();
 }
 
 function scope(value) {
-  [state.from, state.to] = value === "all" ? [0, data.pairs.length] : [Number(value), Number(value) + 1];
-  at("time").min = state.from;
-  at("time").max = state.to;
+  [player.from, player.to] = value === "all" ? [0, data.pairs.length] : [Number(value), Number(value) + 1];
+  at("time").min = player.from;
+  at("time").max = player.to;
   strip();
-  seek(state.from);
+  player.seek(player.from);
 }
 
 function framesShown() {
-  return data.frames.filter(({ pair }) => pair >= state.from && pair < state.to);
+  return data.frames.filter(({ pair }) => pair >= player.from && pair < player.to);
 }
 
 function strip() {
@@ -131,7 +95,7 @@ function strip() {
   const most = Math.max(...frames.map(({ area }) => area), Number.MIN_VALUE);
   const bars = (some) =>
     some
-      .map(({ pair, t, area }) => [(1000 * (pair + t - state.from)) / (state.to - state.from), -4 - (14 * area) / most])
+      .map(({ pair, t, area }) => [(1000 * (pair + t - player.from)) / (player.to - player.from), -4 - (14 * area) / most])
       .map(([x, height]) => `M${x} 20v${height}`)
       .join("");
   const crossed = frames.filter((frame) => frame.self_crossings);
@@ -160,9 +124,44 @@ function fillOnion() {
   const step = Math.ceil(times.length / MOST_SKINS);
   const all = [0, ...times.filter((_, k) => k % step === 0), 1];
   for (const t of new Set(all)) {
-    group.append(drawn("path", { d: scene.outlines(t), stroke: mixed("#1f5fbf", "#c2410c", t) }));
+    const d = scene.outlines(t);
+    group.append(drawn("path", { class: "halo", d }), drawn("path", { d, stroke: mixed("#1f5fbf", "#c2410c", t) }));
   }
 }
+
+// Parts in their colours, over the picture and in the film.
+function tint() {
+  const isOn = at("show-parts").checked;
+  at("picture").classList.toggle("faded", isOn);
+  at("parts").replaceChildren(...(isOn ? tintedAt(seen.t, seen.points) : []));
+}
+
+const tintedAt = (t, points) => tinted(scenes[seen.pair], contours(), seen.colours, data.pairs[seen.pair].order, points);
+
+function fillFilm() {
+  film.show(scenes[seen.pair], at("show-parts").checked ? tintedAt : null);
+}
+
+// The contour that is drawn uppermost at a point of the screen, the smallest of several.
+function contourAt(event) {
+  const matrix = at("drawing").getScreenCTM();
+  const [x, y] = [(event.clientX - matrix.e) / matrix.a, (event.clientY - matrix.f) / matrix.d];
+  const pen = document.createElement("canvas").getContext("2d");
+  const reach = 8 / matrix.a;
+  let [best, least] = [null, Infinity];
+  for (const element of tintedAt(seen.t, seen.points)) {
+    const path = new Path2D(element.getAttribute("d"));
+    pen.lineWidth = 2 * reach;
+    const contour = Number(element.dataset.contour);
+    const isIn = (contours()[contour].closed && pen.isPointInPath(path, x, y, "nonzero")) || pen.isPointInStroke(path, x, y);
+    if (!isIn) continue;
+    const size = order().length - order().indexOf(contour); // the largest come first in the order
+    if (size < least) [best, least] = [contour, size];
+  }
+  return best;
+}
+
+const order = () => data.pairs[seen.pair].order;
 
 const dotsText = (points) => points.map(([x, y]) => `M${x} ${y}h0`).join("");
 const lineText = (points) => `M${points.map(([x, y]) => `${x} ${y}`).join("L")}`;
@@ -299,8 +298,18 @@ function back() {
   changed();
 }
 
+// The chosen dot as the command line takes it: a point of A and a point of B, each in its own drawing.
+function pinOf({ i, j }) {
+  const [factor, x, y] = data.pairs[seen.pair].to_a;
+  const [a, b] = [matching.vertices_a[i], matching.vertices_b[j]];
+  const own = [(b[0] - x) / factor, (b[1] - y) / factor];
+  const text = (point) => point.map((value) => Number(value.toFixed(data.decimals + 1))).join(",");
+  return `--pin ${text(a)}:${text(own)}`;
+}
+
 // What is picked or chosen has changed.
 function changed() {
+  at("copy-pin").hidden = !state.chosen || data.pairs.length > 1;
   at("back").hidden = at("other-key").hidden = !state.chosen;
   fillOverlay();
   if (graph) graph.show(state.dot, state.chosen);
@@ -401,20 +410,24 @@ function repaint() {
 }
 
 function listen() {
-  at("play").addEventListener("click", () => play(!state.playing));
+  at("play").addEventListener("click", () => player.play(!player.playing));
   at("time").addEventListener("input", () => {
-    play(false);
-    seek(Number(at("time").value));
+    player.play(false);
+    player.seek(Number(at("time").value));
   });
-  at("speed").addEventListener("change", () => (state.speed = Number(at("speed").value)));
-  at("repeat").addEventListener("change", () => {
-    state.repeat = at("repeat").value;
-    state.left = Number(state.repeat) || Infinity;
-    state.forwards = true;
-  });
+  at("speed").addEventListener("change", () => (player.speed = Number(at("speed").value)));
+  at("repeat").addEventListener("change", () => player.repeatAs(at("repeat").value));
   at("scope").addEventListener("change", () => scope(at("scope").value));
   at("contour").addEventListener("change", () => choose(Number(at("contour").value)));
   at("show-onion").addEventListener("change", fillOnion);
+  at("show-parts").addEventListener("change", () => {
+    tint();
+    fillFilm();
+  });
+  at("stage").addEventListener("click", (event) => {
+    const contour = contourAt(event);
+    if (contour !== null && contour !== state.contour) choose(contour);
+  });
   for (const name of ["show-points", "show-paths"]) {
     at(name).addEventListener("change", () => (at("show-points").checked || at("show-paths").checked ? fillOverlay() : pick(null)));
   }
@@ -428,16 +441,8 @@ function listen() {
   at("theme").addEventListener("click", () => theme(!isDark()));
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", repaint);
   at("back").addEventListener("click", back);
-  at("copy").addEventListener("click", async () => {
-    getSelection().selectAllChildren(at("command"));
-    try {
-      await navigator.clipboard.writeText(data.command.join(" "));
-    } catch {
-      document.execCommand("copy"); // where pages may not write to the clipboard by themselves
-    }
-    at("copy").textContent = "Copied";
-    setTimeout(() => (at("copy").textContent = "Copy"), 1500);
-  });
+  at("copy").addEventListener("click", () => copy(data.command.join(" "), at("copy")));
+  at("copy-pin").addEventListener("click", () => copy(pinOf(state.chosen), at("copy-pin")));
   at("zoom-in").addEventListener("click", () => graph.zoomBy(1.6));
   at("zoom-out").addEventListener("click", () => graph.zoomBy(1 / 1.6));
   at("zoom-fit").addEventListener("click", () => graph.fit());
@@ -519,10 +524,10 @@ const STEP = 0.02;
 // The time of the frame or drawing before, or after, what is shown.
 function neighbour(forwards) {
   const times = framesShown().map(({ pair, t }) => pair + t);
-  for (let k = state.from; k <= state.to; k++) times.push(k);
+  for (let k = player.from; k <= player.to; k++) times.push(k);
   times.sort((p, q) => p - q);
-  const beyond = forwards ? times.find((t) => t > state.now + 1e-9) : times.findLast((t) => t < state.now - 1e-9);
-  return beyond ?? state.now;
+  const beyond = forwards ? times.find((t) => t > player.now + 1e-9) : times.findLast((t) => t < player.now - 1e-9);
+  return beyond ?? player.now;
 }
 
 function key(event) {
@@ -531,19 +536,19 @@ function key(event) {
     if (event.key !== "Escape") return;
   }
   const move = (now) => {
-    play(false);
-    seek(now);
+    player.play(false);
+    player.seek(now);
   };
   const round = (now) => Math.round(now / STEP) * STEP;
   const acts = {
     Escape: back,
-    ArrowLeft: () => move(event.shiftKey ? neighbour(false) : round(state.now - STEP)),
-    ArrowRight: () => move(event.shiftKey ? neighbour(true) : round(state.now + STEP)),
-    Home: () => move(state.from),
-    End: () => move(state.to),
+    ArrowLeft: () => move(event.shiftKey ? neighbour(false) : round(player.now - STEP)),
+    ArrowRight: () => move(event.shiftKey ? neighbour(true) : round(player.now + STEP)),
+    Home: () => move(player.from),
+    End: () => move(player.to),
   };
   const clicks = tag === "BUTTON" || tag === "SUMMARY" || event.target.type === "checkbox";
-  if (!clicks) acts[" "] = () => play(!state.playing);
+  if (!clicks) acts[" "] = () => player.play(!player.playing);
   if (!acts[event.key]) return;
   acts[event.key]();
   event.preventDefault();
@@ -554,6 +559,7 @@ function key(event) {
 async function begin() {
   for (const [k, pair] of data.pairs.entries()) {
     scenes[k] = new Scene(JSON.parse(new TextDecoder().decode(await unpacked(pair.packed))), pair.views, data.decimals);
+    pictures[k] = new Picture(scenes[k], at("picture"));
   }
   at("scope").append(made("option", { value: "all" }, "all, one after the other"));
   data.pairs.forEach(({ a, b }, k) => {
@@ -564,24 +570,24 @@ async function begin() {
   for (const speed of [0.25, 0.5, 1, 2, 4]) at("speed").append(made("option", { value: speed }, `${speed} ×`));
   at("speed").value = 1;
   const repeats = new Map([["1", "once"], ["forever", "forever"], ["pingpong", "ping-pong"]]);
-  if (!repeats.has(state.repeat)) repeats.set(state.repeat, `${state.repeat} times`);
+  if (!repeats.has(player.repeat)) repeats.set(player.repeat, `${player.repeat} times`);
   for (const [value, name] of repeats) at("repeat").append(made("option", { value }, name));
-  at("repeat").value = state.repeat;
+  at("repeat").value = player.repeat;
   showRun(data);
   listFrames(data, (pair, t) => {
-    play(false);
-    if (pair < state.from || pair >= state.to) {
+    player.play(false);
+    if (pair < player.from || pair >= player.to) {
       at("scope").value = "all";
       scope("all");
     }
-    seek(pair + t);
+    player.seek(pair + t);
   });
   repaint();
-  play(false);
+  player.play(false);
   listen();
   scope("all");
   document.documentElement.dataset.ready = "yes";
-  if (!prefersStill.matches) play(true);
+  if (!prefersStill.matches) player.play(true);
 }
 
 begin().catch((error) => {

@@ -9,19 +9,23 @@ import base64
 import hashlib
 import html
 import json
+import re
 import shlex
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from importlib.resources import files
 from string import Template
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from shapeblend_cli.easing import Timing
 from shapeblend_cli.model import Frame, Pair
 from shapeblend_cli.preview.graphs import by_size, graphs, pack_json
-from shapeblend_cli.preview.pictures import dot_positions, picture
+from shapeblend_cli.preview.pictures import correspondence_lists, picture, rounded, scale_and_shift
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import title_of
-from shapeblend_cli.svg.writing.rounding import decimals_for, number
+from shapeblend_cli.svg.writing.rounding import decimals_for
+
+if TYPE_CHECKING:
+    from shapeblend_cli.geometry.similarity import Similarity
 
 POLICY = (
     "default-src 'none'; script-src {script}; style-src {style}; img-src data:; "
@@ -29,8 +33,13 @@ POLICY = (
 )
 """Nothing is fetched, and nothing runs but the page's own script."""
 
-SCRIPTS = ("values.js", "picture.js", "graph.js", "report.js", "page.js")
-"""Joined in this order they are the page's script."""
+SCRIPTS = ("values.js", "picture.js", "player.js", "parts.js", "graph.js", "report.js", "page.js")
+"""Modules, each of which imports those before it; joined in this order they are the page's script."""
+
+STYLES = ("base.css", "page.css")
+
+LINKS = re.compile(r"^import .*\n|^export (?=const |class |function |async )", re.MULTILINE)
+"""What modules need that are apart, and one script does not."""
 
 LISTS = ("vertices_a", "vertices_b", "dots")  # the long lists of a contour's report, which are packed
 
@@ -43,10 +52,12 @@ def preview(
     timing: Timing,
     command: Sequence[str],
     notes: Sequence[str],
+    maps: Sequence[Similarity],
 ) -> str:
     """Return a page that shows a run.
 
-    The `ends` are the drawings, as frames show them; the `command` is in words; `notes` are what the run printed.
+    The `ends` are the drawings, as frames show them; the `command` is in words; `notes` are what the run printed;
+    the `maps` lay each drawing over the first.
     """
     decimals = decimals_for([frame.view for frame in ends])
     landscapes = iter(graphs([contour for pair in pairs for contour in pair.contours], settings))
@@ -54,7 +65,10 @@ def preview(
     for pair, reported in zip(pairs, report["pairs"], strict=True):
         times = [frame["t"] for frame in report["frames"] if frame["pair"] == pair.a]
         scene = picture(pair, (ends[pair.a], ends[pair.b]), times, decimals)
-        written.append(_pair(pair, reported["contours"], landscapes, scene, decimals))
+        written.append(
+            _pair(pair, reported["contours"], landscapes, scene, decimals)
+            | {"to_a": scale_and_shift(maps[pair.b])}
+        )
     data = {
         **{name: report[name] for name in ("version", "settings", "frames", "seconds")},
         "names": [title_of(file) for file in report["inputs"]],
@@ -64,7 +78,8 @@ def preview(
         "decimals": decimals,
         "pairs": written,
     }
-    script, style = "\n".join(map(_read, SCRIPTS)), _read("page.css")
+    script = LINKS.sub("", "\n".join(map(_read, SCRIPTS)))
+    style = "\n".join(map(_read, STYLES))
     text = json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     return Template(_read("page.html")).substitute(
         policy=POLICY.format(script=_hash(script), style=_hash(style)),
@@ -98,26 +113,15 @@ def _pair(
                 "graph": next(landscapes),
             }
         )
-        lists.append(
-            {
-                "vertices_a": [_rounded(point, decimals + 1) for point in contour["vertices_a"]],
-                "vertices_b": [_rounded(point, decimals + 1) for point in contour["vertices_b"]],
-                "dots": contour["dots"],
-                "places": _rounded(dot_positions(blend).tolist(), 3),
-            }
-        )
+        lists.append(correspondence_lists(blend, decimals))
     return {
         "a": pair.a,
         "b": pair.b,
-        "views": [_rounded(view, decimals) for view in pair.views],
+        "views": [rounded(view, decimals) for view in pair.views],
         "contours": contours,
         "order": by_size(pair.contours),
         "packed": pack_json({**scene, "lists": lists}),
     }
-
-
-def _rounded(values: Iterable[float], decimals: int) -> list[float]:
-    return [float(number(value, decimals)) for value in values]
 
 
 def _read(name: str) -> str:

@@ -1,6 +1,8 @@
 // What is drawn: shapes that move, the drawings at the ends of time, and the correspondence over them.
 
-class MovingShape {
+import { drawn, mixed, sampled } from "./values.js";
+
+export class MovingShape {
   constructor({ outlines, times, points, coats }, scale) {
     this.times = times;
     this.coats = coats;
@@ -32,10 +34,11 @@ class MovingShape {
     return first.map((value, n) => (1 - u) * value + u * second[n]);
   }
 
-  path(points, digits) {
+  // The outlines, or only the one with a number.
+  path(points, digits, only = null) {
     const text = [];
     const point = (k) => `${Number(points[k].toFixed(digits))},${Number(points[k + 1].toFixed(digits))}`;
-    for (const { closed, lines, start, ends } of this.outlines) {
+    for (const { closed, lines, start, ends } of only === null ? this.outlines : [this.outlines[only]]) {
       text.push(`M${point(start)}`);
       const last = closed && lines.endsWith("L") ? lines.length - 1 : lines.length; // Z draws it
       for (let n = 0; n < last; n++) {
@@ -65,27 +68,29 @@ class MovingShape {
   }
 }
 
+// Gradients lie in the group of what they paint, so that they go with it.
 let gradients = 0;
 
-function gradientOf({ tag, attributes, stops }) {
+function gradientOf({ tag, attributes, stops }, group) {
   const element = drawn(tag, { id: `gradient-${++gradients}`, ...attributes });
   for (const stop of stops) element.append(drawn("stop", stop));
-  at("gradients").append(element);
+  group.append(element);
   return element;
 }
 
-function still(paths) {
+// Paths that do not move, as a group.
+export function still(paths) {
   const group = drawn("g");
   for (const { path, ...paints } of paths) {
     const element = drawn("path", path);
-    for (const [name, gradient] of Object.entries(paints)) element.setAttribute(name, `url(#${gradientOf(gradient).id})`);
+    for (const [name, gradient] of Object.entries(paints)) element.setAttribute(name, `url(#${gradientOf(gradient, group).id})`);
     group.append(element);
   }
   return group;
 }
 
-// A path for each coat of a shape. `update` draws it at a time.
-function painted(shape, digits) {
+// Adds a path for each coat of a shape to a group, and returns what draws them at a time.
+function painted(shape, digits, group) {
   const changes = [];
   const vary = (target, name, values) => {
     target.setAttribute(name, values[0]);
@@ -96,7 +101,7 @@ function painted(shape, digits) {
     // Where there is a gradient, the plain colour that stands for it is not painted.
     for (const [name, values] of Object.entries(path)) if (!(name in paints)) vary(element, name, values);
     for (const [name, values] of Object.entries(paints)) {
-      const gradient = gradientOf(values[0]);
+      const gradient = gradientOf(values[0], group);
       element.setAttribute(name, `url(#${gradient.id})`);
       const keys = new Set(values.flatMap(({ attributes }) => Object.keys(attributes)));
       for (const key of keys) vary(gradient, key, values.map(({ attributes }) => attributes[key] ?? "pad"));
@@ -106,37 +111,27 @@ function painted(shape, digits) {
     }
     return element;
   });
-  return {
-    elements,
-    update(t, points) {
-      const text = shape.path(points, digits);
-      for (const element of elements) element.setAttribute("d", text);
-      for (const change of changes) change(t);
-    },
+  group.append(...elements);
+  return (t, points) => {
+    const text = shape.path(points, digits);
+    for (const element of elements) element.setAttribute("d", text);
+    for (const change of changes) change(t);
   };
 }
 
-class Scene {
+// A pair of drawings and what moves between them.
+export class Scene {
   constructor({ shapes, ends, lists }, views, decimals) {
-    Object.assign(this, { views, lists, decimals });
+    Object.assign(this, { ends, views, lists, decimals });
     this.shapes = shapes.map((shape) => new MovingShape(shape, 10 ** decimals));
-    this.paints = this.shapes.map((shape) => painted(shape, decimals + 1));
-    this.between = drawn("g");
-    this.between.append(...this.paints.flatMap(({ elements }) => elements));
-    this.ends = ends.map(still);
   }
 
   view(t) {
     return this.views[0].map((start, k) => (1 - t) * start + t * this.views[1][k]);
   }
 
-  // At the ends of time the drawings themselves.
-  show(t) {
-    const points = this.shapes.map((shape) => shape.at(t));
-    const group = t === 0 ? this.ends[0] : t === 1 ? this.ends[1] : this.between;
-    if (group === this.between) this.paints.forEach((paint, k) => paint.update(t, points[k]));
-    if (at("picture").firstChild !== group) at("picture").replaceChildren(group);
-    return points;
+  points(t) {
+    return this.shapes.map((shape) => shape.at(t));
   }
 
   outlines(t) {
@@ -144,7 +139,37 @@ class Scene {
   }
 }
 
-class Matching {
+// A scene in an element of SVG.
+export class Picture {
+  constructor(scene, holder) {
+    Object.assign(this, { scene, holder, groups: {} });
+  }
+
+  // At the ends of time the drawings themselves. Returns where the points of all shapes are.
+  show(t) {
+    const { scene, groups, holder } = this;
+    const points = scene.points(t);
+    const kind = t === 0 ? "first" : t === 1 ? "last" : "between";
+    if (kind === "between") {
+      groups.between ??= this.between();
+      groups.between.updates.forEach((update, k) => update(t, points[k]));
+    } else {
+      groups[kind] ??= { group: still(scene.ends[t]) };
+    }
+    const { group } = groups[kind];
+    if (holder.firstChild !== group) holder.replaceChildren(group);
+    return points;
+  }
+
+  between() {
+    const group = drawn("g");
+    const updates = this.scene.shapes.map((shape) => painted(shape, this.scene.decimals + 1, group));
+    return { group, updates };
+  }
+}
+
+// Which vertices become which, of one contour.
+export class Matching {
   constructor(scene, contour, lists) {
     Object.assign(this, { contour, ...lists });
     const shape = scene.shapes[contour.shape];

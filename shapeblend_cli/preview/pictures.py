@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,8 +22,10 @@ from shapeblend_cli.model import (
 from shapeblend_cli.paint.styles import shape_styles
 from shapeblend_cli.svg.writing.paint import gradient_attributes, paint_attributes, visible_styles
 from shapeblend_cli.svg.writing.path_data import path_data
+from shapeblend_cli.svg.writing.rounding import number
 
 if TYPE_CHECKING:
+    from shapeblend_cli.geometry.similarity import Similarity
     from shapeblend_cli.model import FloatArray, IntArray
 
 PAINT_STEPS = 30
@@ -40,7 +42,7 @@ def picture(pair: Pair, ends: tuple[Frame, Frame], times: Sequence[float], decim
     """
     return {
         "shapes": [_moving_shape(shape, times, decimals) for shape in pair.shapes],
-        "ends": [_still_paths(frame, decimals) for frame in ends],
+        "ends": [still_paths(frame, decimals) for frame in ends],
     }
 
 
@@ -114,7 +116,7 @@ def _with_hyphens(attributes: dict[str, str]) -> dict[str, str]:
     return {name.replace("_", "-"): value for name, value in attributes.items()}
 
 
-def _still_paths(frame: Frame, decimals: int) -> list[dict[str, Any]]:
+def still_paths(frame: Frame, decimals: int) -> list[dict[str, Any]]:
     """Return the paths of a frame at an end of time, as its file has them."""
     paths = []
     for shape in frame.shapes:
@@ -123,6 +125,30 @@ def _still_paths(frame: Frame, decimals: int) -> list[dict[str, Any]]:
             paint = _paint(style, decimals, as_ellipse=False)
             paths.append(paint | {"path": {"d": data, **paint["path"]}})
     return paths
+
+
+def correspondence_lists(contour: ContourBlend, decimals: int) -> dict[str, Any]:
+    """Return which vertices of a contour become which: both lists, the dots, and where these are on the way."""
+    sides = (
+        [rounded((z.real, z.imag), decimals + 1) for z in polygon.vertices.tolist()]
+        for polygon in (contour.polygon_a, contour.polygon_b)
+    )
+    return {
+        **dict(zip(("vertices_a", "vertices_b"), sides, strict=True)),
+        "dots": contour.correspondence.dots.tolist(),
+        "places": rounded(dot_positions(contour).tolist(), 3),
+    }
+
+
+def scale_and_shift(to_a: Similarity) -> list[float]:
+    """Return a map that does not rotate as a factor and a shift, so that the page can undo it."""
+    shift = to_a.point(0j)
+    return [complex(to_a.factor).real, shift.real, shift.imag]
+
+
+def rounded(values: Iterable[float], decimals: int) -> list[float]:
+    """Return numbers as they are written with so many decimals."""
+    return [float(number(value, decimals)) for value in values]
 
 
 def dot_positions(contour: ContourBlend) -> FloatArray:

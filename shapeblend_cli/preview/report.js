@@ -1,6 +1,8 @@
 // What was found: the numbers of the report.
 
-function showNumbers(contour) {
+import { at, counted, entries, figures, made, share } from "./values.js";
+
+export function showNumbers(contour) {
   const solved = contour.a !== null && contour.b !== null;
   const { work, stretching, bending, lower_bound: bound, gap } = contour;
   at("shares").hidden = !(work > 0);
@@ -29,7 +31,7 @@ const CONSTANTS = ["ks", "kb", "es", "eb", "pb", "mb", "cs"];
 const isNothing = (value) => value === null || value.length === 0;
 const asText = (value) => (isNothing(value) ? "none" : typeof value === "object" ? JSON.stringify(value) : String(value));
 
-function showRun(data) {
+export function showRun(data) {
   const { settings } = data;
   at("summary").textContent = [
     counted(data.pairs.length, "pair"), counted(data.frames.length, "frame"),
@@ -48,7 +50,7 @@ function showRun(data) {
 }
 
 // A row a frame, made when they are wanted; `chosen` is told of the pair and the time of one.
-function listFrames(data, chosen) {
+export function listFrames(data, chosen) {
   at("frames-title").textContent = `Frames (${data.frames.length})`;
   at("frame-pair").hidden = data.pairs.length < 2;
   const row = ({ t, pair, area, self_crossings: crossings }) => {

@@ -1,28 +1,28 @@
 // Elements, numbers for reading, values that were packed, and values between two others.
 
-const at = (id) => document.getElementById(id);
-const SVG = "http://www.w3.org/2000/svg";
+export const at = (id) => document.getElementById(id);
+export const SVG = "http://www.w3.org/2000/svg";
 
-function made(tag, attributes = {}, ...children) {
+export function made(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
   element.append(...children);
   return element;
 }
 
-function drawn(tag, attributes = {}) {
+export function drawn(tag, attributes = {}) {
   const element = document.createElementNS(SVG, tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
   return element;
 }
 
-const figures = (value, digits = 4) =>
+export const figures = (value, digits = 4) =>
   value === 0 ? "0" : Math.abs(value) >= 1e6 || Math.abs(value) < 1e-4 ? value.toExponential(2) : String(Number(value.toPrecision(digits)));
-const place = ([x, y]) => `${figures(x, 5)}, ${figures(y, 5)}`;
-const counted = (count, what) => `${count} ${what}${count === 1 ? "" : "s"}`;
-const share = (value) => `${figures(100 * value, 3)} %`;
+export const place = ([x, y]) => `${figures(x, 5)}, ${figures(y, 5)}`;
+export const counted = (count, what) => `${count} ${what}${count === 1 ? "" : "s"}`;
+export const share = (value) => `${figures(100 * value, 3)} %`;
 
-function entries(list, rows, kind = null) {
+export function entries(list, rows, kind = null) {
   list.replaceChildren(
     ...rows.flatMap(([name, value, look]) => {
       const pair = [made("dt", look ? { class: look } : {}, name), made("dd", {}, value)];
@@ -31,7 +31,27 @@ function entries(list, rows, kind = null) {
   );
 }
 
-async function unpacked(text) {
+// Puts a text on the clipboard, and says so on the button that was pressed.
+export async function copy(text, button) {
+  const said = button.dataset.says ?? button.textContent;
+  button.dataset.says = said;
+  let done = true;
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {
+    // Where pages may not write to the clipboard by themselves.
+    const field = made("textarea", { readonly: "" });
+    field.value = text;
+    document.body.append(field);
+    field.select();
+    done = document.execCommand("copy");
+    field.remove();
+  }
+  button.textContent = done ? "Copied" : "Not copied";
+  setTimeout(() => (button.textContent = said), 1500);
+}
+
+export async function unpacked(text) {
   const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
@@ -41,7 +61,7 @@ async function unpacked(text) {
 
 const NUMBER = /#[0-9a-f]{6}|-?(?:\d+\.?\d*|\.\d+)(?:e-?\d+)?/gi;
 
-function mixed(first, second, u) {
+export function mixed(first, second, u) {
   if (first === second || u === 0) return first;
   const ends = second.match(NUMBER) || [];
   if (first.replace(NUMBER, "0") !== second.replace(NUMBER, "0") || !ends.length) return first;
@@ -57,14 +77,14 @@ function mixed(first, second, u) {
   });
 }
 
-function sampled(values, t) {
+export function sampled(values, t) {
   if (values.length === 1) return [values[0], values[0], 0];
   const x = t * (values.length - 1);
   const k = Math.min(Math.floor(x), values.length - 2);
   return [values[k], values[k + 1], x - k];
 }
 
-function easing([x1, y1, x2, y2]) {
+export function easing([x1, y1, x2, y2]) {
   if (x1 === y1 && x2 === y2) return { at: (x) => x, timeOf: (y) => y };
   const curve = (p, q, s) => 3 * (1 - s) * (1 - s) * s * p + 3 * (1 - s) * s * s * q + s * s * s;
   const solved = (p, q, r, u) => (value) => {

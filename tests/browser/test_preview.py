@@ -1,10 +1,13 @@
 """The page of `--preview` in a real browser, used by mouse, by finger and by keyboard."""
 
+import io
 import itertools
+import json
 import re
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.matching.landscape import landscape
@@ -66,6 +69,9 @@ def opened(browser, pages):
         address = pages[name][0].as_uri()
         page.goto(address)
         page.wait_for_selector("html[data-ready]")
+        assert not page.is_visible("#graph")  # the words of the method are folded away
+        page.click("#method > summary")
+        page.locator("body").click(position={"x": 2, "y": 2})
         return page
 
     yield open_
@@ -172,12 +178,12 @@ def test_all_that_is_operated_can_be_reached_by_keyboard_and_has_a_name(opened):
     page = opened("several")
     page.check("#show-points")
     reached = []
-    for _ in range(30):
+    for _ in range(45):
         page.keyboard.press("Tab")
         reached.append(page.evaluate("document.activeElement.id"))
         outline = page.evaluate("getComputedStyle(document.activeElement).outlineStyle")
         assert outline != "none" or reached[-1] == ""
-    wanted = "theme play time speed repeat show-onion show-points show-paths dot copy contour graph zoom-in zoom-out"
+    wanted = "theme play time speed repeat show-parts show-onion show-points show-paths dot copy contour graph zoom-in"
     assert set(wanted.split()) <= set(reached)
     nameless = page.evaluate(
         """[...document.querySelectorAll("button, select, input, canvas[tabindex]")].filter(e =>
@@ -188,10 +194,10 @@ def test_all_that_is_operated_can_be_reached_by_keyboard_and_has_a_name(opened):
 
 def test_toggles_show_and_hide(page):
     seek(page, 0.5)
-    onions = [page.locator("#onion path").count()]
+    onions = [page.locator("#onion path:not(.halo)").count()]
     for press in (page.check, page.uncheck):
         press("#show-onion")
-        onions.append(page.locator("#onion path").count())
+        onions.append(page.locator("#onion path:not(.halo)").count())
     assert onions == [0, 5, 0]  # three frames and two drawings
     page.check("#show-points")
     assert (page.locator("#overlay .points").count(), page.locator("#overlay .paths").count()) == (3, 0)
@@ -380,7 +386,7 @@ def test_a_stroke_on_an_edge_is_no_point(browser, tmp_path):
     assert run([*files[:2], "-o", files[2], "--preview", files[3], "-q"]) == 0
     page = browser.new_page()
     page.goto((tmp_path / "page.html").as_uri())
-    options = page.locator("#contour option").all_inner_texts()
+    options = page.locator("#contour option").all_text_contents()
     page.close()
     assert sum("goes where the edge goes that it lies on" in option for option in options) == 1
     assert not any("point" in option for option in options)
@@ -460,6 +466,90 @@ def test_text_is_readable_in_light_and_dark(opened, scheme, is_toggled):
     contrasts = page.evaluate(CONTRASTS)
     assert len(contrasts) > 50
     assert [pair for pair in contrasts if pair[0] < 4.5] == []
+
+
+def test_a_click_on_the_drawing_chooses_its_contour(opened):
+    page = opened("several")
+    seek(page, 0.5)
+    chosen = []
+    for contour in page.evaluate("[...document.querySelectorAll('#contour option')].map(o => o.value)"):
+        page.check("#show-parts")
+        x, y = page.evaluate(
+            """contour => {
+              const part = document.querySelector(`#parts [data-contour="${contour}"]`);
+              const { x, y } = part.getPointAtLength(part.getTotalLength() / 3).matrixTransform(part.getScreenCTM());
+              return [x, y];
+            }""",
+            contour,
+        )
+        page.uncheck("#show-parts")
+        page.mouse.click(x, y)
+        chosen.append(page.input_value("#contour") == contour)
+    assert chosen == [True, True]
+
+
+def test_parts_have_one_colour_from_end_to_end(opened):
+    page = opened("more")
+    assert page.locator(".part").count() == 0
+    page.check("#show-parts")
+    seek(page, 0.25)
+    colours = page.evaluate(
+        """[...document.querySelectorAll("#film svg")].map(svg =>
+        [...svg.querySelectorAll(".part")].map(part => part.getAttribute("fill")))"""
+    )
+    assert len(colours) == 9
+    assert len(set(map(tuple, colours))) == 1
+    assert colours[0] == page.evaluate(
+        "[...document.querySelectorAll('#parts .part')].map(part => part.getAttribute('fill'))"
+    )
+
+
+def test_the_film_shows_moments_and_goes_there(page):
+    frames = page.locator("#film button")
+    assert frames.count() == 9
+    assert len({frames.nth(k).locator("path").get_attribute("d") for k in range(9)}) == 9
+    frames.nth(2).click()
+    assert time_of(page) == pytest.approx(0.25)
+    assert shape(page) == frames.nth(2).locator("path").get_attribute("d")
+
+
+def test_the_onion_skin_is_seen_on_a_dark_drawing(page):
+    seek(page, 0.5)
+    before = np.array(pixels_of(page, "#stage"))
+    page.check("#show-onion")
+    after = np.array(pixels_of(page, "#stage"))
+    inside = before.sum(axis=2) < 300  # where the drawing paints
+    assert inside.sum() > 1000
+    assert (np.abs(after - before).sum(axis=2) > 60)[inside].mean() > 0.02
+
+
+def pixels_of(page, selector):
+    with Image.open(io.BytesIO(page.locator(selector).screenshot())) as image:
+        return np.asarray(image.convert("RGB"), int)
+
+
+def test_a_dot_of_the_graph_is_copied_as_a_pin_that_the_command_takes(
+    page, pages, contour, expected, tmp_path
+):
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    columns, rows = expected.works.shape
+    column, row = columns // 2, rows // 3
+    assert not page.is_visible("#copy-pin")
+    page.mouse.click(*cell_of(page, column, row, columns, rows))
+    page.click("#copy-pin")
+    page.wait_for_selector("#copy-pin:text-is('Copied')")
+    option, value = page.evaluate("navigator.clipboard.readText()").split(" ")
+    files = [str(file) for file in pages["one"][1]]
+    report = tmp_path / "report.json"
+    settings = f"--vertices {SETTINGS.vertices} --motion linear -n 0 --report {report} -o {tmp_path / 'out'}"
+    assert run([*files, option, value, *settings.split()]) == 0
+    (found,) = json.loads(report.read_text())["pairs"][0]["contours"]
+    p, q = (complex(*map(float, point.split(","))) for point in value.split(":"))
+    pinned = [
+        (abs(complex(*found["vertices_a"][i]) - p), abs(complex(*found["vertices_b"][j]) - q))
+        for i, j in found["dots"]
+    ]
+    assert min(max(offs) for offs in pinned) < 0.3
 
 
 def test_the_command_is_copied(page, pages):
