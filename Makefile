@@ -43,7 +43,7 @@ demo: install ## blend samples/e.svg into samples/f.svg: frames, an animated SVG
 test: install ## run the tests that need nothing but Python: no network, no npm, no browser
 	$(BIN)/python -m pytest -q --ignore=$(BROWSER_TESTS) --ignore=$(DOCS_TESTS)
 
-test-browser: install chromium npm ## test animations, the page of --preview, and what other programs play, in Chromium
+test-browser: install chromium npm ## test animations, the page of --preview, the studio, and what other programs play, in Chromium
 	$(BIN)/python -m pytest -q $(BROWSER_TESTS)
 
 docs-check: install npm ## draw the pictures in docs and measure some of its figures anew, and compare; much needs npm

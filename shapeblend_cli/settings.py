@@ -22,9 +22,22 @@ OUTPUT, SHAPES, CORRESPONDENCE = "Output", "Which shapes", "Correspondence"
 IN_BETWEENS, ANIMATIONS, OTHER = "In-betweens", "Animations", "Other"
 PLOT = "Plot"
 BATCH = "Batch"
+STUDIO = "Studio"
 PICTURES = "Pictures, with the extra shapeblend[pictures]"
 
-SECTIONS = (PLOT, BATCH, OUTPUT, SHAPES, CORRESPONDENCE, WIRE, IN_BETWEENS, ANIMATIONS, PICTURES, OTHER)
+SECTIONS = (
+    PLOT,
+    BATCH,
+    STUDIO,
+    OUTPUT,
+    SHAPES,
+    CORRESPONDENCE,
+    WIRE,
+    IN_BETWEENS,
+    ANIMATIONS,
+    PICTURES,
+    OTHER,
+)
 """The order in which help lists options."""
 
 
@@ -331,6 +344,21 @@ class BatchOptions(Record, section=BATCH):
         types.ADDRESS,
         default=None,
         help="Have the jobs done by the workers of a dask scheduler. Drawings and outputs travel; no folder is shared.",
+    )
+
+
+class StudioOptions(Record, section=STUDIO):
+    """How the studio is opened."""
+
+    port: int | None = option(
+        types.whole(1, 65_535), default=None, help="The port that the page is at.", default_text="a free one"
+    )
+    open: bool = option(
+        types.FLAG,
+        default=True,
+        flags=("--open/--no-open",),
+        help="Open the page in the browser, or print its address alone.",
+        default_text="open, where there is a screen",
     )
 
 

@@ -52,6 +52,7 @@ class Try(NamedTuple):
     options: str
     wrong: float
     pair: Pair
+    changed: dict[str, Any]  # values of settings by name
 
 
 def tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> list[Try]:
@@ -59,7 +60,7 @@ def tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> list[T
 
     The one at hand comes first, then the others, the least wrong first.
     """
-    found = [Try("as it is", _wrong(pair), pair)]
+    found = [Try("as it is", _wrong(pair), pair, {})]
     seen = [_pictures(pair)]
     for changed in WAYS:
         if any(settings.is_given(name) for name in changed):
@@ -71,7 +72,7 @@ def tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> list[T
         pictures = _pictures(other)
         if all(_differ(pictures, known) for known in seen):
             seen.append(pictures)
-            found.append(Try(_as_typed(settings, changed), _wrong(other), other))
+            found.append(Try(_as_typed(settings, changed), _wrong(other), other, changed))
     return [found[0], *sorted(found[1:], key=lambda one: one.wrong)]
 
 

@@ -18,10 +18,12 @@ PACKAGE = Path(shapeblend_cli.__file__).parent
 # A room is a module or a folder; the longest name that fits a module is its room.
 ROOMS = {
     "__main__": "cli",
-    "cli": "project batch plot files jobs outputs report interrupts svg.reading settings fields field_types errors "
-    "version",
+    "cli": "studio project batch plot files jobs outputs report interrupts svg.reading settings fields field_types "
+    "errors version",
     "__init__": "api outputs model settings errors version",
     "api": "pipeline outputs output report pairing svg.reading svg.writing settings model clock version easing errors",
+    "studio": "project preview tries files jobs outputs output pipeline svg.reading svg.writing motion views fields "
+    "field_types model kept clock version errors",
     "project": "batch field_types errors",
     "batch": "files svg.reading jobs outputs output kept staging interrupts fields field_types clock easing errors "
     "version",
@@ -30,7 +32,7 @@ ROOMS = {
     "files": "preview tries report jobs outputs output pipeline svg.reading motion settings matching model kept clock "
     "errors version",
     "tries": "pipeline svg.writing motion geometry settings model errors",
-    "preview": "svg.reading svg.writing pairing interpolate paint settings matching model easing",
+    "preview": "svg.reading svg.writing pairing interpolate paint geometry settings matching model easing",
     "report": "interpolate geometry model",
     "jobs": "outputs settings fields errors",
     "outputs": "pipeline interpolate svg.writing names settings fields field_types model easing triggers errors",

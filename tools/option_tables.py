@@ -10,8 +10,10 @@ from shapeblend_cli.settings import (
     BATCH,
     PLOT,
     SECTIONS,
+    STUDIO,
     BatchOptions,
     PlotOptions,
+    StudioOptions,
     TerminalOptions,
 )
 from tools.quality.data import ROOT
@@ -24,14 +26,14 @@ README = ROOT / "README.md"
 
 BEGIN, END = "<!-- options: written by make options -->", "<!-- end of options -->"
 
-RECORDS = (*OF_BLEND, TerminalOptions, PlotOptions, BatchOptions)
+RECORDS = (*OF_BLEND, TerminalOptions, PlotOptions, BatchOptions, StudioOptions)
 
 
 def tables() -> str:
     """Return a table for each section of the help, with the lines around them."""
     fields = [field for record in RECORDS for field in record.options.values()]
     parts = [BEGIN, ""]
-    of_commands = PLOT, BATCH
+    of_commands = PLOT, BATCH, STUDIO
     for section in (*(each for each in SECTIONS if each not in of_commands), *of_commands):
         rows = [(_typed(field), _help(field)) for field in fields if field.section == section]
         parts.append(Table((section, ""), rows).markdown())

@@ -63,6 +63,8 @@ def row_of(values: Mapping[str, Any], where: str, base: str) -> Row:
     if isinstance(files, str) or not isinstance(files, Iterable):
         raise OptionError(f"{where}: files must be a list of names, not {files!r}")
     files = list(files)
+    if not files:
+        raise OptionError(f"{where}: a job has drawings a and b, and further ones c, d ...; none given")
     for file in files:
         if not isinstance(file, str) or not file or file == "-":
             raise OptionError(f"{where}: a drawing must be the name of a file, not {file!r}")

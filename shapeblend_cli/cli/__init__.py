@@ -18,6 +18,7 @@ from shapeblend_cli.cli.completion import completion
 from shapeblend_cli.cli.group import DefaultGroup
 from shapeblend_cli.cli.inspect import inspect
 from shapeblend_cli.cli.plot import plot
+from shapeblend_cli.cli.studio import studio
 from shapeblend_cli.cli.terminal import say
 from shapeblend_cli.errors import OptionError, ShapeblendError, in_words
 from shapeblend_cli.interrupts import Interrupted, listening
@@ -28,7 +29,7 @@ FAILED, USAGE = 1, 2
 
 @click.group(
     cls=DefaultGroup,
-    commands=[blend, batch, inspect, plot, completion],
+    commands=[blend, studio, batch, inspect, plot, completion],
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 @click.version_option(__version__, prog_name="shapeblend", message="%(prog)s %(version)s")

@@ -1,0 +1,75 @@
+"""``shapeblend studio``."""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+from typing import Any
+
+import click
+
+from shapeblend_cli.cli.blend import opened
+from shapeblend_cli.cli.group import SectionedCommand
+from shapeblend_cli.cli.options import NAME, options_of
+from shapeblend_cli.interrupts import told
+from shapeblend_cli.jobs import RECORDS
+from shapeblend_cli.settings import StudioOptions
+
+EXAMPLES = (
+    ("shapeblend studio a.svg b.svg", "look at the blend, and correct it by hand"),
+    ("shapeblend studio blend.json", "go on with a project"),
+    ("shapeblend studio", "an empty page, for drawings to be dropped into"),
+)
+
+
+@click.command(
+    cls=SectionedCommand, examples=EXAMPLES, params=options_of(StudioOptions, *RECORDS, without=("force",))
+)
+@click.argument("files", type=NAME, nargs=-1, metavar="[A.svg B.svg ...]")
+def studio(files: tuple[str, ...], **given: Any) -> None:
+    """Correct a blend by hand, in the browser: pair parts, pin points, choose among blends, and export.
+
+    The page is on this machine alone, and loads nothing from elsewhere. It shows the command line that does the same,
+    and saves projects that the command takes. Options are those of a blend; Ctrl-C ends the studio.
+    """
+    options = StudioOptions.of(given)
+    files, given = opened(files, given)
+    named = {name for record in RECORDS for name in record.options}
+    beside = {name: value for name, value in given.items() if name in named and value not in (None, ())}
+
+    from shapeblend_cli.project import Project
+    from shapeblend_cli.studio.server import Studio
+    from shapeblend_cli.studio.session import Session
+
+    session = Session(Project(files, beside))
+    try:
+        server = Studio(session, options.port or 0)
+    except OSError as error:
+        raise click.ClickException(
+            f"port {options.port}: {error.strerror}; without --port a free one is found"
+        ) from None
+    session.start()
+    ended = threading.Event()
+    with told(lambda number: ended.set()):
+        threading.Thread(target=server.serve_forever, args=(0.05,), daemon=True).start()
+        click.echo(f"The studio is at {server.address}")
+        click.echo("Ctrl-C ends it.")
+        sys.stdout.flush()
+        if options.open and _has_browser():
+            import webbrowser
+
+            webbrowser.open(server.address)
+        while not ended.wait(0.2):
+            pass
+    server.shutdown()
+    session.stop()
+
+
+def _has_browser() -> bool:
+    """Return whether there is a screen, as browsers in a terminal would not show the page."""
+    return (
+        os.name == "nt"
+        or sys.platform == "darwin"
+        or any(map(os.environ.get, ("DISPLAY", "WAYLAND_DISPLAY")))
+    )

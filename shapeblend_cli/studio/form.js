@@ -1,0 +1,165 @@
+// Fields for options: what moves, the constants of the wire, all others, and export.
+
+import { at, figures, made } from "./values.js";
+
+// Sliders of constants: how far they go, whether by factors, and what they are called.
+const CONSTANTS = [
+  { name: "kb", says: "Bending", default: 1, by: "factor" },
+  { name: "ks", says: "Stretching", default: 1.2, by: "factor" },
+  { name: "kt", says: "Staying near", default: 7, by: "factor" },
+  { name: "cs", says: "Collapsing", low: 0.02, high: 1, step: 0.02 },
+  { name: "smoothing", says: "Smoothing", low: 0, high: 0.1, step: 0.002 },
+];
+const DECADES = 1.5;
+const EASES = ["linear", "ease", "ease-in", "ease-out", "ease-in-out"];
+const ELSEWHERE = new Set(["pin", "match", "stiff", "motion", "ease", "duration", "repeat", "output", "frames", "emit", "format"]);
+
+export class Form {
+  // `app` has the options and takes changes: get, change, attempt.
+  constructor(app, { options, formats, default: name }) {
+    Object.assign(this, { app, formats, name, fields: [], sliders: [] });
+    this.options = new Map(options.map((option) => [option.name, option]));
+    this.moves();
+    this.wire();
+    this.others();
+    this.exports();
+  }
+
+  set(name, value, what = name) {
+    const option = this.options.get(name);
+    const isDefault = value === null || value === "" || (option?.default === String(value) && option.kind === "choice");
+    this.app.change({ [name]: isDefault ? null : value }, what);
+  }
+
+  moves() {
+    const { choices } = this.options.get("motion");
+    at("motion").append(...choices.map((word) => made("option", { value: word }, word)));
+    at("ease").append(...EASES.map((word) => made("option", { value: word }, word)));
+    at("repeat").append(...["forever", "pingpong", "1", "2", "3"].map((word) => made("option", { value: word }, word === "1" ? "once" : Number(word) ? `${word} times` : word)));
+    at("motion").addEventListener("change", () => this.set("motion", at("motion").value));
+    at("ease").addEventListener("change", () => this.set("ease", at("ease").value === "linear" ? null : at("ease").value, "easing"));
+    at("repeat").addEventListener("change", () => this.set("repeat", at("repeat").value === "forever" ? null : at("repeat").value));
+    const duration = at("duration");
+    duration.addEventListener("input", () => (at("duration-says").textContent = `${duration.value} s`));
+    duration.addEventListener("change", () => this.set("duration", Number(duration.value) === 2 ? null : Number(duration.value)));
+    this.fields.push(() => {
+      choose(at("motion"), this.app.get("motion") ?? "auto");
+      choose(at("ease"), this.app.get("ease") ?? "linear");
+      choose(at("repeat"), String(this.app.get("repeat") ?? "forever"));
+      duration.value = this.app.get("duration") ?? 2;
+      at("duration-says").textContent = `${this.app.get("duration") ?? 2} s`;
+    });
+  }
+
+  wire() {
+    for (const constant of CONSTANTS) {
+      const id = `constant-${constant.name}`;
+      const isFactor = constant.by === "factor";
+      const limits = isFactor ? { min: -DECADES, max: DECADES, step: 0.05 } : { min: constant.low, max: constant.high, step: constant.step };
+      const input = made("input", { id, type: "range", ...limits });
+      const says = made("output", { for: id });
+      const value = () => Number(figures(isFactor ? constant.default * 10 ** input.value : Number(input.value), 3));
+      const show = (number) => (says.textContent = figures(number, 3));
+      input.addEventListener("input", () => {
+        show(value());
+        this.app.attempt({ [constant.name]: value() });
+      });
+      input.addEventListener("change", () => this.app.change({ [constant.name]: value() }, constant.says.toLowerCase()));
+      at("constants").append(made("label", { for: id, title: this.options.get(constant.name).help }, constant.says), made("span", { class: "slide" }, input, says));
+      this.fields.push((inForce) => {
+        const number = Number(this.app.get(constant.name) ?? inForce[constant.name]);
+        if (!Number.isFinite(number) || document.activeElement === input) return;
+        input.value = isFactor ? Math.log10(Math.max(number, 1e-6) / constant.default) : number;
+        show(number);
+      });
+    }
+    at("constants-reset").addEventListener("click", () =>
+      this.app.change(Object.fromEntries(CONSTANTS.map(({ name }) => [name, null])), "constants"));
+  }
+
+  // Every option that has no place of its own, as the command has it.
+  others() {
+    const sections = new Map();
+    for (const option of this.options.values()) {
+      if (ELSEWHERE.has(option.name)) continue;
+      if (!sections.has(option.section)) sections.set(option.section, []);
+      sections.get(option.section).push(option);
+    }
+    for (const [title, options] of sections) {
+      const fields = made("div", { class: "fields" });
+      for (const option of options) fields.append(...this.field(option));
+      at("all").append(made("h3", {}, title), fields);
+    }
+  }
+
+  field(option) {
+    const id = `option-${option.name}`;
+    const { name, kind } = option;
+    const label = made("label", { for: id, title: option.help }, `--${name}`);
+    let input;
+    if (kind === "choice") {
+      const first = made("option", { value: "" }, option.default ? `${option.default} (default)` : "default");
+      input = made("select", { id }, first, ...option.choices.map((word) => made("option", { value: word }, word)));
+    } else if (kind === "flag") {
+      input = made("select", { id }, made("option", { value: "" }, `${option.default || "no"} (default)`));
+      for (const word of option.no ? [name, option.no] : [name]) input.append(made("option", { value: word }, option.no ? word : "yes"));
+    } else {
+      input = made("input", { id, type: "text", placeholder: option.default || option.metavar, inputmode: kind === "number" ? "decimal" : "text", spellcheck: "false", autocomplete: "off" });
+    }
+    input.title = option.help;
+    input.addEventListener("change", () => {
+      const text = input.value.trim();
+      if (kind === "flag") {
+        this.app.change({ [name]: null, ...(option.no ? { [option.no]: null } : {}), ...(text ? { [text]: true } : {}) }, name);
+      } else if (option.many) {
+        this.set(name, text ? text.split(/\s*;\s*/) : null);
+      } else {
+        this.set(name, text === "" ? null : text);
+      }
+    });
+    this.fields.push(() => {
+      if (document.activeElement === input && kind !== "choice" && kind !== "flag") return;
+      const value = this.app.get(name);
+      if (kind === "flag") input.value = this.app.get(name) ? name : option.no && this.app.get(option.no) ? option.no : "";
+      else input.value = value === undefined ? "" : Array.isArray(value) ? value.join("; ") : String(value);
+    });
+    return [label, input];
+  }
+
+  exports() {
+    at("format").append(...this.formats.map(({ name, help, suffix, options }, k) => {
+      const kind = options.emit && options.emit !== name ? "" : "";
+      return made("option", { value: k }, `${suffix || (options.emit ?? `${name} frames`)}${kind}: ${help || name}`);
+    }));
+    at("format").addEventListener("change", () => {
+      const { suffix, options } = this.formats[Number(at("format").value)];
+      const old = this.app.get("output") ?? this.name;
+      const stem = this.formats.map((format) => format.suffix).filter(Boolean)
+        .reduce((text, each) => (text.toLowerCase().endsWith(each) ? text.slice(0, -each.length) : text), old);
+      this.app.change({ emit: null, format: null, columns: null, fps: null, width: null, background: null, ...options, output: stem + suffix }, "format");
+    });
+    at("output").addEventListener("change", () => this.set("output", at("output").value.trim(), "name"));
+    at("frames").addEventListener("change", () => this.set("frames", at("frames").value === "" ? null : Number(at("frames").value), "number of in-betweens"));
+    this.fields.push(() => {
+      const output = this.app.get("output") ?? this.name;
+      at("output").value = output;
+      at("frames").value = this.app.get("frames") ?? "";
+      at("frames").placeholder = "5";
+      const emit = this.app.get("emit");
+      const fits = ({ suffix, options }) =>
+        options.emit === (emit === "frames" ? undefined : emit) && (suffix ? output.toLowerCase().endsWith(suffix) : emit || !this.formats.some((format) => format.suffix && !format.options.emit && output.toLowerCase().endsWith(format.suffix))) && options.format === (this.app.get("format") === "svg" ? undefined : this.app.get("format"));
+      const found = this.formats.findIndex(fits);
+      at("format").value = found < 0 ? 0 : found;
+    });
+  }
+
+  show(inForce) {
+    for (const field of this.fields) field(inForce);
+  }
+}
+
+// Chooses a word, also one that was not offered.
+function choose(select, word) {
+  if (![...select.options].some(({ value }) => value === word)) select.append(made("option", { value: word }, word));
+  select.value = word;
+}

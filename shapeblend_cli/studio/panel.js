@@ -1,0 +1,142 @@
+// A drawing with its parts, in its own coordinates: what is under a pointer, and what is marked on it.
+
+import { drawn } from "./values.js";
+import { still } from "./picture.js";
+import { ALONE } from "./parts.js";
+
+const SAMPLES = 160; // places along an outline at which it is looked at
+const squared = ([x, y], [u, v]) => (x - u) ** 2 + (y - v) ** 2;
+
+export class Panel {
+  constructor(canvas, side) {
+    Object.assign(this, { canvas, side, key: null, contours: [], colours: [] });
+    this.layers = Object.fromEntries(["paper", "parts", "marks"].map((name) => [name, drawn("g", { class: name })]));
+    canvas.append(...Object.values(this.layers));
+  }
+
+  // Shows a drawing; one that is shown already is left as it is.
+  show(drawing) {
+    if (drawing.key === this.key) return;
+    this.key = drawing.key;
+    this.drawing = drawing;
+    this.canvas.setAttribute("viewBox", drawing.view.join(" "));
+    this.layers.paper.replaceChildren(still(drawing.paths));
+    this.contours = drawing.contours.map(({ d, closed, nodes }, number) => {
+      const element = drawn("path", { class: "part", d, "data-number": number });
+      return { number, element, closed, nodes, samples: null };
+    });
+    this.layers.parts.replaceChildren(...this.contours.map(({ element }) => element));
+    for (const contour of this.contours) {
+      const { x, y, width, height } = contour.element.getBBox();
+      Object.assign(contour, { box: [x, y, width, height], area: width * height, size: Math.hypot(width, height) });
+    }
+    // The largest lie lowest, so that each can be seen.
+    this.order = [...this.contours].sort((p, q) => q.area - p.area || q.size - p.size).map(({ number }) => number);
+    this.layers.parts.replaceChildren(...this.order.map((number) => this.contours[number].element));
+  }
+
+  // Colours by number of contour; what has none has no partner.
+  colour(colours, isShown) {
+    this.canvas.classList.toggle("coloured", isShown);
+    for (const { number, element, closed } of this.contours) {
+      const colour = colours.get(number) ?? ALONE;
+      element.setAttribute("stroke", colour);
+      element.setAttribute("fill", closed ? colour : "none");
+    }
+  }
+
+  // Which parts look chosen, or pointed at.
+  light(chosen, pointed) {
+    for (const { number, element } of this.contours) {
+      element.classList.toggle("chosen", chosen.includes(number));
+      element.classList.toggle("pointed", pointed.includes(number));
+    }
+  }
+
+  mark(...elements) {
+    this.layers.marks.replaceChildren(...elements);
+  }
+
+  // ---- from the screen into the drawing, and back
+
+  get matrix() {
+    return this.canvas.getScreenCTM();
+  }
+
+  get scale() {
+    return this.matrix?.a || 1;
+  }
+
+  point({ clientX, clientY }) {
+    const { a, d, e, f } = this.matrix;
+    return [(clientX - e) / a, (clientY - f) / d];
+  }
+
+  onScreen([x, y]) {
+    const { a, d, e, f } = this.matrix;
+    return [a * x + e, d * y + f];
+  }
+
+  isOver({ clientX, clientY }) {
+    const { left, right, top, bottom } = this.canvas.getBoundingClientRect();
+    return clientX >= left && clientX <= right && clientY >= top && clientY <= bottom;
+  }
+
+  // The smallest part around a point, or else the nearest within reach, in pixels.
+  partAt(point, reach = 16) {
+    const place = new DOMPoint(...point);
+    const around = this.contours.filter(({ closed, element }) => closed && element.isPointInFill(place));
+    const lines = this.contours.filter(({ closed }) => !closed);
+    const near = this.nearest(point, around.length ? lines : this.contours, around.length ? reach / 2 : reach);
+    if (near && (!around.length || !near.contour.closed)) return near.contour.number;
+    return around.length ? around.reduce((p, q) => (q.area <= p.area ? q : p)).number : null;
+  }
+
+  // The nearest place on an outline within reach; nodes attract.
+  spotAt(point, reach = 26, only = null) {
+    const some = only === null ? this.contours : [this.contours[only]];
+    const place = this.nearest(point, some, reach);
+    if (!place) return null;
+    const within = (9 / this.scale) ** 2;
+    const node = some
+      .flatMap((contour) => contour.nodes.map((at) => ({ contour, at, off: squared(at, point) })))
+      .reduce((p, q) => (p && p.off <= q.off ? p : q), null);
+    const best = node && node.off <= Math.max(within, place.off) && node.off < (reach / this.scale) ** 2 && node.off <= place.off + within ? node : place;
+    return { number: best.contour.number, at: best.at, isNode: best === node };
+  }
+
+  nearest(point, contours, reach) {
+    let best = null;
+    let least = (reach / this.scale) ** 2;
+    for (const contour of contours) {
+      const [x, y, width, height] = contour.box;
+      const dx = Math.max(x - point[0], point[0] - x - width, 0);
+      const dy = Math.max(y - point[1], point[1] - y - height, 0);
+      if (dx * dx + dy * dy > least) continue;
+      for (const at of this.samples(contour)) {
+        const off = squared(at, point);
+        if (off < least) [best, least] = [{ contour, at, off }, off];
+      }
+    }
+    return best;
+  }
+
+  samples(contour) {
+    contour.samples ??= Array.from({ length: SAMPLES + 1 }, (_, k) => {
+      const { x, y } = contour.element.getPointAtLength((k / SAMPLES) * contour.element.getTotalLength());
+      return [x, y];
+    });
+    return contour.samples;
+  }
+
+  // ---- marks, whose sizes are pixels
+
+  dot(at, pixels, attributes) {
+    return drawn("circle", { cx: at[0], cy: at[1], r: pixels / this.scale, ...attributes });
+  }
+
+  text([x, y]) {
+    const digits = this.drawing.decimals + 1;
+    return `${Number(x.toFixed(digits))},${Number(y.toFixed(digits))}`;
+  }
+}

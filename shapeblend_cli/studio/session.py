@@ -1,0 +1,251 @@
+"""What the page asks for: the state of a studio, and answers to requests, values for JSON."""
+
+from __future__ import annotations
+
+import io
+import os
+import shlex
+import threading
+import zipfile
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from shapeblend_cli.errors import OptionError, ShapeblendError
+from shapeblend_cli.field_types import FLAG
+from shapeblend_cli.fields import Option
+from shapeblend_cli.jobs import RECORDS
+from shapeblend_cli.output import check_targets, write_files
+from shapeblend_cli.outputs.registry import DEFAULT, FORMATS, FRAME_FORMATS
+from shapeblend_cli.project import Project, parse_project, project_of, project_text, values_of
+from shapeblend_cli.studio.order import Order
+from shapeblend_cli.studio.process import Process
+from shapeblend_cli.version import __version__
+
+MOST_FILES, MOST_BYTES = 64, 256 * 2**20
+"""Drawings that the page may give, and bytes of all of them."""
+
+SECONDS = 60.0
+"""What a blend may take, unless --timeout says otherwise."""
+
+EPOCH = (1980, 1, 1, 0, 0, 0)  # of files in an archive, whose bytes are to depend on nothing but the files
+
+
+class Download(NamedTuple):
+    """A file for the browser to keep."""
+
+    name: str
+    content: bytes
+
+
+class Session:
+    """Drawings, and processes that blend them: one for what is looked at, another for all that may take longer."""
+
+    def __init__(self, project: Project) -> None:
+        self.project = project
+        self._given: dict[str, bytes] = {}  # drawings that were dropped into the page
+        self._opened = set(project.files)
+        self._lock = threading.Lock()
+        self._seconds = float(project.given.get("timeout") or SECONDS)
+        self._live, self._slow = Process(), Process()
+
+    def start(self) -> None:
+        """Start the processes, so that the first blend does not wait for them."""
+        self._live.warm_up()
+        self._slow.warm_up()
+
+    def stop(self) -> None:
+        """End the processes."""
+        self._live.close()
+        self._slow.close()
+
+    # ---- requests
+
+    def begin(self, _: Mapping[str, Any]) -> dict[str, Any]:
+        """Return what the page begins with."""
+        return {
+            "version": __version__,
+            "project": values_of(self.project),
+            "folder": os.getcwd(),
+            "formats": [_format(format) for format in FORMATS],
+            "options": [
+                _option(field)
+                for record in RECORDS
+                for name, field in record.options.items()
+                if name != "force"
+            ],
+            "default": DEFAULT,
+        }
+
+    def take_drawing(self, name: str, content: bytes) -> dict[str, Any]:
+        """Take a drawing that was dropped into the page; return its name here, which no other drawing has."""
+        name = _plain_name(name)
+        with self._lock:
+            if (
+                len(self._given) >= MOST_FILES
+                or len(content) + sum(map(len, self._given.values())) > MOST_BYTES
+            ):
+                raise OptionError(f"{name}: more drawings than the studio keeps; a new studio would take it")
+            stem, suffix = os.path.splitext(name)
+            for number in range(1, MOST_FILES + 2):
+                name = f"{stem}-{number}{suffix}" if number > 1 else name
+                if self._given.get(name) == content:
+                    break
+                if name not in self._given and (name not in self._opened or _is_file(name, content)):
+                    break
+            if name not in self._opened or not _is_file(name, content):
+                self._given[name] = content
+        return {"name": name, "is_here": _is_file(name, content)}
+
+    def take_project(self, name: str, content: bytes) -> dict[str, Any]:
+        """Take a project that was dropped into the page, whose drawings are open here or were dropped, too."""
+        project = parse_project(content, _plain_name(name), "")
+        return {"project": values_of(project._replace(files=tuple(map(self._known, project.files))))}
+
+    def look(self, asked: Mapping[str, Any]) -> dict[str, Any]:
+        """Return a blend to look at, and the command line that makes it."""
+        project = self._project(asked)
+        return self._with_command(
+            project, lambda: self._live.ask(self._order("blend", project), self._seconds)
+        )
+
+    def others(self, asked: Mapping[str, Any]) -> dict[str, Any]:
+        """Return other blends of the two drawings, to choose from."""
+        order = self._order("others", self._project(asked))
+        return {"others": self._slow.ask(order, self._seconds)}
+
+    def write(self, asked: Mapping[str, Any]) -> dict[str, Any]:
+        """Write what the command line writes, where it does."""
+        order = self._order("write", self._project(asked))
+        return self._slow.ask(order._replace(force=asked.get("force") is True), 10 * self._seconds)
+
+    def download(self, asked: Mapping[str, Any]) -> Download:
+        """Return what the command line would write: a file, or an archive of several."""
+        project = self._project(asked)
+        files = self._slow.ask(self._order("contents", project), 10 * self._seconds)["files"]
+        if len(files) == 1:
+            ((name, content),) = files.items()
+            return Download(os.path.basename(name), content)
+        return Download(f"{DEFAULT}.zip", _archive(files))
+
+    def save(self, asked: Mapping[str, Any]) -> dict[str, Any]:
+        """Write the project into a file."""
+        from pathlib import Path
+
+        target = Path(_text(asked, "file"))
+        if target.suffix.lower() != ".json":
+            raise OptionError(f"{target}: the name of a project ends in .json")
+        project, force = self._project(asked), asked.get("force") is True
+        check_targets([target], [], force)
+        write_files({target: project_text(project, str(target.parent))}, force)
+        return {"written": [str(target)], "notes": []}
+
+    def keep(self, asked: Mapping[str, Any]) -> Download:
+        """Return the project as a file for the browser to keep, beside the drawings."""
+        project = self._project(asked)
+        files = tuple(map(os.path.basename, project.files))
+        return Download(f"{DEFAULT}.json", project_text(project._replace(files=files), "").encode())
+
+    def halt(self, _: Mapping[str, Any]) -> dict[str, Any]:
+        """Stop what is being blended."""
+        self._live.stop("stopped")
+        self._slow.stop("stopped")
+        self.start()
+        return {}
+
+    # ---- parts
+
+    def _project(self, asked: Mapping[str, Any]) -> Project:
+        values = asked.get("project")
+        if not isinstance(values, Mapping):
+            raise OptionError("the page sent no project; loading it again would help")
+        project = project_of(values, "the project", "")
+        return project._replace(files=tuple(map(self._known, project.files)))
+
+    def _known(self, name: str) -> str:
+        """Return the name of a drawing that is open here; files that nobody opened are not read."""
+        if name in self._given or name in self._opened:
+            return name
+        plain = os.path.basename(name)
+        for one in (*self._given, *self._opened):
+            if os.path.basename(one) == plain:
+                return one
+        raise OptionError(f"{plain}: not open here; dropping it into the page, too, would help")
+
+    def _order(self, what: str, project: Project) -> Order:
+        sources = {name: self._given[name] for name in project.files if name in self._given}
+        return Order(what, project, sources)
+
+    def _with_command(self, project: Project, work: Any) -> dict[str, Any]:
+        """Return what comes of some work, or why it failed; in any case with the command line."""
+        command = {"command": shlex.join(project.command)}
+        try:
+            return command | work()
+        except ShapeblendError as error:
+            return command | {"error": str(error)}
+
+
+def _format(format: Any) -> dict[str, Any]:
+    options: dict[str, str] = {}
+    if format.emit != "frames":
+        options["emit"] = format.emit
+    if format.has_frame_files and format.name != FRAME_FORMATS[0]:
+        options["format"] = format.name
+    return {"name": format.name, "help": format.help, "suffix": format.suffix, "options": options}
+
+
+def _option(field: Option) -> dict[str, Any]:
+    yes, _, no = field.flags[-1].partition("/")
+    kind = "text"
+    if field.kind is FLAG:
+        kind = "flag"
+    elif field.kind.choices:
+        kind = "choice"
+    elif field.kind.split in (int, float):
+        kind = "number"
+    return {
+        "name": yes.lstrip("-"),
+        "no": no.lstrip("-"),
+        "section": field.section,
+        "help": field.help,
+        "kind": kind,
+        "is_whole": field.kind.split is int,
+        "is_file": field.kind.is_file,
+        "many": field.many,
+        "choices": list(field.kind.choices),
+        "metavar": field.metavar,
+        "default": field.shown_default,
+    }
+
+
+def _text(asked: Mapping[str, Any], name: str) -> str:
+    value = asked.get(name)
+    if not isinstance(value, str) or not value or "\0" in value:
+        raise OptionError("the name of a file is missing")
+    return value
+
+
+def _plain_name(name: str) -> str:
+    """Return the name of a file that was dropped, without a folder, and such that no command takes it for an option."""
+    plain = os.path.basename(name.replace("\\", "/").replace("\0", ""))[-200:]
+    plain = "".join(c for c in plain if c.isprintable()).lstrip("-") or "drawing.svg"
+    return plain if plain.lower() not in (".", "..") else "drawing.svg"
+
+
+def _is_file(name: str, content: bytes) -> bool:
+    """Return whether a file is where the command line would look for it, with these contents."""
+    try:
+        with open(name, "rb") as stream:
+            return stream.read(len(content) + 1) == content
+    except (OSError, ValueError):
+        return False
+
+
+def _archive(files: Mapping[str, bytes]) -> bytes:
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in files.items():
+            inside = os.path.normpath(name).replace(os.sep, "/").lstrip("/")
+            while inside.startswith("../"):
+                inside = inside[3:]
+            archive.writestr(zipfile.ZipInfo(inside, EPOCH), content, zipfile.ZIP_DEFLATED)
+    return stream.getvalue()

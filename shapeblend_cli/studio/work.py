@@ -1,0 +1,217 @@
+"""What a process of the studio does: blends to look at, other blends to choose from, and what the command would write.
+
+All of it is a function from a project and the contents of its drawings to values for JSON.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from shapeblend_cli.clock import Clock
+from shapeblend_cli.files import (
+    check_files_of,
+    check_libraries,
+    make,
+    match_drawings,
+    read_files,
+    write,
+)
+from shapeblend_cli.jobs import Job, job_of
+from shapeblend_cli.kept import Kept
+from shapeblend_cli.model import Frame
+from shapeblend_cli.motion.verdict import verdict
+from shapeblend_cli.pipeline import as_drawn, frame_at, make_frames, place
+from shapeblend_cli.preview.pictures import (
+    correspondence_lists,
+    picture,
+    rounded,
+    scale_and_shift,
+    still_paths,
+)
+from shapeblend_cli.studio.order import Order
+from shapeblend_cli.svg.reading.read import title_of
+from shapeblend_cli.svg.writing.document import frame_svg
+from shapeblend_cli.svg.writing.path_data import path_data
+from shapeblend_cli.svg.writing.rounding import decimals_for
+from shapeblend_cli.tries import tries
+from shapeblend_cli.views import view_of
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import Drawing, Pair
+
+KEPT = Kept(most=64, largest=1_000_000)
+"""Drawings that were read, and flattened: from one correction to the next they are the same."""
+
+THUMBNAIL_TIMES = (0.25, 0.5, 0.75)
+"""The moments by which other blends are shown."""
+
+
+def do(order: Order) -> Any:
+    """Do what is ordered; errors are the command's."""
+    return ORDERS[order.what](order)
+
+
+def _blend(order: Order) -> dict[str, Any]:
+    """Return a blend to look at: the drawings, what moves, what becomes what, and what the judge says."""
+    job, clock = _job(order), Clock()
+    notes: list[str] = []
+    note = notes.append
+    settings = job.output.settings
+    drawings = read_files(job.files, job.read, clock, note, order.sources, KEPT)
+    pairs = match_drawings(drawings, settings, clock, note, lambda share: None, KEPT)
+    ends = make_frames(pairs, settings.replace(frames=0, ends=True))
+    decimals = decimals_for([frame.view for frame in ends])
+    maps = place(drawings, settings.place)
+    found = verdict(pairs, asked_too=True)
+    return {
+        "drawings": [_drawing(drawing, k) for k, drawing in enumerate(drawings)],
+        "pairs": [_pair(pair, ends, maps, decimals) for pair in pairs],
+        "decimals": decimals,
+        "timing": {
+            "seconds": job.output.timing.seconds,
+            "ease": list(job.output.timing.ease),
+            "repeat": job.output.timing.repeat,
+        },
+        "settings": {
+            name: value for name, value in job.reported.items() if isinstance(value, int | float | str)
+        },
+        "wrong": found.wrong if found is not None else None,
+        "fault": found.fault if found is not None and found.wrong > 0.0 else None,
+        "is_poor": found is not None and found.is_poor,
+        "notes": notes,
+        "seconds": sum(clock.seconds.values()),
+    }
+
+
+def _pair(pair: Pair, ends: Sequence[Frame], maps: Sequence[Any], decimals: int) -> dict[str, Any]:
+    numbers = [
+        (k, n) for k, shape in enumerate(pair.shapes) if not shape.is_twin for n in range(len(shape.contours))
+    ]
+    owners = [shape for shape in pair.each_shape for _ in shape.contours]
+    contours, lists = [], []
+    for contour, shape, (k, n) in zip(pair.contours, owners, numbers, strict=True):
+        contours.append(
+            {
+                "a": contour.a,
+                "b": contour.b,
+                "closed": contour.correspondence.closed,
+                "shape": k,
+                "outline": n,
+                "motion": shape.motion_name,
+                "motion_because": shape.reason,
+                "pair_because": contour.reason,
+            }
+        )
+        lists.append(correspondence_lists(contour, decimals))
+    return {
+        "a": pair.a,
+        "b": pair.b,
+        "maps": [scale_and_shift(maps[k]) for k in (pair.a, pair.b)],
+        "views": [rounded(view, decimals) for view in pair.views],
+        "contours": contours,
+        **picture(pair, (ends[pair.a], ends[pair.b]), (), decimals),
+        "lists": lists,
+    }
+
+
+def _drawing(drawing: Drawing, number: int) -> dict[str, Any]:
+    """Return a drawing as the page shows it, in its own coordinates: what it paints, and its contours by number."""
+    shapes = as_drawn(drawing)
+    view = view_of(shapes, drawing.viewbox, "auto", own=True)
+    decimals = decimals_for([view])
+    contours = [
+        {
+            "d": path_data([path], decimals),
+            "closed": path.closed,
+            "nodes": [rounded((z.real, z.imag), decimals) for z in path.segments[:, 0].tolist()]
+            + (
+                []
+                if path.closed
+                else [rounded((path.segments[-1, 3].real, path.segments[-1, 3].imag), decimals)]
+            ),
+        }
+        for shape in shapes
+        for path in shape.paths
+    ]
+    found = {
+        "name": title_of(drawing.file),
+        "view": rounded(view, decimals),
+        "decimals": decimals,
+        "paths": still_paths(Frame(0.0, 0, shapes, view), decimals),
+        "contours": contours,
+        "ids": [shape.id for shape in drawing.shapes for _ in shape.contours],
+    }
+    return found | {"key": hashlib.sha256(repr((number, found)).encode()).hexdigest()[:16]}
+
+
+def _others(order: Order) -> list[dict[str, Any]]:
+    """Return other blends of two drawings: the options that give each, how wrong it is, and pictures of moments."""
+    job, clock = _job(order), Clock()
+    settings = job.output.settings
+    drawings = read_files(job.files, job.read, clock, _ignore, order.sources)
+    (pair,) = match_drawings(drawings, settings, clock, _ignore, lambda share: None)
+    return [
+        {
+            "options": one.options,
+            "changes": {
+                settings.options[name].flags[-1].lstrip("-"): value for name, value in one.changed.items()
+            },
+            "wrong": one.wrong,
+            "pictures": [
+                frame_svg(frame, decimals_for([frame.view]))
+                for frame in (frame_at(one.pair, t, as_drawn=settings.draws_ends) for t in THUMBNAIL_TIMES)
+            ],
+        }
+        for one in tries(drawings, settings, pair)
+    ]
+
+
+def _contents(order: Order) -> dict[str, Any]:
+    """Return what the command would write, by the names of files."""
+    job = _job(order)
+    notes: list[str] = []
+    check_libraries(job)
+    made = make(job, Clock(), notes.append, sources=order.sources)
+    files: dict[str, bytes] = {}
+    for target, content in made.contents.items():
+        inside = content if isinstance(content, Mapping) else {"": content}
+        for name, one in inside.items():
+            files[str(target / name) if name else str(target)] = _bytes(one)
+    if made.standard_output:
+        files["blend.svg"] = _bytes(made.standard_output)
+    return {"files": files, "notes": notes}
+
+
+def _write(order: Order) -> dict[str, Any]:
+    """Write what the command would write, where it would."""
+    job = _job(order)
+    notes: list[str] = []
+    job = job._replace(write=job.write.replace(force=order.force))
+    check_libraries(job)
+    check_files_of(job)
+    made = make(job, Clock(), notes.append, sources=order.sources)
+    write(job, made.contents, notes.append)
+    return {"written": [str(target) for target in made.contents], "notes": notes}
+
+
+def _job(order: Order) -> Job:
+    project = order.project
+    return job_of(project.files, project.given, project.command)
+
+
+def _bytes(content: str | bytes) -> bytes:
+    return content.encode("utf-8", "replace") if isinstance(content, str) else content
+
+
+def _ignore(_: str) -> None:
+    pass
+
+
+ORDERS: dict[str, Callable[[Order], Any]] = {
+    "blend": _blend,
+    "others": _others,
+    "contents": _contents,
+    "write": _write,
+}
