@@ -31,6 +31,7 @@ from shapeblend_cli.motion.choose import (
     straight,
     turned,
 )
+from shapeblend_cli.motion.parts import parts_of, turn_of
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.motion.sweep import Sweep
 from shapeblend_cli.names import common_page, page_for, with_names
@@ -361,7 +362,40 @@ def _rotated(
         assert common is not None, "what is rotated is aligned"
         return RotatedShape(shape, common)
     again, alignment = _rotate_back(paired, matched, common)
-    return RotatedShape(shape if again is matched else _with_curves(again, paired.settings), alignment)
+    if again is not matched and is_rotated_copy(again.contours):
+        return RotatedShape(_with_curves(again, paired.settings), alignment)
+    turning = _turn_parts(paired, matched, alignment)
+    return RotatedShape(
+        shape if again is matched else _with_curves(again, paired.settings),
+        alignment,
+        turning and (_with_curves(turning[0], paired.settings), turning[1]),
+    )
+
+
+def _turn_parts(
+    paired: _PairedDrawings, shape: ShapeBlend, alignment: Alignment
+) -> tuple[ShapeBlend, tuple[Alignment, ...]] | None:
+    """Match parts of a shape again that are A's rotated; return it with the similarity of each contour.
+
+    That of other parts is given. None without such parts.
+    """
+    contours = list(shape.contours)
+    alignments = [alignment] * len(contours)
+    parts = parts_of(contours) if len(contours) > 1 else []
+    middle = Box.union([contour.polygon_a.box for contour in contours]).centre
+    turns = False
+    for numbers in parts if len(parts) > 1 else ():
+        part = shape._replace(contours=tuple(contours[k] for k in numbers))
+        rotation = _rotation_of(part)
+        if rotation is None:
+            continue
+        part = _match_again(paired, part, rotation)
+        if is_rotated_copy(part.contours):
+            turns = True
+            turn = turn_of(part.contours, middle)
+            for k, contour in zip(numbers, part.contours, strict=True):
+                contours[k], alignments[k] = contour, turn
+    return (shape._replace(contours=tuple(contours)), tuple(alignments)) if turns else None
 
 
 def _rotate_back(
@@ -371,13 +405,21 @@ def _rotate_back(
 
     Points that travel cost work, so the first match does not show that.
     """
-    largest = max((c for c in shape.contours if c.is_matched), key=lambda contour: contour.scale_a)
-    rotation = rotation_between(largest.polygon_a, largest.polygon_b)
+    rotation = _rotation_of(shape)
     if rotation is not None:
         shape = _match_again(paired, shape, rotation)
     elif common is not None:
         return shape, common
     return shape, align(point_pairs(shape.contours))
+
+
+def _rotation_of(shape: ShapeBlend) -> float | None:
+    """Return the angle by which the largest contour of B is A's rotated, None if it is not."""
+    matched = [contour for contour in shape.contours if contour.is_matched]
+    if not matched:
+        return None
+    largest = max(matched, key=lambda contour: contour.scale_a)
+    return rotation_between(largest.polygon_a, largest.polygon_b)
 
 
 def _explained(shapes: Sequence[ShapeBlend], paired: _PairedDrawings) -> tuple[ShapeBlend, ...]:

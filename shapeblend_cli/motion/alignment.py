@@ -11,7 +11,7 @@ import numpy as np
 from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
     from shapeblend_cli.model import ComplexArray, ContourBlend, FloatArray, ShapeBlend
 
@@ -49,6 +49,11 @@ class Alignment(NamedTuple):
         """Map points of B back over A's, with A's centre at the origin."""
         return (z - self.centre_b) * cmath.rect(1.0 / self.scale, -self.rotation)
 
+    def turned_back(self, z: ComplexArray, t: float) -> ComplexArray:
+        """Map points at time t to where they would be if nothing turned."""
+        centre = (1.0 - t) * self.centre_a + t * self.centre_b
+        return (z - centre) * cmath.rect(1.0, -self.rotation * t) + centre
+
     def apply(self, z: ComplexArray, t: float) -> ComplexArray:
         """Map points around the origin to where they are at time t.
 
@@ -66,7 +71,7 @@ class Rigid(NamedTuple):
     is ``a``, and every in-between is that shape.
     """
 
-    alignment: Alignment
+    alignments: tuple[Alignment, ...]  # of each contour; those of one part have the same
 
     @property
     def name(self) -> str:
@@ -75,14 +80,13 @@ class Rigid(NamedTuple):
 
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Return the control points of each contour at time t."""
-        alignment = self.alignment
         return [
             alignment.apply(
                 (1.0 - t) * (contour.start.segments - alignment.centre_a)
                 + t * alignment.undo(contour.end.segments),
                 t,
             )
-            for contour in contours
+            for contour, alignment in zip(contours, self.alignments, strict=True)
         ]
 
 
@@ -225,9 +229,14 @@ def _together(shapes: Sequence[ShapeBlend]) -> list[list[int]]:
     """Return groups of shapes with partners, by number, whose boxes overlap at both ends."""
     matched = [k for k, shape in enumerate(shapes) if shape.is_matched]
     boxes = {k: [_box(shapes[k], side) for side in ("start", "end")] for k in matched}
+    return grouped(matched, lambda p, q: _overlap(boxes[p], boxes[q]))
+
+
+def grouped(numbers: Iterable[int], are_together: Callable[[int, int], bool]) -> list[list[int]]:
+    """Return groups of numbers: two that are together are in one, and so is what is together with either."""
     groups: list[list[int]] = []
-    for k in matched:
-        near = [group for group in groups if any(_overlap(boxes[k], boxes[other]) for other in group)]
+    for k in numbers:
+        near = [group for group in groups if any(are_together(k, other) for other in group)]
         groups = [group for group in groups if group not in near]
         groups.append([k, *(other for group in near for other in group)])
     return groups

@@ -40,10 +40,15 @@ BETTER = 0.8
 
 
 class RotatedShape(NamedTuple):
-    """A shape matched with B rotated back, and the similarity that its motion separates."""
+    """A shape matched with B rotated back, and the similarity that its motion separates.
+
+    Parts of it may turn on their own: then the shape is also given with these matched with B rotated back, and the
+    similarity of each contour.
+    """
 
     shape: ShapeBlend
     alignment: Alignment
+    turning: tuple[ShapeBlend, tuple[Alignment, ...]] | None = None
 
 
 def reason_to_be_straight(shape: ShapeBlend) -> str:
@@ -107,9 +112,10 @@ def judged_shape(shape: ShapeBlend, view: Box) -> Candidate:
 
 
 def _with_motion(rotated: RotatedShape, motion: str) -> ShapeBlend:
-    shape, alignment = rotated
+    shape, alignment, turning = rotated
     if motion == "rigid":
-        return shape._replace(motion=Rigid(alignment))
+        shape, alignments = turning or (shape, (alignment,) * len(shape.contours))
+        return shape._replace(motion=Rigid(alignments))
     from shapeblend_cli.motion.intrinsic import intrinsic
 
     return shape._replace(motion=intrinsic(shape.contours, alignment))
@@ -122,7 +128,7 @@ def _safe(shape: ShapeBlend, rotated: RotatedShape) -> ShapeBlend:
     route = find_route(shape, align(point_pairs(shape.contours)))
     if route is None or not route.is_level:
         most = math.inf if route is None else route.cost
-        route = find_route(*rotated, most) or route
+        route = find_route(rotated.shape, rotated.alignment, most) or route
     if route is None:
         return _with_motion(rotated, "rigid")._replace(reason="no way without crossings was found")
     return follow_route(route)._replace(reason=ASKED)

@@ -98,7 +98,7 @@ class Intrinsic(NamedTuple):
         every = []
         for contour, polygon in zip(contours, self.polygons, strict=True):
             if polygon is None:
-                every += Rigid(self.alignment).segments([contour], t)
+                every += Rigid((self.alignment,)).segments([contour], t)
                 continue
             straight = contour.start.straight
             segments = self.alignment.apply(polygon.at(t), t)[polygon.polygons.control_points]

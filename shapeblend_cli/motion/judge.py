@@ -14,6 +14,7 @@ import numpy as np
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import Box
+from shapeblend_cli.motion.alignment import Rigid
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray, ShapeBlend
@@ -29,6 +30,9 @@ INNER = slice(1, -1)
 
 SYMMETRIC = 0.05
 """An end is symmetric if its mirror image differs from it in less than this share of its area."""
+
+LEANING = 0.2
+"""A symmetry that is only turned with the outlines, as of an arrow that goes round, counts as so much of one lost."""
 
 LEAST_ARC, MOST_CHORD = 2.5, 0.06
 """Two points are on both sides of a limb if the way along the outline is so many times the distance between them, or
@@ -106,6 +110,7 @@ class Outlines(NamedTuple):
     contour: IntArray  # (n,), the number of the contour each point is on
     closed: BoolArray  # (n,), whether that is closed
     width: float  # of strokes
+    upright: ComplexArray | None = None  # the points if nothing turned as a whole, where it does
 
     def chords(self) -> ComplexArray:
         """Return the chords as differences, (STEPS + 1, n)."""
@@ -159,14 +164,27 @@ def outlines_of(shape: ShapeBlend) -> Outlines:
         contour.append(np.full(n, number))
         closed.append(np.full(n, path.closed))
         count += n
+    points = points[:, np.concatenate(kept)]
+    numbers = np.concatenate(contour)
     widths = [style.stroke_width for style in (shape.style_a, shape.style_b) if style.stroke]
     return Outlines(
-        points[:, np.concatenate(kept)],
+        points,
         np.concatenate(following),
-        np.concatenate(contour),
+        numbers,
         np.concatenate(closed),
         max(widths, default=0.0),
+        _upright(shape.motion, points, numbers) if isinstance(shape.motion, Rigid) else None,
     )
+
+
+def _upright(motion: Rigid, points: ComplexArray, contour: IntArray) -> ComplexArray:
+    """Return points at all times as they would be if no contour turned."""
+    upright = np.empty_like(points)
+    for k, alignment in enumerate(motion.alignments):
+        own = np.flatnonzero(contour == k)
+        for row, t in enumerate(TIMES.tolist()):
+            upright[row, own] = alignment.turned_back(points[row, own], t)
+    return upright
 
 
 def _points(shape: ShapeBlend, t: float) -> ComplexArray:
@@ -199,9 +217,12 @@ def judge_outlines(outlines: Outlines, view: Box | None = None) -> Judged:
     strain = half_width * float(np.abs(lengths - expected)[INNER].mean(axis=0).sum())
     swept, symmetry, folds = _swept(outlines, chords), 0.0, 0.0
     if outlines.closed.any():
-        regions = _Regions(outlines)
+        regions = _Regions(outlines, outlines.points)
         swept -= regions.difference()
         folds, symmetry = regions.folds(), regions.asymmetry()
+        if symmetry > 0.0 and outlines.upright is not None:
+            lost = min(_Regions(outlines, outlines.upright).asymmetry(), symmetry)
+            symmetry = lost + LEANING * (symmetry - lost)
     judgement = Judgement(
         max(swept, 0.0) / painted,
         strain / painted,
@@ -263,10 +284,9 @@ def _area_lost(areas: FloatArray) -> float:
 class _Regions:
     """The areas of closed outlines at all times, on grids; `own` are those around each time's own box."""
 
-    def __init__(self, outlines: Outlines) -> None:
-        closed = outlines.closed
-        self.starts = outlines.points[:, closed]
-        self.ends = outlines.points[:, outlines.following[closed]]
+    def __init__(self, outlines: Outlines, points: ComplexArray) -> None:
+        self.starts = points[:, outlines.closed]
+        self.ends = points[:, outlines.following[outlines.closed]]
         self.boxes = [Box.around(points) for points in self.starts]
         self.own = [self.grid(k, box) if box.larger_side > 0.0 else None for k, box in enumerate(self.boxes)]
 

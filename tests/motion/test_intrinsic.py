@@ -220,7 +220,7 @@ def test_what_has_no_turning_of_its_own_moves_as_rigid_has_it():
     moved = intrinsic(contours, similarity_of(moving_shape(contours[0])))
     assert moved.name == "intrinsic"
     assert [polygon is None for polygon in moved.polygons] == [False, True, True, True]
-    expected = Rigid(moved.alignment).segments(contours, 0.3)
+    expected = Rigid((moved.alignment,) * len(contours)).segments(contours, 0.3)
     for one, other in zip(moved.segments(contours, 0.3), expected, strict=True):
         np.testing.assert_allclose(one, other, atol=1e-12)  # the first because it only rotates and grows
 

@@ -138,7 +138,7 @@ def test_a_limb_gets_thin_where_its_sides_meet():
 
 
 def test_what_leaves_the_view_is_counted_only_there():
-    out = STILL._replace(motion=Rigid(Alignment(12 + 2j, 12 + 2j, 1.0, np.pi)))
+    out = STILL._replace(motion=Rigid((Alignment(12 + 2j, 12 + 2j, 1.0, np.pi),)))
     assert judge(out, Box(-1, -1, 30, 6)).view > 0.1
     assert judge(out, Box(-20, -20, 60, 60)).view == 0.0
     assert judge(out).view == 0.0

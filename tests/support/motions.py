@@ -23,8 +23,12 @@ def blend(a, b, settings):
 
 def rotated(pair, degrees=120.0, centre=12 + 12j):
     """A pair whose shapes rotate about a point, as if B's were A's rotated so far."""
-    motion = Rigid(Alignment(centre, centre, 1.0, math.radians(degrees)))
-    return pair._replace(shapes=tuple(shape._replace(motion=motion) for shape in pair.shapes))
+    alignment = Alignment(centre, centre, 1.0, math.radians(degrees))
+    return pair._replace(
+        shapes=tuple(
+            shape._replace(motion=Rigid((alignment,) * len(shape.contours))) for shape in pair.shapes
+        )
+    )
 
 
 def rotated_move(*paths, degrees=120.0, **options):
@@ -88,4 +92,4 @@ def similarity_of(shape):
 
 def rigidly(shape):
     """The shape in rigid motion."""
-    return shape._replace(motion=Rigid(similarity_of(shape)))
+    return shape._replace(motion=Rigid((similarity_of(shape),) * len(shape.contours)))

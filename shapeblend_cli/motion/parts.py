@@ -1,0 +1,70 @@
+"""The parts of a shape that can move each on their own: contours that neither touch nor lie in each other.
+
+An arrow above a tray is often one path in its file. It turns as it would if it were two.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.geometry.polygons import winding_numbers
+from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, thin
+from shapeblend_cli.motion.alignment import align, grouped, point_pairs
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import ContourBlend, Polygon
+    from shapeblend_cli.motion.alignment import Alignment
+
+MOST_POINTS = 128
+"""Outlines are compared at so many vertices at most."""
+
+HALF_TURN = math.radians(179.0)
+"""From here on it makes no difference which way a part turns."""
+
+
+def parts_of(contours: Sequence[ContourBlend]) -> list[list[int]]:
+    """Return the numbers of the contours of each part."""
+    return grouped(range(len(contours)), lambda p, q: _are_together(contours[p], contours[q]))
+
+
+def turn_of(part: Sequence[ContourBlend], middle: complex) -> Alignment:
+    """Return the similarity of a part of a drawing with that middle.
+
+    Of two parts that turn by half a round beside the middle, each turns towards its own side, so that a symmetry stays.
+    """
+    alignment = align(point_pairs(part))
+    if abs(alignment.rotation) < HALF_TURN:
+        return alignment
+    is_left = alignment.centre_a.real < middle.real
+    return alignment._replace(rotation=math.copysign(alignment.rotation, 1.0 if is_left else -1.0))
+
+
+def _are_together(one: ContourBlend, other: ContourBlend) -> bool:
+    """Return whether two contours touch, cross or lie in each other at both ends."""
+    return _touch(one.polygon_a, other.polygon_a) and _touch(one.polygon_b, other.polygon_b)
+
+
+def _touch(p: Polygon, q: Polygon) -> bool:
+    reach = 0.5 * max(_spacing(p), _spacing(q))
+    if not p.box.expanded(reach).overlaps(q.box.expanded(reach)):
+        return False
+    if _is_in(p, q) or _is_in(q, p):
+        return True
+    z, w = (thin(polygon.vertices, MOST_POINTS) for polygon in (p, q))
+    return bool(np.abs(z[:, None] - w).min() <= reach)
+
+
+def _spacing(polygon: Polygon) -> float:
+    """Return the mean length of a polygon's edges."""
+    outline = from_end_to_end(polygon.vertices, polygon.closed)
+    return float(cumulative_lengths(outline)[-1]) / len(polygon.vertices)
+
+
+def _is_in(p: Polygon, q: Polygon) -> bool:
+    """Return whether a polygon begins inside another one."""
+    return q.closed and bool(winding_numbers(p.vertices[:1], q.vertices)[0])
