@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 SAMPLES = 128
 """An axis is looked for at so many points, evenly along the outline."""
 
-TOLERANCE = 0.012
+TOLERANCE = 0.02
 """How far the mirror image of an outline may be from it, as a share of its size; and the mirror image of a node from
 the node that it is, as a share of the outline's length."""
 
