@@ -12,6 +12,7 @@ BIN := $(VENV)/bin
 DEMO := out/demo
 # Tests that need a browser, and tests that draw and measure anew with other programs.
 BROWSER_TESTS := tests/browser
+INKSCAPE_TESTS := tests/inkscape
 DOCS_TESTS := tests/docs
 # Compiled modules: pyproject.toml has the list.
 KERNELS := $(wildcard $(shell sed -n 's|^ *"\(shapeblend_cli/.*\.py\)",*$$|\1|p' pyproject.toml))
@@ -23,7 +24,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser docs-check lint type fmt golden faults fuzz bench bench-quality bench-truth bench-morphs bench-faces bench-judge sweep worst pictures gallery plots options api tables install clean
+.PHONY: help demo test test-browser test-inkscape docs-check lint type fmt golden faults fuzz bench bench-quality bench-truth bench-morphs bench-faces bench-judge sweep worst pictures gallery plots options api tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -41,10 +42,13 @@ demo: install ## blend samples/e.svg into samples/f.svg: frames, an animated SVG
 	@echo "contact sheet  $(DEMO)/contact-sheet.png"
 
 test: install ## run the tests that need nothing but Python: no network, no npm, no browser
-	$(BIN)/python -m pytest -q --ignore=$(BROWSER_TESTS) --ignore=$(DOCS_TESTS)
+	$(BIN)/python -m pytest -q --ignore=$(BROWSER_TESTS) --ignore=$(INKSCAPE_TESTS) --ignore=$(DOCS_TESTS)
 
 test-browser: install chromium npm ## test animations, the page of --preview, the studio, and what other programs play, in Chromium
 	$(BIN)/python -m pytest -q $(BROWSER_TESTS)
+
+test-inkscape: install inkscape xvfb xauth ## test the extension in Inkscape, and drawings that go there and back
+	$(BIN)/python -m pytest -q $(INKSCAPE_TESTS)
 
 docs-check: install npm ## draw the pictures in docs and measure some of its figures anew, and compare; much needs npm
 	$(BIN)/python -m pytest -q $(DOCS_TESTS)
@@ -175,15 +179,18 @@ $(VENV)/.compiled: $(VENV)/.installed setup.py $(KERNEL_SOURCES)
 	touch $@
 
 # Where one of them cannot be installed, the tests that need it are skipped. In CI `docs-check` fails then, and nothing else.
-.PHONY: chromium npm
+.PHONY: chromium npm inkscape xvfb xauth
 chromium: COMMANDS := chromium chromium-browser google-chrome
 npm: COMMANDS := npm
-chromium npm:
+inkscape: COMMANDS := inkscape
+xvfb: COMMANDS := xvfb-run
+xauth: COMMANDS := xauth
+chromium npm inkscape xvfb xauth:
 	@have() { for name in $(COMMANDS); do command -v "$$name" && return; done; return 1; } >/dev/null; \
 	have && exit 0; \
 	if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
 	    echo "installing $@"; \
 	    { timeout 60 apt-get update -qq && DEBIAN_FRONTEND=noninteractive \
-	        timeout 300 apt-get install -y -qq --no-install-recommends $@; } </dev/null >/dev/null || true; \
+	        timeout 400 apt-get install -y -qq --no-install-recommends $@; } </dev/null >/dev/null || true; \
 	fi; \
 	have || echo "no $@ here, so tests that need it are skipped. On Debian or Ubuntu: apt-get install $@" >&2

@@ -218,7 +218,14 @@ def _shard(value: Any) -> tuple[int, int]:
     return number, count
 
 
+def _text(value: Any) -> str:
+    if not isinstance(value, str) or not value:
+        raise ValueError
+    return value
+
+
 FLAG = FieldType("True or False", _flag, "")
+TEXT = FieldType("a text", _text, "TEXT")
 SELECTOR = FieldType("", _selector, "SEL")
 START = FieldType(
     "auto, or two vertex numbers such as 0,3",

@@ -184,9 +184,9 @@ def _by_name(groups: Mapping[int, Group], key: str) -> dict[str, int]:
 class Ids:
     """The ids of a document, none of which it may have twice; some are `reserved` for what takes them by name."""
 
-    def __init__(self, reserved: Iterable[str | None] = ()) -> None:
+    def __init__(self, reserved: Iterable[str | None] = (), taken: Iterable[str] = ()) -> None:
         self._reserved = set(reserved)
-        self._taken: set[str] = set()
+        self._taken = set(taken)
 
     @classmethod
     def of(cls, shapes: Iterable[PaintedShape | KeyframedShape | ShapeBlend]) -> Ids:

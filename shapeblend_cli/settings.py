@@ -23,12 +23,14 @@ IN_BETWEENS, ANIMATIONS, OTHER = "In-betweens", "Animations", "Other"
 PLOT = "Plot"
 BATCH = "Batch"
 STUDIO = "Studio"
+INKSCAPE = "Inkscape"
 PICTURES = "Pictures, with the extra shapeblend[pictures]"
 
 SECTIONS = (
     PLOT,
     BATCH,
     STUDIO,
+    INKSCAPE,
     OUTPUT,
     SHAPES,
     CORRESPONDENCE,
@@ -359,6 +361,37 @@ class StudioOptions(Record, section=STUDIO):
         flags=("--open/--no-open",),
         help="Open the page in the browser, or print its address alone.",
         default_text="open, where there is a screen",
+    )
+
+
+class InkscapeOptions(Record, section=INKSCAPE):
+    """What is blended in a document of Inkscape, and what becomes of it."""
+
+    ids: tuple[str, ...] = option(
+        types.TEXT,
+        default=(),
+        many=True,
+        flags=("--id",),
+        metavar="ID",
+        help="An object that is selected; the lowest one in the document comes first.",
+    )
+    frames_as: str = option(
+        types.choice("group", "layers"),
+        default="group",
+        key="as",
+        help="In-betweens as groups in a group right above the lower object, or each in a layer.",
+    )
+
+
+class InstallOptions(Record, section=INKSCAPE):
+    """Where the extension goes."""
+
+    folder: str | None = option(
+        types.file(),
+        default=None,
+        metavar="FOLDER",
+        help="Where Inkscape looks for extensions.",
+        default_text="as Inkscape says, or as is usual on this system",
     )
 
 

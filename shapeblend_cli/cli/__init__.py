@@ -16,6 +16,7 @@ from shapeblend_cli.cli.batch import batch
 from shapeblend_cli.cli.blend import blend
 from shapeblend_cli.cli.completion import completion
 from shapeblend_cli.cli.group import DefaultGroup
+from shapeblend_cli.cli.inkscape import inkscape
 from shapeblend_cli.cli.inspect import inspect
 from shapeblend_cli.cli.plot import plot
 from shapeblend_cli.cli.studio import studio
@@ -29,7 +30,7 @@ FAILED, USAGE = 1, 2
 
 @click.group(
     cls=DefaultGroup,
-    commands=[blend, studio, batch, inspect, plot, completion],
+    commands=[blend, studio, batch, inspect, plot, inkscape, completion],
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 @click.version_option(__version__, prog_name="shapeblend", message="%(prog)s %(version)s")

@@ -22,7 +22,15 @@ PLAYER = Path(__file__).with_name("player")
 INSTALLED = Path(__file__).parents[2] / "out" / "player"
 LOTTIE_WEB = INSTALLED / "node_modules" / "lottie-web" / "build" / "player" / "lottie.min.js"
 
+
+def _commands(*names):
+    """A function that says which commands are missing, if any are."""
+    missing = [name for name in names if not shutil.which(name)]
+    return lambda: f"apt-get install {' '.join(missing)}" if missing else None
+
+
 EQUIPMENT = {
+    "Inkscape": _commands("inkscape", "xvfb-run", "xauth"),
     "Chromium": lambda: None if CHROMIUM else "apt-get install chromium",
     "lottie-web": lambda: install(PLAYER, INSTALLED),
     "flubber": flubber.ready,

@@ -165,6 +165,44 @@ def layers_svg(frames: Sequence[Frame], decimals: int, page: Page) -> str:
     return text(drawing, definitions=gradients.elements)
 
 
+def frames_in_groups(
+    frames: Sequence[Frame], decimals: int, ids: Ids, place: tuple[str, str], *, as_layers: bool
+) -> str:
+    """Return frames as elements to be put into a document that has ids already.
+
+    The place is what they are called together, and a transform of all. They are groups in a group, or layers.
+    """
+    title, transform = place
+    drawing = empty(frames[0].view, decimals)
+    gradients = Gradients(decimals, ids)
+    holder = drawing.g(id=ids.new("blend"))
+    holder["inkscape:label"] = title
+    moved = {"transform": transform} if transform else {}
+    around = [] if as_layers else [holder]
+    if not as_layers:
+        holder.attribs.update(moved)
+    for k, frame in enumerate(frames, 1):
+        group = drawing.g(id=ids.new(f"frame-{k}"))
+        name = f"t = {number(frame.t, 4)}"
+        group["inkscape:label"] = f"{title}, {name}" if as_layers else name
+        if as_layers:
+            group["inkscape:groupmode"] = "layer"
+            group.attribs.update(moved)
+            around.append(group)
+        else:
+            holder.add(group)
+        add_shapes(Tree(drawing, ids, group), drawing, frame, gradients)
+    written = [element.get_xml() for element in around]
+    if gradients.elements:
+        defined = ElementTree.Element("defs")
+        defined.extend(gradients.elements)
+        written[0].insert(0, defined)
+    for element in written:
+        element.set("xmlns", "http://www.w3.org/2000/svg")
+        element.set("xmlns:inkscape", INKSCAPE)
+    return "".join(ElementTree.tostring(element, encoding="unicode") for element in written)
+
+
 def add_shapes(tree: Tree, drawing: Any, frame: Frame, gradients: Gradients) -> None:
     """Add the shapes of a frame to a drawing. Of two coats of paint the upper one has the name."""
     for shape in frame.shapes:

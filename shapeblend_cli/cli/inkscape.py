@@ -1,0 +1,103 @@
+"""``shapeblend inkscape``: the extension for Inkscape, and what it calls."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+import click
+
+from shapeblend_cli.cli.group import SectionedCommand
+from shapeblend_cli.cli.options import NAME, options_of
+from shapeblend_cli.cli.terminal import say
+from shapeblend_cli.errors import OptionError
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
+from shapeblend_cli.outputs.options import OutputOptions, specify
+from shapeblend_cli.settings import InkscapeOptions, InstallOptions, Settings, WriteOptions
+
+PLACED = ("place", "viewbox", "start")
+"""Settings that have no meaning for objects of one document, which lie where they lie."""
+
+
+@click.group()
+def inkscape() -> None:
+    """Blend what is selected in Inkscape: `shapeblend inkscape install` adds it to Extensions."""
+
+
+@inkscape.command(cls=SectionedCommand, params=options_of(InstallOptions))
+def install(**given: Any) -> None:
+    """Put the extension into the folder where Inkscape looks for it.
+
+    After that and a new start, Inkscape has Extensions > Shapeblend. To be done again when shapeblend has moved.
+    """
+    from shapeblend_cli.inkscape.extension import install as install_into
+
+    files = install_into(InstallOptions.of(given).folder)
+    say(
+        f"{files[0].parent}: the extension is there; start Inkscape anew, and look under Extensions > Shapeblend"
+    )
+
+
+@inkscape.command(
+    cls=SectionedCommand, params=options_of(InkscapeOptions, Settings, without=(*PLACED, "match"))
+)
+@click.argument("file", type=NAME, metavar="FILE")
+def blend(file: str, **given: Any) -> None:
+    """Print a document of Inkscape with in-betweens of two of its objects. The extension calls this.
+
+    Dots or a line labelled "pin 1" are pins: points of the one object that become points of the other.
+    """
+    options, settings = InkscapeOptions.of(given), Settings.of(given)
+    if not (settings.frames or settings.ends):
+        raise OptionError("--frames 0 leaves nothing to put between the objects; --frames 1 would work")
+
+    from shapeblend_cli.inkscape.blend import blend_objects
+
+    as_layers = options.frames_as == "layers"
+    _print(blend_objects(file, options.ids, settings, as_layers=as_layers, note=_noter()))
+
+
+@inkscape.command(
+    cls=SectionedCommand,
+    params=options_of(
+        InkscapeOptions,
+        OutputOptions,
+        Settings,
+        WriteOptions,
+        without=(*PLACED, *"frames_as match report preview tries fail_on".split()),
+    ),
+)
+@click.argument("file", type=NAME, metavar="FILE")
+def animate(file: str, **given: Any) -> None:
+    """Write an animation that goes from object to object of a document of Inkscape. The extension calls this.
+
+    The document is printed as it is.
+    """
+    options = InkscapeOptions.of(given)
+    if given["output"] is None:
+        raise OptionError("an animation needs the name of a file, such as --output moving.svg")
+    output = specify(OutputOptions.of(given), Settings.of(given), max(2, len(options.ids)))
+    if output.path == STANDARD_OUTPUT:
+        raise OptionError("standard output is for the document; --output with the name of a file would work")
+
+    from shapeblend_cli.inkscape.blend import animate_objects
+
+    force = WriteOptions.of(given).force
+    _print(animate_objects(file, options.ids, output, force=force, note=_noter()))
+
+
+def _noter() -> Any:
+    """Return a function that says each line once."""
+    told: set[str] = set()
+
+    def note(text: str) -> None:
+        if text not in told:
+            told.add(text)
+            say(text)
+
+    return note
+
+
+def _print(document: bytes) -> None:
+    sys.stdout.buffer.write(document)
+    sys.stdout.flush()

@@ -1,0 +1,1 @@
+"""What Inkscape needs to blend what is selected: an extension, and the command that it calls."""
