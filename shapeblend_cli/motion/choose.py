@@ -16,6 +16,8 @@ from shapeblend_cli.motion.alignment import Alignment, Rigid, align, point_pairs
 from shapeblend_cli.motion.judge import judged
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from shapeblend_cli.model import Box, ShapeBlend
 
 ASKED = "asked for"
@@ -90,8 +92,18 @@ def best_motion(shape: ShapeBlend, rotated: RotatedShape, view: Box) -> ShapeBle
             best, least, crossed = candidate, wrong, False
         elif wrong < least and (crossed or not _crosses(candidate)):
             best, least = candidate, wrong
-    reason = "the least wrong of " + ", ".join(f"{one.name} {one.wrong:.3f}" for one in tried)
-    return best._replace(reason=reason, candidates=tuple(tried))
+    numbers = ", ".join(f"{one.name} {one.wrong:.3f}" for one in tried)
+    return best._replace(reason=f"{_why(best, tried)}: {numbers}", candidates=tuple(tried))
+
+
+def _why(best: ShapeBlend, tried: Sequence[Candidate]) -> str:
+    """Return why one of the motions that were tried is taken, a phrase."""
+    least = min(one.wrong for one in tried)
+    if any(one.name == best.motion_name and one.wrong == least for one in tried):
+        return "the least wrong"
+    if best.motion is None and least >= BETTER * tried[0].wrong:
+        return "no other is much less wrong"
+    return "less wrong ones cross"
 
 
 def _crosses(shape: ShapeBlend) -> bool:

@@ -29,7 +29,7 @@ def test_the_report_says_how_each_contour_moves_and_why(here):
     judged = {one["name"]: one["wrong"] for one in contour["candidates"]}
     assert list(judged) == ["linear", "rigid", "intrinsic"]
     because = ", ".join(f"{name} {wrong:.3f}" for name, wrong in judged.items())
-    assert contour["motion_because"] == f"the least wrong of {because}"
+    assert contour["motion_because"] == f"the least wrong: {because}"
     for motion in ("linear", "rigid", "intrinsic", "safe"):
         (contour,) = contours("bar.svg", "leaf.svg", "--motion", motion)
         assert (contour["motion"], contour["motion_because"]) == (motion, "asked for")
@@ -45,7 +45,7 @@ def test_verbose_says_the_motion_and_why_of_each_shape(here, capsys):
     assert run(["l.svg", "turned.svg", "-v"]) == 0
     assert "shapeblend: motion rigid: B is A turned by 90 degrees\n" in capsys.readouterr().err
     assert run(["bar.svg", "leaf.svg", "-v", "-f"]) == 0
-    assert "shapeblend: motion linear: the least wrong of linear " in capsys.readouterr().err
+    assert "shapeblend: motion linear: the least wrong: linear " in capsys.readouterr().err
     write(two=svg(L, "M14 3H20V9Z"))
     assert run(["two.svg", "two.svg", "-v", "-f"]) == 0
     said = capsys.readouterr().err
