@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import functools
-import json
 import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -13,6 +11,7 @@ from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.svg.reading.read import read
 from tools.quality import raw
 from tools.quality.data import ROOT
+from tools.quality.icon_sets import icon_file
 from tools.quality.npm import install
 from tools.quality.scores import area
 from tools.quality.tables import Section, Table
@@ -102,13 +101,9 @@ def ready() -> str | None:
     return install(HERE, INSTALLED)
 
 
-@functools.cache
 def drawn(name: str) -> str:
     """The file that draws a face."""
-    file = INSTALLED / "node_modules" / "@iconify-json" / "twemoji" / "icons.json"
-    known = json.loads(file.read_text(encoding="utf-8"))
-    body, side = known["icons"][name]["body"], known["width"]
-    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {side} {side}">{body}</svg>'
+    return icon_file(INSTALLED, "twemoji", name)
 
 
 def ours(a: str, b: str) -> dict[int, int]:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import functools
-import json
 import random
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from tools.quality.data import ROOT
+from tools.quality.icon_sets import icon_file, icon_set
 from tools.quality.npm import install
 
 INSTALLED = ROOT / "out" / "quality" / "judge"
@@ -50,20 +50,9 @@ def ready() -> str | None:
     return install(Path(__file__).parent, INSTALLED)
 
 
-@functools.cache
-def known(icons: str) -> dict[str, Any]:
-    """What a package has."""
-    file = INSTALLED / "node_modules" / "@iconify-json" / icons / "icons.json"
-    return json.loads(file.read_text(encoding="utf-8"))
-
-
 def drawn(icons: str, name: str) -> str:
     """The file that draws an icon."""
-    package = known(icons)
-    icon = package["icons"][name]
-    width, height = (icon.get(side, package.get(side, 16)) for side in ("width", "height"))
-    box = f"{icon.get('left', 0)} {icon.get('top', 0)} {width} {height}"
-    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}">{icon["body"]}</svg>'
+    return icon_file(INSTALLED, icons, name)
 
 
 @functools.cache
@@ -71,7 +60,7 @@ def names(icons: str) -> list[str]:
     """The icons of a package that may be drawn."""
     return sorted(
         name
-        for name in known(icons)["icons"]
+        for name in icon_set(INSTALLED, icons)["icons"]
         if not any(part in name for part in LEFT_OUT) and not name.endswith(VARIANTS.get(icons, ()))
     )
 
@@ -99,5 +88,5 @@ def _pick(lots: random.Random, icons: str, related: bool) -> Pair:
 
 
 def _is_simple(icons: str, name: str) -> bool:
-    body = known(icons)["icons"][name]["body"]
+    body = icon_set(INSTALLED, icons)["icons"][name]["body"]
     return len(body) <= LONGEST and body.count("<") <= MOST_TAGS
