@@ -2,6 +2,7 @@
 
 import pytest
 
+from tools.quality import icon_sets
 from tools.quality.judge import blends, pairs, section, sheets
 from tools.quality.judge.blends import ALIKE, OPTIONS, blend_of, look, number, unlikeness
 from tools.quality.judge.pairs import Pair
@@ -23,7 +24,9 @@ BODIES = {
 def packages(monkeypatch):
     """Packages with a handful of icons."""
     icons = {name: {"body": body} for name, body in BODIES.items()}
-    monkeypatch.setattr(pairs, "known", lambda name: {"icons": icons, "width": 24, "height": 24})
+    known = {"icons": icons, "width": 24, "height": 24}
+    for module in (pairs, icon_sets):
+        monkeypatch.setattr(module, "icon_set", lambda installed, name: known)
     pairs.names.cache_clear()
     yield
     pairs.names.cache_clear()
