@@ -245,7 +245,8 @@ class Wires:
         bends: FloatArray,
     ) -> None:
         c = self.constants
-        kind = PaperBending(k_b, c.m_b, c.e_b, p_b) if c.bending == "paper" else TurnBending(k_b, c.e_b, p_b)
+        e_b = c.e_b if k_b else 1.0  # a large power may be infinite, and zero times that is no number
+        kind = PaperBending(k_b, c.m_b, e_b, p_b) if c.bending == "paper" else TurnBending(k_b, e_b, p_b)
         fill_bends(*corners, kind, columns, self.weight[columns], window, bends)
 
     def _add_travel(self, columns: IntArray, window: Window, bends: FloatArray) -> None:

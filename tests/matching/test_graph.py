@@ -311,3 +311,12 @@ def test_where_a_bound_would_take_long_there_is_none(rng, closed, monkeypatch):
     assert find_least(p0, p1, closed).gap == 0.0
     pinned = find_least(p0, p1, closed, pins=[(2, 3), (5, 6), (8, 9)])
     assert (pinned.lower_bound, pinned.gap) == (0.0, 1.0)
+
+
+@pytest.mark.parametrize("bending", ["turn", "paper"])
+def test_bending_without_end_still_has_its_zero_angles_counted(bending):
+    square, bow = np.array([0, 1, 1 + 1j, 1j]), np.array([0, 1, 1j, 1 + 1j])
+    dots = np.arange(4)[:, None].repeat(2, axis=1)
+    price = Wires(square, bow, True, WorkConstants(e_b=1e4, bending=bending)).path_work(dots)
+    assert price.bending == np.inf
+    assert 0 <= price.zero_angles <= 4
