@@ -337,6 +337,9 @@ class BatchOptions(Record, section=BATCH):
         types.FLAG, default=False, help="Print what would be done, and why, and do nothing."
     )
     why: bool = option(types.FLAG, default=False, help="Say of each job why it is done.")
+    watch: bool = option(
+        types.FLAG, default=False, help="Stay, and do again what changes: drawings, and the manifest."
+    )
     shard: tuple[int, int] | None = option(
         types.SHARD,
         default=None,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -11,9 +11,9 @@ import click
 from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.options import NAME, FieldOption, options_of
 from shapeblend_cli.cli.terminal import BatchTerminal, say
-from shapeblend_cli.errors import OptionError
+from shapeblend_cli.errors import OptionError, ShapeblendError
 from shapeblend_cli.interrupts import Interrupted
-from shapeblend_cli.jobs import RECORDS
+from shapeblend_cli.jobs import RECORDS, STANDARD_INPUT
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.settings import (
     BatchOptions,
@@ -23,9 +23,12 @@ from shapeblend_cli.settings import (
 if TYPE_CHECKING:
     from shapeblend_cli.batch.plan import Task
     from shapeblend_cli.batch.records import State
-    from shapeblend_cli.batch.run import Orders
+    from shapeblend_cli.batch.rows import Row
+    from shapeblend_cli.batch.run import Orders, Outcome
     from shapeblend_cli.batch.sources import Found
     from shapeblend_cli.batch.supervisor import Ended
+
+FAILED = 1
 
 PATTERN, PATTERN_OF_PAIRS = "blend/{a}-{b}", "blend/{a}"
 """Where outputs go by default, without a suffix."""
@@ -70,8 +73,12 @@ def batch(names: tuple[str, ...], **given: Any) -> int:
         raise click.UsageError(
             "--jobs is for processes on this machine; a cluster has the workers that were started"
         )
+    if options.watch and (options.dry_run or STANDARD_INPUT in names):
+        raise click.UsageError(
+            "--watch goes with a manifest that is a file, or with folders, and not with --dry-run"
+        )
     try:
-        return _batch(names, options, printed, given)
+        return (_watch if options.watch else _batch)(names, options, printed, given)
     except Interrupted as stop:
         say(str(stop))
         return 128 + stop.number
@@ -81,25 +88,76 @@ def _batch(
     names: tuple[str, ...], options: BatchOptions, printed: TerminalOptions, given: Mapping[str, Any]
 ) -> int:
     from shapeblend_cli.batch import run
-    from shapeblend_cli.batch.supervisor import Stopped
 
     tasks, notes = _tasks(names, options, given)
-    if options.results not in (None, STANDARD_OUTPUT):
-        assert options.results is not None
-        run.check_results(options.results, tasks, names[0] if names else None)
-    if options.shard is not None:
-        number, count = options.shard
-        tasks = tasks[number - 1 :: count]
-    found = run.states(tasks)
     if options.dry_run:
-        _show(tasks, found, with_current=options.why)
+        _show(tasks, run.states(tasks), with_current=options.why)
         return 0
+    with run.results(options.results) as write:
+        return _do(tasks, notes, write, options, printed)
+
+
+def _watch(
+    names: tuple[str, ...], options: BatchOptions, printed: TerminalOptions, given: Mapping[str, Any]
+) -> int:
+    """Do a batch, and again what changes, until a signal asks to stop."""
+    from shapeblend_cli.batch import run
+    from shapeblend_cli.batch.run import CURRENT
+    from shapeblend_cli.batch.watch import stamps, wait_for_change
+
+    tasks, notes = _tasks(names, options, given)
+    write_all: Callable[[Outcome], None]
+
+    def write(outcome: Outcome) -> None:
+        """Leave out what is up to date and was told of before."""
+        if is_first or outcome.status != CURRENT:
+            write_all(outcome)
+
+    def look() -> Hashable:
+        """See the drawings that there are now, or those of the last tasks, and the manifest."""
+        try:
+            found = _found(names, options)
+        except (OptionError, click.UsageError) as error:
+            return str(error)
+        rows: Sequence[Row | Task] = found.rows if found else tasks
+        return stamps({file for row in rows for file in row.files}.union(names))
+
+    is_first = True
+    with run.results(options.results) as write_all:
+        while True:
+            seen = look()
+            status = _do(tasks, notes, write, options, printed)
+            if status > FAILED:
+                return status
+            if is_first and not printed.quiet:
+                say("waiting for drawings to change; Ctrl-C ends that")
+            is_first = False
+            while True:
+                if number := wait_for_change(look, seen):
+                    return 128 + number
+                seen = look()
+                try:
+                    tasks, notes = _tasks(names, options, {**given, "force": None})
+                    break
+                except ShapeblendError as error:
+                    say(str(error))
+
+
+def _do(
+    tasks: Sequence[Task],
+    notes: Sequence[str],
+    write: Callable[[Outcome], None],
+    options: BatchOptions,
+    printed: TerminalOptions,
+) -> int:
+    """Do what is not up to date of some tasks."""
+    from shapeblend_cli.batch import run
+    from shapeblend_cli.batch.supervisor import Stopped
+
+    found = run.states(tasks)
     ended: Counter[str] = Counter()
     status = 0
-    with (
-        BatchTerminal(quiet=printed.quiet, count=len(tasks)) as terminal,
-        run.results(options.results) as write,
-    ):
+    with BatchTerminal(quiet=printed.quiet, count=len(tasks)) as terminal:
         for note in notes:
             terminal.note(note)
         if options.why:
@@ -117,7 +175,7 @@ def _batch(
                     terminal.warn(text)
                 if not is_done:
                     terminal.warn(f"{outcome.task.where}: {outcome.answer.error}")
-                    status = 1
+                    status = FAILED
         except Stopped as stop:
             terminal.warn("interrupted; what was being written is whole, and the same command does the rest")
             status = 128 + stop.number
@@ -140,7 +198,7 @@ def _way(options: BatchOptions, note: Callable[[str], None]) -> Callable[[Orders
 def _tasks(
     names: tuple[str, ...], options: BatchOptions, given: Mapping[str, Any]
 ) -> tuple[list[Task], list[str]]:
-    """Return the tasks of a batch, and notes."""
+    """Return the tasks of a batch, or of its shard, and notes."""
     from shapeblend_cli.batch.manifest import read_manifest
     from shapeblend_cli.batch.plan import plan
     from shapeblend_cli.batch.rows import named
@@ -158,6 +216,13 @@ def _tasks(
                         f"{target} would be taken for one of the drawings the next time; another folder in --output "
                         "would work"
                     )
+    if options.results not in (None, STANDARD_OUTPUT):
+        from shapeblend_cli.batch.run import check_results
+
+        check_results(str(options.results), tasks, names[0] if names else None)
+    if options.shard is not None:
+        number, count = options.shard
+        tasks = tasks[number - 1 :: count]
     return tasks, found.notes if found else []
 
 
