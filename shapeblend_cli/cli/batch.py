@@ -168,7 +168,7 @@ def _do(
                 is_done = outcome.answer.error is None
                 ended[outcome.status] += 1
                 write(outcome)
-                terminal.ended(is_done)
+                terminal.ended(is_done, outcome.answer.seconds if outcome.attempts else None)
                 for text in outcome.answer.notes if printed.verbose else ():
                     terminal.note(f"{outcome.task.output}: {text}")
                 for text in outcome.answer.warnings:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Self
 import click
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from shapeblend_cli.files import Run
 
@@ -101,6 +101,38 @@ class Terminal:
             _write(CLEAR)
 
 
+class Pace:
+    """How long the rest of many jobs takes, judged by those that have ended, where these are alike enough to say."""
+
+    ENOUGH = 20  # jobs
+    SURE = (
+        0.1  # how uncertain their mean may be, as a share of it: a third of what an estimate may be wrong by
+    )
+
+    def __init__(self, now: Callable[[], float] = time.monotonic) -> None:
+        self._now = now
+        self._began = now()
+        self._count = 0
+        self._sum = self._squares = 0.0
+
+    def ended(self, seconds: float) -> None:
+        """Take how long a job took by itself."""
+        self._count += 1
+        self._sum += seconds
+        self._squares += seconds * seconds
+
+    def left(self, jobs: int) -> float | None:
+        """Return the seconds that so many further jobs take; None where that cannot be said."""
+        n = self._count
+        if n < self.ENOUGH or not self._sum:
+            return None
+        mean = self._sum / n
+        variance = max(self._squares / n - mean * mean, 0.0)
+        if (variance / n) ** 0.5 > self.SURE * mean:
+            return None
+        return jobs * (self._now() - self._began) / n
+
+
 class BatchTerminal(Terminal):
     """Standard error while a batch runs; it is told which jobs have ended."""
 
@@ -109,18 +141,31 @@ class BatchTerminal(Terminal):
         self._count = count
         self._ended = 0
         self._failed = 0
+        self._pace = Pace()
 
-    def ended(self, is_done: bool) -> None:
-        """Take that a job has ended."""
+    def ended(self, is_done: bool, seconds: float | None) -> None:
+        """Take that a job has ended, and how long it took; None if there was nothing to do."""
         self._ended += 1
         self._failed += not is_done
+        if seconds is not None:
+            self._pace.ended(seconds)
 
     def _state(self) -> str:
         share = self._ended / max(self._count, 1)
         bar = "#" * int(BAR * share)
         failed = f", {self._failed} failed" if self._failed else ""
         drawn = f"[{bar:-<{BAR}}] " if sys.stderr.isatty() else ""
-        return f"{drawn}{self._ended} of {_count(self._count, 'job')}{failed}"
+        left = self._pace.left(self._count - self._ended)
+        rest = f", about {_duration(left)} left" if left else ""
+        return f"{drawn}{self._ended} of {_count(self._count, 'job')}{failed}{rest}"
+
+
+def _duration(seconds: float) -> str:
+    """Say how long, as exactly as an estimate is."""
+    for unit, size in (("h", 3600.0), ("min", 60.0)):
+        if seconds >= 2.0 * size:
+            return f"{seconds / size:.0f} {unit}"
+    return f"{max(seconds, 1.0):.0f} s"
 
 
 def details(run: Run) -> Iterator[str]:

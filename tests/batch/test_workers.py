@@ -1,5 +1,6 @@
 """Processes that die, take too long or are stopped, and what stands then."""
 
+import heapq
 import json
 import os
 import signal
@@ -8,9 +9,11 @@ import sys
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
+from shapeblend_cli.cli.terminal import Pace
 from tests.support.commands import read_to, start_on_terminal, write
 from tests.support.drawings import BAR, LEAF, svg
 
@@ -165,11 +168,50 @@ def test_a_batch_that_is_killed_and_run_again_does_what_is_missing(here):
     assert Path("single.svg").read_bytes() == Path("m/01.svg").read_bytes()
 
 
+@pytest.mark.parametrize(("spread", "workers"), [(0.3, 2), (0.8, 4), (1.0, 1)])
+def test_an_estimate_is_right_within_a_third_or_is_not_given(spread, workers):
+    """Jobs that take about as long as others, and some that take much longer, in any order."""
+    errors, silent = [], 0
+    for seed in range(20):
+        durations = np.random.default_rng(seed).lognormal(-2.0, spread, 600)
+        free, ends = [0.0] * workers, []
+        for seconds in durations:
+            begin = heapq.heappop(free)
+            heapq.heappush(free, begin + seconds)
+            ends.append((begin + seconds, seconds))
+        ends.sort()
+        clock = [0.0]
+        pace = Pace(lambda clock=clock: clock[0])
+        for number, (end, seconds) in enumerate(ends, 1):
+            clock[0] = end
+            pace.ended(seconds)
+            left = pace.left(len(ends) - number)
+            if number < 0.8 * len(ends):
+                if left is None:
+                    silent += 1
+                else:
+                    errors.append(abs(left / (ends[-1][0] - end) - 1.0))
+    assert len(errors) > silent  # it is given for most of the time
+    assert np.mean(np.array(errors) < 0.3) > 0.95
+
+
+def test_no_estimate_of_few_jobs_or_of_jobs_that_differ_much():
+    pace = Pace()
+    for number in range(19):
+        assert pace.left(100) is None, number
+        pace.ended(1.0)
+    unlike = Pace()
+    for number in range(200):
+        unlike.ended(100.0 if number % 50 == 0 else 0.1)
+        assert unlike.left(100) is None
+
+
 def test_a_terminal_shows_a_bar(here):
-    many(30)
+    many(90)
     process, ours = start_on_terminal([*COMMAND, "--chain", "in", "-o", "m/{n}.svg", "-j", "1"])
-    seen = read_to(ours, b" of 29 jobs")
+    seen = read_to(ours, b" s left, ")
     assert b"[" in seen
+    assert b" of 89 jobs, about " in seen
     process.kill()
     process.wait()
     os.close(ours)
