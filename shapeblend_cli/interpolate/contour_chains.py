@@ -1,0 +1,208 @@
+"""Contours through several drawings: cut alike, so that each of them has the same segments.
+
+Each pair has cut its two outlines at positions of its own, and its polygons have vertices of their own. Where a drawing
+is in two pairs, its outline is cut at the positions of both, and each cut is carried on to the outlines before and
+after, waypoints included.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.interpolate.parametrization import parametrize
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import BoolArray, ComplexArray, Contour, ContourBlend, FloatArray, Polygon
+
+SAME = 1e-6
+"""Positions nearer than this share of a segment are one."""
+
+SAMPLES = 33
+"""Points of a curve at which the search for the one nearest to a given point begins."""
+
+STEPS = 6
+"""Newton steps of that search."""
+
+
+class Key(NamedTuple):
+    """A contour of a drawing: its number, its segments, and where it is cut.
+
+    Cuts are numbers of segments and parameters on them, added up, which rise; once round if closed.
+    """
+
+    number: int | None
+    segments: ComplexArray
+    cuts: FloatArray
+
+    @classmethod
+    def of(cls, number: int | None, contour: Contour, polygon: Polygon, cuts: FloatArray) -> Key:
+        """Return the key of a contour that is cut at positions on its polygon, see `ContourBlend.cuts`."""
+        if number is not None:  # a point has no positions
+            cuts = parametrize(contour, polygon).segment_positions(cuts)
+        return cls(number, contour.segments, cuts)
+
+
+class ContourChain(NamedTuple):
+    """A contour over two keys or more.
+
+    Its stations, (s, 4) complex, are the control points at each key, and between two keys at each waypoint. `start` is
+    the first key, cut as in its own pair, and `end` the last one.
+    """
+
+    stations: list[ComplexArray]
+    straight: BoolArray
+    closed: bool
+    start: Key
+    end: Key
+
+    @classmethod
+    def of(cls, blend: ContourBlend, between: Sequence[ComplexArray] = ()) -> ContourChain:
+        """Return a contour of one pair, and the control points at waypoints between."""
+        return cls(
+            [blend.start.segments, *between, blend.end.segments],
+            blend.start.straight,
+            blend.start.closed,
+            Key.of(blend.a, blend.contour_a, blend.polygon_a, blend.cuts[0]),
+            Key.of(blend.b, blend.contour_b, blend.polygon_b, blend.cuts[1]),
+        )
+
+
+def is_continued(contour: ContourChain, after: ContourChain) -> bool:
+    """Return whether a contour begins with the outline that another one ends with."""
+    return contour.closed == after.closed and np.array_equal(contour.end.segments, after.start.segments)
+
+
+def reversed_chain(contour: ContourChain) -> ContourChain:
+    """Traverse a contour in reverse; a closed one keeps its first node."""
+
+    def reverse(key: Key) -> Key:
+        return Key(key.number, key.segments[::-1, ::-1], len(key.segments) - key.cuts[::-1])
+
+    return contour._replace(
+        stations=[segments[::-1, ::-1] for segments in contour.stations],
+        straight=contour.straight[::-1],
+        start=reverse(contour.start),
+        end=reverse(contour.end),
+    )
+
+
+class Part(NamedTuple):
+    """A part of a segment, by its number and two parameters."""
+
+    segment: int
+    start: float
+    end: float
+
+
+def extended(contour: ContourChain, after: ContourChain) -> ContourChain:
+    """Extend a contour by one that begins with its last outline, and cut all stations alike."""
+    if contour.closed:
+        contour = rolled_to(contour, float(after.start.cuts[0]))
+    parts, parts_after = common_parts(
+        contour.stations[-1], contour.end.cuts, after.stations[0], after.start.cuts
+    )
+    numbers, numbers_after = ([part.segment for part in each] for each in (parts, parts_after))
+    return contour._replace(
+        stations=[
+            *(cut(station, parts) for station in contour.stations),
+            *(cut(station, parts_after) for station in after.stations[1:]),
+        ],
+        straight=contour.straight[numbers] & after.straight[numbers_after],
+        end=after.end._replace(cuts=cut_positions(after.end.cuts, parts_after)),
+    )
+
+
+def joined_at_end(contour: ContourChain, after: ContourChain) -> ContourChain:
+    """Add to a contour what another one that begins with its last outline ends with, before that outline.
+
+    So the last one stays what further ones may begin with.
+    """
+    if contour.closed:
+        contour = rolled_to(contour, float(after.start.cuts[0]))
+    parts, parts_after = common_parts(
+        contour.stations[-1], contour.end.cuts, after.stations[0], after.start.cuts
+    )
+    numbers, numbers_after = ([part.segment for part in each] for each in (parts, parts_after))
+    *others, last = (cut(station, parts) for station in contour.stations)
+    return contour._replace(
+        stations=[*others, cut(after.stations[-1], parts_after), last],
+        straight=contour.straight[numbers] & after.straight[numbers_after],
+        end=contour.end._replace(cuts=cut_positions(contour.end.cuts, parts)),
+    )
+
+
+def rolled_to(contour: ContourChain, position: float) -> ContourChain:
+    """Start a closed contour's list of segments at a position of the last key where there is a cut."""
+    cuts, count = contour.end.cuts, len(contour.end.segments)
+    away = np.abs((cuts[:-1] - position + count / 2.0) % count - count / 2.0)
+    first = int(away.argmin())
+    rolled = np.concatenate([cuts[first:-1], cuts[: first + 1] + count])
+    return contour._replace(
+        stations=[np.roll(station, -first, axis=0) for station in contour.stations],
+        straight=np.roll(contour.straight, -first),
+        end=contour.end._replace(cuts=rolled - rolled[0] + position),
+    )
+
+
+def common_parts(
+    segments: ComplexArray, cuts: FloatArray, others: ComplexArray, other_cuts: FloatArray
+) -> tuple[list[Part], list[Part]]:
+    """Cut an outline that is cut in two ways, into `segments` and into `others`, at the positions of both.
+
+    Both begin at the same position. Their parts correspond one for one; a part is a point where the other list of
+    segments has a point and its own has none.
+    """
+    parts, other_parts = [], []
+    i = j = 0
+    u = v = 0.0
+    count_i, count_j = len(segments), len(others)
+    while i < count_i or j < count_j:
+        is_point = i < count_i and u == 0.0 and cuts[i + 1] - cuts[i] <= SAME
+        is_other_point = j < count_j and v == 0.0 and other_cuts[j + 1] - other_cuts[j] <= SAME
+        if i == count_i or j == count_j or is_point or is_other_point:
+            # The other one is held meanwhile, unless it has a point here as well.
+            ends_i = i < count_i and (is_point or not is_other_point)
+            ends_j = j < count_j and (is_other_point or not is_point)
+            next_u, next_v = (1.0 if ends_i else u), (1.0 if ends_j else v)
+        else:
+            ahead = cuts[i + 1] - other_cuts[j + 1]
+            ends_i, ends_j = ahead <= SAME, ahead >= -SAME
+            next_u = 1.0 if ends_i else max(u, _nearest_parameter(segments[i], others[j, 3]))
+            next_v = 1.0 if ends_j else max(v, _nearest_parameter(others[j], segments[i, 3]))
+        parts.append(Part(i, u, next_u) if i < count_i else Part(count_i - 1, 1.0, 1.0))
+        other_parts.append(Part(j, v, next_v) if j < count_j else Part(count_j - 1, 1.0, 1.0))
+        i, u = (i + 1, 0.0) if ends_i else (i, next_u)
+        j, v = (j + 1, 0.0) if ends_j else (j, next_v)
+    return parts, other_parts
+
+
+def _nearest_parameter(segment: ComplexArray, point: complex) -> float:
+    """Return where on a segment the point nearest to a given one lies."""
+    samples = np.linspace(0.0, 1.0, SAMPLES)
+    u = float(samples[np.abs(cubics.evaluate(segment, samples) - point).argmin()])
+    for _ in range(STEPS):
+        p = segment[:3] + (segment[1:] - segment[:3]) * u
+        q = p[:2] + (p[1:] - p[:2]) * u
+        speed = 3.0 * (q[1] - q[0])
+        if abs(speed) == 0.0:
+            break
+        away = q[0] + (q[1] - q[0]) * u - point
+        u = min(max(u - (away * speed.conjugate()).real / abs(speed) ** 2, 0.0), 1.0)
+    return u
+
+
+def cut(segments: ComplexArray, parts: Sequence[Part]) -> ComplexArray:
+    """Return parts of segments."""
+    numbers, start, end = (np.array(column) for column in zip(*parts, strict=True))
+    return cubics.pieces(segments[numbers], start, end)
+
+
+def cut_positions(cuts: FloatArray, parts: Sequence[Part]) -> FloatArray:
+    """Return where parts of segments cut an outline: about, between two cuts of before."""
+    numbers, _, end = (np.array(column) for column in zip(*parts, strict=True))
+    return np.append(cuts[0], cuts[numbers] + end * (cuts[numbers + 1] - cuts[numbers]))
