@@ -18,7 +18,7 @@ from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, views
 from shapeblend_cli.outputs.options import OutputOptions, specify
 from shapeblend_cli.pairing.constraints import Constraints, check_stiff
 from shapeblend_cli.pairing.direction import choose_direction
-from shapeblend_cli.pipeline import frame_at, match_all, times_of_frames
+from shapeblend_cli.pipeline import frame_at, make_frames, match_all, times_of_frames
 from shapeblend_cli.report import measure, report
 from shapeblend_cli.settings import Settings, report_settings
 from shapeblend_cli.svg.reading.read import read as read_file
@@ -152,6 +152,28 @@ class Blend:
         pair = self.pairs[min(int(t), len(self.pairs) - 1)]
         decimals = decimals_for(views(self.pairs))
         return Picture(frame_at(pair, t - pair.a, as_drawn=self.settings.draws_ends), decimals)
+
+    def mix(self, *weights: float) -> Picture:
+        """Return a mixture of all drawings, so much of each.
+
+        Each corresponds with the first. Of two drawings that have a share it is their blend.
+
+        Parameters
+        ----------
+        *weights : float
+            A share for each drawing, 0 or more and not all 0.
+
+        Examples
+        --------
+        >>> drawings = blend(["samples/triangle.svg", "samples/square.svg", "samples/e.svg"])
+        >>> drawings.mix(0.2, 0.5, 0.3).svg[:4]
+        '<svg'
+        """
+        settings = self.settings.replace(mix=(weights,), frames=None, ends=None, ease=None)
+        settings.check_drawings(len(self.drawings))
+        pairs, _ = match_all(self.drawings, settings)
+        (frame,) = make_frames(pairs, settings)
+        return Picture(frame, decimals_for(views(pairs)))
 
     def save(
         self,

@@ -218,6 +218,14 @@ def _shard(value: Any) -> tuple[int, int]:
     return number, count
 
 
+def _mix(value: Any) -> tuple[float, ...]:
+    weights = tuple(map(_finite, value))
+    total = sum(weights)
+    if len(weights) < 2 or min(weights) < 0.0 or not (total > 0.0 and math.isfinite(total)):
+        raise ValueError
+    return tuple(weight / total for weight in weights)
+
+
 def _text(value: Any) -> str:
     if not isinstance(value, str) or not value:
         raise ValueError
@@ -225,6 +233,12 @@ def _text(value: Any) -> str:
 
 
 FLAG = FieldType("True or False", _flag, "")
+MIX = FieldType(
+    "shares of two files or more, 0 or more and not all 0, such as .2,.5,.3",
+    _mix,
+    "X,X,...",
+    _floats,
+)
 TEXT = FieldType("a text", _text, "TEXT")
 SELECTOR = FieldType("", _selector, "SEL")
 START = FieldType(

@@ -215,7 +215,7 @@ def match_drawings(
 
 def _say_if_poor(job: Job, pairs: Sequence[Pair], note: Callable[[str], None]) -> None:
     """Say that in-betweens look poor, what is worst and what would help; raise that if it is asked for."""
-    found = verdict(pairs)
+    found = None if job.output.settings.mix else verdict(pairs)
     if found is None or not found.is_poor:
         return
     files = f"{job.files[found.a]} and {job.files[found.b]}"

@@ -58,9 +58,11 @@ def with_names(pairs: Sequence[Pair], drawings: Sequence[Drawing]) -> list[Pair]
     """Return pairs whose shapes have names and groups; groups are numbered alike in all pairs of a sequence."""
     named = []
     numbers = {group.number: group.number for shape in drawings[0].shapes for group in shape.groups}
+    numbers_of = {0: numbers}
     following = max(numbers, default=0) + 1
     for pair in pairs:
         a, b = drawings[pair.a], drawings[pair.b]
+        numbers = numbers_of[pair.a]
         partners = _partners(pair.shapes, a, b)
         partner_of_b = {other: one for one, other in partners.items()}
         numbers_b: dict[int, int] = {}
@@ -72,7 +74,7 @@ def with_names(pairs: Sequence[Pair], drawings: Sequence[Drawing]) -> list[Pair]
                 following += 1
         merged = _Merged(partners, numbers, numbers_b)
         named.append(pair._replace(shapes=tuple(_named(shape, a, b, merged) for shape in pair.shapes)))
-        numbers = numbers_b
+        numbers_of[pair.b] = numbers_b
     return named
 
 

@@ -5,7 +5,6 @@ Each stage is a function from values to values. Polygons are normalised, section
 
 from __future__ import annotations
 
-from itertools import pairwise
 from pathlib import PurePath
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -15,6 +14,7 @@ from shapeblend_cli.geometry.placement import place_over
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.fades import in_paint_order
 from shapeblend_cli.interpolate.paths import paths_at, with_curves
+from shapeblend_cli.interpolate.stars import drawings_in, mixed_shape, star_shapes
 from shapeblend_cli.kept import Kept
 from shapeblend_cli.model import Box, CubicPath, Drawing, Frame, Page, PaintedShape, Pair, ShapeBlend, Style
 from shapeblend_cli.motion.alignment import Alignment, align, point_pairs, shared_alignments
@@ -77,7 +77,7 @@ def match_all(
     watch: Watch | None = None,
     kept: Kept | None = None,
 ) -> tuple[list[Pair], list[str]]:
-    """Blend drawings, each with the next one: everything up to the first frame.
+    """Blend drawings, each with the next one, or to mix them with the first: everything up to the first frame.
 
     Parameters
     ----------
@@ -98,6 +98,8 @@ def match_all(
         What was left out, one phrase each.
     """
     clock = clock or Clock()
+    if settings.mix:
+        drawings, settings = _mixed(drawings, settings)
     maps = place(drawings, settings.place)
     flat, notes = _flatten(drawings, maps, settings.vertices, kept or Kept(0))
     check_stiff([contour.polygon for contour in flat[0].contours], settings)
@@ -105,10 +107,13 @@ def match_all(
     views = _views(drawings, maps, drawn, settings)
     clock.lap("flatten")
     pairs = []
-    for k, (a, b) in enumerate(pairwise(flat)):
-        view = Box.union([views[k], views[k + 1]])
-        shapes = _blend_shapes(a, b, settings, view, (clock, watch_part(watch, k, len(flat) - 1)))
-        pairs.append(Pair(k, k + 1, shapes, drawn=(drawn[k], drawn[k + 1]), views=(views[k], views[k + 1])))
+    is_star = len(flat) > 2 and bool(settings.mix)
+    for k in range(1, len(flat)):
+        i = 0 if is_star else k - 1
+        view = Box.union([views[i], views[k]])
+        progress = clock, watch_part(watch, k - 1, len(flat) - 1)
+        shapes = _blend_shapes(flat[i], flat[k], settings, view, progress)
+        pairs.append(Pair(i, k, shapes, drawn=(drawn[i], drawn[k]), views=(views[i], views[k])))
         clock.lap("interpolate")
     views = views_with_room(pairs, settings.viewbox)
     pages = _pages(drawings, maps, settings.place)
@@ -252,7 +257,8 @@ def _pair(
     required = asked
     changed: Sequence[Change] = ()
     rest = a.contours, b.contours
-    if not rotation:
+    is_star = settings.mix and settings.motion == "linear" and settings.unmatched == "point"
+    if not (rotation or is_star):
         changed = changes(*rest, settings)
         for change in changed:
             rest = change.without(rest[0], 0), change.without(rest[1], 1)
@@ -446,9 +452,46 @@ def times_of_frames(pairs: Sequence[Pair], settings: Settings) -> list[tuple[Pai
     return [(pair, t) for pair in pairs for t in (times[1:] if settings.ends and pair.a else times)]
 
 
+def _mixed(drawings: Sequence[Drawing], settings: Settings) -> tuple[list[Drawing], Settings]:
+    """Return the drawings that are in some mixture, and settings for these.
+
+    Two are blended as ever. More go straight, since what turns between two drawings turns otherwise between others, and
+    each outline stays whole.
+    """
+    used = drawings_in(settings.mix)
+    if len(used) > 2:
+        settings = settings.replace(motion="linear", unmatched="point")
+    return [drawings[k] for k in used], settings
+
+
 def make_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
     """Draw the frames that settings ask for."""
+    if settings.mix:
+        return _mixed_frames(pairs, settings)
     return [frame_at(pair, t, as_drawn=settings.draws_ends) for pair, t in times_of_frames(pairs, settings)]
+
+
+def _mixed_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
+    """Draw the mixtures that settings ask for."""
+    used = drawings_in(settings.mix)
+    rows = [[weights[k] for k in used] for weights in settings.mix]
+    if len(used) == 2:
+        return [frame_at(pairs[0], row[1], as_drawn=settings.draws_ends) for row in rows]
+    shapes = star_shapes(pairs)
+    drawn = [pairs[0].drawn[0], *(pair.drawn[1] for pair in pairs)]
+    views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
+    pages = [pairs[0].pages[0], *(pair.pages[1] for pair in pairs)]
+    frames = []
+    for row in rows:
+        view = Box(*(sum(w * v for w, v in zip(row, side, strict=True)) for side in zip(*views, strict=True)))
+        page = common_page([page for page, weight in zip(pages, row, strict=True) if weight])
+        if 1.0 in row and settings.draws_ends:
+            painted = drawn[row.index(1.0)]
+        else:
+            mixed = [mixed_shape(shape, row) for shape in shapes]
+            painted = tuple(shape for shape in mixed if shape is not None)
+        frames.append(Frame(0.0, 0, painted, view, page_for(page, view)))
+    return frames
 
 
 def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:

@@ -112,6 +112,14 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         flags=("--pin",),
         help="Vertices that must correspond: by number, or those nearest to a point of A and a point of B.",
     )
+    mix: tuple[tuple[float, ...], ...] = option(
+        types.MIX,
+        default=(),
+        many=True,
+        section=IN_BETWEENS,
+        help="Instead of in-betweens a mixture of all files, so much of each: .2,.5,.3. Each file corresponds with the "
+        "first. One mixture can be written to one file, .svg or .png.",
+    )
     reverse: str = option(
         types.choice("auto", "yes", "no"),
         default="auto",
@@ -209,6 +217,14 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         """Raise OptionError if some of the settings do not go with so many drawings."""
         if count > 2 and any(getattr(self, name) for name in ABOUT_TWO_DRAWINGS):
             raise OptionError(f"--start, --pin, --match and --stiff apply to two files; {count} given")
+        for weights in self.mix:
+            if len(weights) != count:
+                shown = ",".join(f"{weight:g}" for weight in weights)
+                raise OptionError(f"--mix {shown} is of {len(weights)} files; {count} given")
+        if self.mix and (self.is_given("frames") or self.ends or self.is_given("ease")):
+            raise OptionError(
+                "--mix says itself which frames there are; --frames, --ends and --ease have no part in it"
+            )
 
     @property
     def draws_ends(self) -> bool:

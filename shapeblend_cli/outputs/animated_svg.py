@@ -16,7 +16,13 @@ ANIMATED = "animated svg"
 
 
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
-    """Frames that are visible in turn include the drawings."""
+    """Frames that are visible in turn include the drawings. One mixture stands still."""
+    if spec.settings.mix:
+        from shapeblend_cli.pipeline import make_frames
+        from shapeblend_cli.svg.writing.document import frame_svg
+
+        (frame,) = make_frames(pairs, spec.settings)
+        return Rendered([frame_svg(frame, spec.decimals(pairs))])
     from shapeblend_cli.interpolate.chains import keyframed_shapes
     from shapeblend_cli.model import Box
     from shapeblend_cli.names import common_page, page_for

@@ -88,6 +88,8 @@ class OutputSpec(NamedTuple):
     @property
     def frame_count(self) -> int:
         """How many frames the settings ask for."""
+        if self.settings.mix:
+            return len(self.settings.mix)
         return (self.drawings - 1) * self.settings.frames + (self.drawings if self.settings.ends else 0)
 
     def frame_files(self) -> list[str | None]:

@@ -43,6 +43,10 @@ def _default_text(name: str) -> str:
     return "; ".join(f"{value} for {', '.join(names)}" for value, names in formats.items())
 
 
+MIXABLE = (ANIMATED, "contact sheet")
+"""Formats of one file that show mixtures."""
+
+
 class OutputOptions(Record, section=PICTURES):
     """Options for writing a blend. None means the format's default."""
 
@@ -159,6 +163,8 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
         defaults.pop("fps", None)
         if options.fps is not None:
             raise OptionError("--frames and --fps both say how many pictures there are; one will do")
+    if settings.mix:
+        _check_mix(options, settings, format, asked)
     if not options.trigger.is_load:
         _check_trigger(options, format, drawings, asked)
     if settings.motion == "auto":
@@ -180,6 +186,14 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
     )
     format.check(spec)
     return spec
+
+
+def _check_mix(options: OutputOptions, settings: Settings, format: Format, asked: str) -> None:
+    """Raise OptionError if a format cannot show mixtures, or not so many."""
+    if not (format.has_frame_files or format.name in MIXABLE):
+        raise OptionError(f"--mix is for a folder, a name ending in .svg or one in .png; {asked} is none")
+    if format.name == ANIMATED and (len(settings.mix) > 1 or not options.trigger.is_load):
+        raise OptionError(f"{asked} takes one mixture, which stands still; a folder takes several")
 
 
 def _check_trigger(options: OutputOptions, format: Format, drawings: int, asked: str) -> None:

@@ -1,0 +1,189 @@
+"""Several drawings that correspond through the first: each shape with one path for all, command for command.
+
+Each other drawing is paired with the first. What has a partner there is a contour of it; what has none is a point in
+all drawings but its own.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.interpolate.contour_chains import (
+    ContourChain,
+    is_continued,
+    joined_at_end,
+    reversed_chain,
+)
+from shapeblend_cli.model import CubicPath, KeyframedShape, Name, PaintedShape, Pair, ShapeBlend, Style
+from shapeblend_cli.names import common_groups
+from shapeblend_cli.paint.styles import blend_styles
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend
+
+
+class _Place(NamedTuple):
+    """Which shape of which pair a contour is in."""
+
+    pair: int
+    shape: int
+
+
+class _Outline(NamedTuple):
+    """A contour in all drawings."""
+
+    stations: tuple[ComplexArray, ...]
+    straight: BoolArray
+    closed: bool
+
+
+class _Group(NamedTuple):
+    """What is painted together: the shape of each pair, of one that has no partner its own pair's alone."""
+
+    places: tuple[_Place, ...]
+    is_alone: bool = False
+
+
+def star_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
+    """Return shapes with a key for each drawing, the first one's first, all with the same commands.
+
+    Each pair is of the first drawing and another one. The paint of the keys is that of the drawings as it is.
+    """
+    count = len(pairs) + 1
+    of_first: dict[int, dict[int, tuple[_Place, ContourBlend]]] = {}
+    alone: list[tuple[_Place, ContourBlend]] = []
+    for k, pair in enumerate(pairs):
+        for s, shape in enumerate(pair.shapes):
+            for contour in () if shape.is_twin else shape.contours:
+                if contour.a is None:
+                    alone.append((_Place(k, s), contour))
+                else:
+                    of_first.setdefault(contour.a, {})[k] = _Place(k, s), contour
+    groups: dict[_Group, list[_Outline]] = {}
+    hosts: dict[_Place, tuple[float, _Group]] = {}
+    for found in of_first.values():
+        group = _Group(tuple(place for place, _ in found.values()))
+        groups.setdefault(group, []).append(_through_all({k: c for k, (_, c) in found.items()}, count))
+        for place, contour in found.values():
+            size = max(contour.scale_a, contour.scale_b)
+            hosts[place] = max(hosts.get(place, (0.0, group)), (size, group), key=lambda host: host[0])
+    for place, contour in alone:
+        group = hosts[place][1] if place in hosts else _Group((place,), is_alone=True)
+        stations = [contour.start.segments] * count
+        stations[place.pair + 1] = contour.end.segments
+        outline = _Outline(tuple(stations), contour.start.straight, contour.start.closed)
+        groups.setdefault(group, []).append(outline)
+    return [_shape(group, groups[group], pairs) for group in _in_order(list(groups), pairs)]
+
+
+def _through_all(blends: dict[int, ContourBlend], count: int) -> _Outline:
+    """Return a contour of the first drawing in all of them; where it is in no pair it is as in the first."""
+    (first, blend), *others = blends.items()
+    chain = reversed_in_time(ContourChain.of(blend))
+    numbers = [first]
+    for k, blend in others:
+        after = ContourChain.of(blend)
+        if not is_continued(chain, after):
+            after = reversed_chain(after)
+        if is_continued(chain, after):
+            chain = joined_at_end(chain, after)
+            numbers.append(k)
+    *stations, here = chain.stations
+    by_number = dict(zip(numbers, stations, strict=True))
+    every = (here, *(by_number.get(k, here) for k in range(count - 1)))
+    return _Outline(every, chain.straight, chain.closed)
+
+
+def reversed_in_time(chain: ContourChain) -> ContourChain:
+    """Return a contour from its last key to its first."""
+    return chain._replace(stations=chain.stations[::-1], start=chain.end, end=chain.start)
+
+
+def _in_order(groups: Sequence[_Group], pairs: Sequence[Pair]) -> list[_Group]:
+    """Return groups in paint order: the first drawing's as it has them, others right above what is below them."""
+    by_place = {place: group for group in groups for place in group.places}
+    ordered: list[_Group] = []
+    for k, pair in enumerate(pairs):
+        below = -1
+        for s in range(len(pair.shapes)):
+            group = by_place.get(_Place(k, s))
+            if group is None:
+                continue
+            if group not in ordered:
+                ordered.insert(below + 1, group)
+            below = ordered.index(group)
+    return ordered
+
+
+def _shape(group: _Group, outlines: Sequence[_Outline], pairs: Sequence[Pair]) -> KeyframedShape:
+    blends = {place.pair: pairs[place.pair].shapes[place.shape] for place in group.places}
+    first = next(iter(blends.values()))
+    keys = []
+    for number in range(len(pairs) + 1):
+        blend = blends.get(number - 1)
+        style = _style(first, 0) if blend is None else _style(blend, 1)
+        paths = tuple(CubicPath(o.stations[number], o.straight, o.closed) for o in outlines)
+        keys.append(PaintedShape(paths, style))
+    groups = first.groups
+    for blend in blends.values():
+        groups = common_groups(groups, blend.groups)
+    name = Name.common([name for blend in blends.values() for name in blend.names] or [Name()])
+    return KeyframedShape(tuple(keys), 0, ((),) * len(pairs), (), name, groups)
+
+
+def _style(blend: ShapeBlend, end: int) -> Style:
+    """Return the paint of a shape at one of its ends; strokes that others cover are not seen there."""
+    style = blend.style_b if end else blend.style_a
+    if blend.fade is None or None not in blend.sources:
+        return style
+    share = blend.fade.share(float(end))
+    return style._replace(
+        fill_opacity=share * style.fill_opacity, stroke_opacity=share * style.stroke_opacity
+    )
+
+
+def drawings_in(mixes: Sequence[Sequence[float]]) -> list[int]:
+    """Return the numbers of the drawings that some mixture has something of, and two at least.
+
+    Examples
+    --------
+    >>> drawings_in([(0.5, 0.0, 0.5), (1.0, 0.0, 0.0)]), drawings_in([(0.0, 0.0, 1.0)])
+    ([0, 2], [0, 2])
+    """
+    used = [k for k, weights in enumerate(zip(*mixes, strict=True)) if any(weights)]
+    return used if len(used) > 1 else sorted({*used, 0 if used[0] else 1})
+
+
+def mixed_shape(shape: KeyframedShape, weights: Sequence[float]) -> PaintedShape | None:
+    """Return a shape that is so much of each key, all adding up to 1; None if there is nothing to see of it."""
+    paths = []
+    for k, path in enumerate(shape.keys[0].paths):
+        segments = np.zeros_like(path.segments)
+        for key, weight in zip(shape.keys, weights, strict=True):
+            if weight:
+                segments = segments + weight * key.paths[k].segments
+        mixed = CubicPath(segments, path.straight, path.closed)
+        drawn = [key.paths[k] for key, weight in zip(shape.keys, weights, strict=True) if weight]
+        if not all(path.is_point for path in drawn):
+            paths.append(mixed)
+    if not paths:
+        return None
+    return PaintedShape(tuple(paths), mixed_style(shape, weights), None, shape.name, shape.groups)
+
+
+def mixed_style(shape: KeyframedShape, weights: Sequence[float]) -> Style:
+    """Return the paint that is so much of that of each key."""
+    mixed, total = shape.keys[0].style, 0.0
+    for key, weight in zip(shape.keys, weights, strict=True):
+        if not weight:
+            continue
+        total += weight
+        share = weight / total
+        above, below = blend_styles(mixed, key.style, share)
+        # Gradients of two kinds have nothing in between.
+        mixed = above if below is None else key.style if share >= 0.5 else mixed
+    return mixed
