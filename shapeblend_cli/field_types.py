@@ -6,6 +6,7 @@ Errors are phrased so that the name of a field or of an option goes before them:
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from operator import index
 from typing import Any, NamedTuple
@@ -226,6 +227,12 @@ def _mix(value: Any) -> tuple[float, ...]:
     return tuple(weight / total for weight in weights)
 
 
+def _element(value: Any) -> str:
+    if re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)+", value) is None:
+        raise ValueError
+    return str(value)
+
+
 def _text(value: Any) -> str:
     if not isinstance(value, str) or not value:
         raise ValueError
@@ -238,6 +245,9 @@ MIX = FieldType(
     _mix,
     "X,X,...",
     _floats,
+)
+ELEMENT = FieldType(
+    "the name of a custom element: small letters, digits and a hyphen, such as my-icon", _element, "NAME"
 )
 TEXT = FieldType("a text", _text, "TEXT")
 SELECTOR = FieldType("", _selector, "SEL")

@@ -24,6 +24,7 @@ PLOT = "Plot"
 BATCH = "Batch"
 STUDIO = "Studio"
 INKSCAPE = "Inkscape"
+STATES = "States"
 PICTURES = "Pictures, with the extra shapeblend[pictures]"
 
 SECTIONS = (
@@ -31,6 +32,7 @@ SECTIONS = (
     BATCH,
     STUDIO,
     INKSCAPE,
+    STATES,
     OUTPUT,
     SHAPES,
     CORRESPONDENCE,
@@ -380,6 +382,43 @@ class StudioOptions(Record, section=STUDIO):
         flags=("--open/--no-open",),
         help="Open the page in the browser, or print its address alone.",
         default_text="open, where there is a screen",
+    )
+
+
+class StatesOptions(Record, section=STATES):
+    """What a drawing of several states is."""
+
+    output: str = option(
+        types.file(".svg", ".js", "-"),
+        default="states.svg",
+        flags=("-o", "--output"),
+        metavar="FILE",
+        help="An SVG, or a module of JavaScript (.js) with a custom element for web pages; - for an SVG on standard "
+        "output.",
+    )
+    force: bool = option(types.FLAG, default=False, flags=("-f", "--force"), help="Replace an existing file.")
+    trigger: str = option(
+        types.choice("none", "click", "hover"),
+        default="none",
+        help="What changes the state of an SVG. none: what is around it does; click: a click, Enter or Space goes on "
+        "to the next one; hover: the second one is shown while it is pointed at or has the keyboard's focus. A custom "
+        "element has an attribute trigger for that.",
+    )
+    duration: float = option(
+        types.number(0.0, 3600.0), default=0.3, metavar="S", help="Seconds from one state to another."
+    )
+    element: str | None = option(
+        types.ELEMENT,
+        default=None,
+        metavar="NAME",
+        help="The name of the custom element, with a hyphen in it.",
+        default_text="that of the file, with -states",
+    )
+    precision: int | None = option(
+        types.whole(0, 10),
+        default=None,
+        help="Decimal places of coordinates.",
+        default_text="by the size of the drawings",
     )
 
 

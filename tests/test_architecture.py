@@ -18,9 +18,8 @@ PACKAGE = Path(shapeblend_cli.__file__).parent
 # A room is a module or a folder; the longest name that fits a module is its room.
 ROOMS = {
     "__main__": "cli",
-    "cli": "studio project batch inkscape plot files jobs outputs report interrupts svg.reading settings fields "
-    "field_types "
-    "errors version",
+    "cli": "studio project batch inkscape states plot files jobs outputs report interrupts svg.reading settings fields "
+    "field_types errors version",
     "__init__": "api outputs model settings errors version",
     "api": "pipeline outputs output report pairing svg.reading svg.writing settings model clock version easing errors",
     "studio": "project preview tries files jobs outputs output pipeline svg.reading svg.writing motion views fields "
@@ -30,6 +29,7 @@ ROOMS = {
     "version",
     "plot": "files outputs output svg.reading svg.writing pairing interpolate geometry settings matching model clock "
     "errors",
+    "states": "files outputs output interpolate svg.reading svg.writing names settings matching model clock errors",
     "inkscape": "outputs output pipeline svg.reading svg.writing names geometry settings fields model easing errors",
     "files": "preview tries report jobs outputs output pipeline svg.reading motion settings matching model kept clock "
     "errors version",

@@ -12,7 +12,7 @@ from tests.support.commands import write
 from tests.support.drawings import EYED, LEAF, svg
 
 SIZE = 120
-SECONDS = 0.5
+SECONDS = 0.8
 BODY = "<!doctype html><style>body{{margin:0;background:#fff}}svg{{width:120px;height:120px;display:block}}</style>{}"
 BOX, FAR = '<path id="box" d="M2 8h8v8h-8z"/>', '<path id="box" d="M14 8h8v8h-8z"/>'
 
@@ -31,23 +31,44 @@ def reacting(trigger, method, *options, a=BOX, b=FAR, more=()):
     return Path("r.svg").read_text()
 
 
+WATCH = """(find) => {
+    const seen = window.seen = [];
+    const look = (now) => {
+        const box = eval(find);
+        if (box) seen.push([now, box.getBBox().x]);
+        requestAnimationFrame(look);
+    };
+    requestAnimationFrame(look);
+}"""
+RESTING = 150  # milliseconds
+RESTS = f"""() => {{
+    const last = seen.at(-1), before = seen.filter(([time]) => time < last[0] - {RESTING}).at(-1);
+    return before && seen.filter(([time]) => time >= before[0]).every(([, x]) => x === last[1]);
+}}"""
+
+
 class Shown:
-    """A page with a drawing, and a mouse and a keyboard."""
+    """A page with a drawing, and a mouse and a keyboard. Each frame shows where its shape is."""
+
+    FIND = "document.getElementById('box')"
 
     def __init__(self, page):
         self.page = page
+        page.evaluate(WATCH, self.FIND)
 
-    def left(self, name="box"):
-        """Where a shape is now: 2 in the first drawing, 14 in the second."""
-        return self.page.evaluate(f"document.getElementById('{name}').getBBox().x")
+    def left(self):
+        """Where the shape is now: 2 in the first drawing, 14 in the second."""
+        return self.page.evaluate(f"{self.FIND}.getBBox().x")
+
+    def moments(self):
+        """The time and the place in each frame since this was last asked for, up to when it rests."""
+        self.page.wait_for_timeout(RESTING)
+        self.page.wait_for_function(RESTS)
+        return np.array(self.page.evaluate("seen.splice(0, seen.length - 1)"))
 
     def path(self):
-        """Where it is, every 30 ms until it rests, and for a while at first."""
-        places = []
-        while len(places) < 5 or len(set(places[-5:])) > 1:
-            places.append(self.left())
-            self.page.wait_for_timeout(30)
-        return np.array(places)
+        """The places among these."""
+        return self.moments()[:, 1]
 
     def picture(self):
         with Image.open(io.BytesIO(self.page.screenshot())) as image:
@@ -89,6 +110,12 @@ def assert_moves(places, start, end):
     assert between.sum() >= 3
     steps = np.diff(places) * np.sign(end - start)
     assert (steps >= -0.01).all()
+
+
+def assert_no_jump(moments, seconds=SECONDS):
+    """It is nowhere faster than twice as fast as all the way in its time."""
+    times, places = moments.T
+    assert (np.abs(np.diff(places)) <= 2.0 * 12.0 * np.diff(times) / 1000.0 / seconds + 0.5).all()
 
 
 @each_method
@@ -136,9 +163,9 @@ def test_it_turns_round_on_the_way_without_a_jump(here, show, method):
     middle = shown.left()
     assert 3.0 < middle < 13.0
     shown.leave()
-    places = np.append(middle, shown.path())
-    assert places[-1] == pytest.approx(2.0, abs=0.01)
-    assert np.abs(np.diff(places)).max() < 4.0
+    moments = shown.moments()
+    assert moments[-1, 1] == pytest.approx(2.0, abs=0.01)
+    assert_no_jump(moments)
 
 
 @each_method

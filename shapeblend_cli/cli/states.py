@@ -1,0 +1,47 @@
+"""``shapeblend states``."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from shapeblend_cli.cli.group import SectionedCommand
+from shapeblend_cli.cli.options import NAME, options_of
+from shapeblend_cli.cli.terminal import Terminal
+from shapeblend_cli.interrupts import stop_after
+from shapeblend_cli.jobs import check_files
+from shapeblend_cli.settings import ReadOptions, RunOptions, Settings, StatesOptions, TerminalOptions
+
+EXAMPLES = (
+    ("shapeblend states off.svg on.svg -o light.svg --trigger click", "a drawing that a click switches"),
+    (
+        "shapeblend states play.svg pause.svg stop.svg -o player.js",
+        "<player-states state='pause'> in a web page",
+    ),
+)
+
+WITHOUT = "frames ends motion unmatched start pins stiff match mix curves verbose".split()
+"""Settings of ways from one drawing to another, which states do not have."""
+
+
+@click.command(
+    cls=SectionedCommand,
+    examples=EXAMPLES,
+    params=options_of(StatesOptions, ReadOptions, Settings, RunOptions, TerminalOptions, without=WITHOUT),
+)
+@click.argument("files", type=NAME, nargs=-1, required=True, metavar="A.svg B.svg [C.svg ...]")
+def states(files: tuple[str, ...], **given: Any) -> None:
+    """Make one drawing of several states, which goes from any to any other.
+
+    The states have the names of the files. In an SVG the attribute data-state of its root says which one is shown; a
+    custom element (.js) has an attribute state.
+    """
+    options, settings = StatesOptions.of(given), Settings.of(given)
+    check_files(files, settings)
+    stop_after(RunOptions.of(given).timeout)
+
+    from shapeblend_cli.states import write_states
+
+    with Terminal(quiet=TerminalOptions.of(given).quiet) as terminal:
+        write_states(files, ReadOptions.of(given), settings, options, terminal.note, terminal.progress)

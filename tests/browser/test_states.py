@@ -1,0 +1,207 @@
+"""Drawings of several states, from any to any, in Chromium."""
+
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.cli import run
+from tests.browser.test_triggers import Shown, assert_moves, assert_no_jump, show  # noqa: F401  # a fixture
+from tests.support.commands import write
+from tests.support.drawings import EYED, LEAF, RING, svg
+
+PLACES = {"left": 2.0, "middle": 8.0, "right": 14.0}
+SECONDS = 0.8
+
+
+def files():
+    for name, x in PLACES.items():
+        write(**{name: svg(f'<path id="box" d="M{x} 8h8v8h-8z" fill="#{int(x) * 11:06x}"/>')})
+    return [f"{name}.svg" for name in PLACES]
+
+
+def made(*options, file="s.svg"):
+    assert run(["states", *files(), "-o", file, "-f", "-q", "--duration", str(SECONDS), *options]) == 0
+    return Path(file).read_text()
+
+
+class Element(Shown):
+    """A custom element in a page, whose path is in its shadow."""
+
+    FIND = "document.querySelector('my-icon').shadowRoot.getElementById('box')"
+
+
+@pytest.fixture
+def element(show, here):  # noqa: F811
+    """Show a custom element with attributes."""
+
+    def shown(attributes="", before="", **options):
+        script = made("--element", "my-icon", file="icon.js")
+        body = f"<style>my-icon{{width:120px;height:120px}}</style><script>{before}</script>"
+        body += f'<script type="module">{script}</script><my-icon {attributes}></my-icon>'
+        found = show(body, **options)
+        found.page.wait_for_function("!!customElements.get('my-icon')")
+        return Element(found.page)
+
+    return shown
+
+
+def test_each_state_goes_to_each(here, show):  # noqa: F811
+    shown = show(made())
+    now = "left"
+    for name in ("right", "left", "middle", "right", "middle", "left"):
+        shown.page.evaluate(f"document.querySelector('svg').dataset.state = '{name}'")
+        assert_moves(shown.path(), PLACES[now], PLACES[name])
+        now = name
+
+
+def test_a_click_and_a_key_go_on_to_the_next_state(here, show):  # noqa: F811
+    shown = show(made("--trigger", "click"))
+    states = [*PLACES.values(), PLACES["left"], PLACES["middle"]]
+    for k, (start, end) in enumerate(pairwise(states)):
+        shown.click() if k < 3 else shown.page.keyboard.press("Enter")
+        assert_moves(shown.path(), start, end)
+
+
+def test_pointing_and_the_focus_show_the_second_state(here, show):  # noqa: F811
+    shown = show(made("--trigger", "hover") + "<button>next</button>")
+    for there, back in ((shown.point, shown.leave), (lambda: shown.page.keyboard.press("Tab"),) * 2):
+        there()
+        assert_moves(shown.path(), 2, 8)
+        back()
+        assert_moves(shown.path(), 8, 2)
+
+
+def test_a_state_can_change_on_the_way(here, show):  # noqa: F811
+    shown = show(made())
+    shown.page.evaluate("document.querySelector('svg').dataset.state = 'right'")
+    shown.page.wait_for_timeout(int(500 * SECONDS))
+    middle = shown.left()
+    assert 3 < middle < 13
+    shown.page.evaluate("document.querySelector('svg').dataset.state = 'left'")
+    moments = shown.moments()
+    assert moments[-1, 1] == pytest.approx(2.0)
+    assert_no_jump(moments, SECONDS)
+
+
+def test_states_look_like_their_drawings(here, show):  # noqa: F811
+    drawings = {"eye": EYED, "leaf": LEAF, "ring": RING}
+    for name, data in drawings.items():
+        write(**{name: svg(f'<path fill="#2040c0" fill-rule="evenodd" d="{data}"/>')})
+    assert run("states eye.svg leaf.svg ring.svg -o s.svg -q --duration 0".split()) == 0
+    shown = show(Path("s.svg").read_text())
+    for name in ("eye", "leaf", "ring", "eye"):
+        shown.page.evaluate(f"document.querySelector('svg').dataset.state = '{name}'")
+        shown.page.wait_for_timeout(60)
+        still = show(Path(f"{name}.svg").read_text())
+        assert np.abs(shown.picture() - still.picture()).mean() < 1.0
+
+
+def test_with_reduced_motion_a_state_is_there_at_once(here, show, element):  # noqa: F811
+    for shown, change in (
+        (show(made(), reduced_motion="reduce"), "document.querySelector('svg').dataset.state = 'right'"),
+        (element(reduced_motion="reduce"), "document.querySelector('my-icon').state = 'right'"),
+    ):
+        shown.page.evaluate(change)
+        assert shown.left() == pytest.approx(14.0)
+
+
+def test_an_element_goes_from_state_to_state(element):
+    shown = element('state="middle"')
+    assert shown.left() == pytest.approx(8.0)
+    now = "middle"
+    for name in ("left", "right", "middle"):
+        shown.page.evaluate(f"document.querySelector('my-icon').state = '{name}'")
+        assert_moves(shown.path(), PLACES[now], PLACES[name])
+        now = name
+    shown.page.evaluate("document.querySelector('my-icon').setAttribute('state', 'left')")
+    assert_moves(shown.path(), 8, 2)
+    assert shown.page.evaluate("document.querySelector('my-icon').states") == list(PLACES)
+
+
+def test_an_element_reacts_to_clicks_and_keys(element):
+    shown = element('trigger="click" label="Player"')
+    button = shown.page.get_by_role("button", name="Player: left")
+    assert button.count() == 1
+    shown.click()
+    assert_moves(shown.path(), 2, 8)
+    shown.page.keyboard.press(" ")
+    assert_moves(shown.path(), 8, 14)
+    assert shown.page.get_by_role("button", name="Player: right").count() == 1
+
+
+def test_an_element_reacts_to_pointing_and_the_focus(element):
+    shown = element('trigger="hover"')
+    shown.point()
+    assert_moves(shown.path(), 2, 8)
+    shown.leave()
+    assert_moves(shown.path(), 8, 2)
+    shown.page.keyboard.press("Tab")
+    assert_moves(shown.path(), 2, 8)
+
+
+def test_an_element_tells_the_page(element):
+    shown = element()
+    told = "new Promise(done => {const i = document.querySelector('my-icon');"
+    told += "i.addEventListener('statechange', e => done(e.detail), {once: true}); i.next()})"
+    assert shown.page.evaluate(told) == "middle"
+
+
+def test_an_element_moves_where_paths_have_no_transitions(element):
+    shown = element(before="CSS.supports = () => false;")
+    path = "document.querySelector('my-icon').shadowRoot.querySelector('path').getAttribute('d')"
+    start = shown.page.evaluate(path)
+    shown.page.evaluate("document.querySelector('my-icon').state = 'right'")
+    shown.page.wait_for_timeout(int(500 * SECONDS))
+    between = shown.page.evaluate(path)
+    shown.page.wait_for_timeout(int(700 * SECONDS))
+    end = shown.page.evaluate(path)
+    xs = [float(text.replace(",", " ").lstrip("M").split()[0]) for text in (start, between, end)]
+    assert xs[0] == 2.0
+    assert 2.0 < xs[1] < 14.0
+    assert xs[2] == 14.0
+
+
+@pytest.mark.parametrize("kind", ["svg", "element"])
+def test_a_page_of_fifty_scrolls_smoothly(here, show, kind):  # noqa: F811
+    """While they move: no task holds the page up, and frames come one after the other."""
+    drawings = {"eye": EYED, "leaf": LEAF, "ring": RING}
+    for name, data in drawings.items():
+        write(**{name: svg(f'<path fill-rule="evenodd" d="{data}"/>')})
+    output = "s.svg" if kind == "svg" else "my-icon.js"
+    assert run(["states", "eye.svg", "leaf.svg", "ring.svg", "-o", output, "-q", "--duration", "2"]) == 0
+    text = Path(output).read_text()
+    body = "<style>svg,my-icon{width:120px;height:120px;display:block}</style>"
+    if kind == "svg":
+        body += text * 50
+    else:
+        body += f'<script type="module">{text}</script>' + "<my-icon></my-icon>" * 50
+    shown = show(body)
+    shown.page.wait_for_timeout(300)
+    if kind == "element":
+        assert shown.page.evaluate("document.querySelectorAll('my-icon:defined').length") == 50
+    switch = (
+        "document.querySelectorAll('svg').forEach(s => s.dataset.state = 'ring')"
+        if kind == "svg"
+        else "document.querySelectorAll('my-icon').forEach(s => s.state = 'ring')"
+    )
+    measured = shown.page.evaluate(
+        """async (switch_) => {
+            const long = [], frames = [];
+            new PerformanceObserver(l => long.push(...l.getEntries().map(e => e.duration))).observe({type: "longtask"});
+            eval(switch_);
+            let last = await new Promise(requestAnimationFrame);
+            for (let k = 0; k < 60; k++) {
+                scrollBy(0, 40);
+                const now = await new Promise(requestAnimationFrame);
+                frames.push(now - last);
+                last = now;
+            }
+            return {long, frames, top: scrollY};
+        }""",
+        switch,
+    )
+    assert measured["top"] > 2000
+    assert max(measured["long"], default=0) < 200
+    assert np.median(measured["frames"]) < 40
