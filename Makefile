@@ -44,7 +44,7 @@ demo: install ## blend samples/e.svg into samples/f.svg: frames, an animated SVG
 test: install ## run the tests that need nothing but Python: no network, no npm, no browser
 	$(BIN)/python -m pytest -q --ignore=$(BROWSER_TESTS) --ignore=$(INKSCAPE_TESTS) --ignore=$(DOCS_TESTS)
 
-test-browser: install chromium npm ## test animations, the page of --preview, the studio, and what other programs play, in Chromium
+test-browser: install chromium ffmpeg npm ## test animations, the page of --preview, the studio, and what other programs play, in Chromium
 	$(BIN)/python -m pytest -q $(BROWSER_TESTS)
 
 test-inkscape: install inkscape xvfb xauth ## test the extension in Inkscape, and drawings that go there and back
@@ -179,13 +179,14 @@ $(VENV)/.compiled: $(VENV)/.installed setup.py $(KERNEL_SOURCES)
 	touch $@
 
 # Where one of them cannot be installed, the tests that need it are skipped. In CI `docs-check` fails then, and nothing else.
-.PHONY: chromium npm inkscape xvfb xauth
+.PHONY: chromium npm inkscape xvfb xauth ffmpeg
 chromium: COMMANDS := chromium chromium-browser google-chrome
 npm: COMMANDS := npm
 inkscape: COMMANDS := inkscape
 xvfb: COMMANDS := xvfb-run
 xauth: COMMANDS := xauth
-chromium npm inkscape xvfb xauth:
+ffmpeg: COMMANDS := ffmpeg
+chromium npm inkscape xvfb xauth ffmpeg:
 	@have() { for name in $(COMMANDS); do command -v "$$name" && return; done; return 1; } >/dev/null; \
 	have && exit 0; \
 	if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \

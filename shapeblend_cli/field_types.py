@@ -233,6 +233,24 @@ def _element(value: Any) -> str:
     return str(value)
 
 
+def _specks(value: Any) -> float | str:
+    if isinstance(value, str):
+        number = value.removesuffix("%")
+        if number == value or not 0.0 < float(number) < 100.0:
+            raise ValueError
+        return f"{float(number):g}%"
+    if not _finite(value) > 0.0:
+        raise ValueError
+    return float(value)
+
+
+def _times(value: Any) -> tuple[float, ...]:
+    times = tuple(float(_within(_finite(one), -1.0, 2.0)) for one in value)
+    if not times or len(times) > 10_000:
+        raise ValueError
+    return times
+
+
 def _text(value: Any) -> str:
     if not isinstance(value, str) or not value:
         raise ValueError
@@ -249,6 +267,13 @@ MIX = FieldType(
 ELEMENT = FieldType(
     "the name of a custom element: small letters, digits and a hyphen, such as my-icon", _element, "NAME"
 )
+SPECKS = FieldType(
+    "a length such as 2.5, or a share of the drawing such as 1%",
+    _specks,
+    "LENGTH|X%",
+    lambda text: text if text.endswith("%") else float(text),
+)
+TIMES = FieldType("times between -1 and 2, such as -.25,0,.5,1,1.25", _times, "T,T,...", _floats)
 TEXT = FieldType("a text", _text, "TEXT")
 SELECTOR = FieldType("", _selector, "SEL")
 START = FieldType(

@@ -46,6 +46,7 @@ from shapeblend_cli.pairing.reasons import reasons_for
 from shapeblend_cli.pairing.riders import riders_of_pairs
 from shapeblend_cli.pairing.same import same_pairs
 from shapeblend_cli.pairing.shapes import Match, shape_blends
+from shapeblend_cli.pairing.specks import without_specks
 from shapeblend_cli.settings import Settings
 from shapeblend_cli.views import view_of, views_with_room
 
@@ -98,6 +99,10 @@ def match_all(
         What was left out, one phrase each.
     """
     clock = clock or Clock()
+    specks: list[str] = []
+    if settings.specks is not None:
+        found = [without_specks(drawing, settings.specks) for drawing in drawings]
+        drawings, specks = [drawing for drawing, _ in found], [text for _, texts in found for text in texts]
     if settings.mix:
         drawings, settings = _mixed(drawings, settings)
     maps = place(drawings, settings.place)
@@ -121,7 +126,7 @@ def match_all(
         pair._replace(views=(views[pair.a], views[pair.b]), pages=(pages[pair.a], pages[pair.b]))
         for pair in pairs
     ]
-    return with_names(pairs, drawings), notes
+    return with_names(pairs, drawings), [*specks, *notes]
 
 
 def place(drawings: Sequence[Drawing], place: str) -> list[Similarity]:
@@ -447,6 +452,8 @@ def _with_curves(shape: ShapeBlend, settings: Settings) -> ShapeBlend:
 
 def times_of_frames(pairs: Sequence[Pair], settings: Settings) -> list[tuple[Pair, float]]:
     """Return the pair and the time of each in-between, and with `settings.ends` of the drawings, in order."""
+    if settings.times:
+        return [(pair, settings.ease.at(t) if 0.0 < t < 1.0 else t) for pair in pairs for t in settings.times]
     times = frame_times(settings.frames, settings.ends, settings.ease)
     # A pair but the first begins with the drawing that the one before has ended with.
     return [(pair, t) for pair in pairs for t in (times[1:] if settings.ends and pair.a else times)]
@@ -497,7 +504,9 @@ def _mixed_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
 def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
     """Return the shapes of a pair at time t, at all times with the same commands; points are kept."""
     return tuple(
-        PaintedShape(paths_at(shape, t), *shape_styles(shape, t), shape.name, shape.groups)
+        PaintedShape(
+            paths_at(shape, t), *shape_styles(shape, min(max(t, 0.0), 1.0)), shape.name, shape.groups
+        )
         for shape in pair.shapes
     )
 
@@ -509,7 +518,14 @@ def fading_styles(shape: ShapeBlend) -> tuple[tuple[float, Style], ...]:
 
 
 def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:
-    """Return the frame at time t; at t = 0 and t = 1 it may be the drawing itself."""
+    """Return the frame at time t; at t = 0 and t = 1 it may be the drawing itself.
+
+    Before and after these outlines go on as they moved, and all else stays as it is there.
+    """
+    if not 0.0 <= t <= 1.0:
+        end = float(t > 1.0)
+        frame = frame_at(pair, end, as_drawn=False)
+        return frame._replace(t=t, shapes=_without_points(pair, t))
     view = pair.views[0].interpolate(pair.views[1], t)
     if t not in (0.0, 1.0):
         page = page_for(common_page(pair.pages), view)
@@ -528,13 +544,13 @@ def _seen(pair: Pair, t: float) -> list[tuple[PaintedShape, ShapeBlend]]:
 
 
 def _without_points(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
-    """Return the shapes at an end of time, without contours that are a point there."""
+    """Return the shapes at an end of time or beyond it, without contours that are a point there."""
     painted = []
     for shape, blend in _seen(pair, t):
         paths = tuple(
             path
             for contour, path in zip(blend.contours, shape.paths, strict=True)
-            if not (contour.shrinks if t else contour.grows)
+            if not (contour.shrinks if t > 0.0 else contour.grows)
         )
         if paths:
             painted.append(shape._replace(paths=paths))

@@ -83,10 +83,17 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         section=OUTPUT,
         flags=("-n", "--frames"),
         help="Number of in-betweens between each drawing and the next.",
-        default_text="5; in .gif, .webp and .apng as --fps says",
+        default_text="5; in animations of pixels and videos as --fps says",
     )
     ends: bool = option(
         types.FLAG, default=False, section=OUTPUT, help="Include the drawings themselves, t = 0 and t = 1."
+    )
+    times: tuple[float, ...] | None = option(
+        types.TIMES,
+        default=None,
+        section=OUTPUT,
+        help="The times of the frames, instead of so many in-betweens: 0 is A, 1 is B, and what is before 0 or after 1 "
+        "goes on beyond them, -1 to 2.",
     )
     place: str = option(
         types.choice("viewbox", "bbox", "asis"),
@@ -94,6 +101,12 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         section=SHAPES,
         help="How B is laid over A: viewBox on viewBox, bounding box on bounding box, or in the "
         "coordinates of its file.",
+    )
+    specks: float | str | None = option(
+        types.SPECKS,
+        default=None,
+        section=SHAPES,
+        help="Leave out contours that are smaller: a length in units of their file, or a share of the drawing.",
     )
     vertices: int = option(
         types.whole(0, 100_000),
@@ -223,6 +236,12 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
             if len(weights) != count:
                 shown = ",".join(f"{weight:g}" for weight in weights)
                 raise OptionError(f"--mix {shown} is of {len(weights)} files; {count} given")
+        if self.times and count > 2:
+            raise OptionError(f"--times applies to two files; {count} given")
+        if self.times and (self.is_given("frames") or self.ends or self.mix):
+            raise OptionError(
+                "--times says itself which frames there are; --frames, --ends and --mix have no part in it"
+            )
         if self.mix and (self.is_given("frames") or self.ends or self.is_given("ease")):
             raise OptionError(
                 "--mix says itself which frames there are; --frames, --ends and --ease have no part in it"

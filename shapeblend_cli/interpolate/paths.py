@@ -21,6 +21,10 @@ MOST_HALVINGS = 6
 """From a drawing to the next an animation has at most two to this power straight steps."""
 
 
+BOUNDED = ("safe", "sweep")
+"""Motions that do not go on beyond the drawings."""
+
+
 def with_curves(blend: ContourBlend) -> ContourBlend:
     """Return a blend of the drawings' own curves in place of the polygons' lines, see `common_segments`."""
     common = common_segments(
@@ -32,8 +36,10 @@ def with_curves(blend: ContourBlend) -> ContourBlend:
 def paths_at(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
     """Return the paths of a shape at time t: exactly its start at 0 and its end at 1.
 
-    Without a motion every point moves straight, eq (2).
+    Without a motion every point moves straight, eq (2), before 0 and after 1 too.
     """
+    if shape.motion is not None and shape.motion_name in BOUNDED:
+        t = min(max(t, 0.0), 1.0)
     if shape.motion is None or t in (0.0, 1.0):
         every = [(1.0 - t) * contour.start.segments + t * contour.end.segments for contour in shape.contours]
     else:

@@ -90,6 +90,8 @@ class OutputSpec(NamedTuple):
         """How many frames the settings ask for."""
         if self.settings.mix:
             return len(self.settings.mix)
+        if self.settings.times:
+            return (self.drawings - 1) * len(self.settings.times)
         return (self.drawings - 1) * self.settings.frames + (self.drawings if self.settings.ends else 0)
 
     def frame_files(self) -> list[str | None]:

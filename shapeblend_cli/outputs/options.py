@@ -43,6 +43,9 @@ def _default_text(name: str) -> str:
     return "; ".join(f"{value} for {', '.join(names)}" for value, names in formats.items())
 
 
+TIMEABLE = ("contact sheet", "layers")
+"""Formats of one file that show frames at any times."""
+
 MIXABLE = (ANIMATED, "contact sheet")
 """Formats of one file that show mixtures."""
 
@@ -163,6 +166,8 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
         defaults.pop("fps", None)
         if options.fps is not None:
             raise OptionError("--frames and --fps both say how many pictures there are; one will do")
+    if settings.times and not (format.has_frame_files or format.name in TIMEABLE):
+        raise OptionError(f"--times is for a folder of frames, a contact sheet or layers; {asked} is none")
     if settings.mix:
         _check_mix(options, settings, format, asked)
     if not options.trigger.is_load:

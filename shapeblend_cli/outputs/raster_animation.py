@@ -116,19 +116,20 @@ def _save(form: str, pictures: Iterable[Image.Image], **options: Any) -> bytes:
     return file.getvalue()
 
 
-def _run_of(spec: OutputSpec) -> Run:
+def run_of(spec: OutputSpec) -> Run:
+    """Return the run that an output asks for."""
     return run_for(spec.fps, spec.settings.frames, spec.drawings - 1, spec.timing)
 
 
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
-    run = _run_of(spec)
+    run = run_of(spec)
     size = size_of(spec.width, pairs, run.pictures)
     svgs = frame_svgs(spec, pairs, spec.settings.replace(frames=run.steps - 1, ends=True))
     return Rendered([encode(spec.format.name, svgs, size, run, spec.ground)])
 
 
 def _check(spec: OutputSpec) -> None:
-    run, repeat = _run_of(spec), spec.timing.repeat
+    run, repeat = run_of(spec), spec.timing.repeat
     if spec.format.name == "gif" and spec.ground is None:
         raise OptionError(
             "--background transparent: edges in a GIF cannot be half transparent; .webp and .apng can, or a colour"

@@ -14,6 +14,7 @@ from shapeblend_cli.outputs import (
     lottie,
     raster_animation,
     svg_pair,
+    video,
 )
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, Format
 
@@ -26,6 +27,7 @@ FORMATS: tuple[Format, ...] = (
     animated_svg.FORMAT,
     contact_sheet.FORMAT,
     *raster_animation.FORMATS,
+    *video.FORMATS,
     svg_pair.FORMAT,
     layers.FORMAT,
     lottie.FORMAT,
@@ -45,8 +47,8 @@ PAGES = (".htm", ".html")
 """Suffixes of web pages, which ``--preview`` writes."""
 
 UNSUPPORTED = tuple(
-    ".avi .avif .bmp .eps .heic .ico .jpeg .jpg .jxl .m4v .mkv .mov .mp4 .mpeg .mpg .ogv .pdf .ps .svgz .tif "
-    ".tiff .webm .zip".split()
+    ".avi .avif .bmp .eps .heic .ico .jpeg .jpg .jxl .m4v .mkv .mov .mpeg .mpg .ogv .pdf .ps .svgz .tif "
+    ".tiff .zip".split()
 )
 """Suffixes of file formats, which are hardly meant as the name of a folder."""
 

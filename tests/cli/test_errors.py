@@ -63,7 +63,7 @@ OPTIONS = {
     "-o x.xml": "--emit avd",
     "-o x.html": "x.html: such a page is written with --preview x.html",
     "-o x.jpg": "x.jpg: .jpg is not written; .svg, .png, .gif, .webp, .apng are",
-    "-o X.MP4": "X.MP4: .mp4 is not written",
+    "-o X.MOV": "X.MOV: .mov is not written",
     "-o x.svg --columns 3": "--columns is for a contact sheet, a name ending in .png; --output x.svg",
     "-o x.gif --columns 3": "--columns is for a contact sheet",
     "--columns 3": "--output blend is none",

@@ -30,6 +30,7 @@ def _commands(*names):
 
 
 EQUIPMENT = {
+    "ffmpeg": _commands("ffmpeg", "ffprobe"),
     "Inkscape": _commands("inkscape", "xvfb-run", "xauth"),
     "Chromium": lambda: None if CHROMIUM else "apt-get install chromium",
     "lottie-web": lambda: install(PLAYER, INSTALLED),

@@ -34,7 +34,7 @@ def without_defaults(attributes: dict[str, str]) -> dict[str, str]:
 def visible_styles(shape: PaintedShape, t: float) -> list[Style]:
     """Return the styles a shape is painted in at time t, from below: two where one paint dissolves into another."""
     # At the end of time what is below is covered, and would only show at antialiased edges.
-    styles = [shape.style] if shape.below is None or t == 1.0 else [shape.below, shape.style]
+    styles = [shape.style] if shape.below is None or t >= 1.0 else [shape.below, shape.style]
     return [_simplify(style) for style in styles]
 
 

@@ -1,0 +1,124 @@
+"""Frames one after another in a video, MP4 or WebM, which the program ffmpeg makes of pictures."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import tempfile
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from shapeblend_cli.errors import OptionError, PictureError
+from shapeblend_cli.outputs import raster
+from shapeblend_cli.outputs.formats import TRANSPARENT, WHITE, Format, OutputSpec, Rendered, frame_svgs
+from shapeblend_cli.outputs.raster import rasterize, size_of
+from shapeblend_cli.outputs.raster_animation import run_of
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import Pair
+
+EVEN = "pad=ceil(iw/2)*2:ceil(ih/2)*2"
+"""Both sides must be even; a line or a column is added below or on the right."""
+
+CODECS = {
+    "mp4": [
+        "-c:v",
+        "libx264",
+        "-preset",
+        "medium",
+        "-crf",
+        "18",
+        "-pix_fmt",
+        "yuv420p",
+        "-movflags",
+        "+faststart",
+    ],
+    "webm": ["-c:v", "libvpx-vp9", "-b:v", "0", "-crf", "24", "-row-mt", "1"],
+}
+
+EXACT = ["-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"]
+"""So that the same pictures give the same bytes."""
+
+MOST_RUNS = 100
+"""A video that is to run more often is one for a player that repeats it."""
+
+MOST_FRAMES = 20_000
+
+
+def encode(
+    kind: str, pngs: Sequence[bytes], order: Sequence[int], rate: Fraction, ground: str | None
+) -> bytes:
+    """Return a video of pictures in an order, so many a second. Without a colour behind them a WebM is transparent."""
+    program = shutil.which("ffmpeg")
+    assert program is not None, "that was checked"
+    pixels = ["-pix_fmt", "yuva420p" if ground is None else "yuv420p"] if kind == "webm" else []
+    with tempfile.TemporaryDirectory(prefix="shapeblend-") as folder:
+        file = Path(folder, f"video.{kind}")
+        pictures = ["-f", "image2pipe", "-c:v", "png", "-framerate", str(rate), "-i", "-"]
+        form = ["-vf", EVEN, *CODECS[kind], *pixels, *EXACT]
+        command = [program, "-v", "error", "-y", *pictures, *form, str(file)]
+        try:
+            done = subprocess.run(command, input=b"".join(pngs[k] for k in order), capture_output=True)
+        except OSError as error:
+            raise PictureError(
+                f"ffmpeg cannot be run ({error.strerror}); .gif, .webp and .apng need none"
+            ) from None
+        if done.returncode or not file.exists():
+            lines = done.stderr.decode("utf-8", "replace").strip().splitlines() or ["it gives no reason"]
+            raise PictureError(
+                f"ffmpeg makes no .{kind}: {lines[-1][:200]}; .gif, .webp and .apng need none of it"
+            )
+        return file.read_bytes()
+
+
+def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+    run = run_of(spec)
+    size = size_of(spec.width, pairs)
+    svgs = frame_svgs(spec, pairs, spec.settings.replace(frames=run.steps - 1, ends=True))
+    pngs = [rasterize(svg, size, spec.ground) for svg in svgs]
+    runs = spec.timing.repeat if isinstance(spec.timing.repeat, int) else 1
+    rate = Fraction(run.pictures) / Fraction(run.seconds).limit_denominator(1000)
+    return Rendered([encode(spec.format.name, pngs, run.order() * runs, rate, spec.ground)])
+
+
+def _check(spec: OutputSpec) -> None:
+    run, repeat = run_of(spec), spec.timing.repeat
+    if spec.format.name == "mp4" and spec.ground is None:
+        raise OptionError(
+            "--background transparent: nothing in an MP4 is; .webm can be, or a colour would work"
+        )
+    if isinstance(repeat, int) and repeat > MOST_RUNS:
+        raise OptionError(
+            f"--repeat {repeat}: a video runs {MOST_RUNS} times at most, or as often as it is played"
+        )
+    if run.pictures > MOST_FRAMES:
+        raise OptionError(
+            f"{run.pictures} pictures are more than {MOST_FRAMES}; a shorter --duration would work"
+        )
+
+
+def _check_ffmpeg() -> None:
+    raster.check_libraries()
+    if shutil.which("ffmpeg") is None:
+        raise PictureError(
+            "videos need the program ffmpeg, which is not here (apt-get install ffmpeg, brew install ffmpeg); .gif, "
+            ".webp and .apng need none"
+        )
+
+
+def _format(name: str, background: str) -> Format:
+    return Format(
+        name,
+        "a video, by ffmpeg",
+        _render,
+        suffix=f".{name}",
+        defaults={"width": 640, "background": background, "fps": 25},
+        check=_check,
+        check_libraries=_check_ffmpeg,
+    )
+
+
+FORMATS = (_format("mp4", WHITE), _format("webm", TRANSPARENT))
