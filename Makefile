@@ -24,7 +24,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape docs-check lint type fmt golden faults fuzz bench bench-quality bench-truth bench-morphs bench-faces bench-judge sweep worst pictures gallery plots options api tables install clean
+.PHONY: help demo test test-browser test-inkscape docs-check lint type fmt golden faults fuzz bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures gallery plots options api tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -121,6 +121,9 @@ bench-faces: install ## count the eyes that become eyes on the same side, and th
 
 bench-judge: install ## count the pairs of which the judge takes the blend that was graded best by eye; needs npm
 	$(BIN)/python -m tools.quality.judge
+
+bench-rank: install ## measure whether letters find themselves in another font, for docs/rank.md; needs npm
+	$(BIN)/python -m tools.quality.likeness
 
 sweep: install ## measure what the constants do, each and jointly, and write docs/defaults.json and .md; needs npm
 	$(BIN)/python -m tools.quality.sweep

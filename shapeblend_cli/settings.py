@@ -22,6 +22,7 @@ OUTPUT, SHAPES, CORRESPONDENCE = "Output", "Which shapes", "Correspondence"
 IN_BETWEENS, ANIMATIONS, OTHER = "In-betweens", "Animations", "Other"
 PLOT = "Plot"
 BATCH = "Batch"
+RANK = "Rank"
 STUDIO = "Studio"
 INKSCAPE = "Inkscape"
 STATES = "States"
@@ -30,6 +31,7 @@ PICTURES = "Pictures, with the extra shapeblend[pictures]"
 SECTIONS = (
     PLOT,
     BATCH,
+    RANK,
     STUDIO,
     INKSCAPE,
     STATES,
@@ -386,6 +388,38 @@ class BatchOptions(Record, section=BATCH):
         types.ADDRESS,
         default=None,
         help="Have the jobs done by the workers of a dask scheduler. Drawings and outputs travel; no folder is shared.",
+    )
+
+
+class RankOptions(Record, section=RANK):
+    """How drawings are ranked, and what is printed and written."""
+
+    by: str = option(
+        types.choice("looks", "work"),
+        default="looks",
+        help="What comes first. looks: the blend with the least wrong to the judge; work: the least work.",
+    )
+    top: int | None = option(
+        types.whole(1), default=None, help="List only the first so many.", default_text="all"
+    )
+    as_json: bool = option(
+        types.FLAG, default=False, key="json", help="Print a line of JSON for each drawing, for programs."
+    )
+    sheet: str | None = option(
+        types.file(".svg"),
+        default=None,
+        metavar="FILE.svg",
+        help="Write a contact sheet: a row of in-betweens for each drawing that is listed.",
+    )
+    force: bool = option(
+        types.FLAG, default=False, flags=("-f", "--force"), help="Replace an existing sheet."
+    )
+    jobs: int | None = option(
+        types.whole(1, 1024),
+        default=None,
+        flags=("-j", "--jobs"),
+        help="How many blends are made at a time.",
+        default_text="the number of processors",
     )
 
 

@@ -78,16 +78,22 @@ def tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> list[T
 
 def tries_sheet(found: Sequence[Try], *, as_drawn: bool) -> str:
     """Return an SVG document with a row for each blend: its number, the options that give it, and its moments."""
-    rows = []
-    for one in found:
-        frames = [frame_at(one.pair, t, as_drawn=as_drawn) for t in TIMES]
-        view = Box.union([frame.view for frame in frames])
-        decimals = decimals_for([view])
-        pictures = [frame_svg(frame._replace(view=view, page=Page()), decimals) for frame in frames]
-        rows.append(Row(f"{one.wrong:.2f}  {one.options}", pictures))
-    view = found[0].pair.views[0]
+    rows = [Row(f"{one.wrong:.2f}  {one.options}", moments(one.pair, as_drawn=as_drawn)) for one in found]
+    return sheet(rows, *size_on_sheet(found[0].pair.views[0]))
+
+
+def moments(pair: Pair, *, as_drawn: bool) -> list[str]:
+    """Return a blend at the moments that a sheet shows, as SVG documents of one view."""
+    frames = [frame_at(pair, t, as_drawn=as_drawn) for t in TIMES]
+    view = Box.union([frame.view for frame in frames])
+    decimals = decimals_for([view])
+    return [frame_svg(frame._replace(view=view, page=Page()), decimals) for frame in frames]
+
+
+def size_on_sheet(view: Box) -> tuple[float, float]:
+    """Return how wide and high pictures of a view are on a sheet, in pixels."""
     scale = LARGER_SIDE / view.larger_side
-    return sheet(rows, view.width * scale, view.height * scale)
+    return view.width * scale, view.height * scale
 
 
 def _as_typed(settings: Settings, changed: dict[str, Any]) -> str:

@@ -18,12 +18,13 @@ PACKAGE = Path(shapeblend_cli.__file__).parent
 # A room is a module or a folder; the longest name that fits a module is its room.
 ROOMS = {
     "__main__": "cli",
-    "cli": "studio project batch inkscape states plot files jobs outputs report interrupts svg.reading settings fields "
-    "field_types errors version",
+    "cli": "studio project rank batch inkscape states plot files jobs outputs report interrupts svg.reading settings "
+    "fields field_types errors version",
     "__init__": "api outputs model settings errors version",
     "api": "pipeline outputs output report pairing svg.reading svg.writing settings model clock version easing errors",
     "studio": "project preview tries files jobs outputs output pipeline svg.reading svg.writing motion views fields "
     "field_types model kept clock version errors",
+    "rank": "batch tries files svg.reading svg.writing output settings motion model kept clock errors",
     "project": "batch field_types errors",
     "batch": "files svg.reading jobs outputs output kept staging interrupts fields field_types clock easing errors "
     "version",

@@ -17,7 +17,9 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
 def test_every_option_in_the_readme_exists():
-    params = [p for command in shapeblend.commands.values() for p in command.params]
+    commands = list(shapeblend.commands.values())
+    commands += [c for group in commands if isinstance(group, click.Group) for c in group.commands.values()]
+    params = [p for command in commands for p in command.params]
     known = {name for p in params for name in (*p.opts, *p.secondary_opts)}
     code = " ".join(re.findall(r"`[^`\n]*`|^ *shapeblend .*$", README, re.MULTILINE))
     told = set(re.findall(r"(?<![\w-])--[a-z]+(?:-[a-z]+)*", code))
@@ -26,9 +28,11 @@ def test_every_option_in_the_readme_exists():
 
 
 def test_the_tables_of_options_are_those_of_the_commands():
-    assert option_tables.tables() in README
+    tables = option_tables.tables()
+    assert tables in README
+    assert not re.search(r"^\| --- \| --- \|\n(?!\|)", tables, re.MULTILINE), "a section without options"
     told = {name for record in option_tables.RECORDS for name in record.options}
-    for name in ("blend", "plot"):
+    for name in ("blend", "plot", "batch", "rank", "studio", "states"):
         assert {p.name for p in shapeblend.commands[name].params if isinstance(p, click.Option)} <= told
 
 

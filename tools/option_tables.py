@@ -8,11 +8,18 @@ from typing import TYPE_CHECKING
 from shapeblend_cli.jobs import RECORDS as OF_BLEND
 from shapeblend_cli.settings import (
     BATCH,
+    INKSCAPE,
     PLOT,
+    RANK,
     SECTIONS,
+    STATES,
     STUDIO,
     BatchOptions,
+    InkscapeOptions,
+    InstallOptions,
     PlotOptions,
+    RankOptions,
+    StatesOptions,
     StudioOptions,
     TerminalOptions,
 )
@@ -26,15 +33,27 @@ README = ROOT / "README.md"
 
 BEGIN, END = "<!-- options: written by make options -->", "<!-- end of options -->"
 
-RECORDS = (*OF_BLEND, TerminalOptions, PlotOptions, BatchOptions, StudioOptions)
+RECORDS = (
+    *OF_BLEND,
+    TerminalOptions,
+    PlotOptions,
+    BatchOptions,
+    RankOptions,
+    StudioOptions,
+    StatesOptions,
+    InkscapeOptions,
+    InstallOptions,
+)
+
+OF_COMMANDS = PLOT, BATCH, RANK, STUDIO, STATES, INKSCAPE
+"""Sections of the other commands, which come last."""
 
 
 def tables() -> str:
     """Return a table for each section of the help, with the lines around them."""
     fields = [field for record in RECORDS for field in record.options.values()]
     parts = [BEGIN, ""]
-    of_commands = PLOT, BATCH, STUDIO
-    for section in (*(each for each in SECTIONS if each not in of_commands), *of_commands):
+    for section in (*(each for each in SECTIONS if each not in OF_COMMANDS), *OF_COMMANDS):
         rows = [(_typed(field), _help(field)) for field in fields if field.section == section]
         parts.append(Table((section, ""), rows).markdown())
     return "\n".join([*parts, END])

@@ -30,13 +30,13 @@ class Found(NamedTuple):
 
 def chain(pattern: str, more: Sequence[str] = ()) -> Found:
     """Return a row for each drawing and the next, in natural order; `more` is what a shell made of the pattern."""
-    files = _drawings(pattern, more)
+    files = drawings(pattern, more)
     return _found("--chain", pattern, [(a, b) for a, b in pairwise(files)], len(files))
 
 
 def every_two(pattern: str, more: Sequence[str] = ()) -> Found:
     """Return a row for every two drawings; see `chain`."""
-    files = _drawings(pattern, more)
+    files = drawings(pattern, more)
     return _found("--all", pattern, list(combinations(files, 2)), len(files))
 
 
@@ -46,7 +46,7 @@ def same_names(one: str, other: str) -> Found:
         if not os.path.isdir(folder):
             raise OptionError(f"--pairs: {folder} is no folder")
     pattern = os.path.join(glob.escape(one), "**", DRAWINGS)
-    names = [os.path.relpath(file, one) for file in _drawings(pattern)]
+    names = [os.path.relpath(file, one) for file in drawings(pattern)]
     rows = [
         Row(f"--pairs, {name}", (os.path.join(one, name), os.path.join(other, name)), name, {})
         for name in names
@@ -91,7 +91,7 @@ def _pattern(text: str) -> str:
     return os.path.join(glob.escape(text), DRAWINGS) if os.path.isdir(text) else text
 
 
-def _drawings(text: str, more: Sequence[str] = ()) -> list[str]:
+def drawings(text: str, more: Sequence[str] = ()) -> list[str]:
     """Return the files that fit a pattern, or the drawings in a folder, and more of them, in natural order."""
     found = {*glob.glob(_pattern(text), recursive=True), *more}
     return sorted((file for file in found if os.path.isfile(file)), key=natural)

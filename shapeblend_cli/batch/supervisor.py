@@ -28,7 +28,12 @@ DIED = "died"
 GRACE = 5.0
 """Seconds in which a job may end by itself after its time, or when asked to; then its process is killed."""
 
-START = "import sys; sys.path.append(sys.argv[1]); from shapeblend_cli.batch.worker import main; main()"
+BLENDS = "shapeblend_cli.batch.worker"
+"""The module whose `main` a worker runs, unless another one is named."""
+
+START = (
+    "import sys; sys.path.append(sys.argv[1]); import importlib; importlib.import_module(sys.argv[2]).main()"
+)
 """What a worker runs. The working folder is not searched for modules, so that no file there is taken for one."""
 
 
@@ -52,7 +57,9 @@ class CannotStart(ShapeblendError):
     """Worker processes end before they have loaded all that they need."""
 
 
-def run_all(orders: Iterable[tuple[int, Order]], count: int, fail_fast: bool) -> Iterator[Ended]:
+def run_all(
+    orders: Iterable[tuple[int, Order]], count: int, fail_fast: bool, module: str = BLENDS
+) -> Iterator[Ended]:
     """Do numbered jobs in so many processes, and yield each as it ends; after one that fails no others, if `fail_fast`.
 
     Raises
@@ -64,7 +71,7 @@ def run_all(orders: Iterable[tuple[int, Order]], count: int, fail_fast: bool) ->
     """
     waiting = deque(orders)
     events: SimpleQueue[Ended | Exception | None] = SimpleQueue()
-    workers = [Worker() for _ in range(min(count, len(waiting)))]
+    workers = [Worker(module) for _ in range(min(count, len(waiting)))]
 
     def work(worker: Worker) -> None:
         """Do jobs until there are no more."""
@@ -115,7 +122,8 @@ def run_all(orders: Iterable[tuple[int, Order]], count: int, fail_fast: bool) ->
 class Worker:
     """A process that does a job at a time. It is started when it is needed, and again after it has died."""
 
-    def __init__(self) -> None:
+    def __init__(self, module: str = BLENDS) -> None:
+        self._module = module
         self._process: subprocess.Popen[bytes] | None = None
         self._is_stopped = False
         self._lock = threading.Lock()
@@ -180,7 +188,7 @@ class Worker:
             with self._lock:
                 if self._is_stopped:
                     return None
-                self._process = _start()
+                self._process = _start(self._module)
             if _received(self._process) == READY:
                 return self._process
             code = self.end()
@@ -222,10 +230,10 @@ def died(order: Order, attempts: int, how: str) -> str:
     return f"{' and '.join(order.files)}: the process that did it died {times}, {how}"
 
 
-def _start() -> subprocess.Popen[bytes]:
+def _start(module: str) -> subprocess.Popen[bytes]:
     folder = str(Path(__file__).parents[2])
     return subprocess.Popen(
-        [sys.executable, "-P", "-c", START, folder],
+        [sys.executable, "-P", "-c", START, folder, module],
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,

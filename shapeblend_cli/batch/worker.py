@@ -45,11 +45,15 @@ class Answer(NamedTuple):
     notes: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
     seconds: float = 0.0
-    contents: Contents | None = None  # what is to be written, by a worker that was given data
+    contents: Any = None  # what is to be written, by a worker that was given data; or what was found
 
 
-def do(order: Order) -> Answer:
-    """Do a job, and say what has become of it, whatever happens."""
+Act = Callable[[Order, Callable[[str], None], Callable[[str], None]], Any]
+"""What is done with an order: it is told how to note and how to warn, and returns the contents of the answer."""
+
+
+def do(order: Order, act: Act | None = None) -> Answer:
+    """Do a job, which is a blend unless an act is given, and say what has become of it, whatever happens."""
     began = perf_counter()
     notes: list[str] = []
     warned: list[str] = []
@@ -60,7 +64,7 @@ def do(order: Order) -> Answer:
 
     try:
         with listening():
-            contents = _blend(order, notes.append, warned.append)
+            contents = (act or _blend)(order, notes.append, warned.append)
     except Interrupted as stop:
         if stop.has_written:
             return answer(DONE)
@@ -70,11 +74,16 @@ def do(order: Order) -> Answer:
     return answer(DONE)
 
 
+def watch_time(order: Order) -> None:
+    """Have an order that takes longer than it may stop."""
+    if hasattr(signal, "setitimer"):  # elsewhere the supervisor alone watches the time
+        stop_after(order.given.get("timeout"))
+
+
 def _blend(order: Order, note: Callable[[str], None], warn: Callable[[str], None]) -> Contents | None:
     from shapeblend_cli.files import check_files_of, check_libraries, make
 
-    if hasattr(signal, "setitimer"):  # elsewhere the supervisor alone watches the time
-        stop_after(order.given.get("timeout"))
+    watch_time(order)
     job = _job(order)
     check_libraries(job)
     if order.data is not None:
@@ -124,8 +133,8 @@ def write_answer(order: Order, answer: Answer, made_of: dict[str, Any]) -> Answe
     return answer._replace(warnings=(*answer.warnings, *warned), contents=None)
 
 
-def main() -> None:
-    """Answer until standard input ends."""
+def main(act: Act | None = None) -> None:
+    """Answer until standard input ends, by blends or by another act; see `do`."""
     if hasattr(signal, "SIGINT"):
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # the supervisor is told, and knows what to do
     warnings.simplefilter("ignore")
@@ -141,7 +150,7 @@ def main() -> None:
     gc.freeze()
     _send(answers, READY)
     while (order := _receive(orders)) is not None:
-        answer = do(order)
+        answer = do(order) if act is None else do(order, act)
         _send(answers, answer)
         if answer.status in (TIMEOUT, STOPPED):
             break  # a process that was interrupted anywhere is trusted with no other job

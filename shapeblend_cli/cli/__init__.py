@@ -19,6 +19,7 @@ from shapeblend_cli.cli.group import DefaultGroup
 from shapeblend_cli.cli.inkscape import inkscape
 from shapeblend_cli.cli.inspect import inspect
 from shapeblend_cli.cli.plot import plot
+from shapeblend_cli.cli.rank import rank
 from shapeblend_cli.cli.states import states
 from shapeblend_cli.cli.studio import studio
 from shapeblend_cli.cli.terminal import say
@@ -31,7 +32,7 @@ FAILED, USAGE = 1, 2
 
 @click.group(
     cls=DefaultGroup,
-    commands=[blend, studio, batch, inspect, plot, states, inkscape, completion],
+    commands=[blend, studio, batch, inspect, plot, rank, states, inkscape, completion],
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 @click.version_option(__version__, prog_name="shapeblend", message="%(prog)s %(version)s")

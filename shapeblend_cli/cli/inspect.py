@@ -76,7 +76,7 @@ def _show(found: dict[str, Any]) -> None:
     if sys.stdout.isatty() and len(rows) <= _MAX_PRETTY:
         _print_table(title, rows)
     else:
-        print("\n".join([title, *_aligned([COLUMNS, *rows])]))
+        print("\n".join([title, *aligned([COLUMNS, *rows])]))
 
 
 def _cells(shape: dict[str, Any]) -> tuple[str, ...]:
@@ -95,7 +95,7 @@ def _cells(shape: dict[str, Any]) -> tuple[str, ...]:
     )
 
 
-def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
+def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
     """Return lines with their columns two blanks apart."""
     widths = [max(min(_width(cell), _MAX_ALIGNED) for cell in column) for column in zip(*rows, strict=True)]
     padded = ([c + " " * (w - _width(c)) for c, w in zip(row, widths, strict=True)] for row in rows)

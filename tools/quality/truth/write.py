@@ -165,7 +165,7 @@ def pair(one: Morph, label: str, name: str) -> tuple[dict, str, str]:
             for p, q, contour in zip(frames[0], frames[-1], drawn, strict=True)
         ],
     }
-    return known, _svg(one.drawn or one.outlines[0]), _svg([drawn[k] for k in order])
+    return known, svg(one.drawn or one.outlines[0]), svg([drawn[k] for k in order])
 
 
 def _begun(contour: Segments, start: int, back: bool) -> Segments:
@@ -187,7 +187,7 @@ def _points(contour: np.ndarray) -> list[list[float]]:
     return [[z.real, z.imag] for z in contour.tolist()]
 
 
-def _svg(outline: Outline) -> str:
+def svg(outline: Outline) -> str:
     """A file that draws an outline with room around it."""
     points = np.concatenate([np.concatenate(contour) for contour in outline])
     box = Box.around(points).expanded(0.05 * extent([points]))

@@ -1,0 +1,108 @@
+"""``shapeblend rank``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from shapeblend_cli.cli.group import SectionedCommand
+from shapeblend_cli.cli.inspect import aligned
+from shapeblend_cli.cli.options import NAME, options_of
+from shapeblend_cli.cli.terminal import BatchTerminal, say
+from shapeblend_cli.interrupts import Interrupted
+from shapeblend_cli.settings import RankOptions, ReadOptions, RunOptions, Settings, TerminalOptions
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.rank.run import Rated
+
+EXAMPLES = (
+    ("shapeblend rank a.svg icons", "which of the icons a.svg blends into best"),
+    ("shapeblend rank a.svg icons --top 10 --sheet best.svg", "the ten best, and what they look like"),
+    ("shapeblend rank a.svg icons --json | head -n 1", "the best, for a program"),
+)
+
+COLUMNS = ("place", "wrong", "work", "alone", "file", "what is worst")
+
+CHANGED = {
+    "timeout": "Leave out a drawing whose blend takes longer than so many seconds.  [default: none]",
+    "quiet": "Print the ranking and errors only.",
+}
+
+
+def _params() -> list[click.Parameter]:
+    without = "frames ends curves precision ease verbose start pins match stiff".split()
+    params = options_of(RankOptions, ReadOptions, Settings, RunOptions, TerminalOptions, without=without)
+    for param in params:
+        if param.name in CHANGED:
+            param.help = CHANGED[param.name]
+    return [*params]
+
+
+@click.command(cls=SectionedCommand, examples=EXAMPLES, params=_params())
+@click.argument("first", type=NAME, metavar="A.svg")
+@click.argument("names", type=NAME, nargs=-1, required=True, metavar="DIR")
+def rank(first: str, names: tuple[str, ...], **given: Any) -> int:
+    """Find the drawings of a folder that make the best blends with A.
+
+    The table has for each how wrong its in-betweens look to the judge, 0 being perfect, the work they take, and how
+    many contours have no partner and come or go. DIR may also be a pattern in quotes, or files.
+    """
+    try:
+        return _rank(first, names, given)
+    except Interrupted as stop:
+        say(str(stop))
+        return 128 + stop.number
+
+
+def _rank(first: str, names: tuple[str, ...], given: dict[str, Any]) -> int:
+    from shapeblend_cli.batch.supervisor import Stopped
+    from shapeblend_cli.rank.run import Ranking
+
+    options, quiet = RankOptions.of(given), TerminalOptions.of(given).quiet
+    ranking = Ranking(first, names, given)
+    rated: list[Rated] = []
+    with BatchTerminal(quiet=quiet, count=len(ranking.others)) as terminal:
+        try:
+            for one in ranking.rate():
+                rated.append(one)
+                terminal.ended(one.error is None, None)
+        except Stopped as stop:
+            terminal.warn("interrupted; nothing was ranked or written")
+            return 128 + stop.number
+        for text in _once(note for one in rated for note in one.notes):
+            terminal.note(text)
+        for one in rated:
+            if one.error is not None:
+                terminal.warn(one.error)
+    listed = ranking.in_order(rated)
+    ranking.write_sheet(listed)
+    _print(listed, as_json=options.as_json)
+    return int(any(one.error is not None for one in rated))
+
+
+def _once(texts: Any) -> list[str]:
+    return list(dict.fromkeys(texts))
+
+
+def _print(listed: Sequence[Rated], *, as_json: bool) -> None:
+    if as_json:
+        import json
+
+        for place, one in enumerate(listed, 1):
+            found = one.rating.as_json() if one.rating else {"error": one.error}
+            click.echo(json.dumps({"place": place, "file": one.file, **found}, allow_nan=False))
+        return
+    rows = [_cells(place, one) for place, one in enumerate(listed, 1) if one.rating]
+    click.echo("\n".join(aligned([COLUMNS, *rows])))
+
+
+def _cells(place: int, one: Rated) -> tuple[str, ...]:
+    """Return the cells of a row; none but the last is empty, so that awk can count on them."""
+    found = one.rating
+    assert found is not None
+    wrong = "-" if found.wrong is None else f"{found.wrong:.3f}"
+    work = "-" if found.work is None else f"{found.work:.4g}"
+    return str(place), wrong, work, str(found.alone), one.file, found.fault

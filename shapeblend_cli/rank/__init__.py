@@ -1,0 +1,1 @@
+"""Which drawings make the best blend with one drawing."""
