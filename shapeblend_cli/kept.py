@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Hashable
+from functools import cached_property
 from typing import Any
 
 
@@ -20,10 +21,16 @@ class Kept:
     ['A', None, 'C']
     """
 
-    def __init__(self, most: int = 256, largest: int = 20_000) -> None:
+    def __init__(self, most: int = 256, largest: int = 20_000, steps: int = 0) -> None:
         self._values: OrderedDict[Hashable, Any] = OrderedDict()
         self._most = most
         self._largest = largest
+        self._steps = steps
+
+    @cached_property
+    def steps(self) -> Kept:
+        """What was made on the way from drawings to a blend, for when they are blended again a little otherwise."""
+        return Kept(self._steps)
 
     def find(self, key: Hashable) -> Any:
         """Return a value; None if it is not kept."""

@@ -5,8 +5,9 @@ Each stage is a function from values to values. Polygons are normalised, section
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import PurePath
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.easing import frame_times
@@ -51,9 +52,9 @@ from shapeblend_cli.settings import Settings
 from shapeblend_cli.views import view_of, views_with_room
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Hashable, Sequence
 
-    from shapeblend_cli.model import Place
+    from shapeblend_cli.model import ContourBlend, Place
     from shapeblend_cli.pairing.changes import Change
     from shapeblend_cli.pairing.constraints import ConstrainedPairs, NumbersOrNone
     from shapeblend_cli.pairing.decompose import ContourPair
@@ -117,7 +118,7 @@ def match_all(
         i = 0 if is_star else k - 1
         view = Box.union([views[i], views[k]])
         progress = clock, watch_part(watch, k - 1, len(flat) - 1)
-        shapes = _blend_shapes(flat[i], flat[k], settings, view, progress)
+        shapes = _blend_shapes(flat[i], flat[k], settings, view, progress, (kept or Kept(0)).steps)
         pairs.append(Pair(i, k, shapes, drawn=(drawn[i], drawn[k]), views=(views[i], views[k])))
         clock.lap("interpolate")
     views = views_with_room(pairs, settings.viewbox)
@@ -210,7 +211,12 @@ def _views(
 
 
 def _blend_shapes(
-    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: tuple[Clock, Watch | None]
+    a: PlacedDrawing,
+    b: PlacedDrawing,
+    settings: Settings,
+    view: Box,
+    progress: tuple[Clock, Watch | None],
+    steps: Kept,
 ) -> tuple[ShapeBlend, ...]:
     """Pair the contours of two drawings, match them, and choose how their shapes move in a view."""
     clock, watch = progress
@@ -218,10 +224,10 @@ def _blend_shapes(
     if settings.motion != "linear":
         largest = [max(side.contours, key=lambda contour: contour.size) for side in (a, b)]
         rotation = rotation_between(*(contour.polygon for contour in largest)) or 0.0
-    paired = _pair(a, b, settings, rotation, clock)
+    paired = _pair(a, b, settings, rotation, (clock, steps))
     shapes, places = _match(paired, watch)
     if rotation and not is_rotated_copy([contour for shape in shapes for contour in shape.contours]):
-        paired = _pair(a, b, settings, 0.0, clock)
+        paired = _pair(a, b, settings, 0.0, (clock, steps))
         shapes, places = _match(paired, watch)
     moved = in_paint_order(_explained(_move(paired, shapes, view), paired), places)
     clock.lap("interpolate")
@@ -240,6 +246,25 @@ class _PairedDrawings(NamedTuple):
     required: Sequence[tuple[int, int]]
     settings: Settings
     clock: Clock
+    steps: Kept
+
+    @property
+    def _of_wires(self) -> str:
+        """The settings without those that name places: what these ask of two contours is in their constraints."""
+        named = dict.fromkeys(("pins", "match", "start", "frames", "ends", "ease"))
+        return repr(self.settings.replace(**named))
+
+    def _once(self, key: Hashable, of: object, make: Callable[[], Any]) -> Any:
+        """Return a step that is kept, or made now.
+
+        Its key has numbers of objects, by ``id``: these are what it is made `of`, and are kept with it, so that the
+        numbers are no other objects'.
+        """
+        found = self.steps.find(key)
+        if found is None:
+            found = of, make()
+            self.steps.keep(key, found, size=0)
+        return found[1]
 
     def leads(self, shape: ShapeBlend) -> bool:
         """Return whether strokes ride on a shape, which is why it moves straight as they do."""
@@ -249,14 +274,36 @@ class _PairedDrawings(NamedTuple):
     def match(self, numbers: NumbersOrNone, rotation: float, watch: Watch | None = None) -> Match:
         """Match the pair of contours with two numbers, B rotated back by an angle."""
         pair, constraints = self.pairs[numbers]
-        blend = match_contours(*pair, self.settings, constraints, rotation, watch)
-        return Match(pair, blend._replace(seconds=self.clock.lap("match")))
+        required = constraints.start, tuple(constraints.pins)
+
+        def solved() -> ContourBlend:
+            blend = match_contours(*pair, self.settings, constraints, rotation, watch)
+            return blend._replace(seconds=self.clock.lap("match"))
+
+        key = "match", *map(id, pair), required, rotation, self._of_wires
+        return Match(pair, self._once(key, pair, solved))
+
+    def curved(self, shape: ShapeBlend) -> ShapeBlend:
+        """Return a shape that moves between the drawings' own curves, unless polygons are asked for."""
+        contours = shape.contours
+        key = "curves", *map(id, contours), self.settings.curves
+        curved = self._once(key, contours, lambda: _with_curves(shape, self.settings).contours)
+        return shape._replace(contours=curved)
+
+    def judged(
+        self, shape: ShapeBlend, view: Box, common: Alignment | None, choose: Callable[[], ShapeBlend]
+    ) -> ShapeBlend:
+        """Return a shape that moves as was chosen, unless that is kept."""
+        ids = tuple(map(id, shape.contours))
+        key = "motion", ids, shape._replace(contours=()), view, common, self.rotation, self._of_wires
+        return self._once(key, shape, choose)
 
 
 def _pair(
-    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, rotation: float, clock: Clock
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, rotation: float, by: tuple[Clock, Kept]
 ) -> _PairedDrawings:
     """Pair the contours of two drawings."""
+    clock, steps = by
     pins = point_pins(a, b, settings)
     asked = required_pairs(a, b, settings) + [pin.pair for pin in pins]
     required = asked
@@ -282,7 +329,7 @@ def _pair(
     ]
     clock.lap("match")
     constrained = constrain(pairs, settings, pins)
-    return _PairedDrawings(a, b, rotation, constrained, changed, riders, asked, settings, clock)
+    return _PairedDrawings(a, b, rotation, constrained, changed, riders, asked, settings, clock, steps)
 
 
 def _match(paired: _PairedDrawings, watch: Watch | None) -> tuple[tuple[ShapeBlend, ...], list[Place]]:
@@ -341,7 +388,7 @@ def _move(paired: _PairedDrawings, shapes: Sequence[ShapeBlend], view: Box) -> t
     # The largest first, as what is wrong with them is seen most.
     for k in sorted(range(len(shapes)), key=lambda k: -shapes[k].size):
         matched = shapes[k]
-        shape = _with_curves(matched, settings)
+        shape = paired.curved(matched)
         if reason := reason_to_be_straight(shape):
             moved[k] = shape._replace(reason=reason)
         elif settings.motion == "linear":
@@ -358,11 +405,20 @@ def _move(paired: _PairedDrawings, shapes: Sequence[ShapeBlend], view: Box) -> t
             moved[k] = shape._replace(reason=MANY)
         else:
             affordable -= sum(len(contour.start.segments) for contour in shape.contours)
-            shape = straight(shape, view)
-            if shape.candidates[0].wrong > RIGHT:
-                shape = best_motion(shape, _rotated(paired, matched, shape, shared[k]), view)
-            moved[k] = shape
+            moved[k] = paired.judged(
+                shape, view, shared[k], partial(_best, paired, matched, shape, view, shared[k])
+            )
     return tuple(moved[k] for k in range(len(shapes)))
+
+
+def _best(
+    paired: _PairedDrawings, matched: ShapeBlend, shape: ShapeBlend, view: Box, common: Alignment | None
+) -> ShapeBlend:
+    """Return a shape that moves straight, or as the judge has it where that looks wrong."""
+    shape = straight(shape, view)
+    if shape.candidates[0].wrong <= RIGHT:
+        return shape
+    return best_motion(shape, _rotated(paired, matched, shape, common), view)
 
 
 def _rotated(

@@ -41,8 +41,8 @@ from shapeblend_cli.views import view_of
 if TYPE_CHECKING:
     from shapeblend_cli.model import Drawing, Pair
 
-KEPT = Kept(most=64, largest=1_000_000)
-"""Drawings that were read, and flattened: from one correction to the next they are the same."""
+KEPT = Kept(most=64, largest=1_000_000, steps=2000)
+"""Drawings that were read and flattened, and what of a blend one correction leaves as it was."""
 
 THUMBNAIL_TIMES = (0.25, 0.5, 0.75)
 """The moments by which other blends are shown."""
