@@ -6,7 +6,7 @@ An arrow above a tray is often one path in its file. It turns as it would if it 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -29,7 +29,20 @@ HALF_TURN = math.radians(179.0)
 
 def parts_of(contours: Sequence[ContourBlend]) -> list[list[int]]:
     """Return the numbers of the contours of each part."""
-    return grouped(range(len(contours)), lambda p, q: _are_together(contours[p], contours[q]))
+    ends = [(_Outline.of(contour.polygon_a), _Outline.of(contour.polygon_b)) for contour in contours]
+    return grouped(range(len(contours)), lambda p, q: all(map(_touch, ends[p], ends[q])))
+
+
+class _Outline(NamedTuple):
+    """A polygon, and the mean length of its edges."""
+
+    polygon: Polygon
+    spacing: float
+
+    @classmethod
+    def of(cls, polygon: Polygon) -> _Outline:
+        outline = from_end_to_end(polygon.vertices, polygon.closed)
+        return cls(polygon, float(cumulative_lengths(outline)[-1]) / len(polygon.vertices))
 
 
 def turn_of(part: Sequence[ContourBlend], middle: complex) -> Alignment:
@@ -44,25 +57,16 @@ def turn_of(part: Sequence[ContourBlend], middle: complex) -> Alignment:
     return alignment._replace(rotation=math.copysign(alignment.rotation, 1.0 if is_left else -1.0))
 
 
-def _are_together(one: ContourBlend, other: ContourBlend) -> bool:
-    """Return whether two contours touch, cross or lie in each other at both ends."""
-    return _touch(one.polygon_a, other.polygon_a) and _touch(one.polygon_b, other.polygon_b)
-
-
-def _touch(p: Polygon, q: Polygon) -> bool:
-    reach = 0.5 * max(_spacing(p), _spacing(q))
+def _touch(one: _Outline, other: _Outline) -> bool:
+    """Return whether two contours touch, cross or lie in each other."""
+    p, q = one.polygon, other.polygon
+    reach = 0.5 * max(one.spacing, other.spacing)
     if not p.box.expanded(reach).overlaps(q.box.expanded(reach)):
         return False
     if _is_in(p, q) or _is_in(q, p):
         return True
     z, w = (thin(polygon.vertices, MOST_POINTS) for polygon in (p, q))
     return bool(np.abs(z[:, None] - w).min() <= reach)
-
-
-def _spacing(polygon: Polygon) -> float:
-    """Return the mean length of a polygon's edges."""
-    outline = from_end_to_end(polygon.vertices, polygon.closed)
-    return float(cumulative_lengths(outline)[-1]) / len(polygon.vertices)
 
 
 def _is_in(p: Polygon, q: Polygon) -> bool:

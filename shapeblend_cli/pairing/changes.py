@@ -376,6 +376,19 @@ def _filled_shapes(contours: Sequence[PlacedContour]) -> list[list[PlacedContour
     ]
 
 
+def _near_any(points: ComplexArray, outlines: Sequence[Outline], distance: float) -> BoolArray:
+    """Return which points are within a distance of any outline."""
+    near = np.zeros(len(points), bool)
+    for outline in outlines:
+        # Others than those near its box are further away, and computing how far is most of the work in a crowd.
+        left, top, right, bottom = Box.around(outline.line).expanded(2.0 * distance).bounds
+        x, y = points.real, points.imag
+        asked = np.flatnonzero(~near & (left <= x) & (x <= right) & (top <= y) & (y <= bottom))
+        if len(asked):
+            near[asked] = outline.lengths_near(points[asked])[0] <= distance
+    return near
+
+
 def _change(
     a: Sequence[PlacedContour], b: Sequence[PlacedContour], diagonal: float, vertices: int
 ) -> Change | None:
@@ -383,8 +396,7 @@ def _change(
     sides = [_outline(c) for c in a], [_outline(c) for c in b]
     distance = TOLERANCE * diagonal
     watched = np.concatenate([thin(contour.polygon.vertices, WATCHED) for contour in a])
-    away = np.min([outline.lengths_near(watched)[0] for outline in sides[1]], axis=0)
-    if (away <= distance).mean() < FIRST_SHARE:
+    if _near_any(watched, sides[1], distance).mean() < FIRST_SHARE:
         return None
     stretches = _stretches(*sides, distance, LEAST_STRETCH * diagonal)
     totals = [sum(outline.total for outline in side) for side in sides]
