@@ -24,7 +24,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape docs-check lint type fmt golden faults fuzz bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures gallery plots options api tables install clean
+.PHONY: help demo test test-browser test-inkscape docs-check lint type fmt golden faults bulk fuzz bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures gallery plots options api tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -70,6 +70,9 @@ golden: install ## write the expected files of the golden tests anew; look at th
 
 faults: install ## kill runs, let them meet, fill their disks, and write docs/reliability.md; takes minutes
 	$(BIN)/python -m tools.faults
+
+bulk: install ## run batches of 2,000 icons, kill and spread them, and write docs/capacity.md; needs npm, takes half an hour
+	$(BIN)/python -m tools.bulk
 
 SECONDS ?= 60
 
