@@ -24,7 +24,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape docs-check lint type fmt golden faults bulk fuzz bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures gallery plots options api tables install clean
+.PHONY: help demo test test-browser test-inkscape docs-check lint type fmt golden faults bulk fuzz bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures gallery plots studio options api tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -96,6 +96,9 @@ plots: install ## draw the plots of docs/plots.md
 
 api: install ## write the reference of the Python API, docs/api.md
 	$(BIN)/python -m tools.api_reference
+
+studio: install chromium ## correct blends in the studio, measure it, and write the pictures and figures of docs/studio.md
+	$(BIN)/python -m tools.studio
 
 options: install ## write the tables of options in the README
 	$(BIN)/python -m tools.option_tables

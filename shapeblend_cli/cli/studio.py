@@ -12,8 +12,9 @@ import click
 from shapeblend_cli.cli.blend import opened
 from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.options import NAME, options_of
+from shapeblend_cli.errors import InputError
 from shapeblend_cli.interrupts import told
-from shapeblend_cli.jobs import RECORDS
+from shapeblend_cli.jobs import RECORDS, STANDARD_INPUT
 from shapeblend_cli.settings import StudioOptions
 
 EXAMPLES = (
@@ -35,6 +36,7 @@ def studio(files: tuple[str, ...], **given: Any) -> None:
     """
     options = StudioOptions.of(given)
     files, given = opened(files, given)
+    _check(files)
     named = {name for record in RECORDS for name in record.options}
     beside = {name: value for name, value in given.items() if name in named and value not in (None, ())}
 
@@ -64,6 +66,19 @@ def studio(files: tuple[str, ...], **given: Any) -> None:
             pass
     server.shutdown()
     session.stop()
+
+
+def _check(files: tuple[str, ...]) -> None:
+    """Refuse files that cannot be read, before anything is opened; what is in them the page says."""
+    for file in files:
+        if file == STANDARD_INPUT:
+            raise click.UsageError("the studio takes files, not standard input")
+        try:
+            with open(file, "rb"):
+                pass
+        except (OSError, ValueError) as error:
+            reason = getattr(error, "strerror", None) or error
+            raise InputError(file, f"cannot be read ({reason}); a readable SVG file would work") from None
 
 
 def _has_browser() -> bool:

@@ -1,6 +1,6 @@
 // Parts in colours: what becomes what has the same one in both drawings and on the way.
 
-import { drawn } from "./values.js";
+import { drawn, mixed } from "./values.js";
 import { Picture } from "./picture.js";
 
 const COLOURS = [
@@ -8,6 +8,9 @@ const COLOURS = [
   "#d6336c", "#5f3dc4", "#8a5a2b", "#5c940d", "#1971c2", "#c92a2a",
 ];
 export const ALONE = "#7d848e";
+
+// Parts that lie on others hide them, so that each has its own colour and no mixture.
+export const tintOf = (colour) => mixed("#ffffff", colour, 0.45);
 
 // For each contour of a blend its colour: contours that share one of A or one of B have the same.
 export function coloured(contours, order) {
@@ -37,7 +40,8 @@ export function tinted(scene, contours, colours, order, points) {
   return order.map((k) => {
     const { shape, outline } = contours[k];
     const data = scene.shapes[shape].path(points[shape], scene.decimals + 1, outline);
-    return drawn("path", { class: "part", d: data, fill: colours[k], stroke: colours[k], "data-contour": k });
+    const fill = scene.shapes[shape].outlines[outline].closed ? tintOf(colours[k]) : "none";
+    return drawn("path", { class: "part", d: data, fill, stroke: colours[k], "data-contour": k });
   });
 }
 
@@ -55,11 +59,11 @@ export class Filmstrip {
       const image = drawn("svg", { viewBox: scene.view(t).join(" "), "aria-hidden": "true" });
       const holder = drawn("g");
       const points = new Picture(scene, holder).show(t);
-      image.append(holder);
       if (tint) {
         holder.setAttribute("class", "faded");
         image.append(...tint(t, points));
       }
+      image.append(holder);
       return { t, image };
     });
     if (!this.frames.length) {

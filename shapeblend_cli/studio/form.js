@@ -127,10 +127,7 @@ export class Form {
   }
 
   exports() {
-    at("format").append(...this.formats.map(({ name, help, suffix, options }, k) => {
-      const kind = options.emit && options.emit !== name ? "" : "";
-      return made("option", { value: k }, `${suffix || (options.emit ?? `${name} frames`)}${kind}: ${help || name}`);
-    }));
+    at("format").append(...this.formats.map((format, k) => made("option", { value: k, title: format.help }, titleOf(format))));
     at("format").addEventListener("change", () => {
       const { suffix, options } = this.formats[Number(at("format").value)];
       const old = this.app.get("output") ?? this.name;
@@ -145,17 +142,31 @@ export class Form {
       at("output").value = output;
       at("frames").value = this.app.get("frames") ?? "";
       at("frames").placeholder = "5";
-      const emit = this.app.get("emit");
-      const fits = ({ suffix, options }) =>
-        options.emit === (emit === "frames" ? undefined : emit) && (suffix ? output.toLowerCase().endsWith(suffix) : emit || !this.formats.some((format) => format.suffix && !format.options.emit && output.toLowerCase().endsWith(format.suffix))) && options.format === (this.app.get("format") === "svg" ? undefined : this.app.get("format"));
-      const found = this.formats.findIndex(fits);
-      at("format").value = found < 0 ? 0 : found;
+      at("format").value = this.formatOf(output.toLowerCase());
     });
+  }
+
+  // The number of the format that the options ask for.
+  formatOf(output) {
+    const emit = this.app.get("emit") === "frames" ? undefined : this.app.get("emit");
+    const kind = this.app.get("format") === "svg" ? undefined : this.app.get("format");
+    const alike = this.formats.map((format, k) => ({ ...format, k })).filter(({ options }) => options.emit === emit);
+    const found = alike.find(({ suffix }) => suffix && output.endsWith(suffix)) ?? alike.find(({ suffix, options }) => !suffix && options.format === kind);
+    return (found ?? alike[0] ?? { k: 0 }).k;
   }
 
   show(inForce) {
     for (const field of this.fields) field(inForce);
   }
+}
+
+const SHORT = new Set(["svg", "png", "gif", "webp", "apng", "avd"]);
+
+function titleOf({ name, suffix, options }) {
+  const words = name.split(" ").map((word) => (SHORT.has(word) ? word.toUpperCase() : word)).join(" ");
+  const title = words[0].toUpperCase() + words.slice(1);
+  if (suffix) return `${title} (${suffix})`;
+  return options.emit ? `${title} of SVG files` : `${title} frames, a folder`;
 }
 
 // Chooses a word, also one that was not offered.

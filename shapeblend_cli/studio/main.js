@@ -81,6 +81,7 @@ const contours = () => pairShown()?.contours ?? [];
 
 const live = new Latest(async (project, isOld) => {
   if (project.files.length < 2) return;
+  document.documentElement.dataset.asking = "yes";
   const patience = setTimeout(() => (at("busy").hidden = false), PATIENCE);
   try {
     const began = performance.now();
@@ -94,6 +95,7 @@ const live = new Latest(async (project, isOld) => {
   } finally {
     clearTimeout(patience);
     at("busy").hidden = true;
+    if (!isOld()) delete document.documentElement.dataset.asking;
     shown.version++;
     document.documentElement.dataset.version = shown.version;
   }
@@ -140,6 +142,7 @@ function showPair(number) {
   document.title = `${drawings[0].name} → ${drawings[drawings.length - 1].name} · shapeblend studio`;
   at("title").textContent = `${drawings[0].name} → ${drawings[drawings.length - 1].name}`;
   tools?.redraw();
+  corrections();
 }
 
 function complain(text) {
@@ -190,7 +193,13 @@ function corrections() {
     const short = (point) => point.map((value) => Number(value.toPrecision(3))).join(", ");
     return row("Pin", points ? `${k + 1}: ${points.map(short).join(" → ")}` : text, "pin", k);
   });
-  const matches = (present.match ?? []).map((text, k) => row("Pair", text.includes(":") ? text.replace(":", " → ") : `part ${text.replace("=", " → part ")}`, "match", k));
+  const matches = (present.match ?? []).map((text, k) => {
+    const isNumbers = /^\d+=\d+$/.test(text);
+    const swatch = made("span", { class: "swatch" });
+    const which = contours().findIndex(({ a }) => isNumbers && a === Number(text.split("=")[0]));
+    if (which >= 0) swatch.style.background = stage.colours[stage.pair]?.[which] ?? ALONE;
+    return row("Pair", made("span", {}, swatch, isNumbers ? `part ${text.replace("=", " → part ")}` : text.replace(/[:=]/, " → ")), "match", k);
+  });
   const regions = (present.stiff ?? []).map((text, k) => {
     const { centre, radius, weight } = regionOf(text);
     const input = made("input", { type: "number", min: "0.1", max: "100", step: "any", value: weight, "aria-label": `How many times as stiff region ${k + 1} is` });

@@ -2,7 +2,7 @@
 
 import { drawn } from "./values.js";
 import { still } from "./picture.js";
-import { ALONE } from "./parts.js";
+import { ALONE, tintOf } from "./parts.js";
 
 const SAMPLES = 160; // places along an outline at which it is looked at
 const squared = ([x, y], [u, v]) => (x - u) ** 2 + (y - v) ** 2;
@@ -10,7 +10,7 @@ const squared = ([x, y], [u, v]) => (x - u) ** 2 + (y - v) ** 2;
 export class Panel {
   constructor(canvas, side) {
     Object.assign(this, { canvas, side, key: null, contours: [], colours: [] });
-    this.layers = Object.fromEntries(["paper", "parts", "marks"].map((name) => [name, drawn("g", { class: name })]));
+    this.layers = Object.fromEntries(["parts", "paper", "marks"].map((name) => [name, drawn("g", { class: name })]));
     canvas.append(...Object.values(this.layers));
   }
 
@@ -30,9 +30,7 @@ export class Panel {
       const { x, y, width, height } = contour.element.getBBox();
       Object.assign(contour, { box: [x, y, width, height], area: width * height, size: Math.hypot(width, height) });
     }
-    // The largest lie lowest, so that each can be seen.
     this.order = [...this.contours].sort((p, q) => q.area - p.area || q.size - p.size).map(({ number }) => number);
-    this.layers.parts.replaceChildren(...this.order.map((number) => this.contours[number].element));
   }
 
   // Colours by number of contour; what has none has no partner.
@@ -41,8 +39,12 @@ export class Panel {
     for (const { number, element, closed } of this.contours) {
       const colour = colours.get(number) ?? ALONE;
       element.setAttribute("stroke", colour);
-      element.setAttribute("fill", closed ? colour : "none");
+      element.setAttribute("fill", closed ? tintOf(colour) : "none");
     }
+    // The largest lie lowest, so that each can be seen; of two as large the one with a partner is.
+    const height = ({ number, area }) => area * ((colours.get(number) ?? ALONE) === ALONE ? 1.2 : 1);
+    const sorted = [...this.contours].sort((p, q) => height(q) - height(p));
+    this.layers.parts.replaceChildren(...sorted.map(({ element }) => element));
   }
 
   // Which parts look chosen, or pointed at.

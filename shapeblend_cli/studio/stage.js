@@ -13,6 +13,7 @@ export class Stage {
   constructor(chosen) {
     this.chosen = chosen;
     this.scenes = [];
+    this.isTinted = false;
     this.pair = 0;
     this.player = new Player({ seconds: 2, ease: [0, 0, 1, 1], repeat: "forever" }, 1, {
       shown: () => this.draw(),

@@ -48,7 +48,7 @@ export class Tools {
       button.setAttribute("aria-checked", isIt);
       button.tabIndex = isIt ? 0 : -1;
     }
-    at("panels").dataset.tool = tool;
+    at("panels").dataset.using = tool;
     this.hint();
     this.redraw();
   }

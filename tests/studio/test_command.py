@@ -1,0 +1,100 @@
+"""`shapeblend studio` as a process: where it says it is, and how it ends."""
+
+import http.client
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+from urllib.parse import urlsplit
+
+import pytest
+
+from shapeblend_cli.cli import run
+from tests.support.drawings import BAR, LEAF, svg
+
+COMMAND = [sys.executable, "-m", "shapeblend_cli", "studio", "--no-open"]
+
+
+@pytest.fixture
+def started(here):
+    """Start a studio, and read where it is."""
+    (here / "a.svg").write_text(svg(BAR))
+    (here / "b.svg").write_text(svg(LEAF))
+    running = []
+
+    def start(*arguments):
+        process = subprocess.Popen(
+            [*COMMAND, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        )
+        running.append(process)
+        line = process.stdout.readline()
+        return process, re.search(r"http://127\.0\.0\.1:\d+/\?token=\S+", line).group()
+
+    yield start
+    for process in running:
+        process.kill()
+        process.communicate()
+
+
+def children(pid):
+    """The numbers of the processes that a process has started."""
+    with open(f"/proc/{pid}/task/{pid}/children") as stream:
+        return [int(number) for number in stream.read().split()]
+
+
+def is_there(pid):
+    try:
+        os.kill(pid, 0)
+    except OSError:
+        return False
+    with open(f"/proc/{pid}/stat") as stream:
+        return stream.read().split()[2] != "Z"
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/task"), reason="no /proc here")
+@pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGTERM])
+def test_it_says_where_it_is_and_leaves_nothing_behind(started, ending):
+    process, address = started("a.svg", "b.svg", "--kb", "2")
+    url = urlsplit(address)
+    connection = http.client.HTTPConnection(url.hostname, url.port, timeout=30)
+    connection.request("GET", f"/?{url.query}")
+    response = connection.getresponse()
+    assert (response.status, response.read()[:15]) == (200, b"<!doctype html>")
+    connection.close()
+    found = children(process.pid)
+    process.send_signal(ending)
+    _, said = process.communicate(timeout=30)
+    assert (process.returncode, said) == (0, "")
+    deadline = time.monotonic() + 20
+    while any(map(is_there, found)) and time.monotonic() < deadline:
+        time.sleep(0.1)
+    assert not any(map(is_there, found))
+
+
+def test_a_port_may_be_asked_for(started, capsys):
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    _, address = started("a.svg", "b.svg", "--port", str(port))
+    assert urlsplit(address).port == port
+    assert run(["studio", "--no-open", "--port", str(port)]) == 2
+    assert f"port {port}: " in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "status", "said"),
+    [
+        (["none.svg", "b.svg"], 1, "none.svg: cannot be read"),
+        (["none.json"], 1, "none.json: cannot be read"),
+        (["-", "b.svg"], 2, "not standard input"),
+        (["--kb", "x"], 2, "--kb must be a number"),
+        (["--port", "0"], 2, "--port must be 1 or more"),
+    ],
+)
+def test_what_cannot_be_opened_is_said_in_a_line(here, capsys, arguments, status, said):
+    assert run(["studio", "--no-open", *arguments]) == status
+    (line,) = capsys.readouterr().err.splitlines()
+    assert said in line
