@@ -147,7 +147,7 @@ function showPair(number) {
 
 function complain(text) {
   at("broken").hidden = !text;
-  at("broken-says").textContent = text ?? "";
+  at("broken-says").textContent = (text ?? "").replace(/^the project: /, "");
 }
 
 // Everything that follows from the project itself.
