@@ -467,6 +467,9 @@ class Candidate(NamedTuple):
     painted: float  # the area that the shape paints, whose shares these are
 
 
+WHOLE = (0.0, 1.0)
+
+
 class ShapeBlend(NamedTuple):
     """Contours that are painted together, from one paint to another."""
 
@@ -483,6 +486,17 @@ class ShapeBlend(NamedTuple):
     sources: tuple[int | None, int | None] = (None, None)  # the shapes of A and B it is, by index
     names: tuple[Name, ...] = ()  # of these
     groups: tuple[Group, ...] = ()
+    span: tuple[float, float] = (0.0, 1.0)  # when it starts and ends, if shapes start one after the other
+
+    def own_time(self, t: float) -> float:
+        """Return the time that it is at, 0 before it starts and 1 after its end."""
+        begin, until = self.span
+        return t if self.span == WHOLE else min(max((t - begin) / (until - begin), 0.0), 1.0)
+
+    def time_of(self, own: float) -> float:
+        """Return the time at which it is at a time of its own."""
+        begin, until = self.span
+        return own if self.span == WHOLE else begin + own * (until - begin)
 
     @property
     def name(self) -> Name:
@@ -548,6 +562,9 @@ class KeyframedShape(NamedTuple):
     fading: tuple[tuple[tuple[float, Style], ...], ...] = ()
     name: Name = Name()
     groups: tuple[Group, ...] = ()
+    spans: tuple[
+        tuple[float, float], ...
+    ] = ()  # between keys, when paint changes, unless that is all the time
 
 
 class Pair(NamedTuple):

@@ -15,6 +15,7 @@ from shapeblend_cli.geometry.placement import place_over
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.fades import in_paint_order
 from shapeblend_cli.interpolate.paths import paths_at, with_curves
+from shapeblend_cli.interpolate.stagger import staggered
 from shapeblend_cli.interpolate.stars import drawings_in, mixed_shape, star_shapes
 from shapeblend_cli.kept import Kept
 from shapeblend_cli.model import Box, CubicPath, Drawing, Frame, Page, PaintedShape, Pair, ShapeBlend, Style
@@ -127,6 +128,8 @@ def match_all(
         pair._replace(views=(views[pair.a], views[pair.b]), pages=(pages[pair.a], pages[pair.b]))
         for pair in pairs
     ]
+    if settings.stagger:
+        pairs = [staggered(pair, settings.stagger, settings.stagger_by) for pair in pairs]
     return with_names(pairs, drawings), [*specks, *notes]
 
 
@@ -322,7 +325,8 @@ def _pair(
         frames = boxes if changed else None
         pairs = pair_rotated_contours(*rest, settings, required, rotation, frames=frames)
     riders: tuple[dict[int, int], dict[int, int]] = {}, {}
-    if settings.motion in ("auto", "linear") and not rotation:
+    # Strokes that ride go at the time of what they ride on.
+    if settings.motion in ("auto", "linear") and not rotation and not settings.stagger:
         riders = riders_of_pairs(rest, pairs, required)
     pairs = [
         pair for pair in pairs if not any(one.number in side for one, side in zip(pair, riders, strict=True))
@@ -570,6 +574,7 @@ def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
 def fading_styles(shape: ShapeBlend) -> tuple[tuple[float, Style], ...]:
     """Return times within (0, 1) and the upper styles then between which the opacities of a shape change evenly."""
     times = shape.fade.times if shape.fade is not None else ()
+    times = tuple(map(shape.time_of, times))
     return tuple((t, shape_styles(shape, t)[0]) for t in times)
 
 
@@ -595,7 +600,7 @@ def _seen(pair: Pair, t: float) -> list[tuple[PaintedShape, ShapeBlend]]:
     return [
         (shape, blend)
         for shape, blend in zip(shapes_at(pair, t), pair.shapes, strict=True)
-        if blend.fade is None or blend.fade.share(t) > 0.0
+        if blend.fade is None or blend.fade.share(blend.own_time(t)) > 0.0
     ]
 
 

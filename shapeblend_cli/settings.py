@@ -217,6 +217,19 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         help="Draw frames with the drawings' own curves, or as the matched polygons.",
         default_text="curves",
     )
+    stagger: float = option(
+        types.number(0.0, 0.95),
+        default=0.0,
+        section=IN_BETWEENS,
+        help="Shapes start one after the other: how late the last one does, as a share of the time.",
+        default_text="0, all at once",
+    )
+    stagger_by: str = option(
+        types.choice("order", "size", "left", "right", "top", "bottom"),
+        default="order",
+        section=IN_BETWEENS,
+        help="Which shape starts first: the lowest in paint order, the largest, or that on one side.",
+    )
     ease: Ease = option(
         types.EASE,
         default=LINEAR,
@@ -238,6 +251,10 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
             if len(weights) != count:
                 shown = ",".join(f"{weight:g}" for weight in weights)
                 raise OptionError(f"--mix {shown} is of {len(weights)} files; {count} given")
+        if self.is_given("stagger_by") and not self.stagger:
+            raise OptionError("--stagger-by says in which order --stagger lets shapes start, and needs it")
+        if self.stagger and self.mix:
+            raise OptionError("--stagger is about the way from drawing to drawing, and --mix has none")
         if self.times and count > 2:
             raise OptionError(f"--times applies to two files; {count} given")
         if self.times and (self.is_given("frames") or self.ends or self.mix):

@@ -21,7 +21,9 @@ EXAMPLES = (
     ),
 )
 
-WITHOUT = "frames ends motion unmatched start pins stiff match mix curves verbose".split()
+WITHOUT = (
+    "frames ends motion unmatched start pins stiff match mix times stagger stagger_by curves verbose".split()
+)
 """Settings of ways from one drawing to another, which states do not have."""
 
 

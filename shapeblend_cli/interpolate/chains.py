@@ -15,6 +15,7 @@ from shapeblend_cli.interpolate.contour_chains import (
 from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import (
     UNNAMED,
+    WHOLE,
     CubicPath,
     Group,
     KeyframedShape,
@@ -46,6 +47,7 @@ class _ShapeChain(NamedTuple):
     fading: ShapeBlend | None = None  # the shape, if it fades
     names: tuple[Name, ...] = ()
     groups: tuple[Group, ...] = ()
+    spans: tuple[tuple[float, float], ...] = ()
 
 
 def keyframed_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
@@ -124,7 +126,7 @@ def _start(shape: ShapeBlend, first: int) -> _ShapeChain:
     styles = [shape.style_a, shape.style_b]
     times = [tuple(p.t for p in points)]
     fading = shape if shape.fade else None
-    return _ShapeChain(first, contours, styles, times, fading, shape.names, shape.groups)
+    return _ShapeChain(first, contours, styles, times, fading, shape.names, shape.groups, (shape.span,))
 
 
 def _coats(chain: _ShapeChain) -> list[KeyframedShape]:
@@ -153,6 +155,7 @@ def _coats(chain: _ShapeChain) -> list[KeyframedShape]:
             (tuple(zip(times, styles[1:-1], strict=True)),) if times else (),
             Name.common(chain.names) if chain.names and styles is coats[-1] else UNNAMED,
             chain.groups,
+            () if all(span == WHOLE for span in chain.spans) else chain.spans,
         )
         for styles in coats
     ]
@@ -177,5 +180,6 @@ def _continue(chain: _ShapeChain, following: _ShapeChain) -> _ShapeChain | None:
         styles=styles,
         times=[*chain.times, *following.times],
         names=(*chain.names, *following.names),
+        spans=(*chain.spans, *following.spans),
         groups=common_groups(chain.groups, following.groups),
     )

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.interpolate.common_segments import common_segments
-from shapeblend_cli.model import Box, ContourBlend, CubicPath, ShapeBlend, Waypoint
+from shapeblend_cli.model import WHOLE, Box, ContourBlend, CubicPath, ShapeBlend, Waypoint
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray
@@ -38,6 +38,7 @@ def paths_at(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
 
     Without a motion every point moves straight, eq (2), before 0 and after 1 too.
     """
+    t = shape.own_time(t)
     if shape.motion is not None and shape.motion_name in BOUNDED:
         t = min(max(t, 0.0), 1.0)
     if shape.motion is None or t in (0.0, 1.0):
@@ -56,6 +57,11 @@ def waypoints(shape: ShapeBlend) -> tuple[Waypoint, ...]:
     No control point is off by more than `WAYPOINT_TOLERANCE`, as seen at the middle and the quarters between two
     neighbours. Straight motion needs no waypoints.
     """
+    if shape.span != WHOLE:
+        whole = shape._replace(span=WHOLE)
+        inner = [(shape.time_of(point.t), point.paths) for point in waypoints(whole)]
+        ends = [(shape.span[k], paths_at(whole, float(k))) for k in (0, 1)]
+        return tuple(Waypoint(t, paths) for t, paths in (ends[0], *inner, ends[1]) if 0.0 < t < 1.0)
     if shape.motion is None:
         return ()
     paths = [path for contour in shape.contours for path in (contour.start, contour.end)]

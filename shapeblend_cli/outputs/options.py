@@ -166,12 +166,16 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
         defaults.pop("fps", None)
         if options.fps is not None:
             raise OptionError("--frames and --fps both say how many pictures there are; one will do")
+    if settings.stagger and format.emit not in (EMITS[0], "layers"):
+        raise OptionError(
+            f"--stagger is for frames, animated SVGs, animations of pixels and videos; {asked} is none"
+        )
     if settings.times and not (format.has_frame_files or format.name in TIMEABLE):
         raise OptionError(f"--times is for a folder of frames, a contact sheet or layers; {asked} is none")
     if settings.mix:
         _check_mix(options, settings, format, asked)
     if not options.trigger.is_load:
-        _check_trigger(options, format, drawings, asked)
+        _check_trigger(options, format, drawings, asked, staggered=settings.stagger > 0.0)
     if settings.motion == "auto":
         # CSS transitions go straight from value to value.
         is_transition = options.animate == "css" and not options.trigger.is_load
@@ -201,7 +205,9 @@ def _check_mix(options: OutputOptions, settings: Settings, format: Format, asked
         raise OptionError(f"{asked} takes one mixture, which stands still; a folder takes several")
 
 
-def _check_trigger(options: OutputOptions, format: Format, drawings: int, asked: str) -> None:
+def _check_trigger(
+    options: OutputOptions, format: Format, drawings: int, asked: str, *, staggered: bool
+) -> None:
     """Raise OptionError if an output cannot wait for a trigger."""
     given = f"--trigger {options.trigger}"
     if format.name != ANIMATED or options.animate == "frames":
@@ -213,6 +219,8 @@ def _check_trigger(options: OutputOptions, format: Format, drawings: int, asked:
         raise OptionError(f"--repeat is for animations that begin by themselves; {given} goes and comes back")
     if options.animate == "css" and options.trigger.name:
         raise OptionError(f"{given}: CSS knows no events of other elements; --animate smil does")
+    if options.animate == "css" and staggered:
+        raise OptionError(f"--stagger with {given} needs --animate smil: CSS transitions all start at once")
     if options.animate == "css" and drawings > 2:
         raise OptionError(
             f"{given} with --animate css takes two files; {drawings} given. --animate smil takes more, and "

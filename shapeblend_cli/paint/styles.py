@@ -69,6 +69,7 @@ def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
 
 def shape_styles(shape: ShapeBlend, t: float) -> tuple[Style, Style | None]:
     """Return the paint of a shape at time t, as `blend_styles` does, with its fade."""
+    t = shape.own_time(t)
     above, below = blend_styles(shape.style_a, shape.style_b, t)
     if shape.fade is None:
         return above, below
@@ -77,12 +78,12 @@ def shape_styles(shape: ShapeBlend, t: float) -> tuple[Style, Style | None]:
 
 
 def faded_coats(shape: ShapeBlend) -> tuple[tuple[float, ...], list[list[Style]]]:
-    """Return times within (0, 1), and for every coat of a shape that fades its styles at 0, at these times and at 1.
+    """Return its own times within (0, 1), and for every coat of a shape that fades its styles at 0, then and at 1.
 
     A browser can interpolate from each to the next. The lowest coat comes first.
     """
     times = shape.fade.times if shape.fade is not None else ()
-    samples = [shape_styles(shape, t) for t in (0.0, *times, 1.0)]
+    samples = [shape_styles(shape, shape.time_of(t)) for t in (0.0, *times, 1.0)]
     below = [under for _, under in samples if under is not None]
     coats = [[above for above, _ in samples]]
     return times, [below, *coats] if len(below) == len(samples) else coats

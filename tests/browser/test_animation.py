@@ -115,6 +115,7 @@ CASES = {
     # On its way something would leave the viewBox, which css and stacked frames show as large as it ever is.
     "three drawings": ([LEAF, RING, SQUARES], ["--motion", "linear"]),
     "one path through four": ([B, EIGHT, B, EIGHT], ["--ease", "ease-in-out"]),
+    "one after the other": ([COLOURS, OTHER_COLOURS], ["--stagger", "0.5", "--motion", "linear"]),
     "polygons, split": ([SQUARES, LEAF], ["--polygons", "--unmatched", "split"]),
 }
 
@@ -139,6 +140,7 @@ GRADIENTS = {
     "radial": ([ROUND, OVAL], ["--ease", "ease-in"]),
     "linear to radial": ([ACROSS, ROUND], []),
     "plain to linear": ([RED, DOWN], []),
+    "one after the other": ([ACROSS + RED, DOWN + BLUE], ["--stagger", "0.4", "--stagger-by", "size"]),
     "through three": ([ACROSS, BLUE, OVAL], []),
 }
 

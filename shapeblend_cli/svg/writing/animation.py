@@ -70,9 +70,23 @@ def attribute_values(shape: KeyframedShape, decimals: int) -> dict[str, Values]:
         for name in (name for name in OPACITIES if name in keys[0]):
             between = [[(t, paint[name]) for t, paint in each] for each in fading]
             values[name] = Values([key[name] for key in keys], between)
+    if shape.spans:
+        values = {name: delayed(value, shape.spans) for name, value in values.items()}
     waypoints = [[(w.t, short_path_data(w.paths, decimals)) for w in section] for section in shape.waypoints]
     values["d"] = values["d"]._replace(waypoints=waypoints)
     return values
+
+
+def delayed(values: Values, spans: Sequence[tuple[float, float]]) -> Values:
+    """Return values that change only from one time to another between each key and the next."""
+    if not spans:
+        return values
+    waypoints = []
+    for k, ((begin, until), section) in enumerate(zip(spans, values.waypoints, strict=True)):
+        inner = [(begin + share * (until - begin), value) for share, value in section]
+        timed = [(begin, values.keys[k]), *inner, (until, values.keys[k + 1])]
+        waypoints.append([(t, value) for t, value in timed if 0.0 < t < 1.0])
+    return Values(values.keys, waypoints)
 
 
 def moments(values: Values, ease: Ease, first: int = 0) -> list[Moment]:

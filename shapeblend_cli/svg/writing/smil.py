@@ -7,12 +7,13 @@ from typing import Any
 from xml.etree.ElementTree import Element
 
 from shapeblend_cli.easing import FOREVER, PINGPONG, Timing
-from shapeblend_cli.model import Box, Frame, Gradient, KeyframedShape, Page, RadialGradient
+from shapeblend_cli.model import WHOLE, Box, Frame, Gradient, KeyframedShape, Page, RadialGradient
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import (
     TIME_DIGITS,
     Values,
     attribute_values,
+    delayed,
     moments,
     values_between,
 )
@@ -52,7 +53,7 @@ def add_animated(
             keys = [getattr(key.style, f"{paint}_gradient") for key in extended.keys]
             if all(keys):
                 name = tree.ids.new(f"gradient-{len(gradients) + 1}")
-                gradients.append(_animated_gradient(timeline, name, keys, decimals))
+                gradients.append(_animated_gradient(timeline, name, keys, extended.spans, decimals))
                 attributes[paint] = values_between(paint, [f"url(#{name})"] * len(keys))
         path = drawing.path(**{name: values.keys[0] for name, values in attributes.items()})
         for name, values in attributes.items():
@@ -109,10 +110,17 @@ def _extend(shape: KeyframedShape, drawings: int) -> KeyframedShape:
         fading=((),) * before + shape.fading + ((),) * after if shape.fading else (),
         name=shape.name,
         groups=shape.groups,
+        spans=(WHOLE,) * before + shape.spans + (WHOLE,) * after if shape.spans else (),
     )
 
 
-def _animated_gradient(timeline: Timeline, name: str, keys: Sequence[Gradient], decimals: int) -> Element:
+def _animated_gradient(
+    timeline: Timeline,
+    name: str,
+    keys: Sequence[Gradient],
+    spans: Sequence[tuple[float, float]],
+    decimals: int,
+) -> Element:
     """Return a gradient that is animated together with the shape it paints."""
     as_ellipse = any(isinstance(key, RadialGradient) and key.radii[0] != key.radii[1] for key in keys)
     written = [gradient_attributes(key, decimals, as_ellipse=as_ellipse) for key in keys]
@@ -127,15 +135,15 @@ def _animated_gradient(timeline: Timeline, name: str, keys: Sequence[Gradient], 
             # Each is "translate(...) rotate(...) scale(...)".
             for step in zip(*(text.rstrip(")").split(") ") for text in texts), strict=True):
                 kinds, numbers = zip(*(function.split("(") for function in step), strict=True)
-                values = values_between(attribute, numbers)
+                values = delayed(values_between(attribute, numbers), spans)
                 timeline.animate_transform(animations, kinds[0], values)
         else:
-            values = values_between(attribute, texts)
+            values = delayed(values_between(attribute, texts), spans)
             timeline.animate(animations, attribute, values)
     gradient[:0] = animations.elements
     for k, element in enumerate(stop_elements):
         for attribute in written[0][1][k]:
-            values = values_between(attribute, [stops[k][attribute] for _, stops in written])
+            values = delayed(values_between(attribute, [s[k][attribute] for _, s in written]), spans)
             if not values.is_constant:
                 inside = _Holder()
                 timeline.animate(inside, attribute, values)

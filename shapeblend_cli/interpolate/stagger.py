@@ -1,0 +1,55 @@
+"""Shapes that start one after the other."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.model import Box, Pair, ShapeBlend
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+PLACES = ("left", "right", "top", "bottom")
+"""Where the first one is."""
+
+ORDERS = ("order", "size", *PLACES)
+
+
+def staggered(pair: Pair, stagger: float, by: str) -> Pair:
+    """Return a pair in which the last shape starts so late, as a share of the time, and all take equally long.
+
+    They start in paint order, the largest first, or from one side of the drawing. Copies of a shape start together.
+    """
+    key = _key(by)
+    parts: dict[tuple[tuple[int | None, int | None], ...], list[int]] = {}
+    for k, shape in enumerate(pair.shapes):
+        parts.setdefault(tuple((c.a, c.b) for c in shape.contours), []).append(k)
+    if len(parts) < 2:
+        return pair
+    ranked = sorted(parts.values(), key=lambda numbers: key(pair.shapes[numbers[0]]))
+    shapes = list(pair.shapes)
+    for rank, numbers in enumerate(ranked):
+        begin = stagger * rank / (len(ranked) - 1)
+        for k in numbers:
+            shapes[k] = shapes[k]._replace(span=(begin, begin + 1.0 - stagger))
+    return pair._replace(shapes=tuple(shapes))
+
+
+def _key(by: str) -> Callable[[ShapeBlend], float]:
+    if by == "order":
+        return lambda shape: 0.0  # sorting keeps the order
+    if by == "size":
+        return lambda shape: -shape.size
+    sign = -1.0 if by in ("right", "bottom") else 1.0
+    if by in ("left", "right"):
+        return lambda shape: sign * _centre(shape).real
+    return lambda shape: sign * _centre(shape).imag
+
+
+def _centre(shape: ShapeBlend) -> complex:
+    """Return the middle of a shape in the first drawing, or of what is not there in the second."""
+    matched = [c for c in shape.contours if not c.grows] or list(shape.contours)
+    outlines = [c.end if c.grows else c.start for c in matched]
+    return Box.around(np.concatenate([path.segments.ravel() for path in outlines])).centre
