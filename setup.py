@@ -1,6 +1,7 @@
 """The compiled modules; everything else is declared in pyproject.toml."""
 
 import os
+import sysconfig
 import tomllib
 from pathlib import Path
 
@@ -16,6 +17,20 @@ MSVC_FLAGS = ["/O2"]
 
 # Docstrings stay on the functions, where doctest finds them; a second copy in __test__ would run them twice.
 DIRECTIVES = {"language_level": 3, "autotestdict": False}
+
+# Python 3.11 is the first whose stable interface has the buffers that typed arrays come by.
+ABI3 = {"define_macros": [("Py_LIMITED_API", "0x030B0000")], "py_limited_api": True}
+ABI3_TAG = "cp311"
+
+
+def is_asked(name):
+    """Return whether a variable of the environment says yes."""
+    return os.environ.get(name, "0") not in ("", "0")
+
+
+def is_abi3():
+    """Return whether one binary is to serve Python 3.11 and all that follow. Free-threaded ones have no such thing."""
+    return is_asked("SHAPEBLEND_ABI3") and not sysconfig.get_config_var("Py_GIL_DISABLED")
 
 
 class BuildKernels(build_ext):
@@ -47,14 +62,28 @@ class BuildKernels(build_ext):
 
 def kernels():
     """List the extensions; none if SHAPEBLEND_PURE asks for a package of plain Python."""
-    if os.environ.get("SHAPEBLEND_PURE", "0") not in ("", "0"):
+    if is_asked("SHAPEBLEND_PURE"):
         return []
     table = tomllib.loads(Path(__file__).with_name("pyproject.toml").read_text(encoding="utf-8"))
-    # optional: without a C compiler the install goes on, and the same files run as Python, slower.
+    # optional: without a C compiler the install goes on, and the same files run as Python, slower. But a wheel for
+    # everybody must have its binaries.
+    more = ABI3 if is_abi3() else {}
     return [
-        Extension(path.removesuffix(".py").replace("/", "."), [path], depends=["setup.py"], optional=True)
+        Extension(
+            path.removesuffix(".py").replace("/", "."),
+            [path],
+            depends=["setup.py"],
+            optional=not more,
+            **more,
+        )
         for path in table["tool"]["shapeblend"]["kernels"]
     ]
 
 
-setup(ext_modules=kernels(), cmdclass={"build_ext": BuildKernels})
+extensions = kernels()
+
+setup(
+    ext_modules=extensions,
+    cmdclass={"build_ext": BuildKernels},
+    options={"bdist_wheel": {"py_limited_api": ABI3_TAG}} if extensions and is_abi3() else {},
+)

@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import sys
+import sysconfig
 import tarfile
 import tomllib
 import zipfile
@@ -22,8 +23,9 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 KERNELS = PROJECT["tool"]["shapeblend"]["kernels"]
 MODULES = [path.removesuffix(".py").replace("/", ".") for path in KERNELS]
 PARTS = ["LICENSE", "MANIFEST.in", "Makefile", "README.md", "pyproject.toml", "setup.py"]
-PARTS += ["conftest.py", "samples", "shapeblend_cli", "tests", "tools"]
+PARTS += ["conftest.py", "samples", "share", "shapeblend_cli", "tests", "tools"]
 BUILT = shutil.ignore_patterns("__pycache__", "*.so", "*.pyd")
+DATA = re.compile(r"\.(dist-info|data)/")
 BINARY = re.compile(r"\.(so|pyd|c)$")
 
 
@@ -92,7 +94,8 @@ def test_without_a_compiler_it_installs_and_its_kernels_run_as_python(wheel, tmp
 def test_wheel_carries_the_package_only_with_the_source_of_its_kernels(wheel):
     assert wheel.name.startswith(f"shapeblend-{shapeblend_cli.__version__}-")
     names = zipfile.ZipFile(wheel).namelist()
-    assert {name.split("/")[0] for name in names if ".dist-info/" not in name} == {"shapeblend_cli"}
+    assert {name.split("/")[0] for name in names if not DATA.search(name)} == {"shapeblend_cli"}
+    assert [name for name in names if name.endswith(".data/data/share/man/man1/shapeblend.1")]
     modules = {path.relative_to(ROOT).as_posix() for path in (ROOT / "shapeblend_cli").rglob("*.py")}
     assert modules == {name for name in names if name.endswith(".py")}
     assert set(KERNELS) <= modules
@@ -115,6 +118,24 @@ def test_sdist_carries_tests_and_samples_and_nothing_built(source, tmp_path):
     here = Path(__file__).relative_to(ROOT).as_posix()
     assert {here, "samples/e.svg", "samples/f.svg", "setup.py", "Makefile", "LICENSE", *KERNELS} <= names
     assert [name for name in names if BINARY.search(name) or name.startswith("build/")] == []
+
+
+def test_a_wheel_for_everybody_is_not_built_without_its_binaries(source, tmp_path):
+    no_compiler = shutil.which("false")
+    if no_compiler is None:
+        pytest.skip("needs a command that fails, to stand for the compiler")
+    if sysconfig.get_config_var("Py_GIL_DISABLED"):
+        pytest.skip("free-threaded Python has no stable interface")
+    build = "import setuptools.build_meta as b, sys; print(b.build_wheel(sys.argv[1]))"
+    done = subprocess.run(
+        [sys.executable, "-c", build, tmp_path],
+        cwd=source,
+        env={**os.environ, "CC": no_compiler, "SHAPEBLEND_ABI3": "1", "SHAPEBLEND_PURE": ""},
+        capture_output=True,
+        check=False,
+    )
+    assert done.returncode != 0
+    assert [*tmp_path.iterdir()] == []
 
 
 def imported_by(arguments, folder):
