@@ -401,12 +401,14 @@ def _ms(seconds: float) -> str:
 
 def main() -> None:
     parser = argparse.ArgumentParser()
-    parser.add_argument("parts", nargs="*", choices=PARTS, default=[*PARTS])
+    parser.add_argument("parts", nargs="*", metavar="|".join(PARTS))
     parser.add_argument("--again", action="store_true")
     parser.add_argument("--jobs", type=int, default=JOBS)
     options = parser.parse_args()
     found = json.loads(RAW.read_text("utf-8")) if RAW.exists() else {}
-    for part in () if options.again else options.parts:
+    if unknown := {*options.parts} - {*PARTS}:
+        parser.error(f"no part is called {min(unknown)}")
+    for part in () if options.again else options.parts or PARTS:
         found |= measured(part, options.jobs)
         if options.jobs == JOBS:
             RAW.write_text(json.dumps(dict(sorted(found.items())), indent=1) + "\n", "utf-8")

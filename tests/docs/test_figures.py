@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.support.equipment import require
-from tools import solver_table
+from tools import bulk, solver_table
 from tools.quality import __main__ as quality
 from tools.quality import crossings, letters, motions, raw, sizes, sweep, times
 from tools.quality.data import ROOT, SETS, icon_pairs
@@ -55,6 +55,7 @@ def test_documents_are_what_was_measured():
     assert sweep.DOCUMENT.read_text(encoding="utf-8") == sweep.document(SWEPT)
     assert solver_table.DOCUMENT.read_text(encoding="utf-8") == solver_table.document(SOLVED)
     assert solver_table.figures(SOLVED) in readme
+    assert bulk.DOCUMENT.read_text(encoding="utf-8") == bulk.document(json.loads(bulk.RAW.read_text("utf-8")))
 
 
 def test_every_pair_has_its_scores():
