@@ -10,6 +10,7 @@ import { Stage } from "./stage.js";
 import { pointsOf, regionOf, Tools } from "./tools.js";
 
 const PATIENCE = 400; // milliseconds before it is said that a blend takes time
+const FRESH = 2000; // milliseconds for which nobody asks whether drawings have changed
 const QUIET = 700; // milliseconds without a change before other blends are looked for
 const isDark = () => {
   const { theme } = document.documentElement.dataset;
@@ -17,7 +18,7 @@ const isDark = () => {
 };
 
 const history = new History({ files: [] });
-const shown = { answer: null, version: 0, attempted: null };
+const shown = { answer: null, version: 0, attempted: null, at: Infinity };
 let form = null;
 let tools = null;
 
@@ -96,6 +97,8 @@ const live = new Latest(async (project, isOld) => {
     clearTimeout(patience);
     at("busy").hidden = true;
     if (!isOld()) delete document.documentElement.dataset.asking;
+    document.documentElement.dataset.ready = "yes";
+    shown.at = performance.now();
     shown.version++;
     document.documentElement.dataset.version = shown.version;
   }
@@ -111,10 +114,7 @@ function show(answer, project) {
   at("verdict").dataset.is = wrong === null ? "" : wrong < 0.1 ? "right" : isPoor ? "poor" : "fair";
   at("notes").replaceChildren(...answer.notes.filter((note) => !note.includes("in-betweens look poor")).map((note) => made("li", {}, note)));
   form.show(answer.settings);
-  if (isFirst) {
-    tools.hint();
-    document.documentElement.dataset.ready = "yes";
-  }
+  if (isFirst) tools.hint();
 }
 
 // The two drawings of a pair, in the colours of what becomes what.
@@ -344,6 +344,8 @@ function listen() {
   at("download").addEventListener("click", () => exported(async () => `${await keep("download", { project: history.present })} is in the browser's downloads.`));
   at("keep").addEventListener("click", () => exported(async () => `${await keep("keep", { project: history.present })} is in the browser's downloads; keep it beside the drawings.`));
   addEventListener("keydown", key);
+  // Drawings may have been changed in another program meanwhile.
+  addEventListener("focus", () => performance.now() - shown.at > FRESH && live.want(shown.attempted ?? history.present));
   addEventListener("resize", () => tools.redraw());
   listenToDrops();
 }

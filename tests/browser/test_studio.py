@@ -501,25 +501,52 @@ def test_what_cannot_be_read_is_said_and_the_rest_goes_on(studio, here):
     assert shape(page) == before
 
 
-def test_a_blend_that_hangs_is_stopped_and_the_page_says_so(studio, here):
+@pytest.mark.parametrize("by", ["time", "button"])
+def test_a_blend_that_hangs_is_stopped_and_the_page_says_so(studio, here, by):
     jagged = "M" + " ".join(f"{k % 97} {(k * 37) % 89}" for k in range(1500)) + "Z"
-    (here / "slow.svg").write_text(svg(jagged, viewbox="0 0 100 100"))
-    page = studio(*SAMPLES, timeout=1.0)
-    changed(
-        page,
-        lambda: drop(
-            page, {"slow.svg": (here / "slow.svg").read_text()}, screen(page, "b", nodes(page, "b")[0])
-        ),
-    )
-    page.click("#all-card summary")
-    changed(page, lambda: page.select_option("#option-effort", "exact"))
-    if "stopped" not in page.inner_text("#broken"):
-        changed(page, lambda: (page.fill("#option-vertices", "4000"), page.keyboard.press("Enter")))
-    assert "took more than 1 s, and was stopped" in page.inner_text("#broken")
+    page = studio(*SAMPLES, timeout=1.0 if by == "time" else 600.0)
+    drop(page, {"slow.svg": svg(jagged, viewbox="0 0 100 100")}, screen(page, "b", nodes(page, "b")[0]))
+    if by == "button":
+        page.wait_for_selector("#busy:visible")
+        page.click("#halt")
+    page.wait_for_selector("#broken:visible")
+    settle(page)
+    said = page.inner_text("#broken-says")
+    assert said == "stopped" if by == "button" else "took more than 1 s, and was stopped" in said
     while page.is_enabled("#undo"):
         changed(page, lambda: page.click("#undo"))
     assert not page.is_visible("#broken")
-    assert command(page) == "shapeblend bird-1.svg bird-2.svg --timeout 1.0"
+    assert command(page).startswith("shapeblend bird-1.svg bird-2.svg --timeout")
+
+
+def test_of_several_drawings_one_pair_at_a_time_is_shown(studio):
+    page = studio("two.svg", "swapped.svg", "leaf.svg")
+    assert page.get_attribute("#time", "max") == "2"
+    assert "apply to two drawings" in page.inner_text("#says")
+    assert [page.inner_text(f"#name-{side}") for side in "ab"] == ["two.svg", "swapped.svg"]
+    first = shape(page)
+    page.select_option("#pair", "1")
+    assert [page.inner_text(f"#name-{side}") for side in "ab"] == ["swapped.svg", "leaf.svg"]
+    assert shape(page) != first
+    page.mouse.click(*screen(page, "a", (6, 6)))
+    assert page.locator(".chosen").count() == 0
+
+
+def test_a_drawing_that_was_changed_elsewhere_is_seen(studio, here):
+    page = studio(*SAMPLES)
+    before = shape(page)
+    (here / "bird-2.svg").write_text((here / "leaf.svg").read_text())
+    page.wait_for_timeout(2100)
+    changed(page, lambda: page.evaluate("() => dispatchEvent(new Event('focus'))"))
+    assert shape(page) != before
+    assert page.get_attribute("#canvas-b .part", "d").startswith("M3,14")
+
+
+def test_a_drawing_that_cannot_be_read_is_said_at_once(studio, here):
+    (here / "broken.svg").write_text("no drawing")
+    page = studio("two.svg", "broken.svg")
+    assert "broken.svg: " in page.inner_text("#broken")
+    assert "--" not in page.inner_text("#command")
 
 
 def test_it_answers_while_one_looks(browser, capsys):
