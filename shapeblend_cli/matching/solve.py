@@ -154,6 +154,27 @@ def is_proven(m: int, n: int, effort: str) -> bool:
     return coarse.is_small(m, n, EXACT_DOTS[effort])
 
 
+def priced(wires: Wires, dots: IntArray, sweeps: int = 0) -> Correspondence:
+    """Return a given path as a correspondence, with no lower bound; a closed one begins where it enters column 0.
+
+    A path with a turn of 90 degrees raises a ValueError.
+    """
+    if wires.closed:
+        dots = from_column_0(dots)
+    price = wires.path_work(dots)
+    return Correspondence(
+        dots,
+        wires.closed,
+        price.stretching,
+        price.bending,
+        price.travel,
+        lower_bound=0.0,
+        zero_angles=price.zero_angles,
+        diagonal_deviation=diagonal_deviation(dots, wires.m, wires.n, wires.closed),
+        sweeps=sweeps,
+    )
+
+
 def diagonal_deviation(dots: IntArray, m: int, n: int, closed: bool) -> float:
     """Return how far a path deviates from the diagonal through its first dot, eqs (29) and (30).
 

@@ -61,11 +61,14 @@ class FlatContour:
         lengths = cumulative_lengths(from_end_to_end(self.polygon.vertices, self.polygon.closed))
         return lengths / lengths[-1]
 
-    def cut_at(self, places: FloatArray) -> FlatContour:
-        """Return the contour with more vertices, on its curves, at shares of the outline."""
+    def cut_at(self, places: FloatArray, near: float = NEAR) -> FlatContour:
+        """Return the contour with more vertices, on its curves, at shares of the outline.
+
+        There are none nearer to a vertex, or to each other, than a share of the usual edge.
+        """
         polygon, own = self.polygon, self.lengths
         places = np.sort(places % 1.0 if polygon.closed else places)
-        least = NEAR * _median(np.diff(own))
+        least = near * _median(np.diff(own))
         before = np.clip(np.searchsorted(own, places, side="right") - 1, 0, len(own) - 2)
         places = places[np.minimum(places - own[before], own[before + 1] - places) > least]
         places = places[_apart(places, least)]

@@ -18,7 +18,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, points_at
-from shapeblend_cli.matching.solve import Search, diagonal_deviation, from_column_0, least_work
+from shapeblend_cli.matching.solve import Search, least_work, priced
 from shapeblend_cli.matching.work import Wire, Wires
 from shapeblend_cli.model import Polygon
 from shapeblend_cli.pairing.common_cuts import solve_with_common_cuts
@@ -350,17 +350,4 @@ def _solve_parts(parts: tuple[Parts, Parts], whole: Wires, effort: str) -> Corre
     ]
     found = least_work(Wires(first[0], first[1], False, whole.constants), Search(effort=effort))
     dots = np.stack([side.around(found.dots[:, k]) for k, side in enumerate(parts)], axis=1)
-    if whole.closed:
-        dots = from_column_0(dots)
-    price = whole.path_work(dots)
-    return replace(
-        found,
-        dots=dots,
-        closed=whole.closed,
-        stretching=price.stretching,
-        bending=price.bending,
-        travel=price.travel,
-        lower_bound=0.0,
-        zero_angles=price.zero_angles,
-        diagonal_deviation=diagonal_deviation(dots, whole.m, whole.n, whole.closed),
-    )
+    return priced(whole, dots, found.sweeps)
