@@ -74,7 +74,7 @@ function enter(pair) {
   );
   at("contour-row").hidden = order.length < 2;
   fillOnion();
-  choose(order[0]);
+  choose(order.find((k) => contours()[k].a !== null && contours()[k].b !== null) ?? order[0]);
   fillFilm();
 }
 

@@ -111,7 +111,7 @@ def show_page(browser: Browser, name: str) -> None:
         if name != "phone":
             at.page.wait_for_selector("#others:not([aria-busy]) button", timeout=120_000)
         at.page.wait_for_timeout(300)
-        keep(Image.open(io.BytesIO(at.page.screenshot())), FOLDER / f"page-{name}.png", 128)
+        keep(Image.open(io.BytesIO(at.page.screenshot())), FOLDER / f"page-{name}.png", 255)
 
 
 def keep(image: Image.Image, file: Path, colours: int = COLOURS) -> None:
