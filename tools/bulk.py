@@ -30,6 +30,7 @@ from pathlib import Path
 from typing import Any
 
 from tools.quality.data import ROOT
+from tools.quality.icon_sets import icon_set
 from tools.quality.judge import pairs as icons
 from tools.quality.tables import Table
 
@@ -53,7 +54,7 @@ def draw(count: int, folder: Path) -> None:
     """Write one more icon than there are jobs, drawn by lot."""
     if problem := icons.ready():
         sys.exit(f"no icons: {problem}")
-    known = icons.known(PACKAGE)
+    known = icon_set(icons.INSTALLED, PACKAGE)
     variants = icons.VARIANTS[PACKAGE]
     names = [
         name
