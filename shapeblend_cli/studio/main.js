@@ -19,6 +19,7 @@ const isDark = () => {
 
 const history = new History({ files: [] });
 const shown = { answer: null, version: 0, attempted: null, at: Infinity };
+const dropped = new Set(); // drawings that are in no file here
 let form = null;
 let tools = null;
 
@@ -162,6 +163,9 @@ function refresh() {
   at("keys").hidden = present.files.length < 2;
   at("to-export").hidden = present.files.length < 2;
   if (present.files.length === 1) at("empty-title").textContent = `Drop the second drawing here`;
+  const absent = present.files.filter((name) => dropped.has(name));
+  at("absent").hidden = !absent.length;
+  at("absent").textContent = `It expects ${absent.join(" and ")} where it is used.`;
   form.show(shown.answer?.settings ?? {});
   corrections();
   tools.redraw();
@@ -264,7 +268,7 @@ async function take(files) {
   const [projects, drawings] = [true, false].map((isProject) => named.filter(({ name }) => name.toLowerCase().endsWith(".json") === isProject));
   try {
     const names = [];
-    for (const file of drawings) names.push((await give("drawing", file)).name);
+    for (const file of drawings) names.push(await given(file));
     if (projects.length) {
       const { project } = await give("project", projects[0]);
       history.commit(project, "opening of a project");
@@ -281,10 +285,18 @@ async function take(files) {
   }
 }
 
+// Gives a drawing to the server, and returns its name there.
+async function given(file) {
+  const { name, is_here: isHere } = await give("drawing", file);
+  if (isHere) dropped.delete(name);
+  else dropped.add(name);
+  return name;
+}
+
 // A single drawing dropped onto A or B takes its place.
 async function replace(side, file) {
   try {
-    const { name } = await give("drawing", file);
+    const name = await given(file);
     const files = [...history.present.files];
     const pair = pairShown();
     files[pair ? pair[side] : side === "a" ? 0 : 1] = name;

@@ -272,8 +272,10 @@ def test_drawings_are_dropped_and_blended(studio, here):
     assert shape(page)
     # One that is dropped onto B takes its place.
     x, y = screen(page, "b", nodes(page, "b")[0])
-    changed(page, lambda: drop(page, {"leaf.svg": (here / "leaf.svg").read_text()}, (x, y)))
-    assert command(page) == "shapeblend bird-1.svg leaf.svg"
+    assert not page.is_visible("#absent")
+    changed(page, lambda: drop(page, {"new.svg": (here / "leaf.svg").read_text()}, (x, y)))
+    assert command(page) == "shapeblend bird-1.svg new.svg"
+    assert page.inner_text("#absent") == "It expects new.svg where it is used."
     changed(page, lambda: page.click("#undo"))
     assert command(page) == "shapeblend bird-1.svg bird-2.svg"
 
