@@ -92,7 +92,7 @@ fuzz: install ## feed the reader damaged files for SECONDS (60), then blend such
 bench: install ## time the solver, whole commands and batches
 	$(BIN)/python -m pytest tests/bench -o addopts= --benchmark-only
 
-pictures: install ## draw the pictures of the README and of docs/motion.md
+pictures: install ## draw the pictures of the README, docs/examples.md and docs/motion.md
 	$(BIN)/python -m tools.readme_pictures
 	$(BIN)/python -m tools.judge_pictures
 
@@ -108,11 +108,11 @@ api: install ## write the reference of the Python API, docs/api.md
 studio: install chromium ## correct blends in the studio, measure it, and write the pictures and figures of docs/studio.md
 	$(BIN)/python -m tools.studio
 
-options: install ## write the tables of options, and the manual page
+options: install ## write docs/options.md, and the manual page
 	$(BIN)/python -m tools.option_tables
 	$(BIN)/python -m tools.man_page
 
-tables: install ## measure the solver and write docs/solver.json, docs/solver.md and the README's figures of it
+tables: install ## measure the solver and write docs/solver.json, docs/solver.md and the guide's figures of it
 	$(BIN)/python -m tools.solver_table
 
 bench-quality: install ## measure the results beside other tools and write docs/quality.json and .md; much needs node and npm

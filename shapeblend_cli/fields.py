@@ -1,7 +1,7 @@
 """Records whose fields are declared once, with type, default, help text and section.
 
 From the declarations come the checks of a record, options of the command line, the settings in the report, and the
-tables of options in the README.
+tables of docs/options.md.
 """
 
 from __future__ import annotations

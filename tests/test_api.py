@@ -14,7 +14,7 @@ from tools import api_reference
 
 ROOT = Path(__file__).parents[1]
 E, F = (str(ROOT / "samples" / f"{name}.svg") for name in "ef")
-README = (ROOT / "README.md").read_text(encoding="utf-8")
+GUIDE = (ROOT / "docs" / "guide.md").read_text(encoding="utf-8")
 
 
 @pytest.fixture(scope="module")
@@ -27,8 +27,8 @@ def test_the_reference_is_current():
     assert {*api_reference.ORDER, "ShapeblendError", "__version__"} == {*sb.__all__} == {*dir(sb)}
 
 
-def test_the_code_of_the_readme_runs(here, samples):
-    blocks = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
+def test_the_code_of_the_guide_runs(here, samples):
+    blocks = re.findall(r"```python\n(.*?)```", GUIDE, re.DOTALL)
     assert len(blocks) == 2
     (here / "samples").symlink_to(samples)
     names = {}

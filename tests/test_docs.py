@@ -2,6 +2,7 @@
 
 import json
 import re
+import shlex
 import shutil
 import subprocess
 from pathlib import Path
@@ -9,8 +10,9 @@ from pathlib import Path
 import click
 import pytest
 
-from shapeblend_cli.cli import shapeblend
+from shapeblend_cli.cli import run, shapeblend
 from tools import man_page, option_tables, wheels
+from tools.quality import __main__ as quality
 from tools.quality import likeness
 from tools.quality.peers import arc_length, flubber
 from tools.quality.peers import shapeblend as shapeblend_blend
@@ -20,40 +22,118 @@ ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
-def test_every_option_in_the_readme_exists():
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+GUIDES = [
+    page for page in PAGES if page.stem in ("README", "guide", "options", "examples", "install", "rank")
+]
+
+
+@pytest.mark.parametrize("page", GUIDES, ids=lambda page: page.stem)
+def test_every_option_in_a_page_exists(page):
     commands = list(shapeblend.commands.values())
     commands += [c for group in commands if isinstance(group, click.Group) for c in group.commands.values()]
     params = [p for command in commands for p in command.params]
     known = {name for p in params for name in (*p.opts, *p.secondary_opts)}
-    code = " ".join(re.findall(r"`[^`\n]*`|^ *shapeblend .*$", README, re.MULTILINE))
+    text = page.read_text(encoding="utf-8")
+    code = " ".join(re.findall(r"`[^`\n]*`|^ *shapeblend .*$", text, re.MULTILINE))
     told = set(re.findall(r"(?<![\w-])--[a-z]+(?:-[a-z]+)*", code))
     assert told
-    assert told <= known | {"--preset", "--help"}
+    assert told <= known | {"--preset", "--help", "--overrides", "--repo"}
 
 
 def test_the_tables_of_options_are_those_of_the_commands():
     tables = option_tables.tables()
-    assert tables in README
+    assert tables in option_tables.PAGE.read_text(encoding="utf-8")
     assert not re.search(r"^\| --- \| --- \|\n(?!\|)", tables, re.MULTILINE), "a section without options"
     told = {name for record in option_tables.RECORDS for name in record.options}
     for name in ("blend", "plot", "batch", "rank", "studio", "states"):
         assert {p.name for p in shapeblend.commands[name].params if isinstance(p, click.Option)} <= told
 
 
-@pytest.mark.parametrize("link", re.findall(r"\]\(([^)#]+)\)", README))
-def test_what_the_readme_links_to_is_there(link):
-    assert (ROOT / link).exists()
+def without_code(text):
+    """A page without its blocks of code."""
+    return re.sub(r"^```.*?^```", "", text, flags=re.MULTILINE | re.DOTALL)
+
+
+def anchors(page):
+    """The anchors of a page's headings, as sites that show Markdown make them."""
+    text = without_code(page.read_text(encoding="utf-8"))
+    titles = re.findall(r"^#+ (.*)$", text, re.MULTILINE)
+    return {re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+@pytest.mark.parametrize(
+    "page", [*PAGES, ROOT / "CONTRIBUTING.md", ROOT / "SECURITY.md"], ids=lambda p: p.name
+)
+def test_what_a_page_links_to_is_there(page):
+    text = without_code(page.read_text(encoding="utf-8"))
+    links = [*re.findall(r"\]\(([^)\s]+)\)", text), *re.findall(r'(?:src|href)="([^"]+)"', text)]
+    missing = []
+    for link in links:
+        name, _, anchor = link.partition("#")
+        if link.startswith(("http://", "https://")):
+            continue
+        target = page.parent / name if name else page
+        if not target.exists() or (anchor and anchor not in anchors(target)):
+            missing.append(link)
+    assert missing == []
+
+
+def test_the_readme_is_short_and_begins_with_a_picture_that_moves():
+    assert len(README.splitlines()) <= 90
+    (picture,) = re.findall(r'<img src="([^"]+)"', README)
+    assert "<animate " in (ROOT / picture).read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("page", GUIDES, ids=lambda page: page.stem)
+def test_commands_of_a_page_are_commands(page):
+    """What follows `shapeblend` is read as the command reads it; files need not be there."""
+    blocks = re.findall(r"^```sh\n(.*?)^```", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    lines = [line for block in blocks for line in block.splitlines()]
+    commands = [
+        part for line in lines for part in re.split(r" \| | && ", line) if part.startswith("shapeblend ")
+    ]
+    for line in commands:
+        words = shlex.split(line, comments=True)[1:]
+        try:
+            shapeblend.make_context("shapeblend", words, resilient_parsing=False)
+            name = words[0] if words[0] in shapeblend.commands else shapeblend.default
+            rest = words[1:] if words[0] == name else words
+            shapeblend.commands[name].make_context(name, rest)
+        except click.exceptions.Exit:
+            pass
+        except click.ClickException as error:
+            pytest.fail(f"{line}: {error.format_message()}")
+
+
+@pytest.mark.parametrize("drawings", [("bird-1", "bird-2"), ("cow", "deer"), ("triangle", "square")])
+def test_the_commands_of_the_readme_work(drawings, samples, here):
+    for name, sample in zip("ab", drawings, strict=True):
+        shutil.copy(samples / f"{sample}.svg", f"{name}.svg")
+    (block,) = re.findall(r"^## Three commands\n\n```sh\n(.*?)^```", README, re.MULTILINE | re.DOTALL)
+    lines = [shlex.split(line, comments=True)[1:] for line in block.splitlines()]
+    assert [line[0] for line in lines] == ["a.svg", "a.svg", "studio"]
+    for line in lines[:2]:
+        assert run(line) == 0
+    assert "<animate" in Path("moving.svg").read_text(encoding="utf-8")
+    assert len(list(Path("blend").glob("frame-*.svg"))) == 11
 
 
 def test_figures_beside_other_tools_are_those_of_the_document():
     document = (ROOT / "docs" / "quality.md").read_text(encoding="utf-8")
     for text in (README, document):
         assert (text.count(BEGIN), text.count(END)) == (1, 1)
+    found = json.loads((ROOT / quality.RAW).read_text(encoding="utf-8"))
+    for name, text in quality.documents(found, README).items():
+        assert (ROOT / name).read_text(encoding="utf-8") == text
     figures = README[README.index(BEGIN) : README.index(END)]
-    assert figures in document
     for tool in (shapeblend_blend.NAME, flubber.NAME, arc_length.NAME):
         assert tool in figures
     assert len(re.findall(r"\d %", figures)) >= 4 * 3
+
+
+def test_the_size_in_the_readme_is_what_was_measured():
+    assert wheels.size(json.loads(wheels.SCORES.read_text(encoding="utf-8"))) in README
 
 
 def test_the_manual_page_is_that_of_the_commands():

@@ -1,4 +1,4 @@
-"""Write the README's tables of options from the fields of records: `make options`. No arguments."""
+"""Write the tables of docs/options.md from the fields of records: `make options`. No arguments."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from tools.quality.tables import Table, with_figures
 if TYPE_CHECKING:
     from shapeblend_cli.fields import Option
 
-README = ROOT / "README.md"
+PAGE = ROOT / "docs" / "options.md"
 
 BEGIN, END = "<!-- options: written by make options -->", "<!-- end of options -->"
 
@@ -69,6 +69,4 @@ def _help(field: Option) -> str:
 
 
 if __name__ == "__main__":
-    README.write_text(
-        with_figures(README.read_text(encoding="utf-8"), tables(), BEGIN, END), encoding="utf-8"
-    )
+    PAGE.write_text(with_figures(PAGE.read_text(encoding="utf-8"), tables(), BEGIN, END), encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Draw the contact sheets of the README with the tool itself: python -m tools.readme_pictures, no arguments."""
+"""Draw the pictures of the README and docs/examples.md with the tool itself: python -m tools.readme_pictures."""
 
 from __future__ import annotations
 
@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
 
+MOVING = "cow deer --duration 1.6 --ease ease-in-out --repeat pingpong"
+"""What the README begins with, an animated SVG."""
+
 CELL, SMALL = 140, 90
 """Pixels of a drawing, and of one in the pictures of constants."""
 
@@ -26,7 +29,7 @@ SHEETS = {
     "step": ["step-1 step-2 --motion linear --preset paper", "step-1 step-2"],
     "dancer": ["dancer-1 dancer-2 --motion linear", "dancer-1 dancer-2"],
 }
-"""For each picture its rows: the two drawings, and what else the README says was on the command line."""
+"""For each picture its rows: the two drawings, and what else the page says was on the command line."""
 
 CONSTANTS = {
     "bending": {"dancer-1 dancer-2": ("turn", "paper")},
@@ -58,6 +61,17 @@ def row(blend: str) -> list[str]:
         return [path.read_text(encoding="utf-8") for path in sorted(Path(folder, "frames").iterdir())]
 
 
+def moving() -> str:
+    """Return the animation."""
+    a, b, *options = MOVING.split()
+    files = [str(ROOT / "samples" / f"{sample}.svg") for sample in (a, b)]
+    with tempfile.TemporaryDirectory() as folder:
+        target = Path(folder, "moving.svg")
+        if run([*files, "--output", str(target), *options]) != 0:
+            raise SystemExit(f"{MOVING} was not blended")
+        return target.read_text(encoding="utf-8")
+
+
 def drawn(name: str) -> Image.Image:
     """One of the pictures."""
     rows = [row(blend) for blend in SHEETS[name]]
@@ -69,6 +83,7 @@ def drawn(name: str) -> Image.Image:
 
 
 def main() -> None:
+    (DOCS / "moving.svg").write_text(moving(), encoding="utf-8")
     for name in SHEETS:
         target = DOCS / f"{name}.png"
         drawn(name).save(target, optimize=True)

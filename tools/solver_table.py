@@ -1,4 +1,4 @@
-"""Measure the solver and write docs/solver.json, and docs/solver.md and the README's figures from it.
+"""Measure the solver and write docs/solver.json, and docs/solver.md and the figures of docs/guide.md from it.
 
 python -m tools.solver_table, a few minutes; with `--again` nothing is measured, and the documents are made from what
 docs/solver.json has.
@@ -28,7 +28,7 @@ from tools.quality.data import ROOT, icon_pairs
 from tools.quality.raw import text
 from tools.quality.tables import Table, with_figures
 
-RAW, DOCUMENT, README = ROOT / "docs" / "solver.json", ROOT / "docs" / "solver.md", ROOT / "README.md"
+RAW, DOCUMENT, GUIDE = (ROOT / "docs" / name for name in ("solver.json", "solver.md", "guide.md"))
 BEGIN, END = "<!-- solver: written by make tables -->", "<!-- end of solver -->"
 DIGITS = 9
 VERTICES, FINE = 200, 2000
@@ -288,7 +288,7 @@ def document(found):
 
 
 def figures(found):
-    """What the README says, with the marks around it."""
+    """What the guide says, with the marks around it."""
     icons, coast = found["icons"], found["coastlines"]
     large = coast["megabytes"][coast["vertices"].index(10_000)]
     told = {
@@ -321,8 +321,8 @@ def main() -> None:
         RAW.write_text(f"{text(measured())}\n", encoding="utf-8")
     found = json.loads(RAW.read_text(encoding="utf-8"))
     DOCUMENT.write_text(document(found), encoding="utf-8")
-    readme = README.read_text(encoding="utf-8")
-    README.write_text(with_figures(readme, figures(found), BEGIN, END), encoding="utf-8")
+    guide = GUIDE.read_text(encoding="utf-8")
+    GUIDE.write_text(with_figures(guide, figures(found), BEGIN, END), encoding="utf-8")
     print(document(found))
 
 

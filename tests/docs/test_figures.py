@@ -54,7 +54,7 @@ def test_documents_are_what_was_measured():
         assert (ROOT / name).read_text(encoding="utf-8") == text
     assert sweep.DOCUMENT.read_text(encoding="utf-8") == sweep.document(SWEPT)
     assert solver_table.DOCUMENT.read_text(encoding="utf-8") == solver_table.document(SOLVED)
-    assert solver_table.figures(SOLVED) in readme
+    assert solver_table.figures(SOLVED) in solver_table.GUIDE.read_text(encoding="utf-8")
     assert bulk.DOCUMENT.read_text(encoding="utf-8") == bulk.document(json.loads(bulk.RAW.read_text("utf-8")))
 
 

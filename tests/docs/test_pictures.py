@@ -10,10 +10,12 @@ from tools import gallery, judge_pictures, plots, readme_pictures
 from tools.quality.data import NUMBER, Pair, polygon
 from tools.quality.peers import flubber
 from tools.quality.truth import letters
+from tools.studio import __main__ as studio
+from tools.studio.corrections import CORRECTIONS
 
 ROOT = readme_pictures.ROOT
 DOCS = readme_pictures.DOCS
-LINK = re.compile(r"!\[[^\]]*\]\(([^)]+)\)")
+LINK = re.compile(r"""(?:!\[[^\]]*\]\(|<img src="|\]\((?=[^)]*\.png\)))([^)"]+)""")
 
 NEAR = 0.3
 """Of 255: by how much pixels may differ in the mean. Renderers round differently at edges, and colours are few."""
@@ -87,6 +89,10 @@ def test_the_page_of_the_gallery_is_what_is_written(fonts):
     assert gallery.PAGE.read_text(encoding="utf-8") == gallery.page([*ICONS, *gallery.of_letters()])
 
 
+def test_what_moves_in_the_readme_is_what_is_drawn():
+    same_but_for_rounding(readme_pictures.moving(), DOCS / "moving.svg")
+
+
 def test_every_picture_is_made_by_a_target_and_every_link_has_one():
     pages = [ROOT / "README.md", *DOCS.glob("*.md")]
     links = {page: LINK.findall(page.read_text("utf-8")) for page in pages}
@@ -94,9 +100,13 @@ def test_every_picture_is_made_by_a_target_and_every_link_has_one():
     gallery_pages = {link.removeprefix("gallery/") for link in LINK.findall(gallery.PAGE.read_text("utf-8"))}
     made = {DOCS / f"{name}.png" for name in readme_pictures.SHEETS}
     made |= {gallery.GALLERY / name for name in gallery_pages}
+    made |= {DOCS / "moving.svg"}
+    made |= {studio.FOLDER / f"{correction.name}.png" for correction in CORRECTIONS}
+    made |= {studio.FOLDER / f"page-{name}.png" for name in ("dark", "light", "phone")}
     made |= {DOCS / f"plot-{kind}.svg" for kind in plots.PLOTS}
     made |= {DOCS / f"judge-{name}.svg" for name in judge_pictures.EXAMPLES}
-    assert linked == made == {*DOCS.rglob("*.png"), *DOCS.rglob("*.svg")}
+    samples = {*studio.FOLDER.glob("*.svg")}
+    assert linked == made == {*DOCS.rglob("*.png"), *DOCS.rglob("*.svg")} - samples
     names = {shown.name for shown in ICONS}
     for name, every in gallery.LETTERS.items():
         rows = -(-letters.COUNTS[name] * len(letters.FAMILIES) // every)

@@ -68,7 +68,8 @@ def documents(found: dict, readme: str) -> dict[str, str]:
     }
     sections = [measure.section(found[name]) for name, measure in measures.items() if found.get(name)]
     figures = tables.short(sections, found["tools"], found["missing"])
-    return {README: tables.with_figures(readme, figures), QUALITY: tables.document(figures, sections)}
+    front = tables.front(sections, found["tools"], found["missing"])
+    return {README: tables.with_figures(readme, front), QUALITY: tables.document(figures, sections)}
 
 
 def main(arguments: list[str] | None = None) -> None:

@@ -1,4 +1,4 @@
-"""Markdown: sections of docs/quality.md, and the short table that the README repeats."""
+"""Markdown: sections of docs/quality.md, its short table, and the shorter one of the README."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-BEGIN = "<!-- figures: written by make bench-quality, here and in docs/quality.md -->"
+BEGIN = "<!-- figures: written by make bench-quality -->"
 END = "<!-- end of figures -->"
 
 NONE = "–"
@@ -53,7 +53,7 @@ def share(conditions: Iterable[bool]) -> str:
 
 
 def short(sections: Sequence[Section], tools: Sequence[str], missing: Sequence[str]) -> str:
-    """What the README repeats, with the lines around it; further lines in which no tool does wrong are left out."""
+    """What docs/quality.md begins with; further lines in which no tool does wrong are left out."""
     rows = [
         [name, *(cells.get(tool, NONE) for tool in tools)]
         for section in sections
@@ -62,6 +62,36 @@ def short(sections: Sequence[Section], tools: Sequence[str], missing: Sequence[s
     told = [row for row in rows if not row[0].startswith("...") or set(row[1:]) - {"0 %", NONE}]
     lines = "".join(f"\nNot measured: {line}.\n" for line in missing)
     return f"{BEGIN}\n\n{Table(['', *tools], told).markdown()}{lines}\n{END}"
+
+
+FRONT = (
+    (
+        "Letters",
+        "misses of the designer's",
+        0,
+        "What a letter half way misses of the one that its designer drew",
+    ),
+    ("Letters", "corners kept", 0, "Corners of letters that are kept on the way"),
+    ("Limbs and morphs", "limbs turned", 0, "How far off points are along outlines whose limbs swing"),
+    ("Crossings and area", "crosses itself", 0, "Icons that cross themselves on the way"),
+    ("Crossings and area", "left out", -1, "Icons of several outlines that lose some of them"),
+    ("Segments and bytes", "segments", 0, "Segments of an icon half way"),
+    ("Time", "time of a whole command", 0, "Time of a whole command, beside flubber's"),
+)
+"""What the README says of tools: of the lines of a section that the short table has, those that have some words in
+their names, which of these, and plainer words."""
+
+
+def front(sections: Sequence[Section], tools: Sequence[str], missing: Sequence[str]) -> str:
+    """Return the table of the README; tools with other settings than their own are left out."""
+    plain = [tool for tool in tools if "," not in tool]
+    briefs = {section.title: section.brief for section in sections}
+    rows = []
+    for title, meant, which, words in FRONT:
+        if lines := [cells for name, cells in briefs.get(title, ()) if meant in name]:
+            rows.append([words, *(lines[which].get(tool, NONE) for tool in plain)])
+    lines = "".join(f"\nNot measured: {line}.\n" for line in missing)
+    return f"{BEGIN}\n\n{Table(['', *plain], rows).markdown()}{lines}\n{END}"
 
 
 def document(short_table: str, sections: Sequence[Section]) -> str:
