@@ -32,7 +32,7 @@ STATUS = (
 
 def page() -> str:
     """Return the page, in the language of man."""
-    context = click.Context(shapeblend, info_name="shapeblend")
+    context = click.Context(shapeblend, info_name="shapeblend", **shapeblend.context_settings)
     blend = shapeblend.commands[shapeblend.default]
     lines = [
         f'.TH SHAPEBLEND 1 "" "shapeblend {__version__}" "User Commands"',
