@@ -56,9 +56,10 @@ def same_names(one: str, other: str) -> Found:
         raise OptionError(f"--pairs: no drawing in {one} has a namesake in {other}")
     alone = [name for name in names if not os.path.isfile(os.path.join(other, name))]
     notes = [
-        f"{len(alone)} of {len(names)} drawings in {one} have no namesake in {other}, {alone[0]} for one"
+        f"{len(alone)} of {len(names)} drawings in {one} have no namesake in {other}, {name} for one"
+        for name in alone[:1]
     ]
-    return Found(rows, notes if alone else [], pattern)
+    return Found(rows, notes, pattern)
 
 
 def natural(file: str) -> tuple[list[str | int], str]:

@@ -27,6 +27,14 @@ def test_all_are_every_two(drawings, capsys):
     assert planned(capsys, ["--all", "in", "--emit", "lottie"])[0] == "blend/1-2.json"
 
 
+def test_pairs_may_all_have_namesakes(drawings, batch):
+    shutil.copytree("in", "on")
+    status, results, printed = batch("--pairs", "in", "on", "-o", "m/{a}.svg")
+    assert status == 0
+    assert {each["status"] for each in results.values()} == {"done"}
+    assert "namesake" not in printed.err
+
+
 def test_pairs_have_one_name_in_two_folders_and_in_folders_inside(drawings, batch):
     for name in ("a/x.svg", "b/x.svg", "b/y.svg"):
         Path("on", name).parent.mkdir(parents=True, exist_ok=True)
