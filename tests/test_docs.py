@@ -24,7 +24,9 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 GUIDES = [
-    page for page in PAGES if page.stem in ("README", "guide", "options", "examples", "install", "rank")
+    page
+    for page in PAGES
+    if page.stem in ("README", "guide", "options", "examples", "install", "rank", "cookbook")
 ]
 
 
