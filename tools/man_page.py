@@ -32,7 +32,7 @@ STATUS = (
 
 def page() -> str:
     """Return the page, in the language of man."""
-    context = click.Context(shapeblend, info_name="shapeblend", **shapeblend.context_settings)
+    context = click.Context(shapeblend, info_name="shapeblend")
     blend = shapeblend.commands[shapeblend.default]
     lines = [
         f'.TH SHAPEBLEND 1 "" "shapeblend {__version__}" "User Commands"',
@@ -103,7 +103,9 @@ def _options(command: click.Command, context: click.Context, known: Sequence[str
     for param in command.get_params(context):
         record = param.get_help_record(context) if isinstance(param, click.Option) else None
         if record and param.name not in known:
-            sections.setdefault(getattr(param, "section", OTHER), []).append(record)
+            # click keeps the option of the first context that asked for it, perhaps one that knows no -h.
+            names = "-h, --help" if "--help" in param.opts else record[0]
+            sections.setdefault(getattr(param, "section", OTHER), []).append((names, record[1]))
     for title in sorted(sections, key=SECTIONS.index):
         if not known:
             yield f".SS {_escaped(title)}"
