@@ -25,7 +25,7 @@ from tools.quality.truth.measures import (
     strict,
     turns,
 )
-from tools.quality.truth.write import LEAST_PIECES, Morph, _svg, is_plain, pair
+from tools.quality.truth.write import LEAST_PIECES, Morph, is_plain, pair, svg
 
 SQUARE = np.array([0, 10, 10 + 10j, 10j])
 WIDE = SQUARE.real * 2 + 1j * SQUARE.imag
@@ -221,7 +221,7 @@ def test_curves_stay_near_their_polygons_and_lines_are_written_as_lines():
     one = made()
     assert len(one.frames[0][0]) >= 3 + LEAST_PIECES
     assert all(len(p) == len(q) for p, q in zip(one.frames[0], one.frames[-1], strict=True))
-    assert _svg([[np.array([0, 5, 10]), np.array([10, 10j]), np.array([10j, 5j, 0])]]).count("Q") == 0
+    assert svg([[np.array([0, 5, 10]), np.array([10, 10j]), np.array([10j, 5j, 0])]]).count("Q") == 0
 
 
 def test_the_command_measures_a_folder(monkeypatch, tmp_path, capsys):
