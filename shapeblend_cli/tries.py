@@ -30,6 +30,7 @@ WAYS: tuple[dict[str, Any], ...] = (
     {"unmatched": "point"},
     {"unmatched": "split"},
     {"place": "bbox"},
+    {"k_b": 0.3},
     {"k_t": 0.0},
     {"motion": "safe"},
 )
