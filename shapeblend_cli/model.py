@@ -206,6 +206,13 @@ class Contour(CubicPath):
     __slots__ = ()
 
 
+class Clip(NamedTuple):
+    """The region outside of which a shape is not painted."""
+
+    paths: tuple[CubicPath, ...]
+    rule: str = "nonzero"
+
+
 class Name(NamedTuple):
     """What an element of a file is called: in the file, in editors, and for people. None is what it does not have."""
 
@@ -260,6 +267,7 @@ class Shape:
     style: Style
     name: Name = UNNAMED
     groups: tuple[Group, ...] = ()
+    clips: tuple[Clip, ...] = ()  # it is painted in all of them; in the root's user units
 
 
 class Drawing(NamedTuple):
@@ -486,6 +494,7 @@ class ShapeBlend(NamedTuple):
     sources: tuple[int | None, int | None] = (None, None)  # the shapes of A and B it is, by index
     names: tuple[Name, ...] = ()  # of these
     groups: tuple[Group, ...] = ()
+    clips: tuple[ClipBlend, ...] = ()
     span: tuple[float, float] = (0.0, 1.0)  # when it starts and ends, if shapes start one after the other
 
     def own_time(self, t: float) -> float:
@@ -524,6 +533,17 @@ class ShapeBlend(NamedTuple):
         return max(max(contour.scale_a, contour.scale_b) for contour in self.contours)
 
 
+class ClipBlend(NamedTuple):
+    """A region from one to another, shape by shape; what they fill together."""
+
+    shapes: tuple[ShapeBlend, ...]
+
+    @property
+    def rule(self) -> str:
+        """The fill rule."""
+        return self.shapes[0].style_a.fill_rule
+
+
 class Place(NamedTuple):
     """A place in the order of paint, from the lowest: which shape is there, and when."""
 
@@ -539,6 +559,7 @@ class PaintedShape(NamedTuple):
     below: Style | None = None  # painted first, under `style`, where one paint has to dissolve into another
     name: Name = Name()
     groups: tuple[Group, ...] = ()  # the outermost first
+    clips: tuple[Clip, ...] = ()
 
 
 class Waypoint(NamedTuple):
@@ -562,9 +583,8 @@ class KeyframedShape(NamedTuple):
     fading: tuple[tuple[tuple[float, Style], ...], ...] = ()
     name: Name = Name()
     groups: tuple[Group, ...] = ()
-    spans: tuple[
-        tuple[float, float], ...
-    ] = ()  # between keys, when paint changes, unless that is all the time
+    spans: tuple[tuple[float, float], ...] = ()  # when paint changes between keys, if not all the time
+    clips: tuple[tuple[KeyframedShape, ...], ...] = ()  # regions, each of shapes that fill it together
 
 
 class Pair(NamedTuple):

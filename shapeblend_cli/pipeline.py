@@ -9,8 +9,10 @@ from functools import partial
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from shapeblend_cli.clipping import has_clips, with_clips
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.easing import frame_times
+from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry.placement import place_over
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.fades import in_paint_order
@@ -18,7 +20,19 @@ from shapeblend_cli.interpolate.paths import paths_at, with_curves
 from shapeblend_cli.interpolate.stagger import staggered
 from shapeblend_cli.interpolate.stars import drawings_in, mixed_shape, star_shapes
 from shapeblend_cli.kept import Kept
-from shapeblend_cli.model import Box, CubicPath, Drawing, Frame, Page, PaintedShape, Pair, ShapeBlend, Style
+from shapeblend_cli.model import (
+    Box,
+    Clip,
+    ClipBlend,
+    CubicPath,
+    Drawing,
+    Frame,
+    Page,
+    PaintedShape,
+    Pair,
+    ShapeBlend,
+    Style,
+)
 from shapeblend_cli.motion.alignment import Alignment, align, point_pairs, shared_alignments
 from shapeblend_cli.motion.choose import (
     ASKED,
@@ -128,6 +142,10 @@ def match_all(
         pair._replace(views=(views[pair.a], views[pair.b]), pages=(pages[pair.a], pages[pair.b]))
         for pair in pairs
     ]
+    if not is_star:
+        pairs = [_clipped(pair, settings) if has_clips(pair) else pair for pair in pairs]
+    elif any(map(has_clips, pairs)):
+        notes = [*notes, "clip paths are left out of mixtures and states; frames and animated SVGs have them"]
     if settings.stagger:
         pairs = [staggered(pair, settings.stagger, settings.stagger_by) for pair in pairs]
     return with_names(pairs, drawings), [*specks, *notes]
@@ -170,16 +188,39 @@ def _contours(
 
 
 def as_drawn(drawing: Drawing, to_a: Similarity = AS_IT_IS) -> tuple[PaintedShape, ...]:
-    """Return what a drawing paints, laid over A."""
+    """Return what a drawing paints, laid over A. Shapes that have a clip in common still do."""
+    clips = {
+        id(clip): clip._replace(
+            paths=tuple(CubicPath(to_a.points(c.segments), c.straight, c.closed) for c in clip.paths)
+        )
+        for shape in drawing.shapes
+        for clip in shape.clips
+    }
     return tuple(
         PaintedShape(
             tuple(CubicPath(to_a.points(c.segments), c.straight, c.closed) for c in shape.contours),
             to_a.style(shape.style),
             name=shape.name,
             groups=shape.groups,
+            clips=tuple(clips[id(clip)] for clip in shape.clips),
         )
         for shape in drawing.shapes
     )
+
+
+def _clipped(pair: Pair, settings: Settings) -> Pair:
+    """Let the clips of a pair go along."""
+    settings = settings.replace(**dict.fromkeys(("match", "pins", "start", "stiff", "mix", "specks")))
+
+    def match(a: Drawing, b: Drawing) -> tuple[ShapeBlend, ...]:
+        try:
+            flat, _ = _flatten([a, b], [AS_IT_IS, AS_IT_IS], settings.vertices, Kept(0))
+        except InputError:
+            return ()
+        view = Box.union(list(pair.views))
+        return _blend_shapes(flat[0], flat[1], settings, view, (Clock(), None), Kept(0).steps)
+
+    return with_clips(pair, match)
 
 
 def _pages(drawings: Sequence[Drawing], maps: Sequence[Similarity], place: str) -> list[Page]:
@@ -563,9 +604,22 @@ def _mixed_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
 
 def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
     """Return the shapes of a pair at time t, at all times with the same commands; points are kept."""
+    clips: dict[tuple[int, float], Clip] = {}  # shapes that have one in common still do
+
+    def clip_at(clip: ClipBlend, time: float) -> Clip:
+        key = id(clip), time
+        if key not in clips:
+            paths = tuple(path for shape in clip.shapes for path in paths_at(shape, time))
+            clips[key] = Clip(paths, clip.rule)
+        return clips[key]
+
     return tuple(
         PaintedShape(
-            paths_at(shape, t), *shape_styles(shape, min(max(t, 0.0), 1.0)), shape.name, shape.groups
+            paths_at(shape, t),
+            *shape_styles(shape, min(max(t, 0.0), 1.0)),
+            shape.name,
+            shape.groups,
+            tuple(clip_at(clip, shape.own_time(t)) for clip in shape.clips),
         )
         for shape in pair.shapes
     )

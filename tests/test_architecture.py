@@ -42,7 +42,9 @@ ROOMS = {
     "output": "staging interrupts errors",
     "staging": "",
     "interrupts": "errors",
-    "pipeline": "views pairing motion interpolate names paint geometry settings model kept clock easing",
+    "pipeline": "clipping views pairing motion interpolate names paint geometry settings model kept clock easing "
+    "errors",
+    "clipping": "geometry model",
     "views": "interpolate geometry model",
     "pairing": "geometry settings matching constants model errors",
     "motion": "interpolate geometry model _cython",

@@ -16,6 +16,7 @@ from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import (
     UNNAMED,
     WHOLE,
+    ClipBlend,
     CubicPath,
     Group,
     KeyframedShape,
@@ -31,6 +32,8 @@ from shapeblend_cli.paint.styles import faded_coats, keyed_styles
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+    Span = tuple[float, float]
 
 
 class _ShapeChain(NamedTuple):
@@ -48,6 +51,7 @@ class _ShapeChain(NamedTuple):
     names: tuple[Name, ...] = ()
     groups: tuple[Group, ...] = ()
     spans: tuple[tuple[float, float], ...] = ()
+    clips: tuple[ClipBlend, ...] = ()
 
 
 def keyframed_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
@@ -92,7 +96,17 @@ def keyframed_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
             merged += [*chains[merged_before:before], *new, extended]
             new, merged_before = [], before + 1
         chains = [*merged, *chains[merged_before:], *new]
-    return [coat for chain in chains for coat in _coats(chain)]
+    regions: dict[tuple[int, int, Span], tuple[KeyframedShape, ...]] = {}  # what is clipped alike stays so
+
+    def regions_of(chain: _ShapeChain) -> tuple[tuple[KeyframedShape, ...], ...]:
+        (span,) = chain.spans[:1]
+        for clip in chain.clips:
+            if (id(clip), chain.first, span) not in regions:
+                started = [_start(shape._replace(span=span), chain.first) for shape in clip.shapes]
+                regions[id(clip), chain.first, span] = tuple(_coats(shape)[-1] for shape in started)
+        return tuple(regions[id(clip), chain.first, span] for clip in chain.clips)
+
+    return [coat._replace(clips=regions_of(chain)) for chain in chains for coat in _coats(chain)]
 
 
 def _longest_rise(numbers: Sequence[int]) -> list[int]:
@@ -126,7 +140,9 @@ def _start(shape: ShapeBlend, first: int) -> _ShapeChain:
     styles = [shape.style_a, shape.style_b]
     times = [tuple(p.t for p in points)]
     fading = shape if shape.fade else None
-    return _ShapeChain(first, contours, styles, times, fading, shape.names, shape.groups, (shape.span,))
+    return _ShapeChain(
+        first, contours, styles, times, fading, shape.names, shape.groups, (shape.span,), shape.clips
+    )
 
 
 def _coats(chain: _ShapeChain) -> list[KeyframedShape]:
@@ -163,6 +179,8 @@ def _coats(chain: _ShapeChain) -> list[KeyframedShape]:
 
 def _continue(chain: _ShapeChain, following: _ShapeChain) -> _ShapeChain | None:
     """Continue every contour, and the paint, of a shape to the next key; None if one of them cannot be."""
+    if chain.clips or following.clips:
+        return None
     styles = [*chain.styles, following.styles[-1]]
     if keyed_styles(styles) is None:
         return None

@@ -49,7 +49,7 @@ def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Ren
     from shapeblend_cli.interpolate.chains import keyframed_shapes
     from shapeblend_cli.model import Box
     from shapeblend_cli.names import page_for
-    from shapeblend_cli.outputs.move import moves_of
+    from shapeblend_cli.outputs.move import clips_left_out, moves_of
     from shapeblend_cli.svg.writing.reacting import Reaction, reacting_css, reacting_smil
 
     reaction = Reaction(
@@ -66,6 +66,7 @@ def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Ren
         for shape in move.shapes
         if shape.waypoints
     ]
+    notes += clips_left_out(pairs, "CSS transitions")
     return Rendered([reacting_css(reaction, spec.timing, decimals)], notes)
 
 

@@ -160,7 +160,7 @@ def _add(parent: Element, tag: str, attributes: dict[str, str] | None = None) ->
 
 
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
-    from shapeblend_cli.outputs.move import moves_of
+    from shapeblend_cli.outputs.move import clips_left_out, moves_of
 
     (move,), decimals = moves_of(pairs), spec.decimals(pairs)
     dashed = [
@@ -168,7 +168,12 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
         for shape in move.shapes
         if any(side.style.stroke_dasharray for side in (shape.start, shape.end))
     ]
-    notes = [*move.unsupported_in("Android"), *dashed, *too_long(move, decimals)]
+    notes = [
+        *move.unsupported_in("Android"),
+        *dashed,
+        *too_long(move, decimals),
+        *clips_left_out(pairs, "Android"),
+    ]
     return Rendered([animated_vector(move, spec.timing, decimals)], notes)
 
 

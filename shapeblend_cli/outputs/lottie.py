@@ -366,7 +366,7 @@ def _rounded(value: float, decimals: int) -> float:
 
 
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
-    from shapeblend_cli.outputs.move import moves_of
+    from shapeblend_cli.outputs.move import clips_left_out, moves_of
 
     moves = moves_of(pairs)
     text = lottie(moves, spec.timing, spec.decimals(pairs))
@@ -378,7 +378,7 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
             for shape in move.shapes
             if _loses_dashes(shape.start.style, shape.end.style)
         ]
-    return Rendered([text], notes)
+    return Rendered([text], [*notes, *clips_left_out(pairs, "Lottie")])
 
 
 FORMAT = Format(

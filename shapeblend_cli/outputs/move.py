@@ -140,6 +140,12 @@ def moves_of(pairs: Sequence[Pair]) -> list[Move]:
     return moves
 
 
+def clips_left_out(pairs: Sequence[Pair], where: str) -> list[str]:
+    """Return a phrase if shapes are clipped, for a form that has no clip paths of ours."""
+    is_clipped = any(shape.clips for pair in pairs for shape in pair.shapes)
+    return [f"clip paths are left out of {where}; frames and animated SVGs have them"] if is_clipped else []
+
+
 def moved_shape(
     name: str, start: PaintedShape, end: PaintedShape, waypoints: tuple[Waypoint, ...] = ()
 ) -> MovedShape:

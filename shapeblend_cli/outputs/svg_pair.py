@@ -42,10 +42,11 @@ def svg_pair(move: Move, decimals: int) -> list[str]:
 
 
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
-    from shapeblend_cli.outputs.move import moves_of
+    from shapeblend_cli.outputs.move import clips_left_out, moves_of
 
     (move,) = moves_of(pairs)
-    return Rendered(svg_pair(move, spec.decimals(pairs)), move.lost_curved_motion())
+    notes = [*move.lost_curved_motion(), *clips_left_out(pairs, "--emit pair")]
+    return Rendered(svg_pair(move, spec.decimals(pairs)), notes)
 
 
 FORMAT = Format(

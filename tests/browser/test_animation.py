@@ -51,7 +51,7 @@ def draw(screenshot):
     def drawn(cells):
         boxes = ""
         for k, (body, time) in enumerate(cells):
-            own_ids = re.sub(r"gradient-(?=\d)", f"gradient-{k}-", body)
+            own_ids = re.sub(r"(gradient|clip)-(?=\d)", rf"\1-{k}-", body)
             stopped = "" if time is None else f"data-time={time}"
             boxes += f'<div style="top:{k * SIZE}px" {stopped}>{own_ids}</div>'
         pixels = screenshot(style, boxes + STOP, SIZE, SIZE * len(cells)) / 255.0
@@ -106,6 +106,14 @@ DOWN = graded("linearGradient", ("#0000ff", "#00ff00"), 'x1="2" x2="2" y1="4" y2
 ROUND = graded("radialGradient", ("#ffffff", "#000000"), 'cx="12" cy="12" r="10"')
 OVAL = graded("radialGradient", ("#ffff00", "#004000"), 'cx="6" cy="8" r="5" gradientTransform="scale(2 1)"')
 
+BANDS = '<g {0}><path d="M1 1H23V23H1Z" fill="#f0c000"/><path d="M1 {1}H23V{1}V16H1Z" fill="#c00000"/></g>'
+CLIPPED_ROUND = '<clipPath id="r"><circle cx="10" cy="12" r="7"/></clipPath>' + BANDS.format(
+    'clip-path="url(#r)"', 10
+)
+CLIPPED_POINTED = '<clipPath id="p"><path d="M4 4H22L13 22Z"/></clipPath>' + BANDS.format(
+    'clip-path="url(#p)"', 6
+)
+
 CASES = {
     "colours": ([RED, BLUE], ["--ease", "ease"]),
     "dashes": ([SOLID, DASHED], []),
@@ -116,6 +124,9 @@ CASES = {
     "three drawings": ([LEAF, RING, SQUARES], ["--motion", "linear"]),
     "one path through four": ([B, EIGHT, B, EIGHT], ["--ease", "ease-in-out"]),
     "one after the other": ([COLOURS, OTHER_COLOURS], ["--stagger", "0.5", "--motion", "linear"]),
+    "clipped": ([CLIPPED_ROUND, CLIPPED_POINTED], ["--ease", "ease-in"]),
+    "clipped in one of them": ([CLIPPED_ROUND, BANDS.format("", 6)], []),
+    "clipped in turn, through three": ([CLIPPED_ROUND, CLIPPED_POINTED, CLIPPED_ROUND], ["--stagger", "0.4"]),
     "polygons, split": ([SQUARES, LEAF], ["--polygons", "--unmatched", "split"]),
 }
 

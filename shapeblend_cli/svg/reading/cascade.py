@@ -12,8 +12,8 @@ from shapeblend_cli.svg.reading.units import Measure, length
 from shapeblend_cli.svg.reading.xmltree import Node
 
 PRESENTATION = frozenset(
-    "clip-path color display fill fill-opacity fill-rule filter font-size marker-end marker-mid marker-start mask "
-    "opacity stop-color stop-opacity stroke stroke-dasharray stroke-dashoffset stroke-linecap stroke-linejoin "
+    "clip-path clip-rule color display fill fill-opacity fill-rule filter font-size marker-end marker-mid marker-start "
+    "mask opacity stop-color stop-opacity stroke stroke-dasharray stroke-dashoffset stroke-linecap stroke-linejoin "
     "stroke-miterlimit stroke-opacity stroke-width transform transform-origin vector-effect visibility".split()
 )
 """Properties this reader knows that may be written as attributes."""

@@ -9,9 +9,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Contour, Group, Shape
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Clip, Contour, Group, Shape, Style
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.cascade import INITIAL, Cascade, Inherited, inherit, share
+from shapeblend_cli.svg.reading.clips import Clips, covers
 from shapeblend_cli.svg.reading.declarations import Declarations, substitute
 from shapeblend_cli.svg.reading.messages import Notes, Problem, check_limit, printable
 from shapeblend_cli.svg.reading.names import clean, group_of, name_of
@@ -23,7 +25,7 @@ from shapeblend_cli.svg.reading.transforms import IDENTITY, Affine, is_sound, or
 from shapeblend_cli.svg.reading.units import LEAST, LIMIT, Lengths
 from shapeblend_cli.svg.reading.xmltree import GROUPS, LEFT_OUT, POINT_LISTS, SHAPES, Node
 
-_EFFECTS = dict.fromkeys(("clip-path", "mask", "filter"), "not applied")
+_EFFECTS = dict.fromkeys(("mask", "filter"), "not applied")
 _EFFECTS |= dict.fromkeys(("marker-start", "marker-mid", "marker-end"), "not drawn")
 # CSS properties that come before `transform`, in this order.
 _SINGLE_TRANSFORMS = ("translate", "rotate", "scale")
@@ -54,6 +56,7 @@ class _Visit(NamedTuple):
     given: tuple[str | None, str | None] = (None, None)
     chosen: bool = True
     groups: tuple[Group, ...] = ()
+    clips: tuple[Clip, ...] = ()
 
     def transformed(self, inner: Affine) -> _Visit:
         """Return the visit with a transform of its element applied."""
@@ -82,6 +85,7 @@ class Walk:
         for node in root.walk():
             if name := node.get("id"):
                 self._ids.setdefault(name, node)
+        self._clips = Clips(self._ids, self._cascade, notes, lenient)
         self._painter = Painter(self._ids, self._cascade, notes)
         self._stack: list[_Visit] = []
         self._shapes: list[Shape] = []
@@ -130,6 +134,8 @@ class Walk:
         declared = self._cascade.declared(node, keep=bool(visit.used))
         if declared:
             declared, visit = self._apply(declared, visit)
+            if declared.get("clip-path", "none").strip() != "none":
+                visit = self._clipped(visit, declared)
         reason = None
         if declared.get("display", "").strip().lower() == "none":
             reason = "not displayed"
@@ -221,6 +227,15 @@ class Walk:
             )
         )
 
+    def _clipped(self, visit: _Visit, declared: Declarations) -> _Visit:
+        """Return the visit with the clip path of its element."""
+        box = None
+        if visit.node.tag in SHAPES and visit.matrix.determinant != 0:
+            own = self._contours(visit, declared)
+            box = cubics.bounds(np.concatenate([contour.segments for contour in own])) if own else None
+        clip = self._clips.find(declared["clip-path"], visit.matrix, visit.lengths, box)
+        return visit if clip is None else visit._replace(clips=(*visit.clips, clip))
+
     def _grouped(self, visit: _Visit) -> _Visit:
         """Return the visit with its element around what comes next."""
         if visit.node is self._root or len(visit.groups) >= MAX_GROUPS:
@@ -263,7 +278,7 @@ class Walk:
         )
         if style.stroke_dasharray and node.get("pathLength") is not None:
             self._notes.add("pathLength not applied to dashes")
-        called = name_of(node), visit.groups
+        called = name_of(node), visit.groups, _clips_of(visit.clips, placed, style)
         self._shapes.append(Shape(index, name, node.tag, tuple(placed), style, *called))
         return None
 
@@ -324,6 +339,15 @@ def _is_for_us(node: Node) -> bool:
     return languages is None or any(
         tag.strip().lower().split("-")[0] == "en" for tag in languages[:1000].split(",")
     )
+
+
+def _clips_of(clips: Sequence[Clip], placed: Sequence[Contour], style: Style) -> tuple[Clip, ...]:
+    """Return the clips that a shape is not wholly inside of."""
+    if not clips:
+        return ()
+    reach = style.stroke_width / 2.0 if style.stroke else 0.0
+    painted = Box.union([cubics.bounds(contour.segments).expanded(reach) for contour in placed])
+    return tuple(clip for clip in clips if not covers(clip, painted))
 
 
 def _placed(contour: Contour, matrix: Affine) -> Contour | None:

@@ -207,7 +207,8 @@ def add_shapes(tree: Tree, drawing: Any, frame: Frame, gradients: Gradients) -> 
     """Add the shapes of a frame to a drawing. Of two coats of paint the upper one has the name."""
     for shape in frame.shapes:
         data = path_data(shape.paths, gradients.decimals)
+        clipped = gradients.clips.attributes(shape.clips)
         *below, above = visible_styles(shape, frame.t)
         for style in below:
-            tree.add(drawing.path(d=data, **gradients.attributes(style)), shape.groups)
-        tree.add(drawing.path(d=data, **gradients.attributes(above)), shape.groups, shape.name)
+            tree.add(drawing.path(d=data, **gradients.attributes(style), **clipped), shape.groups)
+        tree.add(drawing.path(d=data, **gradients.attributes(above), **clipped), shape.groups, shape.name)

@@ -7,8 +7,9 @@ import math
 from collections.abc import Sequence
 from xml.etree.ElementTree import Element, SubElement
 
-from shapeblend_cli.model import Gradient, LinearGradient, PaintedShape, RadialGradient, Style
+from shapeblend_cli.model import Clip, Gradient, LinearGradient, PaintedShape, RadialGradient, Style
 from shapeblend_cli.names import Ids
+from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
 
 SHARE_DIGITS = 5  # decimals of shares, such as the offset of a gradient's stop
@@ -119,14 +120,47 @@ def _coordinates(point: complex, decimals: int) -> tuple[str, str]:
     return number(point.real, decimals), number(point.imag, decimals)
 
 
+class Clips:
+    """The clip paths of a document, each defined once in `elements`."""
+
+    def __init__(self, decimals: int, ids: Ids) -> None:
+        self.decimals = decimals
+        self._ids = ids
+        self.elements: list[Element] = []
+        self._names: dict[tuple[int, ...], str] = {}
+        self._kept: list[Sequence[Clip]] = []  # so that no other one gets the number of one
+
+    def attributes(self, clips: Sequence[Clip]) -> dict[str, str]:
+        """Return the attribute that clips a path by all of some regions; none if there are none."""
+        return {"clip_path": f"url(#{self._name(clips)})"} if clips else {}
+
+    def _name(self, clips: Sequence[Clip]) -> str:
+        key = tuple(map(id, clips))
+        if key not in self._names:
+            around = self.attributes(clips[:-1])
+            name = self._names[key] = self._ids.new(f"clip-{len(self._names) + 1}")
+            self._kept.append(clips)
+            element = Element("clipPath", {"id": name, **{k.replace("_", "-"): v for k, v in around.items()}})
+            rule = {} if clips[-1].rule == "nonzero" else {"clip-rule": clips[-1].rule}
+            SubElement(element, "path", {"d": path_data(clips[-1].paths, self.decimals), **rule})
+            self.elements.append(element)
+        return self._names[key]
+
+
 class Gradients:
-    """The gradients of a document, each defined once in `elements`."""
+    """The gradients of a document, and its clip paths, each defined once."""
 
     def __init__(self, decimals: int, ids: Ids | None = None) -> None:
         self.decimals = decimals
         self._ids = ids or Ids()
-        self.elements: list[Element] = []
+        self.clips = Clips(decimals, self._ids)
+        self._gradients: list[Element] = []
         self._names: dict[Gradient, str] = {}
+
+    @property
+    def elements(self) -> list[Element]:
+        """The definitions of gradients and of clip paths."""
+        return [*self._gradients, *self.clips.elements]
 
     def attributes(self, style: Style) -> dict[str, str]:
         """Return the presentation attributes of a style, linked to its gradients, without initial values."""
@@ -141,7 +175,7 @@ class Gradients:
         if gradient not in self._names:
             self._names[gradient] = self._ids.new(f"gradient-{len(self._names) + 1}")
             written = gradient_attributes(gradient, self.decimals)
-            self.elements.append(gradient_element(self._names[gradient], gradient, *written))
+            self._gradients.append(gradient_element(self._names[gradient], gradient, *written))
         return f"url(#{self._names[gradient]})"
 
 

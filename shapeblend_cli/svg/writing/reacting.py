@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from xml.etree.ElementTree import Element, SubElement
 
 from shapeblend_cli.easing import Timing
-from shapeblend_cli.model import Box, KeyframedShape, Page, PaintedShape
+from shapeblend_cli.model import Box, Clip, KeyframedShape, Page, PaintedShape
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import COLOURS, Values, attribute_values
 from shapeblend_cli.svg.writing.paint import Gradients, visible_styles
@@ -179,8 +179,13 @@ def _add_still(group: Any, drawing: Any, reaction: Reaction, end: int, gradients
         painted: PaintedShape = shape.keys[end]
         if is_there and not all(path.is_point for path in painted.paths):
             data = short_path_data(painted.paths, gradients.decimals)
+            regions = [
+                Clip(tuple(p for s in clip for p in s.keys[end].paths), clip[0].keys[end].style.fill_rule)
+                for clip in shape.clips
+            ]
+            clipped = gradients.clips.attributes(regions)
             for style in visible_styles(painted, float(bool(end))):
-                group.add(drawing.path(d=data, **gradients.attributes(style)))
+                group.add(drawing.path(d=data, **gradients.attributes(style), **clipped))
 
 
 class _ThereAndBack(Timeline):

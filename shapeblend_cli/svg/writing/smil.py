@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any
-from xml.etree.ElementTree import Element
+from xml.etree.ElementTree import Element, SubElement
 
 from shapeblend_cli.easing import FOREVER, PINGPONG, Timing
 from shapeblend_cli.model import WHOLE, Box, Frame, Gradient, KeyframedShape, Page, RadialGradient
@@ -45,6 +45,7 @@ def add_animated(
 ) -> list[Element]:
     """Add animated paths to a drawing, and return the gradients they are painted with."""
     gradients: list[Element] = []
+    regions = _Regions(tree, timeline, decimals)
     drawings = timeline.pairs + 1
     for shape in shapes:
         extended = _extend(shape, drawings)
@@ -55,7 +56,8 @@ def add_animated(
                 name = tree.ids.new(f"gradient-{len(gradients) + 1}")
                 gradients.append(_animated_gradient(timeline, name, keys, extended.spans, decimals))
                 attributes[paint] = values_between(paint, [f"url(#{name})"] * len(keys))
-        path = drawing.path(**{name: values.keys[0] for name, values in attributes.items()})
+        clipped = regions.attributes(shape.clips)
+        path = drawing.path(**{name: values.keys[0] for name, values in attributes.items()}, **clipped)
         for name, values in attributes.items():
             if not values.is_constant:
                 timeline.animate(path, name, values)
@@ -64,7 +66,39 @@ def add_animated(
                 path["visibility"] = "hidden"
             timeline.show(path, shape.first, shape.first + len(shape.keys) - 1)
         tree.add(path, shape.groups, shape.name)
-    return gradients
+    return [*gradients, *regions.elements]
+
+
+class _Regions:
+    """The animated clip paths of a document, each defined once in `elements`."""
+
+    def __init__(self, tree: document.Tree, timeline: Timeline, decimals: int) -> None:
+        self.elements: list[Element] = []
+        self._ids, self._timeline, self._decimals = tree.ids, timeline, decimals
+        self._names: dict[tuple[int, ...], str] = {}
+
+    def attributes(self, clips: Sequence[Sequence[KeyframedShape]]) -> dict[str, str]:
+        """Return the attribute that clips a path by all of some regions; none if there are none."""
+        return {"clip_path": f"url(#{self._name(clips)})"} if clips else {}
+
+    def _name(self, clips: Sequence[Sequence[KeyframedShape]]) -> str:
+        key = tuple(map(id, clips))
+        if key not in self._names:
+            around = self.attributes(clips[:-1])
+            name = self._names[key] = self._ids.new(f"clip-{len(self._names) + 1}")
+            hyphened = {attribute.replace("_", "-"): value for attribute, value in around.items()}
+            element = Element("clipPath", {"id": name, **hyphened})
+            for shape in clips[-1]:
+                values = attribute_values(_extend(shape, self._timeline.pairs + 1), self._decimals)["d"]
+                rule = shape.keys[0].style.fill_rule
+                given = {} if rule == "nonzero" else {"clip-rule": rule}
+                path = SubElement(element, "path", {"d": values.keys[0], **given})
+                if not values.is_constant:
+                    inside = _Holder()
+                    self._timeline.animate(inside, "d", values)
+                    path.extend(inside.elements)
+            self.elements.append(element)
+        return self._names[key]
 
 
 def stacked_svg(

@@ -1,0 +1,85 @@
+"""Clip paths: which region a shape is painted in."""
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.geometry import cubics
+from tests.support.drawings import drawing
+
+RECT = '<rect x="2" y="2" width="20" height="20"/>'
+
+
+def clips(*elements):
+    """The boxes of the clips of each shape, outermost first: left, top, right, bottom."""
+    found = drawing(*elements)
+    return [
+        [
+            tuple(np.round(cubics.bounds(np.concatenate([p.segments for p in clip.paths])).bounds, 6))
+            for clip in s.clips
+        ]
+        for s in found.shapes
+    ]
+
+
+@pytest.mark.parametrize(
+    ("region", "clipped", "box"),
+    [
+        ('<circle cx="8" cy="8" r="4"/>', "", (4, 4, 12, 12)),
+        ('<circle cx="8" cy="8" r="4" transform="translate(2 0)"/>', "", (6, 4, 14, 12)),
+        ('<path d="M4 4H8V8"/>', "", (4, 4, 8, 8)),  # closed as filling closes it
+        ('<use href="#dot" x="5"/>', "", (5, 0, 7, 2)),
+        (
+            '<rect x="3" y="3" width="2" height="2"/><rect x="9" y="9" width="2" height="2"/>',
+            "",
+            (3, 3, 11, 11),
+        ),
+        ('<circle cx="8" cy="8" r="4"/>', 'transform="scale(2)"', (8, 8, 24, 24)),
+    ],
+)
+def test_a_region_is_that_of_the_shapes_in_it(region, clipped, box):
+    known = f'<defs><rect id="dot" width="2" height="2"/><clipPath id="c">{region}</clipPath></defs>'
+    assert clips(known, f'<g clip-path="url(#c)" {clipped}>{RECT}</g>') == [[box]]
+
+
+def test_clips_of_groups_and_shapes_add_up_and_are_shared():
+    known = '<clipPath id="a"><circle cx="8" cy="8" r="7"/></clipPath>'
+    known += '<clipPath id="b"><circle cx="9" cy="9" r="5"/></clipPath>'
+    inner = f'<path clip-path="url(#b)" d="M0 0H20V20"/>{RECT}'
+    found = drawing(known, f'<g clip-path="url(#a)">{inner}</g>')
+    first, second = found.shapes
+    assert len(first.clips) == 2
+    assert second.clips == first.clips[:1]
+    assert second.clips[0] is first.clips[0]
+
+
+def test_a_region_may_be_in_units_of_the_shape():
+    region = '<rect x=".25" y=".5" width=".5" height=".25"/>'
+    known = f'<clipPath id="c" clipPathUnits="objectBoundingBox">{region}</clipPath>'
+    assert clips(known, RECT.replace("<rect", '<rect clip-path="url(#c)"')) == [[(7, 12, 17, 17)]]
+
+
+def test_a_rectangle_around_all_clips_nothing():
+    """As design programs write one around every drawing."""
+    for region, count in (('<rect width="24" height="24"/>', 0), ('<rect width="21" height="24"/>', 1)):
+        known = f'<clipPath id="c">{region}</clipPath>'
+        assert [len(each) for each in clips(known, f'<g clip-path="url(#c)">{RECT}</g>')] == [count]
+
+
+def test_the_rule_of_a_region_is_its_own():
+    ring = '<path clip-rule="evenodd" d="M2 2H22V22H2Z M6 6H18V18H6Z"/>'
+    found = drawing(
+        f'<clipPath id="c">{ring}</clipPath>', '<g clip-path="url(#c)"><circle cx="12" cy="12" r="12"/></g>'
+    )
+    assert found.shapes[0].clips[0].rule == "evenodd"
+
+
+@pytest.mark.parametrize(
+    "value",
+    ["url(#none)", "circle(5px)", "url(#g)", "url(#nested)", "url(#empty)", "url(other.svg#c)"],
+)
+def test_what_cannot_be_read_clips_nothing_and_is_noted(value):
+    known = '<g id="g"/><clipPath id="c"><rect width="3" height="3"/></clipPath><clipPath id="empty"/>'
+    known += '<clipPath id="nested" clip-path="url(#c)"><rect width="3" height="3"/></clipPath>'
+    found = drawing(known, f'<g clip-path="{value}">{RECT}</g>')
+    assert found.shapes[0].clips == ()
+    assert "clip-path not applied" in found.notes
