@@ -98,10 +98,10 @@ def test_commands_of_a_page_are_commands(page):
     for line in commands:
         words = shlex.split(line, comments=True)[1:]
         try:
-            shapeblend.make_context("shapeblend", words, resilient_parsing=False)
+            around = shapeblend.make_context("shapeblend", words, resilient_parsing=False)
             name = words[0] if words[0] in shapeblend.commands else shapeblend.default
             rest = words[1:] if words[0] == name else words
-            shapeblend.commands[name].make_context(name, rest)
+            shapeblend.commands[name].make_context(name, rest, parent=around)
         except click.exceptions.Exit:
             pass
         except click.ClickException as error:
