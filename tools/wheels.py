@@ -32,13 +32,13 @@ IGNORED = shutil.ignore_patterns(
 )
 KINDS = {"abi3": {"SHAPEBLEND_ABI3": "1"}, "bound": {}, "pure": {"SHAPEBLEND_PURE": "1"}}
 
-RUNS = 8
-"""How often each of two builds is timed, in turn."""
+RUNS = 60
+"""How often each of two builds is timed, in turn: what else a machine does meanwhile slows both down alike."""
 
 PAIRS = (("bird-1", "bird-2"), ("cow", "deer"), ("dancer-1", "dancer-2"), ("e", "f"))
 
-# Prints results to the last digit on standard output, and seconds of the processor, the least of several, on standard
-# error.
+# Prints results to the last digit in two lines, then for each line that it reads the seconds of the processor that one
+# kind of work took.
 TIMED = """
 import sys, time
 sys.path.insert(0, sys.argv[1])
@@ -57,15 +57,14 @@ def match():
 def draw():
     return [[sb.blend(a, b).frame(t / 4).svg for t in range(5)] for a, b in drawings]
 for found in match():
-    print(repr(found.work), repr(found.lower_bound), [tuple(map(int, pair)) for pair in found.pairs])
+    print(repr(found.work), repr(found.lower_bound), [tuple(map(int, pair)) for pair in found.pairs], end=" ")
+print()
 print(draw())
-for work in match, draw:
-    least = float("inf")
-    for _ in range(4):
-        began = time.process_time()
-        work()
-        least = min(least, time.process_time() - began)
-    print(least, file=sys.stderr)
+sys.stdout.flush()
+for line in sys.stdin:
+    began = time.process_time()
+    (match if line.strip() == "match" else draw)()
+    print(time.process_time() - began, flush=True)
 """
 
 
@@ -156,31 +155,47 @@ def sizes(python: Path) -> dict[str, float]:
 
 
 def compared(one: Path, other: Path, runs: int = RUNS) -> dict[str, Any]:
-    """Time two builds in turn, and compare what they give to the last digit."""
-    printed: dict[Path, str] = {}
-    seconds: dict[Path, list[tuple[float, ...]]] = {one: [], other: []}
+    """Compare what two builds give to the last digit, and time them in turn."""
     files = [str(ROOT / "samples" / f"{name}.svg") for pair in PAIRS for name in pair]
-    for k in range(runs):
-        for site in (one, other) if k % 2 else (other, one):
-            done = subprocess.run(
-                [sys.executable, "-c", TIMED, str(site), *files],
-                env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
-                capture_output=True,
-                text=True,
-                check=True,
-            )
-            printed[site] = done.stdout
-            seconds[site].append(tuple(map(float, done.stderr.split()[-2:])))
-    least = {site: tuple(map(min, zip(*seconds[site], strict=True))) for site in seconds}
-    ratios = [
-        [a / b for a, b in zip(p, q, strict=True)] for p, q in zip(seconds[one], seconds[other], strict=True)
+    builds = [
+        subprocess.Popen(
+            [sys.executable, "-c", TIMED, str(site), *files],
+            env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        for site in (one, other)
     ]
+    try:
+        printed = [[_line(build), _line(build)] for build in builds]
+        seconds = {
+            work: [[_seconds(build, work) for build in builds] for _ in range(runs)]
+            for work in ("match", "draw")
+        }
+    finally:
+        for build in builds:
+            build.communicate()
     return {
-        "equal": printed[one] == printed[other],
+        "equal": printed[0] == printed[1],
         "runs": runs,
-        "least": [round(a / b, 4) for a, b in zip(least[one], least[other], strict=True)],
-        "median": [round(statistics.median(each), 4) for each in zip(*ratios, strict=True)],
+        "least": [round(min(a for a, _ in each) / min(b for _, b in each), 4) for each in seconds.values()],
+        "median": [round(statistics.median(a / b for a, b in each), 4) for each in seconds.values()],
     }
+
+
+def _line(build: subprocess.Popen[str]) -> str:
+    assert build.stdout is not None
+    line = build.stdout.readline()
+    if not line:
+        sys.exit(f"{build.args[3]}: ended with status {build.wait()}")  # type: ignore[index]
+    return line
+
+
+def _seconds(build: subprocess.Popen[str], work: str) -> float:
+    assert build.stdin is not None
+    print(work, file=build.stdin, flush=True)
+    return float(_line(build))
 
 
 def unpacked(wheel: Path, folder: Path) -> Path:
