@@ -66,6 +66,11 @@ def test_by_work_the_least_work_comes_first(icons, ranked):
     assert works[0] < works[-1]
 
 
+def test_by_work_a_drawing_that_is_built_alike_comes_first(ranked, samples, here):
+    found, _ = ranked(str(samples / "cow.svg"), str(samples), "--by", "work", "--top", "1")
+    assert [Path(each["file"]).stem for each in found] == ["deer"]
+
+
 def test_only_the_first_are_listed(icons, ranked):
     every, _ = ranked("a.svg", "icons")
     first, _ = ranked("a.svg", "icons", "--top", "2")
