@@ -14,7 +14,7 @@ from tests.support.solver import find_least
 
 @pytest.mark.parametrize("vertex", [0, 11])
 def test_the_least_is_the_work_of_the_best_start(subject_of, vertex):
-    subject = subject_of("e", "f", vertices=60, dot=(vertex, 0))
+    subject = subject_of("triangle", "square", vertices=60, dot=(vertex, 0))
     works = starts.works_of(subject)
     assert works.min() == pytest.approx(subject.correspondence.work, rel=1e-12)
     assert [vertex, int(works.argmin())] in subject.correspondence.dots.tolist()
@@ -47,7 +47,7 @@ def test_works_that_differ_much_are_drawn_by_powers_of_ten():
 
 
 def test_the_best_start_is_marked_and_named(subject_of):
-    subject = subject_of("e", "f")
+    subject = subject_of("triangle", "square")
     text = starts.draw(subject)
     (best,) = pieces(text, "best")
     assert len(pieces(text, "work")) == 1
