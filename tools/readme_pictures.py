@@ -33,15 +33,15 @@ SHEETS = {
 
 CONSTANTS = {
     "bending": {"dancer-1 dancer-2": ("turn", "paper")},
-    "kt": {"e f --motion linear": (0, 7, 70)},
+    "kt": {"cow deer --motion linear": (0, 7, 70)},
     "smoothing": {"pan-1 pan-2 --motion linear": (0, 0.01, 0.1)},
-    "ks": {"e f --motion linear": (0, 1.2, 12)},
-    "kb": {"e f --motion linear": (0, 1, 10)},
+    "ks": {"f cow --motion linear": (0, 1.2, 12)},
+    "kb": {"f cow --motion linear": (0, 1, 10)},
     "es": {"f cow --motion linear": (1, 2, 4)},
     "eb": {"f cow --motion linear": (0.5, 1, 2)},
     "pb": {"cow step-1 --motion linear": (0, 1), "dancer-1 dancer-2 --motion linear": (1, 1000)},
     "mb": {"cow deer --motion linear --preset paper": (0, 3, 100)},
-    "cs": {"e f --motion linear": (0.05, 0.5, 1)},
+    "cs": {"cow deer --motion linear": (0.05, 0.5, 1)},
 }
 """For each constant of the wire drawings, and its values from above to below."""
 
