@@ -44,6 +44,9 @@ FIXED = 1e6
 SHORTEST_STEP = 1e-15
 """Steps along outlines, as shares of their length, are at least as long: shorter ones are rounding."""
 
+NOISE = 1e-12
+"""What rounding adds to work, at most."""
+
 NEAR = 0.15
 """A place nearer to a vertex than this share of the usual edge is the vertex."""
 
@@ -136,6 +139,45 @@ def solve_with_common_cuts(
     if is_proven(len(solved[0].polygon.vertices), len(solved[1].polygon.vertices), effort):
         solved = solve(*solved[:2], None, solved[2].work)
     return solved
+
+
+def solve_among(
+    start: Solved,
+    solve_some: Callable[[FlatContour, FlatContour, IntArray | None, float], Solved],
+    solve: Callable[[FlatContour, FlatContour, IntArray | None, float], Solved],
+    effort: str,
+    most: float | None,
+    known: float = np.inf,
+) -> Solved | None:
+    """Solve with common cuts where only some correspondences are wanted.
+
+    Parameters
+    ----------
+    start : Solved
+        Two contours in the same direction, and the first of these correspondences.
+    solve_some : callable
+        Finds the least work of those that are wanted; see `solve_with_common_cuts`.
+    solve : callable
+        Finds the least work of all.
+    effort : {'auto', 'exact', 'fast'}
+    most : float or None
+        How many times the least work it may take; None is any number.
+    known : float
+        The work of some correspondence.
+
+    Returns
+    -------
+    a, b : FlatContour
+    correspondence : Correspondence
+        The lower bound is that of all correspondences of these two, where it was looked for.
+
+    None if it takes too much work.
+    """
+    a, b, found = solve_with_common_cuts(*start, solve_some, effort)
+    least = solve(a, b, None, found.work)[2]
+    if most is not None and found.work > most * min(known, least.work) + NOISE:
+        return None
+    return a, b, replace(found, lower_bound=min(least.lower_bound, found.work))
 
 
 def common_cuts(

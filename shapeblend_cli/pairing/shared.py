@@ -10,7 +10,6 @@ Not in the paper.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -20,7 +19,7 @@ from shapeblend_cli.geometry.polyline import cumulative_lengths, thin
 from shapeblend_cli.matching.solve import Search, least_work, priced
 from shapeblend_cli.matching.work import Wire, Wires
 from shapeblend_cli.model import Box
-from shapeblend_cli.pairing.common_cuts import solve_with_common_cuts
+from shapeblend_cli.pairing.common_cuts import solve_among
 from shapeblend_cli.pairing.outline import Outline
 from shapeblend_cli.pairing.stretches import TOLERANCE, shared_stretches
 
@@ -44,8 +43,8 @@ as the line."""
 BACK, BEYOND = 0.1, 0.25
 """A limb goes back along the line, and beyond its ends, by these shares of it at most."""
 
-MOST, NOISE = 1.15, 1e-12
-"""Without a limb, a match that holds what is shared may take so many times the least work, and what rounding adds."""
+MOST = 1.15
+"""Without a limb, a match that holds what is shared may take so many times the least work."""
 
 
 class Anchors(NamedTuple):
@@ -95,11 +94,8 @@ def solve_with_shared(
         whole = Wires(to_unit_box(p.polygon), to_unit_box(q.polygon), True, settings.constants)
         return p, q, priced(whole, _joined((p, q), anchors, limbs, whole, settings.effort))
 
-    cut_a, cut_b, found = solve_with_common_cuts(*solve_pieces(*cut), solve_pieces, settings.effort)
-    least = solve(cut_a, cut_b, None, found.work)[2]
-    if not any(limbs) and found.work > MOST * least.work + NOISE:
-        return None
-    return cut_a, cut_b, replace(found, lower_bound=min(least.lower_bound, found.work))
+    most = None if any(limbs) else MOST
+    return solve_among(solve_pieces(*cut), solve_pieces, solve, settings.effort, most)
 
 
 def _anchors(a: FlatContour, b: FlatContour) -> tuple[Anchors, Anchors] | None:
@@ -180,7 +176,7 @@ def _limb_of(z: ComplexArray, w: ComplexArray) -> str:
     What has a point for a partner goes into that.
     """
     if len(z) == 1 or len(w) == 1:
-        return "b" * (len(w) > 1) or "a" * (len(z) > 1)
+        return "b" if len(w) > 1 else "a" if len(z) > 1 else ""
     for name, limb, line in (("a", z, w), ("b", w, z)):
         along, length = abs(line[-1] - line[0]), cumulative_lengths(line)[-1]
         if along >= STRAIGHT * length and cumulative_lengths(limb)[-1] >= DETOUR * length:

@@ -21,7 +21,7 @@ from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
 from shapeblend_cli.matching.solve import Search, least_work, priced
 from shapeblend_cli.matching.work import Wire, Wires
 from shapeblend_cli.model import Polygon
-from shapeblend_cli.pairing.common_cuts import solve_with_common_cuts
+from shapeblend_cli.pairing.common_cuts import solve_among
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -43,8 +43,8 @@ DIRECTIONS = (1j, 1.0)
 PARALLEL, SQUARE = 0.99, 1e-6
 """Cosines of the angle within which two axes run the same way, and beyond which they are at right angles."""
 
-MOST, NOISE = 1.4, 1e-12
-"""A match that keeps an outline its own mirror image may take so many times the least work, and what rounding adds."""
+MOST = 1.4
+"""A match that keeps an outline its own mirror image may take so many times the least work."""
 
 NEAR, SAME = 0.3, 1e-9
 """A vertex nearer to a node than this share of the usual edge is left out; and shares of a half that are one."""
@@ -151,11 +151,7 @@ def solve_with_symmetry(
         whole = Wires(*vertices, a.polygon.closed, settings.constants)
         return parts[0].flat, parts[1].flat, _solve_parts(parts, whole, settings.effort)
 
-    cut_a, cut_b, found = solve_with_common_cuts(*solve_part(a, b), solve_part, settings.effort)
-    least = solve(cut_a, cut_b, None, found.work)[2]
-    if found.work > MOST * min(first.work, least.work) + NOISE:
-        return None
-    return cut_a, cut_b, replace(found, lower_bound=min(least.lower_bound, found.work))
+    return solve_among(solve_part(a, b), solve_part, solve, settings.effort, MOST, first.work)
 
 
 def common_axes(a: Polygon, b: Polygon) -> list[tuple[Axis, Axis]]:
