@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.geometry.grouping import grouped, overlaps
 from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Sequence
 
     from shapeblend_cli.model import ComplexArray, ContourBlend, FloatArray, ShapeBlend
 
@@ -228,26 +229,14 @@ def _suits(points: PointPairs, common: Alignment, own: Alignment) -> bool:
 def _together(shapes: Sequence[ShapeBlend]) -> list[list[int]]:
     """Return groups of shapes with partners, by number, whose boxes overlap at both ends."""
     matched = [k for k, shape in enumerate(shapes) if shape.is_matched]
-    boxes = {k: [_box(shapes[k], side) for side in ("start", "end")] for k in matched}
-    return grouped(matched, lambda p, q: _overlap(boxes[p], boxes[q]))
-
-
-def grouped(numbers: Iterable[int], are_together: Callable[[int, int], bool]) -> list[list[int]]:
-    """Return groups of numbers: two that are together are in one, and so is what is together with either."""
-    groups: list[list[int]] = []
-    for k in numbers:
-        near = [group for group in groups if any(are_together(k, other) for other in group)]
-        groups = [group for group in groups if group not in near]
-        groups.append([k, *(other for group in near for other in group)])
-    return groups
+    if not matched:
+        return []
+    starts, ends = ([_box(shapes[k], side) for k in matched] for side in ("start", "end"))
+    return [[matched[k] for k in group] for group in grouped(overlaps(starts) & overlaps(ends))]
 
 
 def _box(shape: ShapeBlend, side: str) -> Box:
     return Box.around(np.concatenate([getattr(c, side).segments.ravel() for c in shape.contours]))
-
-
-def _overlap(one: Sequence[Box], other: Sequence[Box]) -> bool:
-    return all(box.overlaps(another) for box, another in zip(one, other, strict=True))
 
 
 def residual(points: PointPairs, alignment: Alignment) -> float:

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.geometry.grouping import grouped
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, thin
-from shapeblend_cli.motion.alignment import align, grouped, point_pairs
+from shapeblend_cli.motion.alignment import align, point_pairs
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -30,7 +31,10 @@ HALF_TURN = math.radians(179.0)
 def parts_of(contours: Sequence[ContourBlend]) -> list[list[int]]:
     """Return the numbers of the contours of each part."""
     ends = [(_Outline.of(contour.polygon_a), _Outline.of(contour.polygon_b)) for contour in contours]
-    return grouped(range(len(contours)), lambda p, q: all(map(_touch, ends[p], ends[q])))
+    together = np.zeros((len(ends), len(ends)), np.bool_)
+    for p, q in zip(*np.tril_indices(len(ends), -1), strict=True):
+        together[p, q] = all(map(_touch, ends[p], ends[q]))
+    return grouped(together)
 
 
 class _Outline(NamedTuple):

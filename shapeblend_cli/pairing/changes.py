@@ -16,6 +16,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
+from shapeblend_cli.geometry.grouping import grouped, overlaps
 from shapeblend_cli.geometry.polygons import reverse_contour
 from shapeblend_cli.geometry.polyline import thin
 from shapeblend_cli.geometry.window import Window
@@ -139,14 +140,9 @@ def _windows(loops: Sequence[Contour]) -> list[Window]:
     window = _window(loops, from_middle=False)
     if window is not None:
         return [window] * len(loops)
-    groups: list[list[int]] = []
-    boxes = [cubics.bounds(loop.segments) for loop in loops]
-    for k, box in enumerate(boxes):
-        near = [group for group in groups if any(boxes[other].overlaps(box) for other in group)]
-        groups = [group for group in groups if group not in near]
-        groups.append([k, *(other for group in near for other in group)])
+    together = overlaps([cubics.bounds(loop.segments) for loop in loops])
     found: dict[int, Window | None] = {}
-    for group in groups:
+    for group in grouped(together):
         window = _window([loops[k] for k in group], from_middle=True)
         found.update(dict.fromkeys(group, window))
     return [window for k in range(len(loops)) if (window := found[k])]
