@@ -50,11 +50,6 @@ class Alignment(NamedTuple):
         """Map points of B back over A's, with A's centre at the origin."""
         return (z - self.centre_b) * cmath.rect(1.0 / self.scale, -self.rotation)
 
-    def turned_back(self, z: ComplexArray, t: float) -> ComplexArray:
-        """Map points at time t to where they would be if nothing turned."""
-        centre = (1.0 - t) * self.centre_a + t * self.centre_b
-        return (z - centre) * cmath.rect(1.0, -self.rotation * t) + centre
-
     def apply(self, z: ComplexArray, t: float) -> ComplexArray:
         """Map points around the origin to where they are at time t.
 

@@ -179,11 +179,12 @@ def outlines_of(shape: ShapeBlend) -> Outlines:
 
 def _upright(motion: Rigid, points: ComplexArray, contour: IntArray) -> ComplexArray:
     """Return points at all times as they would be if no contour turned."""
-    upright = np.empty_like(points)
-    for k, alignment in enumerate(motion.alignments):
-        own = np.flatnonzero(contour == k)
-        for row, t in enumerate(TIMES.tolist()):
-            upright[row, own] = alignment.turned_back(points[row, own], t)
+    turns = motion.alignments
+    rotation = np.array([one.rotation for one in turns])[contour]
+    centre_a, centre_b = (np.array(side)[contour] for side in zip(*(one[:2] for one in turns), strict=True))
+    t = TIMES[:, None]
+    centre = (1.0 - t) * centre_a + t * centre_b
+    upright: ComplexArray = (points - centre) * np.exp(-1j * rotation * t) + centre
     return upright
 
 
