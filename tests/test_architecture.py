@@ -23,11 +23,11 @@ ROOMS = {
     "__init__": "api outputs model settings errors version",
     "api": "pipeline outputs output report pairing svg.reading svg.writing settings model clock version easing errors",
     "studio": "project preview tries files jobs outputs output pipeline svg.reading svg.writing motion views fields "
-    "field_types model kept clock version errors",
+    "field_types model kept clock version processes errors",
     "rank": "batch tries files svg.reading svg.writing output settings motion model kept clock errors",
     "project": "batch field_types errors",
-    "batch": "files svg.reading jobs outputs output kept staging interrupts fields field_types clock easing errors "
-    "version",
+    "batch": "files svg.reading jobs outputs output kept staging processes interrupts fields field_types clock easing "
+    "errors version",
     "plot": "files outputs output svg.reading svg.writing pairing interpolate geometry settings matching model clock "
     "errors",
     "states": "files outputs output interpolate svg.reading svg.writing names settings matching model clock errors",
@@ -41,6 +41,7 @@ ROOMS = {
     "outputs": "pipeline interpolate svg.writing names settings fields field_types model easing triggers errors",
     "output": "staging interrupts errors",
     "staging": "",
+    "processes": "",
     "interrupts": "errors",
     "pipeline": "clipping views pairing motion interpolate names paint geometry settings model kept clock easing "
     "errors",

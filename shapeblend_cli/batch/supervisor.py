@@ -6,21 +6,16 @@ empties; signals go there, too.
 
 from __future__ import annotations
 
-import os
-import pickle
-import subprocess
-import sys
 import threading
 from collections import deque
 from collections.abc import Iterable, Iterator
-from contextlib import suppress
-from pathlib import Path
 from queue import SimpleQueue
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from shapeblend_cli.batch.worker import DONE, READY, STOPPED, TIMEOUT, Answer, Order
+from shapeblend_cli.batch.worker import DONE, STOPPED, TIMEOUT, Answer, Order
 from shapeblend_cli.errors import ShapeblendError
 from shapeblend_cli.interrupts import told
+from shapeblend_cli.processes import Child
 
 ATTEMPTS = 2
 DIED = "died"
@@ -30,11 +25,6 @@ GRACE = 5.0
 
 BLENDS = "shapeblend_cli.batch.worker"
 """The module whose `main` a worker runs, unless another one is named."""
-
-START = (
-    "import sys; sys.path.append(sys.argv[1]); import importlib; importlib.import_module(sys.argv[2]).main()"
-)
-"""What a worker runs. The working folder is not searched for modules, so that no file there is taken for one."""
 
 
 class Ended(NamedTuple):
@@ -124,7 +114,7 @@ class Worker:
 
     def __init__(self, module: str = BLENDS) -> None:
         self._module = module
-        self._process: subprocess.Popen[bytes] | None = None
+        self._process: Child | None = None
         self._is_stopped = False
         self._lock = threading.Lock()
 
@@ -158,7 +148,7 @@ class Worker:
         """Have the process end, after what it is writing is whole. It is not started again."""
         with self._lock:
             self._is_stopped = True
-            if self._process is None or self._process.poll() is not None:
+            if self._process is None or not self._process.is_running:
                 return
             if at_once:
                 self._process.kill()
@@ -172,15 +162,9 @@ class Worker:
         """End the process, and return its status."""
         with self._lock:
             process, self._process = self._process, None
-        if process is None:
-            return 0
-        for stream in (process.stdin, process.stdout):
-            if stream is not None:
-                with suppress(OSError):
-                    stream.close()
-        return process.wait()
+        return process.end() if process is not None else 0
 
-    def _started(self) -> subprocess.Popen[bytes] | None:
+    def _started(self) -> Child | None:
         """Return the process, started where it is not running; None after `stop`."""
         if self._process is not None:
             return self._process
@@ -188,15 +172,15 @@ class Worker:
             with self._lock:
                 if self._is_stopped:
                     return None
-                self._process = _start(self._module)
-            if _received(self._process) == READY:
+                self._process = Child(self._module)
+            if self._process.becomes_ready():
                 return self._process
             code = self.end()
             if self._is_stopped:
                 return None
         raise CannotStart(f"the processes that do the jobs do not start: {_ending(code)}")
 
-    def _asked(self, process: subprocess.Popen[bytes], order: Order) -> Answer | None:
+    def _asked(self, process: Child, order: Order) -> Answer | None:
         """Return what has become of a job; None if the process died."""
         seconds = order.given.get("timeout")
         is_late = threading.Event()
@@ -209,12 +193,7 @@ class Worker:
         if timer:
             timer.start()
         try:
-            assert process.stdin is not None
-            pickle.dump(order, process.stdin)
-            process.stdin.flush()
-            answer = _received(process)
-        except OSError:
-            answer = None
+            answer: Answer | None = process.ask(order)
         finally:
             if timer:
                 timer.cancel()
@@ -228,27 +207,6 @@ def died(order: Order, attempts: int, how: str) -> str:
     """Say that the process that did a job died so many times."""
     times = "twice" if attempts == 2 else f"{attempts} times"
     return f"{' and '.join(order.files)}: the process that did it died {times}, {how}"
-
-
-def _start(module: str) -> subprocess.Popen[bytes]:
-    folder = str(Path(__file__).parents[2])
-    return subprocess.Popen(
-        [sys.executable, "-P", "-c", START, folder, module],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,  # so that Ctrl-C is for the supervisor alone
-        env={"OPENBLAS_NUM_THREADS": "1"} | os.environ,  # as of a command
-    )
-
-
-def _received(process: subprocess.Popen[bytes]) -> Any:
-    """Return what a process sends; None if it is gone."""
-    assert process.stdout is not None
-    try:
-        return pickle.load(process.stdout)
-    except (EOFError, OSError, pickle.UnpicklingError):
-        return None
 
 
 def _ending(code: int) -> str:

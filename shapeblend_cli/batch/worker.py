@@ -1,18 +1,13 @@
-"""A process that does one job after another, as a supervisor asks by standard input, and answers by standard output.
-
-Both carry pickles. All that is slow to load is loaded once, before the first job.
-"""
+"""A process that does one job after another, as a supervisor asks; see `processes`."""
 
 from __future__ import annotations
 
 import os
-import pickle
 import signal
-import warnings
 from collections.abc import Callable
 from functools import cache
 from time import perf_counter
-from typing import Any, BinaryIO, NamedTuple
+from typing import Any, NamedTuple
 
 from shapeblend_cli.batch.records import Record
 from shapeblend_cli.batch.rows import command_of
@@ -22,8 +17,7 @@ from shapeblend_cli.interrupts import Interrupted, listening, stop_after
 from shapeblend_cli.jobs import Job, all_targets, job_of
 from shapeblend_cli.kept import Kept
 from shapeblend_cli.output import Contents
-
-READY = "ready"
+from shapeblend_cli.processes import Parent
 
 DONE, FAILED, TIMEOUT, STOPPED = "done", "failed", "timeout", "stopped"
 
@@ -134,40 +128,18 @@ def write_answer(order: Order, answer: Answer, made_of: dict[str, Any]) -> Answe
 
 
 def main(act: Act | None = None) -> None:
-    """Answer until standard input ends, by blends or by another act; see `do`."""
+    """Answer until there are no more orders, by blends or by another act; see `do`."""
     if hasattr(signal, "SIGINT"):
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # the supervisor is told, and knows what to do
-    warnings.simplefilter("ignore")
-    orders, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
-    # Nothing that a library reads or prints must get between them.
-    nothing = os.open(os.devnull, os.O_RDWR)
-    for number in (0, 1):
-        os.dup2(nothing, number)
-    import gc
-
+    parent = Parent()
     import shapeblend_cli.files  # noqa: F401
 
-    gc.freeze()
-    _send(answers, READY)
-    while (order := _receive(orders)) is not None:
+    for order in parent.orders():
         answer = do(order) if act is None else do(order, act)
-        _send(answers, answer)
+        parent.answer(answer)
         if answer.status in (TIMEOUT, STOPPED):
             break  # a process that was interrupted anywhere is trusted with no other job
     os._exit(0)
-
-
-def _send(stream: BinaryIO, value: Any) -> None:
-    pickle.dump(value, stream)
-    stream.flush()
-
-
-def _receive(stream: BinaryIO) -> Order | None:
-    try:
-        order: Order = pickle.load(stream)
-    except EOFError:
-        return None
-    return order
 
 
 if __name__ == "__main__":

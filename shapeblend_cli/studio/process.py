@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-import pickle
-import subprocess
-import sys
+import os
+import signal
 import threading
 from contextlib import suppress
-from pathlib import Path
 from typing import Any
 
 from shapeblend_cli.errors import ShapeblendError, in_words
-
-START = "import sys; sys.path.append(sys.argv[1]); from shapeblend_cli.studio.process import main; main()"
-"""What a process runs. The working folder is not searched for modules, so that no file there is taken for one."""
+from shapeblend_cli.processes import Child, Parent
 
 GRACE = 5
 """Seconds after its time in which a process that nobody stops ends by itself."""
 
-READY, DONE, FAILED = "ready", "done", "failed"
+DONE, FAILED = "done", "failed"
 
 
 class Failed(ShapeblendError):
@@ -31,7 +27,7 @@ class Process:
     def __init__(self) -> None:
         self._turn = threading.Lock()  # one order at a time
         self._change = threading.Lock()  # of the process
-        self._process: subprocess.Popen[bytes] | None = None
+        self._process: Child | None = None
         self._why = ""
         self._is_closed = False
 
@@ -59,12 +55,7 @@ class Process:
             timer.daemon = True
             timer.start()
             try:
-                assert process.stdin is not None
-                pickle.dump((order, seconds), process.stdin)
-                process.stdin.flush()
-                answer = _received(process)
-            except OSError:
-                answer = None
+                answer = process.ask((order, seconds))
             finally:
                 timer.cancel()
             if answer is None:
@@ -89,14 +80,14 @@ class Process:
         with self._turn:
             self._end()
 
-    def _started(self) -> subprocess.Popen[bytes]:
+    def _started(self) -> Child:
         with self._change:
             if self._is_closed:
                 raise Failed("the studio has ended")
-            if self._process is not None and self._process.poll() is None:
+            if self._process is not None and self._process.is_running:
                 return self._process
-            self._process = process = _start()
-        if _received(process) != READY:
+            self._process = process = Child(__name__)
+        if not process.becomes_ready():
             self._end()
             raise Failed(self._why or "the process that blends does not start")
         return process
@@ -106,64 +97,20 @@ class Process:
             process, self._process = self._process, None
         if process is not None:
             process.kill()
-            for stream in (process.stdin, process.stdout):
-                if stream is not None:
-                    with suppress(OSError):
-                        stream.close()
-            process.wait()
-
-
-def _start() -> subprocess.Popen[bytes]:
-    folder = str(Path(__file__).parents[2])
-    return subprocess.Popen(
-        [sys.executable, "-P", "-c", START, folder],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,  # so that Ctrl-C is for the studio alone, which ends it
-    )
-
-
-def _received(process: subprocess.Popen[bytes]) -> Any:
-    """Return what a process sends; None if it is gone."""
-    assert process.stdout is not None
-    try:
-        return pickle.load(process.stdout)
-    except (EOFError, OSError, ValueError, pickle.UnpicklingError):
-        return None
+            process.end()
 
 
 def main() -> None:
-    """Do orders from standard input until it ends, and answer by standard output."""
-    import gc
-    import os
-    import signal
-    import warnings
-
-    warnings.simplefilter("ignore")
-    orders, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
-    # Nothing that a library reads or prints must get between them.
-    nothing = os.open(os.devnull, os.O_RDWR)
-    for number in (0, 1):
-        os.dup2(nothing, number)
-
+    """Do orders until there are no more."""
+    parent = Parent()
     from shapeblend_cli.studio.work import do
 
-    gc.freeze()
-
-    def send(value: Any) -> None:
-        pickle.dump(value, answers)
-        answers.flush()
-
-    send(READY)
-    with suppress(EOFError, BrokenPipeError):
-        while True:
-            order, seconds = pickle.load(orders)
-            if hasattr(signal, "alarm"):
-                signal.alarm(int(seconds) + GRACE)  # even if whoever asked is gone
-            try:
-                answer = DONE, do(order)
-            except Exception as error:
-                answer = FAILED, in_words(error)
-            send(answer)
+    for order, seconds in parent.orders():
+        if hasattr(signal, "alarm"):
+            signal.alarm(int(seconds) + GRACE)  # even if whoever asked is gone
+        try:
+            answer = DONE, do(order)
+        except Exception as error:
+            answer = FAILED, in_words(error)
+        parent.answer(answer)
     os._exit(0)

@@ -1,0 +1,100 @@
+"""Processes that do one order after another, as they are asked by standard input, and answer by standard output.
+
+Both carry pickles. A module that such a process runs has a `main`, which takes orders from its `Parent`.
+"""
+
+from __future__ import annotations
+
+import gc
+import os
+import pickle
+import subprocess
+import sys
+import warnings
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+READY = "ready"
+
+START = (
+    "import sys; sys.path.append(sys.argv[1]); import importlib; importlib.import_module(sys.argv[2]).main()"
+)
+"""What a process runs. The working folder is not searched for modules, so that no file there is taken for one."""
+
+
+class Child:
+    """A process that runs a module, as its parent sees it."""
+
+    def __init__(self, module: str) -> None:
+        folder = str(Path(__file__).parents[1])
+        self._process = subprocess.Popen(
+            [sys.executable, "-P", "-c", START, folder, module],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            start_new_session=True,  # so that Ctrl-C is for its parent alone
+            env={"OPENBLAS_NUM_THREADS": "1"} | os.environ,  # as of a command
+        )
+        self.kill, self.terminate = self._process.kill, self._process.terminate
+
+    @property
+    def is_running(self) -> bool:
+        """Whether it has not ended."""
+        return self._process.poll() is None
+
+    def becomes_ready(self) -> bool:
+        """Wait until it has loaded all that it needs; return whether it has, and not ended instead."""
+        return bool(self._received() == READY)
+
+    def ask(self, order: Any) -> Any:
+        """Have an order done, and return the answer; None if the process is gone."""
+        assert self._process.stdin is not None
+        try:
+            pickle.dump(order, self._process.stdin)
+            self._process.stdin.flush()
+        except OSError:
+            return None
+        return self._received()
+
+    def end(self) -> int:
+        """Have it end, as there are no further orders; wait for that, and return its status."""
+        for stream in (self._process.stdin, self._process.stdout):
+            if stream is not None:
+                with suppress(OSError):
+                    stream.close()
+        return self._process.wait()
+
+    def _received(self) -> Any:
+        """Return what the process sends; None if it is gone."""
+        assert self._process.stdout is not None
+        try:
+            return pickle.load(self._process.stdout)
+        except (EOFError, OSError, ValueError, pickle.UnpicklingError):
+            return None
+
+
+class Parent:
+    """Whoever started this process, as it sees them."""
+
+    def __init__(self) -> None:
+        warnings.simplefilter("ignore")
+        self._orders, self._answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
+        # Nothing that a library reads or prints must get between them.
+        nothing = os.open(os.devnull, os.O_RDWR)
+        for number in (0, 1):
+            os.dup2(nothing, number)
+
+    def orders(self) -> Iterator[Any]:
+        """Yield orders until there are no more; all that is slow to load is loaded before."""
+        gc.freeze()
+        self.answer(READY)
+        with suppress(EOFError):
+            while True:
+                yield pickle.load(self._orders)
+
+    def answer(self, value: Any) -> None:
+        """Send what has become of an order."""
+        pickle.dump(value, self._answers)
+        self._answers.flush()
