@@ -11,11 +11,6 @@ from shapeblend_cli.model import Box, Pair, ShapeBlend
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-PLACES = ("left", "right", "top", "bottom")
-"""Where the first one is."""
-
-ORDERS = ("order", "size", *PLACES)
-
 
 def staggered(pair: Pair, stagger: float, by: str) -> Pair:
     """Return a pair in which the last shape starts so late, as a share of the time, and all take equally long.
