@@ -101,18 +101,13 @@ class Part(NamedTuple):
 
 def extended(contour: ContourChain, after: ContourChain) -> ContourChain:
     """Extend a contour by one that begins with its last outline, and cut all stations alike."""
-    if contour.closed:
-        contour = rolled_to(contour, float(after.start.cuts[0]))
-    parts, parts_after = common_parts(
-        contour.stations[-1], contour.end.cuts, after.stations[0], after.start.cuts
-    )
-    numbers, numbers_after = ([part.segment for part in each] for each in (parts, parts_after))
+    contour, parts, parts_after, straight = _aligned(contour, after)
     return contour._replace(
         stations=[
             *(cut(station, parts) for station in contour.stations),
             *(cut(station, parts_after) for station in after.stations[1:]),
         ],
-        straight=contour.straight[numbers] & after.straight[numbers_after],
+        straight=straight,
         end=after.end._replace(cuts=cut_positions(after.end.cuts, parts_after)),
     )
 
@@ -122,18 +117,29 @@ def joined_at_end(contour: ContourChain, after: ContourChain) -> ContourChain:
 
     So the last one stays what further ones may begin with.
     """
+    contour, parts, parts_after, straight = _aligned(contour, after)
+    *others, last = (cut(station, parts) for station in contour.stations)
+    return contour._replace(
+        stations=[*others, cut(after.stations[-1], parts_after), last],
+        straight=straight,
+        end=contour.end._replace(cuts=cut_positions(contour.end.cuts, parts)),
+    )
+
+
+def _aligned(
+    contour: ContourChain, after: ContourChain
+) -> tuple[ContourChain, list[Part], list[Part], BoolArray]:
+    """Cut a contour's last outline and the first one of another, which is the same, alike.
+
+    Return the contour, which begins where the other one does, the parts of both, and which parts are straight in both.
+    """
     if contour.closed:
         contour = rolled_to(contour, float(after.start.cuts[0]))
     parts, parts_after = common_parts(
         contour.stations[-1], contour.end.cuts, after.stations[0], after.start.cuts
     )
     numbers, numbers_after = ([part.segment for part in each] for each in (parts, parts_after))
-    *others, last = (cut(station, parts) for station in contour.stations)
-    return contour._replace(
-        stations=[*others, cut(after.stations[-1], parts_after), last],
-        straight=contour.straight[numbers] & after.straight[numbers_after],
-        end=contour.end._replace(cuts=cut_positions(contour.end.cuts, parts)),
-    )
+    return contour, parts, parts_after, contour.straight[numbers] & after.straight[numbers_after]
 
 
 def rolled_to(contour: ContourChain, position: float) -> ContourChain:
