@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import importlib
 import sys
+import warnings
 from contextlib import contextmanager
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -60,7 +61,10 @@ def _stand_ins() -> Iterator[None]:
                 del sys.modules[name]
 
 
-with _stand_ins():
+with _stand_ins(), warnings.catch_warnings():
+    # A regular expression of svgpathtools 1.4.2 is no raw string.
+    warnings.simplefilter("ignore", SyntaxWarning)
+    warnings.simplefilter("ignore", DeprecationWarning)
     import svgpathtools
     import svgwrite
     from svgpathtools import parse_path

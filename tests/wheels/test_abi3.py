@@ -48,6 +48,22 @@ def test_it_gives_what_the_build_in_place_gives_to_the_last_digit(site):
     assert found["equal"]
 
 
+def test_a_light_installation_has_no_scipy_and_blends_as_any_other(wheel, tmp_path):
+    """Nothing is there but what the wheel asks for: no compiler, and no other program on the path."""
+    python = wheels.installed(tmp_path / "light", f"{wheel}[light]")
+    assert "scipy" not in wheels.sizes(python)
+    pair = [str(wheels.ROOT / "samples" / f"{name}.svg") for name in ("dancer-1", "dancer-2")]
+    for command, folder in ((python.parent / "shapeblend", "light"), (sys.executable, "other")):
+        module = ["-m", "shapeblend_cli"] if folder == "other" else []
+        wheels.run(command, *module, *pair, "-o", tmp_path / folder / "frames", cwd=tmp_path, PATH="")
+    frames = [
+        {file.name: file.read_bytes() for file in (tmp_path / folder / "frames").iterdir()}
+        for folder in ("light", "other")
+    ]
+    assert len(frames[0]) == 5
+    assert frames[0] == frames[1]
+
+
 @pytest.mark.parametrize("python", ["python3.12", "python3.13", "python3.14"])
 def test_later_versions_of_python_load_its_kernels(site, python, tmp_path):
     """The kernels alone: they need nothing that has to be there for each version, as numpy has."""
