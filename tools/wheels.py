@@ -256,7 +256,7 @@ def size(found: dict[str, Any]) -> str:
     """Return what the README says of sizes, with the lines around it."""
     full, light = (sum(found[name].values()) for name in ("full", "light"))
     return (
-        f"{SIZE}\nAn installation takes up {full:.0f} MB, or {light:.0f} MB as `shapeblend[light]`, which does without "
+        f"{SIZE}\nInstalled, it takes up {full:.0f} MB, or {light:.0f} MB as `shapeblend[light]`, which leaves out "
         f"scipy.\n{END_OF_SIZE}"
     )
 
