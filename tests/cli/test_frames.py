@@ -7,7 +7,7 @@ import pytest
 
 import shapeblend_cli as sb
 from shapeblend_cli.cli import run
-from tests.support.commands import made, points, report, write
+from tests.support.commands import assert_refused, made, points, report, write
 from tests.support.drawings import BAR, EYED, LEAF, svg
 
 BOX, FAR = "M2 8h8v8h-8z", "M6 8h8v8h-8z"
@@ -97,11 +97,7 @@ REFUSED = {
 @pytest.mark.parametrize("options", REFUSED)
 def test_what_makes_no_frames_is_refused(here, capsys, options):
     write(a=svg(BAR), b=svg(LEAF), c=svg(BAR))
-    assert run(["a.svg", "b.svg", *options.split()]) == 2
-    error = capsys.readouterr().err
-    assert REFUSED[options] in error
-    assert error.count("\n") == 1
-    assert made() == []
+    assert_refused(capsys, ["a.svg", "b.svg", *options.split()], REFUSED[options])
 
 
 def test_a_drawing_of_specks_alone_is_refused(here, capsys):
@@ -134,5 +130,4 @@ def test_without_ffmpeg_a_line_says_what_to_install(here, capsys, monkeypatch):
 )
 def test_videos_that_cannot_be_are_refused(here, capsys, options, message):
     write(a=svg(BAR), b=svg(LEAF))
-    assert run(["a.svg", "b.svg", *options.split()]) == 2
-    assert message in capsys.readouterr().err
+    assert_refused(capsys, ["a.svg", "b.svg", *options.split()], message)

@@ -8,7 +8,7 @@ import pytest
 
 import shapeblend_cli as sb
 from shapeblend_cli.cli import run
-from tests.support.commands import made, points, write
+from tests.support.commands import assert_refused, points, write
 from tests.support.drawings import BAR, EIGHT, EYED, I_DOT, J_DOT, LEAF, RING, SQUARES, B, svg
 from tests.support.pictures import pixels
 
@@ -129,12 +129,7 @@ REFUSED = {
 
 @pytest.mark.parametrize("options", REFUSED)
 def test_what_cannot_be_mixed_is_refused(here, capsys, options):
-    files = letters(B, EIGHT, RING)
-    assert run([*files, *options.split()]) == 2
-    error = capsys.readouterr().err
-    assert REFUSED[options] in error
-    assert error.count("\n") == 1
-    assert made() == []
+    assert_refused(capsys, [*letters(B, EIGHT, RING), *options.split()], REFUSED[options])
 
 
 def test_mixtures_in_python(here):

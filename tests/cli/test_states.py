@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 import pytest
 
 from shapeblend_cli.cli import run
-from tests.support.commands import made, write
+from tests.support.commands import assert_refused, write
 from tests.support.drawings import BAR, EIGHT, LEAF, RING, B, svg
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -81,11 +81,7 @@ REFUSED = {
 
 @pytest.mark.parametrize("options", REFUSED)
 def test_what_is_no_drawing_of_states_is_refused(here, capsys, options):
-    assert run(["states", *three(), *options.split()]) == 2
-    error = capsys.readouterr().err
-    assert REFUSED[options] in error
-    assert error.count("\n") == 1
-    assert made() == []
+    assert_refused(capsys, ["states", *three(), *options.split()], REFUSED[options])
 
 
 def test_one_file_has_no_states_and_existing_files_stay(here, capsys):

@@ -3,7 +3,7 @@
 import pytest
 
 from shapeblend_cli.cli import run
-from tests.support.commands import made, write
+from tests.support.commands import assert_refused, write
 from tests.support.drawings import BAR, LEAF, svg
 
 REFUSED = {
@@ -21,11 +21,7 @@ REFUSED = {
 @pytest.mark.parametrize("options", REFUSED)
 def test_what_cannot_wait_is_refused(here, capsys, options):
     write(a=svg(BAR), b=svg(LEAF), c=svg(BAR))
-    assert run(["a.svg", "b.svg", *options.split()]) == 2
-    error = capsys.readouterr().err
-    assert REFUSED[options] in error
-    assert error.count("\n") == 1
-    assert made() == []
+    assert_refused(capsys, ["a.svg", "b.svg", *options.split()], REFUSED[options])
 
 
 def test_transitions_go_straight_and_say_so_if_that_was_not_asked_for(here, capsys):

@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 import pytest
 
 from shapeblend_cli.cli import run
-from tests.support.commands import made, points, write
+from tests.support.commands import assert_refused, points, write
 from tests.support.drawings import BAR, LEAF, svg
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -89,6 +89,4 @@ REFUSED = {
 @pytest.mark.parametrize("options", REFUSED)
 def test_what_cannot_be_staggered_is_refused(here, capsys, options):
     write(a=svg(BAR), b=svg(LEAF))
-    assert run(["a.svg", "b.svg", *options.split()]) == 2
-    assert REFUSED[options] in capsys.readouterr().err
-    assert made() == []
+    assert_refused(capsys, ["a.svg", "b.svg", *options.split()], REFUSED[options])

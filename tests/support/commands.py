@@ -48,6 +48,16 @@ def contours(*arguments):
     return [contour for pair in report(*arguments)["pairs"] for contour in pair["contours"]]
 
 
+def assert_refused(capsys, arguments, words, status=2):
+    """Run the command, which has to say what is wrong in one line with these words in it, and write nothing."""
+    before = contents()
+    assert run(arguments) == status
+    error = capsys.readouterr().err
+    assert words in error
+    assert error.count("\n") == 1
+    assert contents() == before
+
+
 def process(*arguments, stdin=None, **environment):
     """Run the command in a process of its own, which has to succeed."""
     command = [sys.executable, "-m", "shapeblend_cli", *arguments]
