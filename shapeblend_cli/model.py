@@ -255,6 +255,11 @@ class Page(NamedTuple):
     name: Name = UNNAMED
     heading: str = ""  # what it can be called for want of a title: its file, or several
 
+    @property
+    def called(self) -> str:
+        """What it is called for those who do not see it."""
+        return self.name.title or self.heading
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Shape:

@@ -46,7 +46,7 @@ def css_svg(
                 animations.append(f"{name}-{attribute} {run} linear")
             else:
                 for time, value in zip(times, values.keys, strict=True):
-                    at_keys[time].append(_declaration(attribute, value))
+                    at_keys[time].append(declaration(attribute, value))
         if at_keys[times[0]]:
             rules.append(_keyframes(name, at_keys))
             animations.append(f"{name} {run} {timing.ease.css()}")
@@ -122,11 +122,12 @@ def _declarations(name: str, timed: Sequence[Moment], last: int) -> dict[float, 
     """Return declarations of an attribute by time, as a share of the time up to the last key, with their easing."""
     declarations = {}
     for moment in timed:
-        declarations[moment.time / last] = [_declaration(name, moment.value)]
+        declarations[moment.time / last] = [declaration(name, moment.value)]
         if not moment.ease.is_linear and moment is not timed[-1]:
             declarations[moment.time / last].append(f"animation-timing-function:{moment.ease.css()}")
     return declarations
 
 
-def _declaration(name: str, value: str) -> str:
+def declaration(name: str, value: str) -> str:
+    """Return what a style sheet says of an attribute."""
     return f'd:path("{value}")' if name == "d" else f"{name.replace('_', '-')}:{value}"

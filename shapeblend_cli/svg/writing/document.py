@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Iterable, Sequence
 from typing import Any
 from xml.etree import ElementTree  # svgwrite has imported it anyway
@@ -32,6 +33,20 @@ def empty(viewbox: Box, decimals: int, page: Page | None = None) -> Any:
             drawing["id"] = page.name.id
         _add_texts(drawing, page.name)
     return drawing
+
+
+def empty_and_called(viewbox: Box, decimals: int, page: Page) -> Any:
+    """Return a drawing as of `empty`, which has a title in any case."""
+    return empty(viewbox, decimals, page._replace(name=page.name._replace(title=page.called)))
+
+
+def fingerprint(shapes: Iterable[KeyframedShape], *others: object) -> str:
+    """Return a word of its own for shapes, and what else there is, so that several drawings can stand in one page."""
+    drawn = [
+        [([path.segments.tolist() for path in key.paths], key.style) for key in shape.keys]
+        for shape in shapes
+    ]
+    return f"{zlib.crc32(repr((drawn, *others)).encode()):08x}"
 
 
 def _add_texts(element: Any, name: Name) -> None:

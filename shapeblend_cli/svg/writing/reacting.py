@@ -7,7 +7,6 @@ SMIL take a line of script in an attribute, and events of other elements that no
 from __future__ import annotations
 
 import json
-import zlib
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -17,6 +16,7 @@ from shapeblend_cli.easing import Timing
 from shapeblend_cli.model import Box, Clip, KeyframedShape, Page, PaintedShape
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import COLOURS, Values, attribute_values
+from shapeblend_cli.svg.writing.css import declaration
 from shapeblend_cli.svg.writing.paint import Gradients, visible_styles
 from shapeblend_cli.svg.writing.path_data import short_path_data
 from shapeblend_cli.svg.writing.rounding import number
@@ -51,23 +51,13 @@ class Reaction(NamedTuple):
     trigger: Trigger
 
     @property
-    def title(self) -> str:
-        """What it is called for those who do not see it."""
-        return self.page.name.title or self.page.heading
-
-    @property
     def id(self) -> str:
         """An id of its own, a word as SMIL takes it."""
-        drawn = [
-            [([path.segments.tolist() for path in key.paths], key.style) for key in shape.keys]
-            for shape in self.shapes
-        ]
-        return f"b{zlib.crc32(repr((drawn, self.trigger, self.title)).encode()):08x}"
+        return f"b{document.fingerprint(self.shapes, self.trigger, self.page.called)}"
 
     def empty(self, decimals: int) -> Any:
         """Return a drawing of it that draws nothing yet; it has a title."""
-        name = self.page.name._replace(title=self.title)
-        return document.empty(self.views[0], decimals, self.page._replace(name=name))
+        return document.empty_and_called(self.views[0], decimals, self.page)
 
 
 def reacting_smil(reaction: Reaction, timing: Timing, decimals: int) -> str:
@@ -80,7 +70,7 @@ def reacting_smil(reaction: Reaction, timing: Timing, decimals: int) -> str:
     timeline = _ThereAndBack(drawing, len(reaction.views) - 1, timing, *_begins(trigger, name))
     timeline.add_views(drawing, [document.box_text(view, decimals) for view in reaction.views])
     drawing["role"] = "presentation"  # what it is, is said of what is in it
-    around = written_group({"id": name, **_role(trigger, reaction.title)})
+    around = written_group({"id": name, **_role(trigger, reaction.page.called)})
     drawing.add(around)
     area = {**_area(Box.union(reaction.views), decimals), "fill": "none", "pointer-events": "all"}
     around.add(written("rect", area))
@@ -246,7 +236,7 @@ def reacting_css(reaction: Reaction, timing: Timing, decimals: int) -> str:
     drawing["class"] = name
     is_click = trigger.kind == CLICK
     if not is_click:
-        drawing.attribs.update(_role(trigger, reaction.title))
+        drawing.attribs.update(_role(trigger, reaction.page.called))
     tree = document.Tree.of(drawing, reaction.shapes)
     active = [f".{name}:has(:checked)"] if is_click else [f".{name}:hover", f".{name}:focus-visible"]
     rules = []
@@ -259,8 +249,8 @@ def reacting_css(reaction: Reaction, timing: Timing, decimals: int) -> str:
             there, back = (
                 _transitions(shape, changing, timing, is_back=is_back) for is_back in (False, True)
             )
-            at_rest = [_declaration(attribute, start[attribute]) for attribute in changing]
-            moved = [_declaration(attribute, values[attribute].keys[-1]) for attribute in changing]
+            at_rest = [declaration(attribute, start[attribute]) for attribute in changing]
+            moved = [declaration(attribute, values[attribute].keys[-1]) for attribute in changing]
             rules.append(f".{own}{{{';'.join([*at_rest, back])}}}")
             rules.append(f"{','.join(f'{one} .{own}' for one in active)}{{{';'.join([*moved, there])}}}")
         tree.add(drawing.path(class_=own, **start), shape.groups, shape.name)
@@ -274,7 +264,7 @@ def reacting_css(reaction: Reaction, timing: Timing, decimals: int) -> str:
 def _check_box(reaction: Reaction, decimals: int) -> Element:
     """Return a check box over all of the drawing, which is not seen."""
     holder = Element("foreignObject", _area(Box.union(reaction.views), decimals))
-    given = {"type": "checkbox", "role": "switch", "aria-label": reaction.title}
+    given = {"type": "checkbox", "role": "switch", "aria-label": reaction.page.called}
     style = "width:100%;height:100%;margin:0;opacity:0;cursor:pointer"
     SubElement(holder, "input", {"xmlns": XHTML, **given, "style": style})
     return holder
@@ -307,7 +297,3 @@ def _span(shape: KeyframedShape, attribute: str) -> tuple[float, float]:
     values = [(t, getattr(style, attribute)) for t, style in stops]
     changes = [(p[0], q[0]) for p, q in pairwise(values) if p[1] != q[1]]
     return (changes[0][0], changes[-1][1]) if changes else (0.0, 1.0)
-
-
-def _declaration(name: str, value: str) -> str:
-    return f'd:path("{value}")' if name == "d" else f"{name.replace('_', '-')}:{value}"

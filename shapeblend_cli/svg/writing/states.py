@@ -7,7 +7,6 @@ they are.
 from __future__ import annotations
 
 import json
-import zlib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -16,6 +15,7 @@ from shapeblend_cli.easing import Ease
 from shapeblend_cli.model import Box, KeyframedShape, Page, Style
 from shapeblend_cli.paint.styles import keyed_styles
 from shapeblend_cli.svg.writing import document
+from shapeblend_cli.svg.writing.css import declaration
 from shapeblend_cli.svg.writing.paint import paint_attributes, without_defaults
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
@@ -39,18 +39,9 @@ class States(NamedTuple):
     decimals: int
 
     @property
-    def title(self) -> str:
-        """What it is called."""
-        return self.page.name.title or self.page.heading
-
-    @property
     def prefix(self) -> str:
         """The beginning of the names of its classes."""
-        drawn = [
-            [([path.segments.tolist() for path in key.paths], key.style) for key in shape.keys]
-            for shape in self.shapes
-        ]
-        return f"s{zlib.crc32(repr((drawn, self.names, self.seconds)).encode()):08x}"
+        return f"s{document.fingerprint(self.shapes, self.names, self.seconds)}"
 
 
 def states_svg(states: States, trigger: str | None) -> str:
@@ -60,7 +51,7 @@ def states_svg(states: States, trigger: str | None) -> str:
     """
     drawing, rules = _drawing(states, with_data=False)
     first, second = (json.dumps(name) for name in states.names[:2])
-    given = {"role": "img", "aria-label": states.title}
+    given = {"role": "img", "aria-label": states.page.called}
     if trigger == CLICK:
         given |= {"role": "button", "tabindex": "0", "style": "cursor:pointer"}
         given |= {"onclick": _ON % json.dumps(list(states.names)), "onkeydown": _KEYS}
@@ -84,7 +75,7 @@ def states_js(states: States, element: str) -> str:
         "/*STYLE*/": json.dumps("".join(rules)),
         "/*STATES*/": json.dumps(list(states.names)),
         "/*BODY*/": json.dumps(document.text(drawing).strip()),
-        "/*TITLE*/": json.dumps(states.title),
+        "/*TITLE*/": json.dumps(states.page.called),
         "/*MILLISECONDS*/": number(1000.0 * states.seconds, 1),
         "/*NAME*/": json.dumps(element),
         "FILE": f"{element}.js",
@@ -105,8 +96,7 @@ def states_js(states: States, element: str) -> str:
 def _drawing(states: States, *, with_data: bool) -> tuple[Any, list[str]]:
     """Return the drawing in its first state, and the rules of its style sheet."""
     prefix = states.prefix
-    name = states.page.name._replace(title=states.title)
-    drawing = document.empty(states.view, states.decimals, states.page._replace(name=name))
+    drawing = document.empty_and_called(states.view, states.decimals, states.page)
     drawing["class"] = prefix
     drawing["data-state"] = states.names[0]
     tree = document.Tree.of(drawing, states.shapes)
@@ -127,7 +117,7 @@ def _drawing(states: States, *, with_data: bool) -> tuple[Any, list[str]]:
                 f"transition-timing-function:{timing.split()[1]}}}"
             )
             for state, each in zip(states.names, values, strict=True):
-                declared = ";".join(_declaration(a, each[a]) for a in changing)
+                declared = ";".join(declaration(a, each[a]) for a in changing)
                 rules.append(f".{prefix}[data-state={json.dumps(state)}] .{own}{{{declared}}}")
         given = {a: values[0][a] for a in values[0] if a in written or a in changing}
         path = drawing.path(class_=own, **given)
@@ -151,7 +141,3 @@ def _plain(styles: Sequence[Style]) -> list[Style]:
         style._replace(stroke_dasharray=dash, stroke_dashoffset=offset)
         for style, (dash, offset) in zip(coats[-1], dashes, strict=True)
     ]
-
-
-def _declaration(name: str, value: str) -> str:
-    return f'd:path("{value}")' if name == "d" else f"{name.replace('_', '-')}:{value}"
