@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
@@ -85,9 +85,17 @@ def check_libraries(job: Job) -> None:
 
 def check_files_of(job: Job) -> None:
     """Raise OutputError if a job would write what it must not; see `check_targets`."""
-    check_targets(
-        all_targets(job), [Path(file) for file in job.files if file != STANDARD_INPUT], job.write.force
-    )
+    _check(all_targets(job), job.files, job.write.force)
+
+
+def check_output(output: str, files: Sequence[str], force: bool) -> None:
+    """Raise OutputError if a text that is made of files must not be written to an output; see `check_targets`."""
+    if output != STANDARD_OUTPUT:
+        _check([Path(output)], files, force)
+
+
+def _check(targets: Iterable[Path], files: Sequence[str], force: bool) -> None:
+    check_targets(targets, [Path(file) for file in files if file != STANDARD_INPUT], force)
 
 
 def make(
@@ -155,6 +163,14 @@ def write(
     print_text(standard_output, "; the files were written" if any(contents.values()) else "")
     if stale := _stale_frames(job.output):
         warn(f"{job.output.path}: {len(stale)} frame files of another run remain, {min(stale)} among them")
+
+
+def write_output(output: str, text: str, force: bool) -> None:
+    """Write a text to a file, or to standard output."""
+    if output == STANDARD_OUTPUT:
+        print_text(text)
+    else:
+        write_files({Path(output): text}, force)
 
 
 def match_files(

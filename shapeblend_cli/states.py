@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path, PurePath
+from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import OptionError
-from shapeblend_cli.files import SLOW, match_files, print_text
+from shapeblend_cli.files import SLOW, check_output, match_files, write_output
 from shapeblend_cli.interpolate.stars import star_shapes
 from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.model import Box
 from shapeblend_cli.names import common_page, page_for
-from shapeblend_cli.output import check_targets, write_files
-from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, views
-from shapeblend_cli.svg.reading.read import STANDARD_INPUT
+from shapeblend_cli.outputs.formats import views
 from shapeblend_cli.svg.writing.rounding import decimals_for
 from shapeblend_cli.svg.writing.states import States, states_js, states_svg
 
@@ -37,9 +35,7 @@ def write_states(
     if not COMPILED:
         note(SLOW)
     element = element_name(options) if options.output.lower().endswith(".js") else None
-    if options.output != STANDARD_OUTPUT:
-        inputs = [Path(file) for file in files if file != STANDARD_INPUT]
-        check_targets([Path(options.output)], inputs, options.force)
+    check_output(options.output, files, options.force)
     alone = [tuple(float(k == j) for j in range(len(files))) for k in range(len(files))]
     settings = settings.replace(mix=alone, motion="linear", unmatched="point")
     pairs = match_files(files, read, settings, Clock(), note, progress)
@@ -54,10 +50,7 @@ def write_states(
     )
     trigger = None if options.trigger == "none" else options.trigger
     text = states_js(states, element) if element else states_svg(states, trigger)
-    if options.output == STANDARD_OUTPUT:
-        print_text(text)
-    else:
-        write_files({Path(options.output): text}, options.force)
+    write_output(options.output, text, options.force)
 
 
 def names_of(files: Sequence[str]) -> list[str]:

@@ -28,9 +28,9 @@ ROOMS = {
     "project": "batch field_types errors",
     "batch": "files svg.reading jobs outputs output kept staging processes interrupts fields field_types clock easing "
     "errors version",
-    "plot": "files outputs output svg.reading svg.writing pairing interpolate geometry settings matching model clock "
+    "plot": "files output svg.reading svg.writing pairing interpolate geometry settings matching model clock "
     "errors",
-    "states": "files outputs output interpolate svg.reading svg.writing names settings matching model clock errors",
+    "states": "files outputs interpolate svg.writing names settings matching model clock errors",
     "inkscape": "outputs output pipeline svg.reading svg.writing names geometry settings fields model easing errors",
     "files": "preview tries report jobs outputs output pipeline svg.reading motion settings matching model kept clock "
     "errors version",

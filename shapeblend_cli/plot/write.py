@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 from importlib import import_module
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError
-from shapeblend_cli.files import SLOW, match_files, print_text
+from shapeblend_cli.files import SLOW, check_output, match_files, write_output
 from shapeblend_cli.matching.solve import COMPILED
-from shapeblend_cli.output import check_targets, write_files
-from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.plot.subject import choose_subject
-from shapeblend_cli.svg.reading.read import STANDARD_INPUT
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -47,17 +43,11 @@ def plot_files(
     if not COMPILED:
         note(SLOW)
     output = options.output or f"{kind}.svg"
-    target = Path(output)
-    if output != STANDARD_OUTPUT:
-        inputs = [Path(file) for file in files if file != STANDARD_INPUT]
-        check_targets([target], inputs, options.force)
+    check_output(output, files, options.force)
     (pair,) = match_files(files, read, settings, Clock(), note, progress)
     try:
         subject = choose_subject(files, pair, settings, options, progress)
         text = import_module(f"shapeblend_cli.plot.{kind}").draw(subject)
     except MatchError as error:
         raise InputError(" and ".join(files), str(error)) from error
-    if output == STANDARD_OUTPUT:
-        print_text(text)
-    else:
-        write_files({target: text}, options.force)
+    write_output(output, text, options.force)
