@@ -29,6 +29,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from tools.dask_processes import ADDRESS, SCHEDULER, worker
 from tools.quality.data import ROOT
 from tools.quality.icon_sets import icon_set
 from tools.quality.judge import pairs as icons
@@ -229,34 +230,14 @@ def cluster(jobs: int) -> dict[str, float]:
     many = min(MANY, jobs)
     environment = {**os.environ, "DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "false"}
     options: dict[str, Any] = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "env": environment}
-    scheduler_options = (
-        "--host",
-        "127.0.0.1",
-        "--port",
-        "0",
-        "--no-dashboard",
-        "--scheduler-file",
-        "address.json",
-    )
-    dask = [sys.executable, "-m", "distributed.cli.dask_scheduler", *scheduler_options]
-    processes = [subprocess.Popen(dask, **options)]
+    processes = [subprocess.Popen(SCHEDULER, **options)]
     try:
-        while not (Path("address.json").exists() and "}" in Path("address.json").read_text()):
+        while not (Path(ADDRESS).exists() and "}" in Path(ADDRESS).read_text()):
             time.sleep(0.1)
-        address = json.loads(Path("address.json").read_text())["address"]
+        address = json.loads(Path(ADDRESS).read_text())["address"]
         for name in ("first", "second"):
             Path(name).mkdir()
-            line = [
-                sys.executable,
-                "-m",
-                "distributed.cli.dask_worker",
-                address,
-                "--nthreads",
-                "1",
-                "--no-dashboard",
-            ]
-            line += ["--local-directory", str(Path(name).resolve())]
-            processes.append(subprocess.Popen(line, cwd=name, **options))
+            processes.append(subprocess.Popen(worker(address, Path(name).resolve()), cwd=name, **options))
         time.sleep(5.0)
         subprocess.run([*_first(8, "warm"), "--cluster", address], check=True)
         used = []

@@ -12,6 +12,7 @@ import pytest
 
 from tests.support.commands import write
 from tests.support.drawings import BAR, LEAF, svg
+from tools.dask_processes import ADDRESS, SCHEDULER, worker
 
 pytest.importorskip("distributed")
 
@@ -88,17 +89,8 @@ class Cluster:
             self.scheduler = self._start(sys.executable, "local.py", stdout=subprocess.PIPE)
             self.address = self.scheduler.stdout.readline().decode().strip()
         else:
-            options = (
-                "--host",
-                "127.0.0.1",
-                "--port",
-                "0",
-                "--no-dashboard",
-                "--scheduler-file",
-                "address.json",
-            )
-            self.scheduler = self._dask("scheduler", *options)
-            file = wait_for(home / "address.json", b"}")
+            self.scheduler = self._start(*SCHEDULER)
+            file = wait_for(home / ADDRESS, b"}")
             self.address = json.loads(file.read_text("utf-8"))["address"]
             for name in "one", "two":
                 self.add_worker(name)
@@ -106,9 +98,9 @@ class Cluster:
 
     def add_worker(self, name, **environment):
         """Start one more worker, in a folder of its own."""
-        (self.home / name).mkdir()
-        options = "--nthreads", "1", "--local-directory", str(self.home / name), "--no-dashboard"
-        return self._dask("worker", self.address, *options, cwd=self.home / name, **environment)
+        folder = self.home / name
+        folder.mkdir()
+        return self._start(*worker(self.address, folder), cwd=folder, **environment)
 
     def workers(self, count):
         """The numbers of the processes of at least so many workers."""
@@ -139,16 +131,6 @@ class Cluster:
                 process.wait()
             if process.stdout is not None:
                 process.stdout.close()
-
-    def _dask(self, *arguments, cwd=None, **environment):
-        return self._start(
-            sys.executable,
-            "-m",
-            "distributed.cli.dask_" + arguments[0],
-            *arguments[1:],
-            cwd=cwd,
-            **environment,
-        )
 
     def _start(self, *command, cwd=None, stdout=subprocess.DEVNULL, **environment):
         environment = {**self.environment, **environment}
