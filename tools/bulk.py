@@ -31,7 +31,7 @@ from typing import Any
 
 from tools.dask_processes import ADDRESS, SCHEDULER, worker
 from tools.quality.data import ROOT
-from tools.quality.icon_sets import icon_set
+from tools.quality.icon_sets import icon_file, icon_set
 from tools.quality.judge import pairs as icons
 from tools.quality.tables import Table
 
@@ -66,11 +66,8 @@ def draw(count: int, folder: Path) -> None:
     ]
     folder.mkdir()
     chosen = random.Random(18).sample(names, count + 1)
-    size = known.get("height", 24)
     for k, name in enumerate(chosen):
-        body = known["icons"][name]["body"]
-        text = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {size} {size}">{body}</svg>\n'
-        (folder / f"{k}.svg").write_text(text, "utf-8")
+        (folder / f"{k}.svg").write_text(icon_file(icons.INSTALLED, PACKAGE, name), "utf-8")
 
 
 def say(text: str) -> None:
