@@ -357,9 +357,10 @@ def document(found: dict[str, Any]) -> str:
     ]
     parts = [
         "# How much it takes to do how many",
-        "Written by `make bulk`, from [capacity.json](capacity.json): icons of Material Symbols, plain ones of a "
-        "path each, drawn by lot, each into the next as an animated SVG. Times are those of a processor; the machine "
-        "has two, and others were at work on it.",
+        "`make bulk` measures this part by part into [capacity.json](capacity.json), of which this page is made: icons "
+        "of Material Symbols, plain ones of a path each, drawn by lot, each into the next as an animated SVG. The "
+        "parts are of several runs. Times are those of a processor; the machine has two, and others were at work on "
+        "it.",
         "## What holds",
         Table(("what", "measured"), promises).markdown().rstrip("\n"),
         "## What a pair costs",
