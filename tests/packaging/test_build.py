@@ -11,12 +11,14 @@ import sysconfig
 import tarfile
 import tomllib
 import zipfile
+from functools import partial
 from pathlib import Path
 
 import pytest
 
 import shapeblend_cli
 from shapeblend_cli import _cython
+from tools.wheels import run
 
 ROOT = Path(__file__).parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
@@ -29,18 +31,7 @@ DATA = re.compile(r"\.(dist-info|data)/")
 BINARY = re.compile(r"\.(so|pyd|c)$")
 
 
-def run(*command: object, cwd: Path, **environment: str) -> str:
-    done = subprocess.run(
-        [sys.executable, *map(str, command)],
-        cwd=cwd,
-        env={**os.environ, **environment},
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
+python = partial(run, sys.executable)
 
 
 @pytest.fixture(scope="module")
@@ -62,7 +53,7 @@ def wheel(source):
     no_compiler = shutil.which("false")
     if no_compiler is None:
         pytest.skip("needs a command that fails, to stand for the compiler")
-    run(
+    python(
         *("-m", "pip", "wheel", "--quiet", "--no-index", "--no-deps", "--no-build-isolation"),
         *("--wheel-dir", "dist", "."),
         cwd=source,
@@ -74,7 +65,7 @@ def wheel(source):
 
 
 def test_without_a_compiler_it_installs_and_its_kernels_run_as_python(wheel, tmp_path):
-    run(
+    python(
         *("-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--target", "site", wheel),
         cwd=tmp_path,
     )
@@ -87,7 +78,7 @@ def test_without_a_compiler_it_installs_and_its_kernels_run_as_python(wheel, tmp
             module = importlib.import_module(name)
             print(module.__file__, bool(module.COMPILED))
     """
-    printed = run("-c", code, *MODULES, cwd=tmp_path, PYTHONPATH=str(site)).splitlines()
+    printed = python("-c", code, *MODULES, cwd=tmp_path, PYTHONPATH=str(site)).splitlines()
     assert printed == [f"{site / path} False" for path in KERNELS]
 
 
@@ -106,13 +97,13 @@ def test_wheel_carries_the_package_only_with_the_source_of_its_kernels(wheel):
 
 def test_pure_build_fits_every_platform(source, tmp_path):
     build = "import setuptools.build_meta as b, sys; print(b.build_wheel(sys.argv[1]))"
-    printed = run("-c", build, tmp_path, cwd=source, SHAPEBLEND_PURE="1")
+    printed = python("-c", build, tmp_path, cwd=source, SHAPEBLEND_PURE="1")
     assert printed.splitlines()[-1].endswith("-py3-none-any.whl")
 
 
 def test_sdist_carries_tests_and_samples_and_nothing_built(source, tmp_path):
     build = "import setuptools.build_meta as b, sys; print(b.build_sdist(sys.argv[1]))"
-    printed = run("-c", build, tmp_path, cwd=source, SHAPEBLEND_PURE="")
+    printed = python("-c", build, tmp_path, cwd=source, SHAPEBLEND_PURE="")
     with tarfile.open(tmp_path / printed.splitlines()[-1]) as archive:
         names = {name.partition("/")[2] for name in archive.getnames()}
     here = Path(__file__).relative_to(ROOT).as_posix()
