@@ -114,7 +114,7 @@ def match_all(
     notes : list of str
         What was left out, one phrase each.
     """
-    clock = clock or Clock()
+    clock, kept = clock or Clock(), kept or Kept(0)
     specks: list[str] = []
     if settings.specks is not None:
         found = [without_specks(drawing, settings.specks) for drawing in drawings]
@@ -122,7 +122,7 @@ def match_all(
     if settings.mix:
         drawings, settings = _mixed(drawings, settings)
     maps = place(drawings, settings.place)
-    flat, notes = _flatten(drawings, maps, settings.vertices, kept or Kept(0))
+    flat, notes = _flatten(drawings, maps, settings.vertices, kept)
     check_stiff([contour.polygon for contour in flat[0].contours], settings)
     drawn = [as_drawn(drawing, to_a) for drawing, to_a in zip(drawings, maps, strict=True)]
     views = _views(drawings, maps, drawn, settings)
@@ -133,7 +133,7 @@ def match_all(
         i = 0 if is_star else k - 1
         view = Box.union([views[i], views[k]])
         progress = clock, watch_part(watch, k - 1, len(flat) - 1)
-        shapes = _blend_shapes(flat[i], flat[k], settings, view, progress, (kept or Kept(0)).steps)
+        shapes = _blend_shapes(flat[i], flat[k], settings, view, progress, kept.steps)
         pairs.append(Pair(i, k, shapes, drawn=(drawn[i], drawn[k]), views=(views[i], views[k])))
         clock.lap("interpolate")
     views = views_with_room(pairs, settings.viewbox)
