@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import Pair
 
+FPS = 25
+"""Pictures a second, unless something else is asked for."""
+
 FASTEST = 50
 """Pictures a second; browsers slow down what is faster."""
 
@@ -121,10 +124,15 @@ def run_of(spec: OutputSpec) -> Run:
     return run_for(spec.fps, spec.settings.frames, spec.drawings - 1, spec.timing)
 
 
+def svgs_of(spec: OutputSpec, pairs: Sequence[Pair], run: Run) -> list[str]:
+    """Return the documents that a run shows, from the first drawing to the last."""
+    return frame_svgs(spec, pairs, spec.settings.replace(frames=run.steps - 1, ends=True))
+
+
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     run = run_of(spec)
     size = size_of(spec.width, pairs, run.pictures)
-    svgs = frame_svgs(spec, pairs, spec.settings.replace(frames=run.steps - 1, ends=True))
+    svgs = svgs_of(spec, pairs, run)
     return Rendered([encode(spec.format.name, svgs, size, run, spec.ground)])
 
 
@@ -153,16 +161,16 @@ def _check_webp() -> None:
         raise PictureError("the Pillow that is installed writes no WebP; .apng would work")
 
 
-def _format(name: str, background: str, check_libraries: Callable[[], None]) -> Format:
-    return Format(
-        name,
-        "an animation of pixels",
-        _render,
-        suffix=f".{name}",
-        defaults={"width": 400, "background": background, "fps": 25},
-        check=_check,
-        check_libraries=check_libraries,
+def in_time(form: Format, width: int, background: str) -> Format:
+    """Return a format with what all have that show pictures one after another, and its own width and background."""
+    return form._replace(
+        suffix=f".{form.name}", defaults={"width": width, "background": background, "fps": FPS}
     )
+
+
+def _format(name: str, background: str, check_libraries: Callable[[], None]) -> Format:
+    form = Format(name, "an animation of pixels", _render, check=_check, check_libraries=check_libraries)
+    return in_time(form, 400, background)
 
 
 FORMATS = (

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError, PictureError
 from shapeblend_cli.outputs import raster
-from shapeblend_cli.outputs.formats import TRANSPARENT, WHITE, Format, OutputSpec, Rendered, frame_svgs
+from shapeblend_cli.outputs.formats import TRANSPARENT, WHITE, Format, OutputSpec, Rendered
 from shapeblend_cli.outputs.raster import rasterize, size_of
-from shapeblend_cli.outputs.raster_animation import run_of
+from shapeblend_cli.outputs.raster_animation import in_time, run_of, svgs_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -77,8 +77,7 @@ def encode(
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     run = run_of(spec)
     size = size_of(spec.width, pairs)
-    svgs = frame_svgs(spec, pairs, spec.settings.replace(frames=run.steps - 1, ends=True))
-    pngs = [rasterize(svg, size, spec.ground) for svg in svgs]
+    pngs = [rasterize(svg, size, spec.ground) for svg in svgs_of(spec, pairs, run)]
     runs = spec.timing.repeat if isinstance(spec.timing.repeat, int) else 1
     rate = Fraction(run.pictures) / Fraction(run.seconds).limit_denominator(1000)
     return Rendered([encode(spec.format.name, pngs, run.order() * runs, rate, spec.ground)])
@@ -110,15 +109,8 @@ def _check_ffmpeg() -> None:
 
 
 def _format(name: str, background: str) -> Format:
-    return Format(
-        name,
-        "a video, by ffmpeg",
-        _render,
-        suffix=f".{name}",
-        defaults={"width": 640, "background": background, "fps": 25},
-        check=_check,
-        check_libraries=_check_ffmpeg,
-    )
+    form = Format(name, "a video, by ffmpeg", _render, check=_check, check_libraries=_check_ffmpeg)
+    return in_time(form, 640, background)
 
 
 FORMATS = (_format("mp4", WHITE), _format("webm", TRANSPARENT))
