@@ -33,8 +33,14 @@ def test_nothing_is_published_that_was_not_checked_nor_without_a_tag():
 def test_files_are_attested_before_they_are_published():
     uses = [step.get("uses", "") for step in JOBS["publish"]["steps"]]
     names = [use.partition("@")[0] for use in uses]
-    attest, publish = "actions/attest-build-provenance", "pypa/gh-action-pypi-publish"
+    attest, publish = "actions/attest", "pypa/gh-action-pypi-publish"
     assert names.index(attest) < names.index(publish)
+
+
+def test_actions_are_named_by_commit_but_for_that_of_pypi():
+    uses = [step["uses"] for job in JOBS.values() for step in job["steps"] if "uses" in step]
+    loose = {use for use in uses if not re.search(r"@[0-9a-f]{40}$", use)}
+    assert loose == {"pypa/gh-action-pypi-publish@release/v1"}
 
 
 def test_wheels_are_built_for_every_system_of_which_one_is_checked():
