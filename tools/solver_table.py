@@ -245,33 +245,33 @@ def rows(found):
     first = coast["seconds"][0]
     return {
         "pairs": str(len(simplified)),
-        "simplified solver (4.1): work above the least, median": percent(simplified, 50),
+        "simplified solver (section 4.1): work above the least, median": percent(simplified, 50),
         "... 95th percentile": percent(simplified, 95),
         "... at most": percent(simplified, 100),
-        "... the least after all": share(simplified < 1e-9),
-        "... with the paper's work, median": percent(of_paper, 50),
-        "... with the paper's work, 95th percentile": percent(of_paper, 95),
-        "divide and conquer of [8]: missed the least work": share(divided > 1e-9),
+        "... exactly the least": share(simplified < 1e-9),
+        "... with the paper's work: median": percent(of_paper, 50),
+        "... with the paper's work: 95th percentile": percent(of_paper, 95),
+        "divide and conquer, as in the paper: does not find the least work": share(divided > 1e-9),
         "... with the paper's work": share(divided_paper > 1e-9),
-        "... with the paper's work, by at most": percent(divided_paper, 100),
-        "time of all starts, proven, beside one given start, median": f"{np.median(times):.1f} times",
-        "... the longest": f"{times.max():.1f} times",
+        "... with the paper's work: misses it by at most": percent(divided_paper, 100),
+        "time for all starts, with proof, compared with one given start: median": f"{np.median(times):.1f} times",
+        "... longest": f"{times.max():.1f} times",
         f"coarse to fine, {FINE} vertices, {len(coarse)} pairs: within 1 % of the least work": share(
             coarse <= 0.01
         ),
-        "... also the least": share(coarse < 1e-9),
+        "... exactly the least": share(coarse < 1e-9),
         "... worst": percent(coarse, 100),
-        "... time beside the exact search": f"{sum(found['fine']['auto']) / sum(found['fine']['exact']):.1f} times",
+        "... time compared with the exact search": f"{sum(found['fine']['auto']) / sum(found['fine']['exact']):.1f} times",
         **{
-            f"coastlines, {m} by {m}: time beside {coast['vertices'][0]} by {coast['vertices'][0]}; memory of the "
-            "whole process": f"{seconds / first:.1f} times; {megabytes:.0f} MB"
+            f"coastlines, {m} by {m}: time compared with {coast['vertices'][0]} by {coast['vertices'][0]}; memory of "
+            "the whole process": f"{seconds / first:.1f} times; {megabytes:.0f} MB"
             for m, seconds, megabytes in zip(*coast.values(), strict=True)
         },
         "symmetric and degenerate shapes: pairs": str(len(family["pairs"])),
         "... not proven": str(family["proven"].count(0)),
         "... sweeps through the graph, median": f"{np.median(family['sweeps']):.0f}",
         "... most sweeps": f"{family['sweeps'][most]} ({family['pairs'][most]})",
-        "... time beside one given start, the longest": f"{max(family['times']):.1f} times",
+        "... time compared with one given start, longest": f"{max(family['times']):.1f} times",
     }
 
 
@@ -279,10 +279,11 @@ def document(found):
     """The text of docs/solver.md."""
     return (
         "# The solver, measured\n\nWritten by `make tables`, from [solver.json](solver.json). Icon pairs: "
-        f"`tests/bench/data/pairs.json`, {VERTICES} vertices unless it says otherwise. The work is the default one but "
-        "where it is the paper's, `--preset paper`. Polygons are given: no common cuts are made.\n\n"
-        "Divide and conquer takes it that two least paths never cross. With the paper's bending they do; with bending "
-        "by turning none did here that mattered, though nothing proves that none can.\n\n"
+        f"`tests/bench/data/pairs.json`, with {VERTICES} vertices unless a line says otherwise. The work is the default one, "
+        "except where the table says it is the paper's (`--preset paper`). Polygons are given, so no common cuts are "
+        "made.\n\n"
+        "Divide and conquer assumes that two least paths never cross. With the paper's bending they do. With bending by "
+        "turning, none did here in a way that mattered, but nothing proves that none can.\n\n"
         + Table(["what", "measured"], list(rows(found).items())).markdown()
     )
 
@@ -292,22 +293,23 @@ def figures(found):
     icons, coast = found["icons"], found["coastlines"]
     large = coast["megabytes"][coast["vertices"].index(10_000)]
     told = {
-        "all starts, with proof, beside the solve of one given start: time, median": (
+        "time for all starts, with proof, compared with one given start (median)": (
             f"{np.median(icons['times']):.1f} times"
         ),
         'the simplified algorithm of section 4.1 ("virtually identical results"): work above the least': (
-            f"{percent(icons['simplified'], 50)}, median"
+            f"{percent(icons['simplified'], 50)} (median)"
         ),
-        "... in one case of twenty": f"{percent(icons['simplified'], 95)} or more",
-        "... the same with the paper's work": (
-            f"{percent(icons['paper_simplified'], 50)}, median; {percent(icons['paper_simplified'], 95)} or more"
+        "... for one pair in twenty": f"{percent(icons['simplified'], 95)} or more",
+        "... with the paper's work: work above the least": (
+            f"{percent(icons['paper_simplified'], 50)} (median); {percent(icons['paper_simplified'], 95)} or more for one "
+            "pair in twenty"
         ),
-        "divide and conquer over starts, as the paper does it: misses the least work": (
-            f"in {share(np.array(icons['divided']) > 1e-9)} of the pairs"
+        "divide and conquer over starts, as in the paper: does not find the least work": (
+            f"for {share(np.array(icons['divided']) > 1e-9)} of the pairs"
         ),
-        "... with the paper's work": f"in {share(np.array(icons['paper_divided']) > 1e-9)} of the pairs",
+        "... with the paper's work": f"for {share(np.array(icons['paper_divided']) > 1e-9)} of the pairs",
         f"from coarse to fine, {FINE} vertices: within 1 % of the least work": (
-            f"in {share(np.array(found['fine']['coarse']) <= 0.01)} of {len(found['fine']['coarse'])} pairs"
+            f"for {share(np.array(found['fine']['coarse']) <= 0.01)} of {len(found['fine']['coarse'])} pairs"
         ),
         "memory of the whole process, 10,000 by 10,000 vertices": f"{large:.0f} MB",
     }
