@@ -1,7 +1,6 @@
 """The Python API."""
 
 import json
-import re
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +13,6 @@ from tools import api_reference
 
 ROOT = Path(__file__).parents[1]
 E, F = (str(ROOT / "samples" / f"{name}.svg") for name in "ef")
-GUIDE = (ROOT / "docs" / "guide.md").read_text(encoding="utf-8")
 
 
 @pytest.fixture(scope="module")
@@ -25,18 +23,6 @@ def letters():
 def test_the_reference_is_current():
     assert api_reference.PAGE.read_text(encoding="utf-8") == api_reference.page()
     assert {*api_reference.ORDER, "ShapeblendError", "__version__"} == {*sb.__all__} == {*dir(sb)}
-
-
-def test_the_code_of_the_guide_runs(here, samples):
-    blocks = re.findall(r"```python\n(.*?)```", GUIDE, re.DOTALL)
-    assert len(blocks) == 2
-    (here / "samples").symlink_to(samples)
-    names = {}
-    for block in blocks:
-        exec(block, names)
-    assert len(list((here / "frames").iterdir())) == 11
-    assert "<animate" in (here / "moving.svg").read_text(encoding="utf-8")
-    assert 0.0 < names["match"].lower_bound < names["match"].work
 
 
 @pytest.mark.parametrize(

@@ -87,27 +87,6 @@ def test_the_readme_is_short_and_begins_with_a_picture_that_moves():
     assert "<animate " in (ROOT / picture).read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("page", GUIDES, ids=lambda page: page.stem)
-def test_commands_of_a_page_are_commands(page):
-    """What follows `shapeblend` is read as the command reads it; files need not be there."""
-    blocks = re.findall(r"^```sh\n(.*?)^```", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
-    lines = [line for block in blocks for line in block.splitlines()]
-    commands = [
-        part for line in lines for part in re.split(r" \| | && ", line) if part.startswith("shapeblend ")
-    ]
-    for line in commands:
-        words = shlex.split(line, comments=True)[1:]
-        try:
-            around = shapeblend.make_context("shapeblend", words, resilient_parsing=False)
-            name = words[0] if words[0] in shapeblend.commands else shapeblend.default
-            rest = words[1:] if words[0] == name else words
-            shapeblend.commands[name].make_context(name, rest, parent=around)
-        except click.exceptions.Exit:
-            pass
-        except click.ClickException as error:
-            pytest.fail(f"{line}: {error.format_message()}")
-
-
 @pytest.mark.parametrize("drawings", [("bird-1", "bird-2"), ("cow", "deer"), ("triangle", "square")])
 def test_the_commands_of_the_readme_work(drawings, samples, here):
     for name, sample in zip("ab", drawings, strict=True):

@@ -65,6 +65,7 @@ def studio(files: tuple[str, ...], **given: Any) -> None:
         while not ended.wait(0.2):
             pass
     server.shutdown()
+    server.server_close()
     session.stop()
 
 
