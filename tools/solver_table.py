@@ -248,7 +248,7 @@ def rows(found):
         "simplified solver (section 4.1): work above the least, median": percent(simplified, 50),
         "... 95th percentile": percent(simplified, 95),
         "... at most": percent(simplified, 100),
-        "... exactly the least": share(simplified < 1e-9),
+        "... no work above it": share(simplified < 1e-9),
         "... with the paper's work: median": percent(of_paper, 50),
         "... with the paper's work: 95th percentile": percent(of_paper, 95),
         "divide and conquer, as in the paper: does not find the least work": share(divided > 1e-9),
@@ -261,7 +261,9 @@ def rows(found):
         ),
         "... exactly the least": share(coarse < 1e-9),
         "... worst": percent(coarse, 100),
-        "... time compared with the exact search": f"{sum(found['fine']['auto']) / sum(found['fine']['exact']):.1f} times",
+        "... time compared with the exact search": (
+            f"{sum(found['fine']['auto']) / sum(found['fine']['exact']):.1f} times"
+        ),
         **{
             f"coastlines, {m} by {m}: time compared with {coast['vertices'][0]} by {coast['vertices'][0]}; memory of "
             "the whole process": f"{seconds / first:.1f} times; {megabytes:.0f} MB"
@@ -279,11 +281,11 @@ def document(found):
     """The text of docs/solver.md."""
     return (
         "# The solver, measured\n\nWritten by `make tables`, from [solver.json](solver.json). Icon pairs: "
-        f"`tests/bench/data/pairs.json`, with {VERTICES} vertices unless a line says otherwise. The work is the default one, "
-        "except where the table says it is the paper's (`--preset paper`). Polygons are given, so no common cuts are "
-        "made.\n\n"
-        "Divide and conquer assumes that two least paths never cross. With the paper's bending they do. With bending by "
-        "turning, none did here in a way that mattered, but nothing proves that none can.\n\n"
+        f"`tests/bench/data/pairs.json`, with {VERTICES} vertices unless a line says otherwise. The work is the "
+        "default one, except where the table says it is the paper's (`--preset paper`). Polygons are given, so no "
+        "common cuts are made.\n\n"
+        "Divide and conquer assumes that two least paths never cross. With the paper's bending they do. With bending "
+        "by turning, none did here in a way that mattered, but nothing proves that none can.\n\n"
         + Table(["what", "measured"], list(rows(found).items())).markdown()
     )
 
@@ -301,8 +303,8 @@ def figures(found):
         ),
         "... for one pair in twenty": f"{percent(icons['simplified'], 95)} or more",
         "... with the paper's work: work above the least": (
-            f"{percent(icons['paper_simplified'], 50)} (median); {percent(icons['paper_simplified'], 95)} or more for one "
-            "pair in twenty"
+            f"{percent(icons['paper_simplified'], 50)} (median); {percent(icons['paper_simplified'], 95)} or more "
+            "for one pair in twenty"
         ),
         "divide and conquer over starts, as in the paper: does not find the least work": (
             f"for {share(np.array(icons['divided']) > 1e-9)} of the pairs"
