@@ -30,7 +30,7 @@ ROOT_PAGES = {"README.md": "index.md"} | {
 NAVIGATION = {
     "shapeblend": ["index", "install", "guide", "options", "examples", "gallery"],
     "Correcting": ["studio", "plots"],
-    "At work": ["cookbook", "batch", "states", "inkscape", "editing", "rank", "capacity", "api"],
+    "At work": ["cookbook", "batch", "states", "inkscape", "editing", "report", "rank", "capacity", "api"],
     "Why": ["how-it-works", "motion", "defaults", "solver", "glossary"],
     "Measured": ["quality", "reliability"],
     "The project": ["changelog", "contributing", "security"],
