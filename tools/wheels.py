@@ -235,19 +235,21 @@ def figures(found: dict[str, Any]) -> str:
         [name, f"{full[name]:.0f} MB", f"{light[name]:.0f} MB" if name in light else "–"] for name in shown
     ]
     rest = [sum(size for name, size in each.items() if name not in shown) for each in (full, light)]
-    rows.append(["the others", *(f"{size:.0f} MB" for size in rest)])
-    rows.append(["**together**", *(f"**{sum(each.values()):.0f} MB**" for each in (full, light))])
-    table = Table(("installed", "as it is", "`[light]`"), rows).markdown()
+    rows.append(["other packages", *(f"{size:.0f} MB" for size in rest)])
+    rows.append(["**total**", *(f"**{sum(each.values()):.0f} MB**" for each in (full, light))])
+    table = Table(("installed", "by default", "with `[light]`"), rows).markdown()
     files = Table(("file", "size"), [[f"`{n}`", f"{size:.2f} MB"] for n, size in found["files"].items()])
     solver, whole = (
         [f"{100 * (one[k] - 1):+.1f} %" for one in (speed["least"], speed["median"])] for k in (0, 1)
     )
-    rows = [["solver alone", *solver], ["drawings, read to drawn", *whole]]
-    time = Table(("time of the abi3 wheel beside a build for one Python", "least", "median"), rows).markdown()
+    rows = [["solver alone", *solver], ["whole blends, from reading to drawing", *whole]]
+    time = Table(
+        ("time of the abi3 wheel, compared with a build for one Python", "least", "median"), rows
+    ).markdown()
     same = "the same to the last digit" if speed["equal"] else "not the same"
     words = (
-        f"With Python {found['python']} and Cython {found['cython']}, {speed['runs']} runs of each in turn, by "
-        f"processor time; the results of both builds are {same}:"
+        f"The two builds were timed with Python {found['python']} and Cython {found['cython']}, in {speed['runs']} "
+        f"runs of each, in turn, by processor time. Their results are {same}."
     )
     return f"{BEGIN}\n\n{table}\n{files.markdown()}\n{words}\n\n{time}\n{END}"
 

@@ -55,7 +55,7 @@ CORRECTIONS = (
     Correction(
         "clouds",
         "rain",
-        "The cloud behind becomes the rain cloud, as it lies higher; the one in front shrinks to nothing.",
+        "The cloud behind becomes the rain cloud, because it lies higher, and the one in front shrinks to nothing.",
         "Click the cloud in front, then the rain cloud.",
         _front_cloud,
     ),
@@ -63,37 +63,37 @@ CORRECTIONS = (
         "car",
         "bus",
         "The upper half of the bus grows over the roof of the car, and the windows sink into the wheel arches.",
-        "Click the body and the wall of the bus, the window behind and the long one, the window in front and the "
-        "windscreen.",
+        "Click the body of the car, then the wall of the bus; the rear window, then the long window; and the front "
+        "window, then the windscreen.",
         _car,
     ),
     Correction(
         "sun",
         "moon",
-        "The rays become the moon; the face shrinks, and slides out of it.",
+        "The rays become the moon, and the face shrinks and slides out of it.",
         "Click the disc of the sun, then the moon.",
         _disc,
     ),
     Correction(
         "run",
         "walk",
-        "The leg behind and the arm in front are parts of their own in B, so they grow from points while those of A "
-        "wither.",
-        "Take the blend in which the outline is cut for them, from the row of other blends.",
+        "In B the leg behind and the arm in front are separate parts, so they grow from points, while those of A "
+        "shrink away.",
+        "From the row of other blends, choose the one in which the outline is cut for them.",
         _split,
     ),
     Correction(
         "elephant",
         "bear",
-        "The head shrinks to crumbs, and the gap at its neck is eaten.",
-        "The same choice: the bear's body is cut, and the elephant's head becomes the bear's.",
+        "The head shrinks to crumbs, and the gap at the neck closes.",
+        "Make the same choice. Then the bear's body is cut, and the elephant's head becomes the bear's.",
         _split,
     ),
     Correction(
         "cloud",
         "cloud-rain",
         "The whole base bulges into the drop that hangs from it.",
-        "Two pins: drag two points of the base, a drop's width apart, to where the drop begins.",
+        "Set two pins: drag two points of the base, a drop's width apart, to where the drop begins.",
         _drip,
     ),
 )
