@@ -26,7 +26,7 @@ PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 GUIDES = [
     page
     for page in PAGES
-    if page.stem in ("README", "guide", "options", "examples", "install", "rank", "cookbook")
+    if page.stem in ("README", "guide", "options", "examples", "install", "rank", "cookbook", "paper")
 ]
 
 

@@ -31,7 +31,7 @@ NAVIGATION = {
     "shapeblend": ["index", "install", "guide", "options", "examples", "gallery"],
     "Correcting": ["studio", "plots"],
     "At work": ["cookbook", "batch", "states", "inkscape", "editing", "report", "rank", "capacity", "api"],
-    "Why": ["how-it-works", "motion", "defaults", "solver", "glossary"],
+    "Why": ["how-it-works", "paper", "motion", "defaults", "solver", "glossary"],
     "Measured": ["quality", "reliability"],
     "The project": ["changelog", "contributing", "security"],
 }

@@ -1,12 +1,13 @@
 """The pictures in docs are those that the targets draw today."""
 
+import io
 import re
 
 import numpy as np
 import pytest
 from PIL import Image
 
-from tools import gallery, judge_pictures, plots, readme_pictures
+from tools import gallery, judge_pictures, paper_pictures, plots, readme_pictures
 from tools.quality.data import NUMBER, Pair, polygon
 from tools.quality.peers import flubber
 from tools.quality.truth import letters
@@ -63,6 +64,15 @@ def test_a_plot_in_the_docs_is_what_the_command_draws_and_the_document_says_so(k
     assert f"(plot-{kind}.svg)" in document
 
 
+@pytest.mark.parametrize("name", paper_pictures.shown())
+def test_a_figure_of_the_paper_is_what_the_command_below_it_draws(name):
+    file, drawn = paper_pictures.shown()[name].file, paper_pictures.draw(name)
+    if file.suffix == ".svg":
+        same_but_for_rounding(drawn.decode(), file)
+    else:
+        assert differ(Image.open(io.BytesIO(drawn)), Image.open(file)) < NEAR
+
+
 @pytest.mark.parametrize("name", judge_pictures.EXAMPLES)
 def test_a_picture_of_the_judge_is_what_is_drawn(name):
     same_but_for_rounding(judge_pictures.drawn(name), DOCS / f"judge-{name}.svg")
@@ -105,6 +115,7 @@ def test_every_picture_is_made_by_a_target_and_every_link_has_one():
     made |= {studio.FOLDER / f"page-{name}.png" for name in ("dark", "light", "phone")}
     made |= {DOCS / f"plot-{kind}.svg" for kind in plots.PLOTS}
     made |= {DOCS / f"judge-{name}.svg" for name in judge_pictures.EXAMPLES}
+    made |= {shown.file for shown in paper_pictures.shown().values()}
     samples = {*studio.FOLDER.glob("*.svg")}
     assert linked == made == {*DOCS.rglob("*.png"), *DOCS.rglob("*.svg")} - samples
     names = {shown.name for shown in ICONS}
@@ -118,6 +129,10 @@ def test_pictures_of_the_gallery_are_small():
     sizes = [file.stat().st_size for file in gallery.GALLERY.iterdir()]
     assert len(sizes) == 12
     assert max(sizes) < 25_000
+
+
+def test_figures_of_the_paper_are_small():
+    assert all(shown.file.stat().st_size < 65_000 for shown in paper_pictures.shown().values())
 
 
 def test_another_blend_is_another_picture():
