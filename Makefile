@@ -95,9 +95,10 @@ fuzz: install ## feed the reader damaged files for SECONDS (60), then blend such
 bench: install ## time the solver, whole commands and batches
 	$(BIN)/python -m pytest tests/bench -o addopts= --benchmark-only
 
-pictures: install ## draw the pictures of the README, docs/examples.md, docs/paper.md and docs/motion.md
+pictures: install ## draw the pictures of the README, docs/examples.md, docs/moving.md, docs/paper.md and docs/motion.md
 	$(BIN)/python -m tools.readme_pictures
 	$(BIN)/python -m tools.paper_pictures
+	$(BIN)/python -m tools.moving_pictures
 	$(BIN)/python -m tools.judge_pictures
 
 gallery: install ## draw pairs beside flubber for docs/gallery.md; needs node and npm

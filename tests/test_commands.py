@@ -32,6 +32,8 @@ STAND_INS = {
     "samples/step-1": "c oblique icons/3 3",
     "samples/e": "e",
     "samples/f": "f",
+    "docs/moving/drawings/fox": "fox",
+    "docs/moving/drawings/wolf": "wolf",
     **{f"docs/studio/{path.stem}": path.stem for path in (ROOT / "docs" / "studio").glob("*.svg")},
 }
 """Drawings of the repository, and what pages call drawings for which they are taken."""

@@ -69,7 +69,7 @@ def anchors(page):
 )
 def test_what_a_page_links_to_is_there(page):
     text = without_code(page.read_text(encoding="utf-8"))
-    links = [*re.findall(r"\]\(([^)\s]+)\)", text), *re.findall(r'(?:src|href)="([^"]+)"', text)]
+    links = [*re.findall(r"\]\(([^)\s]+)\)", text), *re.findall(r'(?:src|srcset|href)="([^"]+)"', text)]
     missing = []
     for link in links:
         name, _, anchor = link.partition("#")

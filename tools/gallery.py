@@ -46,6 +46,8 @@ first pair and then every {ICONS["single"]}th of the icons of one contour, every
 five, every {LETTERS["single"]}th of the letters of one contour and every {LETTERS["multi"]}th of those of several.
 Both letters of a pair are laid into the same square. The icons are from Font Awesome Free by Fonticons, Inc. (CC BY
 4.0), the letters from fonts under the SIL Open Font License.
+
+[A gallery that moves](moving.md) has pairs chosen by eye.
 """
 
 

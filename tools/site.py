@@ -28,7 +28,7 @@ ROOT_PAGES = {"README.md": "index.md"} | {
 """Pages that are not in `docs`, and what they are called in the site."""
 
 NAVIGATION = {
-    "shapeblend": ["index", "install", "guide", "options", "examples", "gallery"],
+    "shapeblend": ["index", "install", "guide", "options", "examples", "moving", "gallery"],
     "Correcting": ["studio", "plots"],
     "At work": ["cookbook", "batch", "states", "inkscape", "editing", "report", "rank", "capacity", "api"],
     "Why": ["how-it-works", "paper", "motion", "defaults", "solver", "glossary"],
@@ -80,7 +80,9 @@ def _within(text: str) -> str:
     """Return a page whose links to other pages stay within the site; what is no page is named without a link."""
     for name, target in ROOT_PAGES.items():
         text = re.sub(rf"\]\((?:\.\./)?{name}(?=[)#])", f"]({target}", text)
-    return re.sub(r"(?<!!)\[([^\]]+)\]\((?:\.\./|studio/|CITATION)[^)]*(?<!\.png)\)", r"\1", text)
+    return re.sub(
+        r"(?<!!)\[([^\]]+)\]\((?:\.\./|CITATION|[^)]*README\.md|studio/\))[^)]*(?<!\.png)\)", r"\1", text
+    )
 
 
 def build(folder: Path) -> Path:
@@ -114,7 +116,7 @@ class _Page(HTMLParser):
         for name, value in attributes:
             if name == "id" and value:
                 self.ids.add(value)
-            elif name in ("href", "src") and value:
+            elif name in ("href", "src", "srcset") and value:
                 (self.links if tag == "a" else self.loads).append(value)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tools import gallery, judge_pictures, paper_pictures, plots, readme_pictures
+from tools import gallery, judge_pictures, moving_pictures, paper_pictures, plots, readme_pictures
 from tools.quality.data import NUMBER, Pair, polygon
 from tools.quality.peers import flubber
 from tools.quality.truth import letters
@@ -16,7 +16,7 @@ from tools.studio.corrections import CORRECTIONS
 
 ROOT = readme_pictures.ROOT
 DOCS = readme_pictures.DOCS
-LINK = re.compile(r"""(?:!\[[^\]]*\]\(|<img src="|\]\((?=[^)]*\.png\)))([^)"]+)""")
+LINK = re.compile(r"""(?:!\[[^\]]*\]\(|<img src="| srcset="|\]\((?=[^)]*\.png\)))([^)"]+)""")
 
 NEAR = 0.3
 """Of 255: by how much pixels may differ in the mean. Renderers round differently at edges, and colours are few."""
@@ -103,6 +103,21 @@ def test_what_moves_in_the_readme_is_what_is_drawn():
     same_but_for_rounding(readme_pictures.moving(), DOCS / "moving.svg")
 
 
+@pytest.mark.parametrize("pair", moving_pictures.PAIRS, ids=moving_pictures.name)
+def test_what_moves_in_the_gallery_that_moves_is_what_is_drawn(pair):
+    file = moving_pictures.FOLDER / f"{moving_pictures.name(pair)}.svg"
+    same_but_for_rounding(moving_pictures.moving(pair), file)
+    assert differ(moving_pictures.still(pair), Image.open(file.with_suffix(".png"))) < NEAR
+
+
+def test_the_gallery_that_moves_is_what_is_written_and_says_where_its_drawings_are_from():
+    assert moving_pictures.PAGE.read_text(encoding="utf-8") == moving_pictures.page()
+    sources = (moving_pictures.DRAWINGS / "README.md").read_text(encoding="utf-8")
+    drawings = {file.name for file in moving_pictures.DRAWINGS.glob("*.svg")}
+    assert drawings == {*re.findall(r"`([\w-]+\.svg)`", sources)}
+    assert drawings <= {f"{drawing}.svg" for pair in moving_pictures.PAIRS for drawing in pair}
+
+
 def test_every_picture_is_made_by_a_target_and_every_link_has_one():
     pages = [ROOT / "README.md", *DOCS.glob("*.md")]
     links = {page: LINK.findall(page.read_text("utf-8")) for page in pages}
@@ -111,18 +126,27 @@ def test_every_picture_is_made_by_a_target_and_every_link_has_one():
     made = {DOCS / f"{name}.png" for name in readme_pictures.SHEETS}
     made |= {gallery.GALLERY / name for name in gallery_pages}
     made |= {DOCS / "moving.svg"}
+    moving = {moving_pictures.FOLDER / moving_pictures.name(pair) for pair in moving_pictures.PAIRS}
+    made |= {file.with_suffix(suffix) for file in moving for suffix in (".svg", ".png")}
     made |= {studio.FOLDER / f"{correction.name}.png" for correction in CORRECTIONS}
     made |= {studio.FOLDER / f"page-{name}.png" for name in ("dark", "light", "phone")}
     made |= {DOCS / f"plot-{kind}.svg" for kind in plots.PLOTS}
     made |= {DOCS / f"judge-{name}.svg" for name in judge_pictures.EXAMPLES}
     made |= {shown.file for shown in paper_pictures.shown().values()}
-    samples = {*studio.FOLDER.glob("*.svg")}
+    samples = {*studio.FOLDER.glob("*.svg"), *moving_pictures.DRAWINGS.glob("*.svg")}
     assert linked == made == {*DOCS.rglob("*.png"), *DOCS.rglob("*.svg")} - samples
     names = {shown.name for shown in ICONS}
     for name, every in gallery.LETTERS.items():
         rows = -(-letters.COUNTS[name] * len(letters.FAMILIES) // every)
         names |= {f"letters-{name}-{k + 1}" for k in range(rows)}
     assert {f"{name}.png" for name in names} == gallery_pages
+
+
+def test_what_moves_is_small_and_loads_nothing():
+    for file in moving_pictures.FOLDER.glob("*.svg"):
+        text = file.read_text(encoding="utf-8")
+        assert len(text) < 100_000
+        assert not re.search(r"href|url\(|<script", text)
 
 
 def test_pictures_of_the_gallery_are_small():

@@ -1,0 +1,131 @@
+"""Draw the animations of docs/moving.md with the tool itself, and write the page: python -m tools.moving_pictures.
+
+Each has a picture that stands still beside it, for those who have asked their system for less motion.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from shapeblend_cli.cli import run
+from tools.contact_sheet import sheet
+from tools.quality.data import ROOT
+
+if TYPE_CHECKING:
+    from PIL import Image
+
+DOCS = ROOT / "docs"
+FOLDER = DOCS / "moving"
+DRAWINGS = FOLDER / "drawings"
+PAGE = DOCS / "moving.md"
+
+OPTIONS = "--duration 1.2 --ease ease-in-out --repeat pingpong"
+
+PAIRS = [
+    ("fox", "wolf"),
+    ("snail", "turtle"),
+    ("cat-face", "dog-face"),
+    ("tulip", "sunflower"),
+    ("egg", "hatching-chick"),
+    ("grinning-face", "crying-face"),
+    ("bird-1", "bird-2"),
+    ("dancer-1", "dancer-2"),
+    ("play", "pause"),
+    ("sun", "moon"),
+    ("heart", "star"),
+    ("envelope", "envelope-open"),
+]
+"""Pairs of `DRAWINGS`, and of samples."""
+
+COLUMNS = 3
+WIDTH = 160
+"""Pixels of an animation in the page."""
+
+CELL, COLOURS = 2 * WIDTH // 3, 32
+"""Pixels and colours of a picture that stands still: it has three drawings in a row, each in so many pixels."""
+
+TEXT = f"""\
+# A gallery that moves
+
+Written by `make pictures`. Each is what comes out by default, without a correction, and loads nothing else:
+
+```sh
+shapeblend fox.svg wolf.svg -o fox-wolf.svg {OPTIONS}
+```
+
+The pairs were chosen by eye, among some thirty, to show what can be done. In [the other gallery](gallery.md) they are
+chosen by number, and stand beside those of another tool. [The studio](studio.md) is for pairs that do not come out as
+wished.
+
+Where the system is set to reduced motion, a picture of both drawings and the one half way is shown instead.
+
+<table>
+{{rows}}
+</table>
+
+The bird and the dancer are samples of shapeblend. The other drawings, in
+[moving/drawings](moving/drawings/README.md) with their sources, are from Twemoji by Twitter, Inc. and other
+contributors (CC BY 4.0), and from Phosphor Icons (MIT); these are painted here.
+"""
+
+
+def name(pair: tuple[str, str]) -> str:
+    return "-".join(pair)
+
+
+def _files(pair: tuple[str, str]) -> list[str]:
+    folders = (DRAWINGS, ROOT / "samples")
+    return [
+        str(next(folder / f"{drawing}.svg" for folder in folders if (folder / f"{drawing}.svg").exists()))
+        for drawing in pair
+    ]
+
+
+def moving(pair: tuple[str, str]) -> str:
+    """Return the animation of a pair."""
+    with tempfile.TemporaryDirectory() as folder:
+        target = Path(folder, "moving.svg")
+        if run([*_files(pair), "--output", str(target), *OPTIONS.split()]) != 0:
+            raise SystemExit(f"{name(pair)} was not blended")
+        return target.read_text(encoding="utf-8")
+
+
+def still(pair: tuple[str, str]) -> Image.Image:
+    """Return both drawings with the one half way between them."""
+    with tempfile.TemporaryDirectory() as folder:
+        if run([*_files(pair), "--frames", "1", "--ends", "--output", f"{folder}/frames"]) != 0:
+            raise SystemExit(f"{name(pair)} was not blended")
+        frames = [path.read_text(encoding="utf-8") for path in sorted(Path(folder, "frames").iterdir())]
+    return sheet(frames, len(frames), CELL).quantize(COLOURS)
+
+
+def page() -> str:
+    """Return the text of docs/moving.md."""
+    lines = []
+    for first in range(0, len(PAIRS), COLUMNS):
+        cells = [_cell(pair) for pair in PAIRS[first : first + COLUMNS]]
+        lines += ["<tr>", *cells, "</tr>"]
+    return TEXT.format(rows="\n".join(lines))
+
+
+def _cell(pair: tuple[str, str]) -> str:
+    a, b = (drawing.rstrip("-12").replace("-", " ") for drawing in pair)
+    told = f"From {a} to {b}" if a != b else f"A {a} moves"
+    return (
+        f'<td><picture><source media="(prefers-reduced-motion: reduce)" srcset="moving/{name(pair)}.png">'
+        f'<img src="moving/{name(pair)}.svg" width="{WIDTH}" alt="{told}"></picture></td>'
+    )
+
+
+def main() -> None:
+    for pair in PAIRS:
+        (FOLDER / f"{name(pair)}.svg").write_text(moving(pair), encoding="utf-8")
+        still(pair).save(FOLDER / f"{name(pair)}.png", optimize=True)
+        print((FOLDER / name(pair)).relative_to(ROOT))
+    PAGE.write_text(page(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
