@@ -10,7 +10,7 @@ def test_the_document_is_that_of_its_counts():
     rows = dict(re.findall(r"^\| (.+?) \| (\d+) \| 0 \|$", text, re.MULTILINE))
     counts = Counts(
         namespaces=int(rows["process 1 of a PID namespace killed, and run again in another"]),
-        errors=int(rows["an error of the disk at a move"]),
+        errors=int(rows["a disk error at a move"]),
         kills=int(rows["SIGKILL at a move"]),
         meetings=int(rows["two runs at once on one target"]),
     )
