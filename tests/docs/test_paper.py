@@ -136,6 +136,15 @@ def test_figure_27_crosses_nothing(report):
     assert not any(frame["self_crossings"] for frame in found["frames"])
 
 
+def test_antlers_of_figure_27_cross_without_a_zero_angle_and_by_default_they_do_not(report):
+    found = report("figure-27-antlers")
+    start = [contour(found)[f"vertices_{side}"][k] for side, k in zip("ab", (16, 155), strict=True)]
+    assert start == [[30, 62], [172, 10]]
+    assert contour(found)["zero_angles"] == 0
+    assert any(frame["self_crossings"] for frame in found["frames"])
+    assert not any(frame["self_crossings"] for frame in report("figure-27-antlers-default")["frames"])
+
+
 def test_the_arm_of_figure_28_is_shortest_half_way_and_by_default_it_is_not(report):
     found = contour(report("figure-28"))
     shoulder, hand = (moving(found, found["vertices_a"].index(at)) for at in ([218, 120], [282, 218]))
