@@ -23,36 +23,7 @@ import pytest
 import yaml
 
 from shapeblend_cli.cli import run
-from tests.support.documents import ROOT, block, blocks, commands
-from tests.support.drawings import svg
-
-STAND_INS = {
-    "samples/triangle": "a light play hen off/wifi walk-1 icons/1 icons/arrow-1 1 menu coast-1900",
-    "samples/square": "b bold pause pecking on/wifi walk-2 icons/2 icons/arrow-2 2 cross stop coast-2000",
-    "samples/step-1": "c oblique icons/3 3",
-    "samples/e": "e",
-    "samples/f": "f",
-    "docs/moving/drawings/fox": "fox",
-    "docs/moving/drawings/wolf": "wolf",
-    **{f"docs/studio/{path.stem}": path.stem for path in (ROOT / "docs" / "studio").glob("*.svg")},
-}
-"""Drawings of the repository, and what pages call drawings for which they are taken."""
-
-BLOT = "M{0} 20h40v40h-40z"
-SEVERAL = {
-    "A": svg(
-        BLOT.format(10), f'<path id="left" d="{BLOT.format(100)}"/>', BLOT.format(55), viewbox="0 0 200 100"
-    ),
-    "B": svg(
-        f'<path id="right" d="{BLOT.format(10)}"/>',
-        f'<g class="birds"><path d="{BLOT.format(90)}"/></g>',
-        BLOT.format(140),
-        viewbox="0 0 200 100",
-    ),
-    "drawing": svg('<path id="low" d="M0 0h9v9z"/>', '<path id="high" d="M9 9h9v9z"/>'),
-}
-"""Drawings of several shapes, as commands name places, numbers, classes and ids in them."""
-SEVERAL |= {"C": SEVERAL["B"], "on": SEVERAL["A"], "off": SEVERAL["B"]}
+from tests.support.documents import ROOT, blocks, commands, furnish
 
 PLACEHOLDERS = {"FILE": "a.svg", "KIND": "graph", "COMMAND": "plot"}
 
@@ -67,6 +38,7 @@ NOT_RUN = {
     "parallel": "not on every machine; tests/batch/test_recipes.py runs it where it is",
     "inkscape": "not on every machine; tests/inkscape runs it where it is",
     "python -m tools": "measures for minutes; the module and its options are looked for here",
+    "sbatch": "needs Slurm; tests/batch/test_recipes.py does what it does",
     "make": "sets up, tests or measures for minutes; its targets are looked for here",
 }
 """How a command begins that is not run here, and why."""
@@ -82,15 +54,7 @@ OUTPUTS = {"-o", "--sheet", "--results", "--preview"}
 @pytest.fixture
 def kitchen(here, monkeypatch):
     """A working folder with all that commands name, and no one's settings."""
-    for source, targets in STAND_INS.items():
-        for target in targets.split():
-            Path(target).parent.mkdir(exist_ok=True)
-            shutil.copy(ROOT / f"{source}.svg", f"{target}.svg")
-    for name, text in SEVERAL.items():
-        Path(f"{name}.svg").write_text(text, "utf-8")
-    Path("samples").symlink_to(ROOT / "samples")
-    Path("jobs.csv").write_text(block("docs/batch.md", "a,b,o,"), "utf-8")
-    Path("blend.json").write_text(block("docs/studio.md", '"files"'), "utf-8")
+    furnish()
     variables = {"ARRAY_TASK_ID": "1", "ARRAY_TASK_COUNT": "2", "CPUS_PER_TASK": "1"}
     for name, value in variables.items():
         monkeypatch.setenv(f"SLURM_{name}", value)
@@ -275,7 +239,10 @@ def test_what_scripts_and_pages_say_to_states_is_there(kitchen):
 
 
 def test_every_block_is_of_a_language_that_is_run():
-    """Those of `docs/api.md` are from docstrings, which are run as tests; tests/batch has the other rule for make."""
+    """Those of `docs/api.md` are from docstrings, which are run as tests.
+
+    tests/batch has the other rule for make, and tests/browser opens the pages of the cookbook.
+    """
     others = {(found.language, found.page) for found in blocks() if found.language != "sh"}
     assert others == {
         ("pycon", "docs/api.md"),
@@ -285,6 +252,7 @@ def test_every_block_is_of_a_language_that_is_run():
         ("make", "docs/cookbook.md"),
         ("yaml", "docs/cookbook.md"),
         ("css", "docs/cookbook.md"),
+        ("html", "docs/cookbook.md"),
         ("css", "docs/guide.md"),
         ("js", "docs/states.md"),
         ("html", "docs/states.md"),

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 import shlex
+import shutil
 from pathlib import Path
 from typing import NamedTuple
 
 from shapeblend_cli.cli import shapeblend
+from tests.support.drawings import svg
 
 ROOT = Path(__file__).parents[2]
 PAGES = [
@@ -21,6 +23,35 @@ PROGRAMS = (
     "shapeblend make python pip pipx uv uvx gh man eval curl inkscape dask parallel npm apt-get".split()
 )
 """What begins a command among the words in the text of a page."""
+
+
+STAND_INS = {
+    "samples/triangle": "a light play hen off/wifi walk-1 icons/1 icons/arrow-1 1 menu coast-1900",
+    "samples/square": "b bold pause pecking on/wifi walk-2 icons/2 icons/arrow-2 2 cross stop coast-2000",
+    "samples/step-1": "c oblique icons/3 3",
+    "samples/e": "e",
+    "samples/f": "f",
+    "docs/moving/drawings/fox": "fox",
+    "docs/moving/drawings/wolf": "wolf",
+    **{f"docs/studio/{path.stem}": path.stem for path in (ROOT / "docs" / "studio").glob("*.svg")},
+}
+"""Drawings of the repository, and what pages call drawings for which they are taken."""
+
+BLOT = "M{0} 20h40v40h-40z"
+SEVERAL = {
+    "A": svg(
+        BLOT.format(10), f'<path id="left" d="{BLOT.format(100)}"/>', BLOT.format(55), viewbox="0 0 200 100"
+    ),
+    "B": svg(
+        f'<path id="right" d="{BLOT.format(10)}"/>',
+        f'<g class="birds"><path d="{BLOT.format(90)}"/></g>',
+        BLOT.format(140),
+        viewbox="0 0 200 100",
+    ),
+    "drawing": svg('<path id="low" d="M0 0h9v9z"/>', '<path id="high" d="M9 9h9v9z"/>'),
+}
+"""Drawings of several shapes, as commands name places, numbers, classes and ids in them."""
+SEVERAL |= {"C": SEVERAL["B"], "on": SEVERAL["A"], "off": SEVERAL["B"]}
 
 
 class Block(NamedTuple):
@@ -101,3 +132,16 @@ def _lines(text: str) -> list[str]:
     """The commands of a block: a line each, or several that a backslash joins."""
     lines = text.replace("\\\n", " ").splitlines()
     return [line for line in lines if line.strip() and not line.startswith("#")]
+
+
+def furnish() -> None:
+    """Put all that commands name into the working folder."""
+    for source, targets in STAND_INS.items():
+        for target in targets.split():
+            Path(target).parent.mkdir(exist_ok=True)
+            shutil.copy(ROOT / f"{source}.svg", f"{target}.svg")
+    for name, text in SEVERAL.items():
+        Path(f"{name}.svg").write_text(text, "utf-8")
+    Path("samples").symlink_to(ROOT / "samples")
+    Path("jobs.csv").write_text(block("docs/batch.md", "a,b,o,"), "utf-8")
+    Path("blend.json").write_text(block("docs/studio.md", '"files"'), "utf-8")

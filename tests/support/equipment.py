@@ -18,7 +18,7 @@ from tools.quality.truth import letters
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
 PLAYER = Path(__file__).with_name("player")
-"""The folder with the lock file of lottie-web."""
+"""The folder with the lock file of lottie-web and GSAP."""
 INSTALLED = Path(__file__).parents[2] / "out" / "player"
 LOTTIE_WEB = INSTALLED / "node_modules" / "lottie-web" / "build" / "player" / "lottie.min.js"
 
@@ -34,6 +34,7 @@ EQUIPMENT = {
     "Inkscape": _commands("inkscape", "xvfb-run", "xauth"),
     "Chromium": lambda: None if CHROMIUM else "apt-get install chromium",
     "lottie-web": lambda: install(PLAYER, INSTALLED),
+    "GSAP": lambda: install(PLAYER, INSTALLED),
     "flubber": flubber.ready,
     "fonts": letters.ready,
     "morphs": packages.ready,

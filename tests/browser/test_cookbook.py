@@ -1,0 +1,127 @@
+"""The pages of docs/cookbook.md in Chromium, each with what the command above it has written."""
+
+import contextlib
+import io
+import re
+import threading
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from shapeblend_cli.cli import run
+from tests.support.documents import FENCE, ROOT, Command, furnish
+from tests.support.equipment import INSTALLED, require
+
+TEXT = (ROOT / "docs" / "cookbook.md").read_text("utf-8")
+CDN = "https://cdn.jsdelivr.net/npm/"
+
+
+class Recipe(NamedTuple):
+    """A page, and the command that comes before it."""
+
+    title: str
+    command: str
+    page: str
+
+
+def recipes():
+    found, command = [], ""
+    for fence in FENCE.finditer(TEXT):
+        if fence[1] == "sh":
+            command = fence[2]
+        if fence[1] == "html":
+            title = re.findall(r"^## (.*)$", TEXT[: fence.start()], re.MULTILINE)[-1]
+            found.append(Recipe(title, command, fence[2]))
+    return found
+
+
+RECIPES = recipes()
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    """A server of files that says nothing."""
+
+    def log_message(self, *words):
+        pass
+
+
+@pytest.fixture
+def site(here):
+    """The address of the working folder, which has the drawings that the cookbook names."""
+    furnish()
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(here))) as server:
+        threading.Thread(target=server.serve_forever, args=(0.05,), daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
+def installed(route):
+    """Answer for the network with what npm has installed, of the version that is asked for."""
+    name, version, path = re.fullmatch(
+        r"([\w-]+)@([\d.]+)/(.+)", route.request.url.removeprefix(CDN)
+    ).groups()
+    package = INSTALLED / "node_modules" / name
+    assert f'"version": "{version}"' in (package / "package.json").read_text("utf-8")
+    route.fulfill(path=package / path)
+
+
+@contextlib.contextmanager
+def opened(browser, site, recipe):
+    """The page of a recipe, after its command."""
+    assert run(Command("", recipe.command).stages[0][1:]) == 0
+    Path("index.html").write_text(f"<!doctype html><style>body {{margin: 0}}</style>{recipe.page}", "utf-8")
+    with browser.new_context(viewport={"width": 100, "height": 100}) as context:
+        page, wrong = context.new_page(), []
+        page.on("pageerror", lambda error: wrong.append(error))
+        page.route(f"{CDN}**", installed)
+        page.goto(f"{site}/index.html")
+        page.wait_for_load_state("networkidle")
+        yield page
+        assert wrong == []
+
+
+def pictures(page, *waits):
+    """What is seen after each of some milliseconds."""
+    found = []
+    for wait in waits:
+        page.wait_for_timeout(wait)
+        found.append(page.screenshot())
+    return found
+
+
+@pytest.mark.parametrize("recipe", RECIPES, ids=lambda recipe: recipe.title)
+def test_a_page_of_the_cookbook_moves_and_what_waits_for_clicks_does_so_then(recipe, site, browser):
+    for name in ("GSAP", "lottie-web"):
+        if f"npm/{name.lower()}@" in recipe.page:
+            require(name)
+    with opened(browser, site, recipe) as page:
+        if "click" in recipe.command + recipe.page:
+            assert len(set(pictures(page, 100, 200))) == 1
+            page.mouse.click(24, 24)
+        assert len(set(pictures(page, 60, 60, 60, 60))) > 1
+
+
+def test_all_recipes_for_pages_are_here():
+    assert len(RECIPES) == TEXT.count("```html") >= 6
+
+
+def test_the_sprite_shows_one_cell_after_the_other(site, browser):
+    (recipe,) = [recipe for recipe in RECIPES if recipe.title == "A sprite"]
+    with opened(browser, site, recipe) as page:
+        sheet = Image.open("sprite.png")
+        white = Image.new("RGBA", sheet.size, "white")
+        white.alpha_composite(sheet)
+        for k in range(8):
+            page.evaluate(
+                f"const [moving] = document.getAnimations(); moving.pause(); moving.currentTime = {100 * k + 50}"
+            )
+            shown = Image.open(io.BytesIO(page.screenshot(clip={"x": 0, "y": 0, "width": 64, "height": 64})))
+            cell = white.crop((3 + 67 * k, 3, 67 + 67 * k, 67))
+            assert (
+                np.abs(np.asarray(shown.convert("RGB"), float) - np.asarray(cell.convert("RGB"))).mean() < 1.0
+            )
