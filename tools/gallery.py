@@ -103,7 +103,7 @@ def ours(shown: Shown) -> list[str]:
 
 def theirs(shown: Shown, viewbox: str) -> list[str]:
     """The lower row, in a viewBox."""
-    (frames,) = flubber.path_data([shown.pair], [k / STEPS for k in range(STEPS + 1)], own_sides=False)
+    (frames,) = flubber.FINE.path_data([shown.pair], [k / STEPS for k in range(STEPS + 1)])
     assert frames is not None, f"{shown.pair.id} was not blended by flubber"
     return [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{viewbox}"><path fill-rule="evenodd" d="{data}"/></svg>'
@@ -128,7 +128,7 @@ def page(pairs: list[Shown]) -> str:
 
 
 def main() -> None:
-    for problem in (flubber.ready(), letters.ready()):
+    for problem in (flubber.FINE.ready(), letters.ready()):
         if problem:
             raise SystemExit(f"no gallery: {problem}")
     letters.make(letters.FOLDER)

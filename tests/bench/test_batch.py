@@ -53,6 +53,6 @@ def test_flubber(benchmark):
     require("flubber")
     benchmark.group = GROUP
     times = [k / 6 for k in range(1, 6)]
-    found = benchmark.pedantic(lambda: flubber.path_data(PAIRS, times, own_sides=True), rounds=2)
+    found = benchmark.pedantic(lambda: flubber.OWN.path_data(PAIRS, times), rounds=2)
     assert len(found) == len(PAIRS)
     assert sum(frames is not None for frames in found) > 70

@@ -4,6 +4,7 @@ import pytest
 
 from tests.support.equipment import require
 from tools.quality.morphs import make
+from tools.quality.peers import LIBRARIES
 from tools.quality.truth import letters
 
 
@@ -11,6 +12,14 @@ from tools.quality.truth import letters
 def node():
     """flubber, ready to run."""
     require("flubber")
+
+
+@pytest.fixture(scope="session")
+def libraries(node):
+    """All that node runs, ready to run."""
+    require("KUTE.js")
+    require("polymorph")
+    return LIBRARIES
 
 
 @pytest.fixture(scope="session")

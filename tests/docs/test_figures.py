@@ -13,7 +13,7 @@ from tools.quality.data import ROOT, SETS, icon_pairs
 from tools.quality.judge import section as judge
 from tools.quality.morphs import section as limbs
 from tools.quality.motions import Choice
-from tools.quality.peers import ALL, arc_length, flubber, shapeblend
+from tools.quality.peers import ALL, arc_length, flubber, kute, polymorph, shapeblend
 from tools.quality.scores import STEPS, Score
 from tools.quality.truth import form
 from tools.quality.truth.measures import Nearness
@@ -24,11 +24,12 @@ SOLVED = json.loads(solver_table.RAW.read_text(encoding="utf-8"))
 SINGLE = icon_pairs("single")
 TOOLS = {tool.name: tool for tool in ALL}
 
-MEASURED = (shapeblend.NAME, arc_length.NAME, flubber.NAME, flubber.COARSE)
+LIBRARIES = (*flubber.LIBRARIES, kute.FINE, kute.OF_CURVES, polymorph.FINE)
+MEASURED = (shapeblend.NAME, arc_length.NAME, *(library.name for library in LIBRARIES))
 
 EVERY = {
     "icons": {"single": 40, "whole": 20},
-    "letters": {"single": 10, "multi": 8},
+    "letters": {"single": 10, "multi": 8, "cut": 13},
     "morphs": dict(zip(limbs.SETS, (8, 10, 2), strict=True)),
 }
 """One pair in so many is measured anew."""
@@ -63,7 +64,7 @@ def test_every_pair_has_its_scores():
     for name in SETS:
         assert FOUND["icons"][name]["pairs"] == [pair.id for pair in icon_pairs(name)]
         assert list(FOUND["icons"][name]["scores"]) == list(TOOLS)
-    for name in form.SETS:
+    for name in letters.KINDS:
         assert list(FOUND["letters"][name]["scores"]) == [tool.name for tool in ALL if tool.linked]
     for what in limbs.SETS:
         assert list(FOUND["morphs"][what]["scores"]) == [tool.name for tool in ALL if tool.linked]
@@ -75,8 +76,8 @@ def test_every_pair_has_its_scores():
 
 
 def require_for(tool):
-    if tool.startswith(flubber.NAME):
-        require("flubber")
+    if tool in {library.name for library in LIBRARIES}:
+        require(tool.split()[0])
 
 
 @pytest.mark.parametrize("name", SETS)
@@ -97,21 +98,23 @@ def test_motions_measured_anew(name):
 
 
 @pytest.mark.parametrize("name", SETS)
-def test_sizes_measured_anew(name, node):
+def test_sizes_measured_anew(name, libraries):
     told = FOUND["sizes"][name]
     pair = next(pair for pair in icon_pairs(name) if pair.id == told["pairs"][0])
-    assert sizes.segments([pair], True) == {tool: counts[:1] for tool, counts in told["segments"].items()}
-    for tool, files in sizes.animations([pair], True).items():
+    assert sizes.segments([pair], libraries) == {
+        tool: counts[:1] for tool, counts in told["segments"].items()
+    }
+    for tool, files in sizes.animations([pair], libraries).items():
         for kind, (text,) in files.items():
             assert len(text) == pytest.approx(told["bytes"][tool][kind][0], rel=0.01), (tool, kind)
 
 
-@pytest.mark.parametrize("name", form.SETS)
+@pytest.mark.parametrize("name", letters.KINDS)
 @pytest.mark.parametrize("tool", MEASURED)
 def test_letters_measured_anew(name, tool, fonts):
     require_for(tool)
     numbers = chosen("letters", name)
-    truths = list(form.load(fonts, name))
+    truths = letters.pairs_of(fonts, name)
     assert [truth.id for truth in truths] == FOUND["letters"][name]["pairs"]
     scores = letters.scored(TOOLS[tool], [truths[k] for k in numbers])
     same(Nearness, scores, FOUND["letters"][name]["scores"][tool], numbers)
@@ -140,14 +143,19 @@ def test_the_judge_measured_anew(seed):
         assert found.taken == told["taken"][k]
 
 
-def test_times_are_of_commands_that_write_what_they_should(node, tmp_path):
-    pair = icon_pairs("single")[0]
-    times.ours(pair, str(tmp_path))
-    assert len(list((tmp_path / "frames").iterdir())) == STEPS - 1
-    (tmp_path / "other").mkdir()
-    times.theirs(pair, str(tmp_path / "other"))
-    (line,) = (tmp_path / "other" / "frames").read_text(encoding="utf-8").splitlines()
-    assert [frame[0] for frame in json.loads(line)["frames"]] == ["M"] * (STEPS - 1)
+def test_times_are_of_commands_that_write_what_they_should(libraries, tmp_path):
+    pairs = icon_pairs("single")[:2]
+    for way, count in ((times.ours, 1), (times.ours_in_bulk, 2)):
+        folder = tmp_path / way.__name__
+        folder.mkdir()
+        assert min(way(pairs[:count], folder)) > 0.01
+        assert len(list(folder.glob("frames-*/*.svg"))) == count * (STEPS - 1)
+    for library in times.TIMED:
+        times.theirs(library)(pairs, tmp_path)
+        lines = (tmp_path / "frames").read_text(encoding="utf-8").splitlines()
+        assert [[f[0] for f in json.loads(line)["frames"]] for line in lines] == [["M"] * (STEPS - 1)] * 2
+    times.evenly(pairs, tmp_path)
+    assert len((tmp_path / "frames").read_text(encoding="utf-8").splitlines()) == 2 * (STEPS - 1)
 
 
 def test_every_setting_was_swept_and_every_option_has_one_default():

@@ -9,7 +9,7 @@ from PIL import Image
 
 from tools import gallery, judge_pictures, moving_pictures, paper_pictures, plots, readme_pictures
 from tools.quality.data import NUMBER, Pair, polygon
-from tools.quality.peers import flubber
+from tools.quality.peers import node as libraries
 from tools.quality.truth import letters
 from tools.studio import __main__ as studio
 from tools.studio.corrections import CORRECTIONS
@@ -174,6 +174,6 @@ def test_both_letters_are_laid_into_the_same_square():
 
 
 def test_without_flubber_there_is_no_gallery(monkeypatch):
-    monkeypatch.setattr(flubber, "install", lambda *what: "node and npm are not there")
+    monkeypatch.setattr(libraries, "install", lambda *what: "node and npm are not there")
     with pytest.raises(SystemExit, match="no gallery: node and npm are not there"):
         gallery.main()

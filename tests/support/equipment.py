@@ -12,7 +12,7 @@ import pytest
 from tools.quality.judge import pairs as judge_icons
 from tools.quality.morphs import packages
 from tools.quality.npm import install
-from tools.quality.peers import flubber
+from tools.quality.peers import flubber, kute, polymorph
 from tools.quality.truth import letters
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
@@ -35,7 +35,9 @@ EQUIPMENT = {
     "Chromium": lambda: None if CHROMIUM else "apt-get install chromium",
     "lottie-web": lambda: install(PLAYER, INSTALLED),
     "GSAP": lambda: install(PLAYER, INSTALLED),
-    "flubber": flubber.ready,
+    "flubber": flubber.FINE.ready,
+    "KUTE.js": kute.FINE.ready,
+    "polymorph": polymorph.FINE.ready,
     "fonts": letters.ready,
     "morphs": packages.ready,
     "graded icons": judge_icons.ready,

@@ -6,15 +6,17 @@ import shutil
 import numpy as np
 import pytest
 from PIL import Image
+from shapely import Point
 
 from tools.quality import __main__ as quality
 from tools.quality import crossings, data, motions, npm, raw, sizes, tables, times, worst
 from tools.quality.data import Pair, icon_pairs, polygon, subpaths
+from tools.quality.faces import section as faces
 from tools.quality.judge import pairs as judge_icons
 from tools.quality.morphs import packages
 from tools.quality.motions import Choice, choice
-from tools.quality.peers import ALL, Tool, arc_length, flubber, shapeblend
-from tools.quality.scores import STEPS, Score, area, area_share, is_crossed, is_overlapping, score
+from tools.quality.peers import ALL, Tool, arc_length, flubber, kute, node, polymorph, shapeblend
+from tools.quality.scores import STEPS, Score, area, area_share, inside, is_crossed, is_overlapping, score
 from tools.quality.truth import letters
 
 SQUARE = np.array([0, 10, 10 + 10j, 10j])
@@ -129,6 +131,60 @@ def test_polygon_follows_lines_and_curves():
     circle = polygon(f"M1,0 C1,{k} {k},1 0,1 C-{k},1 -1,{k} -1,0 C-1,-{k} -{k},-1 0,-1 C{k},-1 1,-{k} 1,0 Z")
     assert len(circle) == 4 * data.CHORDS
     np.testing.assert_allclose(np.abs(circle), 1.0, atol=3e-4)
+
+
+FLAG = "M0,0 L10,0 C10,5 5,10 0,10 Q-2,5 0,2 Z"
+
+
+def test_path_data_is_counted_turned_and_cut_without_another_outline():
+    assert data.pieces(FLAG) == data.pieces("M0 0L10 0C10 5 5 10 0 10 Q-2 5 0 2L0 0Z") == 4
+    assert data.pieces("M0,0C0,5 1e-5,10 5,10 9,10 5,5 0,0") == 2
+    assert data.pieces(f"{FLAG} {FLAG}") == 8
+    assert data.open_data("M0,0 L10,0 L5,5 Z").count("L") == 3
+    assert "Z" not in data.open_data(FLAG)
+    both = data.one_way_round(f"{FLAG} M0,0 L0,10 L10,10 Z")
+    there, back = subpaths(both)
+    assert there == FLAG
+    assert polygon(back).tolist() == [0, 10 + 10j, 10j]
+    assert data.one_way_round(both) == both
+    turned = data.one_way_round("M0,0 L0,2 Q-2,5 0,10 C5,10 10,5 10,0 Z")
+    np.testing.assert_allclose(polygon(turned), polygon(FLAG), atol=1e-5)
+
+
+@pytest.mark.parametrize("share", [0, 1])
+def test_lines_and_curves_are_cut_where_they_run(share):
+    cut = data.cut_in_two(FLAG, share, np.random.default_rng(1))
+    assert data.pieces(cut) == 4 * (1 + share)
+    off = [inside(polygon(cut)).boundary.distance(Point(z.real, z.imag)) for z in polygon(FLAG)]
+    assert max(off) < 0.02
+    assert area(polygon(cut)) == pytest.approx(area(polygon(FLAG)), rel=2e-3)
+
+
+def test_libraries_get_what_they_can_take():
+    pair = Pair("", "M0,0 L0,1 L1,1 Z M0,0 L20,0 L20,20 Z M50,0 L60,0 L60,10 Z", "M0,0 L9,0 L9,9 L0,9 Z")
+    (a,), (b,) = (kute.FINE.job(pair)[side] for side in "ab")
+    assert (area(polygon(a)), area(polygon(b))) == (200.0, 81.0)
+    assert kute.FINE.job(pair)["side"] == pytest.approx((40 + 800**0.5) / node.VERTICES)
+    assert [job["side"] for job in (kute.OF_CURVES.job(pair), flubber.OWN.job(pair))] == [None, None]
+    assert len(flubber.FINE.job(pair)["a"]) == 3
+    assert len(subpaths(polymorph.FINE.job(pair)["a"])) == 3
+    assert kute.OF_CURVES.job(pair)["b"] == [
+        "M0.000000,0.000000 " + " ".join(f"L{z.real:.6f},{z.imag:.6f}" for z in (9, 9 + 9j, 9j, 0j))
+    ]
+
+
+def test_what_goes_where_is_told_by_frames_on_the_way(monkeypatch):
+    triangle = [
+        "M0 0 C 0 0 4 0 4 0 4 0 4 4 4 4 4 4 0 0 0 0",
+        "M8 0 C 8 0 12 0 12 0 12 0 12 4 12 4 12 4 8 0 8 0",
+    ]
+    monkeypatch.setattr(node.Library, "path_data", lambda self, pairs, times: [triangle, None])
+    ((p, q),), nothing = polymorph.FINE.links([None, None])
+    assert nothing is None
+    assert p[[0, -1]].tolist() == [-4, -4]
+    assert (q - p).tolist() == [16] * len(p)
+    monkeypatch.setattr(node.Library, "path_data", lambda self, pairs, times: [None])
+    assert flubber.FINE.links([None]) == flubber.FINE.blends([None]) == [None]
 
 
 @pytest.mark.parametrize(("name", "pairs", "contours"), [("single", 80, (1, 1)), ("whole", 40, (2, 5))])
@@ -277,11 +333,11 @@ def test_figures_are_replaced_and_nothing_else():
 
 
 def test_without_node_the_rest_is_measured_and_the_document_says_so(monkeypatch, tmp_path, capsys):
-    for module in (flubber, letters, packages, judge_icons):
+    for module in (node, letters, packages, faces, judge_icons):
         monkeypatch.setattr(module, "install", lambda *what: "node and npm are not there")
     small = {name: sorted(icon_pairs(name), key=lambda pair: len(pair.a + pair.b)) for name in data.SETS}
     few = {"single": small["single"][:2], "whole": small["whole"][:1]}
-    others = {shapeblend.named(motion) for motion in ("linear", "rigid", "intrinsic")}
+    others = {shapeblend.named(motion) for motion in ("rigid", "intrinsic", "safe")}
     monkeypatch.setattr(quality, "ALL", [tool for tool in ALL if tool.name not in others])
     for module in (crossings, motions, sizes):
         monkeypatch.setattr(module, "icon_pairs", few.get)
@@ -296,15 +352,19 @@ def test_without_node_the_rest_is_measured_and_the_document_says_so(monkeypatch,
     readme, document = once = files()
     assert f"Not measured: {flubber.NAME} (node and npm are not there)." in document
     assert "Not measured: letters (node and npm are not there)." in document
+    assert "Not measured: faces (node and npm are not there)." in document
     assert "Not measured: judge (node and npm are not there)." in document
     assert "Not measured: limbs and morphs (node and npm are not there)." in document
     assert f"| {flubber.NAME}" not in document
     assert "| one contour | shapeblend | 2 | 2 |" in document
-    assert "| one contour | shapeblend --motion safe | 2 | 2 |" in document
+    assert "| one contour | shapeblend --motion linear | 2 | 2 |" in document
     assert f"Not measured: {flubber.NAME} (node and npm are not there)." in readme
     assert f"| {flubber.NAME}" not in readme
     assert "| Icons that cross themselves on the way |" in readme
     assert files() == once
+    monkeypatch.setattr(crossings, "measured", None)
+    quality.main(["--only", "motions"])
+    assert (tmp_path / "docs" / "quality.md").read_text(encoding="utf-8") == document
     monkeypatch.setattr(quality, "measured", None)
     quality.main(["--again"])
     assert (tmp_path / "docs" / "quality.md").read_text(encoding="utf-8") == document
@@ -327,29 +387,41 @@ def test_scores_come_back_from_their_columns():
 
 
 def test_times_are_told_as_multiples():
-    seconds = {shapeblend.NAME: [1.0, 2.0, 9.0], flubber.NAME: [0.5, 0.5, 3.0]}
-    found = {"pairs": ["a", "b", "c"], "seconds": seconds}
+    ours, theirs = [1.0, 2.0, 9.0], [0.5, 0.5, 3.0]
+    alone = {shapeblend.NAME: {"wall": ours, "cpu": ours}, flubber.NAME: {"wall": theirs, "cpu": theirs}}
+    bulk = {
+        shapeblend.NAME: {"wall": [4.8], "cpu": [4.4]},
+        flubber.NAME: {"wall": [0.4], "cpu": [0.41]},
+        arc_length.NAME: {"wall": [0.05], "cpu": [0.05]},
+    }
+    found = {"pairs": ["a", "b", "c"], "alone": alone, "many": 40, "bulk": bulk}
     section = times.section({"single": found, "whole": found})
-    assert section.table.rows[0] == ["one contour", "3", "2.00 s", "0.50 s", "3.0"]
-    assert section.brief[0][1] == {shapeblend.NAME: "about 3", flubber.NAME: "1"}
+    assert section.table.rows[0] == [
+        *("one contour", shapeblend.NAME),
+        *("3", "2.00 s", "2.00 s"),
+        *("40", "0.12 s", "0.11 s"),
+    ]
+    assert section.table.rows[2] == ["one contour", arc_length.NAME, *"–––", "40", "1.2 ms", "1.2 ms"]
+    assert dict(section.brief) == {
+        times.ALONE: {shapeblend.NAME: "about 3", flubber.NAME: "1"},
+        times.IN_BULK: {shapeblend.NAME: "about 11", flubber.NAME: "1", arc_length.NAME: "about 0.1"},
+    }
 
 
 def test_segments_of_a_file_count_the_closing_lines():
     assert shapeblend.segments(data.svg("M0,0 L10,0 L10,10 Z M20,20 L30,20 L30,30 L20,20 Z")) == 6
     assert shapeblend.segments(shapeblend.middle(Pair("", "M0,0 H10 V10 Z", "M0,0 H20 V20 Z"))) == 3
-    counts = sizes.segments([Pair("", "M0,0 L10,0 L10,10 Z", "M0,0 L20,0 L20,20 Z")], False)
+    counts = sizes.segments([Pair("", "M0,0 L10,0 L10,10 Z", "M0,0 L20,0 L20,20 Z")], [])
     assert counts == {shapeblend.NAME: [3], arc_length.NAME: [arc_length.VERTICES]}
 
 
 def test_npm_is_not_asked_where_it_is_not(monkeypatch, tmp_path):
     monkeypatch.setattr(shutil, "which", lambda name: None)
-    assert npm.install.__wrapped__(flubber.HERE, tmp_path / "out") == "node and npm are not there"
+    assert npm.install.__wrapped__(node.HERE, tmp_path / "out") == "node and npm are not there"
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.parametrize(
-    "folder", [flubber.HERE, letters.HERE, packages.HERE], ids=lambda folder: folder.name
-)
+@pytest.mark.parametrize("folder", [node.HERE, letters.HERE, packages.HERE], ids=lambda folder: folder.name)
 def test_what_npm_installs_is_locked_by_its_contents_alone(folder):
     lock = json.loads((folder / "package-lock.json").read_text(encoding="utf-8"))
     asked = json.loads((folder / "package.json").read_text(encoding="utf-8"))["dependencies"]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tools.quality import raw
+from tools.quality.data import cut_in_two
 from tools.quality.tables import NONE, Section, Table, share
 from tools.quality.truth.form import SETS, load
 from tools.quality.truth.letters import DIFFERENT, EVEN, FAMILIES, FOLDER
@@ -14,6 +15,7 @@ from tools.quality.truth.measures import GROSS, NEAR, REACH, SHARP, STILL_SHARP,
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from pathlib import Path
 
     from tools.quality.peers import Tool
     from tools.quality.truth.form import Truth
@@ -33,7 +35,16 @@ HEADER = (
 )
 
 ALONG = "... how far along the outline its points are off, median"
+IF_CUT = "letters of one contour, some lines and curves cut in two: what an in-between misses, median"
 GROSSLY = f"... pairs whose points are off by more than {100 * GROSS:g} %, or on wrong contours"
+
+CUT = "cut"
+"""The set of letters of one contour of which the second file has lines and curves that are cut in two."""
+
+KINDS = {**SETS, CUT: "one contour, cut"}
+"""The sets that are measured, and what a letter has in each."""
+
+SHARE_CUT = 1 / 3
 
 TEXT = f"""\
 Letters of variable fonts. In such a font a letter has the same points wherever its axes stand, so the designer has
@@ -43,8 +54,8 @@ families, all under the SIL Open Font License and installed by npm from a lock f
 Letters are taken by a fixed seed, of those that both fill rules fill the same, whose ends differ (more than
 {100 * DIFFERENT:g} % of what either covers is not covered by both) and that change evenly: moved straight, the
 designer's own points stay within {100 * EVEN:g} % of the truth by the same measure. How fast a font changes is nothing
-that two drawings show. The second file gives nothing away: it begins at another point, goes the other way round in
-about half of the pairs, has its contours in another order, and is scaled and shifted. The em is 100 units.
+that two drawings show. The second file begins at another point, goes the other way round in about half of the pairs,
+has its contours in another order, and is scaled and shifted. The em is 100 units.
 
 - *in-between*: how much of what the in-between or the true one covers is not covered by both, mean of t = .25, .5
   and .75. The scale and the shift of the second file are taken out: what goes straight from p to s q + d is, at
@@ -59,6 +70,11 @@ about half of the pairs, has its contours in another order, and is scaled and sh
   of the size before the corner to as much behind it. The size is the diagonal of the box around the true outline.
 - *segments*: how many lines and curves the in-between half way is written with.
 
+*one contour, cut*: the letters of one contour again, but a third of the second file's lines and curves, chosen at
+random, are cut in two. That changes nothing that is seen. Without it the files of a font give something away: a letter
+has the same number of lines and curves at both ends. A tool that blends them one by one, as KUTE.js' curves do, finds
+what the designer meant as soon as it begins at the right one. One line or curve more, and it does not.
+
 A pair without an answer counts as 100 %, as 50 %, as crossed, and as without corners. shapeblend is told
 `--place asis` and the number of frames. `make bench-truth TRUTH=DIR` measures the same on other pairs."""
 
@@ -66,11 +82,24 @@ A pair without an answer counts as 100 %, as 50 %, as crossed, and as without co
 def measured(tools: Sequence[Tool]) -> dict:
     """Every pair of every set with every tool that says what goes where."""
     found = {}
-    for name in SETS:
-        truths = list(load(FOLDER, name))
+    for name in KINDS:
+        truths = pairs_of(FOLDER, name)
         scores = {tool.name: raw.columns(Nearness, scored(tool, truths)) for tool in tools if tool.linked}
         found[name] = {"pairs": [truth.id for truth in truths], "scores": scores}
     return found
+
+
+def pairs_of(folder: Path, name: str) -> list[Truth]:
+    """Return the pairs of one of the `KINDS`."""
+    if name != CUT:
+        return list(load(folder, name))
+    return [_cut(truth, np.random.default_rng(k)) for k, truth in enumerate(load(folder, "single"))]
+
+
+def _cut(truth: Truth, rng: np.random.Generator) -> Truth:
+    """Return a pair with lines and curves of its second file cut in two."""
+    data = cut_in_two(truth.pair.b, SHARE_CUT, rng)
+    return truth._replace(b=truth.b.replace(truth.pair.b, data))
 
 
 def scored(tool: Tool, truths: list[Truth]) -> list[Nearness]:
@@ -80,17 +109,18 @@ def scored(tool: Tool, truths: list[Truth]) -> list[Nearness]:
 
 def section(found: dict) -> Section:
     rows, brief = [], {}
-    for name, what in SETS.items():
+    for name, what in KINDS.items():
         for tool, scores in found[name]["scores"].items():
             told = cells(raw.records(Nearness, scores))
             rows.append([what, tool, *told])
             count, between, _, along, _, gross, _, corners, _ = told
-            for line, cell in (
+            lines = (
                 (f"{count} letters of {what}: what an in-between misses of the designer's, median", between),
                 (ALONG, along),
                 (GROSSLY, gross),
                 ("... corners kept", corners),
-            ):
+            )
+            for line, cell in lines if name != CUT else ((IF_CUT, between),):
                 brief.setdefault((name, line), {})[tool] = cell
     del brief["multi", ALONG]
     return Section(

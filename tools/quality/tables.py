@@ -71,27 +71,28 @@ FRONT = (
         0,
         "What a letter half way misses of the one that its designer drew",
     ),
+    ("Letters", "cut in two", 0, "... if some lines and curves of one are cut in two"),
     ("Letters", "corners kept", 0, "Corners of letters that are kept on the way"),
     ("Limbs and morphs", "limbs turned", 0, "How far off points are along outlines whose limbs swing"),
     ("Crossings and area", "crosses itself", 0, "Icons that cross themselves on the way"),
     ("Crossings and area", "left out", -1, "Icons of several outlines that lose some of them"),
     ("Segments and bytes", "segments", 0, "Segments of an icon half way"),
-    ("Time", "time of a whole command", 0, "Time of a whole command, beside flubber's"),
+    ("Time", "time of a whole command", 0, "Processor time of one blend, beside flubber's"),
+    ("Time", "many in one run", 0, "... of a blend among many in one run"),
 )
 """What the README says of tools: of the lines of a section that the short table has, those that have some words in
 their names, which of these, and plainer words."""
 
 
 def front(sections: Sequence[Section], tools: Sequence[str], missing: Sequence[str]) -> str:
-    """Return the table of the README; tools with other settings than their own are left out."""
-    plain = [tool for tool in tools if "," not in tool]
+    """Return the table of the README."""
     briefs = {section.title: section.brief for section in sections}
     rows = []
     for title, meant, which, words in FRONT:
         if lines := [cells for name, cells in briefs.get(title, ()) if meant in name]:
-            rows.append([words, *(lines[which].get(tool, NONE) for tool in plain)])
+            rows.append([words, *(lines[which].get(tool, NONE) for tool in tools)])
     lines = "".join(f"\nNot measured: {line}.\n" for line in missing)
-    return f"{BEGIN}\n\n{Table(['', *plain], rows).markdown()}{lines}\n{END}"
+    return f"{BEGIN}\n\n{Table(['', *tools], rows).markdown()}{lines}\n{END}"
 
 
 def document(short_table: str, sections: Sequence[Section]) -> str:

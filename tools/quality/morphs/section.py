@@ -40,7 +40,8 @@ Drawings whose parts move, by the measures of the letters. Their in-betweens are
   reach that: *in-between* is not 0 where the correspondence is the true one. Some curves of B are cut in two.
 - *authored*: paths of {" and ".join(ANIMATIONS)}, animations that lottie-web is tested with, from one keyframe to the
   next. Of each layer and group it is the step that changes most; those are left out that an affine map explains but
-  for {100 * CHANGED:g} % of the region. The format moves nodes and handles straight.
+  for {100 * CHANGED:g} % of the region. The format moves nodes and handles straight, so both ends have as many lines
+  and curves. As with letters, that helps tools that blend them one by one.
 
 B is disguised as with the letters. The icons are from Fluent Emoji (MIT licence) and game-icons.net (CC BY 3.0), the
 animations from lottie-web (MIT licence); npm installs them from a lock file.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 from typing import TYPE_CHECKING, NamedTuple
 
-from tools.quality.peers import arc_length, flubber, shapeblend
+from tools.quality.peers import arc_length, flubber, kute, polymorph, shapeblend
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -30,6 +30,8 @@ class Tool(NamedTuple):
         Gives None, or else why the tool cannot run here.
     brief : bool
         Whether it has a column in the short table.
+    front : bool
+        Whether it has one in the README.
     """
 
     name: str
@@ -37,20 +39,25 @@ class Tool(NamedTuple):
     linked: Callable[[list[Truth]], list[Linked | None]] | None = None
     ready: Callable[[], str | None] = lambda: None
     brief: bool = True
+    front: bool = False
 
+
+LIBRARIES = (*flubber.LIBRARIES, *kute.LIBRARIES, *polymorph.LIBRARIES)
+"""What node runs."""
+
+BRIEF = (flubber.FINE, flubber.OWN, kute.FINE, kute.OF_CURVES, polymorph.FINE)
+FRONT = (flubber.FINE, kute.OF_CURVES)
+"""Those in the short table, and in that of the README."""
 
 ALL = (
-    Tool(shapeblend.NAME, shapeblend.blends, shapeblend.linked),
+    Tool(shapeblend.NAME, shapeblend.blends, shapeblend.linked, front=True),
     *(
         Tool(shapeblend.named(motion), functools.partial(shapeblend.blends, motion=motion), brief=False)
         for motion in shapeblend.MOTIONS
     ),
-    Tool(flubber.NAME, flubber.blends, flubber.linked, flubber.ready),
-    Tool(
-        flubber.COARSE,
-        functools.partial(flubber.blends, own_sides=True),
-        functools.partial(flubber.linked, own_sides=True),
-        flubber.ready,
+    *(
+        Tool(library.name, library.blends, library.linked, library.ready, library in BRIEF, library in FRONT)
+        for library in LIBRARIES
     ),
-    Tool(arc_length.NAME, arc_length.blends, arc_length.linked),
+    Tool(arc_length.NAME, arc_length.blends, arc_length.linked, front=True),
 )

@@ -1,9 +1,5 @@
-// Blends with flubber: a job a line on standard input, an answer a line on standard output, both JSON.
-//
-// A job has `a` and `b`, lists of path data with one contour each, of equal length or one of them with a
-// single contour; `side`, the longest side of a polygon, null for the library's own; `times`; and `strings`,
-// whether frames are wanted as the library writes them or as points. An answer is {frames} or {error}.
-import { createInterface } from 'node:readline';
+// A job has `a` and `b`, lists of path data with one contour each, of equal length or one of them with a single
+// contour; and `side`, the longest side of a polygon, null for the library's own.
 import flubber from 'flubber';
 
 // Each answer of the library is a function from time to a ring of points.
@@ -15,23 +11,7 @@ function rings({ a, b, side }) {
   return a.length === 1 ? flubber.separate(a[0], b, options) : flubber.combine(a, b[0], options);
 }
 
-const micro = (value) => Math.round(value * 1e6) / 1e6;
-
-function answer(job) {
+export function blend(job) {
   const at = rings(job);
-  return job.times.map((t) => {
-    const frame = at.map((ring) => ring(t));
-    if (job.strings) return frame.map(flubber.toPathString).join('');
-    return frame.map((ring) => ring.map(([x, y]) => [micro(x), micro(y)]));
-  });
-}
-
-for await (const line of createInterface({ input: process.stdin })) {
-  let said;
-  try {
-    said = { frames: answer(JSON.parse(line)) };
-  } catch (error) {
-    said = { error: String(error) };
-  }
-  process.stdout.write(`${JSON.stringify(said)}\n`);
+  return (t) => at.map((ring) => flubber.toPathString(ring(t))).join('');
 }
