@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 
 
 class ShapeblendError(Exception):
@@ -39,6 +40,13 @@ class MatchError(ShapeblendError, ValueError):
 
 class PictureError(ShapeblendError, ValueError):
     """Pictures that cannot be drawn, or not at this size."""
+
+
+def with_extra(name: str) -> str:
+    """Return the command that adds an extra to the installation that runs."""
+    marks = {"uv-receipt.toml": "uv tool install", "pipx_metadata.json": "pipx install --force"}
+    found = [command for mark, command in marks.items() if os.path.exists(os.path.join(sys.prefix, mark))]
+    return f"{found[0] if found else 'pip install'} 'shapeblend[{name}]'"
 
 
 def in_words(error: BaseException) -> str:

@@ -23,7 +23,7 @@ from shapeblend_cli.batch.remote import Identity, compute, identity
 from shapeblend_cli.batch.rows import command_of
 from shapeblend_cli.batch.supervisor import DIED, Ended, Stopped, died
 from shapeblend_cli.batch.worker import DONE, FAILED, Answer, Order, write_answer
-from shapeblend_cli.errors import InputError, ShapeblendError
+from shapeblend_cli.errors import InputError, ShapeblendError, with_extra
 from shapeblend_cli.interrupts import told
 from shapeblend_cli.jobs import all_targets, job_of
 
@@ -106,9 +106,7 @@ def _connected(address: str) -> Iterator[Any]:
     try:
         import distributed
     except ImportError:
-        raise ClusterError(
-            "--cluster needs dask.distributed; pip install 'shapeblend[cluster]' installs it"
-        ) from None
+        raise ClusterError(f"--cluster needs dask.distributed; {with_extra('cluster')} installs it") from None
     before = logging.root.manager.disable
     logging.disable(logging.CRITICAL)
     client: Any = None

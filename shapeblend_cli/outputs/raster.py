@@ -6,7 +6,7 @@ import io
 from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.errors import PictureError
+from shapeblend_cli.errors import PictureError, with_extra
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -39,7 +39,7 @@ def check_libraries() -> None:
             import_module(name)
     except ImportError as error:
         raise PictureError(
-            "pictures need resvg_py and Pillow; pip install 'shapeblend[pictures]' installs them"
+            f"pictures need resvg_py and Pillow; {with_extra('pictures')} installs them"
         ) from error
 
 

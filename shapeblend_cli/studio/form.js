@@ -160,10 +160,10 @@ export class Form {
   }
 }
 
-const SHORT = new Set(["svg", "png", "gif", "webp", "apng", "avd"]);
+const WRITTEN = { svg: "SVG", png: "PNG", gif: "GIF", webp: "WebP", apng: "APNG", avd: "AVD", mp4: "MP4", webm: "WebM" };
 
 function titleOf({ name, suffix, options }) {
-  const words = name.split(" ").map((word) => (SHORT.has(word) ? word.toUpperCase() : word)).join(" ");
+  const words = name.split(" ").map((word) => WRITTEN[word] ?? word).join(" ");
   const title = words[0].toUpperCase() + words.slice(1);
   if (suffix) return `${title} (${suffix})`;
   return options.emit ? `${title} of SVG files` : `${title} frames, a folder`;

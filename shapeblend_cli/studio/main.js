@@ -111,7 +111,7 @@ function show(answer, project) {
   if (project === history.present) at("command").textContent = answer.command;
   stage.show(answer);
   const { wrong, fault, is_poor: isPoor } = answer;
-  at("verdict").textContent = wrong === null ? "" : `${wrong < 0.1 ? "Looks right" : isPoor ? "Looks poor" : "Could be better"} to the judge, ${wrong.toFixed(2)}${fault && wrong >= 0.1 ? `: ${fault}` : ""}`;
+  at("verdict").textContent = wrong === null ? "" : `${wrong < 0.1 ? "Looks right" : isPoor ? "Looks poor" : "Could be better"}, says the judge (${wrong.toFixed(2)})${fault && wrong >= 0.1 ? `: ${fault}` : ""}`;
   at("verdict").dataset.is = wrong === null ? "" : wrong < 0.1 ? "right" : isPoor ? "poor" : "fair";
   at("notes").replaceChildren(...answer.notes.filter((note) => !note.includes("in-betweens look poor")).map((note) => made("li", {}, note)));
   form.show(answer.settings);

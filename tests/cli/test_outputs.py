@@ -203,6 +203,18 @@ def test_without_the_extra_there_is_one_line_before_any_work(here, monkeypatch, 
     assert line.endswith("; pip install 'shapeblend[pictures]' installs them")
 
 
+@pytest.mark.parametrize(
+    ("mark", "command"),
+    [("uv-receipt.toml", "uv tool install"), ("pipx_metadata.json", "pipx install --force")],
+)
+def test_the_line_has_the_command_that_installed_the_program(here, monkeypatch, refused, mark, command):
+    (here / mark).touch()
+    monkeypatch.setattr(sys, "prefix", str(here))
+    monkeypatch.setitem(sys.modules, "resvg_py", None)
+    line = refused([*AB, "-o", "x.png"], 1, "x.png: pictures need resvg_py and Pillow; ")
+    assert line.endswith(f"; {command} 'shapeblend[pictures]' installs them")
+
+
 def test_svg_needs_no_extra(here, monkeypatch):
     for missing in ("resvg_py", "PIL"):
         monkeypatch.setitem(sys.modules, missing, None)
