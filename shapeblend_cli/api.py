@@ -190,7 +190,7 @@ class Blend:
         ----------
         path : str or path
             A folder gets one file for each frame. The suffix of a file chooses the format: ``.svg`` is one animated
-            SVG, ``.gif``, ``.webp`` and ``.apng`` are animations of pixels, ``.png`` is a contact sheet. What a
+            SVG, ``.gif``, ``.webp`` and ``.apng`` are raster animations, ``.png`` is a contact sheet. What a
             format cannot show is a warning.
         n : int, optional
             In-betweens of each pair of drawings; by default those of the settings.

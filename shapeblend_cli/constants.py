@@ -51,16 +51,19 @@ class WorkConstants(Record, section=WIRE):
     bending: str = option(
         choice("turn", "paper"),
         default="turn",
-        help="What bending costs. turn: how much more or less the wire turns; paper: the way its angle goes along "
+        help="What bending costs. turn: how much more or less the wire turns; paper: how its angle changes along "
         "straight vertex paths, equation 17.",
     )
     k_t: float = option(
-        NOT_NEGATIVE, default=7.0, key="kt", help="Stiffness against travel: points of the wire stay near."
+        NOT_NEGATIVE,
+        default=7.0,
+        key="kt",
+        help="Stiffness against travel, which keeps points of the wire near their places.",
     )
     smoothing: float = option(
         number(0, 0.1),
         default=0.01,
-        help="The scale of bending: how far outlines are smoothed before most of it is measured, as a share of their "
+        help="Scale of bending: how far outlines are smoothed before most of it is measured, as a share of their "
         "length.",
     )
 

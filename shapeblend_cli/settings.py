@@ -85,7 +85,7 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         section=OUTPUT,
         flags=("-n", "--frames"),
         help="Number of in-betweens between each drawing and the next.",
-        default_text="5; in animations of pixels and videos as --fps says",
+        default_text="5; in .gif, .webp, .apng and videos as many as --fps gives",
     )
     ends: bool = option(
         types.FLAG, default=False, section=OUTPUT, help="Include the drawings themselves, t = 0 and t = 1."
@@ -94,32 +94,32 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         types.TIMES,
         default=None,
         section=OUTPUT,
-        help="The times of the frames, instead of so many in-betweens: 0 is A, 1 is B, and what is before 0 or after 1 "
-        "goes on beyond them, -1 to 2.",
+        help="Times of the frames, instead of a number of in-betweens: 0 is A and 1 is B. Times from -1 to 0 and "
+        "from 1 to 2 go on beyond the drawings.",
     )
     place: str = option(
         types.choice("viewbox", "bbox", "asis"),
         default="viewbox",
         section=SHAPES,
-        help="How B is laid over A: viewBox on viewBox, bounding box on bounding box, or in the "
+        help="How B is laid over A. viewbox: viewBox on viewBox; bbox: bounding box on bounding box; asis: in the "
         "coordinates of its file.",
     )
     specks: float | str | None = option(
         types.SPECKS,
         default=None,
         section=SHAPES,
-        help="Leave out contours that are smaller: a length in units of their file, or a share of the drawing.",
+        help="Leave out contours smaller than this: a length in units of their file, or a share of the drawing.",
     )
     vertices: int = option(
         types.whole(0, 100_000),
         default=200,
-        help="Approximate number of vertices of a large contour; smaller ones get fewer, and fewer still if there are "
-        "more than 40. Those of the drawing are always kept; 0 adds only what curves need.",
+        help="Approximate number of vertices of a large contour. Smaller contours get fewer, and fewer still if "
+        "there are more than 40 contours. The vertices of the drawing are always kept; 0 adds only what curves need.",
     )
     start: tuple[int, int] | None = option(
         types.START,
         default=None,
-        help="Starting correspondence: the best one overall, or vertex I of A with vertex J of B.",
+        help="Starting correspondence. auto: the best one overall; I,J: vertex I of A with vertex J of B.",
         default_text="auto",
     )
     pins: tuple[Vertices, ...] = option(
@@ -127,21 +127,21 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         default=(),
         many=True,
         flags=("--pin",),
-        help="Vertices that must correspond: by number, or those nearest to a point of A and a point of B.",
+        help="Vertices that must correspond: by number, or the ones nearest to a point of A and a point of B.",
     )
     mix: tuple[tuple[float, ...], ...] = option(
         types.MIX,
         default=(),
         many=True,
         section=IN_BETWEENS,
-        help="Instead of in-betweens a mixture of all files, so much of each: .2,.5,.3. Each file corresponds with the "
-        "first. One mixture can be written to one file, .svg or .png.",
+        help="Make a mixture of all files instead of in-betweens, with a share for each: .2,.5,.3. Each file "
+        "corresponds with the first. A single mixture can be written to one file, .svg or .png.",
     )
     reverse: str = option(
         types.choice("auto", "yes", "no"),
         default="auto",
-        help="Traverse B's contours in reverse. auto: so that closed contours run in the same direction; where that is "
-        "ambiguous, and for open contours, both directions are tried.",
+        help="Traverse B's contours in reverse. auto: if that makes closed contours run in the same direction; where "
+        "that is ambiguous, and for open contours, both directions are tried.",
     )
     stiff: tuple[tuple[complex, float, float], ...] = option(
         types.STIFF,
@@ -154,21 +154,22 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         default=(),
         many=True,
         section=SHAPES,
-        help="Contours that become each other: a number or an id of A, and one of B; or those at a point of A and a "
-        "point of B: the innermost around it, or else the nearest to it.",
+        help="Contours that become each other: a number or an id of A, and one of B; or a point of A and a point of "
+        "B. A point chooses the innermost contour around it or, if there is none, the nearest.",
     )
     unmatched: str = option(
         types.choice("auto", "point", "split"),
         default="auto",
         section=SHAPES,
         help="What happens to a contour without a partner. point: it grows from a point or shrinks to one; split: an "
-        "outline of the other drawing is cut for it; auto: that only where several outlines together fill the place "
-        "of one. split and auto also open a ring whose partner has no hole, where that takes far less work.",
+        "outline of the other drawing is cut to make a partner for it; auto: split, but only where several outlines "
+        "together fill the place of one. split and auto also open a ring whose partner has no hole, if that takes far "
+        "less work.",
     )
     solver: str = option(
         types.choice("exact", "simplified"),
         default="exact",
-        help="The paper's rigorous algorithm (section 4), or the simplified one (4.1).",
+        help="The paper's rigorous algorithm (section 4), or its simplified one (section 4.1).",
     )
     band: float | None = option(
         types.BAND,
@@ -180,34 +181,34 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         types.choice("auto", "exact", "fast"),
         default="auto",
         help="exact: prove the least work, however long it takes; fast: solve from coarse to fine, without proof; "
-        "auto: exact where that is quick.",
+        "auto: exact if that is quick.",
     )
     preset: str | None = option(
         types.choice(*PRESETS),
         default=None,
         section=WIRE,
-        help="paper: the paper's work alone, --bending paper --kt 0 --smoothing 0; the others: with the constants "
-        "and the band of a row of its table 1, too. Options given beside it take precedence.",
+        help="paper: only the paper's work, as with --bending paper --kt 0 --smoothing 0; the others: also the "
+        "constants and the band of a row of its table 1. Other options given with it take precedence.",
     )
     motion: str = option(
         types.choice("auto", "linear", "rigid", "intrinsic", "safe"),
         default="auto",
         section=IN_BETWEENS,
         help="How shapes move. linear: along straight lines; rigid: rotated as a whole; intrinsic: by their lengths "
-        "and angles; safe: without crossing themselves; auto: the one of the first three that looks best.",
+        "and angles; safe: without crossing themselves; auto: whichever of the first three looks best.",
     )
     viewbox: str = option(
         types.choice("auto", "keep", "grow"),
         default="auto",
         section=IN_BETWEENS,
-        help="What frames show. keep: the drawings' viewBoxes; grow: also what is outside of them; auto: keep, unless "
-        "something clearly seen would leave them on its way.",
+        help="What frames show. keep: the drawings' viewBoxes; grow: also what is outside them; auto: keep, unless "
+        "something clearly visible would leave them on the way.",
     )
     style: str = option(
         types.choice("blend", "a", "b"),
         default="blend",
         section=IN_BETWEENS,
-        help="Blend the paint as well, or paint all frames like A or like B.",
+        help="Blend the paint too, or paint all frames like A or like B.",
     )
     curves: bool = option(
         types.FLAG,
@@ -221,20 +222,20 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         types.number(0.0, 0.95),
         default=0.0,
         section=IN_BETWEENS,
-        help="Shapes start one after the other: how late the last one does, as a share of the time.",
+        help="Start shapes one after the other. X is how late the last one starts, as a share of the time.",
         default_text="0, all at once",
     )
     stagger_by: str = option(
         types.choice("order", "size", "left", "right", "top", "bottom"),
         default="order",
         section=IN_BETWEENS,
-        help="Which shape starts first: the lowest in paint order, the largest, or that on one side.",
+        help="Which shape starts first: the lowest in the order of paint, the largest, or the one furthest to a side.",
     )
     ease: Ease = option(
         types.EASE,
         default=LINEAR,
         section=ANIMATIONS,
-        help="Easing of animations, and spacing of in-betweens in time: linear, ease, ease-in, ease-out, ease-in-out "
+        help="Easing of animations, and of the times of in-betweens: linear, ease, ease-in, ease-out, ease-in-out "
         "or cubic-bezier(x1,y1,x2,y2).",
         default_text="linear",
     )
@@ -290,7 +291,7 @@ class WriteOptions(Record, section=OUTPUT):
     report: str | None = option(
         types.file(),
         default=None,
-        help="Write the correspondence, its work and measures of the frames as JSON; - for standard output.",
+        help="Write the correspondence, its work, and measurements of the frames as JSON; - for standard output.",
     )
     preview: str | None = option(
         types.file(".htm", ".html"),
@@ -303,13 +304,13 @@ class WriteOptions(Record, section=OUTPUT):
         default=None,
         flags=("--try",),
         metavar="FILE.svg",
-        help="Write a sheet of other blends of two drawings, for choosing by eye: each with how wrong it looks to the "
-        "judge, 0 being perfect, and the options that give it.",
+        help="Write a sheet of other blends of two drawings, to choose from by eye. Each has the options that give "
+        "it, and a number for how wrong it looks to the judge; 0 is perfect.",
     )
     fail_on: str = option(
         types.choice("never", "poor"),
         default="never",
-        help="poor: write nothing, and fail, if even the best in-betweens look poor to the judge.",
+        help="poor: fail, and write nothing, if even the best in-betweens look poor to the judge.",
     )
 
 
@@ -320,7 +321,7 @@ class InspectOptions(Record, section=OUTPUT):
         types.file(".svg"),
         default=None,
         metavar="FILE.svg",
-        help="Draw the shapes with the numbers of their contours, as --match takes them.",
+        help="Draw the shapes with the numbers of their contours, which --match takes.",
     )
     force: bool = option(types.FLAG, default=False, flags=("-f", "--force"), help="Replace an existing file.")
 
@@ -347,7 +348,7 @@ class PlotOptions(Record, section=PLOT):
         types.START,
         default=None,
         metavar="I,J",
-        help="For angle: vertices of A and B that correspond. For starts: a vertex of A, I; J does not count.",
+        help="For angle: vertex I of A and vertex J of B, which correspond. For starts: vertex I of A; J is ignored.",
         default_text="the dot with the most bending work; 0",
     )
 
@@ -358,13 +359,13 @@ class BatchOptions(Record, section=BATCH):
     pairs: tuple[str, str] | None = option(
         types.FOLDERS,
         default=None,
-        help="Blend each drawing in FROM, or in a folder inside it, into the one of the same name in TO.",
+        help="Blend each drawing in FROM, or in a folder inside it, into the one with the same name in TO.",
     )
     chain: str | None = option(
         types.file(),
         default=None,
         metavar="'*.svg'",
-        help="Blend each of these drawings, or of a folder's, into the next, 9.svg before 10.svg.",
+        help="Blend each of these drawings, or of those in a folder, into the next one, 9.svg before 10.svg.",
     )
     every_two: str | None = option(
         types.file(),
@@ -377,34 +378,37 @@ class BatchOptions(Record, section=BATCH):
         types.whole(1, 1024),
         default=None,
         flags=("-j", "--jobs"),
-        help="How many jobs are done at a time.",
+        help="Number of jobs done at a time.",
         default_text="the number of processors",
     )
     results: str | None = option(
         types.file(),
         default=None,
         metavar="FILE.jsonl",
-        help="Write a line of JSON about each job as it ends; - for standard output.",
+        help="Write a line of JSON for each job as it ends; - for standard output.",
     )
     fail_fast: bool = option(
-        types.FLAG, default=False, help="Begin no further jobs after one that fails, instead of going on."
+        types.FLAG, default=False, help="Start no further jobs after one that fails, instead of going on."
     )
     dry_run: bool = option(
         types.FLAG, default=False, help="Print what would be done, and why, and do nothing."
     )
-    why: bool = option(types.FLAG, default=False, help="Say of each job why it is done.")
+    why: bool = option(types.FLAG, default=False, help="Say for each job why it is done.")
     watch: bool = option(
-        types.FLAG, default=False, help="Stay, and do again what changes: drawings, and the manifest."
+        types.FLAG,
+        default=False,
+        help="Keep running, and do jobs again when their drawings or the manifest change.",
     )
     shard: tuple[int, int] | None = option(
         types.SHARD,
         default=None,
-        help="Do the Kth of N parts of the batch, on one of N machines.",
+        help="Do the Kth of N parts of the batch, to share it between N machines.",
     )
     cluster: str | None = option(
         types.ADDRESS,
         default=None,
-        help="Have the jobs done by the workers of a dask scheduler. Drawings and outputs travel; no folder is shared.",
+        help="Let the workers of a dask scheduler do the jobs. Drawings and outputs are sent; no shared folder is "
+        "needed.",
     )
 
 
@@ -414,11 +418,10 @@ class RankOptions(Record, section=RANK):
     by: str = option(
         types.choice("looks", "work"),
         default="looks",
-        help="What comes first. looks: the blend with the least wrong to the judge; work: the least work.",
+        help="What comes first. looks: the blend that looks least wrong to the judge; work: the one with the least "
+        "work.",
     )
-    top: int | None = option(
-        types.whole(1), default=None, help="List only the first so many.", default_text="all"
-    )
+    top: int | None = option(types.whole(1), default=None, help="List only the first N.", default_text="all")
     as_json: bool = option(
         types.FLAG, default=False, key="json", help="Print a line of JSON for each drawing, for programs."
     )
@@ -435,7 +438,7 @@ class RankOptions(Record, section=RANK):
         types.whole(1, 1024),
         default=None,
         flags=("-j", "--jobs"),
-        help="How many blends are made at a time.",
+        help="Number of blends made at a time.",
         default_text="the number of processors",
     )
 
@@ -444,14 +447,14 @@ class StudioOptions(Record, section=STUDIO):
     """How the studio is opened."""
 
     port: int | None = option(
-        types.whole(1, 65_535), default=None, help="The port that the page is at.", default_text="a free one"
+        types.whole(1, 65_535), default=None, help="Port of the page.", default_text="a free one"
     )
     open: bool = option(
         types.FLAG,
         default=True,
         flags=("--open/--no-open",),
-        help="Open the page in the browser, or print its address alone.",
-        default_text="open, where there is a screen",
+        help="Open the page in the browser, or only print its address.",
+        default_text="open, if there is a screen",
     )
 
 
@@ -463,16 +466,16 @@ class StatesOptions(Record, section=STATES):
         default="states.svg",
         flags=("-o", "--output"),
         metavar="FILE",
-        help="An SVG, or a module of JavaScript (.js) with a custom element for web pages; - for an SVG on standard "
+        help="An SVG, or a JavaScript module (.js) with a custom element for web pages; - for an SVG on standard "
         "output.",
     )
     force: bool = option(types.FLAG, default=False, flags=("-f", "--force"), help="Replace an existing file.")
     trigger: str = option(
         types.choice("none", "click", "hover"),
         default="none",
-        help="What changes the state of an SVG. none: what is around it does; click: a click, Enter or Space goes on "
-        "to the next one; hover: the second one is shown while it is pointed at or has the keyboard's focus. A custom "
-        "element has an attribute trigger for that.",
+        help="What changes the state of an SVG. none: only the page around it; click: a click, Enter or Space moves "
+        "on to the next state; hover: the second state is shown while the pointer is on it or it has the keyboard's "
+        "focus. A custom element has the attribute trigger for this.",
     )
     duration: float = option(
         types.number(0.0, 3600.0), default=0.3, metavar="S", help="Seconds from one state to another."
@@ -481,8 +484,8 @@ class StatesOptions(Record, section=STATES):
         types.ELEMENT,
         default=None,
         metavar="NAME",
-        help="The name of the custom element, with a hyphen in it.",
-        default_text="that of the file, with -states",
+        help="Name of the custom element, with a hyphen in it.",
+        default_text="the name of the file, with -states",
     )
     precision: int | None = option(
         types.whole(0, 10),
@@ -501,13 +504,13 @@ class InkscapeOptions(Record, section=INKSCAPE):
         many=True,
         flags=("--id",),
         metavar="ID",
-        help="An object that is selected; the lowest one in the document comes first.",
+        help="Id of a selected object. The lowest object in the document comes first.",
     )
     frames_as: str = option(
         types.choice("group", "layers"),
         default="group",
         key="as",
-        help="In-betweens as groups in a group right above the lower object, or each in a layer.",
+        help="Put the in-betweens into one group right above the lower object, or each into a layer.",
     )
 
 
@@ -519,7 +522,7 @@ class InstallOptions(Record, section=INKSCAPE):
         default=None,
         metavar="FOLDER",
         help="Where Inkscape looks for extensions.",
-        default_text="as Inkscape says, or as is usual on this system",
+        default_text="the one that Inkscape names, or else the usual one",
     )
 
 
@@ -530,7 +533,7 @@ class RunOptions(Record, section=OTHER):
         types.number(0.0, 1e6, above=True),
         default=None,
         metavar="S",
-        help="Stop after so many seconds, with an error and with nothing written.",
+        help="Stop after S seconds, with an error and with nothing written.",
         default_text="none",
     )
 
@@ -542,13 +545,13 @@ class TerminalOptions(Record, section=OTHER):
         types.FLAG,
         default=False,
         flags=("-q", "--quiet"),
-        help="Print errors only, and that frame files of another run remain.",
+        help="Print only errors, and a line if frame files of another run remain.",
     )
     verbose: bool = option(
         types.FLAG,
         default=False,
         flags=("-v", "--verbose"),
-        help="Print what was done and how long it took.",
+        help="Print what was done, and how long it took.",
     )
 
 

@@ -37,15 +37,15 @@ EXAMPLES = (
     ("shapeblend batch --chain icons -o 'moving/{a}-{b}.svg'", "an animation from each icon to the next"),
     ("shapeblend batch --pairs off on -o 'moving/{a}.svg'", "off/wifi.svg into on/wifi.svg, and so on"),
     ("shapeblend batch --all icons -o 'moving/{a}-{b}.json' --emit lottie", "every two icons"),
-    ("shapeblend batch jobs.csv", "a job a line, under names such as a,b,o,duration"),
+    ("shapeblend batch jobs.csv", "one job a line, with a,b,o,duration ... in the first line"),
 )
 
 _CHANGED = {
-    "output": "What each job writes: by the end of its name a folder of frames, an animated .svg, and so on as for "
-    "a single blend. {a} and {b} stand for the names of the drawings, and {n} for the number of the job.  [default: "
+    "output": "What each job writes: a folder of frames, an animated .svg and so on, by the end of the name, as for a "
+    "single blend. {a} and {b} stand for the names of the drawings, and {n} for the number of the job.  [default: "
     f"{PATTERN}]",
-    "force": "Do every job, and replace files that no batch has written, or that were edited since.",
-    "timeout": "Stop a job after so many seconds; what it was to write stays as it was.  [default: none]",
+    "force": "Do every job, and replace files even if no batch has written them, or if they were edited since.",
+    "timeout": "Stop a job after S seconds; the files it was to write stay as they were.  [default: none]",
 }
 
 
@@ -61,10 +61,11 @@ def _params() -> list[FieldOption]:
 @click.command(cls=SectionedCommand, examples=EXAMPLES, params=_params())
 @click.argument("names", type=NAME, nargs=-1, metavar="[JOBS.jsonl|JOBS.csv|JOBS.toml|-]")
 def batch(names: tuple[str, ...], **given: Any) -> int:
-    """Do many blends, on all processors, and only those of which something has changed.
+    """Make many blends at once, skipping those that are up to date.
 
-    The jobs are those of a manifest, a line each, or what --pairs, --chain or --all finds. Options hold for all jobs
-    that do not have their own. A batch that is run again does what is missing or out of date, and nothing else.
+    The jobs come from a manifest, one a line, or from --pairs, --chain or --all. Options apply to all jobs that do not
+    have their own. A batch that is run again does what is missing or out of date, and nothing else. It uses all
+    processors.
     """
     options, printed = BatchOptions.of(given), TerminalOptions.of(given)
     if printed.quiet and printed.verbose:

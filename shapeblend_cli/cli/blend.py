@@ -19,9 +19,9 @@ from shapeblend_cli.settings import (
 EXAMPLES = (
     ("shapeblend a.svg b.svg", "five in-betweens: blend/frame-1.svg ... blend/frame-5.svg"),
     ("shapeblend a.svg b.svg -o moving.svg", "an animated SVG, for any browser"),
-    ("shapeblend a.svg b.svg --preview look.html", "a page to look at the blend and its correspondence"),
+    ("shapeblend a.svg b.svg --preview look.html", "a page that shows the blend and its correspondence"),
     ("shapeblend blend.json", "a project: drawings and options, as the studio saves them"),
-    ("shapeblend a.svg b.svg c.svg -n 9 --ends", "frames through three drawings, which are among them"),
+    ("shapeblend a.svg b.svg c.svg -n 9 --ends", "frames through three drawings, including the drawings"),
 )
 
 
@@ -32,7 +32,7 @@ EXAMPLES = (
 )
 @click.argument("files", type=NAME, nargs=-1, required=True, metavar="A.svg B.svg [C.svg ...]")
 def blend(files: tuple[str, ...], **given: Any) -> None:
-    """Blend A.svg into B.svg, and on into further files, with the least work of bending and stretching.
+    """Blend A.svg into B.svg, and on into further files, by bending and stretching outlines with the least work.
 
     Writes the in-betweens as SVG files, one animated SVG, or pictures. One of the files may be -, standard input.
     """

@@ -9,7 +9,7 @@ import click
 @click.argument("shell", type=click.Choice(["bash", "zsh", "fish"]))
 @click.pass_context
 def completion(context: click.Context, shell: str) -> None:
-    """Print a script that lets a shell complete this command.
+    """Print a script that completes this command in a shell.
 
     \b
     bash, in ~/.bashrc:                     eval "$(shapeblend completion bash)"

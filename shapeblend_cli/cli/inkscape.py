@@ -21,20 +21,20 @@ PLACED = ("place", "viewbox", "start")
 
 @click.group()
 def inkscape() -> None:
-    """Blend what is selected in Inkscape: `shapeblend inkscape install` adds it to Extensions."""
+    """Add an extension to Inkscape that blends selected objects."""
 
 
 @inkscape.command(cls=SectionedCommand, params=options_of(InstallOptions))
 def install(**given: Any) -> None:
     """Put the extension into the folder where Inkscape looks for it.
 
-    After that and a new start, Inkscape has Extensions > Shapeblend. To be done again when shapeblend has moved.
+    Restart Inkscape, and it has Extensions > Shapeblend. Install it again if shapeblend moves.
     """
     from shapeblend_cli.inkscape.extension import install as install_into
 
     files = install_into(InstallOptions.of(given).folder)
     say(
-        f"{files[0].parent}: the extension is there; start Inkscape anew, and look under Extensions > Shapeblend"
+        f"{files[0].parent}: the extension is installed; restart Inkscape, and look under Extensions > Shapeblend"
     )
 
 
@@ -43,9 +43,9 @@ def install(**given: Any) -> None:
 )
 @click.argument("file", type=NAME, metavar="FILE")
 def blend(file: str, **given: Any) -> None:
-    """Print a document of Inkscape with in-betweens of two of its objects. The extension calls this.
+    """Print an Inkscape document with in-betweens of two objects. The extension calls this.
 
-    Dots or a line labelled "pin 1" are pins: points of the one object that become points of the other.
+    Two dots or a line labelled "pin 1" are a pin: a point of one object that becomes a point of the other.
     """
     options, settings = InkscapeOptions.of(given), Settings.of(given)
     if not (settings.frames or settings.ends):
@@ -69,9 +69,9 @@ def blend(file: str, **given: Any) -> None:
 )
 @click.argument("file", type=NAME, metavar="FILE")
 def animate(file: str, **given: Any) -> None:
-    """Write an animation that goes from object to object of a document of Inkscape. The extension calls this.
+    """Write an animation from object to object of an Inkscape document. The extension calls this.
 
-    The document is printed as it is.
+    The document itself is printed unchanged.
     """
     options = InkscapeOptions.of(given)
     if given["output"] is None:

@@ -44,7 +44,7 @@ PARAMS = [
 @click.option("--json", "as_json", is_flag=True, help="Print JSON, for programs.")
 @click.argument("file", type=NAME, metavar="FILE")
 def inspect(file: str, select: str | None, lenient: bool | None, as_json: bool, **given: Any) -> None:
-    """List the shapes a file draws; - is standard input."""
+    """List the shapes that a file draws; - is standard input."""
     from shapeblend_cli.report import inspection
     from shapeblend_cli.svg.reading.read import read
 

@@ -31,7 +31,7 @@ DOTTED = ("angle", "starts")  # those about a single dot
 @click.argument("kind", type=click.Choice(KINDS), metavar="KIND")
 @click.argument("files", type=NAME, nargs=-1, required=True, metavar="A.svg B.svg")
 def plot(kind: str, files: tuple[str, ...], **given: Any) -> None:
-    """Draw how two files correspond, in the form of the paper's figures.
+    """Draw how two files correspond, in the style of the paper's figures.
 
     KIND is graph (the path of least work among all correspondences), surface (the in-betweens over time), angle
     (how the angle at a vertex changes) or starts (the least work for each starting correspondence).

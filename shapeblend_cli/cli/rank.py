@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.rank.run import Rated
 
 EXAMPLES = (
-    ("shapeblend rank a.svg icons", "which of the icons a.svg blends into best"),
+    ("shapeblend rank a.svg icons", "the icons that a.svg blends into best"),
     ("shapeblend rank a.svg icons --top 10 --sheet best.svg", "the ten best, and what they look like"),
     ("shapeblend rank a.svg icons --json | head -n 1", "the best, for a program"),
 )
@@ -27,8 +27,8 @@ EXAMPLES = (
 COLUMNS = ("place", "wrong", "work", "alone", "file", "what is worst")
 
 CHANGED = {
-    "timeout": "Leave out a drawing whose blend takes longer than so many seconds.  [default: none]",
-    "quiet": "Print the ranking and errors only.",
+    "timeout": "Leave out a drawing if its blend takes longer than S seconds.  [default: none]",
+    "quiet": "Print only the ranking and errors.",
 }
 
 
@@ -45,10 +45,10 @@ def _params() -> list[click.Parameter]:
 @click.argument("first", type=NAME, metavar="A.svg")
 @click.argument("names", type=NAME, nargs=-1, required=True, metavar="DIR")
 def rank(first: str, names: tuple[str, ...], **given: Any) -> int:
-    """Find the drawings of a folder that make the best blends with A.
+    """Find the drawings in a folder that blend best with A.
 
-    The table has for each how wrong its in-betweens look to the judge, 0 being perfect, the work they take, and how
-    many contours have no partner and come or go. DIR may also be a pattern in quotes, or files.
+    For each drawing the table has how wrong the in-betweens look to the judge (0 is perfect), how much work they take,
+    and how many contours have no partner, so that they grow or shrink. DIR may also be a pattern in quotes, or files.
     """
     try:
         return _rank(first, names, given)

@@ -34,10 +34,10 @@ WITHOUT = (
 )
 @click.argument("files", type=NAME, nargs=-1, required=True, metavar="A.svg B.svg [C.svg ...]")
 def states(files: tuple[str, ...], **given: Any) -> None:
-    """Make one drawing of several states, which goes from any to any other.
+    """Make one drawing with several states, which can change from any to any other.
 
-    The states have the names of the files. In an SVG the attribute data-state of its root says which one is shown; a
-    custom element (.js) has an attribute state.
+    The states have the names of the files. In an SVG, the attribute data-state of its root says which state is shown.
+    A custom element (.js) has the attribute state for this.
     """
     options, settings = StatesOptions.of(given), Settings.of(given)
     check_files(files, settings)

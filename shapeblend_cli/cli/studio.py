@@ -20,7 +20,7 @@ from shapeblend_cli.settings import StudioOptions
 EXAMPLES = (
     ("shapeblend studio a.svg b.svg", "look at the blend, and correct it by hand"),
     ("shapeblend studio blend.json", "go on with a project"),
-    ("shapeblend studio", "an empty page, for drawings to be dropped into"),
+    ("shapeblend studio", "an empty page to drop drawings into"),
 )
 
 
@@ -29,10 +29,11 @@ EXAMPLES = (
 )
 @click.argument("files", type=NAME, nargs=-1, metavar="[A.svg B.svg ...]")
 def studio(files: tuple[str, ...], **given: Any) -> None:
-    """Correct a blend by hand, in the browser: pair parts, pin points, choose among blends, and export.
+    """Correct a blend by hand in the browser.
 
-    The page is on this machine alone, and loads nothing from elsewhere. It shows the command line that does the same,
-    and saves projects that the command takes. Options are those of a blend; Ctrl-C ends the studio.
+    Pair parts, pin points, choose among other blends, and export. The page is served to this machine only, and loads
+    nothing from elsewhere. It shows the command line that does the same, and saves projects that the command takes.
+    Options are those of a blend. Ctrl-C ends the studio.
     """
     options = StudioOptions.of(given)
     files, given = opened(files, given)

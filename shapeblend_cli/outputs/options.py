@@ -18,7 +18,7 @@ from shapeblend_cli.triggers import Trigger
 
 SHARED = {
     "columns": "a contact sheet",
-    "fps": "an animation of pixels",
+    "fps": "a raster animation",
     "width": "pictures",
     "background": "pictures",
 }
@@ -98,7 +98,7 @@ class OutputOptions(Record, section=PICTURES):
         default=2.0,
         metavar="S",
         section=ANIMATIONS,
-        help="Seconds an animation takes from one drawing to the next.",
+        help="Seconds that an animation takes from one drawing to the next.",
     )
     repeat: int | str = option(
         REPEAT,
@@ -110,9 +110,9 @@ class OutputOptions(Record, section=PICTURES):
         TRIGGER,
         default=Trigger(),
         section=ANIMATIONS,
-        help="What sets an animated SVG off. load: it begins by itself; click: one click, or Enter, and another one "
-        "brings it back; hover: it goes while it is pointed at or has the keyboard's focus, and comes back; "
-        "NAME.event: an event of the element with that id, with --animate smil.",
+        help="What starts an animated SVG. load: it starts by itself; click: a click or Enter starts it, and another "
+        "one brings it back; hover: it goes to B while the pointer is on it or it has the keyboard's focus, and then "
+        "comes back; NAME.event: an event of the element with that id, with --animate smil.",
         default_text="load",
     )
     format: str | None = option(
@@ -125,7 +125,7 @@ class OutputOptions(Record, section=PICTURES):
         whole(1, MOST_SIDE),
         default=None,
         metavar="PX",
-        help="Width of a picture in pixels; in a contact sheet, of a cell.",
+        help="Width of a picture, or of a cell of a contact sheet, in pixels.",
         default_text=_default_text("width"),
     )
     columns: int | None = option(
@@ -143,7 +143,7 @@ class OutputOptions(Record, section=PICTURES):
     fps: int | None = option(
         whole(1, FASTEST),
         default=None,
-        help=f"Pictures per second of an animation, {FASTEST} at most, unless --frames is given.",
+        help=f"Pictures per second of an animation, at most {FASTEST}, unless --frames is given.",
         default_text=_default_text("fps"),
     )
 
@@ -168,7 +168,7 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
             raise OptionError("--frames and --fps both say how many pictures there are; one will do")
     if settings.stagger and format.emit not in (EMITS[0], "layers"):
         raise OptionError(
-            f"--stagger is for frames, animated SVGs, animations of pixels and videos; {asked} is none"
+            f"--stagger is for frames, animated SVGs, raster animations and videos; {asked} is none"
         )
     if settings.times and not (format.has_frame_files or format.name in TIMEABLE):
         raise OptionError(f"--times is for a folder of frames, a contact sheet or layers; {asked} is none")

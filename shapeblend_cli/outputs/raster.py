@@ -1,4 +1,4 @@
-"""Pictures of pixels, drawn by resvg from our own SVG documents alone: native code should not read others' files."""
+"""Raster pictures, drawn by resvg from our own SVG documents alone: native code should not read others' files."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def check_libraries() -> None:
 
 def size_for(width: int | None, view: Box, count: int = 1) -> Size:
     """Return the size of `count` pictures of a view, or raise PictureError if they are too large or have no height."""
-    assert width is not None, "formats of pixels have a default"
+    assert width is not None, "raster formats have a default"
     height = round(width * view.height / view.width)
     if not 1 <= height <= MOST_SIDE:
         raise PictureError(

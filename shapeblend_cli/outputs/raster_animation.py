@@ -148,9 +148,7 @@ def _check(spec: OutputSpec) -> None:
             f"{FASTEST} a second; a longer --duration, or fewer pictures, would work"
         )
     if isinstance(repeat, int) and repeat > MOST_RUNS:
-        raise OptionError(
-            f"--repeat {repeat}: animations of pixels run {MOST_RUNS} times at most, or forever"
-        )
+        raise OptionError(f"--repeat {repeat}: raster animations run {MOST_RUNS} times at most, or forever")
 
 
 def _check_webp() -> None:
@@ -169,7 +167,7 @@ def in_time(form: Format, width: int, background: str) -> Format:
 
 
 def _format(name: str, background: str, check_libraries: Callable[[], None]) -> Format:
-    form = Format(name, "an animation of pixels", _render, check=_check, check_libraries=check_libraries)
+    form = Format(name, "a raster animation", _render, check=_check, check_libraries=check_libraries)
     return in_time(form, 400, background)
 
 

@@ -109,7 +109,7 @@ def _check_ffmpeg() -> None:
 
 
 def _format(name: str, background: str) -> Format:
-    form = Format(name, "a video, by ffmpeg", _render, check=_check, check_libraries=_check_ffmpeg)
+    form = Format(name, "a video, made with ffmpeg", _render, check=_check, check_libraries=_check_ffmpeg)
     return in_time(form, 640, background)
 
 

@@ -155,7 +155,7 @@ def test_the_extension_is_installed_where_inkscape_looks(here, monkeypatch, caps
     monkeypatch.setenv("INKSCAPE_PROFILE_DIR", str(here / "profile"))
     for _ in range(2):  # again, to bring it up to date
         assert run(["inkscape", "install"]) == 0
-        assert "start Inkscape anew" in capsys.readouterr().err
+        assert "restart Inkscape" in capsys.readouterr().err
     names = sorted(path.name for path in (here / "profile" / "extensions").iterdir())
     assert names == ["shapeblend.py", "shapeblend_animate.inx", "shapeblend_blend.inx"]
     assert run(["inkscape", "install", "--folder", "other"]) == 0

@@ -1,4 +1,4 @@
-"""Animations of pixels read back: pictures, times, runs and transparency."""
+"""Raster animations read back: pictures, times, runs and transparency."""
 
 import io
 
