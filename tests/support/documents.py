@@ -143,5 +143,6 @@ def furnish() -> None:
     for name, text in SEVERAL.items():
         Path(f"{name}.svg").write_text(text, "utf-8")
     Path("samples").symlink_to(ROOT / "samples")
-    Path("jobs.csv").write_text(block("docs/batch.md", "a,b,o,"), "utf-8")
+    for name, words in (("jobs.csv", "a,b,o,"), ("jobs.jsonl", '"frames": 9')):
+        Path(name).write_text(block("docs/batch.md", words), "utf-8")
     Path("blend.json").write_text(block("docs/studio.md", '"files"'), "utf-8")
