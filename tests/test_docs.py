@@ -11,6 +11,8 @@ import click
 import pytest
 
 from shapeblend_cli.cli import run, shapeblend
+from tests.support import documents
+from tests.support.documents import PAGES, ROOT
 from tools import man_page, option_tables, wheels
 from tools.quality import __main__ as quality
 from tools.quality import likeness
@@ -18,19 +20,16 @@ from tools.quality.peers import arc_length, flubber
 from tools.quality.peers import shapeblend as shapeblend_blend
 from tools.quality.tables import BEGIN, END
 
-ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
-GUIDES = [
-    page
-    for page in PAGES
-    if page.stem in ("README", "guide", "options", "examples", "install", "rank", "cookbook", "paper")
-]
+OF_OTHERS = {"--help", "--repo", "--array", "--cpus-per-task", "--sshlogin"}
+"""Options of other programs that pages name, and what every command has."""
 
 
-@pytest.mark.parametrize("page", GUIDES, ids=lambda page: page.stem)
+@pytest.mark.parametrize(
+    "page", [page for page in PAGES if page.name != "CONTRIBUTING.md"], ids=documents.page_name
+)
 def test_every_option_in_a_page_exists(page):
     commands = list(shapeblend.commands.values())
     commands += [c for group in commands if isinstance(group, click.Group) for c in group.commands.values()]
@@ -39,8 +38,7 @@ def test_every_option_in_a_page_exists(page):
     text = page.read_text(encoding="utf-8")
     code = " ".join(re.findall(r"`[^`\n]*`|^ *shapeblend .*$", text, re.MULTILINE))
     told = set(re.findall(r"(?<![\w-])--[a-z]+(?:-[a-z]+)*", code))
-    assert told
-    assert told <= known | {"--preset", "--help", "--overrides", "--repo"}
+    assert told <= known | OF_OTHERS
 
 
 def test_the_tables_of_options_are_those_of_the_commands():
@@ -64,9 +62,7 @@ def anchors(page):
     return {re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-") for title in titles}
 
 
-@pytest.mark.parametrize(
-    "page", [*PAGES, ROOT / "CONTRIBUTING.md", ROOT / "SECURITY.md"], ids=lambda p: p.name
-)
+@pytest.mark.parametrize("page", [*PAGES, ROOT / "CHANGELOG.md"], ids=documents.page_name)
 def test_what_a_page_links_to_is_there(page):
     text = without_code(page.read_text(encoding="utf-8"))
     links = [*re.findall(r"\]\(([^)\s]+)\)", text), *re.findall(r'(?:src|srcset|href)="([^"]+)"', text)]
