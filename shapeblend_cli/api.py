@@ -96,7 +96,7 @@ def blend(
     several = b is None and not isinstance(a, str | Path | Drawing)
     given = list(a) if several else [a] if b is None else [a, b]  # type: ignore[arg-type]
     if len(given) < 2:
-        raise ValueError(f"two drawings or more are blended; {len(given)} given")
+        raise ValueError(f"a blend needs two drawings or more; {len(given)} given")
     drawings = [one if isinstance(one, Drawing) else read(one) for one in given]  # type: ignore[arg-type]
     return Blend(drawings, (settings or Settings()).replace(**options))
 

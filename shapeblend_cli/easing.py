@@ -124,7 +124,7 @@ def parse(text: str) -> Ease:
         raise ValueError(f"{text!r} is none of {', '.join(NAMES)}, nor of the form cubic-bezier(0.3,0,0.7,1)")
     if not all(0.0 <= number <= 1.0 for number in numbers):
         raise ValueError(
-            f"{text!r}: all four numbers lie between 0 and 1, since there is nothing before A and after B"
+            f"{text!r}: all four numbers lie between 0 and 1, since there is nothing before A or after B"
         )
     return Ease(*numbers)
 

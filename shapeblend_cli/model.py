@@ -433,7 +433,7 @@ class ContourBlend(NamedTuple):
 
     @property
     def follows_edge(self) -> bool:
-        """Whether it has no partner and goes where the edge goes that it lies on, a line or an outline at both ends."""
+        """Whether it has no partner and follows the edge that it lies on, a line or an outline at both ends."""
         return not self.is_matched and min(len(self.polygon_a.vertices), len(self.polygon_b.vertices)) > 1
 
     def dot_points(self) -> tuple[ComplexArray, ComplexArray]:

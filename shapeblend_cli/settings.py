@@ -253,18 +253,18 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
                 shown = ",".join(f"{weight:g}" for weight in weights)
                 raise OptionError(f"--mix {shown} is of {len(weights)} files; {count} given")
         if self.is_given("stagger_by") and not self.stagger:
-            raise OptionError("--stagger-by says in which order --stagger lets shapes start, and needs it")
+            raise OptionError("--stagger-by sets the order of --stagger, and needs it")
         if self.stagger and self.mix:
-            raise OptionError("--stagger is about the way from drawing to drawing, and --mix has none")
+            raise OptionError("--stagger is for blends from drawing to drawing, and --mix makes none")
         if self.times and count > 2:
             raise OptionError(f"--times applies to two files; {count} given")
         if self.times and (self.is_given("frames") or self.ends or self.mix):
             raise OptionError(
-                "--times says itself which frames there are; --frames, --ends and --mix have no part in it"
+                "--times sets the frames itself; --frames, --ends and --mix cannot be given with it"
             )
         if self.mix and (self.is_given("frames") or self.ends or self.is_given("ease")):
             raise OptionError(
-                "--mix says itself which frames there are; --frames, --ends and --ease have no part in it"
+                "--mix sets the frames itself; --frames, --ends and --ease cannot be given with it"
             )
 
     @property

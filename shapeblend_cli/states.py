@@ -43,7 +43,7 @@ def write_states(
     page = common_page([pairs[0].pages[0], *(pair.pages[1] for pair in pairs)])
     shapes = star_shapes(pairs)
     if any(key.style.fill_gradient or key.style.stroke_gradient for shape in shapes for key in shape.keys):
-        note("gradients are plain colours in states: CSS has no transitions of gradients")
+        note("gradients become plain colours in states, because CSS has no transitions of gradients")
     decimals = decimals_for(views(pairs)) if options.precision is None else options.precision
     states = States(
         shapes, names_of(files), shown, page_for(page, shown), options.duration, settings.ease, decimals

@@ -99,7 +99,7 @@ def test_points_are_pairs_or_complex_numbers():
         (lambda: sb.Settings(vertices=-3), "vertices must be"),
         (lambda: sb.Settings(solver="magic"), "solver must be"),
         (lambda: sb.blend(E, F, k_b=-1.0), "k_b must be"),
-        (lambda: sb.blend([E]), "two drawings or more are blended; 1 given"),
+        (lambda: sb.blend([E]), "a blend needs two drawings or more; 1 given"),
         (lambda: sb.blend(E, F).save("x.svg", duration=0), "duration must be"),
         (lambda: sb.blend(E, F).save("x.svg", fps=3), "--fps is for"),
         (lambda: sb.blend(E, F).save("-"), "only the command writes to"),

@@ -101,7 +101,7 @@ def _csv(text: str, name: str) -> Iterator[tuple[str, dict[str, Any]]]:
             if header is None:
                 header = [cell.strip() for cell in cells]
                 if len({*header}) < len(header):
-                    raise OptionError(f"{where}: two columns have one name")
+                    raise OptionError(f"{where}: two columns have the same name")
                 check_names(header, where)
                 continue
             if len(cells) > len(header):
@@ -122,7 +122,9 @@ def _toml(text: str, name: str, base: str) -> tuple[list[Row], dict[str, Any]]:
     if found:
         raise OptionError(f"{name}: {min(found)!r} is unknown; [defaults] and [[job]] would work")
     if not isinstance(defaults, dict) or not isinstance(jobs, list):
-        raise OptionError(f"{name}: jobs are written as [[job]], what holds for all of them as [defaults]")
+        raise OptionError(
+            f"{name}: jobs are written as [[job]], and what applies to all of them as [defaults]"
+        )
     lines = [text.count("\n", 0, m.start()) + 1 for m in re.finditer(r"^[ \t]*\[\[ *job *\]\]", text, re.M)]
     rows = []
     for k, values in enumerate(jobs):

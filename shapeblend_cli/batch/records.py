@@ -170,7 +170,7 @@ def _difference(old: dict[str, Any], new: dict[str, Any], now: Hashes) -> str:
         if old_hash != value:
             return f"{name} has changed" if value else f"{name} is missing"
     if len(old["inputs"]) != len(new["inputs"]):
-        return "it has more drawings, or fewer"
+        return "it has more or fewer drawings"
     for key in sorted({*old["settings"], *new["settings"]}):
         before, after = old["settings"].get(key), new["settings"].get(key)
         if before != after:

@@ -59,7 +59,7 @@ def row_of(values: Mapping[str, Any], where: str, base: str) -> Row:
             )
         files = named
     elif named:
-        raise OptionError(f"{where}: files stands for a, b and so on; one of them will do")
+        raise OptionError(f"{where}: files stands for a, b and so on; give one or the other")
     if isinstance(files, str) or not isinstance(files, Iterable):
         raise OptionError(f"{where}: files must be a list of names, not {files!r}")
     files = list(files)

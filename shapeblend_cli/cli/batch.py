@@ -131,7 +131,7 @@ def _watch(
             if status > FAILED:
                 return status
             if is_first and not printed.quiet:
-                say("waiting for drawings to change; Ctrl-C ends that")
+                say("waiting for drawings to change; Ctrl-C ends this")
             is_first = False
             while True:
                 if number := wait_for_change(look, seen):
@@ -178,7 +178,9 @@ def _do(
                     terminal.warn(f"{outcome.task.where}: {outcome.answer.error}")
                     status = FAILED
         except Stopped as stop:
-            terminal.warn("interrupted; what was being written is whole, and the same command does the rest")
+            terminal.warn(
+                "interrupted; files that were being written are complete, and the same command does the rest"
+            )
             status = 128 + stop.number
         terminal.note(_summary(ended, len(tasks)))
     return status

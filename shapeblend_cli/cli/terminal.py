@@ -178,7 +178,7 @@ def details(run: Run) -> Iterator[str]:
             spot = (c.polygon_b if c.b is None else c.polygon_a).vertices[0]
             kind = "the point" if (c.end if c.b is None else c.start).is_point else "a line at"
             yield (
-                f"{name} has no partner and goes where the edge goes that it lies on"
+                f"{name} has no partner and follows the edge that it lies on"
                 if c.follows_edge
                 else f"{name} {change} {kind} {spot.real:.6g},{spot.imag:.6g}"
             )

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 ASKED = "asked for"
 RIGHT_ENOUGH = "little is wrong with it"
 STILL = "what is the same stays"
-FOLLOWS, GROWS = "it goes where the edge goes that it lies on", "a point at one end"
-LEADS = "straight, as strokes on its edges go with it"
+FOLLOWS, GROWS = "it follows the edge that it lies on", "a point at one end"
+LEADS = "straight, because strokes on its edges move with it"
 TINY = "too small to be seen to turn"
 MANY = "too many shapes to try other motions on each"
 

@@ -22,7 +22,7 @@ FAULTS = {
     "area": "area is lost or gained on the way",
     "symmetry": "a symmetry of both drawings is lost",
     "folds": "outlines turn over or cross",
-    "limbs": "limbs get thin or fat",
+    "limbs": "limbs get too thin or too fat",
     "view": "something leaves the view",
 }
 """What the terms of the judge mean to who looks."""

@@ -165,7 +165,7 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
     if settings.is_given("frames"):
         defaults.pop("fps", None)
         if options.fps is not None:
-            raise OptionError("--frames and --fps both say how many pictures there are; one will do")
+            raise OptionError("--frames and --fps both set how many pictures there are; one is enough")
     if settings.stagger and format.emit not in (EMITS[0], "layers"):
         raise OptionError(
             f"--stagger is for frames, animated SVGs, raster animations and videos; {asked} is none"
@@ -216,7 +216,7 @@ def _check_trigger(
             f"{given} is for an animated SVG, --output FILE.svg with --animate smil or css; {what} is none"
         )
     if options.is_given("repeat"):
-        raise OptionError(f"--repeat is for animations that begin by themselves; {given} goes and comes back")
+        raise OptionError(f"--repeat is for animations that start by themselves; {given} goes and comes back")
     if options.animate == "css" and options.trigger.name:
         raise OptionError(f"{given}: CSS knows no events of other elements; --animate smil does")
     if options.animate == "css" and staggered:

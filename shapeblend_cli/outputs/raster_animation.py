@@ -156,7 +156,7 @@ def _check_webp() -> None:
     from PIL import features
 
     if not features.check("webp"):
-        raise PictureError("the Pillow that is installed writes no WebP; .apng would work")
+        raise PictureError("the installed Pillow cannot write WebP; .apng would work")
 
 
 def in_time(form: Format, width: int, background: str) -> Format:

@@ -75,12 +75,12 @@ def choose(emit: str, path: str | None, frame_format: str | None, drawings: int)
             what = f"one file, so --output takes a name ending in {ending}, or -"
         raise OptionError(f"--emit {emit} writes {what}; {path} given")
     if suffix in PAGES:
-        raise OptionError(f"--output {path}: such a page is written with --preview {path}")
+        raise OptionError(f"--output {path}: a page of this kind is written with --preview {path}")
     if suffix in UNSUPPORTED:
         others = ", ".join(format.suffix for format in formats if format.suffix)
         raise OptionError(f"--output {path}: {suffix} is not written; {others} are, and frames into a folder")
     other = next(format.emit for format in FORMATS if format.suffix == suffix)
-    raise OptionError(f"--output {path}: with --emit {other} such a file is written")
+    raise OptionError(f"--output {path}: with --emit {other} a file of this kind is written")
 
 
 def alternatives(words: Sequence[str]) -> str:

@@ -35,7 +35,7 @@ class Reasons(NamedTuple):
         elif fills:
             reason = f"a stroke on the edge of {fills[0]}"
         elif a is not None and b is not None:
-            reason = self.of_pairs.get((a, b), "the same but for a part that cuts it")
+            reason = self.of_pairs.get((a, b), "the same except for a part that cuts it")
         else:
             reason = f"nothing in {'B' if b is None else 'A'} is like it there"
         in_a, in_b = (
@@ -95,4 +95,4 @@ def _reason(pairing: Pairing, i: int, j: int) -> str:
         if inside == [1, 1]:
             return f"the only ones inside {numbers[0][part_a]}={numbers[1][part_b]}"
     share = round(100 * pairing.overlap(i, j))
-    return f"overlaps {share} %" if share else "the nearest of its like"
+    return f"overlaps {share} %" if share else "the nearest of its kind"

@@ -81,7 +81,7 @@ def angle_of(subject: Subject) -> DotAngle:
     at, bends, bending = subject.wires.bends_on(subject.correspondence.dots)
     dots: list[Dot] = [(i, j) for i, j in at.tolist()]
     if not dots:
-        raise MatchError("a line of two ends has no angle; contours of more vertices would work")
+        raise MatchError("a line of two vertices has no angle; contours with more would work")
     if subject.dot is None:
         index = int(bending.argmax())
     else:

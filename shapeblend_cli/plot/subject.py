@@ -112,5 +112,5 @@ def index_on_path(subject: Subject, dots: Sequence[Dot]) -> int:
     i, j = dots[int((away @ (period.sum(), 1)).argmin())]
     raise MatchError(
         f"vertices {subject.dot[0]} of A and {subject.dot[1]} of B do not correspond; "
-        f"{i},{j} is a dot of the path near by"
+        f"{i},{j} is a dot of the path nearby"
     )

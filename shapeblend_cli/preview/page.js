@@ -54,7 +54,7 @@ function show() {
 
 // What a contour without a partner does.
 function changeOf({ a, counts, motion }) {
-  if (Math.min(...counts) > 1) return "goes where the edge goes that it lies on";
+  if (Math.min(...counts) > 1) return "follows the edge that it lies on";
   return (a === null ? "grows from a " : "shrinks to a ") + (motion === "sweep" ? "line" : "point");
 }
 

@@ -106,5 +106,7 @@ def _others(first: str, names: Sequence[str]) -> list[str]:
     place = os.path.realpath(first)
     others = [file for file in dict.fromkeys(found) if os.path.realpath(file) != place]
     if not others:
-        raise OptionError(f"{' '.join(names)}: no drawings but {first}; a folder with .svg files would work")
+        raise OptionError(
+            f"{' '.join(names)}: no drawings except {first}; a folder with .svg files would work"
+        )
     return others

@@ -256,7 +256,7 @@ def test_a_signal_ends_it_in_a_line(cluster, slow):
     process.send_signal(signal.SIGINT)
     _, printed = process.communicate(timeout=60)
     assert process.returncode == 130
-    assert "interrupted; what was being written is whole" in printed
+    assert "interrupted; files that were being written are complete" in printed
     assert {each["outputs"][0] for each in read_results().values()} == {f"m/{name}" for name in made()}
 
 

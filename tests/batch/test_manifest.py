@@ -73,7 +73,7 @@ def test_doubled_braces_are_braces(drawings, statuses):
 WRONG = {
     '{"a": "1.svg", "b": "2.svg", "vertexes": 3}': "line 2: 'vertexes' is no option of a job",
     '{"a": "1.svg", "b": "2.svg", "vertices": -3}': "line 2: vertices must be 0 or more, not -3",
-    '{"a": "1.svg", "b": "2.svg", "fps": 9, "frames": 3, "o": "x.gif"}': "line 2: --frames and --fps both say",
+    '{"a": "1.svg", "b": "2.svg", "fps": 9, "frames": 3, "o": "x.gif"}': "line 2: --frames and --fps both set",
     '{"a": "1.svg", "b": "2.svg", "quiet": true}': "line 2: 'quiet' is no option of a job",
     '{"a": "1.svg", "b": "2.svg", "ends": "perhaps"}': "line 2: ends must be True or False",
     '{"a": "1.svg", "b": "2.svg", "o": "y.svg", "output": "z.svg"}': "line 2: output is given twice",
@@ -108,7 +108,7 @@ def test_what_is_wrong_stops_the_batch_before_it_starts(row, drawings, capsys):
         ("jobs.csv", "a,b,vertexes\n1.svg,2.svg,3\n", "jobs.csv, line 1: 'vertexes' is no option"),
         ("jobs.csv", 'a,b\n"1.svg",2.svg\n"1\n.svg",2.svg,3\n', "jobs.csv, line 3: 3 cells, and 2 columns"),
         ("jobs.csv", "a,b,n\n1.svg,2.svg,3\n", "jobs.csv, line 1: 'n' is no option"),
-        ("jobs.csv", "a,b,b\n", "jobs.csv, line 1: two columns have one name"),
+        ("jobs.csv", "a,b,b\n", "jobs.csv, line 1: two columns have the same name"),
         ("jobs.toml", "[[job]]\na='1.svg'\nb='2.svg'\n[[job]]\na='1.svg'\n", "jobs.toml, line 4: a job has"),
         ("jobs.toml", "[default]\nframes = 3\n", "jobs.toml: 'default' is unknown"),
         ("jobs.toml", "[defaults]\nframes = 'x'\n", "jobs.toml, [defaults]: frames must be a whole number"),

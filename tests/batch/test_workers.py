@@ -140,7 +140,7 @@ def test_a_signal_ends_it_when_what_is_being_written_is_whole(number, status, he
     process.send_signal(getattr(signal, number))
     _, err = process.communicate(timeout=60)
     assert process.returncode == status
-    assert b"interrupted; what was being written is whole" in err
+    assert b"interrupted; files that were being written are complete" in err
     told = {name for each in Path("r.jsonl").read_text().splitlines() for name in json.loads(each)["outputs"]}
     assert told == {str(path) for path in Path("m").glob("*.svg")}
     assert 0 < len(told) < 39

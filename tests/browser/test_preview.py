@@ -388,7 +388,7 @@ def test_a_stroke_on_an_edge_is_no_point(browser, tmp_path):
     page.goto((tmp_path / "page.html").as_uri())
     options = page.locator("#contour option").all_text_contents()
     page.close()
-    assert sum("goes where the edge goes that it lies on" in option for option in options) == 1
+    assert sum("follows the edge that it lies on" in option for option in options) == 1
     assert not any("point" in option for option in options)
 
 

@@ -86,7 +86,7 @@ def test_specks_may_be_a_share_of_the_drawing(here, capsys):
 REFUSED = {
     "--times 3": "--times must be at most 2, not 3",
     "--times 0,x": "--times must be times between -1 and 2, such as",
-    "--times 0,1 -n 3": "--times says itself which frames there are",
+    "--times 0,1 -n 3": "--times sets the frames itself",
     "--times 0,1 -o x.gif": "--times is for a folder of frames, a contact sheet or layers",
     "c.svg --times 0,1": "--times applies to two files; 3 given",
     "--specks -1": "--specks must be a length such as 2.5, or a share of the drawing such as 1%",

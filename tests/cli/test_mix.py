@@ -118,12 +118,12 @@ REFUSED = {
     "--mix 1,-1,1": "--mix must be shares of two files or more, 0 or more and not all 0",
     "--mix 0,0,0": "not all 0",
     "--mix a,b,c": "--mix must be shares",
-    "--mix 1,1,1 -n 4": "--mix says itself which frames there are",
-    "--mix 1,1,1 --ends": "--mix says itself which frames there are",
+    "--mix 1,1,1 -n 4": "--mix sets the frames itself",
+    "--mix 1,1,1 --ends": "--mix sets the frames itself",
     "--mix 1,1,1 --mix 1,0,0 -o x.svg": "takes one mixture, which stands still; a folder takes several",
     "--mix 1,1,1 -o x.gif": "--mix is for a folder, a name ending in .svg or one in .png",
     "--mix 1,1,1 --emit layers": "--mix is for a folder",
-    "--mix 1,1,1 --report r.json": "--mix has none",
+    "--mix 1,1,1 --report r.json": "--mix makes none",
 }
 
 

@@ -159,7 +159,7 @@ def test_what_stays_inside_leaves_the_viewbox_as_it_is(here):
     assert [viewbox(file) for file in here.glob("out/*")] == [[-4, -4, 32, 32]] * 7
 
 
-BOX, EDGE = "M2 2H18V10H2Z", "goes where the edge goes that it lies on"
+BOX, EDGE = "M2 2H18V10H2Z", "follows the edge that it lies on"
 CARD = "M4 4H20V20H4Z M10 8V12H15V8Z"
 CROSSED_OUT = "M1 2L2 1L23 22L22 23L19 20H4V5Z M7 4H20V17L15 12V8H11Z"
 EDGED = svg(BOX, '<path d="M2 2H18V10" fill="none" stroke="#c00"/>')

@@ -68,7 +68,7 @@ def test_gradients_are_plain_colours_and_that_is_said(here, capsys):
     shaded = f'<linearGradient id="g">{stops}</linearGradient><path fill="url(#g)" d="{BAR}"/>'
     write(a=svg(shaded), b=svg(LEAF))
     assert run("states a.svg b.svg -o s.svg".split()) == 0
-    assert "gradients are plain colours in states" in capsys.readouterr().err
+    assert "gradients become plain colours in states" in capsys.readouterr().err
 
 
 REFUSED = {

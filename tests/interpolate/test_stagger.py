@@ -78,10 +78,10 @@ def test_paint_goes_with_its_shape(here):
 
 REFUSED = {
     "--stagger 1": "--stagger must be at most 0.95, not 1",
-    "--stagger-by size": "--stagger-by says in which order --stagger lets shapes start",
+    "--stagger-by size": "--stagger-by sets the order of --stagger",
     "--stagger .5 --emit lottie": "--stagger is for frames, animated SVGs",
     "--stagger .5 --emit pair": "--stagger is for frames, animated SVGs",
-    "--stagger .5 --mix .5,.5": "--mix has none",
+    "--stagger .5 --mix .5,.5": "--mix makes none",
     "--stagger .5 -o x.svg --animate css --trigger hover": "needs --animate smil",
 }
 

@@ -126,8 +126,8 @@ def test_a_stroke_on_an_edge_has_nothing_to_choose_and_is_no_point():
     edge = f'<path d="{wide}" fill="none" stroke="#c00"/>'
     a, b = drawings.drawing(square), drawings.drawing(wide, edge)
     assert sorted(reasons(pair_of(a, b))) == [
-        "it goes where the edge goes that it lies on",
-        "straight, as strokes on its edges go with it",
+        "it follows the edge that it lies on",
+        "straight, because strokes on its edges move with it",
     ]
 
 

@@ -72,5 +72,5 @@ def test_of_what_is_crossed_out_every_contour_is_there_and_the_bar_says_what_it_
     for contour in contours:
         alone = contour["a"] is None or contour["b"] is None
         assert contour["pair_because"] == (
-            "it cuts what is the same" if alone else "the same but for a part that cuts it"
+            "it cuts what is the same" if alone else "the same except for a part that cuts it"
         )

@@ -36,7 +36,7 @@ def test_a_dot_that_is_named_is_taken(subject_of):
             r"vertices 3 of A and 100 of B do not correspond; 3,\d+ is a dot of the path",
         ),
         (LINES, {"vertices": 0, "dot": (0, 0)}, "0,0 is an end of an open contour and has no angle; "),
-        (("M0 0L3 5",) * 2, {"vertices": 0}, "more vertices would work"),
+        (("M0 0L3 5",) * 2, {"vertices": 0}, "contours with more would work"),
     ],
     ids=["not on the path", "an end of an open line", "a line of two ends"],
 )

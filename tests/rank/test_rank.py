@@ -133,8 +133,8 @@ def test_standard_input_is_the_first_drawing(icons, ranked, monkeypatch):
     [
         ("a.svg nowhere", 1, "nowhere: no such file or folder"),
         ("nothing.svg icons", 1, "nothing.svg: cannot be read"),
-        ("a.svg a.svg", 2, "no drawings but a.svg"),
-        ("a.svg empty", 2, "no drawings but a.svg"),
+        ("a.svg a.svg", 2, "no drawings except a.svg"),
+        ("a.svg empty", 2, "no drawings except a.svg"),
         ("a.svg icons --sheet a.svg -f", 1, "a.svg"),
         ("a.svg icons --sheet old.svg", 1, "old.svg"),
         ("a.svg icons --top 0", 2, "--top"),

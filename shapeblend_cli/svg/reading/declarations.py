@@ -55,7 +55,7 @@ def parse(source: object) -> tuple[Declarations, Declarations]:
                 value = tinycss2.serialize(item.value).strip()
                 put(important if item.important else normal, item.name, value)
     except RecursionError:
-        raise Problem("a style nested too deep; without it the file would work") from None
+        raise Problem("a style nested too deeply; without it the file would work") from None
     return normal, important
 
 

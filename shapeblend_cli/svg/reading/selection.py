@@ -74,7 +74,7 @@ def _compile(text: str) -> list[Any]:
 def _reason(error: Exception) -> str:
     """Return where a selector breaks the grammar, or why it cannot be read."""
     if isinstance(error, (SyntaxError, MemoryError, RecursionError)):
-        return "nested too deep"
+        return "nested too deeply"
     if isinstance(error, NotImplementedError):
         return "a part of CSS that is not supported"
     # cssselect2 gives a token and what it expected there; no token is the end of the text.
@@ -101,7 +101,7 @@ def _match(root: Node, text: str, tests: list[Any]) -> list[Node]:
             if any(test(element) for test in tests):
                 nodes.append(element.etree_element)
     except RecursionError:
-        raise Problem("its elements are nested too deep for that selector; an id would work") from None
+        raise Problem("its elements are nested too deeply for that selector; an id would work") from None
     return nodes
 
 

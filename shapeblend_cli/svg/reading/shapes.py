@@ -59,7 +59,7 @@ def _points(node: Node, notes: Notes, lenient: bool) -> Contour | None:
     if len(values) > 2 * path_data.MAX_SEGMENTS:
         raise Problem(f"{node}: more than {path_data.MAX_SEGMENTS} points, the most that are read")
     if len(values) % 2:
-        notes.add("a last coordinate without a partner left out")
+        notes.add("the last coordinate, which has no partner, left out")
     points = [complex(x, y) for x, y in zip(values[::2], values[1::2], strict=False)]
     return _polyline(points, closed=node.tag == "polygon")
 

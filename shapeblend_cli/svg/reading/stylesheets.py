@@ -65,7 +65,7 @@ def match(root: Node, texts: list[str]) -> dict[int, tuple[Declarations, Declara
             if normal or important:
                 declared[id(element.etree_element)] = (normal, important)
     except RecursionError:
-        raise Problem("its style sheet is nested too deep; without it the file would work") from None
+        raise Problem("its style sheet is nested too deeply; without it the file would work") from None
     return declared
 
 

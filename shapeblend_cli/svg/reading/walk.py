@@ -181,7 +181,7 @@ class Walk:
         steps = [f"{name}({declared[name]})" for name in _SINGLE_TRANSFORMS if name in declared]
         first = parse(" ".join(steps), lengths)
         if matrix is None or first is None:
-            self._notes.add("a transform that cannot be read not applied")
+            self._notes.add("a transform that cannot be read is not applied")
             return IDENTITY
         matrix = first @ matrix
         if "transform-origin" not in declared:

@@ -141,8 +141,8 @@ def test_nesting_is_read_or_refused(markup):
         problem = None if len(drawing.shapes) == 1 else "shapes lost"
     assert problem in (
         None,
-        "a style nested too deep; without it the file would work",
-        "its style sheet is nested too deep; without it the file would work",
+        "a style nested too deeply; without it the file would work",
+        "its style sheet is nested too deeply; without it the file would work",
     )
 
 

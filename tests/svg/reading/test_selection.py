@@ -96,8 +96,8 @@ BROKEN = {
     ":nonsense": "an unknown pseudo-class",
     "path:nth-child(2n+)": "it cannot be read",
     "[*|href]": "not supported",
-    ":not(" * 330 + ")" * 330: "nested too deep",
-    "g " * 500 + "path": "nested too deep",
+    ":not(" * 330 + ")" * 330: "nested too deeply",
+    "g " * 500 + "path": "nested too deeply",
     "a," * 1001: "more than 2000 characters",
 }
 
