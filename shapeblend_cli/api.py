@@ -154,7 +154,7 @@ class Blend:
         return Picture(frame_at(pair, t - pair.a, as_drawn=self.settings.draws_ends), decimals)
 
     def mix(self, *weights: float) -> Picture:
-        """Return a mixture of all drawings, so much of each.
+        """Return a mixture of all drawings, with a share of each.
 
         Each corresponds with the first. Of two drawings that have a share it is their blend.
 
