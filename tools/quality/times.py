@@ -193,12 +193,19 @@ def section(found: dict) -> Section:
 
 
 def _multiples(seconds: dict[str, dict[str, list[float]]]) -> dict[str, str]:
-    """Return the processor time of each tool as a multiple of flubber's, to one digit, or two."""
+    """Return the processor time of each tool as a multiple of flubber's, without decimals from 1 on."""
     one = np.array(seconds[flubber.NAME]["cpu"])
     ratios = {tool: float(np.median(np.array(each["cpu"]) / one)) for tool, each in seconds.items()}
-    told = {tool: f"about {ratio:.{1 + (ratio >= 10)}g}" for tool, ratio in ratios.items()}
+    told = {
+        tool: f"about {ratio:.0f}" if ratio >= 0.95 else f"about {ratio:.1g}"
+        for tool, ratio in ratios.items()
+    }
     return {**told, flubber.NAME: "1"}
 
 
 def _told(seconds: float) -> str:
-    return f"{seconds:.2f} s" if seconds >= 0.1 else f"{1000 * seconds:.2g} ms"
+    """Return a time with two digits or three."""
+    milliseconds = 1000.0 * seconds
+    if milliseconds < 9.95:
+        return f"{milliseconds:.1f} ms"
+    return f"{milliseconds:.0f} ms" if milliseconds < 99.5 else f"{seconds:.2f} s"
