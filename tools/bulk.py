@@ -316,21 +316,21 @@ def document(found: dict[str, Any]) -> str:
     after = [k for k in found["memory"]]
     promises = [
         (f"{count:,} icon pairs, killed {found['kills']} times at random moments and run again", "complete"),
-        ("... outputs that are not, byte for byte, those of single commands", "0"),
+        ("... outputs that differ from those of single commands, byte for byte", "0"),
         (
-            "... a further run, which does nothing",
-            f"{found['again_seconds']:.1f} s, of which {found['again_cpu']:.1f} s of a processor",
+            "... another run, with nothing left to do",
+            f"{found['again_seconds']:.1f} s, with {found['again_cpu']:.1f} s of processor time",
         ),
         (f"... in {SHARDS} shards: outputs that differ", "0"),
         *((f"memory of a worker after {int(k):,} jobs", f"{found['memory'][k]} MB") for k in after),
     ]
     costs = [
-        ("a pair by a command alone", _ms(found["alone"])),
-        ("a pair in a batch, by a warm process", _ms(found["job"])),
-        ("... on a cluster: its worker, with the process that does the job", _ms(found["worker"])),
+        ("a pair, by a command of its own", _ms(found["alone"])),
+        ("a pair in a batch, by a process that is already running", _ms(found["job"])),
+        ("a pair on a cluster: the worker, with the process that does the job", _ms(found["worker"])),
         ("... the scheduler", _ms(found["scheduler"])),
         ("... the client, which reads, sends, fetches and writes", _ms(found["client"])),
-        ("a pair that is up to date, for whoever reads the batch", _ms(found["plan_cpu"])),
+        ("a pair that is up to date, to find that out", _ms(found["plan_cpu"])),
     ]
     cores = rate * found["worker"]
     clients = math.ceil(rate * found["client"] / BUSY)
@@ -340,37 +340,38 @@ def document(found: dict[str, Any]) -> str:
     plan = [
         ("pairs a second", f"{rate:.0f}"),
         (
-            "processors of workers",
-            f"{cores:.0f}, and a tenth more for what is lost: {math.ceil(1.1 * cores)}",
+            "processors for workers",
+            f"{cores:.0f}, or {math.ceil(1.1 * cores)} with a tenth more for losses",
         ),
         ("schedulers", f"{schedulers}, each less than {BUSY:.0%} busy"),
         (
             "clients",
             f"{clients}, each with a shard (`--shard 1/{clients}` ...) and less than {BUSY:.0%} busy",
         ),
-        ("drawings and outputs that travel", f"{traffic:.1f} MB a second"),
-        ("memory of a client for a manifest of a million rows", f"{memory_of_all:.1f} GB, in each of them"),
+        ("drawings and outputs that are sent", f"{traffic:.1f} MB a second"),
+        ("memory of a client for a manifest of a million rows", f"{memory_of_all:.1f} GB, for each client"),
         (
-            "the same without a cluster: processors of machines that each do a shard",
+            "without a cluster, with a shard for each machine: processors",
             f"{rate * found['job']:.0f}",
         ),
     ]
     parts = [
-        "# How much it takes to do how many",
-        "`make bulk` measures this part by part into [capacity.json](capacity.json), of which this page is made: icons "
-        "of Material Symbols, plain ones of a path each, drawn by lot, each into the next as an animated SVG. The "
-        "parts are of several runs. Times are those of a processor; the machine has two, and others were at work on "
-        "it.",
-        "## What holds",
+        "# Capacity",
+        "This page says what many blends take. `make bulk` measures it part by part into "
+        "[capacity.json](capacity.json), from which this page is made. The drawings are random icons of Material "
+        "Symbols, plain ones with one path each. Each is blended into the next, as an animated SVG. The parts are "
+        "from several runs. Times are processor times; the machine has two processors, and other programs were "
+        "running on it.",
+        "## What was checked",
         Table(("what", "measured"), promises).markdown().rstrip("\n"),
         "## What a pair costs",
-        Table(("what", "milliseconds of a processor"), costs).markdown().rstrip("\n"),
-        f"## {AN_HOUR:,} pairs an hour, on paper",
-        Table(("what", "planned"), plan).markdown().rstrip("\n"),
-        "This is a calculation, and was not run: each figure is the rate, times what a pair costs above. Other "
-        "drawings take another time: of a few hundred of them in a batch, `--results` has the `seconds` of each. What "
-        "the scheduler and the client do for a job hardly depends on its drawings, so the longer jobs take, the fewer "
-        "of both it needs.",
+        Table(("what", "milliseconds of processor time"), costs).markdown().rstrip("\n"),
+        f"## {AN_HOUR:,} pairs an hour, calculated",
+        Table(("what", "needed"), plan).markdown().rstrip("\n"),
+        "This is a calculation, and was not run: each figure is the rate times what a pair costs above. Other "
+        "drawings take other times. To find out, make a batch of a few hundred of them; `--results` has the "
+        "`seconds` of each. What the scheduler and the client do for a job hardly depends on its drawings. So the "
+        "longer the jobs take, the fewer of both are needed.",
     ]
     return "\n\n".join(parts) + "\n"
 

@@ -29,10 +29,20 @@ ROOT_PAGES = {"README.md": "index.md"} | {
 
 NAVIGATION = {
     "shapeblend": ["index", "install", "guide", "options", "examples", "moving", "gallery"],
-    "Correcting": ["studio", "plots"],
-    "At work": ["cookbook", "batch", "states", "inkscape", "editing", "report", "rank", "capacity", "api"],
-    "Why": ["how-it-works", "paper", "motion", "defaults", "solver", "glossary"],
-    "Measured": ["quality", "reliability"],
+    "Correct a blend": ["studio", "plots"],
+    "Put it to work": [
+        "cookbook",
+        "batch",
+        "states",
+        "inkscape",
+        "editing",
+        "report",
+        "rank",
+        "capacity",
+        "api",
+    ],
+    "How it works": ["how-it-works", "paper", "motion", "defaults", "solver", "glossary"],
+    "Measurements": ["quality", "reliability"],
     "The project": ["changelog", "contributing", "security"],
 }
 """Sections and their pages; all that there are, and only once."""
@@ -40,7 +50,7 @@ NAVIGATION = {
 CONFIGURATION = """\
 [project]
 site_name = "shapeblend"
-site_description = "Turns one SVG drawing into another, and draws every step in between"
+site_description = "Turns one SVG drawing into another and draws the steps in between"
 docs_dir = "pages"
 site_dir = "site"
 use_directory_urls = false
