@@ -76,7 +76,8 @@ def sources(folder: Path) -> None:
     shutil.copytree(ROOT / "docs", pages, ignore=shutil.ignore_patterns("README.md"))
     for name, target in ROOT_PAGES.items():
         text = (ROOT / name).read_text(encoding="utf-8")
-        (pages / target).write_text(text.replace("](docs/", "](").replace('src="docs/', 'src="'), "utf-8")
+        text = re.sub(r'(\]\(|src="|srcset=")docs/', r"\1", text)
+        (pages / target).write_text(text, "utf-8")
     for page in pages.glob("*.md"):
         page.write_text(_within(page.read_text(encoding="utf-8")), encoding="utf-8")
     navigation = ", ".join(
