@@ -42,8 +42,8 @@ INX = """\
 """
 
 PINS = (
-    "Two dots labelled 'pin 1', or a line so labelled from one object to the other, mark points that become each "
-    "other. Further ones are 'pin 2' and so on."
+    "Two dots labelled 'pin 1', or a line with that label from one object to the other, mark points that become "
+    "each other. Further pins are 'pin 2' and so on."
 )
 
 FILE_TYPES = "svg,gif,webp,apng,json,xml"
