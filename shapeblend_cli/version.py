@@ -1,3 +1,3 @@
 """The version, which the package and the reports state."""
 
-__version__ = "0.1.0"
+__version__ = "1.0.0"

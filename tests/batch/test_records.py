@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from shapeblend_cli import __version__
 from shapeblend_cli.cli import run
 from tests.support.commands import contents
 
@@ -60,7 +61,9 @@ def test_an_output_that_is_gone_is_made_again(done, statuses, capsys):
 
 def test_another_version_does_everything_again(done, statuses, monkeypatch, capsys):
     monkeypatch.setattr("shapeblend_cli.batch.records.method", lambda: "another")
-    assert {*reasons(capsys, *LINE).values()} == {"it was done by another version of shapeblend, 0.1.0"}
+    assert {*reasons(capsys, *LINE).values()} == {
+        f"it was done by another version of shapeblend, {__version__}"
+    }
 
 
 def test_why_says_it_while_it_is_done(done, batch):

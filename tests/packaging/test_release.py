@@ -54,6 +54,11 @@ def test_wheels_are_built_for_every_system_of_which_one_is_checked():
     assert wheel["build"].split()[0] == f"cp3{lowest}-*"
 
 
+def test_the_changelog_has_this_version_first_and_its_day():
+    (first, *_) = re.findall(r"^## (.*)$", (ROOT / "CHANGELOG.md").read_text("utf-8"), re.MULTILINE)
+    assert re.fullmatch(rf"{re.escape(shapeblend_cli.__version__)} - \d{{4}}-\d\d-\d\d|Unreleased", first)
+
+
 def test_what_is_cited_is_this_version():
     cited = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
     assert cited["version"] == shapeblend_cli.__version__
