@@ -49,17 +49,18 @@ CELL, COLOURS = 2 * WIDTH // 3, 32
 TEXT = f"""\
 # A gallery that moves
 
-Written by `make pictures`. Each is what comes out by default, without a correction, and loads nothing else:
+Written by `make pictures`. A command like this one makes each picture, without any corrections. The files load nothing
+else:
 
 ```sh
 shapeblend fox.svg wolf.svg -o fox-wolf.svg {OPTIONS}
 ```
 
-The pairs were chosen by eye, among some thirty, to show what can be done. In [the other gallery](gallery.md) they are
-chosen by number, and stand beside those of another tool. [The studio](studio.md) is for pairs that do not come out as
-wished.
+These pairs were chosen by eye, from about thirty, to show what is possible. The pairs in
+[the other gallery](gallery.md) are chosen by number, and shown next to those of another tool. For pairs that do not
+turn out as you want, there is [the studio](studio.md).
 
-Where the system is set to reduced motion, a picture of both drawings and the one half way is shown instead.
+If your system is set to reduced motion, you see a picture of both drawings, with the one half way between them.
 
 <table>
 {{rows}}
@@ -67,7 +68,7 @@ Where the system is set to reduced motion, a picture of both drawings and the on
 
 The bird and the dancer are samples of shapeblend. The other drawings, in
 [moving/drawings](moving/drawings/README.md) with their sources, are from Twemoji by Twitter, Inc. and other
-contributors (CC BY 4.0), and from Phosphor Icons (MIT); these are painted here.
+contributors (CC BY 4.0), and from Phosphor Icons (MIT), which are given colours here.
 """
 
 
