@@ -140,7 +140,12 @@ def told(found: dict[str, Any]) -> str:
             "",
         ]
     rows = [(name, f"{took:.0f} ms") for name, took in found["milliseconds"].items()]
-    parts += ["## How fast it answers", "", Table(("after", "the picture is there in"), rows).markdown(), END]
+    parts += [
+        "## How fast it answers",
+        "",
+        Table(("what was done", "time until the picture"), rows).markdown(),
+        END,
+    ]
     return "\n".join(parts)
 
 
