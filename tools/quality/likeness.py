@@ -86,8 +86,8 @@ def table(found: dict[str, dict[str, list[int]]]) -> str:
         rows.append([name, f"{np.count_nonzero(every == 1)} of {len(every)}", f"{np.mean(every):.3g}"])
     pairs = "; ".join(found)
     words = (
-        f"{len(CHARACTERS)} capital letters of one font each look for themselves among the same letters of another: "
-        f"{pairs}. Both are laid box on box. The letter has found itself if it comes first."
+        f"Each of {len(CHARACTERS)} capital letters of one font is ranked against the same {len(CHARACTERS)} letters of "
+        f"another: {pairs}. Boxes are laid on boxes. A letter finds itself if it comes first."
     )
     head = ("by", "letters that find themselves", "mean place")
     return f"{BEGIN}\n\n{words}\n\n{Table(head, rows).markdown()}\n{END}"
