@@ -86,7 +86,7 @@ def table(found: dict[str, dict[str, list[int]]]) -> str:
         rows.append([name, f"{np.count_nonzero(every == 1)} of {len(every)}", f"{np.mean(every):.3g}"])
     pairs = "; ".join(found)
     words = (
-        f"Each of {len(CHARACTERS)} capital letters of one font is ranked against the same {len(CHARACTERS)} letters of "
+        f"Each of {len(CHARACTERS)} capital letters of one font is ranked against the same letters of "
         f"another: {pairs}. Boxes are laid on boxes. A letter finds itself if it comes first."
     )
     head = ("by", "letters that find themselves", "mean place")
