@@ -42,6 +42,9 @@ def broken(order):
 worker.do = broken
 if os.environ.get("OTHER_VERSION"):
     records.method = lambda: "another"
+if os.environ.get("IMPATIENT"):
+    import shapeblend_cli.batch.cluster as cluster
+    cluster.PATIENCE = 0.5
 """
 
 # Either gives the address of a scheduler, and ends with it.
@@ -140,9 +143,18 @@ class Cluster:
         return process
 
 
-@pytest.fixture(scope="module", params=["local", "shell"])
-def cluster(request, tmp_path_factory):
-    found = Cluster(tmp_path_factory.mktemp("cluster"), request.param)
+@pytest.fixture(scope="module")
+def cluster(tmp_path_factory):
+    """Give a cluster of commands in a shell."""
+    found = Cluster(tmp_path_factory.mktemp("cluster"), "shell")
+    yield found
+    found.end()
+
+
+@pytest.fixture
+def local_cluster(tmp_path_factory):
+    """Give a cluster of one process; what a worker is, and how it comes back, is the only thing that differs."""
+    found = Cluster(tmp_path_factory.mktemp("local"), "local")
     yield found
     found.end()
 
@@ -190,7 +202,9 @@ def assert_as_by_one_process(folder="m"):
     assert made(folder) == made("alone")
 
 
-def test_a_worker_is_killed_and_what_it_was_at_is_done_by_another(cluster, slow):
+@pytest.mark.parametrize("kind", ["local_cluster", "cluster"])
+def test_a_worker_is_killed_and_what_it_was_at_is_done_by_another(request, kind, slow):
+    cluster = request.getfixturevalue(kind)
     first, *_ = cluster.workers(2)
     process = cluster.client(*LINE)
     wait_for(Path("r.jsonl"), b'"done"', 3)
@@ -286,7 +300,7 @@ def test_the_scheduler_is_gone(cluster, slow):
     (line,) = printed.splitlines()
     assert line.startswith(f"shapeblend: {cluster.address}: the scheduler is gone; what was written stays")
     assert statuses(read_results()).count("done") == len(made())
-    status, _, printed = cluster.run(*LINE)
+    status, _, printed = cluster.run(*LINE, IMPATIENT="yes")
     assert status == 1
     assert "no scheduler answers there" in printed
     assert len(printed.splitlines()) == 1

@@ -128,7 +128,7 @@ def test_what_is_too_much_is_refused_before_all_of_it_is_read(here, refused, mon
     read = []
     contours_of = walk.contours_of
     monkeypatch.setattr(walk, "contours_of", lambda *given: read.append(given) or contours_of(*given))
-    write(a=svg(f'<path d="{SQUARE}"/>' * 20_000))
+    write(a=svg(f'<path d="{SQUARE}"/>' * 4_000))
     refused(["a.svg", "b.svg"], 1, "contours or more, and 2000 are the most that are blended; selecting some")
     assert len(read) == 2001
     assert run(["inspect", "a.svg"]) == 0
