@@ -81,9 +81,11 @@ def kernels():
 
 
 extensions = kernels()
+tag = {"py_limited_api": ABI3_TAG} if extensions and is_abi3() else {}
 
 setup(
     ext_modules=extensions,
     cmdclass={"build_ext": BuildKernels},
-    options={"bdist_wheel": {"py_limited_api": ABI3_TAG}} if extensions and is_abi3() else {},
+    # As many are compiled at once as there are processors.
+    options={"build_ext": {"parallel": True}, "bdist_wheel": tag},
 )
