@@ -84,8 +84,10 @@ class Process:
         with self._change:
             if self._is_closed:
                 raise Failed("the studio has ended")
-            if self._process is not None and self._process.is_running:
-                return self._process
+            if self._process is not None:
+                if self._process.is_running:
+                    return self._process
+                self._process.end()
             self._process = process = Child(__name__)
         if not process.becomes_ready():
             self._end()
