@@ -14,6 +14,9 @@ DEMO := out/demo
 BROWSER_TESTS := tests/browser
 INKSCAPE_TESTS := tests/inkscape
 DOCS_TESTS := tests/docs
+# In as many processes as there are processors, each file by one of them, in their order: those that take long are
+# not among the last.
+PARALLEL := -n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder
 WHEEL_TESTS := tests/wheels
 # Compiled modules: pyproject.toml has the list.
 KERNELS := $(wildcard $(shell sed -n 's|^ *"\(shapeblend_cli/.*\.py\)",*$$|\1|p' pyproject.toml))
@@ -43,7 +46,7 @@ demo: install ## blend samples/e.svg into samples/f.svg: frames, an animated SVG
 	@echo "contact sheet  $(DEMO)/contact-sheet.png"
 
 test: install ## run the tests that need only Python: no network, no npm, no browser
-	$(BIN)/python -m pytest -q --ignore=$(BROWSER_TESTS) --ignore=$(INKSCAPE_TESTS) --ignore=$(WHEEL_TESTS) --ignore=$(DOCS_TESTS)
+	$(BIN)/python -m pytest -q $(PARALLEL) --ignore=$(BROWSER_TESTS) --ignore=$(INKSCAPE_TESTS) --ignore=$(WHEEL_TESTS) --ignore=$(DOCS_TESTS)
 
 test-browser: install chromium ffmpeg npm ## test animations, the page of --preview, the studio, and what other programs play, in Chromium
 	$(BIN)/python -m pytest -q $(BROWSER_TESTS)

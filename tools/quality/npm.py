@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import fcntl
 import functools
 import shutil
 import subprocess
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from pathlib import Path
 
 
@@ -24,10 +26,16 @@ def install(source: Path, target: Path, *others: str) -> str | None:
     """
     if not (shutil.which("node") and shutil.which("npm")):
         return "node and npm are not there"
+    target.mkdir(parents=True, exist_ok=True)
+    with open(target / ".lock", "w") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)  # of several processes one installs, and the others wait
+        return _install(source, target, others)
+
+
+def _install(source: Path, target: Path, others: Sequence[str]) -> str | None:
     known = target / "node_modules" / ".package-lock.json"
     lock = target / "package-lock.json"
     there = known.exists() and lock.read_bytes() == (source / lock.name).read_bytes()
-    target.mkdir(parents=True, exist_ok=True)
     for name in ("package.json", lock.name, *others):
         shutil.copyfile(source / name, target / name)
     if there:
