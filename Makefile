@@ -49,7 +49,7 @@ test: install ## run the tests that need only Python: no network, no npm, no bro
 	$(BIN)/python -m pytest -q $(PARALLEL) --ignore=$(BROWSER_TESTS) --ignore=$(INKSCAPE_TESTS) --ignore=$(WHEEL_TESTS) --ignore=$(DOCS_TESTS)
 
 test-browser: install chromium ffmpeg npm ## test animations, the page of --preview, the studio, and what other programs play, in Chromium
-	$(BIN)/python -m pytest -q $(BROWSER_TESTS)
+	$(BIN)/python -m pytest -q $(PARALLEL) $(BROWSER_TESTS)
 
 test-inkscape: install inkscape xvfb xauth ## test the extension in Inkscape, and drawings that go through Inkscape and back
 	$(BIN)/python -m pytest -q $(INKSCAPE_TESTS)
