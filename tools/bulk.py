@@ -359,9 +359,8 @@ def document(found: dict[str, Any]) -> str:
         "# Capacity",
         "This page says what many blends take. `make bulk` measures it part by part into "
         "[capacity.json](capacity.json), from which this page is made. The drawings are random icons of Material "
-        "Symbols, plain ones with one path each. Each is blended into the next, as an animated SVG. The parts are "
-        "from several runs. Times are processor times; the machine has two processors, and other programs were "
-        "running on it.",
+        "Symbols, plain ones with one path each. Each is blended into the next, as an animated SVG. Times are "
+        "processor times, on a machine with two processors that did nothing else.",
         "## What was checked",
         Table(("what", "measured"), promises).markdown().rstrip("\n"),
         "## What a pair costs",
