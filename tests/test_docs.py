@@ -12,7 +12,7 @@ import pytest
 
 from shapeblend_cli.cli import run, shapeblend
 from tests.support import documents
-from tests.support.documents import PAGES, ROOT
+from tests.support.documents import PAGES, ROOT, without_code
 from tools import man_page, option_tables, wheels
 from tools.quality import __main__ as quality
 from tools.quality import likeness
@@ -48,11 +48,6 @@ def test_the_tables_of_options_are_those_of_the_commands():
     told = {name for record in option_tables.RECORDS for name in record.options}
     for name in ("blend", "plot", "batch", "rank", "studio", "states"):
         assert {p.name for p in shapeblend.commands[name].params if isinstance(p, click.Option)} <= told
-
-
-def without_code(text):
-    """A page without its blocks of code."""
-    return re.sub(r"^```.*?^```", "", text, flags=re.MULTILINE | re.DOTALL)
 
 
 def anchors(page):

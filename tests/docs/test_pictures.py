@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from tests.support.documents import without_code
 from tools import gallery, judge_pictures, moving_pictures, paper_pictures, plots, readme_pictures
 from tools.quality.data import NUMBER, Pair, polygon
 from tools.quality.peers import node as libraries
@@ -16,7 +17,6 @@ from tools.studio.corrections import CORRECTIONS
 
 ROOT = readme_pictures.ROOT
 DOCS = readme_pictures.DOCS
-BLOCK = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"""(?:!\[[^\]]*\]\(|<img src="| srcset="|\]\((?=[^)]*\.png\)))([^)"]+)""")
 
 NEAR = 0.3
@@ -121,7 +121,7 @@ def test_the_gallery_that_moves_is_what_is_written_and_says_where_its_drawings_a
 
 def test_every_picture_is_made_by_a_target_and_every_link_has_one():
     pages = [ROOT / "README.md", *DOCS.glob("*.md")]
-    links = {page: LINK.findall(BLOCK.sub("", page.read_text("utf-8"))) for page in pages}
+    links = {page: LINK.findall(without_code(page.read_text("utf-8"))) for page in pages}
     linked = {(page.parent / link).resolve() for page in pages for link in links[page]}
     gallery_pages = {link.removeprefix("gallery/") for link in LINK.findall(gallery.PAGE.read_text("utf-8"))}
     made = {DOCS / f"{name}.png" for name in readme_pictures.SHEETS}

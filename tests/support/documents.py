@@ -86,6 +86,11 @@ def page_name(page: Path) -> str:
     return page.relative_to(ROOT).as_posix()
 
 
+def without_code(text: str) -> str:
+    """Return a page without its blocks of code."""
+    return FENCE.sub("", text)
+
+
 def blocks() -> list[Block]:
     """Every fenced block of code of the documents."""
     return [
@@ -108,7 +113,7 @@ def commands() -> list[Command]:
         for line in _lines(block.text)
     ]
     for page in PAGES:
-        text = FENCE.sub("", page.read_text("utf-8"))
+        text = without_code(page.read_text("utf-8"))
         lines = re.findall(r"^    (shapeblend .*)$", text, re.MULTILINE)
         lines += [code for code in re.findall(r"`([^`\n]+)`", text) if _is_command(code)]
         found += [Command(page_name(page), line) for line in lines]
