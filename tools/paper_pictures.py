@@ -5,21 +5,19 @@ The page says it all: below each picture stands the command that draws it. They 
 
 from __future__ import annotations
 
-import os
 import re
 import shlex
-from contextlib import contextmanager
+from contextlib import chdir, contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.cli import run
+from tools.readme_pictures import DOCS, ROOT
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-ROOT = Path(__file__).resolve().parents[1]
-DOCS = ROOT / "docs"
 PAGE = DOCS / "paper.md"
 
 SHOWN = re.compile(r"^!\[[^\]]+\]\(([^)]+)\)\n\n```sh\nshapeblend ([^`]+)\n```$", re.MULTILINE)
@@ -53,14 +51,9 @@ def shown() -> dict[str, Shown]:
 @contextmanager
 def beside_samples() -> Iterator[Path]:
     """Work in an empty folder in which samples are where the page has them."""
-    before = Path.cwd()
-    with TemporaryDirectory() as folder:
-        os.chdir(folder)
-        try:
-            Path("samples").symlink_to(ROOT / "samples")
-            yield Path(folder)
-        finally:
-            os.chdir(before)
+    with TemporaryDirectory() as folder, chdir(folder):
+        Path("samples").symlink_to(ROOT / "samples")
+        yield Path(folder)
 
 
 def draw(name: str, *more: str) -> bytes:
