@@ -5,18 +5,14 @@ Each has a picture that stands still beside it, for those who have asked their s
 
 from __future__ import annotations
 
-import tempfile
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.cli import run
 from tools.contact_sheet import sheet
-from tools.quality.data import ROOT
+from tools.readme_pictures import DOCS, ROOT, animation, frames
 
 if TYPE_CHECKING:
     from PIL import Image
 
-DOCS = ROOT / "docs"
 FOLDER = DOCS / "moving"
 DRAWINGS = FOLDER / "drawings"
 PAGE = DOCS / "moving.md"
@@ -86,20 +82,13 @@ def _files(pair: tuple[str, str]) -> list[str]:
 
 def moving(pair: tuple[str, str]) -> str:
     """Return the animation of a pair."""
-    with tempfile.TemporaryDirectory() as folder:
-        target = Path(folder, "moving.svg")
-        if run([*_files(pair), "--output", str(target), *OPTIONS.split()]) != 0:
-            raise SystemExit(f"{name(pair)} was not blended")
-        return target.read_text(encoding="utf-8")
+    return animation(*_files(pair), *OPTIONS.split())
 
 
 def still(pair: tuple[str, str]) -> Image.Image:
     """Return both drawings with the one half way between them."""
-    with tempfile.TemporaryDirectory() as folder:
-        if run([*_files(pair), "--frames", "1", "--ends", "--output", f"{folder}/frames"]) != 0:
-            raise SystemExit(f"{name(pair)} was not blended")
-        frames = [path.read_text(encoding="utf-8") for path in sorted(Path(folder, "frames").iterdir())]
-    return sheet(frames, len(frames), CELL).quantize(COLOURS)
+    drawn = frames(*_files(pair), "--frames", "1")
+    return sheet(drawn, len(drawn), CELL).quantize(COLOURS)
 
 
 def page() -> str:

@@ -53,30 +53,45 @@ SHEETS |= {
 
 def row(blend: str) -> list[str]:
     """The frames of a blend, both ends among them."""
-    a, b, *options = blend.split()
-    files = [str(ROOT / "samples" / f"{sample}.svg") for sample in (a, b)]
-    with tempfile.TemporaryDirectory() as folder:
-        if run([*files, "--ends", "--output", f"{folder}/frames", *options]) != 0:
-            raise SystemExit(f"{blend} was not blended")
-        return [path.read_text(encoding="utf-8") for path in sorted(Path(folder, "frames").iterdir())]
+    return frames(*_line(blend))
 
 
 def moving() -> str:
     """Return the animation."""
-    a, b, *options = MOVING.split()
-    files = [str(ROOT / "samples" / f"{sample}.svg") for sample in (a, b)]
+    return animation(*_line(MOVING))
+
+
+def _line(blend: str) -> list[str]:
+    """Return the command line of a blend of two samples."""
+    a, b, *options = blend.split()
+    return [*(str(ROOT / "samples" / f"{sample}.svg") for sample in (a, b)), *options]
+
+
+def frames(*line: str) -> list[str]:
+    """Return the frames that the command makes, both ends among them."""
+    with tempfile.TemporaryDirectory() as folder:
+        _run(*line, "--ends", "--output", f"{folder}/frames")
+        return [path.read_text(encoding="utf-8") for path in sorted(Path(folder, "frames").iterdir())]
+
+
+def animation(*line: str) -> str:
+    """Return the animated SVG that the command makes."""
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder, "moving.svg")
-        if run([*files, "--output", str(target), *options]) != 0:
-            raise SystemExit(f"{MOVING} was not blended")
+        _run(*line, "--output", str(target))
         return target.read_text(encoding="utf-8")
+
+
+def _run(*line: str) -> None:
+    if run([*line]) != 0:
+        raise SystemExit(f"{' '.join(line)}: was not blended")
 
 
 def drawn(name: str) -> Image.Image:
     """One of the pictures."""
     rows = [row(blend) for blend in SHEETS[name]]
     return sheet(
-        [frame for frames in rows for frame in frames],
+        [frame for each in rows for frame in each],
         len(rows[0]),
         SMALL if name.startswith("constant-") else CELL,
     ).quantize(64)
