@@ -13,6 +13,7 @@ from tests.support.drawings import EYED, LEAF, svg
 
 SIZE = 120
 SECONDS = 0.8
+LONG = 4.0  # for what is done on the way: a busy machine may be slow to do it
 BODY = "<!doctype html><style>body{{margin:0;background:#fff}}svg{{width:120px;height:120px;display:block}}</style>{}"
 BOX, FAR = '<path id="box" d="M2 8h8v8h-8z"/>', '<path id="box" d="M14 8h8v8h-8z"/>'
 
@@ -59,6 +60,18 @@ class Shown:
     def left(self):
         """Where the shape is now: 2 in the first drawing, 14 in the second."""
         return self.page.evaluate(f"{self.FIND}.getBBox().x")
+
+    def passes(self, place):
+        """Wait until the shape has passed a place on its way to the right."""
+        self.page.wait_for_function(f"seen.at(-1)?.[1] > {place}")
+
+    def comes_to_look_like(self, picture, tolerance=1.0):
+        """Wait until the page looks like a picture, for a busy machine some seconds."""
+        for _ in range(100):
+            if np.abs(self.picture() - picture)[:110, :110].mean() < tolerance:
+                return
+            self.page.wait_for_timeout(50)
+        raise AssertionError("the page does not come to look like the picture")
 
     def moments(self):
         """The time and the place in each frame since this was last asked for, up to when it rests."""
@@ -112,10 +125,12 @@ def assert_moves(places, start, end):
     assert (steps >= -0.01).all()
 
 
-def assert_no_jump(moments, seconds=SECONDS):
-    """It is nowhere faster than twice as fast as all the way in its time."""
+def assert_turns_round(moments):
+    """It goes back before it was at the end, and is nowhere faster than twice as fast as all the way in its time."""
     times, places = moments.T
-    assert (np.abs(np.diff(places)) <= 2.0 * 12.0 * np.diff(times) / 1000.0 / seconds + 0.5).all()
+    assert places.max() < 13.5
+    assert places[-1] == pytest.approx(2.0, abs=0.01)
+    assert (np.abs(np.diff(places)) <= 2.0 * 12.0 * np.diff(times) / 1000.0 / LONG + 0.5).all()
 
 
 @each_method
@@ -157,15 +172,11 @@ def test_keys_press_what_clicks_press(here, show, method, keys):
 
 @each_method
 def test_it_turns_round_on_the_way_without_a_jump(here, show, method):
-    shown = show(reacting("hover", method))
+    shown = show(reacting("hover", method, "--duration", str(LONG)))
     shown.point()
-    shown.page.wait_for_timeout(int(400 * SECONDS))
-    middle = shown.left()
-    assert 3.0 < middle < 13.0
+    shown.passes(4.0)
     shown.leave()
-    moments = shown.moments()
-    assert moments[-1, 1] == pytest.approx(2.0, abs=0.01)
-    assert_no_jump(moments)
+    assert_turns_round(shown.moments())
 
 
 @each_method
@@ -178,8 +189,7 @@ def test_with_reduced_motion_it_changes_at_once(here, show, method, trigger):
             shown.click()
         else:
             shown.leave() if k == 0 else shown.point()
-        shown.page.wait_for_timeout(100)
-        assert np.abs(shown.picture() - still[k])[:110, :110].mean() < 2.0
+        shown.comes_to_look_like(still[k], 2.0)
 
 
 @each_method
@@ -188,10 +198,8 @@ def test_it_looks_like_the_drawings_at_both_ends(here, show, method, drawings):
     paths = [f'<path fill="#2040c0" fill-rule="evenodd" d="{data}"/>' for data in drawings]
     shown = show(reacting("click", method, a=paths[0], b=paths[1]))
     for still in (paths[0], paths[1], paths[0]):
-        expected = show(svg(still)).picture()
-        assert np.abs(shown.picture() - expected).mean() < 1.0
+        shown.comes_to_look_like(show(svg(still)).picture())
         shown.click()
-        shown.page.wait_for_timeout(int(1000 * SECONDS) + 150)
 
 
 def test_shapes_that_change_places_do_so_on_the_way(here, show):
@@ -200,9 +208,8 @@ def test_shapes_that_change_places_do_so_on_the_way(here, show):
     for method in ("smil", "css"):
         shown = show(reacting("click", method, a=red + blue, b=blue + red))
         for still in (red + blue, blue + red, red + blue):
-            assert np.abs(shown.picture() - show(svg(still)).picture()).mean() < 1.0
+            shown.comes_to_look_like(show(svg(still)).picture())
             shown.click()
-            shown.page.wait_for_timeout(int(1000 * SECONDS) + 150)
 
 
 def test_several_drawings_are_gone_through_and_back(here, show):
@@ -264,7 +271,7 @@ def test_fifty_copies_in_one_page_react_each_by_itself(here, show):
     icon = reacting("hover", "css")
     shown = show('<div style="display:flex;flex-wrap:wrap">' + icon * 50 + "</div>")
     shown.page.mouse.move(180, 60)
-    shown.page.wait_for_timeout(int(1000 * SECONDS) + 100)
+    shown.page.wait_for_function("document.querySelectorAll('path')[1].getBBox().x > 13.99")
     places = shown.page.evaluate("[...document.querySelectorAll('path')].map(p => p.getBBox().x)")
-    assert places[1] == pytest.approx(14.0)
+    assert places[1] == pytest.approx(14.0, abs=0.01)
     assert {*places[:1], *places[2:]} == {2.0}
