@@ -19,6 +19,7 @@ from shapeblend_cli.pairing.constraints import Constraints, stiffness
 from shapeblend_cli.pairing.costs import coarse_work
 from shapeblend_cli.pairing.decompose import LINE, PlacedContour
 from shapeblend_cli.pairing.direction import choose_direction, solve
+from shapeblend_cli.pairing.same_segments import solve_with_same_segments
 from shapeblend_cli.pairing.shared import solve_with_shared
 from shapeblend_cli.pairing.symmetry import solve_with_symmetry
 
@@ -76,6 +77,9 @@ def match_contours(
         if not (free.pins or settings.stiff):
             if not rotation:
                 solved = solve_with_shared(flat_a, flat_b, solve_again, settings)
+            solved = solved or solve_with_same_segments(
+                flat_a, flat_b, found, turned, solve_again, settings.constants
+            )
             solved = solved or solve_with_symmetry(flat_a, flat_b, found, turned, solve_again, settings)
         solved = solved or solve_with_common_cuts(flat_a, flat_b, found, solve_again, settings.effort)
         if required != free:

@@ -73,7 +73,8 @@ has its contours in another order, and is scaled and shifted. The em is 100 unit
 *one contour, cut*: the letters of one contour again, but a third of the second file's lines and curves, chosen at
 random, are cut in two. That changes nothing that is seen. Without it the files of a font give something away: a letter
 has the same number of lines and curves at both ends. A tool that blends them one by one, as KUTE.js' curves do, finds
-what the designer meant as soon as it begins at the right one. One line or curve more, and it does not.
+what the designer meant as soon as it begins at the right one. One line or curve more, and it does not. shapeblend
+blends them one by one too, where it finds them, and does without nodes that lie within a line or a curve.
 
 A pair without an answer counts as 100 %, as 50 %, as crossed, and as without corners. shapeblend is told
 `--place asis` and the number of frames. `make bench-truth TRUTH=DIR` measures the same on other pairs."""

@@ -41,7 +41,7 @@ Drawings whose parts move, by the measures of the letters. Their in-betweens are
 - *authored*: paths of {" and ".join(ANIMATIONS)}, animations that lottie-web is tested with, from one keyframe to the
   next. Of each layer and group it is the step that changes most; those are left out that an affine map explains but
   for {100 * CHANGED:g} % of the region. The format moves nodes and handles straight, so both ends have as many lines
-  and curves. As with letters, that helps tools that blend them one by one.
+  and curves. As with letters, that helps tools that blend them one by one, shapeblend among them.
 
 B is disguised as with the letters. The icons are from Fluent Emoji (MIT licence) and game-icons.net (CC BY 3.0), the
 animations from lottie-web (MIT licence); npm installs them from a lock file.
