@@ -21,7 +21,7 @@ from shapeblend_cli.model import Drawing, Pair
 from shapeblend_cli.motion.verdict import verdict
 from shapeblend_cli.output import Content, Contents, check_targets, write_files
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
-from shapeblend_cli.pipeline import make_frames, match_all, place, times_of_frames
+from shapeblend_cli.pipeline import end_frames, match_all, place, times_of_frames
 from shapeblend_cli.report import Measures, measure, report
 from shapeblend_cli.settings import ReadOptions, Settings
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, contents_of, read
@@ -268,7 +268,7 @@ def _preview(
 
     settings, (drawings, pairs) = job.output.settings, blended
     maps = place(drawings, settings.place)
-    ends = make_frames(pairs, settings.replace(frames=0, ends=True))
+    ends = end_frames(pairs, settings)
     return preview(found, pairs, ends, settings, job.output.timing, job.command, notes, maps)
 
 

@@ -579,6 +579,11 @@ def make_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
     return [frame_at(pair, t, as_drawn=settings.draws_ends) for pair, t in times_of_frames(pairs, settings)]
 
 
+def end_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
+    """Draw the drawings, in order, as frames show them."""
+    return make_frames(pairs, settings.replace(frames=0, ends=True, times=None))
+
+
 def _mixed_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
     """Draw the mixtures that settings ask for."""
     used = drawings_in(settings.mix)

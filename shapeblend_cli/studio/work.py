@@ -22,7 +22,7 @@ from shapeblend_cli.jobs import Job, job_of
 from shapeblend_cli.kept import Kept
 from shapeblend_cli.model import Frame
 from shapeblend_cli.motion.verdict import verdict
-from shapeblend_cli.pipeline import as_drawn, frame_at, make_frames, place
+from shapeblend_cli.pipeline import as_drawn, end_frames, frame_at, place
 from shapeblend_cli.preview.pictures import (
     correspondence_lists,
     picture,
@@ -61,7 +61,7 @@ def _blend(order: Order) -> dict[str, Any]:
     settings = job.output.settings
     drawings = read_files(job.files, job.read, clock, note, order.sources, KEPT)
     pairs = match_drawings(drawings, settings, clock, note, lambda share: None, KEPT)
-    ends = make_frames(pairs, settings.replace(frames=0, ends=True))
+    ends = end_frames(pairs, settings)
     decimals = decimals_for([frame.view for frame in ends])
     maps = place(drawings, settings.place)
     found = verdict(pairs, asked_too=True)

@@ -63,8 +63,8 @@ def unpacked(text):
     return zlib.decompress(base64.b64decode(text))
 
 
-def previewed(*arguments):
-    assert run([*arguments, "-n", "3", "-o", "frames", "-q", "--preview", "x.html"]) == 0
+def previewed(*arguments, frames=("-n", "3")):
+    assert run([*arguments, *frames, "-o", "frames", "-f", "-q", "--preview", "x.html"]) == 0
     return Page(Path("x.html").read_text(encoding="utf-8"))
 
 
@@ -109,6 +109,14 @@ def test_the_ends_are_what_frames_have_there(here):
         frame = (here / "frames" / f"{name}.svg").read_text()
         assert [path["path"]["d"] for path in end] == re.findall(r' d="([^"]*)"', frame)
         assert all(f'fill="{path["path"]["fill"]}"' in frame for path in end)
+
+
+@pytest.mark.parametrize("times", ["0.3", "-0.2,0.5,1.5"])
+def test_the_ends_are_the_drawings_whatever_the_times_of_the_frames(here, times):
+    scenes = [
+        previewed("a.svg", "b.svg", frames=frames).scenes[0] for frames in (("-n", "1"), ("--times", times))
+    ]
+    assert scenes[0]["ends"] == scenes[1]["ends"]
 
 
 def test_paint_is_given_once_where_it_stays_and_at_even_times_where_it_changes():
