@@ -44,6 +44,7 @@ VALUES = (
 ).split()
 FEW = {"frames": range(5), "vertices": (0, 3, 9, 24), "width": (1, 9, 24), "fps": (1, 5), "columns": (1, 3)}
 OUTPUTS = ("out", "out", "x.svg", "x.png", "x.gif", "x.webp", "x.apng")
+DATA, NUMBER = re.compile(rb' d="[^"]*"'), re.compile(rb"\d+(\.\d+)?")
 NOT_FINITE = re.compile(rb"(?<![\w#.-])-?(nan|inf|infinity)(?![\w.-])", re.IGNORECASE)
 
 
@@ -86,7 +87,23 @@ def case(number: int, seeds: list[bytes]) -> tuple[list[bytes], list[str]]:
             files.append(drawing(rng))
         else:
             files.append(fuzz_reader.case(2 * number + k, seeds)[: 2**14])
+    if rng.random() < 0.25:
+        files[1] = edited(rng, files[0])
     return files, options(rng)
+
+
+def edited(rng: random.Random, data: bytes) -> bytes:
+    """Return a document that is made from another: with numbers of its paths changed, some to the one before."""
+    last = b"0"
+
+    def number(found: re.Match[bytes]) -> bytes:
+        nonlocal last
+        if (kind := rng.random()) < 0.1:
+            return last
+        last = found[0] if kind < 0.5 else b"%.6g" % (float(found[0]) * rng.uniform(0.8, 1.2))
+        return last
+
+    return DATA.sub(lambda found: NUMBER.sub(number, found[0]), data)
 
 
 def drawing(rng: random.Random) -> bytes:
