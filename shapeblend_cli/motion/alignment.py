@@ -31,6 +31,9 @@ SUITED = np.log(2.0)
 """A similarity suits a shape if it leaves no more than this much more of it moving than its own; points that rest under
 that one are then less than `NEAR` away."""
 
+HALF_TURN = math.radians(179.0)
+"""By more than this, either way round is as short, and rounding would choose."""
+
 PIVOT_REACH = 1.75
 """A shape turns about a point no further from its middle than so many times its size; the end of a bar is at 1.73."""
 
@@ -45,6 +48,15 @@ class Alignment(NamedTuple):
     centre_b: complex
     scale: float
     rotation: float
+
+    @property
+    def is_half_turn(self) -> bool:
+        """Whether it may as well go the other way round."""
+        return abs(self.rotation) > HALF_TURN
+
+    def other_way_round(self) -> Alignment:
+        """Return the same similarity, rotated the other way."""
+        return self._replace(rotation=self.rotation - math.copysign(2.0 * math.pi, self.rotation))
 
     def undo(self, z: ComplexArray) -> ComplexArray:
         """Map points of B back over A's, with A's centre at the origin."""
@@ -121,14 +133,19 @@ def align(points: PointPairs) -> Alignment:
     That is the one of the least mean logarithm of ``1 + (distance / NEAR)²``: a limb that swings hardly counts by how
     far it goes. It is found by least squares that are weighted anew again and again, once from those of even weights
     and once from what rests in its place. Distances are in units of the geometric mean of both sizes, so that it makes
-    no difference which drawing comes first. If it leaves not much less than no similarity at all, there is none.
+    no difference which drawing comes first. If it leaves not much less than no similarity at all, there is none. What
+    turns by half a round does so clockwise.
     """
     everywhere = _least_squares(points)
     middle = 0.5 * (everywhere.centre_a + everywhere.centre_b)
     in_place = Alignment(middle, middle, 1.0, 0.0)
     found = [_reweighted(points, start) for start in (in_place, everywhere)]
     alignment, least = min(found, key=lambda one: one[1])
-    return in_place if IN_PLACE * _moving_length(points, in_place) <= least else _pivoted(points, alignment)
+    if IN_PLACE * _moving_length(points, in_place) <= least:
+        return in_place
+    if alignment.is_half_turn and alignment.rotation < 0.0:
+        alignment = alignment.other_way_round()
+    return _pivoted(points, alignment)
 
 
 def _pivoted(points: PointPairs, alignment: Alignment) -> Alignment:

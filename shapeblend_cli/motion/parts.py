@@ -5,7 +5,6 @@ An arrow above a tray is often one path in its file. It turns as it would if it 
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -24,8 +23,8 @@ if TYPE_CHECKING:
 MOST_POINTS = 128
 """Outlines are compared at so many vertices at most."""
 
-HALF_TURN = math.radians(179.0)
-"""From here on it makes no difference which way a part turns."""
+BESIDE = 0.01
+"""A part is beside the middle if it is further from it than this share of its width."""
 
 
 def parts_of(contours: Sequence[ContourBlend]) -> list[list[int]]:
@@ -61,11 +60,10 @@ def turn_of(part: Sequence[ContourBlend], middle: complex) -> Alignment:
 
     Of two parts that turn by half a round beside the middle, each turns towards its own side, so that a symmetry stays.
     """
-    alignment = align(point_pairs(part))
-    if abs(alignment.rotation) < HALF_TURN:
-        return alignment
-    is_left = alignment.centre_a.real < middle.real
-    return alignment._replace(rotation=math.copysign(alignment.rotation, 1.0 if is_left else -1.0))
+    points = point_pairs(part)
+    alignment = align(points)
+    is_right = (alignment.centre_a - middle).real > BESIDE * float(np.ptp(points.a.real))
+    return alignment.other_way_round() if alignment.is_half_turn and is_right else alignment
 
 
 def _touch(one: _Outline, other: _Outline) -> bool:

@@ -62,9 +62,20 @@ def test_what_rests_in_its_place_is_not_moved(rng, away):
 def test_from_b_to_a_it_is_the_inverse(rng):
     points = pairs_of(random_points(rng), random_points(rng), rng.random(12))
     there, back = align(points), align(points._replace(a=points.b, b=points.a))
-    assert back.rotation == pytest.approx(-there.rotation)
+    assert np.exp(1j * (back.rotation + there.rotation)) == pytest.approx(1.0)
     assert back.scale == pytest.approx(1.0 / there.scale)
     assert (back.centre_a, back.centre_b) == pytest.approx((there.centre_b, there.centre_a))
+
+
+@pytest.mark.parametrize("off", [-0.5, -1e-9, 0.0, 1e-9, 0.5])
+def test_a_half_turn_goes_clockwise(off):
+    up = np.array([0, 4 + 4j, 1 + 2j, 1 + 9j, -1 + 9j, -1 + 2j, -4 + 4j])
+    for angle in (180 + off, -180 + off):
+        found = align(pairs_of(up, up * np.exp(1j * np.radians(angle)) + 20))
+        assert found.rotation == pytest.approx(np.radians(180 + off))
+        np.testing.assert_allclose(
+            found.apply(up - found.centre_a, 1.0), up * np.exp(1j * np.radians(angle)) + 20
+        )
 
 
 def test_half_way_it_is_rotated_and_scaled_by_half():

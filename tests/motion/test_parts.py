@@ -41,6 +41,16 @@ def test_parts_beside_each_other_turn_as_mirror_images():
     assert max(away.min(axis=0).max(), away.min(axis=1).max()) < 0.15
 
 
+def test_in_the_middle_they_turn_clockwise():
+    above, below = "M12 2l5 5-1 1-4-4-4 4-1-1z", "M12 22l5-5-1-1-4 4-4-4-1 1z"
+    above_turned, below_turned = "M12 8l5-5-1-1-4 4-4-4-1 1z", "M12 16l5 5-1 1-4-4-4 4-1-1z"
+    upper, lower = sorted(
+        outlines([above + below], [above_turned + below_turned]), key=lambda z: z.imag.mean()
+    )
+    assert upper[upper.real.argmax()] == pytest.approx(15 + 5j)
+    assert lower[lower.real.argmin()] == pytest.approx(9 + 19j)
+
+
 def test_contours_that_lie_in_each_other_or_touch_are_one_part():
     hole, beside, far = SQUARE / 2 + 1 + 1j, SQUARE + 4, SQUARE + 20
     shape = moving_polygons(*((z, z + 1) for z in (SQUARE, hole, beside, far)))
