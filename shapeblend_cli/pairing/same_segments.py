@@ -40,8 +40,12 @@ SURE, PERHAPS = 1e-3, 1e-2
 """A node is a cut if the curve through it is so near, as a share of the outline's size. Beyond the first it may be one:
 two decimals in an icon of 24 round that much away."""
 
-MOST, MOST_OTHERWISE = 1.3, 1.1
-"""The match may take so many times the least work; and where a line becomes a curve."""
+MOST, MOST_OF_MANY, MOST_OTHERWISE = 1.3, 1.6, 1.1
+"""The match may take so many times the least work; of so many segments as are no accident; and where a line becomes a
+curve."""
+
+MANY = 8
+"""So many lines and curves in the same order are no accident."""
 
 AGREED = 0.6
 """So large a share of the dots of the least work has to be where the segments that become each other are."""
@@ -185,7 +189,9 @@ def solve_with_same_segments(
     for p, q in _drawn_alike(a, b):
         start = _start(p, q, first.dots)
         if start is not None:
-            most = MOST if (p.straight == np.roll(q.straight, -start)).all() else MOST_OTHERWISE
+            most = MOST_OTHERWISE
+            if (p.straight == np.roll(q.straight, -start)).all():
+                most = MOST if p.count < MANY else MOST_OF_MANY
             found += [(most, matched) for matched in _matched(p, q, start, turned, constants)]
     if not found:
         return None

@@ -11,7 +11,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import reverse_contour
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import Contour, Style
-from shapeblend_cli.pairing.same_segments import MOST, SURE
+from shapeblend_cli.pairing.same_segments import MOST_OF_MANY, SURE
 from shapeblend_cli.svg.reading.read import read
 from tests.support.contours import drawing, furthest, polygon_contour, polyline
 from tests.support.drawings import svg
@@ -169,7 +169,7 @@ def test_as_many_segments_by_accident_mean_nothing():
 def test_it_takes_little_more_than_the_least_work(seed, count):
     a, b = (polygon_contour(star_polygon(np.random.default_rng(seed + k), count)) for k in (0, 1))
     found = blended(a, b, effort="exact").contours[0].correspondence
-    assert found.work <= MOST * found.lower_bound * (1 + 1e-9)
+    assert found.work <= MOST_OF_MANY * found.lower_bound * (1 + 1e-9)
 
 
 def test_what_mirrors_itself_goes_before_what_has_as_many_segments(here):

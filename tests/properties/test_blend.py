@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.model import Contour, Style
-from shapeblend_cli.pairing.same_segments import MOST
+from shapeblend_cli.pairing.same_segments import MOST_OF_MANY
 from shapeblend_cli.settings import Settings
 from tests.support.contours import circle_contour, drawing, polygon_contour
 from tests.support.motions import blend
@@ -125,7 +125,7 @@ def test_curves_and_lines_of_any_mixture_blend(rng, count):
     assert len(frames) == 5
     assert all(np.isfinite(frame.shapes[0].paths[0].segments).all() for frame in frames)
     # Where both can be drawn with as many segments it may take more than the least work.
-    assert pair.contours[0].correspondence.gap <= 1.0 - 1.0 / MOST
+    assert pair.contours[0].correspondence.gap <= 1.0 - 1.0 / MOST_OF_MANY
 
 
 def test_two_circles_of_other_counts_stay_round():
