@@ -24,7 +24,7 @@ MOST_POINTS = 128
 """Outlines are compared at so many vertices at most."""
 
 BESIDE = 0.01
-"""A part is beside the middle if it is further from it than this share of its width."""
+"""A part is beside the middle, or above or below it, if it is further from it than this share of its size."""
 
 
 def parts_of(contours: Sequence[ContourBlend]) -> list[list[int]]:
@@ -58,12 +58,15 @@ class _Outline(NamedTuple):
 def turn_of(part: Sequence[ContourBlend], middle: complex) -> Alignment:
     """Return the similarity of a part of a drawing with that middle.
 
-    Of two parts that turn by half a round beside the middle, each turns towards its own side, so that a symmetry stays.
+    Of two parts that turn by half a round beside the middle, each turns towards its own side, and of two above each
+    other both turn towards the same side, so that a symmetry stays.
     """
     points = point_pairs(part)
     alignment = align(points)
-    is_right = (alignment.centre_a - middle).real > BESIDE * float(np.ptp(points.a.real))
-    return alignment.other_way_round() if alignment.is_half_turn and is_right else alignment
+    away = alignment.centre_a - middle
+    least = BESIDE * float(np.abs(points.a - points.a.mean()).max())
+    is_second = away.real > least or (away.imag > least and away.real >= -least)
+    return alignment.other_way_round() if alignment.is_half_turn and is_second else alignment
 
 
 def _touch(one: _Outline, other: _Outline) -> bool:

@@ -41,14 +41,14 @@ def test_parts_beside_each_other_turn_as_mirror_images():
     assert max(away.min(axis=0).max(), away.min(axis=1).max()) < 0.15
 
 
-def test_in_the_middle_they_turn_clockwise():
+def test_parts_above_each_other_turn_towards_the_same_side():
     above, below = "M12 2l5 5-1 1-4-4-4 4-1-1z", "M12 22l5-5-1-1-4 4-4-4-1 1z"
     above_turned, below_turned = "M12 8l5-5-1-1-4 4-4-4-1 1z", "M12 16l5 5-1 1-4-4-4 4-1-1z"
     upper, lower = sorted(
         outlines([above + below], [above_turned + below_turned]), key=lambda z: z.imag.mean()
     )
     assert upper[upper.real.argmax()] == pytest.approx(15 + 5j)
-    assert lower[lower.real.argmin()] == pytest.approx(9 + 19j)
+    assert lower[lower.real.argmax()] == pytest.approx(15 + 19j)
 
 
 def test_contours_that_lie_in_each_other_or_touch_are_one_part():
