@@ -86,6 +86,9 @@ not covered by both, mean; *off*, how far along the outline its points are off, 
 more than {100 * GROSS:g} %; *crossed* and *area below {100 * LITTLE:g} %*, icons with such an in-between. But for the
 rows of `--motion`, icons go straight (`--motion linear`): else another motion would mend what a bad correspondence
 crosses. `--{LEFT_OUT}` is not here: multiplying all work changes nothing, so only the other constants beside it count.
+
+Most letters and authored morphs have the same lines and curves at both ends. These become each other whatever the
+constants are, unless that takes far more than the least work; so the limbs and the icons tell the most here.
 """
 
 TRADES = f"""\
