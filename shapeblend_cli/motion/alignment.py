@@ -32,7 +32,7 @@ SUITED = np.log(2.0)
 that one are then less than `NEAR` away."""
 
 HALF_TURN = math.radians(179.0)
-"""By more than this, either way round is as short, and rounding would choose."""
+"""By more than this, either way round is about as short, and rounding would choose."""
 
 PIVOT_REACH = 1.75
 """A shape turns about a point no further from its middle than so many times its size; the end of a bar is at 1.73."""

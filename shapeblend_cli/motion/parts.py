@@ -24,7 +24,7 @@ MOST_POINTS = 128
 """Outlines are compared at so many vertices at most."""
 
 BESIDE = 0.01
-"""A part is beside the middle, or above or below it, if it is further from it than this share of its size."""
+"""A part is beside the middle, or above or below it, if it is further from it than this share of its reach."""
 
 
 def parts_of(contours: Sequence[ContourBlend]) -> list[list[int]]:

@@ -110,6 +110,40 @@ def test_nodes_within_a_curve_do_not_count(rng, count):
         assert (np.diff(polygon.segment + polygon.parameter) > 0.0).all()
 
 
+@pytest.mark.parametrize("nearest", [1e-9, 1e-4, 0.1])
+def test_no_node_is_lost_however_near_to_another(nearest):
+    """One side has nodes that are nearer and nearer to its beginning."""
+    lengths = np.array([1e-9, 1e-6, 1e-4, 0.1, 0.5, 2.0, 10.0])
+    corners = [0, *lengths[lengths >= nearest], 10 + 10j, 10j]
+    a, b = polygon_contour(corners), polygon_contour([0, 10, 12 + 11j, 10j])
+    for ends in ((a, b), (b, a)):
+        shape = blended(*ends)
+        for polygon, drawn in (
+            (shape.contours[0].polygon_a, ends[0]),
+            (shape.contours[0].polygon_b, ends[1]),
+        ):
+            away = np.abs(polygon.vertices[:, None] - drawn.segments[:, 0]).min(axis=0)
+            assert away.max() <= 1e-8
+        for t, drawn in enumerate(ends):
+            assert off(paths_at(shape, float(t))[0], drawn) < 1e-8
+
+
+def test_an_outline_of_curves_that_all_might_be_one_is_blended():
+    """Each of a thousand curves and the next one might be parts of a curve; all of them together are not."""
+
+    def uneven(radius, wider):
+        node = radius * np.exp(2j * np.pi * np.arange(1100) / 1100)
+        node = node + wider * node.real**2 / radius
+        after = np.roll(node, -1)
+        segments = np.stack([node, node + 0.4 * (after - node), after - 0.2 * (after - node), after], axis=1)
+        return Contour(segments, np.zeros(len(node), np.bool_), True)
+
+    a, b = uneven(50.0, 0.0), uneven(60.0, 0.1)
+    shape = blended(a, b)
+    assert off(paths_at(shape, 0.0)[0], a) < 1e-6
+    assert off(paths_at(shape, 1.0)[0], b) < 1e-6
+
+
 @pytest.mark.parametrize("decimals", [2, 3])
 def test_nodes_within_a_curve_are_found_in_files_with_few_decimals(decimals):
     rng = np.random.default_rng(7)
@@ -173,7 +207,7 @@ def test_it_takes_little_more_than_the_least_work(seed, count):
 
 
 def test_what_mirrors_itself_goes_before_what_has_as_many_segments(here):
-    """A U of three lines and curves is no hat of as many lines."""
+    """A U is no V, though both have seven segments."""
     files = {
         "u": "M20 20V50C20 90 80 90 80 50V20H60V50C60 60 40 60 40 50V20Z",
         "v": "M10 20L50 90L90 20H70L55 50H45L30 20Z",
