@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, Contour, Correspondence, FloatArray, IntArray
 
     Solved = tuple["FlatContour", "FlatContour", Correspondence]
+    Solve = Callable[["FlatContour", "FlatContour", IntArray | None, float], Solved]
 
 ROUNDS = 3
 """The outlines are cut anew at most so often."""
@@ -102,7 +103,7 @@ def solve_with_common_cuts(
     a: FlatContour,
     b: FlatContour,
     found: Correspondence,
-    solve: Callable[[FlatContour, FlatContour, IntArray | None, float], Solved],
+    solve: Solve,
     effort: str,
 ) -> Solved:
     """Cut two outlines where they correspond and solve again near that, until the work stops falling.
@@ -143,8 +144,8 @@ def solve_with_common_cuts(
 
 def solve_among(
     start: Solved,
-    solve_some: Callable[[FlatContour, FlatContour, IntArray | None, float], Solved],
-    solve: Callable[[FlatContour, FlatContour, IntArray | None, float], Solved],
+    solve_some: Solve,
+    solve: Solve,
     effort: str,
     most: float | None,
     known: float = np.inf,
@@ -173,7 +174,15 @@ def solve_among(
 
     None if it takes too much work.
     """
-    a, b, found = solve_with_common_cuts(*start, solve_some, effort)
+    return unless_far_more(solve_with_common_cuts(*start, solve_some, effort), solve, most, known)
+
+
+def unless_far_more(solved: Solved, solve: Solve, most: float | None, known: float = np.inf) -> Solved | None:
+    """Return a correspondence with the lower bound of all, or None if it takes too many times the least work.
+
+    See `solve_among` for the parameters.
+    """
+    a, b, found = solved
     least = solve(a, b, None, found.work)[2]
     if most is not None and found.work > most * min(known, least.work) + NOISE:
         return None

@@ -24,7 +24,7 @@ from shapeblend_cli.geometry.polyline import distinct
 from shapeblend_cli.matching.solve import priced
 from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.model import Polygon
-from shapeblend_cli.pairing.common_cuts import NEAR, NOISE
+from shapeblend_cli.pairing.common_cuts import NEAR, NOISE, unless_far_more
 from shapeblend_cli.pairing.symmetry import PARALLEL, common_axes
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.constants import WorkConstants
     from shapeblend_cli.model import BoolArray, ComplexArray, Correspondence, FloatArray, IntArray
-    from shapeblend_cli.pairing.common_cuts import FlatContour, Solved
+    from shapeblend_cli.pairing.common_cuts import FlatContour, Solve, Solved
 
     Turned = Callable[[Polygon], Polygon]
 
@@ -185,7 +185,7 @@ def solve_with_same_segments(
     b: FlatContour,
     first: Correspondence,
     turned: Turned,
-    solve: Callable[[FlatContour, FlatContour, IntArray | None, float], Solved],
+    solve: Solve,
     constants: WorkConstants,
 ) -> Solved | None:
     """Let each segment of one contour become one of the other, where both can be drawn with as many.
@@ -225,11 +225,8 @@ def solve_with_same_segments(
             found.append((most, matched))
     if not found:
         return None
-    most, (cut_a, cut_b, own) = min(found, key=lambda one: one[1][2].work / one[0])
-    least = solve(cut_a, cut_b, None, own.work)[2]
-    if own.work > most * least.work + NOISE:
-        return None
-    return cut_a, cut_b, replace(own, lower_bound=min(least.lower_bound, own.work))
+    most, matched = min(found, key=lambda one: one[1][2].work / one[0])
+    return unless_far_more(matched, solve, most, first.work)
 
 
 def _drawn_alike(a: FlatContour, b: FlatContour) -> Iterator[tuple[Curves, Curves]]:

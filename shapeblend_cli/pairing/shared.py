@@ -24,10 +24,10 @@ from shapeblend_cli.pairing.outline import Outline
 from shapeblend_cli.pairing.stretches import TOLERANCE, shared_stretches
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
-    from shapeblend_cli.pairing.common_cuts import FlatContour, Solved
+    from shapeblend_cli.pairing.common_cuts import FlatContour, Solve, Solved
     from shapeblend_cli.settings import Settings
 
 WATCHED, FIRST_SHARE = 32, 0.15
@@ -60,7 +60,7 @@ class Anchors(NamedTuple):
 def solve_with_shared(
     a: FlatContour,
     b: FlatContour,
-    solve: Callable[[FlatContour, FlatContour, IntArray | None, float], Solved],
+    solve: Solve,
     settings: Settings,
 ) -> Solved | None:
     """Solve two contours, with common cuts, such that what they share stays where it is.

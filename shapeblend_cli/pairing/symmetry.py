@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
     from shapeblend_cli.model import ComplexArray, Correspondence, FloatArray, IntArray
-    from shapeblend_cli.pairing.common_cuts import FlatContour, Solved
+    from shapeblend_cli.pairing.common_cuts import FlatContour, Solve, Solved
     from shapeblend_cli.settings import Settings
 
 SAMPLES = 128
@@ -112,7 +112,7 @@ def solve_with_symmetry(
     b: FlatContour,
     first: Correspondence,
     turned: Callable[[Polygon], Polygon],
-    solve: Callable[[FlatContour, FlatContour, IntArray | None, float], Solved],
+    solve: Solve,
     settings: Settings,
 ) -> Solved | None:
     """Solve two contours that have an axis each, with common cuts, such that both halves do the same.
