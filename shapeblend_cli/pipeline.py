@@ -9,29 +9,25 @@ from functools import partial
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from shapeblend_cli.clipping import has_clips, with_clips
-from shapeblend_cli.clock import Clock
-from shapeblend_cli.easing import frame_times
+from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing, decompose, main_orientation
+from shapeblend_cli.anatomy.specks import without_specks
 from shapeblend_cli.errors import InputError
+from shapeblend_cli.frames.clipping import has_clips, with_clips
+from shapeblend_cli.frames.fades import in_paint_order
+from shapeblend_cli.frames.stagger import staggered
+from shapeblend_cli.frames.views import view_of, views_with_room
 from shapeblend_cli.geometry.placement import place_over
 from shapeblend_cli.geometry.similarity import Similarity
-from shapeblend_cli.interpolate.fades import in_paint_order
-from shapeblend_cli.interpolate.paths import paths_at, with_curves
-from shapeblend_cli.interpolate.stagger import staggered
-from shapeblend_cli.interpolate.stars import drawings_in, mixed_shape, star_shapes
-from shapeblend_cli.kept import Kept
+from shapeblend_cli.interpolate.paths import with_curves
+from shapeblend_cli.interpolate.stars import drawings_in
 from shapeblend_cli.model import (
     Box,
-    Clip,
-    ClipBlend,
     CubicPath,
     Drawing,
-    Frame,
     Page,
     PaintedShape,
     Pair,
     ShapeBlend,
-    Style,
 )
 from shapeblend_cli.motion.alignment import Alignment, align, point_pairs, shared_alignments
 from shapeblend_cli.motion.choose import (
@@ -50,30 +46,30 @@ from shapeblend_cli.motion.choose import (
 from shapeblend_cli.motion.parts import parts_of, turn_of
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.motion.sweep import Sweep
-from shapeblend_cli.names import common_page, page_for, with_names
-from shapeblend_cli.paint.styles import painted_as, shape_styles
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.paint.names import with_names
+from shapeblend_cli.paint.styles import painted_as
 from shapeblend_cli.pairing.changes import changes
-from shapeblend_cli.pairing.constraints import check_stiff, constrain, point_pins, required_pairs
-from shapeblend_cli.pairing.contour_blends import match_contours
-from shapeblend_cli.pairing.decompose import PlacedContour, PlacedDrawing, decompose, main_orientation
-from shapeblend_cli.pairing.direction import watch_part
 from shapeblend_cli.pairing.pair import pair_rotated_contours, rotated_back
 from shapeblend_cli.pairing.reasons import reasons_for
+from shapeblend_cli.pairing.required import constrain, point_pins, required_pairs
 from shapeblend_cli.pairing.riders import riders_of_pairs
 from shapeblend_cli.pairing.same import same_pairs
 from shapeblend_cli.pairing.shapes import Match, shape_blends
-from shapeblend_cli.pairing.specks import without_specks
-from shapeblend_cli.settings import Settings
-from shapeblend_cli.views import view_of, views_with_room
+from shapeblend_cli.system.clock import Clock
+from shapeblend_cli.system.kept import Kept
+from shapeblend_cli.wires.constraints import check_stiff
+from shapeblend_cli.wires.contour_blends import match_contours
+from shapeblend_cli.wires.direction import watch_part
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Hashable, Sequence
 
+    from shapeblend_cli.anatomy.decompose import ContourPair
     from shapeblend_cli.model import ContourBlend, Place
     from shapeblend_cli.pairing.changes import Change
-    from shapeblend_cli.pairing.constraints import ConstrainedPairs, NumbersOrNone
-    from shapeblend_cli.pairing.decompose import ContourPair
-    from shapeblend_cli.pairing.direction import Watch
+    from shapeblend_cli.pairing.required import ConstrainedPairs, NumbersOrNone
+    from shapeblend_cli.wires.direction import Watch
 
 
 AFFORDABLE_SEGMENTS = 2000
@@ -551,15 +547,6 @@ def _with_curves(shape: ShapeBlend, settings: Settings) -> ShapeBlend:
     return shape._replace(contours=tuple(map(with_curves, shape.contours)))
 
 
-def times_of_frames(pairs: Sequence[Pair], settings: Settings) -> list[tuple[Pair, float]]:
-    """Return the pair and the time of each in-between, and with `settings.ends` of the drawings, in order."""
-    if settings.times:
-        return [(pair, settings.ease.at(t) if 0.0 < t < 1.0 else t) for pair in pairs for t in settings.times]
-    times = frame_times(settings.frames, settings.ends, settings.ease)
-    # A pair but the first begins with the drawing that the one before has ended with.
-    return [(pair, t) for pair in pairs for t in (times[1:] if settings.ends and pair.a else times)]
-
-
 def _mixed(drawings: Sequence[Drawing], settings: Settings) -> tuple[list[Drawing], Settings]:
     """Return the drawings that are in some mixture, and settings for these.
 
@@ -570,108 +557,3 @@ def _mixed(drawings: Sequence[Drawing], settings: Settings) -> tuple[list[Drawin
     if len(used) > 2:
         settings = settings.replace(motion="linear", unmatched="point")
     return [drawings[k] for k in used], settings
-
-
-def make_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
-    """Draw the frames that settings ask for."""
-    if settings.mix:
-        return _mixed_frames(pairs, settings)
-    return [frame_at(pair, t, as_drawn=settings.draws_ends) for pair, t in times_of_frames(pairs, settings)]
-
-
-def end_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
-    """Draw the drawings, in order, as frames show them."""
-    return make_frames(pairs, settings.replace(frames=0, ends=True, times=None))
-
-
-def _mixed_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
-    """Draw the mixtures that settings ask for."""
-    used = drawings_in(settings.mix)
-    rows = [[weights[k] for k in used] for weights in settings.mix]
-    if len(used) == 2:
-        return [frame_at(pairs[0], row[1], as_drawn=settings.draws_ends) for row in rows]
-    shapes = star_shapes(pairs)
-    drawn = [pairs[0].drawn[0], *(pair.drawn[1] for pair in pairs)]
-    views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
-    pages = [pairs[0].pages[0], *(pair.pages[1] for pair in pairs)]
-    frames = []
-    for row in rows:
-        view = Box(*(sum(w * v for w, v in zip(row, side, strict=True)) for side in zip(*views, strict=True)))
-        page = common_page([page for page, weight in zip(pages, row, strict=True) if weight])
-        if 1.0 in row and settings.draws_ends:
-            painted = drawn[row.index(1.0)]
-        else:
-            mixed = [mixed_shape(shape, row) for shape in shapes]
-            painted = tuple(shape for shape in mixed if shape is not None)
-        frames.append(Frame(0.0, 0, painted, view, page_for(page, view)))
-    return frames
-
-
-def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
-    """Return the shapes of a pair at time t, at all times with the same commands; points are kept."""
-    clips: dict[tuple[int, float], Clip] = {}  # shapes that have one in common still do
-
-    def clip_at(clip: ClipBlend, time: float) -> Clip:
-        key = id(clip), time
-        if key not in clips:
-            paths = tuple(path for shape in clip.shapes for path in paths_at(shape, time))
-            clips[key] = Clip(paths, clip.rule)
-        return clips[key]
-
-    return tuple(
-        PaintedShape(
-            paths_at(shape, t),
-            *shape_styles(shape, min(max(t, 0.0), 1.0)),
-            shape.name,
-            shape.groups,
-            tuple(clip_at(clip, shape.own_time(t)) for clip in shape.clips),
-        )
-        for shape in pair.shapes
-    )
-
-
-def fading_styles(shape: ShapeBlend) -> tuple[tuple[float, Style], ...]:
-    """Return times within (0, 1) and the upper styles then between which the opacities of a shape change evenly."""
-    times = shape.fade.times if shape.fade is not None else ()
-    times = tuple(map(shape.time_of, times))
-    return tuple((t, shape_styles(shape, t)[0]) for t in times)
-
-
-def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:
-    """Return the frame at time t; at t = 0 and t = 1 it may be the drawing itself.
-
-    Before and after these outlines go on as they moved, and all else stays as it is there.
-    """
-    if not 0.0 <= t <= 1.0:
-        end = float(t > 1.0)
-        frame = frame_at(pair, end, as_drawn=False)
-        return frame._replace(t=t, shapes=_without_points(pair, t))
-    view = pair.views[0].interpolate(pair.views[1], t)
-    if t not in (0.0, 1.0):
-        page = page_for(common_page(pair.pages), view)
-        return Frame(t, pair.a, tuple(shape for shape, _ in _seen(pair, t)), view, page)
-    shapes = pair.drawn[int(t)] if as_drawn else _without_points(pair, t)
-    return Frame(t, pair.a, shapes, view, page_for(pair.pages[int(t)], view))
-
-
-def _seen(pair: Pair, t: float) -> list[tuple[PaintedShape, ShapeBlend]]:
-    """Return the shapes at time t, without copies that have faded or are yet to come."""
-    return [
-        (shape, blend)
-        for shape, blend in zip(shapes_at(pair, t), pair.shapes, strict=True)
-        if blend.fade is None or blend.fade.share(blend.own_time(t)) > 0.0
-    ]
-
-
-def _without_points(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
-    """Return the shapes at an end of time or beyond it, without contours that are a point there."""
-    painted = []
-    for shape, blend in _seen(pair, t):
-        paths = tuple(
-            path
-            for contour, path in zip(blend.contours, shape.paths, strict=True)
-            if not (contour.shrinks if t > 0.0 else contour.grows)
-        )
-        if paths:
-            painted.append(shape._replace(paths=paths))
-    return tuple(painted)

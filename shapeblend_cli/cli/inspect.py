@@ -11,8 +11,8 @@ import click
 
 from shapeblend_cli.cli.options import NAME, FieldOption
 from shapeblend_cli.cli.terminal import Terminal
-from shapeblend_cli.interrupts import stop_after
-from shapeblend_cli.settings import InspectOptions, ReadOptions, RunOptions
+from shapeblend_cli.options.settings import InspectOptions, ReadOptions, RunOptions
+from shapeblend_cli.system.interrupts import stop_after
 
 COLUMNS = ("shape", "element", "id", "contours", "ends", "length", "box", "fill", "stroke", "rule")
 
@@ -45,7 +45,7 @@ PARAMS = [
 @click.argument("file", type=NAME, metavar="FILE")
 def inspect(file: str, select: str | None, lenient: bool | None, as_json: bool, **given: Any) -> None:
     """List the shapes that a file draws; - is standard input."""
-    from shapeblend_cli.report import inspection
+    from shapeblend_cli.job.report import inspection
     from shapeblend_cli.svg.reading.read import read
 
     stop_after(RunOptions.of(given).timeout)

@@ -9,9 +9,9 @@ import click
 from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.options import NAME, options_of
 from shapeblend_cli.cli.terminal import Terminal
-from shapeblend_cli.interrupts import stop_after
-from shapeblend_cli.jobs import check_files
-from shapeblend_cli.settings import PlotOptions, ReadOptions, RunOptions, Settings, TerminalOptions
+from shapeblend_cli.job.job import check_files
+from shapeblend_cli.options.settings import PlotOptions, ReadOptions, RunOptions, Settings, TerminalOptions
+from shapeblend_cli.system.interrupts import stop_after
 
 KINDS = ("graph", "surface", "angle", "starts")  # each is a module of that name in `plot`
 DOTTED = ("angle", "starts")  # those about a single dot

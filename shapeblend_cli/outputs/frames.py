@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def _render_svg(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
-    from shapeblend_cli.pipeline import make_frames
+    from shapeblend_cli.frames.frames import make_frames
     from shapeblend_cli.svg.writing.document import frame_svg
 
     decimals = spec.decimals(pairs)

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 
 
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
-    from shapeblend_cli.names import common_page
-    from shapeblend_cli.pipeline import make_frames
+    from shapeblend_cli.frames.frames import make_frames
+    from shapeblend_cli.paint.names import common_page
     from shapeblend_cli.svg.writing.document import layers_svg
 
     frames = make_frames(pairs, spec.settings)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from shapeblend_cli.project import Project
+from shapeblend_cli.batch.project import Project
 
 
 class Order(NamedTuple):

@@ -9,7 +9,7 @@ from contextlib import suppress
 from typing import Any
 
 from shapeblend_cli.errors import ShapeblendError, in_words
-from shapeblend_cli.processes import Child, Parent
+from shapeblend_cli.system.processes import Child, Parent
 
 GRACE = 5
 """Seconds after its time in which a process that nobody stops ends by itself."""

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.model import Contour, Drawing, Shape, Style
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pipeline import match_all
-from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support.shapes import bar, spiral
 

@@ -13,8 +13,8 @@ import pytest
 from shapeblend_cli.cli import run, shapeblend
 from shapeblend_cli.cli.blend import EXAMPLES
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.constants import WorkConstants
-from shapeblend_cli.settings import SECTIONS
+from shapeblend_cli.options.constants import WorkConstants
+from shapeblend_cli.options.settings import SECTIONS
 
 SECTIONED = {
     name: found for name, found in shapeblend.commands.items() if isinstance(found, SectionedCommand)

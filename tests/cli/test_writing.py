@@ -12,8 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from shapeblend_cli import files, staging
 from shapeblend_cli.cli import run
+from shapeblend_cli.job import make as files
+from shapeblend_cli.system import staging
 from tests.support.commands import contents, made, names
 from tools.faults import runs
 

@@ -5,7 +5,7 @@ import pytest
 
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import paths_at
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support import drawings
 from tests.support.contours import drawing, polygon_contour

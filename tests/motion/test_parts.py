@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
+from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.model import Polygon
 from shapeblend_cli.motion.parts import parts_of
-from shapeblend_cli.pipeline import match_all, shapes_at
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.pipeline import match_all
 from tests.support.drawings import drawing
 from tests.support.motions import moving_polygons
 

@@ -7,11 +7,11 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import paths_at
+from shapeblend_cli.job.report import measure
 from shapeblend_cli.model import CubicPath
 from shapeblend_cli.motion.safe import find_route, follow_route
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pipeline import match_all
-from shapeblend_cli.report import measure
-from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support.contours import circle_contour, polygon_contour
 from tests.support.motions import moving_curves, moving_polygons, moving_shape, rigidly, similarity_of

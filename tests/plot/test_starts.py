@@ -73,8 +73,8 @@ def test_open_contours_and_too_many_vertices_are_refused(subject_of, drawings, s
 
 
 def test_wires_that_begin_elsewhere_price_the_same(rng):
-    from shapeblend_cli.constants import WorkConstants
     from shapeblend_cli.matching.work import Wires
+    from shapeblend_cli.options.constants import WorkConstants
 
     p, q, weight = star_polygon(rng, 9), star_polygon(rng, 8), 0.5 + rng.random(9)
     wires = Wires(p, q, True, WorkConstants(), weight)

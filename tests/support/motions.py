@@ -4,11 +4,12 @@ import math
 
 import numpy as np
 
+from shapeblend_cli.frames.frames import make_frames
 from shapeblend_cli.model import ContourBlend, CubicPath, ShapeBlend, Style
 from shapeblend_cli.motion.alignment import Alignment, PointPairs, Rigid, align
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.outputs.move import moves_of
-from shapeblend_cli.pipeline import make_frames, match_all
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.pipeline import match_all
 from tests.support.contours import polygon_contour
 from tests.support.drawings import drawing
 

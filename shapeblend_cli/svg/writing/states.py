@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from shapeblend_cli.easing import Ease
 from shapeblend_cli.model import Box, KeyframedShape, Page, Style
+from shapeblend_cli.options.easing import Ease
 from shapeblend_cli.paint.styles import keyed_styles
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.css import declaration
