@@ -219,7 +219,7 @@ def test_calls_follow_the_arrows(here):
         for arguments in (
             "a.svg b.svg -v -n 2 --ends --report report.json --preview page.html --vertices 40",
             "c.svg d.svg a.svg -o moving.svg --unmatched split",
-            "c.svg d.svg -o frames --motion safe --polygons -n 1",
+            "c.svg d.svg -o frames --motion rigid --polygons -n 1",
             "a.svg b.svg --emit lottie --motion intrinsic",
             "plot graph c.svg d.svg -o plot.svg",
         ):

@@ -12,6 +12,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from shapeblend_cli.blending.placing import place
 from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
 from shapeblend_cli.frames.frames import end_frames, times_of_frames
 from shapeblend_cli.job.job import Job, all_targets
@@ -21,7 +22,7 @@ from shapeblend_cli.model import Drawing, Pair
 from shapeblend_cli.motion.verdict import verdict
 from shapeblend_cli.options.settings import ReadOptions, Settings
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
-from shapeblend_cli.pipeline import match_all, place
+from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, contents_of, read
 from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.kept import Kept

@@ -33,7 +33,6 @@ WAYS: tuple[dict[str, Any], ...] = (
     {"place": "bbox"},
     {"k_b": 0.3},
     {"k_t": 0.0},
-    {"motion": "safe"},
 )
 """Settings that are tried one at a time, where they are not given."""
 

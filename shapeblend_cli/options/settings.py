@@ -191,11 +191,11 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         "constants and the band of a row of its table 1. Other options given with it take precedence.",
     )
     motion: str = option(
-        types.choice("auto", "linear", "rigid", "intrinsic", "safe"),
+        types.choice("auto", "linear", "rigid", "intrinsic"),
         default="auto",
         section=IN_BETWEENS,
         help="How shapes move. linear: along straight lines; rigid: rotated as a whole; intrinsic: by their lengths "
-        "and angles; safe: without crossing themselves; auto: whichever of the first three looks best.",
+        "and angles; auto: whichever of these looks best.",
     )
     viewbox: str = option(
         types.choice("auto", "keep", "grow"),

@@ -9,6 +9,7 @@ import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from shapeblend_cli.blending.placing import as_drawn, place
 from shapeblend_cli.frames.frames import end_frames, frame_at
 from shapeblend_cli.frames.views import view_of
 from shapeblend_cli.job.job import Job, job_of
@@ -23,7 +24,6 @@ from shapeblend_cli.job.make import (
 from shapeblend_cli.job.tries import tries
 from shapeblend_cli.model import Frame
 from shapeblend_cli.motion.verdict import verdict
-from shapeblend_cli.pipeline import as_drawn, place
 from shapeblend_cli.preview.pictures import (
     correspondence_lists,
     picture,

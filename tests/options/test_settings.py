@@ -76,7 +76,7 @@ def test_settings_are_values():
     assert {settings: 1}[settings.replace()] == 1
     assert repr(settings) == "Settings(k_b=0.3, vertices=50)"
     assert pickle.loads(pickle.dumps(settings)) == settings
-    assert settings.replace(vertices=None, motion="safe") == Settings(k_b=0.3, motion="safe")
+    assert settings.replace(vertices=None, motion="rigid") == Settings(k_b=0.3, motion="rigid")
 
 
 def test_a_preset_gives_what_is_not_given_and_else_the_solver():

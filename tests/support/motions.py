@@ -6,7 +6,8 @@ import numpy as np
 
 from shapeblend_cli.frames.frames import make_frames
 from shapeblend_cli.model import ContourBlend, CubicPath, ShapeBlend, Style
-from shapeblend_cli.motion.alignment import Alignment, PointPairs, Rigid, align
+from shapeblend_cli.motion.alignment import Alignment, PointPairs, align
+from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.outputs.move import moves_of
 from shapeblend_cli.pipeline import match_all

@@ -6,6 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.blending.blended import blend_shapes
+from shapeblend_cli.blending.placing import AS_IT_IS, flattened
+from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry.cubics import line
 from shapeblend_cli.model import (
     Box,
@@ -18,30 +21,32 @@ from shapeblend_cli.model import (
     ShapeBlend,
     Style,
 )
+from shapeblend_cli.system.clock import Clock
+from shapeblend_cli.system.kept import Kept
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    Matcher = Callable[[Drawing, Drawing], tuple[ShapeBlend, ...]]
+    from shapeblend_cli.options.settings import Settings
 
 ROOM = 0.05
 """Room around a shape in the box that stands for no clip, as a share of its larger side."""
 
 
-def with_clips(pair: Pair, match: Matcher) -> Pair:
+def with_clips(pair: Pair, settings: Settings) -> Pair:
     """Return a pair whose shapes have the clips of both drawings, outermost with outermost.
 
     Where one side has none it is a box around the shape there; what cannot be blended clips nothing on the way.
-    `match` blends the region of one clip, as a drawing of a single shape, into that of another one; it is asked once
-    for every two.
     """
+    settings = settings.replace(**dict.fromkeys(("match", "pins", "start", "stiff", "mix", "specks")))
+    view = Box.union(list(pair.views))
     known: dict[tuple[object, object], ClipBlend] = {}
 
     def blended(a: Clip | None, b: Clip | None, shape: ShapeBlend) -> ClipBlend:
         regions = a or _box_around(shape, 0), b or _box_around(shape, 1)
         key = (id(a) if a else regions[0].paths, id(b) if b else regions[1].paths)
         if key not in known:
-            known[key] = ClipBlend(match(_as_drawing(regions[0]), _as_drawing(regions[1])))
+            known[key] = ClipBlend(
+                _region_blend(_as_drawing(regions[0]), _as_drawing(regions[1]), settings, view)
+            )
         return known[key]
 
     shapes = []
@@ -56,6 +61,15 @@ def with_clips(pair: Pair, match: Matcher) -> Pair:
         clips = (blended(one, other, shape) for one, other in zip(a, b, strict=True))
         shapes.append(shape._replace(clips=tuple(clip for clip in clips if clip.shapes)))
     return pair._replace(shapes=tuple(shapes))
+
+
+def _region_blend(a: Drawing, b: Drawing, settings: Settings, view: Box) -> tuple[ShapeBlend, ...]:
+    """Blend the regions of two clips, each a drawing of a single shape; nothing if a region is empty."""
+    try:
+        flat, _ = flattened([a, b], [AS_IT_IS, AS_IT_IS], settings.vertices, Kept(0))
+    except InputError:
+        return ()
+    return blend_shapes(flat[0], flat[1], settings, view, (Clock(), None), Kept(0).steps)
 
 
 def has_clips(pair: Pair) -> bool:
