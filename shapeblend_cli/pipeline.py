@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.anatomy.specks import without_specks
+from shapeblend_cli.anatomy.decompose import without_specks
 from shapeblend_cli.blending.blended import blend_shapes
 from shapeblend_cli.blending.clipping import has_clips, with_clips
 from shapeblend_cli.blending.placing import as_drawn, flattened, pages_of, place, views_of

@@ -8,12 +8,21 @@ from typing import TYPE_CHECKING
 from shapeblend_cli.blending.matched import match_again, with_drawn_curves
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.alignment import Alignment, align, point_pairs, shared_alignments
-from shapeblend_cli.motion.choose import JUDGED, RotatedShape, Situation, choose, judge, moved
+from shapeblend_cli.motion.choose import (
+    JUDGED,
+    RotatedShape,
+    Situation,
+    best_motion,
+    choose,
+    is_right,
+    moved,
+    straight,
+)
 from shapeblend_cli.motion.parts import parts_of, turn_of
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from shapeblend_cli.blending.matched import PairedDrawings
     from shapeblend_cli.model import ShapeBlend
@@ -42,12 +51,18 @@ def move_shapes(paired: PairedDrawings, shapes: Sequence[ShapeBlend], view: Box)
         rotate = partial(_rotated, paired, shapes[k], shape, shared[k])
         if choice.motion == JUDGED:
             affordable -= sum(len(contour.start.segments) for contour in shape.contours)
-            chosen[k] = paired.judged(shape, view, shared[k], partial(judge, shape, view, rotate))
+            chosen[k] = paired.judged(shape, view, shared[k], partial(_judged, shape, view, rotate))
         elif choice.motion == "linear":
             chosen[k] = shape._replace(reason=choice.reason)
         else:
             chosen[k] = moved(rotate(), choice)
     return tuple(chosen[k] for k in range(len(shapes)))
+
+
+def _judged(shape: ShapeBlend, view: Box, rotate: Callable[[], RotatedShape]) -> ShapeBlend:
+    """Return a shape on straight paths if these look right, else in the motion that the judge prefers."""
+    judged = straight(shape, view)
+    return judged if is_right(judged) else best_motion(judged, rotate(), view)
 
 
 def _shared(paired: PairedDrawings, shapes: Sequence[ShapeBlend]) -> Sequence[Alignment | None]:

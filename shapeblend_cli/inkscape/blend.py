@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, Shape
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.outputs.formats import OutputSpec
-    from shapeblend_cli.svg.reading.transforms import Affine
+    from shapeblend_cli.svg.xml.transforms import Affine
 
 _PIN = re.compile(r"\s*pin\s*(\w*)\s*", re.IGNORECASE)
 

@@ -14,7 +14,7 @@ from shapeblend_cli.model import Box
 from shapeblend_cli.outputs.formats import views
 from shapeblend_cli.paint.names import common_page, page_for
 from shapeblend_cli.svg.writing.rounding import decimals_for
-from shapeblend_cli.svg.writing.states import States, states_js, states_svg
+from shapeblend_cli.svg.writing.state_document import States, states_js, states_svg
 from shapeblend_cli.system.clock import Clock
 
 if TYPE_CHECKING:

@@ -16,7 +16,7 @@ from shapeblend_cli.motion.alignment import Alignment
 from shapeblend_cli.motion.judge import judged
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from shapeblend_cli.model import Box, ShapeBlend
 
@@ -102,18 +102,17 @@ def moved(rotated: RotatedShape, choice: Choice) -> ShapeBlend:
     return _with_motion(rotated, choice.motion)._replace(reason=reason)
 
 
-def judge(shape: ShapeBlend, view: Box, rotate: Callable[[], RotatedShape]) -> ShapeBlend:
-    """Return a shape on straight paths if little is wrong with these, else in the motion that is least wrong.
-
-    `rotate` matches it with B rotated back, which other motions need.
-    """
-    straight = shape._replace(reason=RIGHT_ENOUGH, candidates=(judged_shape(shape, view),))
-    if straight.candidates[0].wrong <= RIGHT:
-        return straight
-    return _best_motion(straight, rotate(), view)
+def straight(shape: ShapeBlend, view: Box) -> ShapeBlend:
+    """Return a shape on straight paths, judged."""
+    return shape._replace(reason=RIGHT_ENOUGH, candidates=(judged_shape(shape, view),))
 
 
-def _best_motion(shape: ShapeBlend, rotated: RotatedShape, view: Box) -> ShapeBlend:
+def is_right(straight: ShapeBlend) -> bool:
+    """Return whether so little is wrong with a shape on straight paths that no other motion is tried."""
+    return straight.candidates[0].wrong <= RIGHT
+
+
+def best_motion(shape: ShapeBlend, rotated: RotatedShape, view: Box) -> ShapeBlend:
     """Return the best of a shape on straight paths, which are judged, and in other motions."""
     tried = list(shape.candidates)
     best, least = shape, BETTER * tried[0].wrong

@@ -348,7 +348,7 @@ class PlotOptions(Record, section=PLOT):
         types.START,
         default=None,
         metavar="I,J",
-        help="For angle: vertex I of A and vertex J of B, which correspond. For starts: vertex I of A; J is ignored.",
+        help="For angle: vertex I of A and vertex J of B, which correspond.",
         default_text="the dot with the most bending work; 0",
     )
 

@@ -89,7 +89,7 @@ def _flag(value: Any) -> bool:
 
 
 def _selector(value: Any) -> Any:
-    from shapeblend_cli.svg.reading.selection import SelectorError, check_selector
+    from shapeblend_cli.svg.styles.selection import SelectorError, check_selector
 
     try:
         check_selector(value)
@@ -163,7 +163,7 @@ def _address(value: Any) -> str:
 
 
 def _colour(value: Any) -> str:
-    from shapeblend_cli.svg.reading.colours import parse_colour
+    from shapeblend_cli.svg.styles.css_colours import parse_colour
 
     colour = parse_colour(str(value).strip())
     if colour is not None and colour.alpha == 0.0:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from shapeblend_cli.model import KeyframedShape
 from shapeblend_cli.options.easing import Ease
-from shapeblend_cli.paint.colours import colour_stops
+from shapeblend_cli.paint.oklab import colour_stops
 from shapeblend_cli.svg.writing.paint import paint_attributes, without_defaults
 from shapeblend_cli.svg.writing.path_data import short_path_data
 

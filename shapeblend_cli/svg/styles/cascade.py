@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from shapeblend_cli.svg.reading import colours
-from shapeblend_cli.svg.reading.declarations import KEYWORDS, Declarations, parse_inline, put
-from shapeblend_cli.svg.reading.units import Measure, length
-from shapeblend_cli.svg.reading.xmltree import Node
+from shapeblend_cli.svg.styles import css_colours as colours
+from shapeblend_cli.svg.styles.declarations import KEYWORDS, Declarations, parse_inline, put
+from shapeblend_cli.svg.xml.units import Measure, length
+from shapeblend_cli.svg.xml.xmltree import Node
 
 PRESENTATION = frozenset(
     "clip-path clip-rule color display fill fill-opacity fill-rule filter font-size marker-end marker-mid marker-start "
@@ -63,7 +63,7 @@ class Cascade:
         self._kept: dict[int, Declarations] = {}
         texts = [node.text for node in root.walk() if node.tag == "style" and _is_css(node)]
         if any(text.strip() for text in texts):
-            from shapeblend_cli.svg.reading import stylesheets
+            from shapeblend_cli.svg.styles import stylesheets
 
             self._rules = stylesheets.match(root, texts)
 

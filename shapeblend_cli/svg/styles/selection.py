@@ -10,8 +10,8 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from shapeblend_cli.svg.reading.messages import Problem, printable
-from shapeblend_cli.svg.reading.xmltree import GROUPS, LEFT_OUT, SHAPES, Node
+from shapeblend_cli.svg.xml.messages import Problem, printable
+from shapeblend_cli.svg.xml.xmltree import GROUPS, LEFT_OUT, SHAPES, Node
 
 _MAX_SELECTOR = 2_000
 _MAX_SUGGESTED, _MAX_LISTED = 3, 5
@@ -58,7 +58,7 @@ def _is_id(text: str) -> bool:
 
 def _compile(text: str) -> list[Any]:
     """Return the tests of a CSS selector that an element can pass at all."""
-    from shapeblend_cli.svg.reading import stylesheets
+    from shapeblend_cli.svg.styles import stylesheets
 
     if len(text) > _MAX_SELECTOR:
         raise SelectorError(f"a selector of more than {_MAX_SELECTOR} characters; a shorter one would work")
@@ -87,7 +87,7 @@ def _reason(error: Exception) -> str:
 
 
 def _match(root: Node, text: str, tests: list[Any]) -> list[Node]:
-    from shapeblend_cli.svg.reading import stylesheets
+    from shapeblend_cli.svg.styles import stylesheets
 
     if not tests:
         return []

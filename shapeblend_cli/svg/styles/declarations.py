@@ -6,8 +6,8 @@ import re
 from collections.abc import Mapping
 from functools import lru_cache
 
-from shapeblend_cli.svg.reading import colours
-from shapeblend_cli.svg.reading.messages import Problem
+from shapeblend_cli.svg.styles import css_colours as colours
+from shapeblend_cli.svg.xml.messages import Problem
 
 KEYWORDS = frozenset(("inherit", "initial", "unset", "revert", "revert-layer"))
 """Values of every property: https://www.w3.org/TR/css-cascade-4/#defaulting-keywords."""

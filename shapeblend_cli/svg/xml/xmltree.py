@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from xml.parsers import expat
 
-from shapeblend_cli.svg.reading.messages import Problem, check_limit, printable
+from shapeblend_cli.svg.xml.messages import Problem, check_limit, printable
 
 MAX_BYTES = 64 * 2**20
 _MEGABYTES = MAX_BYTES // 2**20

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.svg.reading.units import BLANK, GAP, LIMIT, NUMBER, Lengths, length
+from shapeblend_cli.svg.xml.units import BLANK, GAP, LIMIT, NUMBER, Lengths, length
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray

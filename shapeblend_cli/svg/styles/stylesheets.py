@@ -13,9 +13,9 @@ from typing import Any
 import cssselect2
 import tinycss2
 
-from shapeblend_cli.svg.reading.declarations import Declarations, parse
-from shapeblend_cli.svg.reading.messages import Problem
-from shapeblend_cli.svg.reading.xmltree import Node
+from shapeblend_cli.svg.styles.declarations import Declarations, parse
+from shapeblend_cli.svg.xml.messages import Problem
+from shapeblend_cli.svg.xml.xmltree import Node
 
 _MAX_TEXT = 500_000
 _BUDGET = 4_000_000

@@ -11,7 +11,7 @@ import re
 from typing import NamedTuple
 
 from shapeblend_cli.model import Length
-from shapeblend_cli.svg.reading.messages import printable
+from shapeblend_cli.svg.xml.messages import printable
 
 NUMBER = r"(?>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
 
