@@ -28,7 +28,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures gallery plots studio options api tables install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz mutants bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures gallery plots studio options api tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -93,6 +93,12 @@ SECONDS ?= 60
 fuzz: install ## feed the reader damaged files for SECONDS (60), then blend such files with random options for as long
 	$(BIN)/python tools/fuzz_reader.py $(SECONDS)
 	$(BIN)/python -m tools.fuzz_blend $(SECONDS)
+
+COUNT ?= 60
+SEED ?= 1
+
+mutants: install ## break the package in COUNT (60) random places, and list the breaks that no test notices; takes half an hour
+	$(BIN)/python -m tools.mutants --count $(COUNT) --seed $(SEED)
 
 # The usual options say --benchmark-skip, which contradicts --benchmark-only: hence the empty addopts.
 bench: install ## time the solver, whole commands and batches
