@@ -11,9 +11,6 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import Page, Pair
 
-ANIMATED = "animated svg"
-"""The name of the format."""
-
 
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Frames that are visible in turn include the drawings. One mixture stands still."""
@@ -70,4 +67,13 @@ def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Ren
     return Rendered([reacting_css(reaction, spec.timing, decimals)], notes)
 
 
-FORMAT = Format(ANIMATED, "one animated SVG", _render, suffix=".svg", to_standard_output=True)
+FORMAT = Format(
+    "animated svg",
+    "one animated SVG",
+    _render,
+    suffix=".svg",
+    to_standard_output=True,
+    takes_stagger=True,
+    takes_triggers=True,
+    mixtures="one",
+)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from os.path import join
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -44,6 +44,10 @@ class Format(NamedTuple):
     files: Sequence[str] = ()  # names in its folder; empty if that has a file for each frame
     to_standard_output: bool = False  # whether it can be written there
     takes_sequences: bool = True  # whether it shows more than two drawings
+    takes_times: bool = False  # whether it shows frames at any times
+    takes_stagger: bool = False  # whether its shapes may start one after the other
+    takes_triggers: bool = False  # whether it may wait for an event
+    mixtures: Literal["none", "one", "several"] = "none"  # how many of --mix it shows
     defaults: Mapping[str, str | int | None] = {}  # of the shared options that it takes
     motion: str = "auto"  # what the motion auto stands for
     check: Callable[[OutputSpec], None] = lambda spec: None

@@ -49,12 +49,20 @@ def _check_layers(spec: OutputSpec) -> None:
         raise OptionError("--frames 0 leaves nothing for layers; --frames 1 or --ends would work")
 
 
+_SVG = Format(
+    "svg",
+    "one file for each frame",
+    _render_svg,
+    takes_times=True,
+    takes_stagger=True,
+    mixtures="several",
+)
+
 SINGLE = (
-    Format("svg", "one file for each frame", _render_svg),
-    Format(
-        "png",
-        "one file for each frame",
-        _render_png,
+    _SVG,
+    _SVG._replace(
+        name="png",
+        render=_render_png,
         defaults={"width": 512, "background": TRANSPARENT},
         check_libraries=check_libraries,
     ),
@@ -67,5 +75,7 @@ LAYERS = Format(
     emit="layers",
     suffix=".svg",
     to_standard_output=True,
+    takes_times=True,
+    takes_stagger=True,
     check=_check_layers,
 )

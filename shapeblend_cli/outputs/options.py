@@ -10,7 +10,6 @@ from shapeblend_cli.options.fields import Record, option
 from shapeblend_cli.options.settings import ANIMATIONS, IN_BETWEENS, OUTPUT, PICTURES, Settings
 from shapeblend_cli.options.triggers import Trigger
 from shapeblend_cli.options.types import COLOUR, REPEAT, TRIGGER, choice, file, number, whole
-from shapeblend_cli.outputs.animated_svg import ANIMATED
 from shapeblend_cli.outputs.formats import Format, OutputSpec
 from shapeblend_cli.outputs.raster import MOST_SIDE
 from shapeblend_cli.outputs.raster_animation import FASTEST
@@ -41,13 +40,6 @@ def _default_text(name: str) -> str:
         if name in format.defaults:
             formats.setdefault(format.defaults[name], []).append(format.suffix or f"--format {format.name}")
     return "; ".join(f"{value} for {', '.join(names)}" for value, names in formats.items())
-
-
-TIMEABLE = ("contact sheet", "layers")
-"""Formats of one file that show frames at any times."""
-
-MIXABLE = (ANIMATED, "contact sheet")
-"""Formats of one file that show mixtures."""
 
 
 class OutputOptions(Record, section=PICTURES):
@@ -166,11 +158,11 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
         defaults.pop("fps", None)
         if options.fps is not None:
             raise OptionError("--frames and --fps both set how many pictures there are; one is enough")
-    if settings.stagger and format.emit not in (EMITS[0], "layers"):
+    if settings.stagger and not format.takes_stagger:
         raise OptionError(
             f"--stagger is for frames, animated SVGs, raster animations and videos; {asked} is none"
         )
-    if settings.times and not (format.has_frame_files or format.name in TIMEABLE):
+    if settings.times and not format.takes_times:
         raise OptionError(f"--times is for a folder of frames, a contact sheet or layers; {asked} is none")
     if settings.mix:
         _check_mix(options, settings, format, asked)
@@ -199,9 +191,9 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
 
 def _check_mix(options: OutputOptions, settings: Settings, format: Format, asked: str) -> None:
     """Raise OptionError if a format cannot show mixtures, or not so many."""
-    if not (format.has_frame_files or format.name in MIXABLE):
+    if format.mixtures == "none":
         raise OptionError(f"--mix is for a folder, a name ending in .svg or one in .png; {asked} is none")
-    if format.name == ANIMATED and (len(settings.mix) > 1 or not options.trigger.is_load):
+    if format.mixtures == "one" and (len(settings.mix) > 1 or not options.trigger.is_load):
         raise OptionError(f"{asked} takes one mixture, which stands still; a folder takes several")
 
 
@@ -210,8 +202,8 @@ def _check_trigger(
 ) -> None:
     """Raise OptionError if an output cannot wait for a trigger."""
     given = f"--trigger {options.trigger}"
-    if format.name != ANIMATED or options.animate == "frames":
-        what = "--animate frames" if format.name == ANIMATED else asked
+    if not format.takes_triggers or options.animate == "frames":
+        what = "--animate frames" if format.takes_triggers else asked
         raise OptionError(
             f"{given} is for an animated SVG, --output FILE.svg with --animate smil or css; {what} is none"
         )

@@ -162,7 +162,9 @@ def _check_webp() -> None:
 def in_time(form: Format, width: int, background: str) -> Format:
     """Return a format with what all have that show pictures one after another, and its own width and background."""
     return form._replace(
-        suffix=f".{form.name}", defaults={"width": width, "background": background, "fps": FPS}
+        suffix=f".{form.name}",
+        takes_stagger=True,
+        defaults={"width": width, "background": background, "fps": FPS},
     )
 
 

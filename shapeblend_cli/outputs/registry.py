@@ -88,6 +88,6 @@ def alternatives(words: Sequence[str]) -> str:
 
 
 def _suffix(path: str) -> str:
-    """Return the suffix of a file; empty for a folder and for standard output."""
-    known = (*(format.suffix for format in FORMATS if format.suffix), *PAGES, *UNSUPPORTED)
-    return next((suffix for suffix in known if path.lower().endswith(suffix)), "")
+    """Return the longest suffix that a file's name ends in; empty for a folder and for standard output."""
+    known = (*(format.suffix for format in FORMATS), *PAGES, *UNSUPPORTED)
+    return max((suffix for suffix in known if path.lower().endswith(suffix)), key=len)
