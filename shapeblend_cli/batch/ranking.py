@@ -8,13 +8,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from shapeblend_cli.batch.options import RankOptions
 from shapeblend_cli.batch.rate import Rating
 from shapeblend_cli.batch.run import processors
 from shapeblend_cli.batch.sources import drawings
 from shapeblend_cli.batch.supervisor import run_all
 from shapeblend_cli.batch.worker import DONE, Order
 from shapeblend_cli.errors import InputError, OptionError
-from shapeblend_cli.options.settings import RankOptions, ReadOptions, Settings
+from shapeblend_cli.options.settings import ReadOptions, Settings
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, contents_of, read
 from shapeblend_cli.svg.writing.sheet import Row, sheet
 from shapeblend_cli.system.write import check_targets, write_files

@@ -10,13 +10,10 @@ import click
 
 from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.options import NAME, FieldOption, options_of
-from shapeblend_cli.cli.terminal import BatchTerminal, say
+from shapeblend_cli.cli.terminal import BatchTerminal, TerminalOptions, say
 from shapeblend_cli.errors import OptionError, ShapeblendError
 from shapeblend_cli.job.job import RECORDS, STANDARD_INPUT
-from shapeblend_cli.options.settings import (
-    BatchOptions,
-    TerminalOptions,
-)
+from shapeblend_cli.options.settings import BatchOptions
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.system.interrupts import Interrupted
 

@@ -8,12 +8,9 @@ import click
 
 from shapeblend_cli.cli.group import TYPED, SectionedCommand
 from shapeblend_cli.cli.options import NAME, options_of
-from shapeblend_cli.cli.terminal import Terminal, details
+from shapeblend_cli.cli.terminal import Terminal, TerminalOptions, details
 from shapeblend_cli.job.job import RECORDS, job_of
-from shapeblend_cli.options.settings import (
-    RunOptions,
-    TerminalOptions,
-)
+from shapeblend_cli.job.options import RunOptions
 from shapeblend_cli.system.interrupts import stop_after
 
 EXAMPLES = (

@@ -11,7 +11,9 @@ from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.options import NAME, options_of
 from shapeblend_cli.cli.terminal import say
 from shapeblend_cli.errors import OptionError
-from shapeblend_cli.options.settings import InkscapeOptions, InstallOptions, Settings, WriteOptions
+from shapeblend_cli.inkscape.options import InkscapeOptions, InstallOptions
+from shapeblend_cli.job.options import WriteOptions
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.outputs.options import OutputOptions, specify
 

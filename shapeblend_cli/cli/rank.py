@@ -6,11 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from shapeblend_cli.batch.options import RankOptions
 from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.inspect import aligned
 from shapeblend_cli.cli.options import NAME, options_of
-from shapeblend_cli.cli.terminal import BatchTerminal, say
-from shapeblend_cli.options.settings import RankOptions, ReadOptions, RunOptions, Settings, TerminalOptions
+from shapeblend_cli.cli.terminal import BatchTerminal, TerminalOptions, say
+from shapeblend_cli.job.options import RunOptions
+from shapeblend_cli.options.settings import ReadOptions, Settings
 from shapeblend_cli.system.interrupts import Interrupted
 
 if TYPE_CHECKING:

@@ -8,9 +8,10 @@ import click
 
 from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.options import NAME, options_of
-from shapeblend_cli.cli.terminal import Terminal
+from shapeblend_cli.cli.terminal import Terminal, TerminalOptions
 from shapeblend_cli.job.job import check_files
-from shapeblend_cli.options.settings import ReadOptions, RunOptions, Settings, StatesOptions, TerminalOptions
+from shapeblend_cli.job.options import RunOptions, StatesOptions
+from shapeblend_cli.options.settings import ReadOptions, Settings
 from shapeblend_cli.system.interrupts import stop_after
 
 EXAMPLES = (

@@ -10,6 +10,10 @@ from typing import TYPE_CHECKING, Self
 
 import click
 
+from shapeblend_cli.options import types
+from shapeblend_cli.options.fields import Record, option
+from shapeblend_cli.options.settings import OTHER
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
@@ -22,6 +26,23 @@ OFTEN, SELDOM = (
 )  # seconds before the first line in a pipe or a file, and between further ones at most
 BAR = 30  # characters of the bar that shows how far a batch is
 CLEAR = "\r\x1b[K"
+
+
+class TerminalOptions(Record, section=OTHER):
+    """What a command prints."""
+
+    quiet: bool = option(
+        types.FLAG,
+        default=False,
+        flags=("-q", "--quiet"),
+        help="Print only errors, and a line if frame files of another run remain.",
+    )
+    verbose: bool = option(
+        types.FLAG,
+        default=False,
+        flags=("-v", "--verbose"),
+        help="Print what was done, and how long it took.",
+    )
 
 
 def say(text: str) -> None:

@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from shapeblend_cli.errors import OptionError, OutputError
+from shapeblend_cli.job.options import RunOptions, WriteOptions, report_settings
 from shapeblend_cli.options.fields import Record
-from shapeblend_cli.options.settings import ReadOptions, RunOptions, Settings, WriteOptions, report_settings
+from shapeblend_cli.options.settings import ReadOptions, Settings
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
 from shapeblend_cli.outputs.options import OutputOptions, specify
 

@@ -20,7 +20,8 @@ from shapeblend_cli.system.clock import Clock
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.options.settings import ReadOptions, Settings, StatesOptions
+    from shapeblend_cli.job.options import StatesOptions
+    from shapeblend_cli.options.settings import ReadOptions, Settings
 
 
 def write_states(

@@ -14,7 +14,8 @@ from shapeblend_cli.system.clock import Clock
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from shapeblend_cli.options.settings import PlotOptions, ReadOptions, Settings
+    from shapeblend_cli.options.settings import ReadOptions, Settings
+    from shapeblend_cli.plot.options import PlotOptions
 
 
 def plot_files(
@@ -46,7 +47,7 @@ def plot_files(
     check_output(output, files, options.force)
     (pair,) = match_files(files, read, settings, Clock(), note, progress)
     try:
-        subject = choose_subject(files, pair, settings, options, progress)
+        subject = choose_subject(files, pair, settings, options)
         text = import_module(f"shapeblend_cli.plot.{kind}").draw(subject)
     except MatchError as error:
         raise InputError(" and ".join(files), str(error)) from error
