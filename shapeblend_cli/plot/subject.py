@@ -54,9 +54,7 @@ class Subject(NamedTuple):
         return "work {} = stretching {} + bending {} + travel {}".format(*parts)
 
 
-def choose_subject(
-    names: tuple[str, str], pair: Pair, settings: Settings, options: PlotOptions
-) -> Subject:
+def choose_subject(names: tuple[str, str], pair: Pair, settings: Settings, options: PlotOptions) -> Subject:
     """Choose the contour by its number in A, else the largest that is matched.
 
     Raises
