@@ -28,7 +28,8 @@ EXAMPLES = (
     params=options_of(*RECORDS, TerminalOptions),
 )
 @click.argument("files", type=NAME, nargs=-1, required=True, metavar="A.svg B.svg [C.svg ...]")
-def blend(files: tuple[str, ...], **given: Any) -> None:
+@click.pass_context
+def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> None:
     """Blend A.svg into B.svg, and on into further files, by bending and stretching outlines with the least work.
 
     Writes the in-betweens as SVG files, one animated SVG, or pictures. One of the files may be -, standard input.
@@ -37,7 +38,7 @@ def blend(files: tuple[str, ...], **given: Any) -> None:
     if printed.quiet and printed.verbose:
         raise click.UsageError("--quiet and --verbose contradict each other")
     files, given = opened(files, given)
-    job = job_of(files, given, ("shapeblend", *click.get_current_context().meta[TYPED]))
+    job = job_of(files, given, ("shapeblend", *context.meta[TYPED]))
     stop_after(RunOptions.of(given).timeout)
 
     from shapeblend_cli.job.make import blend_files
@@ -45,7 +46,7 @@ def blend(files: tuple[str, ...], **given: Any) -> None:
     with Terminal(quiet=printed.quiet) as terminal:
         run = blend_files(job, terminal.note, terminal.warn, terminal.progress)
         if printed.verbose:
-            for line in details(run):
+            for line in details(run, context.obj):
                 terminal.note(line)
 
 

@@ -189,8 +189,8 @@ def _duration(seconds: float) -> str:
     return f"{max(seconds, 1.0):.0f} s"
 
 
-def details(run: Run) -> Iterator[str]:
-    """Yield lines that say what was done in a run, and how long it took."""
+def details(run: Run, began: float | None) -> Iterator[str]:
+    """Yield lines that say what was done in a run, and how long it took, with the start of a process that `began`."""
     for c in (contour for pair in run.pairs for contour in pair.contours):
         found = c.correspondence
         if c.a is None or c.b is None:
@@ -218,7 +218,9 @@ def details(run: Run) -> Iterator[str]:
             if shape.is_matched:
                 yield f"{name}motion {shape.motion_name}: {shape.reason}"
     yield f"{_count(len(run.measures), 'frame')}: {_crossings(run)}"
-    yield ", ".join(f"{stage} {1000 * seconds:.1f} ms" for stage, seconds in run.seconds.items())
+    start = {} if began is None else {"start": run.clock.began - began}
+    seconds = start | run.clock.seconds
+    yield ", ".join(f"{stage} {1000 * taken:.1f} ms" for stage, taken in seconds.items())
 
 
 def _crossings(run: Run) -> str:
