@@ -27,8 +27,11 @@ if TYPE_CHECKING:
 
 FAILED = 1
 
-PATTERN, PATTERN_OF_PAIRS = "blend/{a}-{b}", "blend/{a}"
-"""Where outputs go by default, without a suffix."""
+PATTERN = "blend/{a}-{b}"
+"""Default of --output, without a suffix."""
+
+PATTERN_OF_PAIRS = "blend/{a}"
+"""Default of --output with --pairs, without a suffix."""
 
 EXAMPLES = (
     ("shapeblend batch --chain icons -o 'moving/{a}-{b}.svg'", "an animation from each icon to the next"),

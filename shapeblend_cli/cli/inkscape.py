@@ -18,7 +18,7 @@ from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.outputs.options import OutputOptions, specify
 
 PLACED = ("place", "viewbox", "start")
-"""Settings that have no meaning for objects of one document, which lie where they lie."""
+"""Settings that objects of one document have no use for: they stay in place, and are joined at no vertex."""
 
 
 @click.group()

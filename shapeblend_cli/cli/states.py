@@ -25,7 +25,7 @@ EXAMPLES = (
 WITHOUT = (
     "frames ends motion unmatched start pins stiff match mix times stagger stagger_by curves verbose".split()
 )
-"""Settings of ways from one drawing to another, which states do not have."""
+"""Settings of motion and of single pairs, which states have no use for."""
 
 
 @click.command(

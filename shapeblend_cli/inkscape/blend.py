@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 _PIN = re.compile(r"\s*pin\s*(\w*)\s*", re.IGNORECASE)
 
 MARGIN = 0.02
-"""Room around what an animation shows, as a share of the larger side."""
+"""Margin around the shapes of an animation, as a share of their larger side."""
 
 Pin = tuple[complex, complex]
 

@@ -17,7 +17,7 @@ from shapeblend_cli.outputs.options import OutputOptions, specify
 STANDARD_INPUT = "-"
 
 RECORDS: tuple[type[Record], ...] = (ReadOptions, Settings, OutputOptions, WriteOptions, RunOptions)
-"""What can be asked of a job."""
+"""Records of the options that a job takes."""
 
 
 class Job(NamedTuple):

@@ -95,7 +95,7 @@ REPORTED = (
     "solver band effort preset ks kb es eb pb mb cs bending kt smoothing motion viewbox style curves precision animate "
     "duration ease repeat format width columns background fps report preview"
 )
-"""The order of the settings in reports of format 1; any others follow."""
+"""Order of the settings in reports of format 1; further settings follow."""
 
 
 def report_settings(*records: Record) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from shapeblend_cli.options.types import choice, number
 WIRE = "The wire"
 
 PAPER_DEFAULTS = {"k_s": 1.0, "p_b": 1000.0}
-"""Defaults that are others where bending is the paper's."""
+"""Defaults that change with the paper's bending."""
 
 NOT_NEGATIVE, POSITIVE = number(0), number(0, above=True)
 
@@ -73,7 +73,7 @@ class WorkConstants(Record, section=WIRE):
 
 
 PAPER: dict[str, Any] = {"bending": "paper", "k_t": 0.0, "smoothing": 0.0}
-"""The paper's model of work, and nothing else."""
+"""Settings that leave only the paper's model of work."""
 
 TABLE_1 = ("k_s", "k_b", "e_s", "e_b", "p_b", "m_b", "c_s", "band")
 """The columns of table 1; the last is the diagonal deviation dd."""

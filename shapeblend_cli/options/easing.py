@@ -18,7 +18,7 @@ NAMES = {
 }
 
 HALVINGS = 60
-"""Steps of the bisection that solves for the curve's parameter."""
+"""Number of steps of the bisection for a parameter of the curve."""
 
 
 class Ease(NamedTuple):

@@ -43,7 +43,7 @@ SECTIONS = (
     PICTURES,
     OTHER,
 )
-"""The order in which help lists options."""
+"""Order of the sections of options in help."""
 
 
 class ReadOptions(Record, section=SHAPES):
@@ -69,7 +69,8 @@ class ReadOptions(Record, section=SHAPES):
         return self.select_a, *[self.select_b] * (files - 1)
 
 
-ABOUT_TWO_DRAWINGS = ("start", "pins", "match", "stiff")  # settings that name places of A and of B
+ABOUT_TWO_DRAWINGS = ("start", "pins", "match", "stiff")
+"""Settings that name places of A and of B."""
 
 
 class Settings(WorkConstants, section=CORRESPONDENCE):

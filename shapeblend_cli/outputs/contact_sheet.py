@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 PAGE, CLEAR = "#e4e4e1", "#ffffff00"
 
 ONE_ROW = 8
-"""So many drawings are put into one row."""
+"""Maximum number of drawings that stand in a single row."""
 
 WIDEST = 1.6
-"""Ratio of columns to rows beyond that, at most, about."""
+"""Maximum ratio of columns to rows of a larger sheet, about."""
 
 
 def columns_for(count: int) -> int:

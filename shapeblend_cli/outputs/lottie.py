@@ -21,24 +21,24 @@ if TYPE_CHECKING:
     from shapeblend_cli.outputs.move import Move, MovedShape, Section
 
 VERSION = "5.7.4"
-"""Of the format; players correct what older versions did otherwise."""
+"""Version of the format. Players correct the behaviour of older versions."""
 
 FRAME_RATE = 60
 
 SIZE = 512
-"""Pixels of the longer side, which players scale as they like, unless the drawing's own size will do."""
+"""Longer side of an animation, in pixels, for drawings outside of `OWN_SIZES`. Players scale it as they like."""
 
 OWN_SIZES = range(100, 4097)
-"""Longer sides that do; both sides must be whole numbers."""
+"""Longer sides that an animation takes from its drawing, in pixels. Both sides must be whole numbers."""
 
 TIME_DIGITS = 3
-"""Decimals of frames; those of waypoints need not be whole."""
+"""Decimals of times, in frames. Waypoints may lie between two frames."""
 
 SAME = 1e-3
-"""Radii that differ by less than that share are the same."""
+"""Tolerance of equal radii, as a share of the larger one."""
 
 FLATTEST = 1e-3
-"""The least ratio of two radii: what is drawn in a group that is squashed further needs more digits than files have."""
+"""Minimum ratio of the radii of an ellipse. A group that is squashed further needs more digits than files have."""
 
 FILL_RULES = {"nonzero": 1, "evenodd": 2}
 LINE_CAPS = {"butt": 1, "round": 2, "square": 3}

@@ -19,7 +19,7 @@ FIXED = {
     "fill": {"fill_rule": "fill rule"},
     "stroke": {"stroke_linecap": "line cap", "stroke_linejoin": "line join"},
 }
-"""Properties of each paint that have nothing in between, and their names."""
+"""Properties of each paint that switch at once, and their names."""
 
 
 T = TypeVar("T")

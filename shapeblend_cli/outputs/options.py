@@ -21,7 +21,7 @@ SHARED = {
     "width": "pictures",
     "background": "pictures",
 }
-"""Options that formats share but not all take, and what they are for."""
+"""Options that several formats take, and their purposes."""
 
 
 def _by_suffix() -> str:

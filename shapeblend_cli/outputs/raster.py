@@ -16,13 +16,13 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Box, Pair
 
 MOST_SIDE = 16_383
-"""Pixels; WebP has no more."""
+"""Maximum side of a picture, in pixels: that of WebP."""
 
 WIDEST_STROKE = 1e5
-"""In sizes of what is shown. resvg ends the process on strokes some millions as wide."""
+"""Maximum width of a stroke, in sizes of the view. With strokes of some million sizes resvg ends the process."""
 
 MOST_PIXELS = 80_000_000
-"""Of all pictures of a run together. They take four bytes each, and Pillow warns of pictures somewhat larger."""
+"""Maximum size of all pictures of a run together, in pixels of four bytes. Pillow warns of slightly larger pictures."""
 
 
 class Size(NamedTuple):

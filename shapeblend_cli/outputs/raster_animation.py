@@ -24,16 +24,16 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Pair
 
 FPS = 25
-"""Pictures a second, unless something else is asked for."""
+"""Default rate, in pictures a second."""
 
 FASTEST = 50
-"""Pictures a second; browsers slow down what is faster."""
+"""Maximum rate, in pictures a second. Browsers slow faster animations down."""
 
 MOST_RUNS = 65_535
-"""The largest number of runs that the files can have."""
+"""Maximum number of runs in the file formats."""
 
 COLOURS = 256
-"""Of a picture in a GIF."""
+"""Number of colours of a picture in a GIF."""
 
 
 class Run(NamedTuple):

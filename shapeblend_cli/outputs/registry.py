@@ -34,22 +34,22 @@ FORMATS: tuple[Format, ...] = (
 )
 
 EMITS = tuple(dict.fromkeys(format.emit for format in FORMATS))
-"""The values of ``--emit``."""
+"""Values of ``--emit``, the default first."""
 
 FRAME_FORMATS = tuple(format.name for format in FORMATS if format.has_frame_files)
-"""The values of ``--format``, the default first."""
+"""Values of ``--format``, the default first."""
 
 DEFAULT = "blend"
-"""The folder that is written to by default, and the beginning of the names of files."""
+"""Default folder of outputs, and the default name of a file without its suffix."""
 
 PAGES = (".htm", ".html")
-"""Suffixes of web pages, which ``--preview`` writes."""
+"""Suffixes of web pages, the files of ``--preview``."""
 
 UNSUPPORTED = tuple(
     ".avi .avif .bmp .eps .heic .ico .jpeg .jpg .jxl .m4v .mkv .mov .mpeg .mpg .ogv .pdf .ps .svgz .tif "
     ".tiff .zip".split()
 )
-"""Suffixes of file formats, which are hardly meant as the name of a folder."""
+"""Suffixes of other file formats. They hardly belong to the name of a folder."""
 
 
 def choose(emit: str, path: str | None, frame_format: str | None, drawings: int) -> tuple[Format, str]:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Pair
 
 EVEN = "pad=ceil(iw/2)*2:ceil(ih/2)*2"
-"""Both sides must be even; a line or a column is added below or on the right."""
+"""Filter that makes both sides even, as codecs require, by a line below and a column on the right."""
 
 CODECS = {
     "mp4": [
@@ -40,10 +40,10 @@ CODECS = {
 }
 
 EXACT = ["-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"]
-"""So that the same pictures give the same bytes."""
+"""Options that give the same bytes for the same pictures."""
 
 MOST_RUNS = 100
-"""A video that is to run more often is one for a player that repeats it."""
+"""Maximum number of runs. Players can repeat a video that should run more often."""
 
 MOST_FRAMES = 20_000
 

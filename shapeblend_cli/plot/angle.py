@@ -31,14 +31,15 @@ if TYPE_CHECKING:
     Dot = tuple[int, int]
 
 SIDE = 320.0
-"""Of both panels, which are squares."""
+"""Side of each panel, a square, in pixels."""
 
 Q_LEFT, THETA_LEFT, THUMBS_LEFT = 40.0, 448.0, 838.0
 THUMB = 132.0
 
 NAMES = "Q₀", "Q₁", "Q₂"
+
 RAY = 0.45, 0.3, 0.45
-"""Length at which the direction of each infinitesimal control point is drawn, as a share of the largest."""
+"""Length of the line towards an infinitesimal control point, as a share of the longest control vector."""
 
 STEPS_OF_DEGREES = (1, 2, 5, 10, 15, 30, 45, 60, 90)
 

@@ -42,10 +42,10 @@ COARSE = math.radians(3.0)
 """Maximum turn from one moment to the next, in radians."""
 
 SHORTEST = 1e-5
-"""Minimum time between two moments; the angle may jump there."""
+"""Minimum time between two moments, as a share of the motion. A shorter turn is a jump."""
 
 FINITE = (None, None, None)
-"""Directions of the infinitesimal control points, where there are none."""
+"""Directions of infinitesimal control points where all control points are finite."""
 
 
 class Piece(NamedTuple):

@@ -29,9 +29,11 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import FloatArray, IntArray
 
 PAINT_STEPS = 30
-"""Paint is given at so many even times and one more; between two of them channels and numbers change evenly."""
+"""Number of even steps in time of paint. Within a step channels and numbers change evenly."""
 
-MOST_OWN_TIMES = 60  # of up to so many frames, what does not move straight is given at the time of each
+MOST_OWN_TIMES = 60
+"""Maximum number of frames at whose times curved motion is given exactly."""
+
 GRADIENTS = ("fill", "stroke")
 
 

@@ -12,7 +12,7 @@ from shapeblend_cli.errors import ShapeblendError, in_words
 from shapeblend_cli.system.processes import Child, Parent
 
 GRACE = 5
-"""Seconds after its time in which a process that nobody stops ends by itself."""
+"""Time after its limit in which a process ends by itself if nobody stops it, in seconds."""
 
 DONE, FAILED = "done", "failed"
 

@@ -23,8 +23,11 @@ from shapeblend_cli.studio.session import Download, Session
 
 HOST = "127.0.0.1"
 
-MOST_JSON, MOST_DRAWING = 2**20, 64 * 2**20
-"""Bytes of a request, and of one with a drawing; the latter is what the reader takes."""
+MOST_JSON = 2**20
+"""Maximum size of a request, in bytes."""
+
+MOST_DRAWING = 64 * 2**20
+"""Maximum size of a request with a drawing, in bytes: that of a drawing for the reader."""
 
 POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
@@ -42,11 +45,13 @@ HEADERS = {
 }
 
 PAGE, SHARED = "shapeblend_cli.studio", "shapeblend_cli.preview"
+
 KINDS = {
     ".html": "text/html; charset=utf-8",
     ".css": "text/css; charset=utf-8",
     ".js": "text/javascript; charset=utf-8",
 }
+
 ASSETS = {
     **{
         name: PAGE
@@ -63,7 +68,7 @@ ASSETS = {
     },
     **{name: SHARED for name in ("base.css", "values.js", "picture.js", "player.js", "parts.js")},
 }
-"""What the page is made of, and the package that each file lies in."""
+"""Files of the page, and the package of each."""
 
 REFUSED = "This is a studio of shapeblend. Open the whole address that the command printed, with its token."
 

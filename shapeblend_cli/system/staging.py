@@ -31,7 +31,7 @@ PREFIX = ".shapeblend-"
 NEW, OLD, MOVED = "new", "old", "moved.json"
 
 PATIENCE = 30.0
-"""Seconds to wait for a lock. A script may hold it that runs the command itself, as `flock FOLDER command` does."""
+"""Maximum wait for a lock, in seconds. A script that runs the command may hold it, as `flock FOLDER command` does."""
 
 
 class CannotSwap(Exception):

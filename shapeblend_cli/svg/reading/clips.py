@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 _LINK = re.compile(r"""\s*url\(\s*["']?#([^"')]{1,1000})["']?\s*\)\s*""")
 
 SLACK = 1e-6
-"""What sticks out of a clip by less than this share of its size is rounding."""
+"""Tolerance of a shape that reaches out of its clip, as a share of the diagonal of the clip."""
 
 NOT_APPLIED = "clip-path not applied"
 

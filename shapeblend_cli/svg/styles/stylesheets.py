@@ -36,7 +36,7 @@ UNREADABLE = (
     AttributeError,
     TypeError,
 )
-"""Errors of cssselect2 on texts that are no selectors, or none it knows."""
+"""Errors of cssselect2 on texts that are no selectors, or unknown selectors."""
 
 
 def match(root: Node, texts: list[str]) -> dict[int, tuple[Declarations, Declarations]]:

@@ -12,7 +12,9 @@ from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
 
-SHARE_DIGITS = 5  # decimals of shares, such as the offset of a gradient's stop
+SHARE_DIGITS = 5
+"""Decimals of shares, such as the offset of a stop."""
+
 DEFAULTS = {
     "fill_opacity": "1",
     "fill_rule": "nonzero",
@@ -24,7 +26,7 @@ DEFAULTS = {
     "stroke_dasharray": "none",
     "stroke_dashoffset": "0",
 }
-"""Initial values: attributes with these need not be written."""
+"""Initial values of attributes. They need not be written."""
 
 
 def without_defaults(attributes: dict[str, str]) -> dict[str, str]:

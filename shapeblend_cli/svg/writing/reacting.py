@@ -29,7 +29,7 @@ PRESS = (
     "if(/^( |Enter)$/.test(event.key)){event.preventDefault();for(const r of this.querySelectorAll(':scope>rect[id]'))"
     "if(getComputedStyle(r).display!='none'){r.dispatchEvent(new Event('click',{bubbles:true}));break}}"
 )
-"""What a key does to a button: it clicks the one of its two areas that is there."""
+"""Handler of keys: Enter and Space click the area of the button that is displayed."""
 
 PRESSED = "this.setAttribute('aria-pressed',this.getAttribute('aria-pressed')!='true')"
 
@@ -37,9 +37,13 @@ LISTEN = """\
 (function(g){var o=false;function s(e){g.dispatchEvent(new Event(e))}
 function f(){var n=document.getElementById(%s);if(n){%s}}
 document.readyState=="loading"?document.addEventListener("DOMContentLoaded",f):f()})(document.currentScript.parentNode)"""
+"""Script that turns events of another element into events of the drawing."""
+
 IN_TURN = 'n.addEventListener(%s,function(){o=!o;s(o?"forth":"back")})'
+"""Listener for an event that goes forth and back in turn."""
+
 EACH = 'n.addEventListener(%s,function(){s("forth")});n.addEventListener(%s,function(){s("back")})'
-"""Turn the events of another element into events of our own: one and the other in turn, or each of two into one."""
+"""Listeners for an event that goes forth, and its opposite that goes back."""
 
 
 class Reaction(NamedTuple):

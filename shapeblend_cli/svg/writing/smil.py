@@ -22,7 +22,7 @@ from shapeblend_cli.svg.writing.path_data import short_path_data
 from shapeblend_cli.svg.writing.rounding import number
 
 DISCRETE = frozenset(("fill_rule", "stroke_linecap", "stroke_linejoin", "spreadMethod"))
-"""Attributes that have nothing in between and switch at half time."""
+"""Attributes without values in between, which switch at half time."""
 
 
 def smil_svg(

@@ -44,8 +44,10 @@ _SVG_NAMESPACES = (
 
 POINT_LISTS = frozenset(("path", "polyline", "polygon"))
 SHAPES = POINT_LISTS | {"rect", "circle", "ellipse", "line"}
+
 GROUPS = frozenset(("g", "a", "switch", "svg", "use"))
-"""Elements that draw what stands in them, or what they refer to."""
+"""Elements that draw their children, or the element that they refer to."""
+
 LEFT_OUT = frozenset(("text", "image", "foreignObject", "video", "canvas", "iframe"))
 """Elements that browsers draw and this reader does not."""
 
