@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.cli.options import NAME, FieldOption, options_of
+from shapeblend_cli.cli.parameters import NAME, FieldOption, options_of
 from shapeblend_cli.cli.terminal import BatchTerminal, TerminalOptions, say
 from shapeblend_cli.errors import OptionError, ShapeblendError
 from shapeblend_cli.job.job import RECORDS, STANDARD_INPUT

@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.cli.options import NAME, options_of
+from shapeblend_cli.cli.parameters import NAME, options_of
 from shapeblend_cli.cli.terminal import say
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.inkscape.options import InkscapeOptions, InstallOptions
@@ -53,7 +53,7 @@ def blend(file: str, **given: Any) -> None:
     if not (settings.frames or settings.ends):
         raise OptionError("--frames 0 leaves nothing to put between the objects; --frames 1 would work")
 
-    from shapeblend_cli.inkscape.blend import blend_objects
+    from shapeblend_cli.inkscape.objects import blend_objects
 
     as_layers = options.frames_as == "layers"
     _print(blend_objects(file, options.ids, settings, as_layers=as_layers, note=_noter()))
@@ -82,7 +82,7 @@ def animate(file: str, **given: Any) -> None:
     if output.path == STANDARD_OUTPUT:
         raise OptionError("standard output is for the document; --output with the name of a file would work")
 
-    from shapeblend_cli.inkscape.blend import animate_objects
+    from shapeblend_cli.inkscape.objects import animate_objects
 
     force = WriteOptions.of(given).force
     _print(animate_objects(file, options.ids, output, force=force, note=_noter()))

@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 import click
 
-from shapeblend_cli.cli.options import NAME, FieldOption
+from shapeblend_cli.cli.parameters import NAME, FieldOption
 from shapeblend_cli.cli.terminal import Terminal
 from shapeblend_cli.job.options import RunOptions
 from shapeblend_cli.options import types
@@ -67,7 +67,7 @@ def inspect(file: str, select: str | None, lenient: bool | None, as_json: bool, 
     drawing = read(file, lenient=bool(lenient), select=select)
     options = InspectOptions.of(given)
     if options.picture is not None:
-        from shapeblend_cli.plot.contours import write_picture
+        from shapeblend_cli.plot.numbered import write_picture
 
         write_picture(drawing, file, options.picture, force=options.force)
     found = inspection(drawing) | {"file": file}

@@ -9,7 +9,7 @@ import click
 from shapeblend_cli.batch.options import RankOptions
 from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.inspect import aligned
-from shapeblend_cli.cli.options import NAME, options_of
+from shapeblend_cli.cli.parameters import NAME, options_of
 from shapeblend_cli.cli.terminal import BatchTerminal, TerminalOptions, say
 from shapeblend_cli.job.options import RunOptions
 from shapeblend_cli.options.settings import ReadOptions, Settings

@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.cli.options import NAME, options_of
+from shapeblend_cli.cli.parameters import NAME, options_of
 from shapeblend_cli.cli.terminal import Terminal, TerminalOptions
 from shapeblend_cli.job.job import check_files
 from shapeblend_cli.job.options import RunOptions, StatesOptions

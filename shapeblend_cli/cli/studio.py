@@ -11,7 +11,7 @@ import click
 
 from shapeblend_cli.cli.blend import opened
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.cli.options import NAME, options_of
+from shapeblend_cli.cli.parameters import NAME, options_of
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.job.job import RECORDS, STANDARD_INPUT
 from shapeblend_cli.options import types

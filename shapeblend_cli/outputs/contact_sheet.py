@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.outputs.formats import WHITE, Format, OutputSpec, Rendered, frame_svgs
-from shapeblend_cli.outputs.raster import Size, check_libraries, check_pixels, rasterize, read_png, size_of
+from shapeblend_cli.outputs.pixels import Size, check_libraries, check_pixels, rasterize, read_png, size_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.outputs.formats import TRANSPARENT, Format, OutputSpec, Rendered, frame_svgs
-from shapeblend_cli.outputs.raster import check_libraries, rasterize, size_of
+from shapeblend_cli.outputs.pixels import check_libraries, rasterize, size_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

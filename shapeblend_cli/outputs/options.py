@@ -11,7 +11,7 @@ from shapeblend_cli.options.settings import ANIMATIONS, IN_BETWEENS, OUTPUT, PIC
 from shapeblend_cli.options.triggers import Trigger
 from shapeblend_cli.options.types import COLOUR, REPEAT, TRIGGER, choice, file, number, whole
 from shapeblend_cli.outputs.formats import Format, OutputSpec
-from shapeblend_cli.outputs.raster import MOST_SIDE
+from shapeblend_cli.outputs.pixels import MOST_SIDE
 from shapeblend_cli.outputs.raster_animation import FASTEST
 from shapeblend_cli.outputs.registry import DEFAULT, EMITS, FORMATS, FRAME_FORMATS, alternatives, choose
 

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError, PictureError
-from shapeblend_cli.outputs import raster
+from shapeblend_cli.outputs import pixels
 from shapeblend_cli.outputs.formats import TRANSPARENT, WHITE, Format, OutputSpec, Rendered
-from shapeblend_cli.outputs.raster import rasterize, size_of
+from shapeblend_cli.outputs.pixels import rasterize, size_of
 from shapeblend_cli.outputs.raster_animation import in_time, run_of, svgs_of
 
 if TYPE_CHECKING:
@@ -100,7 +100,7 @@ def _check(spec: OutputSpec) -> None:
 
 
 def _check_ffmpeg() -> None:
-    raster.check_libraries()
+    pixels.check_libraries()
     if shutil.which("ffmpeg") is None:
         raise PictureError(
             "videos need the program ffmpeg, which is not here (apt-get install ffmpeg, brew install ffmpeg); .gif, "

@@ -1,21 +1,25 @@
-"""The subject of a plot: one contour of a pair, as it was solved."""
+"""From two files to a plot of one contour, as it was solved."""
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.errors import MatchError
+from shapeblend_cli.errors import InputError, MatchError
+from shapeblend_cli.job.make import SLOW, check_output, match_files, write_output
+from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.plot.axes import short_name, value_text
+from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.wires.contour_blends import solved_wires
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import ContourBlend, Correspondence, Pair
-    from shapeblend_cli.options.settings import Settings
+    from shapeblend_cli.options.settings import ReadOptions, Settings
     from shapeblend_cli.plot.options import PlotOptions
 
     Dot = tuple[int, int]
@@ -52,6 +56,42 @@ class Subject(NamedTuple):
         found = self.correspondence
         parts = [value_text(work) for work in (found.work, found.stretching, found.bending, found.travel)]
         return "work {} = stretching {} + bending {} + travel {}".format(*parts)
+
+
+def plot_files(
+    kind: str,
+    files: tuple[str, str],
+    read: ReadOptions,
+    settings: Settings,
+    options: PlotOptions,
+    note: Callable[[str], None],
+    progress: Callable[[float], None],
+) -> None:
+    """Read two files, match them, and write the plot that the module `kind` beside this one draws.
+
+    Parameters
+    ----------
+    note : callable
+        Takes what the user should know, a line at a time.
+    progress : callable
+        Takes the share of the work that is done, from 0 to 1, now and then.
+
+    Raises
+    ------
+    ShapeblendError
+        With one line that says what was found and what would work.
+    """
+    if not COMPILED:
+        note(SLOW)
+    output = options.output or f"{kind}.svg"
+    check_output(output, files, options.force)
+    (pair,) = match_files(files, read, settings, Clock(), note, progress)
+    try:
+        subject = choose_subject(files, pair, settings, options)
+        text = import_module(f"shapeblend_cli.plot.{kind}").draw(subject)
+    except MatchError as error:
+        raise InputError(" and ".join(files), str(error)) from error
+    write_output(output, text, options.force)
 
 
 def choose_subject(names: tuple[str, str], pair: Pair, settings: Settings, options: PlotOptions) -> Subject:

@@ -8,7 +8,7 @@ from shapeblend_cli.errors import PictureError
 from shapeblend_cli.model import Box
 from shapeblend_cli.outputs.contact_sheet import PAGE, columns_for, contact_sheet
 from shapeblend_cli.outputs.formats import WHITE
-from shapeblend_cli.outputs.raster import MOST_SIDE, Size, rasterize, read_png, size_for
+from shapeblend_cli.outputs.pixels import MOST_SIDE, Size, rasterize, read_png, size_for
 from tests.support.commands import write
 from tests.support.drawings import svg
 

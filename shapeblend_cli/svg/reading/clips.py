@@ -10,8 +10,8 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import Box, Clip, Contour
 from shapeblend_cli.svg.reading import contours, viewports
-from shapeblend_cli.svg.reading.path_data import MAX_SEGMENTS
-from shapeblend_cli.svg.reading.shapes import contours_of
+from shapeblend_cli.svg.reading.elements import contours_of
+from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
 from shapeblend_cli.svg.xml.messages import Notes, check_limit
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, parse, translation
 from shapeblend_cli.svg.xml.xmltree import SHAPES, Node

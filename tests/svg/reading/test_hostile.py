@@ -5,7 +5,7 @@ import gzip
 import pytest
 
 from shapeblend_cli.errors import InputError
-from shapeblend_cli.svg.reading import path_data, walk
+from shapeblend_cli.svg.reading import path_commands, walk
 from shapeblend_cli.svg.styles import stylesheets
 from shapeblend_cli.svg.xml import xmltree
 from tests.svg.reading.drawings import RECT, boxes, drawn, refused, svg
@@ -109,7 +109,7 @@ def test_use_of_itself_ends():
 
 
 def test_segments_of_arcs_are_counted_before_they_are_kept(monkeypatch):
-    monkeypatch.setattr(path_data, "MAX_SEGMENTS", 20)
+    monkeypatch.setattr(path_commands, "MAX_SEGMENTS", 20)
     arcs = '<path d="M0 0{}"/>'.format
     assert len(drawn(arcs("a9 9 0 1 1 1 0" * 2)).shapes[0].contours[0].segments) == 16
     refused(arcs("a9 9 0 1 1 1 0" * 3), "path on line 1: more than 20 segments, the most that are read")

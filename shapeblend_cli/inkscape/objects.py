@@ -12,7 +12,7 @@ import numpy as np
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.frames.frames import make_frames
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.inkscape.document import Document
+from shapeblend_cli.inkscape.source import Document
 from shapeblend_cli.model import Box, Drawing, Frame, Name, Page, Pair
 from shapeblend_cli.outputs.formats import views
 from shapeblend_cli.pipeline import match_all
