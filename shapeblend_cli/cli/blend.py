@@ -58,6 +58,6 @@ def opened(files: tuple[str, ...], given: dict[str, Any]) -> tuple[tuple[str, ..
     if not projects:
         return files, given
     if len(files) > 1:
-        raise click.UsageError(f"{projects[0]}: a project names its drawings itself; it is given alone")
+        raise click.UsageError(f"{projects[0]}: a project names its own drawings, and is given alone")
     project = read_project(projects[0]).with_given(given)
     return project.files, dict(project.given)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 EXAMPLES = (
     ("shapeblend rank a.svg icons", "the icons that a.svg blends into best"),
-    ("shapeblend rank a.svg icons --top 10 --sheet best.svg", "the ten best, and what they look like"),
+    ("shapeblend rank a.svg icons --top 10 --sheet best.svg", "the ten best, with pictures of them"),
     ("shapeblend rank a.svg icons --json | head -n 1", "the best, for a program"),
 )
 
@@ -49,8 +49,8 @@ def _params() -> list[click.Parameter]:
 def rank(first: str, names: tuple[str, ...], **given: Any) -> int:
     """Find the drawings in a folder that blend best with A.
 
-    For each drawing the table has how wrong the in-betweens look to the judge (0 is perfect), how much work they take,
-    and how many contours have no partner, so that they grow or shrink. DIR may also be a pattern in quotes, or files.
+    For each drawing the table lists how wrong the in-betweens look to the judge (0 is perfect), their work, and the
+    number of contours without a partner, which grow or shrink. DIR may also be a pattern in quotes, or files.
     """
     try:
         return _rank(first, names, given)

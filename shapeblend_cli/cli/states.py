@@ -37,8 +37,8 @@ WITHOUT = (
 def states(files: tuple[str, ...], **given: Any) -> None:
     """Make one drawing with several states, which can change from any to any other.
 
-    The states have the names of the files. In an SVG, the attribute data-state of its root says which state is shown.
-    A custom element (.js) has the attribute state for this.
+    The states have the names of the files. In an SVG, the attribute data-state of the root names the state that is
+    shown; in a custom element (.js), the attribute state does.
     """
     options, settings = StatesOptions.of(given), Settings.of(given)
     check_files(files, settings)

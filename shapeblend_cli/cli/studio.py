@@ -67,7 +67,7 @@ def studio(files: tuple[str, ...], **given: Any) -> None:
         server = Studio(session, options.port or 0)
     except OSError as error:
         raise click.ClickException(
-            f"port {options.port}: {error.strerror}; without --port a free one is found"
+            f"port {options.port}: {error.strerror}; without --port a free port is found"
         ) from None
     session.start()
     ended = threading.Event()

@@ -41,7 +41,7 @@ def job_of(files: tuple[str, ...], given: Mapping[str, Any], command: tuple[str,
         raise OptionError("--output and --report cannot both be standard output")
     if settings.mix and (write.report or write.preview or write.tries):
         raise OptionError(
-            "--report, --preview and --try are for blends from drawing to drawing, and --mix makes none"
+            "--report, --preview and --try are for blends from drawing to drawing; --mix makes mixtures"
         )
     if write.tries is not None and len(files) > 2:
         raise OptionError(f"--try applies to two files; {len(files)} given")

@@ -31,8 +31,8 @@ class WriteOptions(Record, section=OUTPUT):
         default=None,
         flags=("--try",),
         metavar="FILE.svg",
-        help="Write a sheet of other blends of two drawings, to choose from by eye. Each has the options that give "
-        "it, and a number for how wrong it looks to the judge; 0 is perfect.",
+        help="Write a sheet of other blends of two drawings, to choose from by eye, each with its options and the "
+        "judge's number for how wrong it looks; 0 is perfect.",
     )
     fail_on: str = option(
         types.choice("never", "poor"),

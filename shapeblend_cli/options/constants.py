@@ -51,8 +51,8 @@ class WorkConstants(Record, section=WIRE):
     bending: str = option(
         choice("turn", "paper"),
         default="turn",
-        help="What bending costs. turn: how much more or less the wire turns; paper: how its angle changes along "
-        "straight vertex paths, equation 17.",
+        help="Measure of bending. turn: the change in how far the wire turns; paper: the change of its angle along "
+        "straight vertex paths (equation 17).",
     )
     k_t: float = option(
         NOT_NEGATIVE,
@@ -63,7 +63,7 @@ class WorkConstants(Record, section=WIRE):
     smoothing: float = option(
         number(0, 0.1),
         default=0.01,
-        help="Scale of bending: how far outlines are smoothed before most of it is measured, as a share of their "
+        help="Scale of bending: most of it is measured on outlines that are smoothed this far, as a share of their "
         "length.",
     )
 

@@ -127,7 +127,7 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         default=(),
         many=True,
         flags=("--pin",),
-        help="Vertices that must correspond: by number, or the ones nearest to a point of A and a point of B.",
+        help="Vertices that must correspond: by number, or the vertices nearest to a point of A and a point of B.",
     )
     mix: tuple[tuple[float, ...], ...] = option(
         types.MIX,
@@ -154,8 +154,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         default=(),
         many=True,
         section=SHAPES,
-        help="Contours that become each other: a number or an id of A, and one of B; or a point of A and a point of "
-        "B. A point chooses the innermost contour around it or, if there is none, the nearest.",
+        help="Pair two contours: a number or an id of A with a number or an id of B, or a point of A with a point of "
+        "B. A point chooses the innermost contour around it or, if there is none, the nearest contour.",
     )
     unmatched: str = option(
         types.choice("auto", "point", "split"),
@@ -187,8 +187,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         types.choice(*PRESETS),
         default=None,
         section=WIRE,
-        help="paper: only the paper's work, as with --bending paper --kt 0 --smoothing 0; the others: also the "
-        "constants and the band of a row of its table 1. Other options given with it take precedence.",
+        help="paper: the paper's work alone, as with --bending paper --kt 0 --smoothing 0; fig1 and so on: also the "
+        "constants and the band of that figure in the paper's table 1. Options that are given too take precedence.",
     )
     motion: str = option(
         types.choice("auto", "linear", "rigid", "intrinsic"),
@@ -201,8 +201,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         types.choice("auto", "keep", "grow"),
         default="auto",
         section=IN_BETWEENS,
-        help="What frames show. keep: the drawings' viewBoxes; grow: also what is outside them; auto: keep, unless "
-        "something clearly visible would leave them on the way.",
+        help="Part of the plane that frames show. keep: the drawings' viewBoxes; grow: also shapes outside of them; "
+        "auto: keep, unless something clearly visible would leave them on the way.",
     )
     style: str = option(
         types.choice("blend", "a", "b"),
@@ -222,7 +222,7 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         types.number(0.0, 0.95),
         default=0.0,
         section=IN_BETWEENS,
-        help="Start shapes one after the other. X is how late the last one starts, as a share of the time.",
+        help="Start shapes one after the other. X is the start of the last shape, as a share of the time.",
         default_text="0, all at once",
     )
     stagger_by: str = option(
@@ -251,11 +251,11 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         for weights in self.mix:
             if len(weights) != count:
                 shown = ",".join(f"{weight:g}" for weight in weights)
-                raise OptionError(f"--mix {shown} is of {len(weights)} files; {count} given")
+                raise OptionError(f"--mix {shown} has {len(weights)} shares; {count} files given")
         if self.is_given("stagger_by") and not self.stagger:
             raise OptionError("--stagger-by sets the order of --stagger, and needs it")
         if self.stagger and self.mix:
-            raise OptionError("--stagger is for blends from drawing to drawing, and --mix makes none")
+            raise OptionError("--stagger is for blends from drawing to drawing; --mix makes mixtures")
         if self.times and count > 2:
             raise OptionError(f"--times applies to two files; {count} given")
         if self.times and (self.is_given("frames") or self.ends or self.mix):

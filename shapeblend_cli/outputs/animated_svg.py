@@ -59,7 +59,7 @@ def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Ren
     shown = Box.union(reaction.views)
     reaction = reaction._replace(page=page_for(page, shown), views=[shown, shown])
     notes = [
-        f"{shape.name}: moves on curved paths, which CSS transitions cannot show: straight between the drawings"
+        f"{shape.name}: moves on curved paths, which CSS transitions cannot show; it moves straight"
         for shape in move.shapes
         if shape.waypoints
     ]

@@ -374,7 +374,7 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     for move in moves:
         notes += move.unsupported_in("Lottie", _shows_gradients)
         notes += [
-            f"{shape.name}: Lottie cannot change its dashes into so many others; its stroke is solid"
+            f"{shape.name}: Lottie cannot change the number of its dashes; its stroke is solid"
             for shape in move.shapes
             if _loses_dashes(shape.start.style, shape.end.style)
         ]

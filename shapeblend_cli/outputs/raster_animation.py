@@ -140,12 +140,12 @@ def _check(spec: OutputSpec) -> None:
     run, repeat = run_of(spec), spec.timing.repeat
     if spec.format.name == "gif" and spec.ground is None:
         raise OptionError(
-            "--background transparent: edges in a GIF cannot be half transparent; .webp and .apng can, or a colour"
+            "--background transparent: edges in a GIF cannot be half transparent; .webp, .apng or a colour would work"
         )
     if run.pictures > FASTEST * run.seconds * (1.0 + 1e-9):
         raise OptionError(
-            f"{run.pictures} pictures in {run.seconds:g} seconds: browsers slow down what is faster than "
-            f"{FASTEST} a second; a longer --duration, or fewer pictures, would work"
+            f"{run.pictures} pictures in {run.seconds:g} seconds: browsers slow down animations of "
+            f"more than {FASTEST} a second; a longer --duration, or fewer pictures, would work"
         )
     if isinstance(repeat, int) and repeat > MOST_RUNS:
         raise OptionError(f"--repeat {repeat}: raster animations run {MOST_RUNS} times at most, or forever")

@@ -74,12 +74,14 @@ def choose(emit: str, path: str | None, frame_format: str | None, drawings: int)
             what = f"one file, so --output takes a name ending in {ending}, or -"
         raise OptionError(f"--emit {emit} writes {what}; {path} given")
     if suffix in PAGES:
-        raise OptionError(f"--output {path}: a page of this kind is written with --preview {path}")
+        raise OptionError(f"--output {path}: --preview {path} writes a page of this kind")
     if suffix in UNSUPPORTED:
         others = ", ".join(format.suffix for format in formats if format.suffix)
-        raise OptionError(f"--output {path}: {suffix} is not written; {others} are, and frames into a folder")
+        raise OptionError(
+            f"--output {path}: {suffix} cannot be written; {others} or a folder of frames would work"
+        )
     other = next(format.emit for format in FORMATS if format.suffix == suffix)
-    raise OptionError(f"--output {path}: with --emit {other} a file of this kind is written")
+    raise OptionError(f"--output {path}: --emit {other} writes a file of this kind")
 
 
 def alternatives(words: Sequence[str]) -> str:

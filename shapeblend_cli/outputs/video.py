@@ -64,12 +64,12 @@ def encode(
             done = subprocess.run(command, input=b"".join(pngs[k] for k in order), capture_output=True)
         except OSError as error:
             raise PictureError(
-                f"ffmpeg cannot be run ({error.strerror}); .gif, .webp and .apng need none"
+                f"ffmpeg cannot be run ({error.strerror}); .gif, .webp and .apng would work"
             ) from None
         if done.returncode or not file.exists():
             lines = done.stderr.decode("utf-8", "replace").strip().splitlines() or ["it gives no reason"]
             raise PictureError(
-                f"ffmpeg makes no .{kind}: {lines[-1][:200]}; .gif, .webp and .apng need none of it"
+                f"ffmpeg cannot make the .{kind}: {lines[-1][:200]}; .gif, .webp and .apng would work"
             )
         return file.read_bytes()
 
@@ -87,11 +87,11 @@ def _check(spec: OutputSpec) -> None:
     run, repeat = run_of(spec), spec.timing.repeat
     if spec.format.name == "mp4" and spec.ground is None:
         raise OptionError(
-            "--background transparent: nothing in an MP4 is; .webm can be, or a colour would work"
+            "--background transparent: an MP4 cannot be transparent; .webm or a colour would work"
         )
     if isinstance(repeat, int) and repeat > MOST_RUNS:
         raise OptionError(
-            f"--repeat {repeat}: a video runs {MOST_RUNS} times at most, or as often as it is played"
+            f"--repeat {repeat}: a video has {MOST_RUNS} runs at most, and players can repeat it"
         )
     if run.pictures > MOST_FRAMES:
         raise OptionError(
@@ -103,8 +103,8 @@ def _check_ffmpeg() -> None:
     pixels.check_libraries()
     if shutil.which("ffmpeg") is None:
         raise PictureError(
-            "videos need the program ffmpeg, which is not here (apt-get install ffmpeg, brew install ffmpeg); .gif, "
-            ".webp and .apng need none"
+            "videos need the program ffmpeg, which is not installed (apt-get install ffmpeg, brew install ffmpeg); "
+            ".gif, .webp and .apng would work"
         )
 
 

@@ -108,11 +108,13 @@ def choose_subject(names: tuple[str, str], pair: Pair, settings: Settings, optio
     if not candidates:
         others = sorted({contour.a for contour in matched if contour.a is not None})
         shown = ", ".join(map(str, others[:10])) + " and others" * (len(others) > 10)
-        raise MatchError(f"contour {number} of A is matched with none of B; {shown} would do")
+        raise MatchError(f"contour {number} of A has no partner in B; {shown} would work")
     contour = max(candidates, key=lambda each: each.scale_a)
     wires = solved_wires(contour, settings)
     if dot is not None and not (dot[0] < wires.m and dot[1] < wires.n):
-        raise MatchError(f"dot {dot[0]},{dot[1]} names no vertices; 0,0 to {wires.m - 1},{wires.n - 1} would")
+        raise MatchError(
+            f"dot {dot[0]},{dot[1]} names no vertices; 0,0 to {wires.m - 1},{wires.n - 1} would work"
+        )
     return Subject(names, contour, wires, settings.band, dot)
 
 

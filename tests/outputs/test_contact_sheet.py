@@ -71,7 +71,7 @@ def test_strokes_too_wide_for_pictures_are_refused(here, capsys):
     write(a=svg("M2 2H20V20Z"), b=tiny)
     for target in ("x.png", "x.gif"):
         assert run(["a.svg", "b.svg", "-o", target]) == 1
-        assert "times as wide as what is shown" in capsys.readouterr().err
+        assert "times as wide as the view" in capsys.readouterr().err
         assert not (here / target).exists()
     assert run(["a.svg", "b.svg", "-o", "x.svg"]) == 0
 

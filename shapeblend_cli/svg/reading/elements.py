@@ -57,7 +57,7 @@ def _points(node: Node, notes: Notes, lenient: bool) -> Contour | None:
         values = error.before
         _report(f"{node}: {error.message_in('points')}", len(values) > 3, notes, lenient)
     if len(values) > 2 * path_commands.MAX_SEGMENTS:
-        raise Problem(f"{node}: more than {path_commands.MAX_SEGMENTS} points, the most that are read")
+        raise Problem(f"{node}: more than {path_commands.MAX_SEGMENTS} points, the limit")
     if len(values) % 2:
         notes.add("the last coordinate, which has no partner, left out")
     points = [complex(x, y) for x, y in zip(values[::2], values[1::2], strict=False)]

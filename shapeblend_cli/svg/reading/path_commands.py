@@ -45,7 +45,7 @@ class TooManySegments(ValueError):
     """Path data longer than what is read, whether it keeps to the grammar or not."""
 
     def __init__(self) -> None:
-        super().__init__(f"more than {MAX_SEGMENTS} segments, the most that are read")
+        super().__init__(f"more than {MAX_SEGMENTS} segments, the limit")
 
 
 @dataclass(slots=True)

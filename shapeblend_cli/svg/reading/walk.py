@@ -215,7 +215,7 @@ class Walk:
             self._notes.add(f"use of '{printable(link)}' inside itself left out")
             return
         if len(visit.used) >= MAX_USE_DEPTH:
-            raise Problem(f"{node}: use nested deeper than {MAX_USE_DEPTH}, the deepest that is read")
+            raise Problem(f"{node}: use nested deeper than {MAX_USE_DEPTH}, the limit")
         shift = translation(*viewports.offset(node, visit.lengths))
         visit = self._grouped(visit)
         self._stack.append(
