@@ -52,7 +52,7 @@ FORMLESS += [f"cubic-bezier({text}" for text in ("1,2,3)", "0,0,1,1", "nan,0,1,1
 
 @pytest.mark.parametrize("text", [*FORMLESS, "cubic-bezier(0.7,-0.6,0.3,1.6)"])  # the last one overshoots
 def test_what_is_no_easing(text):
-    with pytest.raises(ValueError, match="ease must be linear, ease, .*between 0 and 1, not"):
+    with pytest.raises(ValueError, match=r"ease must be linear, ease, .*between 0 and 1, not"):
         Settings(ease=text)
 
 
