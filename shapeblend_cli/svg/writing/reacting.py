@@ -74,7 +74,8 @@ def reacting_smil(reaction: Reaction, timing: Timing, decimals: int) -> str:
     timeline = _ThereAndBack(drawing, len(reaction.views) - 1, timing, *_begins(trigger, name))
     timeline.add_views(drawing, [document.box_text(view, decimals) for view in reaction.views])
     drawing["role"] = "presentation"  # what it is, is said of what is in it
-    around = written_group({"id": name, **_role(trigger, reaction.page.called)})
+    around = drawing.g()
+    around.attribs.update({"id": name, **_role(trigger, reaction.page.called)})
     drawing.add(around)
     area = {**_area(Box.union(reaction.views), decimals), "fill": "none", "pointer-events": "all"}
     around.add(written("rect", area))
@@ -107,32 +108,12 @@ def reacting_smil(reaction: Reaction, timing: Timing, decimals: int) -> str:
         events = [json.dumps(event) for event in (trigger.event, trigger.opposite) if event]
         listens = (EACH if trigger.opposite else IN_TURN) % tuple(events)
         script.text = LISTEN % (json.dumps(trigger.name), listens)
-        around.add(_Ready(script))
+        around.add(document.Ready(script))
     style = (
         f"#{name}:focus:not(:focus-visible){{outline:none}}.{name}-still{{display:none}}"
         f"@media (prefers-reduced-motion:reduce){{.{name}-still{{display:inline}}.{name}-moving{{display:none}}}}"
     )
     return document.text(drawing, style=style, definitions=[*gradients, *defined.elements])
-
-
-def written_group(attributes: dict[str, str]) -> Any:
-    """Return a group for elements of svgwrite."""
-    from shapeblend_cli.svg.libraries import svgwrite
-
-    group = svgwrite.container.Group(debug=False)
-    group.attribs.update(attributes)
-    return group
-
-
-class _Ready:
-    """An element as svgwrite has them, its attributes in their order."""
-
-    def __init__(self, element: Element) -> None:
-        self._element = element
-
-    def get_xml(self) -> Element:
-        """Return the element."""
-        return self._element
 
 
 def _area(box: Box, decimals: int) -> dict[str, str]:
@@ -259,7 +240,7 @@ def reacting_css(reaction: Reaction, timing: Timing, decimals: int) -> str:
             rules.append(f"{','.join(f'{one} .{own}' for one in active)}{{{';'.join([*moved, there])}}}")
         tree.add(drawing.path(class_=own, **start), shape.groups, shape.name)
     if is_click:
-        drawing.add(_Ready(_check_box(reaction, decimals)))
+        drawing.add(document.Ready(_check_box(reaction, decimals)))
         rules.append(f".{name}:has(:focus-visible){{outline:2px solid}}")
     rules.append(f"@media (prefers-reduced-motion:reduce){{[class^={name}]{{transition:none!important}}}}")
     return document.text(drawing, style="\n".join(["", *rules, ""]))
