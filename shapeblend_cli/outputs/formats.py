@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-    from shapeblend_cli.model import Box, Pair
+    from shapeblend_cli.model import Box, Page, Pair
     from shapeblend_cli.options.easing import Timing
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.options.triggers import Trigger
@@ -130,6 +130,13 @@ class OutputSpec(NamedTuple):
 def views(pairs: Sequence[Pair]) -> list[Box]:
     """Return the part of the plane to show of each drawing."""
     return [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
+
+
+def page_of(pairs: Sequence[Pair]) -> Page:
+    """Return the page of a document that shows all drawings."""
+    from shapeblend_cli.paint.names import common_page
+
+    return common_page([pairs[0].pages[0], *(pair.pages[1] for pair in pairs)])
 
 
 def frame_svgs(spec: OutputSpec, pairs: Sequence[Pair], settings: Settings | None = None) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError
-from shapeblend_cli.outputs.formats import TRANSPARENT, Format, OutputSpec, Rendered, frame_svgs
+from shapeblend_cli.outputs.formats import TRANSPARENT, Format, OutputSpec, Rendered, frame_svgs, page_of
 from shapeblend_cli.outputs.pixels import check_libraries, rasterize, size_of
 
 if TYPE_CHECKING:
@@ -29,19 +29,9 @@ def _render_png(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
 
 def _render_layers(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     from shapeblend_cli.frames.frames import make_frames
-    from shapeblend_cli.paint.names import common_page
     from shapeblend_cli.svg.writing.document import layers_svg
 
-    frames = make_frames(pairs, spec.settings)
-    return Rendered(
-        [
-            layers_svg(
-                frames,
-                spec.decimals(pairs),
-                common_page([pairs[0].pages[0], *(pair.pages[1] for pair in pairs)]),
-            )
-        ]
-    )
+    return Rendered([layers_svg(make_frames(pairs, spec.settings), spec.decimals(pairs), page_of(pairs))])
 
 
 def _check_layers(spec: OutputSpec) -> None:
