@@ -27,7 +27,7 @@ class Option(NamedTuple):
     name: str = ""  # of the field
 
     def named(self, name: str, section: str) -> Option:
-        """Return the option with what follows from its name and its record."""
+        """Return the option with the values that follow from its name and its record."""
         key = self.key or name
         return self._replace(
             name=name,
@@ -97,7 +97,7 @@ class Record:
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Self:
-        """Make a record of those of some values that it has a field for."""
+        """Make a record of values by name; values without a field are left out."""
         return cls(**{name: values[name] for name in cls.options if name in values})
 
     def is_given(self, name: str) -> bool:
