@@ -41,8 +41,8 @@ class Painter:
     def style(self, inherited: Inherited, opacity: float, scale: float, lengths: Lengths) -> Style:
         """Return the style of a shape, with plain colours in place of gradients and patterns.
 
-        The `opacity` is the product over the shape and all groups around it; `scale` is the factor of its transforms for
-        the width of its stroke.
+        The `opacity` is the product over the shape and all groups around it; `scale` is the factor of its transforms
+        for the width of its stroke.
         """
         fill, fill_alpha = self._colour(inherited.fill, inherited)
         stroke, stroke_alpha = self._colour(inherited.stroke, inherited)
