@@ -29,7 +29,7 @@ permutations = st.permutations(range(CARDS))
 spots = st.lists(st.tuples(st.integers(0, 12), st.integers(0, 8)), min_size=CARDS, max_size=CARDS)
 
 
-@settings(max_examples=20)
+@settings(max_examples=10)
 @given(permutations, permutations, spots, spots, st.sampled_from(["", 'fill-opacity="0.6"']))
 def test_in_any_order(order, partners, spots_a, spots_b, opacity):
     paints = [f"{paint} {opacity}" for paint in (RED, BLUE, GOLD, GREEN)]
