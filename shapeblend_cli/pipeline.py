@@ -63,6 +63,8 @@ def match_all(
         drawings, specks = [drawing for drawing, _ in found], [text for _, texts in found for text in texts]
     if settings.mix:
         drawings, settings = _mixed(drawings, settings)
+    if len(drawings) > 2:  # a line that is cut for one pair is not the line that the next pair begins with
+        settings = settings.replace(strokes="keep")
     maps = place(drawings, settings.place)
     flat, notes = flattened(drawings, maps, settings.vertices, kept)
     check_stiff([contour.polygon for contour in flat[0].contours], settings)
