@@ -160,7 +160,7 @@ def _others(order: Order) -> list[dict[str, Any]]:
             },
             "wrong": one.wrong,
             "pictures": [
-                frame_svg(frame, decimals_for([frame.view]))
+                frame_svg(frame.picture, decimals_for([frame.view]))
                 for frame in (frame_at(one.pair, t, as_drawn=settings.draws_ends) for t in THUMBNAIL_TIMES)
             ],
         }
