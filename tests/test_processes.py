@@ -9,6 +9,7 @@ import time
 import pytest
 
 from shapeblend_cli.processes import Parent
+from tests.support.commands import wait_until
 
 ASKING = """
 import sys
@@ -29,13 +30,6 @@ def main():
         with open("at-work", "w") as stream:
             stream.write(order)
         time.sleep(60)
-
-
-def wait_until(is_so, seconds=30):
-    end = time.monotonic() + seconds
-    while not is_so() and time.monotonic() < end:
-        time.sleep(0.02)
-    assert is_so()
 
 
 def is_there(number):
