@@ -78,6 +78,11 @@ def write_files(contents: Contents, force: bool) -> None:
             raise OutputError(str(target), f"cannot be written ({_reason(error)}){stands}") from error
 
 
+def is_inside(path: Path, folder: str) -> bool:
+    """Return whether a path lies in a folder or deeper, wherever symbolic links lead."""
+    return Path(_real(path)).is_relative_to(_real(Path(folder)))
+
+
 class _File(NamedTuple):
     """A file to write."""
 

@@ -14,6 +14,7 @@ import pytest
 
 from shapeblend_cli import files, staging
 from shapeblend_cli.cli import run
+from shapeblend_cli.output import is_inside
 from tests.support.commands import contents, made, names
 from tools.faults import runs
 
@@ -418,3 +419,12 @@ def test_the_fresh_folder_is_one_step(here, monkeypatch):
     monkeypatch.setattr(os, "rename", lambda *given: (seen.append(made()), rename(*given)))
     assert run([*AB, "-o", "deep/er"]) == 0
     assert [name for name in seen[0] if not name.startswith(staging.PREFIX)] == []
+
+
+def test_a_path_lies_in_a_folder_where_links_lead(here):
+    (here / "own" / "deep").mkdir(parents=True)
+    (here / "own" / "out").symlink_to(here)
+    inside = [is_inside(Path(path), "own") for path in ("own/a", "own/deep/b", "own/x/../c", here / "own/d")]
+    outside = [is_inside(Path(path), "own") for path in ("a", "own/../a", "own/out/a", "owner/a", "/etc/a")]
+    assert inside == [True] * 4
+    assert outside == [False] * 5
