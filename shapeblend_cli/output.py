@@ -31,11 +31,11 @@ def check_targets(targets: Iterable[Path], inputs: Iterable[Path], force: bool) 
     OutputError is raised for a target that is an input or a folder, that exists without `force`, or whose folder cannot
     be made.
     """
-    sources = list(map(_real, inputs))
+    sources = list(map(real_path, inputs))
     cleared: set[Path] = set()
     for target in targets:
         with _refusing(target):
-            real = _real(target)
+            real = real_path(target)
             if real in sources:
                 raise OutputError(str(target), "is an input and is never replaced; another name would work")
             if target.is_dir():
@@ -80,7 +80,7 @@ def write_files(contents: Contents, force: bool) -> None:
 
 def is_inside(path: Path, folder: str) -> bool:
     """Return whether a path lies in a folder or deeper, wherever symbolic links lead."""
-    return Path(_real(path)).is_relative_to(_real(Path(folder)))
+    return Path(real_path(path)).is_relative_to(real_path(Path(folder)))
 
 
 class _File(NamedTuple):
@@ -139,11 +139,11 @@ def _file(target: Path, content: Content) -> _File:
     )
 
 
-def _real(path: Path) -> str:
-    """Return a path without symbolic links, where the working folder is known."""
+def real_path(path: Path) -> str:
+    """Return a path without symbolic links, where the working folder is known and the name can be one."""
     try:
         return os.path.realpath(path)
-    except OSError:
+    except (OSError, ValueError):
         return str(path)
 
 

@@ -27,7 +27,7 @@ from shapeblend_cli.studio.session import Download, Session
 
 HOST = "127.0.0.1"
 
-MOST_JSON, MOST_DRAWING = 2**20, 64 * 2**20
+MOST_JSON, MOST_DRAWING = 4 * 2**20, 64 * 2**20
 """Bytes of a request, and of one with a drawing; the latter is what the reader takes."""
 
 MOST_CONNECTIONS = 64

@@ -6,10 +6,12 @@ All of it is a function from a project and the contents of its drawings to value
 from __future__ import annotations
 
 import hashlib
+import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from shapeblend_cli.clock import Clock
+from shapeblend_cli.errors import OptionError
 from shapeblend_cli.files import (
     check_files_of,
     check_libraries,
@@ -18,10 +20,11 @@ from shapeblend_cli.files import (
     read_files,
     write,
 )
-from shapeblend_cli.jobs import Job, job_of
+from shapeblend_cli.jobs import Job, all_targets, job_of
 from shapeblend_cli.kept import Kept
 from shapeblend_cli.model import Frame
 from shapeblend_cli.motion.verdict import verdict
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.pipeline import as_drawn, end_frames, frame_at, place
 from shapeblend_cli.preview.pictures import (
     correspondence_lists,
@@ -185,13 +188,25 @@ def _contents(order: Order) -> dict[str, Any]:
 
 
 def _write(order: Order) -> dict[str, Any]:
-    """Write what the command would write, where it would."""
+    """Write what the command would write, where it would, or return what to ask before that."""
     job = _job(order)
     notes: list[str] = []
-    job = job._replace(write=job.write.replace(force=order.force))
+    if STANDARD_OUTPUT in (job.output.path, job.write.report):
+        raise OptionError(
+            f"the studio cannot write to standard output, {STANDARD_OUTPUT}; the name of a file would work"
+        )
+    targets = all_targets(job)
+    job = job._replace(write=job.write.replace(force=any(map(os.path.lexists, targets))))
     check_libraries(job)
-    check_files_of(job)
+    asks = order.consent.asks(targets)
+    if not asks["outside"]:
+        check_files_of(job)
+    if any(asks.values()):
+        return {"asks": asks}
     made = make(job, Clock(), notes.append, sources=order.sources)
+    asks = order.consent.asks(targets)  # others may have written meanwhile
+    if any(asks.values()):
+        return {"asks": asks}
     write(job, made.contents, notes.append)
     return {"written": [str(target) for target in made.contents], "notes": notes}
 

@@ -29,8 +29,8 @@ def studio(browser, here, samples):
     for name, paths in {"two": TWO, "swapped": SWAPPED, "bar": [BAR], "leaf": [LEAF]}.items():
         (here / f"{name}.svg").write_text(svg(*paths, attributes='fill="#222"'))
 
-    def open_(*files, width=1280, height=900, scheme="light", touch=False, **given):
-        session = Session(Project(files, given))
+    def open_(*files, width=1280, height=900, scheme="light", touch=False, folder="", **given):
+        session = Session(Project(files, given), folder)
         server = Studio(session)
         session.start()
         threading.Thread(target=server.serve_forever, args=(0.02,), daemon=True).start()
@@ -236,8 +236,8 @@ def test_the_export_is_what_the_shown_command_line_writes(studio, here, way):
         page.wait_for_selector("#written:has-text('Wrote moving.svg')")
         made = (here / "moving.svg").read_bytes()
         page.click("#write")
-        page.wait_for_selector("#replace:visible")
-        page.click("#replace")
+        page.wait_for_selector(f"#written:has-text('There already: {here / 'moving.svg'}.')")
+        page.click("text=Replace what is there")
         page.wait_for_selector("#written:has-text('Wrote moving.svg')")
     else:
         with page.expect_download() as begun:
@@ -249,6 +249,20 @@ def test_the_export_is_what_the_shown_command_line_writes(studio, here, way):
     assert words[:2] == ["shapeblend", "two.svg"]
     assert run([*words[1:], "--force"]) == 0
     assert (here / "moving.svg").read_bytes() == made
+
+
+def test_what_would_be_written_elsewhere_is_asked_about_with_its_path(studio, here):
+    page = studio("two.svg", "swapped.svg", folder="own", output="own/../made.svg")
+    page.click("#write")
+    page.wait_for_selector(f"#written:has-text('Not in the folder of this project: {here / 'made.svg'}.')")
+    assert not (here / "made.svg").exists()
+    page.click("text=Write there")
+    page.wait_for_selector("#written:has-text('Wrote own/../made.svg')")
+    assert (here / "made.svg").exists()
+    changed(page, lambda: (page.fill("#output", "-"), page.keyboard.press("Enter")))
+    page.click("#write")
+    page.wait_for_selector("#written:has-text('cannot write to standard output')")
+    assert not page.is_visible("#replace")
 
 
 def test_a_project_is_saved_and_opened_again(studio, here):

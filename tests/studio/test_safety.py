@@ -196,7 +196,7 @@ def test_names_of_dropped_files_are_names_alone(client, name):
 
 def test_too_much_is_refused_before_it_is_read(client):
     for path, kind, length in (
-        ("/api/look", "application/json", 2**21),
+        ("/api/look", "application/json", 2**23),
         ("/api/drawing?name=a.svg", "application/octet-stream", 2**27),
     ):
         response, _ = client.request("POST", path, b"", Content_Type=kind, Content_Length=str(length))
