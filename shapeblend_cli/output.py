@@ -290,6 +290,8 @@ def _refusing(target: Path) -> Iterator[None]:
     except OutputError:
         raise
     except (OSError, ValueError) as error:
+        if isinstance(error, OSError) and error.filename is None:
+            raise  # it is about the current folder
         raise OutputError(str(target), f"cannot be written ({_reason(error)})") from error
 
 
@@ -307,5 +309,6 @@ def _encoded(content: Content) -> bytes:
 
 
 def _as_typed(folder: Path, target: Path) -> str:
-    """Return a folder on the way to a target as the target has it."""
-    return next((str(each) for each in target.parents if Path(os.path.realpath(each)) == folder), str(folder))
+    """Return a folder on the way to a target as the target has it, unless it leaves the current folder out."""
+    typed = (each for each in target.parents if each != Path())
+    return next((str(each) for each in typed if Path(os.path.realpath(each)) == folder), str(folder))
