@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from shapeblend_cli.api import Blend, Picture, blend, match, read
     from shapeblend_cli.errors import ShapeblendError
     from shapeblend_cli.model import Correspondence, Drawing
+    from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.outputs.options import OutputOptions
-    from shapeblend_cli.settings import Settings
 
 _MODULES = {
     "Blend": "api",
@@ -27,7 +27,7 @@ _MODULES = {
     "Drawing": "model",
     "OutputOptions": "outputs.options",
     "Picture": "api",
-    "Settings": "settings",
+    "Settings": "options.settings",
     "ShapeblendError": "errors",
     "blend": "api",
     "match": "api",

@@ -9,22 +9,23 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from shapeblend_cli.clock import Clock
-from shapeblend_cli.easing import frame_times
 from shapeblend_cli.errors import OptionError
+from shapeblend_cli.frames.frames import frame_at, make_frames, times_of_frames
+from shapeblend_cli.job.report import measure, report
 from shapeblend_cli.model import Correspondence, Drawing, Frame, PaintedShape, Polygon
-from shapeblend_cli.output import check_targets, write_files
+from shapeblend_cli.options.easing import frame_times
+from shapeblend_cli.options.settings import Settings, report_settings
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, views
 from shapeblend_cli.outputs.options import OutputOptions, specify
-from shapeblend_cli.pairing.constraints import Constraints, check_stiff
-from shapeblend_cli.pairing.direction import choose_direction
-from shapeblend_cli.pipeline import frame_at, make_frames, match_all, times_of_frames
-from shapeblend_cli.report import measure, report
-from shapeblend_cli.settings import Settings, report_settings
+from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.reading.read import read as read_file
 from shapeblend_cli.svg.writing.document import frame_svg
 from shapeblend_cli.svg.writing.rounding import decimals_for
+from shapeblend_cli.system.clock import Clock
+from shapeblend_cli.system.write import check_targets, write_files
 from shapeblend_cli.version import __version__
+from shapeblend_cli.wires.constraints import Constraints, check_stiff
+from shapeblend_cli.wires.direction import choose_direction
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -18,58 +18,42 @@ PACKAGE = Path(shapeblend_cli.__file__).parent
 # A room is a module or a folder; the longest name that fits a module is its room.
 ROOMS = {
     "__main__": "cli",
-    "cli": "studio project rank batch inkscape states plot files jobs outputs report interrupts svg.reading settings "
-    "fields field_types errors version",
-    "__init__": "api outputs model settings errors version",
-    "api": "pipeline outputs output report pairing svg.reading svg.writing settings model clock version easing errors",
-    "studio": "project preview tries files jobs outputs output pipeline svg.reading svg.writing motion views fields "
-    "field_types model kept clock version processes errors",
-    "rank": "batch tries files svg.reading svg.writing output settings motion model kept clock errors",
-    "project": "batch field_types errors",
-    "batch": "files svg.reading jobs outputs output kept staging processes interrupts fields field_types clock easing "
-    "errors version",
-    "plot": "files output svg.reading svg.writing pairing interpolate geometry settings matching model clock "
-    "errors",
-    "states": "files outputs interpolate svg.writing names settings matching model clock errors",
-    "inkscape": "outputs output pipeline svg.reading svg.writing names geometry settings fields model easing errors",
-    "files": "preview tries report jobs outputs output pipeline svg.reading motion settings matching model kept clock "
-    "errors version",
-    "tries": "pipeline svg.writing motion geometry settings model errors",
-    "preview": "svg.reading svg.writing pairing interpolate paint geometry settings matching model easing",
-    "report": "interpolate geometry model",
-    "jobs": "outputs settings fields errors",
-    "outputs": "pipeline interpolate svg.writing names settings fields field_types model easing triggers errors",
-    "output": "staging interrupts errors",
-    "staging": "",
-    "processes": "",
-    "interrupts": "errors",
-    "pipeline": "clipping views pairing motion interpolate names paint geometry settings model kept clock easing "
-    "errors",
-    "clipping": "geometry model",
-    "views": "interpolate geometry model",
-    "pairing": "geometry settings matching constants model errors",
-    "motion": "interpolate geometry model _cython",
-    "interpolate": "names paint geometry model",
-    "matching": "constants model errors _cython",
-    "settings": "constants fields field_types easing triggers errors",
-    "constants": "fields field_types",
-    "fields": "field_types",
-    "field_types": "svg.reading easing triggers",
-    "svg.reading": "svg.libraries geometry model errors",
-    "svg.writing": "svg.libraries names paint model easing triggers",
-    "names": "model",
+    "cli": "studio batch plot inkscape job outputs options svg.reading system errors version",
+    "__init__": "api outputs options errors model version",
+    "studio": "batch job blending preview outputs frames svg.writing motion options svg.reading system errors "
+    "model version",
+    "api": "job pipeline outputs wires frames svg.writing options svg.reading system errors model version",
+    "batch": "job outputs svg.writing motion options svg.reading system errors model version",
+    "plot": "job wires matching svg.writing options svg.reading geometry system errors model",
+    "inkscape": "pipeline outputs frames svg.writing options svg.reading geometry svg.xml system errors model",
+    "job": "pipeline blending preview outputs frames matching svg.writing motion options svg.reading "
+    "interpolate geometry paint system errors model version",
+    "pipeline": "blending wires frames options anatomy interpolate paint system model",
+    "blending": "pens pairing wires frames motion options anatomy interpolate geometry paint system errors model",
+    "pens": "pairing matching motion options anatomy geometry _cython model",
+    "pairing": "wires options anatomy geometry errors model",
+    "preview": "wires matching svg.writing options svg.reading interpolate geometry paint model",
+    "outputs": "frames svg.writing options interpolate paint errors model",
+    "wires": "matching options anatomy geometry errors model",
+    "frames": "options interpolate geometry paint model",
+    "matching": "options _cython errors model",
+    "svg.writing": "options paint model svg.libraries",
+    "motion": "interpolate geometry model",
+    "options": "svg.styles errors",
+    "svg.reading": "svg.styles geometry svg.xml errors model svg.libraries",
+    "anatomy": "geometry errors model",
+    "interpolate": "geometry paint model",
+    "svg.styles": "svg.xml",
+    "geometry": "_cython model",
     "paint": "model",
-    "svg.libraries": "",
-    "svg": "",
-    "geometry": "model _cython",
-    "model": "",
-    "clock": "",
-    "kept": "",
-    "easing": "",
-    "triggers": "",
-    "errors": "",
-    "version": "",
+    "svg.xml": "model",
+    "system": "errors",
     "_cython": "",
+    "errors": "",
+    "model": "",
+    "svg": "",
+    "svg.libraries": "",
+    "version": "",
 }
 
 # Libraries that only some rooms know. numpy and the standard library are everybody's.
@@ -77,15 +61,15 @@ LIBRARIES = {
     "click": "cli",
     "rich": "cli",
     "svgpathtools": "svg.libraries",
-    "tinycss2": "svg.reading",
-    "cssselect2": "svg.reading",
+    "tinycss2": "svg.styles",
+    "cssselect2": "svg.styles",
     "svgwrite": "svg.libraries",
     "PIL": "outputs",
     "resvg_py": "outputs",
     "coloraide": "paint",
     "distributed": "batch",
     "lap": "pairing",
-    "cython": "geometry matching motion",
+    "cython": "geometry matching pens",
 }
 SHARED = {"numpy", *sys.stdlib_module_names}
 
@@ -100,7 +84,7 @@ HANDED_DOWN = {
     # A `Motion`, which `model` declares.
     *(
         f"{motion}.{what}"
-        for motion in ("Rigid", "Intrinsic", "Safe", "Sweep")
+        for motion in ("Rigid", "Intrinsic", "Sweep", "Pen")
         for what in ("name", "segments")
     ),
     *("Settings._defaults", "WorkConstants._defaults"),  # a `Record` asks what it is made of
@@ -219,7 +203,7 @@ def test_calls_follow_the_arrows(here):
         for arguments in (
             "a.svg b.svg -v -n 2 --ends --report report.json --preview page.html --vertices 40",
             "c.svg d.svg a.svg -o moving.svg --unmatched split",
-            "c.svg d.svg -o frames --motion safe --polygons -n 1",
+            "c.svg d.svg -o frames --motion rigid --polygons -n 1",
             "a.svg b.svg --emit lottie --motion intrinsic",
             "plot graph c.svg d.svg -o plot.svg",
         ):

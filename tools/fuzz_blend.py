@@ -27,9 +27,9 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.field_types import FLAG
+from shapeblend_cli.options.settings import ReadOptions, Settings
+from shapeblend_cli.options.types import FLAG
 from shapeblend_cli.outputs.options import OutputOptions
-from shapeblend_cli.settings import ReadOptions, Settings
 from tools import fuzz_reader
 
 ROOT = Path(__file__).parents[1]

@@ -25,7 +25,7 @@ from pathlib import Path
 import numpy as np
 
 from shapeblend_cli.errors import InputError
-from shapeblend_cli.report import inspection
+from shapeblend_cli.job.report import inspection
 from shapeblend_cli.svg.reading.read import read
 
 ROOT = Path(__file__).parents[1]

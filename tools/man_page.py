@@ -9,7 +9,7 @@ import click
 
 from shapeblend_cli.cli import shapeblend
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.settings import OTHER, SECTIONS
+from shapeblend_cli.options.settings import OTHER, SECTIONS
 from shapeblend_cli.version import __version__
 from tools.quality.data import ROOT
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.jobs import RECORDS as OF_BLEND
-from shapeblend_cli.settings import (
+from shapeblend_cli.job.job import RECORDS as OF_BLEND
+from shapeblend_cli.options.settings import (
     BATCH,
     INKSCAPE,
     PLOT,
@@ -27,7 +27,7 @@ from tools.quality.data import ROOT
 from tools.quality.tables import Table, with_figures
 
 if TYPE_CHECKING:
-    from shapeblend_cli.fields import Option
+    from shapeblend_cli.options.fields import Option
 
 PAGE = ROOT / "docs" / "options.md"
 

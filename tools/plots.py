@@ -11,9 +11,7 @@ ROOT = Path(__file__).resolve().parents[1]
 
 PLOTS = {
     "graph": "cow deer --preset fig27",
-    "surface": "step-1 step-2",
     "angle": "cow deer --preset fig27",
-    "starts": "e f",
 }
 """The samples of each plot, and what else docs/plots.md says was on the command line."""
 

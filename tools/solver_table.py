@@ -14,7 +14,6 @@ import time
 
 import numpy as np
 
-from shapeblend_cli.constants import PAPER, WorkConstants
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polygons import orientation, reverse_polygon
@@ -23,6 +22,7 @@ from shapeblend_cli.matching.solve import Search, least_work
 from shapeblend_cli.matching.starts import least_from
 from shapeblend_cli.matching.tables import Window
 from shapeblend_cli.matching.work import Wires
+from shapeblend_cli.options.constants import PAPER, WorkConstants
 from shapeblend_cli.svg.reading.read import read
 from tools.quality.data import ROOT, icon_pairs
 from tools.quality.raw import text

@@ -1,1 +1,4 @@
-"""Many blends in one run: which they are, which of them are to be done, and the processes that do them."""
+"""Many blends: manifests and projects, records, processes and clusters, and rankings.
+
+It may import job and what is below it.
+"""

@@ -24,8 +24,8 @@ from shapeblend_cli.batch.rows import command_of
 from shapeblend_cli.batch.supervisor import DIED, Ended, Stopped, died
 from shapeblend_cli.batch.worker import DONE, FAILED, Answer, Order, write_answer
 from shapeblend_cli.errors import InputError, ShapeblendError, with_extra
-from shapeblend_cli.interrupts import told
-from shapeblend_cli.jobs import all_targets, job_of
+from shapeblend_cli.job.job import all_targets, job_of
+from shapeblend_cli.system.interrupts import told
 
 PATIENCE = 8.0
 """Seconds to wait for the scheduler to answer, and for the first worker."""

@@ -10,7 +10,7 @@ from typing import Any
 
 from shapeblend_cli.batch.rows import Row, check_names, options_of, row_of
 from shapeblend_cli.errors import InputError, OptionError
-from shapeblend_cli.jobs import STANDARD_INPUT
+from shapeblend_cli.job.job import STANDARD_INPUT
 
 KINDS = (".jsonl", ".ndjson", ".csv", ".toml")
 

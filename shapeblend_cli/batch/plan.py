@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from shapeblend_cli.batch.rows import LETTERS, Name, Row, command_of
 from shapeblend_cli.errors import OptionError, ShapeblendError
-from shapeblend_cli.jobs import RECORDS, Job, all_targets, job_of
+from shapeblend_cli.job.job import RECORDS, Job, all_targets, job_of
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.outputs.registry import EMITS, FORMATS
 

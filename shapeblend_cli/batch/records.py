@@ -17,8 +17,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from shapeblend_cli.errors import OutputError
-from shapeblend_cli.jobs import Job
-from shapeblend_cli.staging import locked, sync_folder
+from shapeblend_cli.job.job import Job
+from shapeblend_cli.system.staging import locked, sync_folder
 from shapeblend_cli.version import __version__
 
 FOLDER = ".shapeblend"

@@ -7,11 +7,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
-from shapeblend_cli.easing import Ease
 from shapeblend_cli.errors import OptionError
-from shapeblend_cli.field_types import FLAG
-from shapeblend_cli.fields import Option
-from shapeblend_cli.jobs import RECORDS
+from shapeblend_cli.job.job import RECORDS
+from shapeblend_cli.options.easing import Ease
+from shapeblend_cli.options.fields import Option
+from shapeblend_cli.options.types import FLAG
 
 LETTERS = "abcdefghijklm"
 """Names of a row's files, in order; `n` and `o` mean something else."""

@@ -15,7 +15,7 @@ from shapeblend_cli.batch.supervisor import Ended
 from shapeblend_cli.batch.worker import DONE, FAILED, Answer, Order
 from shapeblend_cli.errors import OutputError
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
-from shapeblend_cli.staging import clear
+from shapeblend_cli.system.staging import clear
 
 CURRENT = "current"
 

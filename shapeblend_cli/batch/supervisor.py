@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 from shapeblend_cli.batch.worker import DONE, STOPPED, TIMEOUT, Answer, Order
 from shapeblend_cli.errors import ShapeblendError
-from shapeblend_cli.interrupts import told
-from shapeblend_cli.processes import Child
+from shapeblend_cli.system.interrupts import told
+from shapeblend_cli.system.processes import Child
 
 ATTEMPTS = 2
 DIED = "died"

@@ -6,7 +6,7 @@ import os
 import threading
 from collections.abc import Callable, Hashable, Iterable
 
-from shapeblend_cli.interrupts import told
+from shapeblend_cli.system.interrupts import told
 
 EVERY, SETTLED = 0.5, 0.2
 """Seconds between two looks, and for which what has changed stays as it is before it is read."""

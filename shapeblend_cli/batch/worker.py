@@ -11,13 +11,13 @@ from typing import Any, NamedTuple
 
 from shapeblend_cli.batch.records import Record
 from shapeblend_cli.batch.rows import command_of
-from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import in_words
-from shapeblend_cli.interrupts import Interrupted, listening, stop_after
-from shapeblend_cli.jobs import Job, all_targets, job_of
-from shapeblend_cli.kept import Kept
-from shapeblend_cli.output import Contents
-from shapeblend_cli.processes import Parent
+from shapeblend_cli.job.job import Job, all_targets, job_of
+from shapeblend_cli.system.clock import Clock
+from shapeblend_cli.system.interrupts import Interrupted, listening, stop_after
+from shapeblend_cli.system.kept import Kept
+from shapeblend_cli.system.processes import Parent
+from shapeblend_cli.system.write import Contents
 
 DONE, FAILED, TIMEOUT, STOPPED = "done", "failed", "timeout", "stopped"
 
@@ -75,7 +75,7 @@ def watch_time(order: Order) -> None:
 
 
 def _blend(order: Order, note: Callable[[str], None], warn: Callable[[str], None]) -> Contents | None:
-    from shapeblend_cli.files import check_files_of, check_libraries, make
+    from shapeblend_cli.job.make import check_files_of, check_libraries, make
 
     watch_time(order)
     job = _job(order)
@@ -101,7 +101,7 @@ def _write(
     job: Job, contents: Contents, made_of: dict[str, Any], force: bool, warn: Callable[[str], None]
 ) -> None:
     """Write what was made, after its record."""
-    from shapeblend_cli.files import write
+    from shapeblend_cli.job.make import write
 
     Record(job, all_targets(job)).write(made_of, contents, force)
     write(job, contents, warn)
@@ -115,7 +115,7 @@ def _kept() -> Kept:
 
 def write_answer(order: Order, answer: Answer, made_of: dict[str, Any]) -> Answer:
     """Write what a worker made of data, and say what has become of the job then; see `Record.made_of`."""
-    from shapeblend_cli.files import check_files_of
+    from shapeblend_cli.job.make import check_files_of
 
     warned: list[str] = []
     try:
@@ -132,7 +132,7 @@ def main(act: Act | None = None) -> None:
     if hasattr(signal, "SIGINT"):
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # the supervisor is told, and knows what to do
     parent = Parent()
-    import shapeblend_cli.files  # noqa: F401
+    import shapeblend_cli.job.make  # noqa: F401
 
     for order in parent.orders():
         answer = do(order) if act is None else do(order, act)

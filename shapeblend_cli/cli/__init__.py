@@ -24,7 +24,7 @@ from shapeblend_cli.cli.states import states
 from shapeblend_cli.cli.studio import studio
 from shapeblend_cli.cli.terminal import say
 from shapeblend_cli.errors import OptionError, ShapeblendError, in_words
-from shapeblend_cli.interrupts import Interrupted, listening
+from shapeblend_cli.system.interrupts import Interrupted, listening
 from shapeblend_cli.version import __version__
 
 FAILED, USAGE = 1, 2

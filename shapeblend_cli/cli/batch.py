@@ -12,13 +12,13 @@ from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.options import NAME, FieldOption, options_of
 from shapeblend_cli.cli.terminal import BatchTerminal, say
 from shapeblend_cli.errors import OptionError, ShapeblendError
-from shapeblend_cli.interrupts import Interrupted
-from shapeblend_cli.jobs import RECORDS, STANDARD_INPUT
-from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
-from shapeblend_cli.settings import (
+from shapeblend_cli.job.job import RECORDS, STANDARD_INPUT
+from shapeblend_cli.options.settings import (
     BatchOptions,
     TerminalOptions,
 )
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
+from shapeblend_cli.system.interrupts import Interrupted
 
 if TYPE_CHECKING:
     from shapeblend_cli.batch.plan import Task

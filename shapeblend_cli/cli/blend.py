@@ -9,12 +9,12 @@ import click
 from shapeblend_cli.cli.group import TYPED, SectionedCommand
 from shapeblend_cli.cli.options import NAME, options_of
 from shapeblend_cli.cli.terminal import Terminal, details
-from shapeblend_cli.interrupts import stop_after
-from shapeblend_cli.jobs import RECORDS, job_of
-from shapeblend_cli.settings import (
+from shapeblend_cli.job.job import RECORDS, job_of
+from shapeblend_cli.options.settings import (
     RunOptions,
     TerminalOptions,
 )
+from shapeblend_cli.system.interrupts import stop_after
 
 EXAMPLES = (
     ("shapeblend a.svg b.svg", "five in-betweens: blend/frame-1.svg ... blend/frame-5.svg"),
@@ -43,7 +43,7 @@ def blend(files: tuple[str, ...], **given: Any) -> None:
     job = job_of(files, given, ("shapeblend", *click.get_current_context().meta[TYPED]))
     stop_after(RunOptions.of(given).timeout)
 
-    from shapeblend_cli.files import blend_files
+    from shapeblend_cli.job.make import blend_files
 
     with Terminal(quiet=printed.quiet) as terminal:
         run = blend_files(job, terminal.note, terminal.warn, terminal.progress)
@@ -54,7 +54,7 @@ def blend(files: tuple[str, ...], **given: Any) -> None:
 
 def opened(files: tuple[str, ...], given: dict[str, Any]) -> tuple[tuple[str, ...], dict[str, Any]]:
     """Return the drawings and the options of a project, if that is what is given, and else what is given."""
-    from shapeblend_cli.project import is_project, read_project
+    from shapeblend_cli.batch.project import is_project, read_project
 
     projects = [file for file in files if is_project(file)]
     if not projects:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from shapeblend_cli.settings import OTHER, SECTIONS
+from shapeblend_cli.options.settings import OTHER, SECTIONS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

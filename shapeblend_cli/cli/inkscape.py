@@ -11,9 +11,9 @@ from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.options import NAME, options_of
 from shapeblend_cli.cli.terminal import say
 from shapeblend_cli.errors import OptionError
+from shapeblend_cli.options.settings import InkscapeOptions, InstallOptions, Settings, WriteOptions
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.outputs.options import OutputOptions, specify
-from shapeblend_cli.settings import InkscapeOptions, InstallOptions, Settings, WriteOptions
 
 PLACED = ("place", "viewbox", "start")
 """Settings that have no meaning for objects of one document, which lie where they lie."""

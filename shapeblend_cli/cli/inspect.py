@@ -11,8 +11,8 @@ import click
 
 from shapeblend_cli.cli.options import NAME, FieldOption
 from shapeblend_cli.cli.terminal import Terminal
-from shapeblend_cli.interrupts import stop_after
-from shapeblend_cli.settings import InspectOptions, ReadOptions, RunOptions
+from shapeblend_cli.options.settings import InspectOptions, ReadOptions, RunOptions
+from shapeblend_cli.system.interrupts import stop_after
 
 COLUMNS = ("shape", "element", "id", "contours", "ends", "length", "box", "fill", "stroke", "rule")
 
@@ -45,7 +45,7 @@ PARAMS = [
 @click.argument("file", type=NAME, metavar="FILE")
 def inspect(file: str, select: str | None, lenient: bool | None, as_json: bool, **given: Any) -> None:
     """List the shapes that a file draws; - is standard input."""
-    from shapeblend_cli.report import inspection
+    from shapeblend_cli.job.report import inspection
     from shapeblend_cli.svg.reading.read import read
 
     stop_after(RunOptions.of(given).timeout)
@@ -71,7 +71,9 @@ def _show(found: dict[str, Any]) -> None:
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")  # any id on any terminal
     viewbox = " ".join(f"{v:g}" for v in found["viewbox"]) if found["viewbox"] else "none"
-    title = f"{found['file']}: viewBox {viewbox}"
+    count = sum(len(shape["pen_lines"]) for shape in found["shapes"])
+    lines = f", {count} pen line{'s' * (count != 1)}" if count else ""
+    title = f"{found['file']}: viewBox {viewbox}{lines}"
     rows = [_cells(shape) for shape in found["shapes"]]
     if sys.stdout.isatty() and len(rows) <= _MAX_PRETTY:
         _print_table(title, rows)

@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from shapeblend_cli.field_types import FLAG, FieldType
+from shapeblend_cli.options.types import FLAG, FieldType
 
 if TYPE_CHECKING:
     from collections.abc import Container
 
     from click.shell_completion import CompletionItem
 
-    from shapeblend_cli.fields import Option, Record
+    from shapeblend_cli.options.fields import Option, Record
 
 
 NAME = click.Path(readable=False)

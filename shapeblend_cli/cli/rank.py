@@ -10,13 +10,13 @@ from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.inspect import aligned
 from shapeblend_cli.cli.options import NAME, options_of
 from shapeblend_cli.cli.terminal import BatchTerminal, say
-from shapeblend_cli.interrupts import Interrupted
-from shapeblend_cli.settings import RankOptions, ReadOptions, RunOptions, Settings, TerminalOptions
+from shapeblend_cli.options.settings import RankOptions, ReadOptions, RunOptions, Settings, TerminalOptions
+from shapeblend_cli.system.interrupts import Interrupted
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.rank.run import Rated
+    from shapeblend_cli.batch.ranking import Rated
 
 EXAMPLES = (
     ("shapeblend rank a.svg icons", "the icons that a.svg blends into best"),
@@ -58,8 +58,8 @@ def rank(first: str, names: tuple[str, ...], **given: Any) -> int:
 
 
 def _rank(first: str, names: tuple[str, ...], given: dict[str, Any]) -> int:
+    from shapeblend_cli.batch.ranking import Ranking
     from shapeblend_cli.batch.supervisor import Stopped
-    from shapeblend_cli.rank.run import Ranking
 
     options, quiet = RankOptions.of(given), TerminalOptions.of(given).quiet
     ranking = Ranking(first, names, given)

@@ -9,9 +9,9 @@ import click
 from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.options import NAME, options_of
 from shapeblend_cli.cli.terminal import Terminal
-from shapeblend_cli.interrupts import stop_after
-from shapeblend_cli.jobs import check_files
-from shapeblend_cli.settings import ReadOptions, RunOptions, Settings, StatesOptions, TerminalOptions
+from shapeblend_cli.job.job import check_files
+from shapeblend_cli.options.settings import ReadOptions, RunOptions, Settings, StatesOptions, TerminalOptions
+from shapeblend_cli.system.interrupts import stop_after
 
 EXAMPLES = (
     ("shapeblend states off.svg on.svg -o light.svg --trigger click", "a drawing that a click switches"),
@@ -43,7 +43,7 @@ def states(files: tuple[str, ...], **given: Any) -> None:
     check_files(files, settings)
     stop_after(RunOptions.of(given).timeout)
 
-    from shapeblend_cli.states import write_states
+    from shapeblend_cli.job.states import write_states
 
     with Terminal(quiet=TerminalOptions.of(given).quiet) as terminal:
         write_states(files, ReadOptions.of(given), settings, options, terminal.note, terminal.progress)

@@ -13,9 +13,9 @@ from shapeblend_cli.cli.blend import opened
 from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.options import NAME, options_of
 from shapeblend_cli.errors import InputError
-from shapeblend_cli.interrupts import told
-from shapeblend_cli.jobs import RECORDS, STANDARD_INPUT
-from shapeblend_cli.settings import StudioOptions
+from shapeblend_cli.job.job import RECORDS, STANDARD_INPUT
+from shapeblend_cli.options.settings import StudioOptions
+from shapeblend_cli.system.interrupts import told
 
 EXAMPLES = (
     ("shapeblend studio a.svg b.svg", "look at the blend, and correct it by hand"),
@@ -42,7 +42,7 @@ def studio(files: tuple[str, ...], **given: Any) -> None:
     named = {name for record in RECORDS for name in record.options}
     beside = {name: value for name, value in given.items() if name in named and value not in (None, ())}
 
-    from shapeblend_cli.project import Project, is_project
+    from shapeblend_cli.batch.project import Project, is_project
     from shapeblend_cli.studio.server import Studio
     from shapeblend_cli.studio.session import Session
 

@@ -13,7 +13,7 @@ import click
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-    from shapeblend_cli.files import Run
+    from shapeblend_cli.job.make import Run
 
 PATIENCE = 1.0  # seconds before a terminal shows how far a run is, and between two looks
 OFTEN, SELDOM = (

@@ -1,1 +1,4 @@
-"""Curves, polygons and boxes: measured, flattened, placed."""
+"""Points, curves, polygons and boxes, whatever they belong to.
+
+It may import model.
+"""

@@ -1,1 +1,4 @@
-"""What Inkscape needs to blend what is selected: an extension, and the command that it calls."""
+"""Inkscape's extension: its files, and what it runs.
+
+It may import pipeline, outputs, svg and what is below them.
+"""

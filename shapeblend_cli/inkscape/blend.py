@@ -10,24 +10,25 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.errors import InputError
+from shapeblend_cli.frames.frames import make_frames
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.inkscape.document import Document
 from shapeblend_cli.model import Box, Drawing, Frame, Name, Page, Pair
-from shapeblend_cli.names import Ids
-from shapeblend_cli.output import check_targets, write_files
 from shapeblend_cli.outputs.formats import views
-from shapeblend_cli.pipeline import make_frames, match_all
+from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.reading.read import read
 from shapeblend_cli.svg.writing.document import frames_in_groups
+from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.rounding import decimals_for
+from shapeblend_cli.system.write import check_targets, write_files
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from shapeblend_cli.model import ComplexArray, Shape
+    from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.outputs.formats import OutputSpec
-    from shapeblend_cli.settings import Settings
-    from shapeblend_cli.svg.reading.transforms import Affine
+    from shapeblend_cli.svg.xml.transforms import Affine
 
 _PIN = re.compile(r"\s*pin\s*(\w*)\s*", re.IGNORECASE)
 

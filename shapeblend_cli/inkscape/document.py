@@ -6,7 +6,7 @@ import re
 from typing import NamedTuple
 from xml.parsers import expat
 
-from shapeblend_cli.svg.reading.transforms import IDENTITY, Affine, parse
+from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, parse
 
 _TAG = re.compile(rb"""<(?:[^"'>]|"[^"]*"|'[^']*')*+>""")
 

@@ -11,14 +11,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape, quoteattr
 
-from shapeblend_cli.easing import NAMES as EASES
-from shapeblend_cli.output import check_targets, write_files
-from shapeblend_cli.settings import InkscapeOptions, Settings
+from shapeblend_cli.options.easing import NAMES as EASES
+from shapeblend_cli.options.settings import InkscapeOptions, Settings
+from shapeblend_cli.system.write import check_targets, write_files
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.fields import Option
+    from shapeblend_cli.options.fields import Option
 
 SCRIPT = "shapeblend.py"
 

@@ -1,1 +1,4 @@
-"""In-betweens from a correspondence: when and where."""
+"""Outlines between two drawings, or among several.
+
+It may import geometry, paint, model.
+"""

@@ -27,7 +27,7 @@ from shapeblend_cli.model import (
     Style,
     Waypoint,
 )
-from shapeblend_cli.names import common_groups
+from shapeblend_cli.paint.names import common_groups
 from shapeblend_cli.paint.styles import faded_coats, keyed_styles
 
 if TYPE_CHECKING:

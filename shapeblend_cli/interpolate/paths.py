@@ -21,10 +21,6 @@ MOST_HALVINGS = 6
 """From a drawing to the next an animation has at most two to this power straight steps."""
 
 
-BOUNDED = ("safe", "sweep")
-"""Motions that do not go on beyond the drawings."""
-
-
 def with_curves(blend: ContourBlend) -> ContourBlend:
     """Return a blend of the drawings' own curves in place of the polygons' lines, see `common_segments`."""
     common = common_segments(
@@ -39,7 +35,7 @@ def paths_at(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
     Without a motion every point moves straight, eq (2), before 0 and after 1 too.
     """
     t = shape.own_time(t)
-    if shape.motion is not None and shape.motion_name in BOUNDED:
+    if shape.motion_name == "sweep":  # which does not go on beyond the drawings
         t = min(max(t, 0.0), 1.0)
     if shape.motion is None or t in (0.0, 1.0):
         every = [(1.0 - t) * contour.start.segments + t * contour.end.segments for contour in shape.contours]

@@ -17,7 +17,7 @@ from shapeblend_cli.interpolate.contour_chains import (
     reversed_chain,
 )
 from shapeblend_cli.model import CubicPath, KeyframedShape, Name, PaintedShape, Pair, ShapeBlend, Style
-from shapeblend_cli.names import common_groups
+from shapeblend_cli.paint.names import common_groups
 from shapeblend_cli.paint.styles import blend_styles
 
 if TYPE_CHECKING:

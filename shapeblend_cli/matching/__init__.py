@@ -1,1 +1,4 @@
-"""The least-work correspondence of two polygons."""
+"""The solver: the paper's graph, its work, and the path of least work.
+
+It may import options, model, errors.
+"""

@@ -25,13 +25,9 @@ import numpy as np
 
 from shapeblend_cli.matching.graph import FIRST_SWEPT, ROUNDING, Graph, Path, Starts
 from shapeblend_cli.matching.steps import ENTERING, SOUTHEAST, STEPS
-from shapeblend_cli.matching.tables import Window
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from shapeblend_cli.matching.work import Wires
-    from shapeblend_cli.model import FloatArray
+    pass
 
 SLACKS = (0.02, 0.2)
 """How far above its lower bound a first closed path is looked for, as a share, before it is looked for anywhere."""
@@ -77,23 +73,6 @@ def least_of_all(graph: Graph, known: float = np.inf) -> Path | None:
     sets = [Starts(float(bounds[r].min()), first + int(r[0]), first + int(r[-1]), ENTERING) for r in runs]
     best = _branch_and_bound(graph, sets, limit) or best
     return best._replace(sweeps=graph.sweeps) if best else None
-
-
-def least_by_start(
-    wires: Wires, vertex: int, band: float | None, watch: Callable[[float], None]
-) -> FloatArray:
-    """Find the least work of closed paths through a vertex of the first polygon and each vertex of the second: (n,).
-
-    Infinite where no path stays in the band around that start. Cost: O(m n) for each of n starts.
-    """
-    columns, n = wires.m + 1, wires.n
-    graph = Graph(wires.beginning_at(vertex, 0), Window.full(columns, 2 * n), band)
-    works = np.full(n, np.inf)
-    for row in range(n):
-        path = _branch_and_bound(graph, [Starts(0.0, row, row, STEPS)], np.inf)
-        works[row] = path.work if path else np.inf
-        watch((row + 1) / n)
-    return works
 
 
 def simplified_from(graph: Graph) -> Path | None:

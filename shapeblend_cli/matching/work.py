@@ -19,12 +19,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.matching.angles import Corners, PaperBending, TurnBending, fill_bends
 from shapeblend_cli.matching.smoothing import smoothed
 from shapeblend_cli.matching.steps import BEND_OF_STEPS, NO_BEND
 from shapeblend_cli.matching.tables import Tables, Window
 from shapeblend_cli.matching.travel import Stations, add_travel, places
+from shapeblend_cli.options.constants import WorkConstants
 
 if TYPE_CHECKING:
     from collections.abc import Callable

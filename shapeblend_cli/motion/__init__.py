@@ -1,1 +1,4 @@
-"""How shapes move from one drawing to the next otherwise than on straight vertex paths."""
+"""How matched shapes move: the motions, the judge, and the choice between them.
+
+It may import interpolate, geometry, model.
+"""

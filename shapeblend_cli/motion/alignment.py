@@ -1,4 +1,4 @@
-"""The best similarity between matched outlines, and rigid motion along it."""
+"""The best similarity between matched outlines."""
 
 from __future__ import annotations
 
@@ -69,33 +69,6 @@ class Alignment(NamedTuple):
         """
         centre = (1.0 - t) * self.centre_a + t * self.centre_b
         return z * cmath.rect(1.0 - t + t * self.scale, self.rotation * t) + centre
-
-
-class Rigid(NamedTuple):
-    """Motion as if a shape were moved by hand: rotated, scaled and shifted, and what else changes moves straight.
-
-    A point between ``a`` and ``b`` is at time t ``S(t) ((1 - t) a + t S^-1 b)``, where ``S(t)`` is the part of the
-    similarity ``S = S(1)`` gone through by then (`Alignment.apply`). Of a shape and the same shape rotated, ``S^-1 b``
-    is ``a``, and every in-between is that shape.
-    """
-
-    alignments: tuple[Alignment, ...]  # of each contour; those of one part have the same
-
-    @property
-    def name(self) -> str:
-        """As `--motion` has it."""
-        return "rigid"
-
-    def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
-        """Return the control points of each contour at time t."""
-        return [
-            alignment.apply(
-                (1.0 - t) * (contour.start.segments - alignment.centre_a)
-                + t * alignment.undo(contour.end.segments),
-                t,
-            )
-            for contour, alignment in zip(contours, self.alignments, strict=True)
-        ]
 
 
 class PointPairs(NamedTuple):

@@ -1,7 +1,7 @@
 """Which motion a shape gets: the one asked for, or the best of several by the judge.
 
-Straight paths that look right settle it. Other motions may need the correspondence solved again, with B rotated back,
-and only the pipeline can do that: it hands over what it solved.
+The rules of `choose` come first. Where they leave it open, straight paths that look right settle it, else the judge
+compares motions. Motions other than straight need the correspondence solved again, with B rotated back.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import Candidate
-from shapeblend_cli.motion.alignment import Alignment, Rigid, align, point_pairs
+from shapeblend_cli.motion.alignment import Alignment
 from shapeblend_cli.motion.judge import judged
 
 if TYPE_CHECKING:
@@ -27,6 +27,11 @@ FOLLOWS, GROWS = "it follows the edge that it lies on", "a point at one end"
 LEADS = "straight, because strokes on its edges move with it"
 TINY = "too small to be seen to turn"
 MANY = "too many shapes to try other motions on each"
+JUDGED, TURNED = "judged", "turned"
+
+SMALL = 0.05
+"""Maximum size of a shape that moves straight in any case, as a share of the largest one's: how it turns is hardly
+seen."""
 
 RIGHT = 0.01
 """With so little wrong nothing else is tried."""
@@ -53,30 +58,58 @@ class RotatedShape(NamedTuple):
     turning: tuple[ShapeBlend, tuple[Alignment, ...]] | None = None
 
 
-def reason_to_be_straight(shape: ShapeBlend) -> str:
-    """Return why a shape does not get another motion, a phrase; empty if it may."""
+class Situation(NamedTuple):
+    """What the choice of a motion hangs on besides the shape itself."""
+
+    asked: str  # --motion
+    is_turned: bool  # B as a whole is A turned
+    leads: bool  # strokes ride on the shape
+    relative_size: float  # as a share of the largest shape's
+    is_affordable: bool  # time is left to try several motions
+
+
+class Choice(NamedTuple):
+    """A motion, and why, a phrase. `JUDGED` is that of least wrong, which says why itself."""
+
+    motion: str
+    reason: str = ""
+
+
+def choose(shape: ShapeBlend, situation: Situation) -> Choice:
+    """Choose the motion of a shape: the first rule that fits decides."""
+    asked, is_turned, leads, relative_size, is_affordable = situation
     if shape.motion is not None:
-        return STILL
+        return Choice("linear", STILL)
     if not shape.is_matched:
         reasons = (FOLLOWS if contour.follows_edge else GROWS for contour in shape.contours)
-        return "; ".join(dict.fromkeys(reasons))
-    return ""
+        return Choice("linear", "; ".join(dict.fromkeys(reasons)))
+    if asked != "auto":
+        return Choice(asked, ASKED)
+    if is_turned:
+        return Choice("rigid", TURNED)
+    if leads:
+        return Choice("linear", LEADS)
+    if relative_size < SMALL:
+        return Choice("linear", TINY)
+    return Choice(JUDGED) if is_affordable else Choice("linear", MANY)
 
 
-def moved_as_asked(shape: ShapeBlend, motion: str, rotated: RotatedShape) -> ShapeBlend:
-    """Return a shape with the motion that is asked for, not a straight one."""
-    return _safe(shape, rotated) if motion == "safe" else _with_motion(rotated, motion)._replace(reason=ASKED)
-
-
-def turned(rotated: RotatedShape) -> ShapeBlend:
-    """Return a shape of a drawing that is turned as a whole."""
-    degrees = math.degrees(rotated.alignment.rotation)
-    return _with_motion(rotated, "rigid")._replace(reason=f"B is A turned by {degrees:.3g} degrees")
+def moved(rotated: RotatedShape, choice: Choice) -> ShapeBlend:
+    """Return a shape that was matched for another motion than straight paths, in this motion."""
+    reason = choice.reason
+    if reason == TURNED:
+        reason = f"B is A turned by {math.degrees(rotated.alignment.rotation):.3g} degrees"
+    return _with_motion(rotated, choice.motion)._replace(reason=reason)
 
 
 def straight(shape: ShapeBlend, view: Box) -> ShapeBlend:
     """Return a shape on straight paths, judged."""
     return shape._replace(reason=RIGHT_ENOUGH, candidates=(judged_shape(shape, view),))
+
+
+def is_right(straight: ShapeBlend) -> bool:
+    """Return whether so little is wrong with a shape on straight paths that no other motion is tried."""
+    return straight.candidates[0].wrong <= RIGHT
 
 
 def best_motion(shape: ShapeBlend, rotated: RotatedShape, view: Box) -> ShapeBlend:
@@ -120,27 +153,13 @@ def judged_shape(shape: ShapeBlend, view: Box) -> Candidate:
     return Candidate(shape.motion_name, round(sum(found), 4), terms, painted)
 
 
-# Modules that take long to import, and that most blends do without, are imported where they are used.
-
-
 def _with_motion(rotated: RotatedShape, motion: str) -> ShapeBlend:
     shape, alignment, turning = rotated
     if motion == "rigid":
+        from shapeblend_cli.motion.rigid import Rigid
+
         shape, alignments = turning or (shape, (alignment,) * len(shape.contours))
         return shape._replace(motion=Rigid(alignments))
-    from shapeblend_cli.motion.intrinsic import intrinsic
+    from shapeblend_cli.motion.intrinsic import intrinsic  # which most blends do without
 
     return shape._replace(motion=intrinsic(shape.contours, alignment))
-
-
-def _safe(shape: ShapeBlend, rotated: RotatedShape) -> ShapeBlend:
-    """Take the cheaper route, of the correspondences solved with B as it is and, if something crosses, rotated back."""
-    from shapeblend_cli.motion.safe import find_route, follow_route
-
-    route = find_route(shape, align(point_pairs(shape.contours)))
-    if route is None or not route.is_level:
-        most = math.inf if route is None else route.cost
-        route = find_route(rotated.shape, rotated.alignment, most) or route
-    if route is None:
-        return _with_motion(rotated, "rigid")._replace(reason="no way without crossings was found")
-    return follow_route(route)._replace(reason=ASKED)

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.motion.alignment import PointPairs, Rigid, resting
+from shapeblend_cli.motion.alignment import PointPairs, resting
+from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.motion.turning import FULL_TURN, directions
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ import numpy as np
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import Box
-from shapeblend_cli.motion.alignment import Rigid
+from shapeblend_cli.motion.rigid import Rigid
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray, ShapeBlend

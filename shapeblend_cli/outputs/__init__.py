@@ -1,1 +1,4 @@
-"""The formats of outputs, a module each."""
+"""The formats: one module each, a registry, and their options.
+
+It may import frames, svg.writing, options and what is below them.
+"""

@@ -18,15 +18,15 @@ ANIMATED = "animated svg"
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Frames that are visible in turn include the drawings. One mixture stands still."""
     if spec.settings.mix:
-        from shapeblend_cli.pipeline import make_frames
+        from shapeblend_cli.frames.frames import make_frames
         from shapeblend_cli.svg.writing.document import frame_svg
 
         (frame,) = make_frames(pairs, spec.settings)
         return Rendered([frame_svg(frame, spec.decimals(pairs))])
+    from shapeblend_cli.frames.frames import make_frames
     from shapeblend_cli.interpolate.chains import keyframed_shapes
     from shapeblend_cli.model import Box
-    from shapeblend_cli.names import common_page, page_for
-    from shapeblend_cli.pipeline import make_frames
+    from shapeblend_cli.paint.names import common_page, page_for
     from shapeblend_cli.svg.writing.css import css_svg
     from shapeblend_cli.svg.writing.smil import smil_svg, stacked_svg
 
@@ -48,8 +48,8 @@ def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Ren
     """Return an animation that waits for its trigger."""
     from shapeblend_cli.interpolate.chains import keyframed_shapes
     from shapeblend_cli.model import Box
-    from shapeblend_cli.names import page_for
     from shapeblend_cli.outputs.move import clips_left_out, moves_of
+    from shapeblend_cli.paint.names import page_for
     from shapeblend_cli.svg.writing.reacting import Reaction, reacting_css, reacting_smil
 
     reaction = Reaction(

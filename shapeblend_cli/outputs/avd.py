@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from xml.etree.ElementTree import Element
 
-    from shapeblend_cli.easing import Ease, Timing
     from shapeblend_cli.model import PaintedShape, Pair
+    from shapeblend_cli.options.easing import Ease, Timing
     from shapeblend_cli.outputs.move import Move
 
     _Step = tuple[str, str, int, Ease]  # from one value to another, in milliseconds

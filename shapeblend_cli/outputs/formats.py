@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-    from shapeblend_cli.easing import Timing
     from shapeblend_cli.model import Box, Pair
-    from shapeblend_cli.settings import Settings
-    from shapeblend_cli.triggers import Trigger
+    from shapeblend_cli.options.easing import Timing
+    from shapeblend_cli.options.settings import Settings
+    from shapeblend_cli.options.triggers import Trigger
 
 STANDARD_OUTPUT = "-"
 
@@ -130,7 +130,7 @@ def views(pairs: Sequence[Pair]) -> list[Box]:
 
 def frame_svgs(spec: OutputSpec, pairs: Sequence[Pair], settings: Settings | None = None) -> list[str]:
     """Return every frame as an SVG document without a size, by the settings of the output or by others."""
-    from shapeblend_cli.pipeline import make_frames
+    from shapeblend_cli.frames.frames import make_frames
     from shapeblend_cli.svg.writing.document import frame_svg
 
     decimals = spec.decimals(pairs)

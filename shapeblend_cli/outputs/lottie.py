@@ -16,8 +16,8 @@ from shapeblend_cli.svg.writing.rounding import number
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.easing import Ease, Timing
     from shapeblend_cli.model import Box, CubicPath, Gradient, Pair, RadialGradient, Stop, Style
+    from shapeblend_cli.options.easing import Ease, Timing
     from shapeblend_cli.outputs.move import Move, MovedShape, Section
 
 VERSION = "5.7.4"

@@ -5,15 +5,15 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
+from shapeblend_cli.frames.frames import fading_styles, shapes_at
 from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import Box, CubicPath, PaintedShape, Pair, Style, Waypoint
-from shapeblend_cli.names import Ids
-from shapeblend_cli.pipeline import fading_styles, shapes_at
+from shapeblend_cli.svg.writing.ids import Ids
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.easing import Ease
+    from shapeblend_cli.options.easing import Ease
 
 FIXED = {
     "fill": {"fill_rule": "fill rule"},

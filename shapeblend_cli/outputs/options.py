@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from typing import Any
 
-from shapeblend_cli.easing import Timing
 from shapeblend_cli.errors import OptionError
-from shapeblend_cli.field_types import COLOUR, REPEAT, TRIGGER, choice, file, number, whole
-from shapeblend_cli.fields import Record, option
+from shapeblend_cli.options.easing import Timing
+from shapeblend_cli.options.fields import Record, option
+from shapeblend_cli.options.settings import ANIMATIONS, IN_BETWEENS, OUTPUT, PICTURES, Settings
+from shapeblend_cli.options.triggers import Trigger
+from shapeblend_cli.options.types import COLOUR, REPEAT, TRIGGER, choice, file, number, whole
 from shapeblend_cli.outputs.animated_svg import ANIMATED
 from shapeblend_cli.outputs.formats import Format, OutputSpec
 from shapeblend_cli.outputs.raster import MOST_SIDE
 from shapeblend_cli.outputs.raster_animation import FASTEST
 from shapeblend_cli.outputs.registry import DEFAULT, EMITS, FORMATS, FRAME_FORMATS, alternatives, choose
-from shapeblend_cli.settings import ANIMATIONS, IN_BETWEENS, OUTPUT, PICTURES, Settings
-from shapeblend_cli.triggers import Trigger
 
 SHARED = {
     "columns": "a contact sheet",

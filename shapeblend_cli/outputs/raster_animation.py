@@ -11,8 +11,8 @@ import math
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from shapeblend_cli.easing import Timing
 from shapeblend_cli.errors import OptionError, PictureError
+from shapeblend_cli.options.easing import Timing
 from shapeblend_cli.outputs.formats import TRANSPARENT, WHITE, Format, OutputSpec, Rendered, frame_svgs
 from shapeblend_cli.outputs.raster import Size, check_libraries, rasterize, read_png, size_of
 

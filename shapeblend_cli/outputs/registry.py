@@ -9,8 +9,7 @@ from shapeblend_cli.outputs import (
     animated_svg,
     avd,
     contact_sheet,
-    frames,
-    layers,
+    frame_files,
     lottie,
     raster_animation,
     svg_pair,
@@ -23,13 +22,13 @@ if TYPE_CHECKING:
 
 
 FORMATS: tuple[Format, ...] = (
-    *frames.FORMATS,
+    *frame_files.SINGLE,
     animated_svg.FORMAT,
     contact_sheet.FORMAT,
     *raster_animation.FORMATS,
     *video.FORMATS,
     svg_pair.FORMAT,
-    layers.FORMAT,
+    frame_files.LAYERS,
     lottie.FORMAT,
     avd.FORMAT,
 )

@@ -1,1 +1,4 @@
-"""Paint between two paints: colours in OKLab, gradients, dashes."""
+"""Styles, colours and gradients between two drawings, and the names of what is painted.
+
+It may import model.
+"""

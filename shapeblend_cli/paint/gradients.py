@@ -8,7 +8,7 @@ from bisect import bisect_left, bisect_right
 from typing import TYPE_CHECKING, TypeVar
 
 from shapeblend_cli.model import Gradient, LinearGradient, RadialGradient, Stop
-from shapeblend_cli.paint.colours import blend_colours, blend_in_srgb
+from shapeblend_cli.paint.oklab import blend_colours, blend_in_srgb
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from shapeblend_cli.paint.colours import blend_colours
+from shapeblend_cli.paint.oklab import blend_colours
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

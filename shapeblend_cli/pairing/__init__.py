@@ -1,1 +1,4 @@
-"""Which contour of A becomes which of B, and where those without a partner come from."""
+"""Which contours become which, and what those without a partner do.
+
+It may import wires and what is below it.
+"""

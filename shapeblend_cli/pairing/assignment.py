@@ -6,6 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
+from shapeblend_cli.anatomy.structure import structure_of
+from shapeblend_cli.anatomy.twins import mirror_of
 from shapeblend_cli.pairing.costs import (
     Boxes,
     Described,
@@ -16,9 +19,6 @@ from shapeblend_cli.pairing.costs import (
     place_costs,
     size_costs,
 )
-from shapeblend_cli.pairing.decompose import HOLE, PlacedContour
-from shapeblend_cli.pairing.structure import structure_of
-from shapeblend_cli.pairing.twins import mirror_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.anatomy.decompose import LINE
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.grouping import grouped, overlaps
@@ -22,20 +23,19 @@ from shapeblend_cli.geometry.polyline import thin
 from shapeblend_cli.geometry.window import Window
 from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.pairing.assignment import assign
-from shapeblend_cli.pairing.common_cuts import FlatContour
-from shapeblend_cli.pairing.contour_blends import grow_from, keep_still
 from shapeblend_cli.pairing.costs import channels
-from shapeblend_cli.pairing.decompose import LINE
-from shapeblend_cli.pairing.outline import Outline
-from shapeblend_cli.pairing.stretches import TOLERANCE, shared_stretches
+from shapeblend_cli.wires.common_cuts import FlatContour
+from shapeblend_cli.wires.contour_blends import grow_from, keep_still
+from shapeblend_cli.wires.outline import Outline
+from shapeblend_cli.wires.stretches import TOLERANCE, shared_stretches
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.anatomy.decompose import ContourPair, PlacedContour
     from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend
-    from shapeblend_cli.pairing.decompose import ContourPair, PlacedContour
-    from shapeblend_cli.pairing.stretches import Stretch
-    from shapeblend_cli.settings import Settings
+    from shapeblend_cli.options.settings import Settings
+    from shapeblend_cli.wires.stretches import Stretch
 
 WATCHED, FIRST_SHARE = 32, 0.15
 """So many points of each contour are looked at first, and so many of them at least lie on the other shape."""

@@ -6,18 +6,16 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.constants import PAPER, WorkConstants
+from shapeblend_cli.anatomy.structure import corners
 from shapeblend_cli.geometry.placement import to_unit_box
-from shapeblend_cli.geometry.polyline import distinct
-from shapeblend_cli.matching.solve import least_work
-from shapeblend_cli.matching.work import Wires
-from shapeblend_cli.pairing.structure import corners
+from shapeblend_cli.options.constants import PAPER, WorkConstants
+from shapeblend_cli.wires.rough import rough_work
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray
-    from shapeblend_cli.pairing.decompose import PlacedContour
 
 OVERLAP_WEIGHT, DISTANCE_WEIGHT = 0.65, 1.5
 """Cost of boxes that do not overlap, and of a distance as large as the frame: the part that a contour lies on."""
@@ -52,11 +50,8 @@ ALONE_COST, ALONE_SIZE_COST = 0.78, 0.35
 MOST_UNEVEN = 2.0
 """A part is laid over another with its height scaled by at most so many times its width's factor, or the reverse."""
 
-WORK_VERTICES, MOST_WORKS = 32, 600
-"""Vertices of the polygons whose work is compared, and for how many pairs, about: the cheapest ones without it."""
-
-_COINCIDENT = 1e-6
-"""Vertices of a unit box nearer than this are one."""
+MOST_WORKS = 600
+"""Maximum number of pairs whose work is compared, about: those that cost least without it."""
 
 
 class Boxes(NamedTuple):
@@ -177,7 +172,7 @@ class Works:
         wanted = wanted & _worth_solving(np.where(wanted, cheap, np.inf))
         for i, j in np.argwhere(wanted & np.isnan(self._costs)).tolist():
             p, q = self._a.contours[i].polygon, self._b.contours[j].polygon
-            work = coarse_work(to_unit_box(p), to_unit_box(q), p.closed and q.closed, LIKENESS)
+            work = rough_work(to_unit_box(p), to_unit_box(q), p.closed and q.closed, LIKENESS)
             self._costs[i, j] = WORK_WEIGHT * (1.0 - WORK_HALF_SATURATION / (work + WORK_HALF_SATURATION))
         return np.where(np.isnan(self._costs), WORK_WEIGHT, self._costs)
 
@@ -191,28 +186,6 @@ def _worth_solving(cheap: FloatArray) -> BoolArray:
     rows = np.argsort(np.argsort(cheap, axis=1, kind="stable"), axis=1, kind="stable") < each
     columns = np.argsort(np.argsort(cheap, axis=0, kind="stable"), axis=0, kind="stable") < each
     return finite & (rows | columns)
-
-
-def coarse_work(p0: ComplexArray, p1: ComplexArray, closed: bool, constants: WorkConstants) -> float:
-    """Return the least work between two polygons in their unit boxes, on a few of their vertices.
-
-    Open polygons may correspond in either direction. Infinite if so few vertices do not make a polygon.
-    """
-    p, q = _thinned(p0, closed), _thinned(p1, closed)
-    if min(len(p), len(q)) < (3 if closed else 2):
-        return np.inf
-    directions = [q] if closed else [q, q[::-1]]
-    return min(least_work(Wires(p, directed, closed, constants)).work for directed in directions)
-
-
-def _thinned(vertices: ComplexArray, closed: bool) -> ComplexArray:
-    """Return at most `WORK_VERTICES` vertices, evenly spread by their numbers, none twice in a row."""
-    if len(vertices) > WORK_VERTICES:
-        last = len(vertices) - (0 if closed else 1)
-        chosen = np.linspace(0, last, WORK_VERTICES, endpoint=not closed)
-        vertices = vertices[np.round(chosen).astype(np.intp)]
-    # An outline that runs back over itself may have its vertices in pairs.
-    return vertices[distinct(vertices, closed, _COINCIDENT)]
 
 
 def channels(colour: str | None) -> tuple[float, float, float]:

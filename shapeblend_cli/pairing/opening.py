@@ -6,19 +6,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.anatomy.decompose import EXTERIOR, PlacedContour
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.model import Contour
-from shapeblend_cli.pairing.costs import coarse_work
-from shapeblend_cli.pairing.decompose import EXTERIOR, PlacedContour
 from shapeblend_cli.pairing.split import run_of_segments
+from shapeblend_cli.wires.rough import rough_work
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from shapeblend_cli.pairing.decompose import ContourPair
-    from shapeblend_cli.settings import Settings
+    from shapeblend_cli.anatomy.decompose import ContourPair
+    from shapeblend_cli.options.settings import Settings
 
 PLACES = 40
 """A ring is tried to be opened at so many places, evenly round its hole."""
@@ -81,10 +81,10 @@ def _opened(
     for start, end, width in zip(starts.tolist(), ends.tolist(), widths.tolist(), strict=True):
         outline = _keyhole(ring, hole, start, end)
         polygon = flatten(outline, settings.vertices)
-        work = coarse_work(to_unit_box(polygon), target, True, settings.constants)
+        work = rough_work(to_unit_box(polygon), target, True, settings.constants)
         cuts.append((work * (1.0 + WIDTH * max(width / narrowest - 1.0, 0.0)), work, outline, polygon))
     _, work, outline, polygon = min(cuts, key=lambda cut: cut[0])
-    closed = coarse_work(to_unit_box(ring.polygon), target, True, settings.constants)
+    closed = rough_work(to_unit_box(ring.polygon), target, True, settings.constants)
     if not work <= CLEAR * closed < np.inf:
         return ring
     return ring._replace(contour=outline, polygon=polygon, is_piece=True, opened=hole.number)

@@ -14,8 +14,8 @@ from shapeblend_cli.model import Box, Place, Style
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
-    from shapeblend_cli.pairing.decompose import PlacedContour
 
     Shapes = tuple[int | None, int | None]
 

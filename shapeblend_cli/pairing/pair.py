@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE, LINE, PlacedContour
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.pairing.assignment import Pairing
-from shapeblend_cli.pairing.decompose import EXTERIOR, HOLE, LINE, PlacedContour
 from shapeblend_cli.pairing.opening import open_rings
 from shapeblend_cli.pairing.split import split_exteriors
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.anatomy.decompose import ContourPair
     from shapeblend_cli.model import Box
-    from shapeblend_cli.pairing.decompose import ContourPair
-    from shapeblend_cli.settings import Settings
+    from shapeblend_cli.options.settings import Settings
 
     Numbers = tuple[int, int]
 

@@ -9,8 +9,8 @@ from shapeblend_cli.pairing.assignment import Pairing
 if TYPE_CHECKING:
     from collections.abc import Collection, Mapping, Sequence
 
+    from shapeblend_cli.anatomy.decompose import ContourPair, PlacedContour
     from shapeblend_cli.model import ContourBlend
-    from shapeblend_cli.pairing.decompose import ContourPair, PlacedContour
 
     Numbers = tuple[int, int]
 

@@ -13,19 +13,19 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.anatomy.decompose import EXTERIOR, LINE, PlacedContour
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, nearest_places
 from shapeblend_cli.model import Box, Contour, Style, unroll
-from shapeblend_cli.pairing.common_cuts import FlatContour
-from shapeblend_cli.pairing.contour_blends import follow
-from shapeblend_cli.pairing.decompose import EXTERIOR, LINE, PlacedContour
-from shapeblend_cli.pairing.outline import Outline
+from shapeblend_cli.wires.common_cuts import FlatContour
+from shapeblend_cli.wires.contour_blends import follow
+from shapeblend_cli.wires.outline import Outline
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
+    from shapeblend_cli.anatomy.decompose import ContourPair
     from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, FloatArray, IntArray
-    from shapeblend_cli.pairing.decompose import ContourPair
 
 ON_EDGE, COVERED = 0.5, 0.25
 """A stroke is on an edge within the first share of its width, and is covered by another stroke within the second."""

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
 from shapeblend_cli.geometry.polyline import from_end_to_end, nearest_places
 from shapeblend_cli.model import Box
-from shapeblend_cli.pairing.decompose import HOLE, PlacedContour
 from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from shapeblend_cli.pairing.decompose import ContourPair
+    from shapeblend_cli.anatomy.decompose import ContourPair
 
     Numbers = tuple[int, int]
 

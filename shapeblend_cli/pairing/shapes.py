@@ -6,11 +6,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
 from shapeblend_cli.geometry.polygons import centroid, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places, thin
 from shapeblend_cli.model import Box, ContourBlend, Fade, ShapeBlend, Style
-from shapeblend_cli.pairing.contour_blends import grow_from_point
-from shapeblend_cli.pairing.decompose import HOLE, PlacedContour
 from shapeblend_cli.pairing.growth import (
     WATCHED,
     MatchedPoints,
@@ -20,13 +19,14 @@ from shapeblend_cli.pairing.growth import (
 )
 from shapeblend_cli.pairing.paint_order import paint_places
 from shapeblend_cli.pairing.riders import Ride, ride
+from shapeblend_cli.wires.contour_blends import grow_from_point
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from shapeblend_cli.anatomy.decompose import ContourPair
     from shapeblend_cli.model import ComplexArray, Place
     from shapeblend_cli.pairing.changes import Change
-    from shapeblend_cli.pairing.decompose import ContourPair
 
 TOUCHING, LEAST_HOST, NEARLY_ALL = 0.02, 0.5, 0.9
 """A contour touches another one within the first share of the drawing's diagonal; what carries it has more than the

@@ -7,20 +7,20 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.anatomy.decompose import EXTERIOR, PlacedContour
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
 from shapeblend_cli.geometry.polyline import thin
 from shapeblend_cli.model import Box, Contour, Polygon
-from shapeblend_cli.pairing.decompose import EXTERIOR, PlacedContour
 from shapeblend_cli.pairing.growth import WATCHED
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from shapeblend_cli.anatomy.decompose import ContourPair
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
-    from shapeblend_cli.pairing.decompose import ContourPair
-    from shapeblend_cli.settings import Settings
+    from shapeblend_cli.options.settings import Settings
 
 
 ENDS, TRIES = 240, 400

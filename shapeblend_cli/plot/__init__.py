@@ -1,1 +1,4 @@
-"""Pictures of a correspondence, in the form of the paper's figures."""
+"""Plots of a correspondence in the style of the paper's figures.
+
+It may import job and what is below it.
+"""

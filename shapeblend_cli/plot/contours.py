@@ -13,11 +13,11 @@ from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places, thin
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.model import Box
-from shapeblend_cli.output import check_targets, write_files
 from shapeblend_cli.plot.axes import titled_figure
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, title_of
 from shapeblend_cli.svg.writing.paint import paint_attributes, without_defaults
 from shapeblend_cli.svg.writing.path_data import path_data
+from shapeblend_cli.system.write import check_targets, write_files
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

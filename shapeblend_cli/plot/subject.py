@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.pairing.contour_blends import solved_wires
 from shapeblend_cli.plot.axes import short_name, value_text
+from shapeblend_cli.wires.contour_blends import solved_wires
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import ContourBlend, Correspondence, Pair, ShapeBlend
-    from shapeblend_cli.settings import PlotOptions, Settings
+    from shapeblend_cli.options.settings import PlotOptions, Settings
 
     Dot = tuple[int, int]
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.clock import Clock
 from shapeblend_cli.errors import InputError, MatchError
-from shapeblend_cli.files import SLOW, check_output, match_files, write_output
+from shapeblend_cli.job.make import SLOW, check_output, match_files, write_output
 from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.plot.subject import choose_subject
+from shapeblend_cli.system.clock import Clock
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from shapeblend_cli.settings import PlotOptions, ReadOptions, Settings
+    from shapeblend_cli.options.settings import PlotOptions, ReadOptions, Settings
 
 
 def plot_files(

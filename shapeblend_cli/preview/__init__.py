@@ -1,1 +1,4 @@
-"""A page that shows a blend in a browser: the moving picture, the correspondence, and its graph."""
+"""The page of --preview.
+
+It may import wires, interpolate, paint, svg, options, model.
+"""

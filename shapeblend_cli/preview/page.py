@@ -16,11 +16,11 @@ from importlib.resources import files
 from string import Template
 from typing import TYPE_CHECKING, Any
 
-from shapeblend_cli.easing import Timing
 from shapeblend_cli.model import Frame, Pair
+from shapeblend_cli.options.easing import Timing
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.preview.graphs import by_size, graphs, pack_json
 from shapeblend_cli.preview.pictures import correspondence_lists, picture, rounded, scale_and_shift
-from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import title_of
 from shapeblend_cli.svg.writing.rounding import decimals_for
 

@@ -1,1 +1,4 @@
-"""A local page in which a blend is corrected by hand: what is seen there is what the command writes."""
+"""The studio: a page on this machine in which blends are corrected by hand.
+
+It may import batch, job and what is below them.
+"""

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
-from shapeblend_cli.output import is_inside, real_path
-from shapeblend_cli.project import Project
+from shapeblend_cli.batch.project import Project
+from shapeblend_cli.system.write import is_inside, real_path
 
 
 class Consent(NamedTuple):

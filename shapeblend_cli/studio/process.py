@@ -8,7 +8,7 @@ from contextlib import suppress
 from typing import Any
 
 from shapeblend_cli.errors import ShapeblendError, in_words
-from shapeblend_cli.processes import Child, Parent
+from shapeblend_cli.system.processes import Child, Parent
 
 DONE, FAILED = "done", "failed"
 

@@ -10,15 +10,15 @@ import zipfile
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
+from shapeblend_cli.batch.project import Project, parse_project, project_of, project_text, values_of
 from shapeblend_cli.errors import OptionError, ShapeblendError
-from shapeblend_cli.field_types import FLAG
-from shapeblend_cli.fields import Option
-from shapeblend_cli.jobs import RECORDS
-from shapeblend_cli.output import check_targets, write_files
+from shapeblend_cli.job.job import RECORDS
+from shapeblend_cli.options.fields import Option
+from shapeblend_cli.options.types import FLAG
 from shapeblend_cli.outputs.registry import DEFAULT, FORMATS, FRAME_FORMATS
-from shapeblend_cli.project import Project, parse_project, project_of, project_text, values_of
 from shapeblend_cli.studio.order import Consent, Order
 from shapeblend_cli.studio.process import Process
+from shapeblend_cli.system.write import check_targets, write_files
 from shapeblend_cli.version import __version__
 
 MOST_FILES, MOST_BYTES = 64, 256 * 2**20

@@ -10,9 +10,12 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from shapeblend_cli.clock import Clock
+from shapeblend_cli.blending.placing import as_drawn, place
 from shapeblend_cli.errors import OptionError
-from shapeblend_cli.files import (
+from shapeblend_cli.frames.frames import end_frames, frame_at
+from shapeblend_cli.frames.views import view_of
+from shapeblend_cli.job.job import Job, all_targets, job_of
+from shapeblend_cli.job.make import (
     check_files_of,
     check_libraries,
     make,
@@ -20,12 +23,10 @@ from shapeblend_cli.files import (
     read_files,
     write,
 )
-from shapeblend_cli.jobs import Job, all_targets, job_of
-from shapeblend_cli.kept import Kept
+from shapeblend_cli.job.tries import tries
 from shapeblend_cli.model import Frame
 from shapeblend_cli.motion.verdict import verdict
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
-from shapeblend_cli.pipeline import as_drawn, end_frames, frame_at, place
 from shapeblend_cli.preview.pictures import (
     correspondence_lists,
     picture,
@@ -38,8 +39,8 @@ from shapeblend_cli.svg.reading.read import title_of
 from shapeblend_cli.svg.writing.document import frame_svg
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import decimals_for
-from shapeblend_cli.tries import tries
-from shapeblend_cli.views import view_of
+from shapeblend_cli.system.clock import Clock
+from shapeblend_cli.system.kept import Kept
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import Drawing, Pair

@@ -1,1 +1,4 @@
-"""SVG files read and written: the only package that imports svgpathtools or svgwrite."""
+"""Everything that knows SVG.
+
+It may import see its packages.
+"""

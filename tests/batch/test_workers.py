@@ -43,7 +43,7 @@ def broken(monkeypatch, here):
             "import sys; sys.path.append(sys.argv[1]); import shapeblend_cli.batch.worker as w; do = w.do; "
             "w.do = lambda order: (before(order), do(order))[1]; w.main()"
         )
-        monkeypatch.setattr("shapeblend_cli.processes.START", start)
+        monkeypatch.setattr("shapeblend_cli.system.processes.START", start)
 
     return have
 
@@ -106,7 +106,7 @@ def test_an_input_that_fails_stops_no_other_job_but_with_fail_fast(drawings, bat
 
 
 def test_processes_that_do_not_start_are_one_line(drawings, monkeypatch, capsys):
-    monkeypatch.setattr("shapeblend_cli.processes.START", "import nothing_of_that_name")
+    monkeypatch.setattr("shapeblend_cli.system.processes.START", "import nothing_of_that_name")
     assert run(["batch", *LINE]) == 1
     assert "the processes that do the jobs do not start: with exit status 1" in capsys.readouterr().err
 

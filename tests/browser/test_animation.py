@@ -11,11 +11,12 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.easing import PINGPONG, Ease, Timing
+from shapeblend_cli.frames.frames import frame_at
 from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.model import Box
-from shapeblend_cli.pipeline import frame_at, match_all
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.options.easing import PINGPONG, Ease, Timing
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.writing.css import css_svg
 from shapeblend_cli.svg.writing.document import frame_svg
 from shapeblend_cli.svg.writing.smil import smil_svg

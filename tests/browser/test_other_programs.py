@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.easing import LINEAR, Ease, Timing
+from shapeblend_cli.frames.frames import frame_at
+from shapeblend_cli.options.easing import LINEAR, Ease, Timing
 from shapeblend_cli.outputs.lottie import lottie
-from shapeblend_cli.pipeline import frame_at
 from shapeblend_cli.svg.writing.document import frame_svg
 from tests.outputs.blends import AB, BLENDS, emitted, write_blend
 from tests.support.drawings import EIGHT, B

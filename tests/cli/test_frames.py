@@ -26,7 +26,7 @@ def test_times_are_those_of_the_frames_and_go_on_beyond_both_drawings(here):
     assert all('viewBox="0 0 24 24"' in text for text in texts)
 
 
-@pytest.mark.parametrize("motion", ["linear", "rigid", "intrinsic", "safe", "auto"])
+@pytest.mark.parametrize("motion", ["linear", "rigid", "intrinsic", "auto"])
 def test_motions_go_on_where_they_can(here, motion):
     """A bar that turns by 60 degrees goes on turning; what would cross itself stays."""
     turned = '<g transform="rotate(60 12 12)"><path d="M2 10H22V14H2Z"/></g>'

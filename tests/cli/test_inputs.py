@@ -11,7 +11,8 @@ import sys
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.svg.reading import walk, xmltree
+from shapeblend_cli.svg.reading import walk
+from shapeblend_cli.svg.xml import xmltree
 from tests.support.commands import report, write
 
 SQUARE = "M0 0H10V10H0Z"

@@ -30,12 +30,12 @@ def test_the_report_says_how_each_contour_moves_and_why(here):
     assert list(judged) == ["linear", "rigid", "intrinsic"]
     because = ", ".join(f"{name} {wrong:.3f}" for name, wrong in judged.items())
     assert contour["motion_because"] == f"the least wrong: {because}"
-    for motion in ("linear", "rigid", "intrinsic", "safe"):
+    for motion in ("linear", "rigid", "intrinsic"):
         (contour,) = contours("bar.svg", "leaf.svg", "--motion", motion)
         assert (contour["motion"], contour["motion_because"]) == (motion, "asked for")
 
 
-@pytest.mark.parametrize("motion", ["auto", "linear", "rigid", "intrinsic", "safe"])
+@pytest.mark.parametrize("motion", ["auto", "linear", "rigid", "intrinsic"])
 def test_the_report_has_the_setting(here, motion):
     assert report("l.svg", "turned.svg", "-n", "0", "--motion", motion)["settings"]["motion"] == motion
     assert report("l.svg", "turned.svg", "-n", "0")["settings"]["motion"] == "auto"
@@ -86,7 +86,7 @@ def test_frames_turn_and_straight_ones_do_not(here):
 
 @pytest.mark.parametrize("kind", [[], ["--polygons"]])
 def test_the_ends_are_the_drawings_whatever_the_motion(here, kind):
-    for motion in ("linear", "rigid", "intrinsic", "safe"):
+    for motion in ("linear", "rigid", "intrinsic"):
         assert run(["l.svg", "turned.svg", "-n", "1", "--ends", "--motion", motion, "-f", *kind]) == 0
         for frame, vertices in ((1, 3 + 3j), (3, 21 + 3j)):
             assert abs(points((here / f"blend/frame-{frame}.svg").read_text()) - vertices).min() < 1e-3

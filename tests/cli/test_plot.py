@@ -50,8 +50,8 @@ def test_a_file_that_exists_stays_without_force(here, refused):
 
 def test_the_largest_contour_is_drawn_unless_another_is_named(here):
     for arguments, number in (([], 1), (["--contour", "0"], 0)):
-        assert run(["plot", "starts", "a.svg", "b.svg", "-f", *arguments]) == 0
-        text = (here / "starts.svg").read_text(encoding="utf-8")
+        assert run(["plot", "graph", "a.svg", "b.svg", "-f", *arguments]) == 0
+        text = (here / "graph.svg").read_text(encoding="utf-8")
         assert re.search(r"contour (\d+) of A", text).group(1) == str(number)
 
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.model import Box
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.options.settings import Settings
 from tests.support.commands import contents, names, report, write
 from tests.support.contours import drawing, polygon_contour
 from tests.support.drawings import BAR, EYED, LEAF, svg

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run, terminal
-from shapeblend_cli.clock import Clock
+from shapeblend_cli.system.clock import Clock
 from tests.support.commands import names, read_to, start_on_terminal, write
 from tests.support.drawings import LEAF, SQUARES, svg
 

@@ -12,9 +12,10 @@ from pathlib import Path
 
 import pytest
 
-from shapeblend_cli import files, staging
 from shapeblend_cli.cli import run
-from shapeblend_cli.output import is_inside
+from shapeblend_cli.job import make as files
+from shapeblend_cli.system import staging
+from shapeblend_cli.system.write import is_inside
 from tests.support.commands import contents, made, names
 from tools.faults import runs
 

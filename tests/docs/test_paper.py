@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 
-from shapeblend_cli.constants import PRESETS
+from shapeblend_cli.options.constants import PRESETS
 from tools import paper_pictures
 
 TEXT = paper_pictures.PAGE.read_text(encoding="utf-8")

@@ -11,8 +11,8 @@ from shapely import LineString
 
 from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.interpolate.paths import paths_at, waypoints
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pipeline import match_all
-from shapeblend_cli.settings import Settings
 from tests.support.contours import drawing as contour_drawing
 from tests.support.contours import polygon_contour, polyline
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.constants import PAPER, WorkConstants
 from shapeblend_cli.matching import angles, work
 from shapeblend_cli.matching.steps import BEND_OF_STEPS, MOVES, NO_BEND
 from shapeblend_cli.matching.work import Wires
+from shapeblend_cli.options.constants import PAPER, WorkConstants
 from tests.support import oracle
 from tests.support.shapes import random_polygon
 from tests.support.strategies import rngs

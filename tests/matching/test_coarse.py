@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.matching import coarse, graph, solve
 from shapeblend_cli.matching.work import Wires
+from shapeblend_cli.options.constants import WorkConstants
 from tests.support.shapes import gear, star_polygon, wavy
 from tests.support.solver import find_least
 

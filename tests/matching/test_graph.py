@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.matching import graph, sweeps
 from shapeblend_cli.matching.graph import Graph, Starts
@@ -11,6 +10,7 @@ from shapeblend_cli.matching.landscape import landscape
 from shapeblend_cli.matching.steps import BEND_OF_STEPS, ENTERING, MOVES
 from shapeblend_cli.matching.tables import Window
 from shapeblend_cli.matching.work import Wires
+from shapeblend_cli.options.constants import WorkConstants
 from tests.support.oracle import Oracle
 from tests.support.shapes import gear, random_polygon, regular_polygon, star_polygon
 from tests.support.solver import exhaustive, find_least

@@ -5,10 +5,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.matching.landscape import landscape
 from shapeblend_cli.matching.steps import MOVES
 from shapeblend_cli.matching.work import Wires
+from shapeblend_cli.options.constants import WorkConstants
 from tests.support.oracle import legal_turn, paths
 from tests.support.shapes import star_polygon
 from tests.support.solver import find_least

@@ -5,9 +5,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.constants import PAPER, WorkConstants
 from shapeblend_cli.matching.smoothing import smoothed
 from shapeblend_cli.matching.work import Wires
+from shapeblend_cli.options.constants import PAPER, WorkConstants
 from tests.support import oracle
 from tests.support.shapes import random_polygon, regular_polygon, star_polygon, unit_box
 from tests.support.strategies import rngs

@@ -5,7 +5,7 @@ import pytest
 
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import paths_at
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support import drawings
 from tests.support.contours import drawing, polygon_contour
@@ -71,7 +71,7 @@ def test_what_rests_stays_while_the_rest_of_its_shape_swings():
         assert path_crossings([hand]) == 0
 
 
-@pytest.mark.parametrize("motion", ["linear", "rigid", "intrinsic", "safe"])
+@pytest.mark.parametrize("motion", ["linear", "rigid", "intrinsic"])
 def test_what_is_asked_for_is_taken(motion):
     pair = polygon_pair(comb(3), spiral(1.0, 20), motion=motion)
     assert motions(pair) == [motion]
@@ -95,11 +95,6 @@ def test_what_is_chosen_is_no_more_wrong_than_straight_paths_unless_these_cross(
         assert shape.reason.startswith("less wrong ones cross: ")
         assert crossings(outlines, "linear", times) > 0
         assert sum(path_crossings(paths_at(shape, t)) for t in times) == 0
-
-
-@pytest.mark.parametrize("outlines", HARD)
-def test_safe_never_crosses_whatever_the_solver_matched(outlines):
-    assert crossings(outlines, "safe", np.linspace(0.0, 1.0, 42)) == 0
 
 
 def test_only_the_shape_with_a_fault_moves_otherwise():

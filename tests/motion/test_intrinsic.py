@@ -10,10 +10,11 @@ from hypothesis import strategies as st
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.interpolate.paths import paths_at
-from shapeblend_cli.motion.alignment import Rigid, align, point_pairs
+from shapeblend_cli.motion.alignment import align, point_pairs
 from shapeblend_cli.motion.intrinsic import closing_lengths, intrinsic
+from shapeblend_cli.motion.rigid import Rigid
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pipeline import match_all
-from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from tests.support.motions import TIMES, moving_curves, moving_polygon, moving_shape, similarity_of
 from tests.support.shapes import random_polygon, star_polygon, unit, with_repeats

@@ -8,8 +8,9 @@ from hypothesis import strategies as st
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.model import Box
-from shapeblend_cli.motion.alignment import Alignment, Rigid
+from shapeblend_cli.motion.alignment import Alignment
 from shapeblend_cli.motion.judge import judge
+from shapeblend_cli.motion.rigid import Rigid
 from tests.support.contours import polygon_contour
 from tests.support.motions import moving_polygons, rigidly
 from tests.support.shapes import arm, comb, star_polygon, unit

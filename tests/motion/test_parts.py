@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
+from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.model import Polygon
 from shapeblend_cli.motion.parts import parts_of
-from shapeblend_cli.pipeline import match_all, shapes_at
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.pipeline import match_all
 from tests.support.drawings import drawing
 from tests.support.motions import moving_polygons
 
@@ -22,7 +23,7 @@ CORNERS_TURNED = "M8 8H2V6h4V2h2z", "M16 8h6V6h-4V2h-2z"
 
 def outlines(*paths, t=0.5):
     """The nodes of all contours half way between two documents, each given as its paths."""
-    (pair,), _ = match_all([drawing(*some) for some in paths], Settings())
+    (pair,), _ = match_all([drawing(*some) for some in paths], Settings(strokes="keep"))
     return [path.segments[:, 0] for shape in shapes_at(pair, t) for path in shape.paths]
 
 

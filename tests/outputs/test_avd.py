@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.easing import LINEAR, Ease, Timing
 from shapeblend_cli.model import Box, PaintedShape, Style
+from shapeblend_cli.options.easing import LINEAR, Ease, Timing
 from shapeblend_cli.outputs.avd import animated_vector
 from shapeblend_cli.outputs.move import Move, moved_shape
 from shapeblend_cli.svg.writing.path_data import path_data

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.easing import LINEAR, Ease, Timing
 from shapeblend_cli.model import Box, LinearGradient, PaintedShape, RadialGradient, Stop, Style
+from shapeblend_cli.options.easing import LINEAR, Ease, Timing
 from shapeblend_cli.outputs.lottie import lottie
 from shapeblend_cli.outputs.move import Move, moved_shape
 from tests.outputs.blends import each_blend, emitted

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.outputs.options import OutputOptions, specify
-from shapeblend_cli.settings import Settings
 from tests.outputs.blends import AB, BLENDS, each_blend, emitted
 from tests.support.commands import points as read_points
 from tests.support.commands import write

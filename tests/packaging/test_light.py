@@ -48,7 +48,7 @@ def test_scipy_is_blocked(without_scipy):
     "line",
     [
         "a.svg b.svg --report report.json --preview page.html --try tries.svg",
-        "a.svg b.svg -o moving.svg --motion safe",
+        "a.svg b.svg -o moving.svg --motion intrinsic",
         "a.svg b.svg -o moving.json --emit lottie --motion intrinsic",
         "inspect b.svg --picture picture.svg",
         "plot graph a.svg b.svg",

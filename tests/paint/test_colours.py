@@ -9,7 +9,7 @@ from coloraide import Color
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.paint.colours import STEPS, TOLERANCE, blend_colours, blend_in_srgb, colour_stops
+from shapeblend_cli.paint.oklab import STEPS, TOLERANCE, blend_colours, blend_in_srgb, colour_stops
 
 colours = st.integers(0, 0xFFFFFF).map("#{:06x}".format)
 greys = st.integers(0, 0xFF).map(lambda v: f"#{v:02x}{v:02x}{v:02x}")
@@ -90,7 +90,7 @@ def test_there_are_no_more_stops_than_it_takes(a, b, number):
 def test_coloraide_is_imported_for_two_colours_alone_and_leaves_no_trace():
     script = (
         "import sys\n"
-        "from shapeblend_cli.paint.colours import blend_colours\n"
+        "from shapeblend_cli.paint.oklab import blend_colours\n"
         "blend_colours('#123456', '#123456', 0.5)\n"
         "assert 'decimal' not in sys.modules\n"
         "blend_colours('#123456', '#654321', 0.5)\n"

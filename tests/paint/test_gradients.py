@@ -6,8 +6,8 @@ import math
 import pytest
 
 from shapeblend_cli.model import LinearGradient, RadialGradient, Stop
-from shapeblend_cli.paint.colours import blend_colours
 from shapeblend_cli.paint.gradients import blend_gradients, common_stops
+from shapeblend_cli.paint.oklab import blend_colours
 
 RED, BLUE, LIME = "#ff0000", "#0000ff", "#00ff00"
 FADE = (Stop(0.0, RED), Stop(1.0, BLUE))

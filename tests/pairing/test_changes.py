@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 
 import shapeblend_cli as sb
+from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.model import Box
-from shapeblend_cli.pipeline import match_all, shapes_at
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.reading.read import read
 from tests.support.contours import polyline
 from tests.support.drawings import drawing, svg

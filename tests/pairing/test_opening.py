@@ -5,7 +5,7 @@ import pytest
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.paths import paths_at
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.options.settings import Settings
 from tests.support.drawings import EVENODD, contours_of, drawing
 from tests.support.motions import pair_of
 

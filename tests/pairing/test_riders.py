@@ -1,8 +1,9 @@
 import numpy as np
 import pytest
 
-from shapeblend_cli.pipeline import match_all, shapes_at
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.frames.frames import shapes_at
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.pipeline import match_all
 from tests.support.contours import furthest, polyline
 from tests.support.drawings import drawing
 

@@ -3,11 +3,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
 from shapeblend_cli.pairing.same import same_pairs
-from shapeblend_cli.pipeline import match_all, shapes_at
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.pipeline import match_all
 from tests.support.drawings import EVENODD, contours_of, drawing
 
 RING = "M2 2H22V22H2Z M6 6V18H18V6Z"

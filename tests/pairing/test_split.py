@@ -1,11 +1,11 @@
 import numpy as np
 import pytest
 
+from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.geometry.cubics import signed_area
 from shapeblend_cli.geometry.polygons import winding_numbers
-from shapeblend_cli.pairing.decompose import EXTERIOR
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pairing.pair import pair_contours
-from shapeblend_cli.settings import Settings
 from tests.support.drawings import BAR, EVENODD, EYED, LEAF, RING, SQUARES, contours_of
 
 DISCS = "".join(f"M{x} 9A3 3 0 1 0 {x} 15A3 3 0 1 0 {x} 9Z" for x in (4, 12, 20))

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from shapeblend_cli.constants import PAPER, WorkConstants
 from shapeblend_cli.matching.work import Wires
+from shapeblend_cli.options.constants import PAPER, WorkConstants
 
 # Both blends leave the right angle at vertex 0 and the legs 0-1 and 3-4 as they are. In figure 23 the third
 # vertex halves the hypotenuse; in figure 24 a corner of the triangle splits into two vertices.

@@ -5,9 +5,9 @@ from xml.etree import ElementTree
 
 import pytest
 
+from shapeblend_cli.options.settings import PlotOptions, Settings
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.plot.subject import choose_subject
-from shapeblend_cli.settings import PlotOptions, Settings
 from shapeblend_cli.svg.reading.read import read
 
 SVG = "{http://www.w3.org/2000/svg}"

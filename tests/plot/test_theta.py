@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from shapeblend_cli.constants import PAPER, WorkConstants
 from shapeblend_cli.matching.steps import DD, DE, DS, ED, EE, SD, SS
 from shapeblend_cli.matching.work import Wires
+from shapeblend_cli.options.constants import PAPER, WorkConstants
 from shapeblend_cli.plot.theta import theta_of
 from tests.support.shapes import random_polygon, star_polygon
 

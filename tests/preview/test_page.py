@@ -13,15 +13,16 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
+from shapeblend_cli.frames.frames import frame_at
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.paths import paths_at, waypoints
 from shapeblend_cli.matching.landscape import landscape
-from shapeblend_cli.pairing.contour_blends import solved_wires
-from shapeblend_cli.pipeline import frame_at, match_all
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.preview import graphs as graphs_module
 from shapeblend_cli.preview.graphs import graphs
 from shapeblend_cli.preview.pictures import dot_positions, picture
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.wires.contour_blends import solved_wires
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
 from tests.support.motions import blend, rotated
 

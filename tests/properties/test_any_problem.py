@@ -5,10 +5,10 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.matching import coarse, graph, solve
 from shapeblend_cli.matching.work import Wires
+from shapeblend_cli.options.constants import WorkConstants
 from tests.support.shapes import gear, random_polygon, regular_polygon, star_polygon
 from tests.support.solver import find_least
 

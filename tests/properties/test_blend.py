@@ -5,11 +5,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from shapeblend_cli.constants import WorkConstants
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.model import Contour, Style
-from shapeblend_cli.pairing.same_segments import MOST_OF_MANY
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.options.constants import WorkConstants
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.wires.same_segments import MOST_OF_MANY
 from tests.support.contours import circle_contour, drawing, polygon_contour
 from tests.support.motions import blend
 from tests.support.shapes import random_polygon, regular_polygon, star_polygon

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.constants import PAPER, WorkConstants
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.model import Contour
+from shapeblend_cli.options.constants import PAPER, WorkConstants
 from shapeblend_cli.svg.reading.read import read
 from tests.support.contours import drawing, polygon_contour
 from tests.support.drawings import svg

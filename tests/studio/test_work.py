@@ -4,10 +4,10 @@ import json
 
 import pytest
 
-from shapeblend_cli.kept import Kept
-from shapeblend_cli.project import project_of
+from shapeblend_cli.batch.project import project_of
 from shapeblend_cli.studio import work
 from shapeblend_cli.studio.order import Order
+from shapeblend_cli.system.kept import Kept
 from tests.support.drawings import EIGHT, EYED, RING, SQUARES, B, svg
 
 DRAWINGS = {

@@ -36,7 +36,7 @@ def drawing(*paths, file="a.svg", **options):
 
 def contours_of(*paths, vertices=200, **options):
     """The contours of such a document, flattened and with their roles."""
+    from shapeblend_cli.anatomy.decompose import decompose
     from shapeblend_cli.geometry.similarity import Similarity
-    from shapeblend_cli.pairing.decompose import decompose
 
     return decompose(drawing(*paths, **options), Similarity(), vertices)[0]

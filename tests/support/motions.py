@@ -4,11 +4,13 @@ import math
 
 import numpy as np
 
+from shapeblend_cli.frames.frames import make_frames
 from shapeblend_cli.model import ContourBlend, CubicPath, ShapeBlend, Style
-from shapeblend_cli.motion.alignment import Alignment, PointPairs, Rigid, align
+from shapeblend_cli.motion.alignment import Alignment, PointPairs, align
+from shapeblend_cli.motion.rigid import Rigid
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.outputs.move import moves_of
-from shapeblend_cli.pipeline import make_frames, match_all
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.pipeline import match_all
 from tests.support.contours import polygon_contour
 from tests.support.drawings import drawing
 
@@ -39,8 +41,8 @@ def rotated_move(*paths, degrees=120.0, **options):
 
 
 def pair_of(a, b, **settings):
-    """Two drawings matched as they lie."""
-    (pair,), _ = match_all([a, b], Settings(place="asis", **settings))
+    """Two drawings matched as they lie, by their outlines."""
+    (pair,), _ = match_all([a, b], Settings(place="asis", strokes="keep", **settings))
     return pair
 
 

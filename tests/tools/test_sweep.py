@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from shapeblend_cli.constants import WorkConstants
+from shapeblend_cli.options.constants import WorkConstants
 from tests.tools.test_truth import SQUARE, WIDE
 from tools.quality import sweep
 from tools.quality.truth.form import truth

@@ -67,7 +67,7 @@ def _letter(family: str, character: str) -> tuple[Frame, str]:
 
 def _ranked(folder: Path) -> dict[str, dict[str, float]]:
     """Return what `shapeblend rank` says of each drawing."""
-    from shapeblend_cli.rank.run import Ranking
+    from shapeblend_cli.batch.ranking import Ranking
 
     ranking = Ranking(str(folder / "a.svg"), [str(folder / "others")], {"place": "bbox"})
     return {Path(one.file).name: one.rating.as_json() for one in ranking.rate()}

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.constants import WorkConstants
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.options.constants import WorkConstants
+from shapeblend_cli.options.settings import Settings
 from tools.quality.data import ROOT, icon_pairs, subpaths
 from tools.quality.morphs import make as morphs
 from tools.quality.morphs import packages
@@ -30,7 +30,7 @@ from tools.quality.truth.measures import GROSS, WRONG, corr, strict
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.fields import Option
+    from shapeblend_cli.options.fields import Option
     from tools.quality.data import Pair
     from tools.quality.truth.form import Truth
 

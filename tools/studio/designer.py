@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from shapeblend_cli.project import Project
+from shapeblend_cli.batch.project import Project
 from shapeblend_cli.studio.server import Studio
 from shapeblend_cli.studio.session import Session
 

@@ -1,1 +1,4 @@
-"""An SVG file into a `Drawing`."""
+"""From an SVG file to the shapes that it paints.
+
+It may import svg.styles, svg.xml, geometry, model, errors.
+"""

@@ -10,16 +10,16 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import Box, Clip, Contour
 from shapeblend_cli.svg.reading import contours, viewports
-from shapeblend_cli.svg.reading.messages import Notes, check_limit
 from shapeblend_cli.svg.reading.path_data import MAX_SEGMENTS
 from shapeblend_cli.svg.reading.shapes import contours_of
-from shapeblend_cli.svg.reading.transforms import IDENTITY, Affine, is_sound, parse, translation
-from shapeblend_cli.svg.reading.xmltree import SHAPES, Node
+from shapeblend_cli.svg.xml.messages import Notes, check_limit
+from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, parse, translation
+from shapeblend_cli.svg.xml.xmltree import SHAPES, Node
 
 if TYPE_CHECKING:
-    from shapeblend_cli.svg.reading.cascade import Cascade
-    from shapeblend_cli.svg.reading.declarations import Declarations
-    from shapeblend_cli.svg.reading.units import Lengths
+    from shapeblend_cli.svg.styles.cascade import Cascade
+    from shapeblend_cli.svg.styles.declarations import Declarations
+    from shapeblend_cli.svg.xml.units import Lengths
 
 _LINK = re.compile(r"""\s*url\(\s*["']?#([^"')]{1,1000})["']?\s*\)\s*""")
 

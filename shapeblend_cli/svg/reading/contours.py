@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.model import Contour
-from shapeblend_cli.svg.reading.transforms import IDENTITY, Affine
+from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray

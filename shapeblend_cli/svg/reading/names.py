@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from shapeblend_cli.model import Group, Name
-from shapeblend_cli.svg.reading.xmltree import Node
+from shapeblend_cli.svg.xml.xmltree import Node
 
 MAX_ID = 1000
 _MAX_TEXT = 10_000

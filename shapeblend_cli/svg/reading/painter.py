@@ -10,14 +10,14 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import Box, Contour, Gradient, LinearGradient, RadialGradient, Stop, Style
-from shapeblend_cli.svg.reading import colours
-from shapeblend_cli.svg.reading.cascade import Cascade, Inherited, share
-from shapeblend_cli.svg.reading.declarations import substitute
-from shapeblend_cli.svg.reading.messages import Notes, check_limit
-from shapeblend_cli.svg.reading.transforms import IDENTITY, Affine, is_sound
-from shapeblend_cli.svg.reading.transforms import parse as parse_transform
-from shapeblend_cli.svg.reading.units import Lengths, length
-from shapeblend_cli.svg.reading.xmltree import Node
+from shapeblend_cli.svg.styles import css_colours as colours
+from shapeblend_cli.svg.styles.cascade import Cascade, Inherited, share
+from shapeblend_cli.svg.styles.declarations import substitute
+from shapeblend_cli.svg.xml.messages import Notes, check_limit
+from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound
+from shapeblend_cli.svg.xml.transforms import parse as parse_transform
+from shapeblend_cli.svg.xml.units import Lengths, length
+from shapeblend_cli.svg.xml.xmltree import Node
 
 MAX_STOPS = 200_000  # of all gradients together, counted once for every colour they are used with
 _STAND_IN = "a gradient or pattern read as a plain colour"

@@ -15,8 +15,8 @@ from typing import Any
 from shapeblend_cli.model import Contour
 from shapeblend_cli.svg.libraries import parse_path
 from shapeblend_cli.svg.reading import contours
-from shapeblend_cli.svg.reading.messages import printable
-from shapeblend_cli.svg.reading.units import (
+from shapeblend_cli.svg.xml.messages import printable
+from shapeblend_cli.svg.xml.units import (
     BLANKS,
     GAP,
     LIMIT,

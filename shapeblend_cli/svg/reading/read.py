@@ -6,9 +6,10 @@ import sys
 
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.model import Drawing
-from shapeblend_cli.svg.reading import viewports, xmltree
-from shapeblend_cli.svg.reading.messages import Notes, Problem, printable
+from shapeblend_cli.svg.reading import viewports
 from shapeblend_cli.svg.reading.walk import Walk
+from shapeblend_cli.svg.xml import xmltree
+from shapeblend_cli.svg.xml.messages import Notes, Problem, printable
 
 STANDARD_INPUT = "-"
 

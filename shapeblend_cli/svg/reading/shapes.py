@@ -8,10 +8,10 @@ import re
 
 from shapeblend_cli.model import Contour
 from shapeblend_cli.svg.reading import contours, path_data
-from shapeblend_cli.svg.reading.declarations import Declarations
-from shapeblend_cli.svg.reading.messages import Notes, Problem
-from shapeblend_cli.svg.reading.units import GrammarError, Lengths, length, numbers
-from shapeblend_cli.svg.reading.xmltree import Node
+from shapeblend_cli.svg.styles.declarations import Declarations
+from shapeblend_cli.svg.xml.messages import Notes, Problem
+from shapeblend_cli.svg.xml.units import GrammarError, Lengths, length, numbers
+from shapeblend_cli.svg.xml.xmltree import Node
 
 _CSS_PATH = r"""path\(\s*+(?:(?:nonzero|evenodd)\s*+,\s*+)?(["'])([^"']*+)\1\s*+\)"""
 _VERTICAL = frozenset(("y", "y1", "y2", "cy", "ry", "height"))

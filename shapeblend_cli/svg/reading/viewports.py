@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 
 from shapeblend_cli.model import Box, Length, Page
-from shapeblend_cli.svg.reading.messages import Notes
 from shapeblend_cli.svg.reading.names import name_of
-from shapeblend_cli.svg.reading.transforms import Affine, translation
-from shapeblend_cli.svg.reading.units import LEAST, Lengths, length, measured, numbers
-from shapeblend_cli.svg.reading.xmltree import Node
+from shapeblend_cli.svg.xml.messages import Notes
+from shapeblend_cli.svg.xml.transforms import Affine, translation
+from shapeblend_cli.svg.xml.units import LEAST, Lengths, length, measured, numbers
+from shapeblend_cli.svg.xml.xmltree import Node
 
 _MAX_LENGTH = 1000
 _MAX_FIT = 10_000

@@ -12,18 +12,18 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Clip, Contour, Group, Shape, Style
 from shapeblend_cli.svg.reading import contours, viewports
-from shapeblend_cli.svg.reading.cascade import INITIAL, Cascade, Inherited, inherit, share
 from shapeblend_cli.svg.reading.clips import Clips, covers
-from shapeblend_cli.svg.reading.declarations import Declarations, substitute
-from shapeblend_cli.svg.reading.messages import Notes, Problem, check_limit, printable
 from shapeblend_cli.svg.reading.names import clean, group_of, name_of
 from shapeblend_cli.svg.reading.painter import Painter
 from shapeblend_cli.svg.reading.path_data import MAX_SEGMENTS
-from shapeblend_cli.svg.reading.selection import ancestors, paints_nothing, select
 from shapeblend_cli.svg.reading.shapes import contours_of
-from shapeblend_cli.svg.reading.transforms import IDENTITY, Affine, is_sound, origin, parse, translation
-from shapeblend_cli.svg.reading.units import LEAST, LIMIT, Lengths
-from shapeblend_cli.svg.reading.xmltree import GROUPS, LEFT_OUT, POINT_LISTS, SHAPES, Node
+from shapeblend_cli.svg.styles.cascade import INITIAL, Cascade, Inherited, inherit, share
+from shapeblend_cli.svg.styles.declarations import Declarations, substitute
+from shapeblend_cli.svg.styles.selection import ancestors, paints_nothing, select
+from shapeblend_cli.svg.xml.messages import Notes, Problem, check_limit, printable
+from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, origin, parse, translation
+from shapeblend_cli.svg.xml.units import LEAST, LIMIT, Lengths
+from shapeblend_cli.svg.xml.xmltree import GROUPS, LEFT_OUT, POINT_LISTS, SHAPES, Node
 
 _EFFECTS = dict.fromkeys(("mask", "filter"), "not applied")
 _EFFECTS |= dict.fromkeys(("marker-start", "marker-mid", "marker-end"), "not drawn")

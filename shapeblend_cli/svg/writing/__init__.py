@@ -1,1 +1,4 @@
-"""Values into the text of SVG documents."""
+"""SVG documents: frames, animations, figures.
+
+It may import options, paint, model.
+"""

@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from shapeblend_cli.easing import Ease
 from shapeblend_cli.model import KeyframedShape
-from shapeblend_cli.paint.colours import colour_stops
+from shapeblend_cli.options.easing import Ease
+from shapeblend_cli.paint.oklab import colour_stops
 from shapeblend_cli.svg.writing.paint import STROKE_LENGTHS, paint_attributes, without_defaults
 from shapeblend_cli.svg.writing.path_data import short_path_data
 

@@ -6,11 +6,11 @@ import zlib
 from collections.abc import Sequence
 from xml.etree.ElementTree import Element, SubElement
 
-from shapeblend_cli.easing import FOREVER, PINGPONG, Timing
 from shapeblend_cli.model import Box, KeyframedShape, Page
-from shapeblend_cli.names import Ids
+from shapeblend_cli.options.easing import FOREVER, PINGPONG, Timing
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import COLOURS, TIME_DIGITS, Moment, attribute_values, moments
+from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.rounding import number
 
 

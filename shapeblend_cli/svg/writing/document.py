@@ -8,8 +8,9 @@ from typing import Any
 from xml.etree import ElementTree  # svgwrite has imported it anyway
 
 from shapeblend_cli.model import Box, Frame, Group, KeyframedShape, Name, Page, PaintedShape
-from shapeblend_cli.names import Ids, page_for
+from shapeblend_cli.paint.names import page_for
 from shapeblend_cli.svg.libraries import svgwrite
+from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.paint import Gradients, visible_styles
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from xml.etree.ElementTree import Element, SubElement
 
 from shapeblend_cli.model import Clip, Gradient, LinearGradient, PaintedShape, RadialGradient, Style
-from shapeblend_cli.names import Ids
+from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
 

@@ -12,8 +12,9 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 from xml.etree.ElementTree import Element, SubElement
 
-from shapeblend_cli.easing import Timing
 from shapeblend_cli.model import Box, Clip, KeyframedShape, Page, PaintedShape
+from shapeblend_cli.options.easing import Timing
+from shapeblend_cli.options.triggers import CLICK, HOVER, Trigger
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import COLOURS, Values, attribute_values
 from shapeblend_cli.svg.writing.css import declaration
@@ -21,7 +22,6 @@ from shapeblend_cli.svg.writing.paint import STROKE_LENGTHS, Gradients, visible_
 from shapeblend_cli.svg.writing.path_data import short_path_data
 from shapeblend_cli.svg.writing.rounding import number
 from shapeblend_cli.svg.writing.smil import DISCRETE, Timeline, add_animated, written
-from shapeblend_cli.triggers import CLICK, HOVER, Trigger
 
 XHTML = "http://www.w3.org/1999/xhtml"
 

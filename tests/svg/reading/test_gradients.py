@@ -8,7 +8,7 @@ import resvg_py
 from PIL import Image
 
 from shapeblend_cli.model import Box, LinearGradient, RadialGradient, Stop
-from shapeblend_cli.settings import Settings
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from shapeblend_cli.svg.writing.document import frame_svg
 from tests.support.motions import blend

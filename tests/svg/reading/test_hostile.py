@@ -5,7 +5,9 @@ import gzip
 import pytest
 
 from shapeblend_cli.errors import InputError
-from shapeblend_cli.svg.reading import path_data, stylesheets, walk, xmltree
+from shapeblend_cli.svg.reading import path_data, walk
+from shapeblend_cli.svg.styles import stylesheets
+from shapeblend_cli.svg.xml import xmltree
 from tests.svg.reading.drawings import RECT, boxes, drawn, refused, svg
 
 

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from shapeblend_cli.svg.reading import selection, stylesheets
+from shapeblend_cli.svg.styles import selection, stylesheets
 from tests.svg.reading.drawings import RECT, drawn, refused, svg
 
 DRAWING = svg(

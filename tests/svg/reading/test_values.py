@@ -5,7 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.svg.reading import colours, transforms, units
+from shapeblend_cli.svg.styles import css_colours as colours
+from shapeblend_cli.svg.xml import transforms, units
 
 UNREADABLE = {
     units.length: "|x|1 px x|1..2|nan|inf|1e999|1e9|1foo|--1|1%|1_0|calc(1px)",

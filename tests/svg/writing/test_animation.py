@@ -5,11 +5,11 @@ from xml.etree import ElementTree
 
 import pytest
 
-from shapeblend_cli.easing import LINEAR, PINGPONG, Ease, Timing
 from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.model import Box
+from shapeblend_cli.options.easing import LINEAR, PINGPONG, Ease, Timing
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pipeline import match_all
-from shapeblend_cli.settings import Settings
 from shapeblend_cli.svg.writing.css import css_svg
 from shapeblend_cli.svg.writing.smil import smil_svg
 from tests.support.drawings import BAR, LEAF, RING, drawing

@@ -1,0 +1,257 @@
+"""Decompose a drawing into flattened contours, and tell exteriors from holes and open lines."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.anatomy.nesting import nest
+from shapeblend_cli.errors import InputError
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.flatten import flatten
+from shapeblend_cli.geometry.polygons import (
+    orientation,
+    reverse_contour,
+    reverse_polygon,
+    signed_area,
+    winding_numbers,
+)
+from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Contour, Drawing, Polygon, Style
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.geometry.similarity import Similarity
+    from shapeblend_cli.model import FloatArray
+
+    ContourPair = tuple["PlacedContour", "PlacedContour"]
+
+EXTERIOR, HOLE, LINE = "exterior", "hole", "line"
+
+CROWD, LEAST_SHARE, LARGE = 40, 0.15, 0.25
+"""A crowd has more contours than this; no contour has less than the second share of the vertices that are wanted, and
+those of the third share of the drawing's size have all of them."""
+
+
+class PlacedContour(NamedTuple):
+    """One contour of a drawing, laid over A, flattened, and with its role.
+
+    Exteriors run one way round and holes the other, where that paints the same.
+    """
+
+    number: int  # counted through the drawing's shapes in file order
+    shape: int  # index
+    contour: Contour
+    polygon: Polygon
+    role: str  # EXTERIOR, HOLE or LINE
+    exterior: int | None  # number of the contour that a hole is in
+    style: Style  # the shape's, in A's coordinates, with the fill rule that suits the contours' directions
+    any_rule: bool = True  # whether the other fill rule would paint the shape the same
+    is_piece: bool = False  # whether it is a piece cut from the contour with this number
+    opened: int | None = None  # number of the hole that is part of it, where it is a ring that is cut open
+
+    @property
+    def box(self) -> Box:
+        """The polygon's box."""
+        return self.polygon.box
+
+    @property
+    def size(self) -> float:
+        """Diagonal of the box."""
+        return self.box.diagonal
+
+    @property
+    def area(self) -> float:
+        """Area within the polygon; 0 for an open one."""
+        return abs(signed_area(self.polygon.vertices)) if self.polygon.closed else 0.0
+
+    @property
+    def centre(self) -> complex:
+        """Centre of the box."""
+        return self.box.centre
+
+    def contains_hole(self, hole: PlacedContour) -> bool:
+        """Return whether a contour is a hole in this one."""
+        if hole.role != HOLE or hole.exterior != self.number or hole.number == self.opened:
+            return False
+        return not self.is_piece or bool(winding_numbers(hole.polygon.vertices[:1], self.polygon.vertices)[0])
+
+    def transformed(self, by: Similarity) -> PlacedContour:
+        """Return the contour under a map that does not scale."""
+        return self._replace(contour=by.contour(self.contour), polygon=by.polygon(self.polygon))
+
+
+class PlacedDrawing(NamedTuple):
+    """A drawing, the map that lays it over A, and its contours there, by number."""
+
+    drawing: Drawing
+    to_a: Similarity
+    contours: Sequence[PlacedContour]
+
+
+def decompose(
+    drawing: Drawing, to_a: Similarity, vertices: int, exterior_orientation: int | None = None
+) -> tuple[list[PlacedContour], list[str]]:
+    """Flatten the contours of a drawing laid over A, find their roles, and orient exteriors alike.
+
+    Each gets so many vertices, about. By default exteriors are oriented as the largest closed contour.
+
+    Returns
+    -------
+    contours : list of PlacedContour
+        By number, without those that have no extent.
+    notes : list of str
+        What was left out.
+
+    Raises
+    ------
+    InputError
+        If nothing is left, or there is too much of it.
+    """
+    _check_size(drawing)
+    by_shape, left_out = _flatten_shapes(drawing, to_a, vertices)
+    if not any(by_shape):
+        raise InputError(
+            drawing.file,
+            f"nothing in it can be blended: {left_out[0]}; an open line of 2 or a closed outline of 3 would work",
+        )
+    flat = [contour for contours in by_shape for contour in contours]
+    target = exterior_orientation or main_orientation([contour.polygon for contour in flat])
+    placed = [contour for contours in by_shape for contour in _with_roles(contours, target)]
+    return placed, [f"{drawing.file}: {phrase}, left out" for phrase in left_out]
+
+
+def _check_size(drawing: Drawing) -> None:
+    contours = [contour for shape in drawing.shapes for contour in shape.contours]
+    if len(contours) > MOST_CONTOURS:
+        raise InputError(
+            drawing.file,
+            f"it draws {len(contours)} contours, and {MOST_CONTOURS} are the most that are blended; selecting some of "
+            "its shapes would work (--select-a, --select-b)",
+        )
+    largest = max(len(contour.segments) for contour in contours)
+    if largest > MOST_SEGMENTS:
+        raise InputError(
+            drawing.file,
+            f"it draws a contour of {largest} segments, and {MOST_SEGMENTS} are the most that are blended; a "
+            "simpler drawing would work",
+        )
+
+
+def main_orientation(polygons: Sequence[Polygon]) -> int:
+    """Return the orientation of the largest closed polygon; 1 where it has none."""
+    closed = [polygon for polygon in polygons if polygon.closed]
+    largest = max(closed, key=lambda polygon: abs(signed_area(polygon.vertices)), default=None)
+    return (orientation(largest) if largest else 0) or 1
+
+
+def _flatten_shapes(
+    drawing: Drawing, to_a: Similarity, vertices: int
+) -> tuple[list[list[PlacedContour]], list[str]]:
+    """Return the contours of each shape, all closed ones as exteriors, and phrases that name those without extent."""
+    by_shape: list[list[PlacedContour]] = []
+    left_out: list[str] = []
+    counts = iter(_vertex_counts(drawing, vertices))
+    number = 0
+    for index, shape in enumerate(drawing.shapes):
+        by_shape.append([])
+        style = to_a.style(shape.style)
+        for drawn in shape.contours:
+            contour = to_a.contour(_close_if_filled(drawn, shape.style))
+            count = next(counts)
+            polygon = flatten(contour, count)
+            if contour.closed and len(polygon.vertices) < 3 and style.stroke is not None:
+                contour = Contour(contour.segments, contour.straight, closed=False)  # a line there and back
+                polygon = flatten(contour, count)
+            if len(polygon.vertices) < (3 if contour.closed else 2):
+                kind = "closed" if contour.closed else "open"
+                left_out.append(f"contour {number}, {kind} with {len(polygon.vertices)} distinct vertices")
+            else:
+                role = EXTERIOR if contour.closed else LINE
+                by_shape[-1].append(PlacedContour(number, index, contour, polygon, role, None, style))
+            number += 1
+    return by_shape, left_out
+
+
+def _vertex_counts(drawing: Drawing, vertices: int) -> list[int]:
+    """Return how many vertices each contour gets: so many if it is `LARGE`, and the smaller the fewer.
+
+    A crowd gets fewer still: all together have about as many as `CROWD` contours, but none less than `LEAST_SHARE` of
+    what is wanted.
+    """
+    boxes = [cubics.bounds(c.segments) for shape in drawing.shapes for c in shape.contours]
+    size = Box.union(boxes).diagonal or 1.0
+    shares = np.array([box.diagonal for box in boxes]) / size
+
+    def counts(scale: float) -> FloatArray:
+        return np.where(shares >= LARGE, 1.0, np.clip(scale * np.sqrt(shares / LARGE), LEAST_SHARE, 1.0))
+
+    low, high = 0.0, 1.0
+    if counts(high).sum() <= CROWD:
+        low = high
+    while high - low > 1e-6:
+        scale = 0.5 * (low + high)
+        low, high = (scale, high) if counts(scale).sum() < CROWD else (low, scale)
+    return np.ceil(vertices * counts(low)).astype(int).tolist()
+
+
+def _close_if_filled(contour: Contour, style: Style) -> Contour:
+    """Close an open contour that is only filled, as filling does."""
+    if contour.closed or style.fill is None or style.stroke is not None:
+        return contour
+    start, end = contour.segments[0, 0], contour.segments[-1, 3]
+    return Contour(
+        segments=np.vstack([contour.segments, cubics.line(end, start)]),
+        straight=np.append(contour.straight, True),
+        closed=True,
+    )
+
+
+def _with_roles(contours: Sequence[PlacedContour], exterior_orientation: int) -> list[PlacedContour]:
+    """Tell the exteriors of one shape from its holes, and orient them."""
+    closed = [contour for contour in contours if contour.role == EXTERIOR]
+    if not closed or closed[0].style.fill is None:
+        return [c._replace(style=c.style._replace(fill_rule="nonzero")) for c in contours]
+    nesting = nest([c.polygon for c in closed], closed[0].style.fill_rule, exterior_orientation)
+    style = closed[0].style._replace(fill_rule=nesting.rule)
+    placed = {c.number: c._replace(style=style, any_rule=nesting.any_rule) for c in contours}
+    for (number, *_), parent, is_reversed in zip(closed, nesting.exterior, nesting.reversed, strict=True):
+        contour = placed[number]
+        if parent is not None:
+            contour = contour._replace(role=HOLE, exterior=closed[parent].number)
+        if is_reversed:
+            polygon = reverse_polygon(contour.polygon, len(contour.contour.segments))
+            contour = contour._replace(contour=reverse_contour(contour.contour), polygon=polygon)
+        placed[number] = contour
+    return list(placed.values())
+
+
+def without_specks(drawing: Drawing, least: float | str) -> tuple[Drawing, list[str]]:
+    """Return a drawing without contours whose larger side is below a length, and phrases on what was left out.
+
+    The length is in the drawing's own units, or a share of its larger side such as ``1%``. Raises InputError if nothing
+    is left.
+    """
+    boxes = [[cubics.bounds(contour.segments) for contour in shape.contours] for shape in drawing.shapes]
+    whole = Box.union([box for own in boxes for box in own])
+    limit = whole.larger_side * float(least[:-1]) / 100.0 if isinstance(least, str) else least
+    shapes = []
+    left_out = 0
+    for shape, own in zip(drawing.shapes, boxes, strict=True):
+        kept = tuple(c for c, box in zip(shape.contours, own, strict=True) if box.larger_side >= limit)
+        left_out += len(own) - len(kept)
+        if kept:
+            shapes.append(replace(shape, contours=kept))
+    if not shapes:
+        raise InputError(
+            drawing.file,
+            f"all of its contours are smaller than {limit:.6g}; a smaller --specks would leave some",
+        )
+    if not left_out:
+        return drawing, []
+    what = "1 contour" if left_out == 1 else f"{left_out} contours"
+    return drawing._replace(shapes=tuple(shapes)), [
+        f"{drawing.file}: {what} smaller than {limit:.6g} left out"
+    ]

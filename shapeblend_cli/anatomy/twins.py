@@ -1,0 +1,144 @@
+"""The axis of a drawing that is its own mirror image, left to right, and which contours mirror each other about it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.anatomy.structure import along, corners
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.anatomy.decompose import PlacedContour
+    from shapeblend_cli.anatomy.structure import Structure
+    from shapeblend_cli.model import ComplexArray, FloatArray
+
+SAMPLES = 24
+"""Contours are mirrored by so many points."""
+
+NEAR, OFF = 0.03, 0.08
+"""How far mirrored contours may be apart: their boxes, as a share of the drawing's size, and their points on average,
+as a share of their own."""
+
+MOST_AXES = 12
+"""So many axes are tried."""
+
+LEAST = 0.5
+"""A drawing has an axis if contours with so large a share of all sizes have their mirror image in it."""
+
+
+class Mirror(NamedTuple):
+    """The vertical axis of a drawing, and the place of each contour's mirror image in the sequence.
+
+    That is the contour itself for one on the axis, and None for one without a mirror image.
+    """
+
+    x: float
+    twin: list[int | None]
+
+    def twins(self, contours: Sequence[PlacedContour]) -> list[tuple[int, int]]:
+        """Return those that mirror each other, the left one first."""
+        pairs = [(i, j) for i, j in enumerate(self.twin) if j is not None and i < j]
+        return [(i, j) if contours[i].centre.real <= contours[j].centre.real else (j, i) for i, j in pairs]
+
+
+def mirror_of(contours: Sequence[PlacedContour], structure: Structure) -> Mirror | None:
+    """Find the axis about which most contours mirror each other or themselves; None if there is none.
+
+    What lies in twins in the same place of each, as lights in eyes do, are twins too.
+    """
+    lows, highs = corners([contour.polygon for contour in contours])
+    sizes = np.abs(highs - lows)
+    width = float((highs.real.max() - lows.real.min()) or 1.0)
+    extent = max(width, float(highs.imag.max() - lows.imag.min()))
+    tolerance = NEAR * extent
+    best: tuple[float, float] = 0.0, 0.0
+    for x in _axes(lows, highs, sizes, tolerance):
+        close = _mirrored_boxes(lows, highs, x) <= tolerance
+        share = float(sizes[close.any(axis=1)].sum() / sizes.sum())
+        if share > best[0] + 1e-9:
+            best = share, x
+    share, x = best
+    if share < LEAST:
+        return None
+    twin = _twins(contours, (lows, highs), x, tolerance)
+    if sum(sizes[k] for k, j in enumerate(twin) if j is not None) < LEAST * sizes.sum():
+        return None
+    for i, j in enumerate(list(twin)):
+        if j is not None and i < j:
+            _add_repeated(twin, contours, structure, (i, j))
+    return Mirror(x, twin)
+
+
+def _axes(lows: ComplexArray, highs: ComplexArray, sizes: FloatArray, tolerance: float) -> list[float]:
+    """Return where an axis may be: through the middle of all, and of the largest contours."""
+    centres = (lows.real + highs.real) / 2
+    middles = [(float(lows.real.min()) + float(highs.real.max())) / 2]
+    for k in np.argsort(-sizes, kind="stable"):
+        if all(abs(centres[k] - x) > tolerance / 8 for x in middles):
+            middles.append(float(centres[k]))
+        if len(middles) == MOST_AXES:
+            break
+    return middles
+
+
+def _mirrored_boxes(lows: ComplexArray, highs: ComplexArray, x: float) -> FloatArray:
+    """Return how far the mirror image of box i is from box j, (i, j)."""
+    left, right = 2 * x - highs.real, 2 * x - lows.real
+    away = np.abs(left[:, None] - lows.real)
+    for side in (
+        right[:, None] - highs.real,
+        lows.imag[:, None] - lows.imag,
+        highs.imag[:, None] - highs.imag,
+    ):
+        away = np.maximum(away, np.abs(side))
+    return away
+
+
+def _twins(
+    contours: Sequence[PlacedContour], boxes: tuple[ComplexArray, ComplexArray], x: float, tolerance: float
+) -> list[int | None]:
+    """Return the mirror image of each contour, none twice: of several the nearest, and of one kind and paint."""
+    away = _mirrored_boxes(*boxes, x)
+    sizes = np.abs(boxes[1] - boxes[0])
+    points = [along(contour.polygon, SAMPLES) for contour in contours]
+    twin: list[int | None] = [None] * len(contours)
+    likely = np.argwhere(np.triu(away <= tolerance))
+    order = np.argsort(away[likely[:, 0], likely[:, 1]], kind="stable")
+    for i, j in likely[order].tolist():
+        p, q = contours[i], contours[j]
+        if twin[i] is not None or twin[j] is not None or not _are_of_one_kind(p, q):
+            continue
+        mirrored = 2 * x - points[i].conj()
+        apart = np.abs(mirrored[:, None] - points[j])
+        spread = (apart.min(axis=0).mean() + apart.min(axis=1).mean()) / 2
+        if spread <= OFF * max(sizes[i], sizes[j]):
+            twin[i], twin[j] = j, i
+    return twin
+
+
+def _add_repeated(
+    twin: list[int | None], contours: Sequence[PlacedContour], structure: Structure, parts: tuple[int, int]
+) -> None:
+    """Make twins of contours without a mirror image that lie in the same place of two twins."""
+    inner = [
+        [k for k, parent in enumerate(structure.parent) if parent == part and twin[k] is None]
+        for part in parts
+    ]
+    for k in inner[0]:
+        p, around = contours[k], [contours[part] for part in parts]
+        near = OFF * around[0].size
+        for other in inner[1]:
+            q = contours[other]
+            moved = (p.centre - around[0].centre) - (q.centre - around[1].centre)
+            if abs(moved) <= near and abs(p.size - q.size) <= near and _are_of_one_kind(p, q):
+                twin[k], twin[other] = other, k
+                inner[1].remove(other)
+                break
+
+
+def _are_of_one_kind(p: PlacedContour, q: PlacedContour) -> bool:
+    paints = ((c.style.fill is None, c.style.stroke is None) for c in (p, q))
+    return p.role == q.role and len(set(paints)) == 1

@@ -1,0 +1,94 @@
+"""Clip paths that go with the shapes they clip."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.blending.blended import blend_shapes
+from shapeblend_cli.blending.placing import AS_IT_IS, flattened
+from shapeblend_cli.errors import InputError
+from shapeblend_cli.geometry.cubics import line
+from shapeblend_cli.model import (
+    Box,
+    Clip,
+    ClipBlend,
+    Contour,
+    Drawing,
+    Pair,
+    Shape,
+    ShapeBlend,
+    Style,
+)
+from shapeblend_cli.system.clock import Clock
+from shapeblend_cli.system.kept import Kept
+
+if TYPE_CHECKING:
+    from shapeblend_cli.options.settings import Settings
+
+ROOM = 0.05
+"""Room around a shape in the box that stands for no clip, as a share of its larger side."""
+
+
+def with_clips(pair: Pair, settings: Settings) -> Pair:
+    """Return a pair whose shapes have the clips of both drawings, outermost with outermost.
+
+    Where one side has none it is a box around the shape there; what cannot be blended clips nothing on the way.
+    """
+    settings = settings.replace(**dict.fromkeys(("match", "pins", "start", "stiff", "mix", "specks")))
+    view = Box.union(list(pair.views))
+    known: dict[tuple[object, object], ClipBlend] = {}
+
+    def blended(a: Clip | None, b: Clip | None, shape: ShapeBlend) -> ClipBlend:
+        regions = a or _box_around(shape, 0), b or _box_around(shape, 1)
+        key = (id(a) if a else regions[0].paths, id(b) if b else regions[1].paths)
+        if key not in known:
+            known[key] = ClipBlend(
+                _region_blend(_as_drawing(regions[0]), _as_drawing(regions[1]), settings, view)
+            )
+        return known[key]
+
+    shapes = []
+    for shape in pair.shapes:
+        sides = [
+            () if k is None else drawn[k].clips for k, drawn in zip(shape.sources, pair.drawn, strict=True)
+        ]
+        count = max(map(len, sides))
+        if None in shape.sources:  # what comes or goes alone keeps its own
+            sides = [max(sides, key=len)] * 2
+        a, b = ([*side, *[None] * (count - len(side))] for side in sides)
+        clips = (blended(one, other, shape) for one, other in zip(a, b, strict=True))
+        shapes.append(shape._replace(clips=tuple(clip for clip in clips if clip.shapes)))
+    return pair._replace(shapes=tuple(shapes))
+
+
+def _region_blend(a: Drawing, b: Drawing, settings: Settings, view: Box) -> tuple[ShapeBlend, ...]:
+    """Blend the regions of two clips, each a drawing of a single shape; nothing if a region is empty."""
+    try:
+        flat, _ = flattened([a, b], [AS_IT_IS, AS_IT_IS], settings.vertices, Kept(0))
+    except InputError:
+        return ()
+    return blend_shapes(flat[0], flat[1], settings, view, (Clock(), None), Kept(0).steps)
+
+
+def has_clips(pair: Pair) -> bool:
+    """Return whether either drawing has a clip."""
+    return any(shape.clips for drawn in pair.drawn for shape in drawn)
+
+
+def _as_drawing(clip: Clip) -> Drawing:
+    contours = tuple(Contour(path.segments, path.straight, path.closed) for path in clip.paths)
+    return Drawing("a clip path", None, (Shape(0, None, "clipPath", contours, Style(fill_rule=clip.rule)),))
+
+
+def _box_around(shape: ShapeBlend, end: int) -> Clip:
+    """Return a box around a shape at one of its ends, and its strokes."""
+    paths = [contour.end if end else contour.start for contour in shape.contours]
+    style = shape.style_b if end else shape.style_a
+    box = Box.around(np.concatenate([path.segments.ravel() for path in paths]))
+    box = box.expanded(ROOM * box.larger_side + (style.stroke_width if style.stroke else 0.0))
+    left, top, right, bottom = box.bounds
+    corners = [complex(left, top), complex(right, top), complex(right, bottom), complex(left, bottom)]
+    segments = np.array([line(p, q) for p, q in zip(corners, [*corners[1:], corners[0]], strict=True)])
+    return Clip((Contour(segments, np.ones(4, bool), True),))

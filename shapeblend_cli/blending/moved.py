@@ -1,0 +1,143 @@
+"""How the matched shapes of two drawings move; shapes that turn are matched again for it."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from shapeblend_cli.blending.matched import match_again, with_drawn_curves
+from shapeblend_cli.model import Box
+from shapeblend_cli.motion.alignment import Alignment, align, point_pairs, shared_alignments
+from shapeblend_cli.motion.choose import (
+    JUDGED,
+    RotatedShape,
+    Situation,
+    best_motion,
+    choose,
+    is_right,
+    moved,
+    straight,
+)
+from shapeblend_cli.motion.parts import parts_of, turn_of
+from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from shapeblend_cli.blending.matched import PairedDrawings
+    from shapeblend_cli.model import ShapeBlend
+
+AFFORDABLE_SEGMENTS = 2000
+"""Maximum number of segments of shapes for which several motions are tried. These take a few seconds; a drawing of
+hundreds of shapes would take minutes."""
+
+
+def move_shapes(paired: PairedDrawings, shapes: Sequence[ShapeBlend], view: Box) -> tuple[ShapeBlend, ...]:
+    """Choose how shapes move in a view. The largest come first, as what is wrong with them is seen most."""
+    shared = _shared(paired, shapes)
+    chosen: dict[int, ShapeBlend] = {}
+    affordable = AFFORDABLE_SEGMENTS
+    largest = max((shape.size for shape in shapes), default=0.0) or 1.0
+    for k in sorted(range(len(shapes)), key=lambda k: -shapes[k].size):
+        shape = paired.curved(shapes[k])
+        situation = Situation(
+            paired.settings.motion,
+            bool(paired.rotation),
+            paired.leads(shape),
+            shape.size / largest,
+            affordable > 0,
+        )
+        choice = choose(shape, situation)
+        rotate = partial(_rotated, paired, shapes[k], shape, shared[k])
+        if choice.motion == JUDGED:
+            affordable -= sum(len(contour.start.segments) for contour in shape.contours)
+            chosen[k] = paired.judged(shape, view, shared[k], partial(_judged, shape, view, rotate))
+        elif choice.motion == "linear":
+            chosen[k] = shape._replace(reason=choice.reason)
+        else:
+            chosen[k] = moved(rotate(), choice)
+    return tuple(chosen[k] for k in range(len(shapes)))
+
+
+def _judged(shape: ShapeBlend, view: Box, rotate: Callable[[], RotatedShape]) -> ShapeBlend:
+    """Return a shape on straight paths if these look right, else in the motion that the judge prefers."""
+    judged = straight(shape, view)
+    return judged if is_right(judged) else best_motion(judged, rotate(), view)
+
+
+def _shared(paired: PairedDrawings, shapes: Sequence[ShapeBlend]) -> Sequence[Alignment | None]:
+    """Return for each shape the similarity that it has in common with others, if any."""
+    if paired.rotation:
+        whole = align(point_pairs([contour for shape in shapes for contour in shape.contours]))
+        return [whole] * len(shapes)
+    if paired.settings.motion == "linear" or len(shapes) < 2:
+        return [None] * len(shapes)
+    return shared_alignments(shapes)
+
+
+def _rotated(
+    paired: PairedDrawings, matched: ShapeBlend, shape: ShapeBlend, common: Alignment | None
+) -> RotatedShape:
+    """Return a shape with B rotated back, if its largest contour is A's rotated, and what its motion separates."""
+    if paired.rotation:
+        assert common is not None, "what is rotated is aligned"
+        return RotatedShape(shape, common)
+    again, alignment = _rotate_back(paired, matched, common)
+    if again is not matched and is_rotated_copy(again.contours):
+        return RotatedShape(with_drawn_curves(again, paired.settings), alignment)
+    turning = _turn_parts(paired, matched, alignment)
+    return RotatedShape(
+        shape if again is matched else with_drawn_curves(again, paired.settings),
+        alignment,
+        turning and (with_drawn_curves(turning[0], paired.settings), turning[1]),
+    )
+
+
+def _turn_parts(
+    paired: PairedDrawings, shape: ShapeBlend, alignment: Alignment
+) -> tuple[ShapeBlend, tuple[Alignment, ...]] | None:
+    """Match parts of a shape again that are A's rotated; return it with the similarity of each contour.
+
+    That of other parts is given. None without such parts.
+    """
+    contours = list(shape.contours)
+    alignments = [alignment] * len(contours)
+    parts = parts_of(contours) if len(contours) > 1 else []
+    middle = Box.union([contour.polygon_a.box for contour in contours]).centre
+    turns = False
+    for numbers in parts if len(parts) > 1 else ():
+        part = shape._replace(contours=tuple(contours[k] for k in numbers))
+        rotation = _rotation_of(part)
+        if rotation is None:
+            continue
+        part = match_again(paired, part, rotation)
+        if is_rotated_copy(part.contours):
+            turns = True
+            turn = turn_of(part.contours, middle)
+            for k, contour in zip(numbers, part.contours, strict=True):
+                contours[k], alignments[k] = contour, turn
+    return (shape._replace(contours=tuple(contours)), tuple(alignments)) if turns else None
+
+
+def _rotate_back(
+    paired: PairedDrawings, shape: ShapeBlend, common: Alignment | None
+) -> tuple[ShapeBlend, Alignment]:
+    """Align a shape; match it again first, with B rotated back, if its largest contour is A's rotated.
+
+    Points that travel cost work, so the first match does not show that.
+    """
+    rotation = _rotation_of(shape)
+    if rotation is not None:
+        shape = match_again(paired, shape, rotation)
+    elif common is not None:
+        return shape, common
+    return shape, align(point_pairs(shape.contours))
+
+
+def _rotation_of(shape: ShapeBlend) -> float | None:
+    """Return the angle by which the largest contour of B is A's rotated, None if it is not."""
+    matched = [contour for contour in shape.contours if contour.is_matched]
+    if not matched:
+        return None
+    largest = max(matched, key=lambda contour: contour.scale_a)
+    return rotation_between(largest.polygon_a, largest.polygon_b)

@@ -1,0 +1,70 @@
+"""One blend of files with everything that was asked of it, checked before anything heavy is imported."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from shapeblend_cli.errors import OptionError, OutputError
+from shapeblend_cli.options.fields import Record
+from shapeblend_cli.options.settings import ReadOptions, RunOptions, Settings, WriteOptions, report_settings
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
+from shapeblend_cli.outputs.options import OutputOptions, specify
+
+STANDARD_INPUT = "-"
+
+RECORDS: tuple[type[Record], ...] = (ReadOptions, Settings, OutputOptions, WriteOptions, RunOptions)
+"""What can be asked of a job."""
+
+
+class Job(NamedTuple):
+    """One run of the command: files in, files out."""
+
+    files: tuple[str, ...]  # two or more, one of them perhaps `-`, standard input
+    read: ReadOptions
+    output: OutputSpec
+    write: WriteOptions
+    reported: dict[str, Any]  # every option's value in force, for the report
+    command: tuple[str, ...]  # the command line
+
+
+def job_of(files: tuple[str, ...], given: Mapping[str, Any], command: tuple[str, ...]) -> Job:
+    """Make a job of files and values of options by name; raise OptionError if they do not go together."""
+    read, settings, write = ReadOptions.of(given), Settings.of(given), WriteOptions.of(given)
+    options = OutputOptions.of(given)
+    check_files(files, settings)
+    output = specify(options, settings, len(files))
+    if output.path == write.report == STANDARD_OUTPUT:
+        raise OptionError("--output and --report cannot both be standard output")
+    if settings.mix and (write.report or write.preview or write.tries):
+        raise OptionError(
+            "--report, --preview and --try are for blends from drawing to drawing, and --mix makes none"
+        )
+    if write.tries is not None and len(files) > 2:
+        raise OptionError(f"--try applies to two files; {len(files)} given")
+    reported = report_settings(
+        read, output.settings, options.replace(**output.decided()), write, RunOptions.of(given)
+    )
+    return Job(files, read, output, write, reported, command)
+
+
+def check_files(files: tuple[str, ...], settings: Settings) -> None:
+    """Raise OptionError if there are too few files, or settings that do not go with so many."""
+    if len(files) < 2:
+        raise OptionError(f"a blend needs two files or more, A.svg and B.svg; {len(files)} given")
+    if files.count(STANDARD_INPUT) > 1:
+        raise OptionError("only one of the files can be standard input")
+    settings.check_drawings(len(files))
+
+
+def all_targets(job: Job) -> list[Path]:
+    """Return all files that a job writes; raise OutputError if two of them are one."""
+    names = [*job.output.files(), job.write.report, job.write.preview, job.write.tries]
+    targets = [Path(name) for name in names if name and name != STANDARD_OUTPUT]
+    places = [os.path.normpath(target) for target in targets]
+    for k, place in enumerate(places):
+        if place in places[:k]:
+            raise OutputError(str(targets[k]), "is named for two different outputs; another name would work")
+    return targets

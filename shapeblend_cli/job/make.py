@@ -1,0 +1,293 @@
+"""From files to files: the pipeline with reading before it and writing after it."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from functools import cached_property
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+from shapeblend_cli.blending.placing import place
+from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
+from shapeblend_cli.frames.frames import end_frames, times_of_frames
+from shapeblend_cli.job.job import Job, all_targets
+from shapeblend_cli.job.report import Measures, measure, report
+from shapeblend_cli.matching.solve import COMPILED
+from shapeblend_cli.model import Drawing, Pair
+from shapeblend_cli.motion.verdict import verdict
+from shapeblend_cli.options.settings import ReadOptions, Settings
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
+from shapeblend_cli.pipeline import match_all
+from shapeblend_cli.svg.reading.read import STANDARD_INPUT, contents_of, read
+from shapeblend_cli.system.clock import Clock
+from shapeblend_cli.system.kept import Kept
+from shapeblend_cli.system.write import Content, Contents, check_targets, write_files
+from shapeblend_cli.version import __version__
+
+SLOW = (
+    "the solver was installed without a C compiler and runs uncompiled, far slower; "
+    "installing again with a C compiler makes it fast"
+)
+
+
+class Run:
+    """What was done in a run, with the seconds that each stage took."""
+
+    def __init__(self, pairs: list[Pair], settings: Settings, seconds: dict[str, float]) -> None:
+        self.pairs = pairs
+        self.settings = settings
+        self.seconds = seconds
+
+    @cached_property
+    def measures(self) -> list[Measures]:
+        """Measures of the frames that settings ask for, written or not."""
+        return [measure(pair, t) for pair, t in times_of_frames(self.pairs, self.settings)]
+
+
+class Made(NamedTuple):
+    """What a run has made, before any of it is written."""
+
+    run: Run
+    contents: Contents  # of files and folders
+    standard_output: str | bytes
+
+
+def blend_files(
+    job: Job,
+    note: Callable[[str], None],
+    warn: Callable[[str], None],
+    progress: Callable[[float], None],
+    sources: Mapping[str, bytes] = MappingProxyType({}),
+) -> Run:
+    """Read files, blend each with the next, and write what is asked for, all of it or nothing.
+
+    Files among the `sources` have these contents, and are not opened.
+    `note` takes what the user should know, a line at a time, and `warn` what even one who wants to read little should;
+    `progress` takes the share of the matching that is done, 0 to 1.
+    """
+    check_libraries(job)
+    check_files_of(job)
+    clock = Clock()
+    made = make(job, clock, note, progress, sources)
+    write(job, made.contents, warn, made.standard_output)
+    clock.lap("write")
+    return made.run
+
+
+def check_libraries(job: Job) -> None:
+    """Raise OutputError if a job needs a library that is not there."""
+    with _named(job.output.path):
+        job.output.format.check_libraries()
+
+
+def check_files_of(job: Job) -> None:
+    """Raise OutputError if a job would write what it must not; see `check_targets`."""
+    _check(all_targets(job), job.files, job.write.force)
+
+
+def check_output(output: str, files: Sequence[str], force: bool) -> None:
+    """Raise OutputError if a text that is made of files must not be written to an output; see `check_targets`."""
+    if output != STANDARD_OUTPUT:
+        _check([Path(output)], files, force)
+
+
+def _check(targets: Iterable[Path], files: Sequence[str], force: bool) -> None:
+    check_targets(targets, [Path(file) for file in files if file != STANDARD_INPUT], force)
+
+
+def make(
+    job: Job,
+    clock: Clock,
+    note: Callable[[str], None],
+    progress: Callable[[float], None] = lambda share: None,
+    sources: Mapping[str, bytes] = MappingProxyType({}),
+    kept: Kept | None = None,
+) -> Made:
+    """Read files, blend each with the next, and return what is to be written; see `blend_files` for the parameters.
+
+    What is `kept` of drawings is not made again.
+    """
+    notes: list[str] = []
+
+    def note_and_keep(text: str) -> None:
+        notes.append(text)
+        note(text)
+
+    if not COMPILED:
+        note_and_keep(SLOW)
+    output, settings = job.output, job.output.settings
+    drawings = read_files(job.files, job.read, clock, note_and_keep, sources, kept)
+    pairs = match_drawings(drawings, settings, clock, note_and_keep, progress, kept)
+    _say_if_poor(job, pairs, note_and_keep)
+    run = Run(pairs, settings, clock.seconds)
+    with _named(output.path):
+        rendered = output.format.render(output, pairs)
+    clock.lap("render")
+    for text in rendered.notes:
+        note_and_keep(text)
+    contents: dict[Path, Content | dict[str, Content]] = {}
+    standard_output: str | bytes = ""
+    if output.path == STANDARD_OUTPUT:
+        (standard_output,) = rendered.contents
+    else:
+        contents.update(output.by_target(rendered))
+    if job.write.report or job.write.preview:
+        found = report(
+            __version__, job.files, job.reported, pairs, run.measures, output.frame_files(), clock.seconds
+        )
+        if job.write.report:
+            import json  # most runs write no report
+
+            text = json.dumps(found, allow_nan=False) + "\n"
+            if job.write.report == STANDARD_OUTPUT:
+                standard_output = text
+            else:
+                contents[Path(job.write.report)] = text
+        if job.write.preview:
+            contents[Path(job.write.preview)] = _preview(job, found, (drawings, pairs), notes)
+            clock.lap("preview")
+    if job.write.tries:
+        contents[Path(job.write.tries)] = _tries(drawings, settings, pairs[0])
+        clock.lap("tries")
+    return Made(run, contents, standard_output)
+
+
+def write(
+    job: Job, contents: Contents, warn: Callable[[str], None], standard_output: str | bytes = ""
+) -> None:
+    """Write what was made, all of it or nothing."""
+    write_files(contents, job.write.force)
+    print_text(standard_output, "; the files were written" if any(contents.values()) else "")
+    if stale := _stale_frames(job.output):
+        warn(f"{job.output.path}: {len(stale)} frame files of another run remain, {min(stale)} among them")
+
+
+def write_output(output: str, text: str, force: bool) -> None:
+    """Write a text to a file, or to standard output."""
+    if output == STANDARD_OUTPUT:
+        print_text(text)
+    else:
+        write_files({Path(output): text}, force)
+
+
+def match_files(
+    files: Sequence[str],
+    options: ReadOptions,
+    settings: Settings,
+    clock: Clock,
+    note: Callable[[str], None],
+    progress: Callable[[float], None],
+) -> list[Pair]:
+    """Read files and match each with the next; see `blend_files` for the parameters."""
+    return match_drawings(read_files(files, options, clock, note), settings, clock, note, progress)
+
+
+def read_files(
+    files: Sequence[str],
+    options: ReadOptions,
+    clock: Clock,
+    note: Callable[[str], None],
+    sources: Mapping[str, bytes] = MappingProxyType({}),
+    kept: Kept | None = None,
+) -> list[Drawing]:
+    """Read files; those among the `sources` have these contents, and are not opened."""
+    kept = kept or Kept(0)
+    drawings = []
+    for file, selector in zip(files, options.selections(len(files)), strict=True):
+        content = sources[file] if file in sources else contents_of(file)
+        key = file, content, options.lenient, selector
+        drawing = kept.find(key)
+        if drawing is None:
+            drawing = read(file, content, lenient=options.lenient, select=selector, is_to_blend=True)
+            kept.keep(key, drawing, len(content))
+        drawings.append(drawing)
+    for drawing in drawings:
+        for text in drawing.notes:
+            note(f"{drawing.file}: {text}")
+    clock.lap("read")
+    return drawings
+
+
+def match_drawings(
+    drawings: Sequence[Drawing],
+    settings: Settings,
+    clock: Clock,
+    note: Callable[[str], None],
+    progress: Callable[[float], None],
+    kept: Kept | None = None,
+) -> list[Pair]:
+    """Match each drawing with the next."""
+    try:
+        pairs, notes = match_all(drawings, settings, clock, progress, kept)
+    except MatchError as error:
+        raise InputError(" and ".join(drawing.file for drawing in drawings), str(error)) from error
+    for text in notes:
+        note(text)
+    return pairs
+
+
+def _say_if_poor(job: Job, pairs: Sequence[Pair], note: Callable[[str], None]) -> None:
+    """Say that in-betweens look poor, what is worst and what would help; raise that if it is asked for."""
+    found = None if job.output.settings.mix else verdict(pairs)
+    if found is None or not found.is_poor:
+        return
+    files = f"{job.files[found.a]} and {job.files[found.b]}"
+    sheet = "" if job.write.tries else ", and --try FILE.svg shows other blends"
+    problem = f"the in-betweens look poor, {found.wrong:.2f}: {found.fault}; --pin or --match may help{sheet}"
+    if job.write.fail_on == "poor":
+        raise InputError(files, problem)
+    note(f"{files}: {problem}")
+
+
+@contextmanager
+def _named(output: str) -> Iterator[None]:
+    """Name the output in errors about pictures that cannot be drawn."""
+    try:
+        yield
+    except PictureError as error:
+        raise OutputError(output, str(error)) from error
+
+
+def _stale_frames(output: OutputSpec) -> set[str]:
+    """Return the names of frame files in the folder that are none of the run's own."""
+    names = {name for name in output.frame_files() if name}
+    suffixes = {re.escape(Path(name).suffix) for name in names}
+    if not suffixes:
+        return set()
+    frames = re.compile(rf"frame-[0-9]+({'|'.join(suffixes)})")
+    return {name for name in os.listdir(output.path) if frames.fullmatch(name)} - names
+
+
+def _preview(
+    job: Job, found: dict[str, Any], blended: tuple[Sequence[Drawing], Sequence[Pair]], notes: Sequence[str]
+) -> str:
+    from shapeblend_cli.preview.page import preview  # most runs write none
+
+    settings, (drawings, pairs) = job.output.settings, blended
+    maps = place(drawings, settings.place)
+    ends = end_frames(pairs, settings)
+    return preview(found, pairs, ends, settings, job.output.timing, job.command, notes, maps)
+
+
+def _tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> str:
+    from shapeblend_cli.job.tries import tries, tries_sheet  # most runs try nothing else
+
+    return tries_sheet(tries(drawings, settings, pair), as_drawn=settings.draws_ends)
+
+
+def print_text(text: str | bytes, stands: str = "") -> None:
+    """Write to standard output as UTF-8, whatever the locale; an error says what else stands."""
+    if not text:
+        return
+    try:
+        sys.stdout.buffer.write(text.encode("utf-8", "replace") if isinstance(text, str) else text)
+        sys.stdout.buffer.flush()
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        raise OutputError("standard output", f"cannot be written ({error.strerror}){stands}") from error

@@ -1,0 +1,83 @@
+"""From files to a drawing of several states."""
+
+from __future__ import annotations
+
+import re
+from pathlib import PurePath
+from typing import TYPE_CHECKING
+
+from shapeblend_cli.errors import OptionError
+from shapeblend_cli.interpolate.stars import star_shapes
+from shapeblend_cli.job.make import SLOW, check_output, match_files, write_output
+from shapeblend_cli.matching.solve import COMPILED
+from shapeblend_cli.model import Box
+from shapeblend_cli.outputs.formats import views
+from shapeblend_cli.paint.names import common_page, page_for
+from shapeblend_cli.svg.writing.rounding import decimals_for
+from shapeblend_cli.svg.writing.state_document import States, states_js, states_svg
+from shapeblend_cli.system.clock import Clock
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from shapeblend_cli.options.settings import ReadOptions, Settings, StatesOptions
+
+
+def write_states(
+    files: Sequence[str],
+    read: ReadOptions,
+    settings: Settings,
+    options: StatesOptions,
+    note: Callable[[str], None],
+    progress: Callable[[float], None],
+) -> None:
+    """Read files, let all correspond with the first, and write a drawing of which each is a state."""
+    if not COMPILED:
+        note(SLOW)
+    element = element_name(options) if options.output.lower().endswith(".js") else None
+    check_output(options.output, files, options.force)
+    alone = [tuple(float(k == j) for j in range(len(files))) for k in range(len(files))]
+    settings = settings.replace(mix=alone, motion="linear", unmatched="point")
+    pairs = match_files(files, read, settings, Clock(), note, progress)
+    shown = Box.union(views(pairs))
+    page = common_page([pairs[0].pages[0], *(pair.pages[1] for pair in pairs)])
+    shapes = star_shapes(pairs)
+    if any(key.style.fill_gradient or key.style.stroke_gradient for shape in shapes for key in shape.keys):
+        note("gradients become plain colours in states, because CSS has no transitions of gradients")
+    decimals = decimals_for(views(pairs)) if options.precision is None else options.precision
+    states = States(
+        shapes, names_of(files), shown, page_for(page, shown), options.duration, settings.ease, decimals
+    )
+    trigger = None if options.trigger == "none" else options.trigger
+    text = states_js(states, element) if element else states_svg(states, trigger)
+    write_output(options.output, text, options.force)
+
+
+def names_of(files: Sequence[str]) -> list[str]:
+    """Return the names of states: those of the files without folder and suffix, and numbers where two are alike.
+
+    Examples
+    --------
+    >>> names_of(["on/wifi.svg", "off/wifi.svg", "-"])
+    ['wifi', 'wifi-2', 'state-3']
+    """
+    names: list[str] = []
+    for k, file in enumerate(files, 1):
+        stem = re.sub(r"[^\w.-]+", "-", PurePath(file).stem).strip("-") or f"state-{k}"
+        name, number = stem, 1
+        while name in names:
+            number += 1
+            name = f"{stem}-{number}"
+        names.append(name)
+    return names
+
+
+def element_name(options: StatesOptions) -> str:
+    """Return the name of a custom element, by default that of its file; such names have a hyphen."""
+    if options.element is not None:
+        return options.element
+    stem = re.sub(r"[^a-z0-9-]+", "-", PurePath(options.output).stem.lower()).strip("-")
+    name = stem if "-" in stem else f"{stem}-states"
+    if not re.match("[a-z]", name):
+        raise OptionError(f"{options.output}: elements begin with a letter; --element shape-icon would work")
+    return name

@@ -1,0 +1,154 @@
+"""Other blends of the same drawings, for people who choose by eye in two seconds."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.errors import MatchError
+from shapeblend_cli.frames.frames import frame_at, shapes_at
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.raster import winding_grid
+from shapeblend_cli.model import Box
+from shapeblend_cli.motion.verdict import verdict
+from shapeblend_cli.pipeline import match_all
+from shapeblend_cli.svg.writing.document import frame_svg
+from shapeblend_cli.svg.writing.rounding import decimals_for
+from shapeblend_cli.svg.writing.sheet import Row, sheet
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import ComplexArray, CubicPath, Drawing, IntArray, PaintedShape, Pair
+    from shapeblend_cli.options.settings import Settings
+
+WAYS: tuple[dict[str, Any], ...] = (
+    {"strokes": "keep"},
+    {"motion": "linear"},
+    {"motion": "intrinsic"},
+    {"motion": "rigid"},
+    {"preset": "paper"},
+    {"unmatched": "point"},
+    {"unmatched": "split"},
+    {"place": "bbox"},
+    {"k_b": 0.3},
+    {"k_t": 0.0},
+)
+"""Settings that are tried one at a time, where they are not given."""
+
+TIMES = tuple(k / 8 for k in range(9))
+"""The moments on a sheet."""
+
+SIDE, DIFFERENT = 48, 0.03
+"""Blends differ to the eye if at some moment they differ in this share of what they paint, on a grid of so many points
+along the larger side."""
+
+LARGER_SIDE = 96.0
+"""Of a picture on a sheet, in pixels."""
+
+
+class Try(NamedTuple):
+    """A blend, the options that give it, and how wrong it looks to the judge."""
+
+    options: str
+    wrong: float
+    pair: Pair
+    changed: dict[str, Any]  # values of settings by name
+
+
+def tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> list[Try]:
+    """Return the blend of two drawings and those others that differ from it and from each other to the eye.
+
+    The one at hand comes first, then the others, the least wrong first.
+    """
+    found = [Try("as it is", _wrong(pair), pair, {})]
+    seen = [_pictures(pair)]
+    for changed in WAYS:
+        if any(settings.is_given(name) for name in changed):
+            continue
+        try:
+            (other,), _ = match_all(drawings, settings.replace(**changed))
+        except MatchError:
+            continue
+        pictures = _pictures(other)
+        if all(_differ(pictures, known) for known in seen):
+            seen.append(pictures)
+            found.append(Try(_as_typed(settings, changed), _wrong(other), other, changed))
+    return [found[0], *sorted(found[1:], key=lambda one: one.wrong)]
+
+
+def tries_sheet(found: Sequence[Try], *, as_drawn: bool) -> str:
+    """Return an SVG document with a row for each blend: its number, the options that give it, and its moments."""
+    rows = [Row(f"{one.wrong:.2f}  {one.options}", moments(one.pair, as_drawn=as_drawn)) for one in found]
+    return sheet(rows, *size_on_sheet(found[0].pair.views[0]))
+
+
+def moments(pair: Pair, *, as_drawn: bool) -> list[str]:
+    """Return a blend at the moments that a sheet shows, as SVG documents of one view."""
+    frames = [frame_at(pair, t, as_drawn=as_drawn) for t in TIMES]
+    view = Box.union([frame.view for frame in frames])
+    decimals = decimals_for([view])
+    return [frame_svg(frame.picture._replace(view=view), decimals) for frame in frames]
+
+
+def size_on_sheet(view: Box) -> tuple[float, float]:
+    """Return how wide and high pictures of a view are on a sheet, in pixels."""
+    scale = LARGER_SIDE / view.larger_side
+    return view.width * scale, view.height * scale
+
+
+def _as_typed(settings: Settings, changed: dict[str, Any]) -> str:
+    """Return settings as they are given on the command line."""
+    flags = {name: settings.options[name].flags[-1] for name in changed}
+    return " ".join(
+        f"{flags[name]} {value:g}" if isinstance(value, float) else f"{flags[name]} {value}"
+        for name, value in changed.items()
+    )
+
+
+def _wrong(pair: Pair) -> float:
+    found = verdict([pair], asked_too=True)
+    return found.wrong if found is not None else 0.0
+
+
+def _pictures(pair: Pair) -> list[IntArray]:
+    """Return coarse pictures of a blend at moments within: which paint is uppermost at each point."""
+    view = Box.union(list(pair.views))
+    return [_picture(shapes_at(pair, t), view) for t in TIMES[2:-1:2]]
+
+
+def _picture(shapes: Sequence[PaintedShape], view: Box) -> IntArray:
+    step = view.larger_side / SIDE
+    corner = complex(view.x, view.y)
+    picture = np.zeros((SIDE, SIDE), np.intp)
+    for shape in shapes:
+        paint = shape.style
+        if paint.fill is not None:
+            edges = [_chords(path) for path in shape.paths]
+            starts, ends = (np.concatenate(side) for side in zip(*edges, strict=True))
+            picture[winding_grid(starts, ends, corner, step, SIDE) != 0] = _number(paint.fill)
+        if paint.stroke is not None:
+            points = np.concatenate([_chords(path)[0] for path in shape.paths])
+            at = (points - corner) / step
+            row, column = at.imag.astype(np.intp), at.real.astype(np.intp)
+            inside = (row >= 0) & (row < SIDE) & (column >= 0) & (column < SIDE)
+            picture[row[inside], column[inside]] = _number(paint.stroke)
+    return picture
+
+
+def _chords(path: CubicPath) -> tuple[ComplexArray, ComplexArray]:
+    """Return where chords along a path begin and end; it is closed as filling closes it."""
+    points = cubics.evaluate(path.segments[:, None, :], np.arange(8) / 8).ravel()
+    return points, np.append(points[1:], points[0])
+
+
+def _number(colour: str) -> int:
+    return 1 + int(colour.lstrip("#"), 16)
+
+
+def _differ(a: Sequence[IntArray], b: Sequence[IntArray]) -> bool:
+    """Return whether pictures of two blends differ at some moment, in what they paint."""
+    return any(
+        np.count_nonzero(p != q) > DIFFERENT * np.count_nonzero(p | q) for p, q in zip(a, b, strict=True)
+    )

@@ -1,0 +1,328 @@
+"""The types of fields: how a value is typed, and what it must be.
+
+Errors are phrased so that the name of a field or of an option goes before them: "must be 0 or more, not -3".
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+from operator import index
+from typing import Any, NamedTuple
+
+from shapeblend_cli.options import easing, triggers
+
+
+class Unfit(ValueError):
+    """Says what a value must be and what it is, where `FieldType.expected` would not say it well."""
+
+
+class FieldType(NamedTuple):
+    """A type of fields.
+
+    `canonical` returns a value in the one form it is kept in, or raises ValueError or TypeError.
+    """
+
+    expected: str  # what a value must be, for errors
+    canonical: Callable[[Any], Any]
+    metavar: str  # how help shows a value
+    split: Callable[[str], Any] = str  # turns what is typed into a value for `canonical`
+    choices: tuple[str, ...] = ()  # all values, if they are a few words
+    is_file: bool = False  # whether a value names a file
+    words: int = 1  # how many words on the command line make a value
+
+    def check(self, value: Any) -> Any:
+        """Return a value in its canonical form, or raise ValueError."""
+        return self._try(self.canonical, value, repr(value))
+
+    def parse(self, text: str) -> Any:
+        """Return the value that a typed text stands for, or raise ValueError.
+
+        A word for None stays that word, as None would say that nothing was typed.
+        """
+        shown = text if self.split in (int, float) else repr(text)
+        value = self._try(lambda typed: self.canonical(self.split(typed)), text, shown)
+        return text if value is None else value
+
+    def _try(self, read: Callable[[Any], Any], value: Any, shown: str) -> Any:
+        try:
+            return read(value)
+        except Unfit as error:
+            raise ValueError(f"must be {error}") from None
+        except (ValueError, TypeError, OverflowError):
+            raise ValueError(f"must be {self.expected}, not {shown}") from None
+
+
+def choice(*words: str) -> FieldType:
+    """One of a few words."""
+    expected = f"{', '.join(words[:-1])} or {words[-1]}"
+    return FieldType(expected, lambda value: words[words.index(value)], f"[{'|'.join(words)}]", choices=words)
+
+
+def number(low: float, high: float = math.inf, *, above: bool = False) -> FieldType:
+    """A finite number within limits; with `above`, greater than the lower one."""
+    return FieldType("a number", lambda value: _within(_finite(value), low, high, above), "X", float)
+
+
+def whole(low: int, high: float = math.inf) -> FieldType:
+    """A whole number within limits."""
+    return FieldType("a whole number", lambda value: _within(_integer(value), low, high), "N", int)
+
+
+def file(*suffixes: str) -> FieldType:
+    """The name of a file or folder; if there are suffixes, it ends in one of them."""
+
+    def canonical(value: Any) -> str:
+        if not str(value).lower().endswith(suffixes or "") or not str(value):
+            raise ValueError
+        return str(value)
+
+    ending = f" ending in {' or '.join(suffixes)}" if suffixes else ""
+    return FieldType(f"a file name{ending}", canonical, "FILE", is_file=True)
+
+
+def _flag(value: Any) -> bool:
+    if not isinstance(value, bool):
+        raise TypeError
+    return value
+
+
+def _selector(value: Any) -> Any:
+    from shapeblend_cli.svg.styles.selection import SelectorError, check_selector
+
+    try:
+        check_selector(value)
+    except SelectorError as error:
+        raise Unfit(f"#id or a CSS selector: {error}") from None
+    return value
+
+
+def _start(value: Any) -> tuple[int, int] | None:
+    if value == "auto":
+        return None
+    i, j = map(_integer, value)
+    if min(i, j) < 0:
+        raise Unfit(f"two vertex numbers, and these begin at 0, not {i},{j}")
+    return i, j
+
+
+def _pin(value: Any) -> Any:
+    a, b = value
+    return _start(value) if hasattr(a, "__index__") else (_point(a), _point(b))
+
+
+def _stiff(value: Any) -> tuple[complex, float, float]:
+    point, radius, weight = value
+    if not (_finite(radius) > 0.0 and _finite(weight) > 0.0):
+        raise Unfit(f"a point with a radius and a weight greater than 0, not {radius:g} and {weight:g}")
+    return _point(point), float(radius), float(weight)
+
+
+def _split_stiff(text: str) -> Any:
+    region, weight = text.split("=")
+    x, y, radius = _floats(region)
+    return (x, y), radius, float(weight)
+
+
+def _match(value: Any) -> tuple[str, str] | tuple[complex, complex]:
+    one, other = value
+    if all(isinstance(side, complex | tuple | list) for side in (one, other)):
+        return _point(one), _point(other)
+    a, b = (str(side).strip() for side in value)
+    if not (a and b):
+        raise ValueError
+    return a, b
+
+
+def _band(value: Any) -> float | None:
+    if value == "none":
+        return None
+    if not 0.0 <= _finite(value) <= 1.0:
+        raise ValueError
+    return float(value)
+
+
+MOST_RUNS = 1_000_000  # runs of an animation that can be asked for; more is forever
+
+
+def _repeat(value: Any) -> Any:
+    if value in ("forever", "pingpong"):
+        return value
+    if not 1 <= _integer(value) <= MOST_RUNS:
+        raise ValueError
+    return index(value)
+
+
+def _address(value: Any) -> str:
+    _, _, rest = str(value).rpartition("://")
+    host, _, port = rest.rpartition(":")
+    if not host or not port.isdecimal():
+        raise ValueError
+    return str(value)
+
+
+def _colour(value: Any) -> str:
+    from shapeblend_cli.svg.styles.css_colours import parse_colour
+
+    colour = parse_colour(str(value).strip())
+    if colour is not None and colour.alpha == 0.0:
+        return "transparent"
+    if colour is None or colour.alpha < 1.0:
+        raise ValueError
+    return colour.rgb
+
+
+def _finite(value: Any) -> float:
+    if isinstance(value, str) or not math.isfinite(value):
+        raise TypeError
+    return float(value)
+
+
+def _integer(value: Any) -> int:
+    if isinstance(value, bool):
+        raise TypeError
+    return index(value)
+
+
+def _within(number: Any, low: float, high: float, above: bool = False) -> Any:
+    if number < low or (above and number == low):
+        raise Unfit(f"{f'greater than {low:g}' if above else f'{low:g} or more'}, not {number:g}")
+    if number > high:
+        raise Unfit(f"at most {high:g}, not {number:g}")
+    return number
+
+
+def _point(value: Any) -> complex:
+    """A complex number, or two numbers."""
+    x, y = (value.real, value.imag) if isinstance(value, complex) else value
+    return complex(_finite(x), _finite(y))
+
+
+def _integers(text: str) -> list[int]:
+    return list(map(int, text.split(",")))
+
+
+def _floats(text: str) -> list[float]:
+    return list(map(float, text.split(",")))
+
+
+def _folders(value: Any) -> tuple[str, str]:
+    one, other = map(str, value)
+    return one, other
+
+
+def _shard(value: Any) -> tuple[int, int]:
+    number, count = map(_integer, value)
+    if not 1 <= number <= count:
+        raise ValueError
+    return number, count
+
+
+def _mix(value: Any) -> tuple[float, ...]:
+    weights = tuple(map(_finite, value))
+    total = sum(weights)
+    if len(weights) < 2 or min(weights) < 0.0 or not (total > 0.0 and math.isfinite(total)):
+        raise ValueError
+    return tuple(weight / total for weight in weights)
+
+
+def _element(value: Any) -> str:
+    if re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)+", value) is None:
+        raise ValueError
+    return str(value)
+
+
+def _specks(value: Any) -> float | str:
+    if isinstance(value, str):
+        number = value.removesuffix("%")
+        if number == value or not 0.0 < float(number) < 100.0:
+            raise ValueError
+        return f"{float(number):g}%"
+    if not _finite(value) > 0.0:
+        raise ValueError
+    return float(value)
+
+
+def _times(value: Any) -> tuple[float, ...]:
+    times = tuple(float(_within(_finite(one), -1.0, 2.0)) for one in value)
+    if not times or len(times) > 10_000:
+        raise ValueError
+    return times
+
+
+def _text(value: Any) -> str:
+    if not isinstance(value, str) or not value:
+        raise ValueError
+    return value
+
+
+FLAG = FieldType("True or False", _flag, "")
+MIX = FieldType(
+    "shares of two files or more, 0 or more and not all 0, such as .2,.5,.3",
+    _mix,
+    "X,X,...",
+    _floats,
+)
+ELEMENT = FieldType(
+    "the name of a custom element: small letters, digits and a hyphen, such as my-icon", _element, "NAME"
+)
+SPECKS = FieldType(
+    "a length such as 2.5, or a share of the drawing such as 1%",
+    _specks,
+    "LENGTH|X%",
+    lambda text: text if text.endswith("%") else float(text),
+)
+TIMES = FieldType("times between -1 and 2, such as -.25,0,.5,1,1.25", _times, "T,T,...", _floats)
+TEXT = FieldType("a text", _text, "TEXT")
+SELECTOR = FieldType("", _selector, "SEL")
+START = FieldType(
+    "auto, or two vertex numbers such as 0,3",
+    _start,
+    "auto|I,J",
+    lambda text: text if text == "auto" else _integers(text),
+)
+PIN = FieldType(
+    "two vertex numbers such as 0,3, or two points such as 1.5,2:3,4",
+    _pin,
+    "I,J|x,y:x,y",
+    lambda text: [_floats(side) for side in text.split(":")] if ":" in text else _integers(text),
+)
+STIFF = FieldType("of the form x,y,r=W, such as 10,20,5=3", _stiff, "x,y,r=W", _split_stiff)
+MATCH = FieldType(
+    "of the form A=B, such as 0=1 or left=right, or two points such as 120,40:98,44",
+    _match,
+    "A=B|x,y:x,y",
+    lambda text: text.split("=", 1) if "=" in text else [_floats(side) for side in text.split(":")],
+)
+BAND = FieldType(
+    "none, or a number between 0 and 1",
+    _band,
+    "DD|none",
+    lambda text: text if text == "none" else float(text),
+)
+EASE = FieldType(
+    f"{', '.join(easing.NAMES)}, or cubic-bezier(x1,y1,x2,y2) of numbers between 0 and 1",
+    lambda value: value if isinstance(value, easing.Ease) else easing.parse(str(value)),
+    "NAME",
+)
+REPEAT = FieldType(
+    f"forever, pingpong, or a number from 1 to {MOST_RUNS}",
+    _repeat,
+    "N|forever|pingpong",
+    lambda text: int(text) if text.isdecimal() else text,
+)
+COLOUR = FieldType("transparent, or an opaque CSS colour such as white or #f4f4f0", _colour, "COLOUR")
+TRIGGER = FieldType(
+    "load, click, hover, or the id of an element and an event of it, such as menu.click",
+    lambda value: value if isinstance(value, triggers.Trigger) else triggers.parse(str(value)),
+    "load|click|hover|NAME.event",
+)
+FOLDERS = FieldType("two folders", _folders, "FROM TO", words=2)
+ADDRESS = FieldType("the address of a scheduler, such as tcp://192.168.0.1:8786", _address, "tcp://HOST:PORT")
+SHARD = FieldType(
+    "K/N, with K from 1 to N, such as 3/16",
+    _shard,
+    "K/N",
+    lambda text: tuple(map(int, text.split("/"))),
+)

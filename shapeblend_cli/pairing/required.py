@@ -1,0 +1,106 @@
+"""What users require of the pairing: contours by number, point or id, and the pins and the start of each pair."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.errors import MatchError
+from shapeblend_cli.geometry.polygons import winding_numbers
+from shapeblend_cli.pairing.pair import pair_contours
+from shapeblend_cli.wires.constraints import Constraints, has_numbers
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.anatomy.decompose import ContourPair, PlacedContour, PlacedDrawing
+    from shapeblend_cli.options.settings import Settings
+    from shapeblend_cli.wires.constraints import Numbers, Pin
+
+    NumbersOrNone = tuple[int | None, int | None]
+    ConstrainedPairs = dict[NumbersOrNone, tuple[ContourPair, Constraints]]
+
+SUGGESTIONS = 5
+"""Largest number of ids that an error suggests."""
+
+
+class PointPin(NamedTuple):
+    """A pin between points in A's coordinates, and the numbers of the contours it connects."""
+
+    pair: Numbers
+    pin: Pin
+
+
+def point_pins(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> list[PointPin]:
+    """Return the pins between points, each with the contours nearest to them."""
+    located = []
+    for pin in settings.pins:
+        if has_numbers(pin):
+            continue
+        points = pin[0], b.to_a.point(pin[1])
+        i, j = (
+            min(side.contours, key=lambda c: np.abs(c.polygon.vertices - point).min()).number
+            for side, point in zip((a, b), points, strict=True)
+        )
+        located.append(PointPin((i, j), points))
+    return located
+
+
+def constrain(pairs: Sequence[ContourPair], settings: Settings, pins: Sequence[PointPin]) -> ConstrainedPairs:
+    """Return pairs of contours by their numbers, with constraints; starts and vertex numbers are the largest pair's."""
+    largest = max(pairs, key=lambda pair: pair[0].size, default=None)
+    constrained: ConstrainedPairs = {}
+    for pair in pairs:
+        numbers = pair[0].number, pair[1].number
+        at_vertices = [pin for pin in settings.pins if pair is largest and has_numbers(pin)]
+        at_points = [located.pin for located in pins if located.pair == numbers]
+        start = settings.start if pair is largest else None
+        constrained[numbers] = pair, Constraints(start, at_vertices + at_points)
+    return constrained
+
+
+def required_pairs(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> list[Numbers]:
+    """Return the pairs of contours that users name: by number, by a point, or by a shape's id, all of whose are paired.
+
+    Points are in each drawing's own coordinates. An id that no shape has raises a MatchError.
+    """
+    required: list[Numbers] = []
+    for pair in settings.match:
+        if not isinstance(pair[0], str) or not isinstance(pair[1], str):
+            points = a.to_a.point(complex(pair[0])), b.to_a.point(complex(pair[1]))
+            found = [_at(point, side.contours) for point, side in zip(points, (a, b), strict=True)]
+            required.append((found[0].number, found[1].number))
+            continue
+        contours = [_named(name, side) for name, side in zip(pair, (a, b), strict=True)]
+        if all(name.isdecimal() for name in pair):
+            required.append((int(pair[0]), int(pair[1])))
+        elif contours[0] and contours[1]:
+            whole = settings.replace(unmatched="point")
+            required += [(p.number, q.number) for p, q in pair_contours(contours[0], contours[1], whole)]
+    return required
+
+
+def _at(point: complex, contours: Sequence[PlacedContour]) -> PlacedContour:
+    """Return the innermost contour around a point, of several alike the topmost; else the nearest one."""
+    here = np.array([point])
+    around = [c for c in contours if c.polygon.closed and winding_numbers(here, c.polygon.vertices)[0]]
+    if around:
+        return min(around, key=lambda c: (c.area, -c.number))
+    return min(contours, key=lambda c: float(np.abs(c.polygon.vertices - point).min()))
+
+
+def _named(name: str, side: PlacedDrawing) -> list[PlacedContour]:
+    """Return the contour with a number, or the contours of the shape with an id."""
+    if name.isdecimal():
+        return [contour for contour in side.contours if contour.number == int(name)]
+    wanted, shapes = name.removeprefix("#"), side.drawing.shapes
+    indices = {k for k, shape in enumerate(shapes) if shape.id == wanted}
+    if indices:
+        return [contour for contour in side.contours if contour.shape in indices]
+    import difflib  # only errors need it
+
+    ids = [shape.id for shape in shapes if shape.id]
+    near = difflib.get_close_matches(wanted, ids, SUGGESTIONS) or ids[:SUGGESTIONS]
+    there = f"; there is {', '.join(near)}" if near else ", nor any other; a contour number would work"
+    raise MatchError(f"{side.drawing.file} paints no shape with the id '{wanted}'{there}")

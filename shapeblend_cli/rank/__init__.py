@@ -1,1 +1,0 @@
-"""Which drawings make the best blend with one drawing."""

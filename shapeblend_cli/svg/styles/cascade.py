@@ -1,0 +1,170 @@
+"""The cascade: what style sheets, attributes and inheritance give an element."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+from shapeblend_cli.svg.styles import css_colours as colours
+from shapeblend_cli.svg.styles.declarations import KEYWORDS, Declarations, parse_inline, put
+from shapeblend_cli.svg.xml.units import Measure, length
+from shapeblend_cli.svg.xml.xmltree import Node
+
+PRESENTATION = frozenset(
+    "clip-path clip-rule color display fill fill-opacity fill-rule filter font-size marker-end marker-mid marker-start "
+    "mask opacity stop-color stop-opacity stroke stroke-dasharray stroke-dashoffset stroke-linecap stroke-linejoin "
+    "stroke-miterlimit stroke-opacity stroke-width transform transform-origin vector-effect visibility".split()
+)
+"""Properties this reader knows that may be written as attributes."""
+
+
+class Inherited(NamedTuple):
+    """The computed values of an element's inherited properties."""
+
+    fill: colours.Paint = colours.Paint("colour", colours.BLACK)
+    fill_opacity: float = 1.0
+    fill_rule: str = "nonzero"
+    stroke: colours.Paint = colours.NONE
+    stroke_opacity: float = 1.0
+    stroke_width: Measure = (1.0, False)
+    stroke_linecap: str = "butt"
+    stroke_linejoin: str = "miter"
+    stroke_miterlimit: float = 4.0
+    stroke_dasharray: tuple[Measure, ...] = ()
+    stroke_dashoffset: Measure = (0.0, False)
+    color: colours.Colour = colours.BLACK
+    visibility: str = "visible"
+    font_size: float = 16.0
+    variables: Mapping[str, str] = MappingProxyType({})
+
+
+INITIAL = Inherited()
+
+_KEYWORDS = {
+    "fill-rule": ("nonzero", "evenodd"),
+    "stroke-linecap": ("butt", "round", "square"),
+    "stroke-linejoin": ("miter", "round", "bevel", "arcs", "miter-clip"),
+    "visibility": ("visible", "hidden", "collapse"),
+}
+_PARENTS = (KEYWORDS - {"initial"}) | {""}
+_FIELDS = {field.replace("_", "-"): field for field in Inherited._fields if field != "variables"}
+_MAX_DASHES_TEXT = 10_000
+_MAX_DASHES = 1000
+
+_FONT_SIZES = {"smaller": 1 / 1.2, "larger": 1.2}
+
+
+class Cascade:
+    """The style rules of a document."""
+
+    def __init__(self, root: Node) -> None:
+        self._rules: dict[int, tuple[Declarations, Declarations]] = {}
+        self._kept: dict[int, Declarations] = {}
+        texts = [node.text for node in root.walk() if node.tag == "style" and _is_css(node)]
+        if any(text.strip() for text in texts):
+            from shapeblend_cli.svg.styles import stylesheets
+
+            self._rules = stylesheets.match(root, texts)
+
+    def declared(self, node: Node, keep: bool = False) -> Declarations:
+        """Return the winning declaration of each property; `keep` it if the node will be asked for again."""
+        if id(node) in self._kept:
+            return self._kept[id(node)]
+        winners = {name: value for name, value in node.attrib.items() if name in PRESENTATION}
+        rules = self._rules.get(id(node))
+        style = node.attrib.get("style")
+        layers = [rules] if rules else []
+        if style:
+            layers.append(parse_inline(style))
+        for rank in (0, 1):
+            for layer in layers:
+                for name, value in layer[rank].items():
+                    put(winners, name, value)
+        if keep:
+            self._kept[id(node)] = winners
+        return winners
+
+
+def _is_css(node: Node) -> bool:
+    kind = node.get("type", "") or ""
+    media = (node.get("media", "") or "").strip().lower()
+    return kind.strip().lower() in ("", "text/css") and media in ("", "all", "screen")
+
+
+def inherit(parent: Inherited, declared: Declarations, note: Callable[[str], None]) -> Inherited:
+    """Return the inherited properties of an element.
+
+    `note` takes a phrase on each declaration that cannot be read; browsers ignore these as well.
+    """
+    changed: dict[str, Any] = {}
+    font_size = parent.font_size
+    # Lengths in em need the font size first.
+    for name in sorted((name for name in declared if name in _FIELDS), key=lambda name: name != "font-size"):
+        text = declared[name].strip()
+        keyword = text.lower()
+        if keyword in _PARENTS:
+            continue
+        field = _FIELDS[name]
+        value = getattr(INITIAL, field) if keyword == "initial" else _value(name, text, parent, font_size)
+        if value is None:
+            note(f"{name} cannot be read")
+            continue
+        if name == "font-size":
+            font_size = value
+        changed[field] = value
+    return parent._replace(**changed) if changed else parent
+
+
+def _value(name: str, text: str, parent: Inherited, font_size: float) -> Any:
+    """Return one property's value, or None when `text` is not one."""
+    if name in ("fill", "stroke"):
+        return colours.parse(text)
+    if name == "color":
+        return parent.color if text.lower() == "currentcolor" else colours.parse_colour(text)
+    if name in ("fill-opacity", "stroke-opacity"):
+        return share(text)
+    if name in ("stroke-width", "stroke-dashoffset"):
+        measure = _measure(text, font_size)
+        return None if name == "stroke-width" and measure is not None and measure[0] < 0 else measure
+    if name == "stroke-dasharray":
+        return _dashes(text, font_size)
+    if name == "stroke-miterlimit":
+        limit = length(text) if text[-1:].isdigit() or text[-1:] == "." else None
+        return None if limit is None or limit < 1 else limit
+    if name == "font-size":
+        return _font_size(text, font_size)
+    keyword = text.lower()
+    return keyword if keyword in _KEYWORDS[name] else None
+
+
+def share(text: str) -> float | None:
+    """Return a share between 0 and 1, written as a number or a percentage."""
+    value = length(text, whole=1.0)
+    return None if value is None else min(max(value, 0.0), 1.0)
+
+
+def _measure(text: str, font_size: float) -> Measure | None:
+    is_share = text.endswith("%")
+    value = length(text, 1.0 if is_share else None, font_size)
+    return None if value is None else (value, is_share)
+
+
+def _dashes(text: str, font_size: float) -> tuple[Measure, ...] | None:
+    """Return the lengths of dashes and gaps in turn; of dashes that cannot be read, or are too many, None."""
+    if text.lower() == "none":
+        return ()
+    parts = text[:_MAX_DASHES_TEXT].replace(",", " ").split()
+    if len(text) > _MAX_DASHES_TEXT or not 0 < len(parts) <= _MAX_DASHES:
+        return None
+    dashes = [_measure(part, font_size) for part in parts]
+    return None if any(dash is None or dash[0] < 0 for dash in dashes) else tuple(filter(None, dashes))
+
+
+def _font_size(text: str, font_size: float) -> float:
+    factor = _FONT_SIZES.get(text.lower())
+    if factor is not None:
+        return font_size * factor
+    size = length(text, font_size, font_size)
+    # Keywords such as 'medium' are rare and only matter to lengths in em.
+    return INITIAL.font_size if size is None or size < 0 else size

@@ -1,0 +1,41 @@
+"""The ids of a document that is written."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from shapeblend_cli.model import KeyframedShape, PaintedShape, ShapeBlend
+
+
+class Ids:
+    """The ids of a document, none of which it may have twice; some are `reserved` for what takes them by name."""
+
+    def __init__(self, reserved: Iterable[str | None] = (), taken: Iterable[str] = ()) -> None:
+        self._reserved = set(reserved)
+        self._taken = set(taken)
+
+    @classmethod
+    def of(cls, shapes: Iterable[PaintedShape | KeyframedShape | ShapeBlend]) -> Ids:
+        """Return the ids of a document of some shapes."""
+        return cls(
+            name.id for shape in shapes for name in (shape.name, *(group.name for group in shape.groups))
+        )
+
+    def take(self, name: str | None) -> str | None:
+        """Return an id if it is still free, else None."""
+        if name is None or name in self._taken:
+            return None
+        self._taken.add(name)
+        return name
+
+    def new(self, name: str) -> str:
+        """Return an id that begins so, with a number if it is taken."""
+        number, free = 1, name
+        while free in self._taken or free in self._reserved:
+            number += 1
+            free = f"{name}-{number}"
+        self._taken.add(free)
+        return free

@@ -1,0 +1,4 @@
+"""An SVG file as a tree: elements, numbers with units, transforms, and messages about them.
+
+It may import model.
+"""

@@ -1,0 +1,163 @@
+"""Affine maps, and the ``transform`` attribute and properties that give them."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
+
+from shapeblend_cli.svg.xml.units import BLANK, GAP, LIMIT, NUMBER, Lengths, length
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import ComplexArray
+
+# Left as text: `re` compiles them when the first transform is read.
+_CALL = rf"{GAP}([a-zA-Z]++){BLANK}*+\(([^()]*+)\)"
+_ARGUMENT = rf"{GAP}({NUMBER})([a-zA-Z%]*+)"
+_ORIGINS = {"left": "0%", "top": "0%", "center": "50%", "right": "100%", "bottom": "100%"}
+_MAX_LENGTH = 10_000
+_ANGLES = {"": 1.0, "deg": 1.0, "rad": 180.0 / math.pi, "grad": 0.9, "turn": 360.0}
+
+
+class Affine(NamedTuple):
+    """The affine map of ``(x, y)`` to ``(a x + c y + e, b x + d y + f)``; by default the identity."""
+
+    a: float = 1.0
+    b: float = 0.0
+    c: float = 0.0
+    d: float = 1.0
+    e: float = 0.0
+    f: float = 0.0
+
+    def __matmul__(self, first: Affine) -> Affine:
+        """Return the map that applies `first`, then this one."""
+        a, b, c, d, e, f = self
+        p, q, r, s, t, u = first
+        linear = a * p + c * q, b * p + d * q, a * r + c * s, b * r + d * s
+        return Affine(*linear, a * t + c * u + e, b * t + d * u + f)
+
+    def points(self, z: ComplexArray) -> ComplexArray:
+        """Map points."""
+        a, b, c, d, e, f = self
+        linear = z * complex(a + d, b - c) / 2
+        if a != d or b != -c:
+            linear = linear + z.conj() * complex(a - d, b + c) / 2
+        return linear + complex(e, f)
+
+    @property
+    def determinant(self) -> float:
+        """The factor by which areas are scaled."""
+        return self.a * self.d - self.b * self.c
+
+    def about(self, x: float, y: float) -> Affine:
+        """Return this map with ``(x, y)`` as its origin."""
+        return translation(x, y) @ self @ translation(-x, -y)
+
+
+IDENTITY = Affine()
+
+
+def translation(x: float, y: float = 0.0) -> Affine:
+    """Return the map that moves by ``(x, y)``."""
+    return Affine(1.0, 0.0, 0.0, 1.0, x, y)
+
+
+def rotation(angle: float, *centre: float) -> Affine:
+    """Return the rotation by an angle in radians about the origin, or about ``(x, y)``."""
+    cos, sin = math.cos(angle), math.sin(angle)
+    turn = Affine(cos, sin, -sin, cos)
+    return turn.about(*centre) if centre else turn
+
+
+def is_sound(matrix: Affine) -> bool:
+    """Return whether every entry is finite and below the limit on numbers."""
+    return all(abs(entry) < LIMIT for entry in matrix)
+
+
+_FUNCTIONS: dict[str, tuple[str, tuple[int, ...], Callable[..., Affine]]] = {
+    "matrix": ("nnnnnn", (6,), Affine),
+    "translate": ("xy", (1, 2), translation),
+    "translatex": ("x", (1,), translation),
+    "translatey": ("y", (1,), lambda y: translation(0.0, y)),
+    "scale": ("ss", (1, 2), lambda x, y=None: Affine(a=x, d=x if y is None else y)),
+    "scalex": ("s", (1,), lambda x: Affine(a=x)),
+    "scaley": ("s", (1,), lambda y: Affine(d=y)),
+    "rotate": ("ann", (1, 3), rotation),
+    "skew": ("aa", (1, 2), lambda x, y=0.0: Affine(b=math.tan(y), c=math.tan(x))),
+    "skewx": ("a", (1,), lambda x: Affine(c=math.tan(x))),
+    "skewy": ("a", (1,), lambda y: Affine(b=math.tan(y))),
+}
+"""The kinds of a function's arguments, how many it can have, and its map.
+
+Kinds are n for numbers, s for numbers or percentages, a for angles, x and y for horizontal and vertical lengths.
+"""
+
+
+def parse(text: str, viewport: Lengths | None = None) -> Affine | None:
+    """Read a list of transform functions, or ``none``; return None when `text` is neither.
+
+    The `viewport` is given for the CSS property. Its lengths and angles need units, those of the attribute must have
+    none.
+    """
+    text = text.strip()
+    if text in ("", "none"):
+        return IDENTITY
+    calls = _split(_CALL, text) if len(text) <= _MAX_LENGTH else []
+    result = IDENTITY
+    for call in calls:
+        step = _function(call[1].lower(), call[2], viewport)
+        if step is None:
+            return None
+        result = result @ step
+    return result if calls else None
+
+
+def _split(pattern: str, text: str) -> list[re.Match[str]]:
+    """Return the matches of which a text consists; none if there is anything else in it."""
+    compiled = re.compile(pattern)
+    matches: list[re.Match[str]] = []
+    end = 0
+    while match := compiled.match(text, end):
+        matches.append(match)
+        end = match.end()
+    return [] if text.lstrip().startswith(",") or text[end:].strip() else matches
+
+
+def _function(name: str, text: str, viewport: Lengths | None) -> Affine | None:
+    """Return the map of one function: https://www.w3.org/TR/css-transforms-1/#two-d-transform-functions."""
+    arguments = [(float(match[1]), match[2].lower()) for match in _split(_ARGUMENT, text)]
+    kinds, counts, affine = _FUNCTIONS.get(name, ("", (), Affine))
+    if len(arguments) not in counts or not all(abs(value) < LIMIT for value, _ in arguments):
+        return None
+    # Only the attribute's rotate() takes a centre.
+    if any(unit for _, unit in arguments) if viewport is None else name == "rotate" and len(arguments) == 3:
+        return None
+    values = [_argument(kind, *argument, viewport) for kind, argument in zip(kinds, arguments, strict=False)]
+    return None if None in values else affine(*values)
+
+
+def _argument(kind: str, value: float, unit: str, viewport: Lengths | None) -> float | None:
+    """Return an argument of some kind in user units or radians, or None when it is of another."""
+    if kind in "xya" and viewport is not None and not unit and value:
+        return None
+    if kind == "x" or kind == "y":
+        whole = None if viewport is None else viewport.width if kind == "x" else viewport.height
+        return length(f"{value!r}{unit}", whole)
+    if kind == "a":
+        return math.radians(value * _ANGLES[unit]) if unit in _ANGLES else None
+    if kind == "s" and unit == "%":
+        return value / 100
+    return None if unit else value
+
+
+def origin(text: str, lengths: Lengths) -> tuple[float, float]:
+    """Return the point ``transform-origin`` names; (0, 0), the default, when it cannot be read."""
+    words = text[:_MAX_LENGTH].lower().split()[:2]
+    if words and (words[0] in ("top", "bottom") or words[1:] in (["left"], ["right"])):
+        words = [*words[1:], words[0]]
+        if len(words) == 1:
+            words.insert(0, "center")
+    horizontal, vertical = (_ORIGINS.get(word, word) for word in (*words, "center", "center")[:2])
+    x, y = lengths.x(horizontal), lengths.y(vertical)
+    return (0.0, 0.0) if x is None or y is None else (x, y)

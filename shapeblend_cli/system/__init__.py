@@ -1,0 +1,4 @@
+"""Files written all or nothing, signals, processes, time, and memory of earlier runs.
+
+It may import errors.
+"""

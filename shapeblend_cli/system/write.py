@@ -1,0 +1,314 @@
+"""Writing files so that they appear only when all of them are complete, and nothing is lost if that fails.
+
+A target is a file with its content, or a folder with the contents of files in it. Everything is first written in
+stages (see `staging`) beside the targets. A folder that is there is replaced as a whole by a new one that has its other
+files too; where that cannot be, its files are moved one by one.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager, suppress
+from pathlib import Path
+from typing import NamedTuple
+
+from shapeblend_cli.errors import OutputError
+from shapeblend_cli.system.interrupts import has_written, uninterrupted
+from shapeblend_cli.system.staging import CannotSwap, Stage, clear, locked, write_synced
+
+Content = str | bytes
+Contents = Mapping[Path, Content | Mapping[str, Content]]
+
+NOTHING_CHANGED = "nothing was changed"
+STREAMS = ("/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/")
+
+
+def check_targets(targets: Iterable[Path], inputs: Iterable[Path], force: bool) -> None:
+    """Refuse targets that must not be written, before any work is done, and clear up after runs that were killed.
+
+    OutputError is raised for a target that is an input or a folder, that exists without `force`, or whose folder cannot
+    be made.
+    """
+    sources = list(map(real_path, inputs))
+    cleared: set[Path] = set()
+    for target in targets:
+        with _refusing(target):
+            real = real_path(target)
+            if real in sources:
+                raise OutputError(str(target), "is an input and is never replaced; another name would work")
+            if target.is_dir():
+                raise OutputError(str(target), "is a folder; the name of a file would work")
+            if _is_stream(target):
+                continue
+            home = _home(Path(os.path.realpath(target)))
+            for folder in {home, home.parent, *target.parents} - cleared:
+                cleared.add(folder)
+                clear(folder)
+            if not force and os.path.lexists(target):
+                raise _exists(target)
+            if not home.is_dir():
+                raise OutputError(_as_typed(home, target), "is a file, and a folder of that name is needed")
+            if not os.access(home, os.W_OK):
+                raise OutputError(_as_typed(home, target), "is a folder that cannot be written to")
+
+
+def write_files(contents: Contents, force: bool) -> None:
+    """Write all files or none, texts as UTF-8, and then what is no file, such as a device or a pipe.
+
+    What is there is replaced with `force`; it keeps its mode and, where that is allowed, its owner. A symbolic link
+    stays, and the file it names is replaced. OutputError is raised if the disk is full, a folder is read-only, and the
+    like; it says what stands then.
+    """
+    files = {target: content for target, content in contents.items() if content and not _is_stream(target)}
+    if files:
+        try:
+            _write_all(files, force, swap=True)
+        except CannotSwap:
+            _write_all(files, force, swap=False)
+    for target, content in contents.items():
+        if target in files or not content or isinstance(content, Mapping):
+            continue
+        try:
+            with open(target, "wb") as stream:
+                stream.write(_encoded(content))
+        except OSError as error:
+            stands = "; the other files were written" if files else ""
+            raise OutputError(str(target), f"cannot be written ({_reason(error)}){stands}") from error
+
+
+def is_inside(path: Path, folder: str) -> bool:
+    """Return whether a path lies in a folder or deeper, wherever symbolic links lead."""
+    return Path(real_path(path)).is_relative_to(real_path(Path(folder)))
+
+
+class _File(NamedTuple):
+    """A file to write."""
+
+    target: Path  # as the user has it
+    home: Path  # the folder that gets the stage
+    inside: Path  # its path from there, or in the stage
+    data: bytes
+    replaces: Path | None  # the file that is there
+
+
+class _Plan(NamedTuple):
+    files: list[_File]
+    folders: list[Path]  # those that are replaced as a whole
+
+    @property
+    def homes(self) -> set[Path]:
+        return {file.home for file in self.files}
+
+
+def _plan(contents: Contents, swap: bool) -> _Plan:
+    """Say where files are staged, as things are now."""
+    files: list[_File] = []
+    folders: list[Path] = []
+    for target, content in contents.items():
+        if not isinstance(content, Mapping):
+            files.append(_file(target, content))
+            continue
+        folder = Path(os.path.realpath(target))
+        as_a_whole = swap and _can_be_replaced(folder, content)
+        if as_a_whole:
+            folders.append(folder)
+        for name, text in content.items():
+            file = _file(target / name, text)
+            if as_a_whole:
+                file = file._replace(home=folder.parent, inside=Path(folder.name, name))
+            files.append(file)
+    # What else goes into such a folder is part of the whole.
+    return _Plan(
+        [
+            file._replace(home=file.home.parent, inside=file.home.name / file.inside)
+            if file.home in folders
+            else file
+            for file in files
+        ],
+        folders,
+    )
+
+
+def _file(target: Path, content: Content) -> _File:
+    real = Path(os.path.realpath(target))
+    home = _home(real)
+    return _File(
+        target, home, real.relative_to(home), _encoded(content), real if os.path.lexists(real) else None
+    )
+
+
+def real_path(path: Path) -> str:
+    """Return a path without symbolic links, where the working folder is known and the name can be one."""
+    try:
+        return os.path.realpath(path)
+    except (OSError, ValueError):
+        return str(path)
+
+
+def _home(path: Path) -> Path:
+    """Return the innermost folder that is there on the way to a path."""
+    return next(parent for parent in path.parents if os.path.lexists(parent))
+
+
+def _can_be_replaced(folder: Path, names: Iterable[str]) -> bool:
+    """Return whether a folder can be replaced as a whole by another with all its files.
+
+    That of a process, such as a shell, would not be where it was; what a drive is mounted on cannot be moved; and to
+    folders inside there are no second links.
+    """
+    if not folder.is_dir() or os.path.ismount(folder) or not os.access(folder.parent, os.W_OK):
+        return False
+    with suppress(OSError):
+        if Path(os.getcwd()).is_relative_to(folder):
+            return False
+    with os.scandir(folder) as entries:
+        return all(
+            entry.is_file(follow_symlinks=False) or (entry.is_symlink() and entry.name not in names)
+            for entry in entries
+        )
+
+
+def _write_all(contents: Contents, force: bool, swap: bool) -> None:
+    """Write all files or none; `CannotSwap` is raised where a folder turns out not to be movable."""
+    current = next(iter(contents))
+    try:
+        with _locked_plan(contents, swap) as plan, ExitStack() as ends:
+            stages: dict[Path, Stage] = {}
+            for home in sorted(plan.homes):
+                current = next(file.target for file in plan.files if file.home == home)
+                with uninterrupted():
+                    stages[home] = Stage(home)
+                    ends.callback(stages[home].remove)
+            for folder in plan.folders:
+                _link_others(folder, stages[folder.parent].new / folder.name, plan.files)
+            for file in plan.files:
+                current = file.target
+                if file.replaces and not force:
+                    raise _exists(current)
+                staged = stages[file.home].new / file.inside
+                if not staged.parent.is_dir():
+                    staged.parent.mkdir(parents=True)
+                write_synced(staged, file.data)
+                if file.replaces:
+                    _take_after(staged, file.replaces)
+            ends.enter_context(uninterrupted())
+            _move_all(stages.values(), force)
+            has_written()
+    except OSError as error:
+        if isinstance(error, OutputError):
+            raise
+        if isinstance(error, FileExistsError) and not force:
+            raise _exists(
+                next((f.target for f in plan.files if os.path.lexists(f.target)), current)
+            ) from error
+        raise OutputError(str(current), f"cannot be written ({_reason(error)}); {NOTHING_CHANGED}") from error
+
+
+@contextmanager
+def _locked_plan(contents: Contents, swap: bool) -> Iterator[_Plan]:
+    """Hold the locks of all folders that a plan is about, and give the plan.
+
+    Other runs may have made or replaced some of them while this one waited; then the plan is made anew.
+    """
+    while True:
+        plan = _plan(contents, swap)
+        with ExitStack() as locks:
+            # All runs take them in one order, so that no two wait for each other.
+            are_same = [locks.enter_context(locked(f)) for f in sorted(plan.homes.union(plan.folders))]
+            if all(are_same) and _plan(contents, swap) == plan:
+                yield plan
+                return
+
+
+def _link_others(folder: Path, copy: Path, files: Iterable[_File]) -> None:
+    """Make a folder like another one, with links to those of its files that are not to be replaced."""
+    copy.mkdir()
+    replaced = {file.replaces for file in files}
+    with os.scandir(folder) as entries:
+        for entry in entries:
+            if Path(entry.path) not in replaced:
+                try:
+                    os.link(entry.path, copy / entry.name, follow_symlinks=False)
+                except OSError as error:  # no links on this drive, or none of a file of somebody else's
+                    raise CannotSwap from error
+    _take_after(copy, folder)
+
+
+def _move_all(stages: Iterable[Stage], force: bool) -> None:
+    """Move all that is staged into place, or put back what was there."""
+    begun: list[Stage] = []
+    try:
+        for stage in stages:
+            begun.append(stage)
+            stage.move(force)
+        for stage in begun:
+            stage.settle()
+    except (OSError, CannotSwap):
+        for stage in reversed(begun):
+            try:
+                stage.put_back()
+            except OSError as error:
+                stage.is_kept = True
+                raise OutputError(
+                    str(stage.home),
+                    f"not all files could be replaced, nor the old ones put back ({_reason(error)}); the next run "
+                    f"that writes there tries again, and until then they are in {stage.path}",
+                ) from error
+        raise
+    for stage in begun:
+        stage.remove()
+
+
+def _take_after(path: Path, other: Path) -> None:
+    """Give a file or folder the mode of another one, and if that is allowed its owner and group."""
+    found = os.stat(other)
+    if hasattr(os, "chown"):
+        for owner in ((found.st_uid, -1), (-1, found.st_gid)):
+            with suppress(OSError):
+                os.chown(path, *owner)
+    os.chmod(path, stat.S_IMODE(found.st_mode))
+
+
+def _is_stream(target: Path) -> bool:
+    """Return whether a target is opened and written to where it is, being no file or an open one."""
+    if str(target).startswith(STREAMS):
+        return True
+    try:
+        mode = os.stat(target).st_mode
+    except (OSError, ValueError):
+        return False
+    return not (stat.S_ISREG(mode) or stat.S_ISDIR(mode))
+
+
+@contextmanager
+def _refusing(target: Path) -> Iterator[None]:
+    """Say of a target what the system says of its name."""
+    try:
+        yield
+    except OutputError:
+        raise
+    except (OSError, ValueError) as error:
+        if isinstance(error, OSError) and error.filename is None:
+            raise  # it is about the current folder
+        raise OutputError(str(target), f"cannot be written ({_reason(error)})") from error
+
+
+def _exists(target: Path) -> OutputError:
+    return OutputError(str(target), "exists; --force replaces it")
+
+
+def _reason(error: OSError | ValueError) -> str:
+    return getattr(error, "strerror", None) or str(error)
+
+
+def _encoded(content: Content) -> bytes:
+    """Return bytes; names of files that are not UTF-8 cannot be kept in a text that is."""
+    return content.encode("utf-8", "replace") if isinstance(content, str) else content
+
+
+def _as_typed(folder: Path, target: Path) -> str:
+    """Return a folder on the way to a target as the target has it, unless it leaves the current folder out."""
+    typed = (each for each in target.parents if each != Path())
+    return next((str(each) for each in typed if Path(os.path.realpath(each)) == folder), str(folder))

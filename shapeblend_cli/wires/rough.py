@@ -1,0 +1,43 @@
+"""The work between two contours, roughly: on a few of their vertices."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.geometry.polyline import distinct
+from shapeblend_cli.matching.solve import least_work
+from shapeblend_cli.matching.work import Wires
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import ComplexArray
+    from shapeblend_cli.options.constants import WorkConstants
+
+MOST_VERTICES = 32
+"""Maximum number of vertices of each polygon."""
+
+_COINCIDENT = 1e-6
+"""Maximum distance of vertices that are one, in unit boxes."""
+
+
+def rough_work(p0: ComplexArray, p1: ComplexArray, closed: bool, constants: WorkConstants) -> float:
+    """Return the least work between two polygons in their unit boxes, on a few of their vertices.
+
+    Open polygons may correspond in either direction. Infinite if so few vertices do not make a polygon.
+    """
+    p, q = _thinned(p0, closed), _thinned(p1, closed)
+    if min(len(p), len(q)) < (3 if closed else 2):
+        return np.inf
+    directions = [q] if closed else [q, q[::-1]]
+    return min(least_work(Wires(p, directed, closed, constants)).work for directed in directions)
+
+
+def _thinned(vertices: ComplexArray, closed: bool) -> ComplexArray:
+    """Return at most `MOST_VERTICES` vertices, evenly spread by their numbers, none twice in a row."""
+    if len(vertices) > MOST_VERTICES:
+        last = len(vertices) - (0 if closed else 1)
+        chosen = np.linspace(0, last, MOST_VERTICES, endpoint=not closed)
+        vertices = vertices[np.round(chosen).astype(np.intp)]
+    # An outline that runs back over itself may have its vertices in pairs.
+    return vertices[distinct(vertices, closed, _COINCIDENT)]
