@@ -164,6 +164,17 @@ class Style(NamedTuple):
     stroke_dashoffset: float = 0.0
     fill_gradient: Gradient | None = None
     stroke_gradient: Gradient | None = None
+    pixel: float | None = (
+        None  # of the screen, at the drawing's own size; None for a stroke that scales with it
+    )
+
+    def stretched(self, scale: float) -> Style:
+        """The style with the lengths of its stroke multiplied."""
+        return self._replace(
+            stroke_width=scale * self.stroke_width,
+            stroke_dasharray=tuple(scale * length for length in self.stroke_dasharray),
+            stroke_dashoffset=scale * self.stroke_dashoffset,
+        )
 
     def with_plain(self, name: str, stop: Stop) -> Style:
         """The style with the colour of a stop for its fill or its stroke, as if a gradient had only that one."""
@@ -623,3 +634,14 @@ class Frame(NamedTuple):
     shapes: tuple[PaintedShape, ...]  # in paint order
     view: Box  # what part of the plane to show
     page: Page = Page()
+
+    @property
+    def picture(self) -> Frame:
+        """The frame to show at any size, with strokes as at the drawings' own."""
+        shapes = [
+            shape._replace(
+                style=shape.style._replace(pixel=None), below=shape.below and shape.below._replace(pixel=None)
+            )
+            for shape in self.shapes
+        ]
+        return self._replace(shapes=tuple(shapes), page=Page())

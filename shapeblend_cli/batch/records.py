@@ -224,4 +224,5 @@ def _replace(path: Path, data: bytes) -> None:
             os.replace(new, path)
             sync_folder(path.parent)
     except OSError as error:
-        raise OutputError(str(path), f"cannot be written ({error.strerror})") from error
+        where = str(path.parent)
+        raise OutputError(where, f"no record of a batch can be written there ({error.strerror})") from error

@@ -11,7 +11,7 @@ from itertools import combinations, pairwise
 from typing import NamedTuple
 
 from shapeblend_cli.batch.rows import Row
-from shapeblend_cli.errors import OptionError
+from shapeblend_cli.errors import InputError, OptionError
 
 DRAWINGS = "*.[sS][vV][gG]"
 
@@ -94,6 +94,12 @@ def _pattern(text: str) -> str:
 
 def drawings(text: str, more: Sequence[str] = ()) -> list[str]:
     """Return the files that fit a pattern, or the drawings in a folder, and more of them, in natural order."""
+    if os.path.isdir(text):
+        try:
+            os.listdir(text)
+        except OSError as error:
+            problem = f"is a folder that cannot be read ({error.strerror})"
+            raise InputError(text, problem) from None
     found = {*glob.glob(_pattern(text), recursive=True), *more}
     return sorted((file for file in found if os.path.isfile(file)), key=natural)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.paint.oklab import blend_colours
 
@@ -44,7 +44,8 @@ def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
 
     Colours blend in OKLab, and so do gradients of one kind, and a plain colour with a gradient; paint that only one
     side has fades in or out as it is. Widths, dashes and opacities change evenly; joins, caps and the fill rule, which
-    have nothing in between, change at half time.
+    have nothing in between, change at half time. So do widths and dashes if one stroke scales with its drawing and the
+    other does not; if neither does, they change evenly on the screen.
 
     The second style, if any, is painted below. A linear and a radial gradient have nothing in between, so B's dissolves
     into view over A's: that weighs 1 - t in every point, and where both are opaque A's stays opaque until it is covered
@@ -53,12 +54,9 @@ def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
     a, b = _with_stroke_of(a, b), _with_stroke_of(b, a)
     fill, fill_below = _blend_paint(_fill(a), _fill(b), t)
     stroke, stroke_below = _blend_paint(_stroke(a), _stroke(b), t)
-    dashes, offset = _blend_dashes(a, b, t)
     plain = (a if t < 0.5 else b)._replace(
-        stroke_width=(1.0 - t) * a.stroke_width + t * b.stroke_width,
         stroke_miterlimit=(1.0 - t) * a.stroke_miterlimit + t * b.stroke_miterlimit,
-        stroke_dasharray=dashes,
-        stroke_dashoffset=offset,
+        **_blend_lengths(a, b, t),
     )
     if fill_below is None and stroke_below is None:
         return _painted(plain, fill, stroke), None
@@ -151,6 +149,23 @@ def _opacity_below(a: _Paint, b: _Paint, t: float) -> float:
     stops = b.gradient.stops if b.gradient else ()
     cover = b.opacity * min((stop.opacity for stop in stops), default=1.0)
     return a.opacity if cover == 1.0 else (1.0 - t) * a.opacity / (1.0 - t * cover)
+
+
+def _blend_lengths(a: Style, b: Style, t: float) -> dict[str, Any]:
+    """Return the fields of a style with the lengths of its stroke at time t."""
+    pixel = None
+    if a.pixel and b.pixel:
+        pixel = (1.0 - t) * a.pixel + t * b.pixel
+        a, b = a.stretched(pixel / a.pixel), b.stretched(pixel / b.pixel)
+    elif a.pixel or b.pixel:
+        pixel, t = (a.pixel, 0.0) if t < 0.5 else (b.pixel, 1.0)
+    dashes, offset = _blend_dashes(a, b, t)
+    return {
+        "stroke_width": (1.0 - t) * a.stroke_width + t * b.stroke_width,
+        "stroke_dasharray": dashes,
+        "stroke_dashoffset": offset,
+        "pixel": pixel,
+    }
 
 
 def _blend_dashes(a: Style, b: Style, t: float) -> tuple[tuple[float, ...], float]:

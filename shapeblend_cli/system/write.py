@@ -31,10 +31,10 @@ def check_targets(targets: Iterable[Path], inputs: Iterable[Path], force: bool) 
     OutputError is raised for a target that is an input or a folder, that exists without `force`, or whose folder cannot
     be made. A target that is there only because a run was killed while it moved files is put back, and is none.
     """
-    sources = list(map(_real, inputs))
+    sources = list(map(real_path, inputs))
     for target in targets:
         with _refusing(target):
-            real = _real(target)
+            real = real_path(target)
             if real in sources:
                 raise OutputError(str(target), "is an input and is never replaced; another name would work")
             if target.is_dir():
@@ -74,6 +74,11 @@ def write_files(contents: Contents, force: bool) -> None:
         except OSError as error:
             stands = "; the other files were written" if files else ""
             raise OutputError(str(target), f"cannot be written ({_reason(error)}){stands}") from error
+
+
+def is_inside(path: Path, folder: str) -> bool:
+    """Return whether a path lies in a folder or deeper, wherever symbolic links lead."""
+    return Path(real_path(path)).is_relative_to(real_path(Path(folder)))
 
 
 class _File(NamedTuple):
@@ -132,11 +137,11 @@ def _file(target: Path, content: Content) -> _File:
     )
 
 
-def _real(path: Path) -> str:
-    """Return a path without symbolic links, where the working folder is known."""
+def real_path(path: Path) -> str:
+    """Return a path without symbolic links, where the working folder is known and the name can be one."""
     try:
         return os.path.realpath(path)
-    except OSError:
+    except (OSError, ValueError):
         return str(path)
 
 
@@ -290,6 +295,8 @@ def _refusing(target: Path) -> Iterator[None]:
     except OutputError:
         raise
     except (OSError, ValueError) as error:
+        if isinstance(error, OSError) and error.filename is None:
+            raise  # it is about the current folder
         raise OutputError(str(target), f"cannot be written ({_reason(error)})") from error
 
 
@@ -307,5 +314,6 @@ def _encoded(content: Content) -> bytes:
 
 
 def _as_typed(folder: Path, target: Path) -> str:
-    """Return a folder on the way to a target as the target has it."""
-    return next((str(each) for each in target.parents if Path(os.path.realpath(each)) == folder), str(folder))
+    """Return a folder on the way to a target as the target has it, unless it leaves the current folder out."""
+    typed = (each for each in target.parents if each != Path())
+    return next((str(each) for each in typed if Path(os.path.realpath(each)) == folder), str(folder))

@@ -118,6 +118,13 @@ def test_a_batch_can_be_moved_with_its_outputs(done, statuses):
     assert statuses(*LINE) == (0, "current current current")
 
 
+def test_a_folder_that_takes_no_records_is_named(drawings, batch):
+    Path("m").mkdir()
+    Path("m/.shapeblend").touch()
+    _, results, _ = batch(*LINE)
+    assert results[1]["error"] == "m/.shapeblend: no record of a batch can be written there (File exists)"
+
+
 @pytest.mark.parametrize("damage", ["", "{", "[]", '{"record": 1}'])
 def test_a_damaged_record_is_none(damage, done, batch):
     Path("m/.shapeblend/1-2.svg.json").write_text(damage, "utf-8")

@@ -1,7 +1,11 @@
 """Jobs of folders, without a manifest."""
 
+import errno
+import os
 import shutil
 from pathlib import Path
+
+import pytest
 
 from shapeblend_cli.cli import run
 from tests.support.commands import names
@@ -71,3 +75,14 @@ def test_shards_are_the_whole(drawings, statuses):
         if name.endswith(".svg"):
             assert Path("parts", name).read_bytes() == Path("whole", name).read_bytes()
     assert statuses(*line) == (0, " ".join(["current"] * 6))
+
+
+@pytest.mark.parametrize("line", [["batch", "--chain", "in"], ["rank", "other.svg", "in"]])
+def test_a_folder_that_cannot_be_read_is_named(drawings, capsys, monkeypatch, line):
+    def forbidden(path):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), path)
+
+    shutil.copy("in/1.svg", "other.svg")
+    monkeypatch.setattr(os, "listdir", forbidden)
+    assert run(line) == 1
+    assert capsys.readouterr().err == "shapeblend: in: is a folder that cannot be read (Permission denied)\n"

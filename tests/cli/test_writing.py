@@ -15,6 +15,7 @@ import pytest
 from shapeblend_cli.cli import run
 from shapeblend_cli.job import make as files
 from shapeblend_cli.system import staging
+from shapeblend_cli.system.write import is_inside
 from tests.support.commands import contents, made, names
 from tools.faults import runs
 
@@ -409,6 +410,30 @@ def test_names_that_are_not_utf_8(here, capsys):
     assert "Traceback" not in capsys.readouterr().err
 
 
+def test_a_working_folder_that_cannot_be_written_to_is_named(here, refused, monkeypatch):
+    monkeypatch.setattr(os, "access", lambda path, mode, **_: mode != os.W_OK)
+    for output in ("moving.svg", "./moving.svg", "new/moving.svg"):
+        refused([*AB, "-o", output], 1, f"{here}: is a folder that cannot be written to")
+    Path("there").mkdir()
+    refused([*AB, "-o", "there/moving.svg"], 1, "there: is a folder that cannot be written to")
+
+
+@pytest.mark.parametrize(
+    "line", ["{0}/a.svg {0}/b.svg", "batch --chain {0}", "studio --no-open {0}/a.svg {0}/b.svg"]
+)
+def test_a_working_folder_that_is_gone_is_named(here, capsys, monkeypatch, line):
+    gone = here / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    monkeypatch.setenv("PWD", str(gone))
+    gone.rmdir()
+    assert run(line.format(here).split()) == 1
+    said = (
+        f"shapeblend: {gone}: the current folder is not there any more; changing to another one would work\n"
+    )
+    assert capsys.readouterr().err == said
+
+
 def test_a_working_folder_that_is_gone_is_one_line(here, capsys):
     gone = here / "gone"
     gone.mkdir()
@@ -416,9 +441,8 @@ def test_a_working_folder_that_is_gone_is_one_line(here, capsys):
     gone.rmdir()
     try:
         assert run([str(here / "a.svg"), str(here / "b.svg"), "-o", str(here / "out")]) == 0
-        assert run([str(here / "a.svg"), str(here / "b.svg")]) == 1
         assert run(["../a.svg", "../b.svg", "-o", "x.svg"]) == 1
-        assert capsys.readouterr().err.count("\n") == 2
+        assert capsys.readouterr().err.count("\n") == 1
     finally:
         os.chdir(here)
 
@@ -459,3 +483,12 @@ def test_the_fresh_folder_is_one_step(here, monkeypatch):
     monkeypatch.setattr(os, "rename", lambda *given: (seen.append(made()), rename(*given)))
     assert run([*AB, "-o", "deep/er"]) == 0
     assert [name for name in seen[0] if not name.startswith(staging.PREFIX)] == []
+
+
+def test_a_path_lies_in_a_folder_where_links_lead(here):
+    (here / "own" / "deep").mkdir(parents=True)
+    (here / "own" / "out").symlink_to(here)
+    inside = [is_inside(Path(path), "own") for path in ("own/a", "own/deep/b", "own/x/../c", here / "own/d")]
+    outside = [is_inside(Path(path), "own") for path in ("a", "own/../a", "own/out/a", "owner/a", "/etc/a")]
+    assert inside == [True] * 4
+    assert outside == [False] * 5
