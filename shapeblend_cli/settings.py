@@ -13,7 +13,6 @@ from shapeblend_cli.constants import PRESETS, WIRE, WorkConstants
 from shapeblend_cli.easing import LINEAR, Ease
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.fields import Record, option
-from shapeblend_cli.triggers import Trigger
 
 Vertices = tuple[int, int] | tuple[complex, complex]
 Contours = tuple[str, str] | tuple[complex, complex]
@@ -559,21 +558,14 @@ REPORTED = (
     "frames ends output emit force select_a select_b lenient place vertices start pins reverse stiff match unmatched "
     "solver band effort preset ks kb es eb pb mb cs bending kt smoothing motion viewbox style curves precision animate "
     "duration ease repeat format width columns background fps report preview"
-)
+).split()
 """The order of the settings in reports of format 1; any others follow."""
 
 
 def report_settings(*records: Record) -> dict[str, Any]:
     """Return the values of records as the report lists them."""
-    values = {o.key: _plain(getattr(record, o.name)) for record in records for o in record.options.values()}
+    values: dict[str, Any] = {}
+    for record in records:
+        values |= record.listed
     values["start"] = values["start"] or "auto"
-    return {key: values[key] for key in (*REPORTED.split(), *values) if key in values}
-
-
-def _plain(value: Any) -> Any:
-    """Return a value as JSON has it."""
-    if isinstance(value, complex):
-        return [value.real, value.imag]
-    if isinstance(value, tuple):
-        return str(value) if isinstance(value, Ease | Trigger) else [_plain(one) for one in value]
-    return value
+    return {key: values[key] for key in REPORTED if key in values} | values

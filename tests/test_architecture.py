@@ -51,7 +51,7 @@ ROOMS = {
     "motion": "interpolate geometry model _cython",
     "interpolate": "names paint geometry model",
     "matching": "constants model errors _cython",
-    "settings": "constants fields field_types easing triggers errors",
+    "settings": "constants fields field_types easing errors",
     "constants": "fields field_types",
     "fields": "field_types",
     "field_types": "svg.reading easing triggers",

@@ -51,7 +51,7 @@ class Record:
         self._targets = targets
         place = Path(job.output.path if job.output.files() else targets[0])
         self._home = place.parent
-        self.path = self._home / FOLDER / f"{place.name}.json"
+        self.path = self._home / FOLDER / f"{place.name}{SUFFIX}"
 
     def state(self, hash_of: Callable[[str | Path], str], force: bool) -> State:
         """Say whether the job is up to date, or why not, by the hashes of files."""
