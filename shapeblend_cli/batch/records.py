@@ -16,12 +16,12 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from shapeblend_cli.errors import OutputError
+from shapeblend_cli.errors import FileError, InputError, OutputError
 from shapeblend_cli.jobs import Job
 from shapeblend_cli.staging import locked, sync_folder
 from shapeblend_cli.version import __version__
 
-FOLDER = ".shapeblend"
+FOLDER, SUFFIX = ".shapeblend", ".json"
 
 FORM = 1
 """The number of the form of records. Any other one is as good as none."""
@@ -39,7 +39,7 @@ class State(NamedTuple):
     """How a job stands before it is done."""
 
     reason: str  # why it is to be done; empty if it is up to date
-    refusal: OutputError | None = None  # why it must not be done
+    refusal: FileError | None = None  # why it cannot or must not be done
     edited: str = ""  # an output of a job that is up to date but for that, edited since
 
 
@@ -49,13 +49,16 @@ class Record:
     def __init__(self, job: Job, targets: Sequence[Path]) -> None:
         self._job = job
         self._targets = targets
-        place = Path(job.output.path if job.output.files() else targets[0])
+        place = place_of(job, targets)
         self._home = place.parent
         self.path = self._home / FOLDER / f"{place.name}{SUFFIX}"
 
     def state(self, hash_of: Callable[[str | Path], str], force: bool) -> State:
         """Say whether the job is up to date, or why not, by the hashes of files."""
         old, new = self._read(), self.made_of(hash_of)
+        for file in self._job.files:
+            if not hash_of(file) and (problem := _unreadable(file)):
+                return State("", problem)
         now = {self._name(target): hash_of(target) for target in self._targets}
         if force:
             return State("--force")
@@ -97,7 +100,7 @@ class Record:
             "version": __version__,
             "method": method(),
             "inputs": [[os.path.basename(file), hash_of(file)] for file in self._job.files],
-            "settings": json.loads(json.dumps(reported)),
+            "settings": reported,
         }
 
     def _name(self, target: Path) -> str:
@@ -125,6 +128,11 @@ class Record:
         return {}
 
 
+def place_of(job: Job, targets: Sequence[Path]) -> Path:
+    """Return the file or the folder that a job is recorded for."""
+    return Path(job.output.path if job.output.files() else targets[0])
+
+
 class HashOf:
     """Hashes of files by their names, each taken once."""
 
@@ -150,6 +158,18 @@ def hash_of_file(path: str | Path) -> str:
         return ""
 
 
+def _unreadable(file: str) -> InputError | None:
+    """Say why a drawing that has no hash cannot be read; None if it is a device or the like."""
+    from shapeblend_cli.svg.reading.read import contents_of
+
+    if not os.path.exists(file) or os.path.isfile(file) or os.path.isdir(file):
+        try:
+            contents_of(file)
+        except InputError as error:
+            return error
+    return None
+
+
 @cache
 def method() -> str:
     """Return a hash of all code that outputs depend on."""
@@ -170,7 +190,7 @@ def _difference(old: dict[str, Any], new: dict[str, Any], now: Hashes) -> str:
         if old_name != name:
             return f"it was done with {old_name}, not {name}"
         if old_hash != value:
-            return f"{name} has changed" if value else f"{name} is missing"
+            return f"{name} has changed"
     if len(old["inputs"]) != len(new["inputs"]):
         return "it has more or fewer drawings"
     for key in sorted({*old["settings"], *new["settings"]}):

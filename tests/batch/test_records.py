@@ -59,6 +59,22 @@ def test_an_output_that_is_gone_is_made_again(done, statuses, capsys):
     assert Path("m/2-9.svg").read_bytes() == before
 
 
+def test_a_drawing_that_cannot_be_read_is_said_before_anything_starts(done, batch, capsys):
+    Path("in/10.svg").unlink()
+    Path("in/2.svg").unlink()
+    Path("in/2.svg").mkdir()
+    Path("jobs.csv").write_text("a,b,o\nin/1.svg,in/2.svg,m/1-2.svg\nin/9.svg,in/10.svg,x.svg\n", "utf-8")
+    words = "in/{}.svg: cannot be read ({}); a readable SVG file would work"
+    problems = words.format(2, "Is a directory"), words.format(10, "No such file or directory")
+    said = reasons(capsys, "jobs.csv")
+    assert said == {"m/1-2.svg": f"would fail: {problems[0]}", "x.svg": f"would fail: {problems[1]}"}
+    status, results, _ = batch("jobs.csv")
+    assert (status, [(each["error"], each["attempts"]) for each in results.values()]) == (
+        1,
+        [(problem, 0) for problem in problems],
+    )
+
+
 def test_another_version_does_everything_again(done, statuses, monkeypatch, capsys):
     monkeypatch.setattr("shapeblend_cli.batch.records.method", lambda: "another")
     assert {*reasons(capsys, *LINE).values()} == {
