@@ -26,8 +26,8 @@ ROOMS = {
     "field_types model kept clock version processes errors",
     "rank": "batch tries files svg.reading svg.writing output settings motion model kept clock errors",
     "project": "batch field_types errors",
-    "batch": "files svg.reading jobs outputs output kept staging processes interrupts fields field_types clock easing "
-    "errors version",
+    "batch": "files svg.reading jobs outputs output kept staging processes interrupts settings fields field_types "
+    "clock easing errors version",
     "plot": "files output svg.reading svg.writing pairing interpolate geometry settings matching model clock "
     "errors",
     "states": "files outputs interpolate svg.writing names settings matching model clock errors",

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from shapeblend_cli.batch.options import BatchOptions
 from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.options import NAME, FieldOption, options_of
 from shapeblend_cli.cli.terminal import BatchTerminal, say
@@ -15,10 +16,7 @@ from shapeblend_cli.errors import OptionError, ShapeblendError
 from shapeblend_cli.interrupts import Interrupted
 from shapeblend_cli.jobs import RECORDS, STANDARD_INPUT
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
-from shapeblend_cli.settings import (
-    BatchOptions,
-    TerminalOptions,
-)
+from shapeblend_cli.settings import TerminalOptions
 
 if TYPE_CHECKING:
     from shapeblend_cli.batch.plan import Task
