@@ -39,7 +39,7 @@ class BatchOptions(Record, section=BATCH):
         types.file(),
         default=None,
         metavar="FILE.jsonl",
-        help="Write a line of JSON for each job as it ends; - for standard output.",
+        help="Append a line of JSON for each job as it ends; - for standard output.",
     )
     fail_fast: bool = option(
         types.FLAG, default=False, help="Start no further jobs after one that fails, instead of going on."

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import os
-import sys
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from datetime import UTC, datetime
 from typing import Any, NamedTuple
 
-from shapeblend_cli.batch.plan import Task
+from shapeblend_cli.batch.plan import Places, Task
 from shapeblend_cli.batch.records import HashOf, Record, State
 from shapeblend_cli.batch.supervisor import Ended
 from shapeblend_cli.batch.worker import DONE, FAILED, Answer, Order
@@ -29,17 +27,19 @@ class Outcome(NamedTuple):
     attempts: int
 
     def as_json(self) -> dict[str, Any]:
-        """Return it as the results have it."""
+        """Return it as the results have it, with the time that it is now."""
         a, b, *more = self.task.files
         found = {"job": self.task.number, "a": a, "b": b} | ({"more": more} if more else {})
         are_there = self.status in (DONE, CURRENT)
         return found | {
+            "output": self.task.output,
             "status": self.status,
             "outputs": list(map(str, self.task.targets)) if are_there else [],
             "seconds": round(self.answer.seconds, 6),
             "error": self.answer.error,
             "attempts": self.attempts,
             "notes": [*self.answer.notes, *self.answer.warnings],
+            "ended": f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ}",
         }
 
 
@@ -83,49 +83,20 @@ def run_tasks(
         yield Outcome(waiting[ended.number], ended.answer.status, ended.answer, ended.attempts)
 
 
-@contextmanager
-def results(file: str | None) -> Iterator[Callable[[Outcome], None]]:
-    """Open a file for results, or standard output; give a function that writes one, as a line that is there at once."""
-    if file is None:
-        yield lambda outcome: None
+def check_aside(files: Sequence[str | None], tasks: Sequence[Task], names: Sequence[str]) -> None:
+    """Raise OutputError if a file that a batch writes aside is one that it reads or writes as well.
+
+    `names` are further files that it reads.
+    """
+    given = [file for file in files if file not in (None, STANDARD_OUTPUT)]
+    if not given:
         return
-    stream = None
-    if file != STANDARD_OUTPUT:
-        try:
-            stream = open(file, "wb")
-        except (OSError, ValueError) as error:
-            raise _cannot_write(file, error) from error
-
-    def write(outcome: Outcome) -> None:
-        line = json.dumps(outcome.as_json(), allow_nan=False) + "\n"
-        if stream is None:
-            sys.stdout.write(line)
-            sys.stdout.flush()
-            return
-        try:
-            stream.write(line.encode())
-            stream.flush()
-        except OSError as error:
-            raise _cannot_write(file, error) from error
-
-    try:
-        yield write
-    finally:
-        if stream is not None:
-            with suppress(OSError):
-                stream.close()
-
-
-def _cannot_write(file: str, error: OSError | ValueError) -> OutputError:
-    return OutputError(file, f"cannot be written ({getattr(error, 'strerror', None) or error})")
-
-
-def check_results(file: str, tasks: Sequence[Task], manifest: str | None) -> None:
-    """Raise OutputError if results would replace what the batch reads or writes."""
-    place = os.path.realpath(file)
-    taken = {os.path.realpath(path) for task in tasks for path in (*task.files, *map(str, task.targets))}
-    if place in taken or (manifest is not None and place == os.path.realpath(manifest)):
-        raise OutputError(file, "is read or written by the batch; another name for the results would work")
+    place = Places()
+    taken = {place(path) for task in tasks for path in (*task.files, *map(str, task.targets), *names)}
+    for file in map(str, given):
+        if place(file) in taken:
+            raise OutputError(file, "is read or written by the batch as well; another name would work")
+        taken.add(place(file))
 
 
 def processors() -> int:

@@ -15,7 +15,6 @@ from shapeblend_cli.cli.terminal import BatchTerminal, say
 from shapeblend_cli.errors import OptionError, ShapeblendError
 from shapeblend_cli.interrupts import Interrupted
 from shapeblend_cli.jobs import RECORDS, STANDARD_INPUT
-from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.settings import TerminalOptions
 
 if TYPE_CHECKING:
@@ -92,20 +91,30 @@ def _batch(
     if options.dry_run:
         _show(tasks, run.states(tasks), with_current=options.why)
         return 0
-    with run.results(options.results) as write:
-        return _do(tasks, notes, write, options, printed)
+    return _do(tasks, notes, _writer(options), options, printed)
+
+
+def _writer(options: BatchOptions) -> Callable[[Outcome], None]:
+    """Return what writes results where they are to go."""
+    from shapeblend_cli.batch.lines import add_results
+
+    if options.results is None:
+        return lambda outcome: None
+    import json
+
+    add = add_results(options.results)
+    return lambda outcome: add(json.dumps(outcome.as_json(), allow_nan=False))
 
 
 def _watch(
     names: tuple[str, ...], options: BatchOptions, printed: TerminalOptions, given: Mapping[str, Any]
 ) -> int:
     """Do a batch, and again what changes, until a signal asks to stop."""
-    from shapeblend_cli.batch import run
     from shapeblend_cli.batch.run import CURRENT
     from shapeblend_cli.batch.watch import stamps, wait_for_change
 
     tasks, notes = _tasks(names, options, given)
-    write_all: Callable[[Outcome], None]
+    write_all = _writer(options)
 
     def write(outcome: Outcome) -> None:
         """Leave out what is up to date and was told of before."""
@@ -122,24 +131,23 @@ def _watch(
         return stamps({file for row in rows for file in row.files}.union(names))
 
     is_first = True
-    with run.results(options.results) as write_all:
+    while True:
+        seen = look()
+        status = _do(tasks, notes, write, options, printed)
+        if status > FAILED:
+            return status
+        if is_first and not printed.quiet:
+            say("waiting for drawings to change; Ctrl-C ends this")
+        is_first = False
         while True:
+            if number := wait_for_change(look, seen):
+                return 128 + number
             seen = look()
-            status = _do(tasks, notes, write, options, printed)
-            if status > FAILED:
-                return status
-            if is_first and not printed.quiet:
-                say("waiting for drawings to change; Ctrl-C ends this")
-            is_first = False
-            while True:
-                if number := wait_for_change(look, seen):
-                    return 128 + number
-                seen = look()
-                try:
-                    tasks, notes = _tasks(names, options, {**given, "force": None})
-                    break
-                except ShapeblendError as error:
-                    say(str(error))
+            try:
+                tasks, notes = _tasks(names, options, {**given, "force": None})
+                break
+            except ShapeblendError as error:
+                say(str(error))
 
 
 def _do(
@@ -203,6 +211,7 @@ def _tasks(
     from shapeblend_cli.batch.manifest import read_manifest
     from shapeblend_cli.batch.plan import plan
     from shapeblend_cli.batch.rows import named
+    from shapeblend_cli.batch.run import check_aside
 
     found = _found(names, options)
     rows, defaults = (found.rows, {}) if found else read_manifest(names[0])
@@ -217,10 +226,7 @@ def _tasks(
                         f"{target} would be taken for one of the drawings the next time; another folder in --output "
                         "would work"
                     )
-    if options.results not in (None, STANDARD_OUTPUT):
-        from shapeblend_cli.batch.run import check_results
-
-        check_results(str(options.results), tasks, names[0] if names else None)
+    check_aside([options.results], tasks, () if found or names[0] == STANDARD_INPUT else names)
     if options.shard is not None:
         number, count = options.shard
         tasks = tasks[number - 1 :: count]

@@ -23,6 +23,7 @@ def batch(here, capsys):
     """Run a batch; the exit status, its results in order of their numbers, and what it printed."""
 
     def do(*arguments):
+        Path("results.jsonl").unlink(missing_ok=True)
         status = run(["batch", *arguments, "--results", "results.jsonl"])
         found = [json.loads(line) for line in Path("results.jsonl").read_text("utf-8").splitlines()]
         results = {each["job"]: each for each in sorted(found, key=lambda each: each["job"])}

@@ -3,6 +3,7 @@
 import heapq
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -70,10 +71,12 @@ def test_a_job_that_kills_every_process_has_died_and_the_others_are_done(drawing
     status, results, printed = batch(*LINE, "-j", "2")
     assert status == 1
     assert [results[n]["status"] for n in range(1, 7)] == ["done"] * 2 + ["died"] + ["done"] * 3
+    assert re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ", results[3].pop("ended"))
     assert results[3] | {"seconds": 0} == {
         "job": 3,
         "a": "in/1.svg",
         "b": "in/10.svg",
+        "output": "m/3.svg",
         "status": "died",
         "outputs": [],
         "seconds": 0,
