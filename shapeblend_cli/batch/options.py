@@ -53,6 +53,11 @@ class BatchOptions(Record, section=BATCH):
         default=False,
         help="Keep running, and do jobs again when their drawings or the manifest change.",
     )
+    wait: bool = option(
+        types.FLAG,
+        default=False,
+        help="Wait while another batch writes the same outputs, instead of ending with an error.",
+    )
     shard: tuple[int, int] | None = option(
         types.SHARD,
         default=None,

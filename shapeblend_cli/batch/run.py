@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from datetime import UTC, datetime
 from typing import Any, NamedTuple
 
+from shapeblend_cli.batch.claims import claimed
 from shapeblend_cli.batch.plan import Places, Task
 from shapeblend_cli.batch.records import HashOf, Record, State
 from shapeblend_cli.batch.supervisor import Ended
@@ -43,7 +45,7 @@ class Outcome(NamedTuple):
         }
 
 
-def states(tasks: Sequence[Task]) -> list[State]:
+def states(tasks: Sequence[Task]) -> Iterator[State]:
     """Say of each task whether it is up to date, after clearing up after batches that were killed."""
     for folder in sorted(
         {parent for task in tasks for t in task.targets for parent in (t.parent, t.parent.parent)}
@@ -51,7 +53,26 @@ def states(tasks: Sequence[Task]) -> list[State]:
         if folder.is_dir():
             clear(folder)
     hash_of = HashOf()
-    return [Record(task.job, task.targets).state(hash_of, bool(task.given.get("force"))) for task in tasks]
+    for task in tasks:
+        yield Record(task.job, task.targets).state(hash_of, bool(task.given.get("force")))
+
+
+@contextmanager
+def begun(tasks: Sequence[Task], wait: bool, note: Callable[[str], None]) -> Iterator[list[State]]:
+    """Give the states of tasks, and if there is anything to do keep other batches away from all of their outputs.
+
+    See `claimed` for the parameters and for what is raised.
+    """
+    found = []
+    for state in states(tasks):
+        found.append(state)
+        if state.reason:
+            break
+    else:
+        yield found
+        return
+    with claimed((task.place for task in tasks), wait, note):
+        yield list(states(tasks))
 
 
 Orders = Sequence[tuple[int, Order]]

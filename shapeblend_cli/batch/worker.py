@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 from collections.abc import Callable
 from functools import cache
 from time import perf_counter
@@ -18,6 +19,9 @@ from shapeblend_cli.jobs import Job, all_targets, job_of
 from shapeblend_cli.kept import Kept
 from shapeblend_cli.output import Contents
 from shapeblend_cli.processes import Parent
+
+_supervisor: int | None = None
+"""The number of the process that asks this one for jobs."""
 
 DONE, FAILED, TIMEOUT, STOPPED = "done", "failed", "timeout", "stopped"
 
@@ -100,9 +104,11 @@ def _job(order: Order) -> Job:
 def _write(
     job: Job, contents: Contents, made_of: dict[str, Any], force: bool, warn: Callable[[str], None]
 ) -> None:
-    """Write what was made, after its record."""
+    """Write what was made, after its record, unless whoever asked for it was killed: another batch may be at it."""
     from shapeblend_cli.files import write
 
+    if _supervisor not in (None, os.getppid()):
+        sys.exit()
     Record(job, all_targets(job)).write(made_of, contents, force)
     write(job, contents, warn)
 
@@ -129,6 +135,8 @@ def write_answer(order: Order, answer: Answer, made_of: dict[str, Any]) -> Answe
 
 def main(act: Act | None = None) -> None:
     """Answer until there are no more orders, by blends or by another act; see `do`."""
+    global _supervisor
+    _supervisor = os.getppid()
     if hasattr(signal, "SIGINT"):
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # the supervisor is told, and knows what to do
     parent = Parent()

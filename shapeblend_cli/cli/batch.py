@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -161,33 +161,33 @@ def _do(
     from shapeblend_cli.batch import run
     from shapeblend_cli.batch.supervisor import Stopped
 
-    found = run.states(tasks)
     ended: Counter[str] = Counter()
     status = 0
     with BatchTerminal(quiet=printed.quiet, count=len(tasks)) as terminal:
         for note in notes:
             terminal.note(note)
-        if options.why:
-            for line in _reasons(tasks, found):
-                terminal.note(line)
-        try:
-            for outcome in run.run_tasks(tasks, found, _way(options, terminal.warn), options.fail_fast):
-                is_done = outcome.answer.error is None
-                ended[outcome.status] += 1
-                write(outcome)
-                terminal.ended(is_done, outcome.answer.seconds if outcome.attempts else None)
-                for text in outcome.answer.notes if printed.verbose else ():
-                    terminal.note(f"{outcome.task.output}: {text}")
-                for text in outcome.answer.warnings:
-                    terminal.warn(text)
-                if not is_done:
-                    terminal.warn(f"{outcome.task.where}: {outcome.answer.error}")
-                    status = FAILED
-        except Stopped as stop:
-            terminal.warn(
-                "interrupted; files that were being written are complete, and the same command does the rest"
-            )
-            status = 128 + stop.number
+        with run.begun(tasks, options.wait, terminal.note) as found:
+            if options.why:
+                for line in _reasons(tasks, found):
+                    terminal.note(line)
+            try:
+                for outcome in run.run_tasks(tasks, found, _way(options, terminal.warn), options.fail_fast):
+                    is_done = outcome.answer.error is None
+                    ended[outcome.status] += 1
+                    write(outcome)
+                    terminal.ended(is_done, outcome.answer.seconds if outcome.attempts else None)
+                    for text in outcome.answer.notes if printed.verbose else ():
+                        terminal.note(f"{outcome.task.output}: {text}")
+                    for text in outcome.answer.warnings:
+                        terminal.warn(text)
+                    if not is_done:
+                        terminal.warn(f"{outcome.task.where}: {outcome.answer.error}")
+                        status = FAILED
+            except Stopped as stop:
+                terminal.warn(
+                    "interrupted; files that were being written are complete, and the same command does the rest"
+                )
+                status = 128 + stop.number
         terminal.note(_summary(ended, len(tasks)))
     return status
 
@@ -254,7 +254,7 @@ def _found(names: tuple[str, ...], options: BatchOptions) -> Found | None:
     return None
 
 
-def _show(tasks: Sequence[Task], found: Sequence[State], *, with_current: bool) -> None:
+def _show(tasks: Sequence[Task], found: Iterable[State], *, with_current: bool) -> None:
     """Print what would be done, and why."""
     for task, state in zip(tasks, found, strict=True):
         if state.refusal is not None:

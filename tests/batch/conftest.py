@@ -41,3 +41,35 @@ def statuses(batch):
         return status, " ".join(results[number]["status"] for number in sorted(results))
 
     return do
+
+
+BROKEN = """
+import os, signal, sys, time
+import shapeblend_cli.batch.worker as worker
+
+def once(name):
+    try:
+        os.close(os.open(name, os.O_CREAT | os.O_EXCL))
+        return True
+    except FileExistsError:
+        return False
+
+def before(order):
+    output = order.given["output"]
+    {}
+
+do = worker.do
+worker.do = lambda order: (before(order), do(order))[1]
+"""
+
+
+@pytest.fixture
+def broken(monkeypatch, here):
+    """Have workers do something before some jobs: Python code in which `order` is the job and `once(name)` a test."""
+
+    def have(code):
+        Path("broken").mkdir()
+        Path("broken/sitecustomize.py").write_text(BROKEN.format(code), "utf-8")
+        monkeypatch.setenv("PYTHONPATH", str(Path("broken").resolve()))
+
+    return have

@@ -23,32 +23,6 @@ COMMAND = [sys.executable, "-m", "shapeblend_cli", "batch"]
 LINE = ("--all", "in", "-o", "m/{n}.svg")
 
 
-@pytest.fixture
-def broken(monkeypatch, here):
-    """Have workers do something before some jobs: Python code in which `order` is the job and `once(name)` a test."""
-
-    def have(code):
-        Path("broken").mkdir()
-        Path("broken/sitecustomize.py").write_text(
-            "import os, signal, sys, time\n"
-            "def once(name):\n"
-            "    try: os.close(os.open(name, os.O_CREAT | os.O_EXCL)); return True\n"
-            "    except FileExistsError: return False\n"
-            "def before(order):\n"
-            f"    output = order.given['output']\n    {code}\n"
-            "import builtins; builtins.before = before\n",
-            "utf-8",
-        )
-        monkeypatch.setenv("PYTHONPATH", str(Path("broken").resolve()))
-        start = (
-            "import sys; sys.path.append(sys.argv[1]); import shapeblend_cli.batch.worker as w; do = w.do; "
-            "w.do = lambda order: (before(order), do(order))[1]; w.main()"
-        )
-        monkeypatch.setattr("shapeblend_cli.processes.START", start)
-
-    return have
-
-
 def test_many_processes_do_what_one_does(drawings, batch):
     for count, folder in ((1, "one"), (3, "three")):
         status, results, printed = batch("--all", "in", "-o", f"{folder}/{{n}}.svg", "-j", str(count))
