@@ -62,7 +62,7 @@ class _Back(NamedTuple):
 
 
 def run_all(
-    orders: Iterable[tuple[int, Order]], address: str, fail_fast: bool, note: Callable[[str], None]
+    orders: Iterable[tuple[int, Order]], address: str, most: int, note: Callable[[str], None]
 ) -> Iterator[Ended]:
     """Do numbered jobs on a cluster, write what they make, and yield each as it ends, like `supervisor.run_all`.
 
@@ -76,6 +76,7 @@ def run_all(
         If there is no scheduler, or not any more, or none of its workers can be used.
     """
     waiting = deque(orders)
+    failed = 0
     if not waiting:
         return
     events: SimpleQueue[_Back | Stopped] = SimpleQueue()
@@ -94,9 +95,11 @@ def run_all(
             batch.workers.look_now_and_then()
             back = batch.take(event, waiting)
             if back is not None:
-                if fail_fast and back.answer.status != DONE:
-                    waiting.clear()
-                    batch.alone.clear()
+                if back.answer.status != DONE:
+                    failed += 1
+                    if failed == most:
+                        waiting.clear()
+                        batch.alone.clear()
                 yield back
 
 

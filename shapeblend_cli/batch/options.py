@@ -41,9 +41,18 @@ class BatchOptions(Record, section=BATCH):
         metavar="FILE.jsonl",
         help="Append a line of JSON for each job as it ends; - for standard output.",
     )
-    fail_fast: bool = option(
-        types.FLAG, default=False, help="Start no further jobs after one that fails, instead of going on."
+    retries: int = option(
+        types.whole(0, 100),
+        default=0,
+        help="Try a job that fails, takes too long or dies up to N more times.",
+        default_text="0, and 1 for a job that dies",
     )
+    keep_going: int = option(
+        types.whole(0),
+        default=0,
+        help="Start no further jobs after N have failed. 0: go on, however many fail.",
+    )
+    fail_fast: bool = option(types.FLAG, default=False, help="The same as --keep-going 1.")
     dry_run: bool = option(
         types.FLAG, default=False, help="Print what would be done, and why, and do nothing."
     )

@@ -9,6 +9,7 @@ from datetime import UTC, datetime
 from typing import Any, NamedTuple
 
 from shapeblend_cli.batch.claims import claimed
+from shapeblend_cli.batch.options import BatchOptions
 from shapeblend_cli.batch.plan import Places, Task
 from shapeblend_cli.batch.records import HashOf, Record, State
 from shapeblend_cli.batch.supervisor import Ended
@@ -75,22 +76,25 @@ def begun(tasks: Sequence[Task], wait: bool, note: Callable[[str], None]) -> Ite
         yield list(states(tasks))
 
 
-Orders = Sequence[tuple[int, Order]]
+Run = Callable[[Sequence[tuple[int, Order]], int], Iterator[Ended]]
+"""Does numbered orders until so many have failed; see `supervisor.run_all` and `cluster.run_all`."""
 
 
 def run_tasks(
-    tasks: Sequence[Task], found: Sequence[State], run: Callable[[Orders], Iterator[Ended]], fail_fast: bool
+    tasks: Sequence[Task], found: Sequence[State], run: Run, options: BatchOptions
 ) -> Iterator[Outcome]:
-    """Have the tasks done that are not up to date; yield all of them as they end.
+    """Have the tasks done that are not up to date, by their states; yield all of them as they end.
 
-    `found` are the tasks' states, and `run` does numbered orders: see `supervisor.run_all` and `cluster.run_all`, also
-    for what is raised.
+    Raises what `run` raises.
     """
+    most = 1 if options.fail_fast else options.keep_going
+    failed = 0
     waiting: dict[int, Task] = {}
     for task, state in zip(tasks, found, strict=True):
         if state.refusal is not None:
             yield Outcome(task, FAILED, Answer(FAILED, str(state.refusal)), 0)
-            if fail_fast:
+            failed += 1
+            if failed == most:
                 return
         elif state.reason:
             waiting[task.number] = task
@@ -99,8 +103,10 @@ def run_tasks(
                 f"{state.edited}: was edited since it was written, and stays as it is" if state.edited else ""
             )
             yield Outcome(task, CURRENT, Answer(CURRENT, warnings=(edited,) if edited else ()), 0)
-    orders = [(n, Order(t.files, t.given, bool(t.given.get("force")))) for n, t in waiting.items()]
-    for ended in run(orders):
+    orders = [
+        (n, Order(t.files, t.given, bool(t.given.get("force")), options.retries)) for n, t in waiting.items()
+    ]
+    for ended in run(orders, max(most - failed, 0)):
         yield Outcome(waiting[ended.number], ended.answer.status, ended.answer, ended.attempts)
 
 

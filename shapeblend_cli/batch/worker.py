@@ -32,6 +32,7 @@ class Order(NamedTuple):
     files: tuple[str, ...]
     given: dict[str, Any]  # values of options by the names of their fields
     force: bool  # whether files that no batch wrote are replaced
+    retries: int = 0  # further attempts, if it fails
     data: tuple[bytes, ...] | None = None  # what is in the files, for a worker that does not have them
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -21,9 +21,8 @@ if TYPE_CHECKING:
     from shapeblend_cli.batch.plan import Task
     from shapeblend_cli.batch.records import State
     from shapeblend_cli.batch.rows import Row
-    from shapeblend_cli.batch.run import Orders, Outcome
+    from shapeblend_cli.batch.run import Outcome, Run
     from shapeblend_cli.batch.sources import Found
-    from shapeblend_cli.batch.supervisor import Ended
 
 FAILED = 1
 
@@ -71,6 +70,8 @@ def batch(names: tuple[str, ...], **given: Any) -> int:
         raise click.UsageError(
             "--jobs is for processes on this machine; a cluster has the workers that were started"
         )
+    if options.fail_fast and options.keep_going > 1:
+        raise click.UsageError("--fail-fast is --keep-going 1; one of the two would work")
     if options.watch and (options.dry_run or STANDARD_INPUT in names):
         raise click.UsageError(
             "--watch goes with a manifest that is a file, or with folders, and not with --dry-run"
@@ -171,7 +172,7 @@ def _do(
                 for line in _reasons(tasks, found):
                     terminal.note(line)
             try:
-                for outcome in run.run_tasks(tasks, found, _way(options, terminal.warn), options.fail_fast):
+                for outcome in run.run_tasks(tasks, found, _way(options, terminal.warn), options):
                     is_done = outcome.answer.error is None
                     ended[outcome.status] += 1
                     write(outcome)
@@ -192,16 +193,16 @@ def _do(
     return status
 
 
-def _way(options: BatchOptions, note: Callable[[str], None]) -> Callable[[Orders], Iterator[Ended]]:
+def _way(options: BatchOptions, note: Callable[[str], None]) -> Run:
     """Return what does jobs: processes here, or a cluster."""
     if options.cluster is not None:
         from shapeblend_cli.batch import cluster
 
-        return lambda orders: cluster.run_all(orders, str(options.cluster), options.fail_fast, note)
+        return lambda orders, most: cluster.run_all(orders, str(options.cluster), most, note)
     from shapeblend_cli.batch.run import processors
     from shapeblend_cli.batch.supervisor import run_all
 
-    return lambda orders: run_all(orders, options.jobs or processors(), options.fail_fast)
+    return lambda orders, most: run_all(orders, options.jobs or processors(), most)
 
 
 def _tasks(

@@ -72,14 +72,26 @@ def test_a_job_that_takes_too_long(how, drawings, broken, batch, monkeypatch):
     assert "stopped after 2.5 s (--timeout)" in results[3]["error"]
 
 
-def test_an_input_that_fails_stops_no_other_job_but_with_fail_fast(drawings, batch):
+def test_failures_stop_no_other_job_unless_as_many_as_are_asked_for(drawings, batch):
     Path("in/1.svg").write_text("<svg/>", "utf-8")
     status, results, printed = batch("--chain", "in", "-o", "m/{n}.svg", "-j", "1")
     assert (status, [results[n]["status"] for n in (1, 2, 3)]) == (1, ["failed", "done", "done"])
     assert "in/1.svg: " in results[1]["error"]
     assert "1 failed" in printed.err
-    status, results, printed = batch("--chain", "in", "-o", "n/{n}.svg", "-j", "1", "--fail-fast")
-    assert (status, [*results], "1 failed, 2 left" in printed.err) == (1, [1], True)
+    for number, option in enumerate(("--fail-fast", "--keep-going=2", "--keep-going=3"), 1):
+        status, results, printed = batch("--all", "in", "-o", "n/{n}.svg", "-j", "1", option)
+        assert (status, len(results)) == (1, number)
+        assert f"shapeblend: {number} failed, {6 - number} left" in printed.err
+
+
+def test_jobs_that_fail_take_too_long_or_die_are_tried_again(drawings, broken, batch):
+    broken(
+        "{'1': lambda: os.rename(*('in/1.svg', 'gone')[:: 1 if once('away') else -1]),"
+        "'2': lambda: once('late') and time.sleep(60),"
+        "'3': lambda: any(map(once, 'abc')) and os.kill(os.getpid(), 9)}[output[2]]()"
+    )
+    status, results, _ = batch("--chain", "in", "-o", "m/{n}.svg", "--timeout", "2.5", "--retries", "3")
+    assert (status, [results[n]["attempts"] for n in (1, 2, 3)]) == (0, [2, 2, 4])
 
 
 def test_processes_that_do_not_start_are_one_line(drawings, monkeypatch, capsys):
