@@ -53,6 +53,13 @@ class BatchOptions(Record, section=BATCH):
         help="Start no further jobs after N have failed. 0: go on, however many fail.",
     )
     fail_fast: bool = option(types.FLAG, default=False, help="The same as --keep-going 1.")
+    cache: str | None = option(
+        types.file(),
+        default=None,
+        metavar="DIR",
+        help="Keep outputs in a folder, too, and copy those from there that were made of the same before, in whatever "
+        "checkout or on whatever machine.",
+    )
     dry_run: bool = option(
         types.FLAG, default=False, help="Print what would be done, and why, and do nothing."
     )

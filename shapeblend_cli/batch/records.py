@@ -10,7 +10,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
@@ -18,7 +18,8 @@ from typing import Any, NamedTuple
 
 from shapeblend_cli.errors import FileError, InputError, OutputError
 from shapeblend_cli.jobs import Job
-from shapeblend_cli.staging import locked, sync_folder
+from shapeblend_cli.output import Contents
+from shapeblend_cli.staging import sync_folder
 from shapeblend_cli.version import __version__
 
 FOLDER, SUFFIX = ".shapeblend", ".json"
@@ -78,7 +79,7 @@ class Record:
             return State("", edited=foreign)
         return State(reason or "outputs are missing", self._refusal(foreign, bool(old)))
 
-    def write(self, made_of: dict[str, Any], contents: Mapping[Path, Any], force: bool) -> None:
+    def write(self, made_of: dict[str, Any], contents: Contents, force: bool) -> None:
         """Record what is about to be written; OutputError is raised if that would replace what is not the batch's."""
         old = self._read()
         now = {self._name(target): hash_of_file(target) for target in self._targets}
@@ -87,7 +88,7 @@ class Record:
         record = {
             "record": FORM,
             **made_of,
-            "outputs": {self._name(path): _hash(content) for path, content in _files(contents)},
+            "outputs": {self._name(p): hashlib.sha256(data).hexdigest() for p, data in each_file(contents)},
             "before": {name: value for name, value in now.items() if value},
         }
         _replace(self.path, json.dumps(record, indent=1).encode())
@@ -214,34 +215,24 @@ def _is_record(found: Any) -> bool:
     )
 
 
-def _files(contents: Mapping[Path, Any]) -> list[tuple[Path, str | bytes]]:
-    """Return contents by files, of what is written to files and folders."""
-    found: list[tuple[Path, str | bytes]] = []
+def each_file(contents: Contents) -> Iterator[tuple[Path, bytes]]:
+    """Yield what is written to each file, whether alone or in a folder."""
     for target, content in contents.items():
-        found += (
-            [(target / n, c) for n, c in content.items()]
-            if isinstance(content, Mapping)
-            else [(target, content)]
-        )
-    return found
-
-
-def _hash(content: str | bytes) -> str:
-    data = content.encode("utf-8", "replace") if isinstance(content, str) else content
-    return hashlib.sha256(data).hexdigest()
+        files = content if isinstance(content, Mapping) else {"": content}
+        for name, text in files.items():
+            yield target / name, text.encode("utf-8", "replace") if isinstance(text, str) else text
 
 
 def _replace(path: Path, data: bytes) -> None:
-    """Write a file in one step, and have it on the disk."""
+    """Write a file in one step, and have it on the disk. No other batch does so at the same time; see `claims`."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        with locked(path.parent):
-            new = path.with_suffix(".new")
-            with open(new, "wb") as file:
-                file.write(data)
-                file.flush()
-                os.fsync(file.fileno())
-            os.replace(new, path)
-            sync_folder(path.parent)
+        new = path.with_suffix(".new")
+        with open(new, "wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(new, path)
+        sync_folder(path.parent)
     except OSError as error:
         raise OutputError(str(path), f"cannot be written ({error.strerror})") from error

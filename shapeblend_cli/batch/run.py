@@ -8,17 +8,23 @@ from contextlib import contextmanager
 from datetime import UTC, datetime
 from typing import Any, NamedTuple
 
+from shapeblend_cli.batch.cache import find
 from shapeblend_cli.batch.claims import claimed
 from shapeblend_cli.batch.options import BatchOptions
 from shapeblend_cli.batch.plan import Places, Task
-from shapeblend_cli.batch.records import HashOf, Record, State
-from shapeblend_cli.batch.supervisor import Ended
-from shapeblend_cli.batch.worker import DONE, FAILED, Answer, Order
+from shapeblend_cli.batch.records import HashOf, Record, State, each_file
+from shapeblend_cli.batch.supervisor import Ended, Stopped
+from shapeblend_cli.batch.worker import DONE, FAILED, Answer, Order, job_for, write_answers
 from shapeblend_cli.errors import OutputError
+from shapeblend_cli.interrupts import told
+from shapeblend_cli.jobs import all_targets
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.staging import clear
 
 CURRENT = "current"
+
+AT_ONCE, MUCH = 64, 2**26
+"""Maximum number of jobs whose outputs are copied out of a cache in one step, and their maximum size, in bytes."""
 
 
 class Outcome(NamedTuple):
@@ -41,6 +47,7 @@ class Outcome(NamedTuple):
             "seconds": round(self.answer.seconds, 6),
             "error": self.answer.error,
             "attempts": self.attempts,
+            "cached": self.answer.is_cached,
             "notes": [*self.answer.notes, *self.answer.warnings],
             "ended": f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ}",
         }
@@ -103,11 +110,49 @@ def run_tasks(
                 f"{state.edited}: was edited since it was written, and stays as it is" if state.edited else ""
             )
             yield Outcome(task, CURRENT, Answer(CURRENT, warnings=(edited,) if edited else ()), 0)
-    orders = [
-        (n, Order(t.files, t.given, bool(t.given.get("force")), options.retries)) for n, t in waiting.items()
-    ]
-    for ended in run(orders, max(most - failed, 0)):
+    orders = [(number, order_of(task, options)) for number, task in waiting.items()]
+    for number, answer in _cached(orders):
+        yield Outcome(waiting.pop(number), answer.status, answer, 0)
+        failed += answer.status != DONE
+        if failed == most > 0:
+            return
+    for ended in run([order for order in orders if order[0] in waiting], max(most - failed, 0)):
         yield Outcome(waiting[ended.number], ended.answer.status, ended.answer, ended.attempts)
+
+
+def order_of(task: Task, options: BatchOptions) -> Order:
+    """Return the order that has a task done."""
+    return Order(task.files, task.given, bool(task.given.get("force")), options.retries, cache=options.cache)
+
+
+def from_cache(order: Order) -> tuple[Order, Answer, dict[str, Any]] | None:
+    """Return what the cache has of a job, as it is to be written; None if that is nothing, or the job is to be done."""
+    if order.cache is None or order.force:
+        return None
+    job = job_for(order)
+    made_of = Record(job, all_targets(job)).made_of()
+    found = find(order.cache, job, made_of)
+    if found is None:
+        return None
+    return order, Answer(DONE, notes=found.notes, contents=found.contents, is_cached=True), made_of
+
+
+def _cached(orders: Sequence[tuple[int, Order]]) -> Iterator[tuple[int, Answer]]:
+    """Write what the cache has, many jobs at a time; Stopped is raised if a signal asked to stop."""
+    stops: list[int] = []
+    found: dict[int, tuple[Order, Answer, dict[str, Any]]] = {}
+    size = 0
+    with told(stops.append):
+        for number, order in orders:
+            if stops:
+                raise Stopped(stops[0])
+            one = from_cache(order)
+            if one is not None:
+                found[number] = one
+                size += sum(len(data) for _, data in each_file(one[1].contents))
+            if found and (len(found) >= AT_ONCE or size > MUCH or number == orders[-1][0]):
+                yield from zip(found, write_answers([*found.values()]), strict=True)
+                found, size = {}, 0
 
 
 def check_aside(files: Sequence[str | None], tasks: Sequence[Task], names: Sequence[str]) -> None:

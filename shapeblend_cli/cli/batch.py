@@ -90,7 +90,7 @@ def _batch(
 
     tasks, notes = _tasks(names, options, given)
     if options.dry_run:
-        _show(tasks, run.states(tasks), with_current=options.why)
+        _show(tasks, run.states(tasks), options)
         return 0
     return _do(tasks, notes, _writer(options), options, printed)
 
@@ -160,6 +160,7 @@ def _do(
 ) -> int:
     """Do what is not up to date of some tasks."""
     from shapeblend_cli.batch import run
+    from shapeblend_cli.batch.cache import open_cache
     from shapeblend_cli.batch.supervisor import Stopped
 
     ended: Counter[str] = Counter()
@@ -167,6 +168,8 @@ def _do(
     with BatchTerminal(quiet=printed.quiet, count=len(tasks)) as terminal:
         for note in notes:
             terminal.note(note)
+        if options.cache is not None and not open_cache(options.cache):
+            terminal.note(f"{options.cache}: cannot be written to; nothing is added to the cache")
         with run.begun(tasks, options.wait, terminal.note) as found:
             if options.why:
                 for line in _reasons(tasks, found):
@@ -174,7 +177,7 @@ def _do(
             try:
                 for outcome in run.run_tasks(tasks, found, _way(options, terminal.warn), options):
                     is_done = outcome.answer.error is None
-                    ended[outcome.status] += 1
+                    ended["cached" if outcome.answer.is_cached else outcome.status] += 1
                     write(outcome)
                     terminal.ended(is_done, outcome.answer.seconds if outcome.attempts else None)
                     for text in outcome.answer.notes if printed.verbose else ():
@@ -255,14 +258,17 @@ def _found(names: tuple[str, ...], options: BatchOptions) -> Found | None:
     return None
 
 
-def _show(tasks: Sequence[Task], found: Iterable[State], *, with_current: bool) -> None:
+def _show(tasks: Sequence[Task], found: Iterable[State], options: BatchOptions) -> None:
     """Print what would be done, and why."""
+    from shapeblend_cli.batch.run import from_cache, order_of
+
     for task, state in zip(tasks, found, strict=True):
         if state.refusal is not None:
             click.echo(f"{task.output}\twould fail: {state.refusal}")
         elif state.reason:
-            click.echo(f"{task.output}\t{state.reason}")
-        elif with_current:
+            is_cached = from_cache(order_of(task, options)) is not None
+            click.echo(f"{task.output}\t{state.reason}{'; the cache has it' if is_cached else ''}")
+        elif options.why:
             edited = f", but {state.edited} was edited since" if state.edited else ""
             click.echo(f"{task.output}\tup to date{edited}")
 
@@ -276,6 +282,7 @@ def _reasons(tasks: Sequence[Task], found: Sequence[State]) -> list[str]:
 def _summary(ended: Mapping[str, int], count: int) -> str:
     words = {
         "done": "done",
+        "cached": "from the cache",
         "current": "up to date",
         "failed": "failed",
         "timeout": "took too long",

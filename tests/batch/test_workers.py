@@ -56,6 +56,7 @@ def test_a_job_that_kills_every_process_has_died_and_the_others_are_done(drawing
         "seconds": 0,
         "error": "in/1.svg and in/10.svg: the process that did it died twice, by signal 11 at last",
         "attempts": 2,
+        "cached": False,
         "notes": [],
     }
     assert "shapeblend: 5 done, 1 died" in printed.err
