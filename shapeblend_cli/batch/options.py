@@ -41,6 +41,22 @@ class BatchOptions(Record, section=BATCH):
         metavar="FILE.jsonl",
         help="Append a line of JSON for each job as it ends; - for standard output.",
     )
+    summary: str | None = option(
+        types.file(".xml", ".json"),
+        default=None,
+        metavar="FILE.xml|FILE.json",
+        help="Write what has become of all jobs when the batch ends: for CI servers as JUnit XML, with a test case for "
+        "each job, or as JSON.",
+    )
+    log_file: str | None = option(
+        types.file(), default=None, help="Append all messages to a file, with the time, even with --quiet."
+    )
+    depfile: str | None = option(
+        types.file(".d"),
+        default=None,
+        metavar="FILE.d",
+        help="Write a file for make and ninja that says of which drawings each output is made.",
+    )
     retries: int = option(
         types.whole(0, 100),
         default=0,
@@ -59,6 +75,12 @@ class BatchOptions(Record, section=BATCH):
         metavar="DIR",
         help="Keep outputs in a folder, too, and copy those from there that were made of the same before, in whatever "
         "checkout or on whatever machine.",
+    )
+    clean: bool = option(
+        types.FLAG,
+        default=False,
+        help="Remove what this batch wrote for jobs that it has no more, and frames of longer runs, unless they were "
+        "edited since.",
     )
     dry_run: bool = option(
         types.FLAG, default=False, help="Print what would be done, and why, and do nothing."

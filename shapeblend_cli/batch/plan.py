@@ -33,6 +33,8 @@ class Task(NamedTuple):
     given: dict[str, Any]  # values of options by the names of their fields
     targets: tuple[Path, ...]
     place: Path  # the file or the folder that it is recorded for
+    tree: str  # the folder that its output and those of similar tasks are in
+    source: tuple[str, ...]  # where the tasks of the batch come from: a word and paths
 
     @property
     def output(self) -> str:
@@ -45,8 +47,10 @@ class Task(NamedTuple):
         return job_of(self.files, self.given, ())
 
 
-def plan(rows: Sequence[Row], defaults: Mapping[str, Any], pattern: str) -> list[Task]:
-    """Return the tasks of all rows.
+def plan(
+    rows: Sequence[Row], defaults: Mapping[str, Any], pattern: str, source: tuple[str, ...]
+) -> list[Task]:
+    """Return the tasks of all rows, which come from a `source`.
 
     `defaults` are values of options for rows that do not have their own, and `pattern` is the output of those that get
     none from there.
@@ -62,6 +66,8 @@ def plan(rows: Sequence[Row], defaults: Mapping[str, Any], pattern: str) -> list
         given = {**defaults, **row.given}
         if given.get("output") is None:
             given["output"] = Name(pattern + _suffix(given.get("emit") or EMITS[0]))
+        output = given["output"]
+        tree = os.path.dirname(os.path.join(output.base, output.pattern.partition("{")[0]))
         fields = _fields(row, number, len(rows))
         for name in FILES:
             if given.get(name) is not None:
@@ -73,7 +79,8 @@ def plan(rows: Sequence[Row], defaults: Mapping[str, Any], pattern: str) -> list
                 raise OptionError("nothing is written: there are no frames, nor anything else")
         except ShapeblendError as error:
             raise OptionError(f"{row.where}: {error}") from None
-        tasks.append(Task(number, row.where, row.files, given, targets, place_of(job, targets)))
+        place = place_of(job, targets)
+        tasks.append(Task(number, row.where, row.files, given, targets, place, tree, source))
     _check_files(tasks)
     return tasks
 

@@ -52,11 +52,11 @@ class Record:
         self._targets = targets
         place = place_of(job, targets)
         self._home = place.parent
-        self.path = self._home / FOLDER / f"{place.name}{SUFFIX}"
+        self._path = path_of(place)
 
     def state(self, hash_of: Callable[[str | Path], str], force: bool) -> State:
         """Say whether the job is up to date, or why not, by the hashes of files."""
-        old, new = self._read(), self.made_of(hash_of)
+        old, new = read_record(self._path), self.made_of(hash_of)
         for file in self._job.files:
             if not hash_of(file) and (problem := _unreadable(file)):
                 return State("", problem)
@@ -79,19 +79,27 @@ class Record:
             return State("", edited=foreign)
         return State(reason or "outputs are missing", self._refusal(foreign, bool(old)))
 
-    def write(self, made_of: dict[str, Any], contents: Contents, force: bool) -> None:
-        """Record what is about to be written; OutputError is raised if that would replace what is not the batch's."""
-        old = self._read()
+    def write(
+        self, made_of: dict[str, Any], contents: Contents, force: bool, batch: Sequence[str] = ()
+    ) -> None:
+        """Record what is about to be written; OutputError is raised if that would replace what is not the batch's.
+
+        `batch` is where the job comes from, as `relative` has it.
+        """
+        old = read_record(self._path)
         now = {self._name(target): hash_of_file(target) for target in self._targets}
         if not force and (foreign := self._foreign(old, now)):
             raise self._refusal(foreign, bool(old))
+        older = {name: value for part in hashes_of(old) for name, value in part.items() if name not in now}
         record = {
             "record": FORM,
+            "batch": list(batch),
             **made_of,
             "outputs": {self._name(p): hashlib.sha256(data).hexdigest() for p, data in each_file(contents)},
             "before": {name: value for name, value in now.items() if value},
+            "older": {name: value for name, value in older.items() if (self._home / name).exists()},
         }
-        _replace(self.path, json.dumps(record, indent=1).encode())
+        _replace(self._path, json.dumps(record, indent=1).encode())
 
     def made_of(self, hash_of: Callable[[str | Path], str] | None = None) -> dict[str, Any]:
         """Return what outputs would be made of now, by the hashes of files."""
@@ -109,7 +117,7 @@ class Record:
 
     def _foreign(self, old: dict[str, Any], now: Hashes) -> str:
         """Return the name of an output that no batch has written so; empty if there is none."""
-        known = [old.get("outputs", {}), old.get("before", {})]
+        known = hashes_of(old)
         return next((n for n, value in now.items() if value and value not in (k.get(n) for k in known)), "")
 
     def _refusal(self, name: str, is_edited: bool) -> OutputError:
@@ -120,13 +128,30 @@ class Record:
         )
         return OutputError(str(self._home / name), problem)
 
-    def _read(self) -> dict[str, Any]:
-        """Return what is recorded; nothing if that cannot be read."""
-        with suppress(OSError, ValueError):
-            found = json.loads(self.path.read_bytes())
-            if _is_record(found):
-                return dict(found)
-        return {}
+
+def read_record(path: Path) -> dict[str, Any]:
+    """Return what a record has; nothing if it cannot be read."""
+    with suppress(OSError, ValueError):
+        found = json.loads(path.read_bytes())
+        if _is_record(found):
+            return dict(found)
+    return {}
+
+
+def path_of(place: Path) -> Path:
+    """Return where the record of a file or a folder is."""
+    return place.parent / FOLDER / f"{place.name}{SUFFIX}"
+
+
+def relative(batch: Sequence[str], home: Path) -> list[str]:
+    """Return where jobs come from, a word and paths, as records in a folder have it."""
+    word, *paths = batch
+    return [word, *(os.path.relpath(path, home) for path in paths)]
+
+
+def hashes_of(record: dict[str, Any]) -> list[Hashes]:
+    """Return the hashes of files that a batch wrote, as far as a record has them: at any time, before, and at last."""
+    return [record.get(part, {}) for part in ("older", "before", "outputs")]
 
 
 def place_of(job: Job, targets: Sequence[Path]) -> Path:

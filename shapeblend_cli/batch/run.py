@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from datetime import UTC, datetime
 from typing import Any, NamedTuple
@@ -11,14 +11,13 @@ from typing import Any, NamedTuple
 from shapeblend_cli.batch.cache import find
 from shapeblend_cli.batch.claims import claimed
 from shapeblend_cli.batch.options import BatchOptions
-from shapeblend_cli.batch.plan import Places, Task
-from shapeblend_cli.batch.records import HashOf, Record, State, each_file
+from shapeblend_cli.batch.plan import Task
+from shapeblend_cli.batch.records import HashOf, Record, State, each_file, relative
+from shapeblend_cli.batch.strays import strays
 from shapeblend_cli.batch.supervisor import Ended, Stopped
 from shapeblend_cli.batch.worker import DONE, FAILED, Answer, Order, job_for, write_answers
-from shapeblend_cli.errors import OutputError
 from shapeblend_cli.interrupts import told
 from shapeblend_cli.jobs import all_targets
-from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.staging import clear
 
 CURRENT = "current"
@@ -66,21 +65,25 @@ def states(tasks: Sequence[Task]) -> Iterator[State]:
 
 
 @contextmanager
-def begun(tasks: Sequence[Task], wait: bool, note: Callable[[str], None]) -> Iterator[list[State]]:
-    """Give the states of tasks, and if there is anything to do keep other batches away from all of their outputs.
+def begun(tasks: Sequence[Task], options: BatchOptions, note: Callable[[str], None]) -> Iterator[list[State]]:
+    """Give the states of tasks, and if there is anything to do keep other batches away from what they write.
 
-    See `claimed` for the parameters and for what is raised.
+    See `claimed` for what `note` is told, and for what is raised.
     """
     found = []
+    gone = [each for each in strays(tasks) if each.files] if options.clean else []
     for state in states(tasks):
         found.append(state)
-        if state.reason:
+        if state.reason or gone:
             break
     else:
         yield found
         return
-    with claimed((task.place for task in tasks), wait, note):
+    places = [*(task.place for task in tasks), *(each.place for each in gone)]
+    with claimed(places, options.wait, note):
         yield list(states(tasks))
+    for each in gone:
+        each.remove_folders()
 
 
 Run = Callable[[Sequence[tuple[int, Order]], int], Iterator[Ended]]
@@ -122,7 +125,32 @@ def run_tasks(
 
 def order_of(task: Task, options: BatchOptions) -> Order:
     """Return the order that has a task done."""
-    return Order(task.files, task.given, bool(task.given.get("force")), options.retries, cache=options.cache)
+    force, batch = bool(task.given.get("force")), tuple(relative(task.source, task.place.parent))
+    return Order(
+        task.files,
+        task.given,
+        force,
+        options.retries,
+        cache=options.cache,
+        batch=batch,
+        warns=not options.clean,
+    )
+
+
+def clean(tasks: Sequence[Task], ended: Mapping[int, str]) -> Iterator[str]:
+    """Remove what no job writes any more, and yield what is to be said; see `Outcome.status` for how tasks ended.
+
+    Of those that failed, everything stays.
+    """
+    for each in strays(tasks, {number for number, status in ended.items() if status in (DONE, CURRENT)}):
+        yield from each.remove()
+    for task in tasks:
+        if ended.get(task.number) == DONE:
+            from shapeblend_cli.files import warn_of_others
+
+            texts: list[str] = []
+            warn_of_others(task.job, texts.append)
+            yield from texts
 
 
 def from_cache(order: Order) -> tuple[Order, Answer, dict[str, Any]] | None:
@@ -153,22 +181,6 @@ def _cached(orders: Sequence[tuple[int, Order]]) -> Iterator[tuple[int, Answer]]
             if found and (len(found) >= AT_ONCE or size > MUCH or number == orders[-1][0]):
                 yield from zip(found, write_answers([*found.values()]), strict=True)
                 found, size = {}, 0
-
-
-def check_aside(files: Sequence[str | None], tasks: Sequence[Task], names: Sequence[str]) -> None:
-    """Raise OutputError if a file that a batch writes aside is one that it reads or writes as well.
-
-    `names` are further files that it reads.
-    """
-    given = [file for file in files if file not in (None, STANDARD_OUTPUT)]
-    if not given:
-        return
-    place = Places()
-    taken = {place(path) for task in tasks for path in (*task.files, *map(str, task.targets), *names)}
-    for file in map(str, given):
-        if place(file) in taken:
-            raise OutputError(file, "is read or written by the batch as well; another name would work")
-        taken.add(place(file))
 
 
 def processors() -> int:

@@ -77,7 +77,7 @@ def _found(option: str, pattern: str, pairs: Sequence[tuple[str, str]], count: i
         raise OptionError(
             f"{option} {pattern}: {count or 'no'} {'drawing' if count == 1 else 'drawings'} found; it takes two"
         )
-    root = _root(pattern)
+    root = root_of(pattern)
     rows = [Row(f"{option}, {a} and {b}", (a, b), _below(a, root), {}) for a, b in pairs]
     return Found(rows, [], _pattern(pattern))
 
@@ -98,7 +98,7 @@ def drawings(text: str, more: Sequence[str] = ()) -> list[str]:
     return sorted((file for file in found if os.path.isfile(file)), key=natural)
 
 
-def _root(pattern: str) -> str:
+def root_of(pattern: str) -> str:
     """Return the folder that the fixed part of a pattern names."""
     if os.path.isdir(pattern):
         return pattern

@@ -38,6 +38,8 @@ class Order(NamedTuple):
     retries: int = 0  # further attempts, if it fails
     data: tuple[bytes, ...] | None = None  # what is in the files, for a worker that does not have them
     cache: str | None = None  # the folder where what is made is kept, too
+    batch: tuple[str, ...] = ()  # where the job comes from, for its record
+    warns: bool = True  # whether files of other runs that remain are worth a line
 
 
 class Answer(NamedTuple):
@@ -134,8 +136,8 @@ def _write(
             keep(order.cache, job, made_of, found)
         except OSError as error:
             warn(f"{order.cache}: nothing can be added to the cache ({error.strerror})")
-    Record(job, all_targets(job)).write(made_of, found.contents, order.force)
-    write(job, found.contents, warn)
+    Record(job, all_targets(job)).write(made_of, found.contents, order.force, order.batch)
+    write(job, found.contents, warn if order.warns else lambda text: None)
 
 
 @cache
@@ -167,7 +169,7 @@ def write_answers(made: Sequence[tuple[Order, Answer, dict[str, Any]]]) -> list[
     contents: dict[Path, Any] = {}
 
     def record(job: Job, order: Order, answer: Answer, made_of: dict[str, Any]) -> None:
-        Record(job, all_targets(job)).write(made_of, answer.contents, order.force)
+        Record(job, all_targets(job)).write(made_of, answer.contents, order.force, order.batch)
 
     try:
         for job, (_, answer, _) in zip(jobs, made, strict=True):
@@ -180,9 +182,10 @@ def write_answers(made: Sequence[tuple[Order, Answer, dict[str, Any]]]) -> list[
         # One by one, each that can be written is.
         return [write_answer(*one) for one in made]
     answers = []
-    for job, (_, answer, _) in zip(jobs, made, strict=True):
+    for job, (order, answer, _) in zip(jobs, made, strict=True):
         warned: list[str] = []
-        warn_of_others(job, warned.append)
+        if order.warns:
+            warn_of_others(job, warned.append)
         answers.append(answer._replace(warnings=tuple(warned), contents=None))
     return answers
 

@@ -23,12 +23,16 @@ for k in range(300):
 
 
 @pytest.mark.parametrize(
-    "text", ['{"a": "1.svg", "b": "2.svg"}\n', "<svg/>", "\0" * 9, "[" * 10**5, '{"job": 1}\n']
+    "text", ['{"a": "1.svg", "b": "2.svg"}\n', "<svg/>", "\0" * 9, "[" * 10**5, "a: b\n\tc\n"]
 )
-@pytest.mark.parametrize("option", ["--results"])
+@pytest.mark.parametrize(
+    "option", ["--results mine", "--log-file mine", "--summary mine.xml", "--depfile mine.d"]
+)
 def test_a_file_of_another_kind_is_refused_and_stays(option, text, drawings, capsys):
-    Path("mine").write_text(text, "utf-8")
-    assert_refused(capsys, ["batch", "--chain", "in", option, "mine"], "mine: is no file of ", status=1)
+    flag, name = option.split()
+    Path(name).write_text(text, "utf-8")
+    line = ["batch", "--chain", "in", flag, name]
+    assert_refused(capsys, line, "and stays as it is; another name would work", status=1)
 
 
 def test_results_of_earlier_runs_are_kept(drawings, capsys):

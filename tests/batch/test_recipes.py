@@ -98,6 +98,18 @@ def test_make(drawings, do):
     assert "1 done, 2 up to date" in do("make", "moving")
 
 
+@pytest.mark.skipif(shutil.which("make") is None, reason="no make")
+def test_make_with_dependencies(drawings, do):
+    shutil.move("in", "icons")
+    Path("jobs.csv").write_text("a,b,o\nicons/1.svg,icons/2.svg,moving/1.svg\n", "utf-8")
+    Path("Makefile").write_text(recipe("make", "--depfile"), "utf-8")
+    assert "1 done" in do("make", "moving/1.svg")
+    assert "is up to date" in do("make", "moving/1.svg")
+    Path("icons/2.svg").write_bytes(Path("icons/9.svg").read_bytes())
+    os.utime("icons/2.svg", (2**32, 2**32))
+    assert "1 done" in do("make", "moving/1.svg")
+
+
 def test_a_newcomer_makes_29_animations_of_30_icons_with_the_command_in_the_help(here, do):
     """The first example of `shapeblend batch --help`, typed as it stands."""
     from tests.support.commands import write
