@@ -62,6 +62,7 @@ def _add_to(file: str, is_ours: Callable[[bytes], bool], what: str) -> Add:
         if os.path.exists(file) and not (os.path.isfile(file) or os.path.isdir(file)):
             handle = os.open(file, os.O_WRONLY)  # for as long as the process runs
             return lambda line: _write(file, handle, line)
+        os.makedirs(os.path.dirname(file) or os.curdir, exist_ok=True)
         with open(file, "a+b") as found:
             found.seek(0)
             first = found.readline(LONGEST)

@@ -54,6 +54,11 @@ def once(name):
     except FileExistsError:
         return False
 
+def hold():
+    if once("begun"):
+        while not os.path.exists("go"):
+            time.sleep(0.01)
+
 def before(order):
     output = order.given["output"]
     {}
@@ -65,7 +70,10 @@ worker.do = lambda order: (before(order), do(order))[1]
 
 @pytest.fixture
 def broken(monkeypatch, here):
-    """Have workers do something before some jobs: Python code in which `order` is the job and `once(name)` a test."""
+    """Have workers do something before some jobs: Python code in which `output` is what the job is to write.
+
+    `once(name)` is true once, and `hold()` waits once until there is a file `go`; there is one `begun` from then on.
+    """
 
     def have(code):
         Path("broken").mkdir()

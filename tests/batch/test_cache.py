@@ -41,22 +41,30 @@ def entries():
     return [path for path in Path("../cache").rglob("*") if path.is_file()]
 
 
-def test_a_second_checkout_does_nothing_after_a_batch_that_was_killed(checkout, batch, alone):
+def test_a_batch_that_was_killed_does_what_is_missing_and_a_second_checkout_nothing(
+    checkout, broken, batch, alone
+):
     checkout("first")
     many(13)
-    line = [*COMMAND, *LINE, "-j", "2", "--results", "r.jsonl"]
-    process = subprocess.Popen(line, stderr=subprocess.DEVNULL)
+    broken("output == 'm/06.svg' and hold()")
+    process = subprocess.Popen(
+        [*COMMAND, *LINE, "-j", "2", "--results", "r.jsonl"], stderr=subprocess.DEVNULL
+    )
     wait_for("r.jsonl", b'"done"')
     process.kill()
     process.wait()
-    assert run(["batch", *LINE]) == 0
+    Path("go").touch()
+    status, results, _ = batch(*LINE)
+    assert (status, {each["status"] for each in results.values()}) == (0, {"current", "done"})
     before = made()
+    assert run(["in/0.svg", "in/1.svg", "-o", "single.svg"]) == 0
+    assert Path("single.svg").read_bytes() == before["01.svg"]
     checkout("second")
     alone()
     status, results, printed = batch(*LINE)
     assert (status, len(results)) == (0, 12)
-    assert printed.err.endswith("shapeblend: 12 from the cache\n")
     assert all(each["cached"] and each["attempts"] == 0 for each in results.values())
+    assert printed.err.endswith("shapeblend: 12 from the cache\n")
     assert made() == before
 
 

@@ -19,10 +19,7 @@ def hold(drawings, broken):
     processes = []
 
     def start(*more):
-        broken(
-            "output.endswith('2.svg') and once('begun') and (__import__('atexit').register(open, 'ended', 'x'),"
-            "[time.sleep(0.01) for _ in iter(lambda: os.path.exists('go'), True)])"
-        )
+        broken("output == 'm/2.svg' and (__import__('atexit').register(open, 'ended', 'a'), hold())")
         processes.append(subprocess.Popen([*COMMAND, *LINE, *more], stderr=subprocess.DEVNULL))
         wait_for("begun", b"")
         return processes[0]

@@ -310,11 +310,3 @@ def test_the_scheduler_is_gone(cluster, slow):
     assert status == 1
     assert "no scheduler answers there" in printed
     assert len(printed.splitlines()) == 1
-
-
-@pytest.mark.parametrize("address", ["127.0.0.1", "tcp://", "nowhere"])
-def test_what_is_no_address(address, here):
-    drawings(2)
-    done = subprocess.run([*BATCH, *LINE, "--cluster", address], capture_output=True, text=True, check=False)
-    assert done.returncode == 2
-    assert "must be the address of a scheduler, such as tcp://192.168.0.1:8786" in done.stderr

@@ -153,6 +153,20 @@ def test_what_is_wrong_in_other_manifests(name, text, words, here, capsys):
         ("--chain in -o in/{a}-{b}.svg", "in/1-2.svg would be taken for one of the drawings the next time"),
         ("--chain in --shard 3/2", "--shard must be K/N, with K from 1 to N, such as 3/16, not '3/2'"),
         ("--chain in --results in/1.svg", "in/1.svg: is read or written by the batch"),
+        ("--chain in --results x --log-file ./x", "./x: is read or written by the batch"),
+        ("- --watch", "--watch goes with a manifest that is a file, or with folders"),
+        ("--chain in --dry-run --watch", "--watch goes with a manifest that is a file, or with folders"),
+        ("- --clean", "--clean goes with a whole batch"),
+        ("--chain in --shard 1/2 --clean", "--clean goes with a whole batch"),
+        ("--chain in --fail-fast --keep-going 2", "--fail-fast is --keep-going 1; one of the two would work"),
+        ("--chain in --jobs 2 --cluster tcp://1:2", "--jobs is for processes on this machine"),
+        *(
+            (
+                f"--chain in --cluster {address}",
+                "must be the address of a scheduler, such as tcp://192.168.0.1:8786",
+            )
+            for address in ("127.0.0.1", "tcp://", "nowhere")
+        ),
     ],
 )
 def test_what_does_not_go_together_on_the_command_line(line, words, drawings, capsys):

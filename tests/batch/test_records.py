@@ -51,11 +51,14 @@ def test_other_settings_are_said(done, statuses, capsys):
     assert reasons(capsys, *LINE, "--duration", "3", "--timeout", "100") == {}
 
 
-def test_an_output_that_is_gone_is_made_again(done, statuses, capsys):
+def test_an_output_that_is_gone_is_made_again_and_why_is_said(done, batch, capsys):
     before = Path("m/2-9.svg").read_bytes()
     Path("m/2-9.svg").unlink()
     assert reasons(capsys, *LINE) == {"m/2-9.svg": "2-9.svg is missing"}
-    assert statuses(*LINE) == (0, "current done current")
+    status, results, printed = batch(*LINE, "--why")
+    assert (status, [each["status"] for each in results.values()]) == (0, ["current", "done", "current"])
+    assert "shapeblend: m/2-9.svg: 2-9.svg is missing" in printed.err
+    assert "m/1-2.svg" not in printed.err
     assert Path("m/2-9.svg").read_bytes() == before
 
 
@@ -80,13 +83,6 @@ def test_another_version_does_everything_again(done, statuses, monkeypatch, caps
     assert {*reasons(capsys, *LINE).values()} == {
         f"it was done by another version of shapeblend, {__version__}"
     }
-
-
-def test_why_says_it_while_it_is_done(done, batch):
-    Path("m/2-9.svg").unlink()
-    _, _, printed = batch(*LINE, "--why")
-    assert "shapeblend: m/2-9.svg: 2-9.svg is missing" in printed.err
-    assert "m/1-2.svg" not in printed.err
 
 
 def test_an_edited_output_stays_and_that_is_said(done, batch):

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from shapeblend_cli.cli import run
-from tests.support.commands import assert_refused, contents, names
+from tests.support.commands import contents, names
 
 ROWS = ["in/1.svg,in/2.svg,m/1.svg", "in/2.svg,in/9.svg,m/2.svg", "in/9.svg,in/10.svg,m/deep/3"]
 
@@ -96,8 +96,3 @@ def test_frames_are_removed_later_too_but_not_while_their_job_fails(drawings, st
     assert statuses(*line, "-n", "5") == (0, "done")
     assert statuses(*line, "-n", "5", "--clean") == (0, "current")
     assert len(frames()) == 5
-
-
-@pytest.mark.parametrize("line", ["--chain in --shard 1/2", "-"])
-def test_only_a_whole_batch_is_cleaned(line, drawings, capsys):
-    assert_refused(capsys, ["batch", *line.split(), "--clean"], "--clean goes with a whole batch")

@@ -85,14 +85,18 @@ def test_failures_stop_no_other_job_unless_as_many_as_are_asked_for(drawings, ba
         assert f"shapeblend: {number} failed, {6 - number} left" in printed.err
 
 
-def test_jobs_that_fail_take_too_long_or_die_are_tried_again(drawings, broken, batch):
+def test_jobs_that_fail_take_too_long_or_die_are_tried_again(drawings, broken, batch, monkeypatch):
+    monkeypatch.setattr("shapeblend_cli.batch.supervisor.GRACE", 0.5)
     broken(
         "{'1': lambda: os.rename(*('in/1.svg', 'gone')[:: 1 if once('away') else -1]),"
         "'2': lambda: once('late') and time.sleep(60),"
-        "'3': lambda: any(map(once, 'abc')) and os.kill(os.getpid(), 9)}[output[2]]()"
+        "'3': lambda: any(map(once, 'abc')) and os.kill(os.getpid(), 9)}[output[0]]()"
     )
-    status, results, _ = batch("--chain", "in", "-o", "m/{n}.svg", "--timeout", "2.5", "--retries", "3")
-    assert (status, [results[n]["attempts"] for n in (1, 2, 3)]) == (0, [2, 2, 4])
+    rows = "in/1.svg,in/2.svg,1.svg,\nin/2.svg,in/9.svg,2.svg,2.5\nin/9.svg,in/10.svg,3.svg,\n"
+    Path("jobs.csv").write_text(f"a,b,o,timeout\n{rows}", "utf-8")
+    status, results, _ = batch("jobs.csv", "--retries", "3")
+    assert (status, results[1]["attempts"], results[3]["attempts"]) == (0, 2, 4)
+    assert results[2]["attempts"] > 1
 
 
 def test_processes_that_do_not_start_are_one_line(drawings, monkeypatch, capsys):
@@ -135,27 +139,6 @@ def test_a_signal_ends_it_when_what_is_being_written_is_whole(number, status, he
     assert told == {str(path) for path in Path("m").glob("*.svg")}
     assert 0 < len(told) < 39
     assert not [path for path in Path("m").iterdir() if path.name.startswith(".shapeblend-")]
-
-
-def test_a_batch_that_is_killed_and_run_again_does_what_is_missing(here):
-    many(25)
-    line = [*COMMAND, "--chain", "in", "-o", "m/{n}.svg", "--report", "r/{n}.json", "-j", "2"]
-    for _ in range(3):
-        process = subprocess.Popen([*line, "--results", "r.jsonl"], stderr=subprocess.DEVNULL)
-        wait_for("r.jsonl", b'"done"')
-        time.sleep(0.05)
-        process.kill()
-        process.wait()
-        done = Path("r.jsonl").read_text().count('"done"')
-        assert 0 < done < 24
-        Path("r.jsonl").unlink()
-    subprocess.run([*line, "--results", "r.jsonl"], check=True)
-    found = [json.loads(each) for each in Path("r.jsonl").read_text().splitlines()]
-    assert {each["status"] for each in found} == {"current", "done"}
-    assert sum(each["status"] == "current" for each in found) >= 3
-    assert len(list(Path("m").glob("*.svg"))) == 24
-    assert run(["in/0.svg", "in/1.svg", "-o", "single.svg"]) == 0
-    assert Path("single.svg").read_bytes() == Path("m/01.svg").read_bytes()
 
 
 @pytest.mark.parametrize(("spread", "workers"), [(0.3, 2), (0.8, 4), (1.0, 1)])
