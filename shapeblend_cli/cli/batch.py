@@ -226,13 +226,11 @@ def _tasks(
     pattern = PATTERN_OF_PAIRS if options.pairs else PATTERN
     tasks = plan(rows, {**defaults, **named(asked)}, pattern, _source(names, options))
     if found is not None:
-        for task in tasks:
-            for target in task.targets:
-                if found.would_find(str(target)):
-                    raise OptionError(
-                        f"{target} would be taken for one of the drawings the next time; another folder in --output "
-                        "would work"
-                    )
+        file = found.first_found(str(target) for task in tasks for target in task.targets)
+        if file is not None:
+            raise OptionError(
+                f"{file} would be taken for one of the drawings the next time; another folder in --output would work"
+            )
     check_aside(options, tasks, () if found or names[0] == STANDARD_INPUT else names)
     if options.shard is not None:
         number, count = options.shard
@@ -286,7 +284,7 @@ def _show(tasks: Sequence[Task], found: Iterable[State], options: BatchOptions) 
         if state.refusal is not None:
             click.echo(f"{task.output}\twould fail: {state.refusal}")
         elif state.reason:
-            is_cached = from_cache(order_of(task, options)) is not None
+            is_cached = options.cache is not None and from_cache(order_of(task, options)) is not None
             click.echo(f"{task.output}\t{state.reason}{'; the cache has it' if is_cached else ''}")
         elif options.why:
             edited = f", but {state.edited} was edited since" if state.edited else ""
