@@ -26,11 +26,11 @@ ROOMS = {
     "batch": "job outputs svg.writing motion options svg.reading system errors model version",
     "plot": "job wires matching svg.writing options svg.reading geometry system errors model",
     "inkscape": "pipeline outputs frames svg.writing options svg.reading geometry svg.xml system errors model",
-    "job": "pipeline blending preview outputs frames matching svg.writing motion options svg.reading "
+    "job": "pipeline blending pens preview outputs frames matching svg.writing motion options svg.reading "
     "interpolate geometry paint system errors model version",
     "pipeline": "blending wires frames options anatomy interpolate paint system model",
     "blending": "pens pairing wires frames motion options anatomy interpolate geometry paint system errors model",
-    "pens": "pairing matching motion options anatomy geometry _cython model",
+    "pens": "pairing matching motion options anatomy geometry _cython errors model",
     "pairing": "wires options anatomy geometry errors model",
     "preview": "wires matching svg.writing options svg.reading interpolate geometry paint model",
     "outputs": "frames svg.writing options interpolate paint errors model",

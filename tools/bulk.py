@@ -112,6 +112,7 @@ def killed_and_resumed(count: int) -> dict[str, Any]:
     found = statuses("r.jsonl")
     check(found.count("current") == sum(stood), f"run again, {found.count('current')} were up to date")
     check(len(made("whole")) == count, f"all {count} outputs are there")
+    Path("r.jsonl").unlink()
     before = time.perf_counter()
     usage = _cpu(line)
     seconds = time.perf_counter() - before

@@ -134,14 +134,28 @@ class Pace:
 
 
 class BatchTerminal(Terminal):
-    """Standard error while a batch runs; it is told which jobs have ended."""
+    """Standard error while a batch runs; it is told which jobs have ended. A log gets all lines."""
 
-    def __init__(self, *, quiet: bool = False, count: int = 0) -> None:
+    def __init__(
+        self, count: int, log: Callable[[str], None] = lambda text: None, *, quiet: bool = False
+    ) -> None:
         super().__init__(quiet=quiet)
+        self._log = log
         self._count = count
         self._ended = 0
         self._failed = 0
         self._pace = Pace()
+
+    def note(self, text: str) -> None:
+        """Print a line."""
+        if self._quiet:
+            self._log(text)
+        super().note(text)
+
+    def warn(self, text: str) -> None:
+        """Print a line even if quiet."""
+        self._log(text)
+        super().warn(text)
 
     def ended(self, is_done: bool, seconds: float | None) -> None:
         """Take that a job has ended, and how long it took; None if there was nothing to do."""

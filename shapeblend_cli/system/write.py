@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import os
 import stat
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from shapeblend_cli.errors import OutputError
 from shapeblend_cli.system.interrupts import has_written, uninterrupted
@@ -20,6 +20,9 @@ from shapeblend_cli.system.staging import CannotSwap, Stage, clear, locked, writ
 
 Content = str | bytes
 Contents = Mapping[Path, Content | Mapping[str, Content]]
+
+THREADS = 16
+"""Maximum number of files that are written at a time."""
 
 NOTHING_CHANGED = "nothing was changed"
 STREAMS = ("/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/")
@@ -188,16 +191,16 @@ def _write_all(contents: Contents, force: bool, swap: bool) -> None:
                     ends.callback(stages[home].remove)
             for folder in plan.folders:
                 _link_others(folder, stages[folder.parent].new / folder.name, plan.files)
-            for file in plan.files:
+            staged = [stages[file.home].new / file.inside for file in plan.files]
+            for file, path in zip(plan.files, staged, strict=True):
                 current = file.target
                 if file.replaces and not force:
                     raise _exists(current)
-                staged = stages[file.home].new / file.inside
-                if not staged.parent.is_dir():
-                    staged.parent.mkdir(parents=True)
-                write_synced(staged, file.data)
-                if file.replaces:
-                    _take_after(staged, file.replaces)
+                path.parent.mkdir(parents=True, exist_ok=True)
+            with several(_stage, plan.files, staged) as each:
+                for file in plan.files:
+                    current = file.target
+                    next(each)
             ends.enter_context(uninterrupted())
             _move_all(stages.values(), force)
             has_written()
@@ -209,6 +212,28 @@ def _write_all(contents: Contents, force: bool, swap: bool) -> None:
                 next((f.target for f in plan.files if os.path.lexists(f.target)), current)
             ) from error
         raise OutputError(str(current), f"cannot be written ({_reason(error)}); {NOTHING_CHANGED}") from error
+
+
+def _stage(file: _File, path: Path) -> None:
+    """Write a file to its stage."""
+    write_synced(path, file.data)
+    if file.replaces:
+        _take_after(path, file.replaces)
+
+
+@contextmanager
+def several(act: Callable[..., None], *values: Sequence[Any]) -> Iterator[Iterator[None]]:
+    """Give an iterator that acts on values in turn. Several wait for the disk at a time, which takes as long as one."""
+    if len(values[0]) < 2:
+        yield map(act, *values)
+        return
+    from concurrent.futures import ThreadPoolExecutor
+
+    pool = ThreadPoolExecutor(THREADS)
+    try:
+        yield pool.map(act, *values)
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
 @contextmanager
