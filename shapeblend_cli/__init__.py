@@ -27,7 +27,7 @@ _MODULES = {
     "Drawing": "model",
     "OutputOptions": "outputs.options",
     "Picture": "api",
-    "Settings": "settings",
+    "Settings": "options.settings",
     "ShapeblendError": "errors",
     "blend": "api",
     "match": "api",
