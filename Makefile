@@ -28,20 +28,21 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures gallery plots studio options api tables install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz mutants bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures gallery plots studio options api tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
 
-demo: install ## blend samples/e.svg into samples/f.svg: frames, an animated SVG, a contact sheet, a page to look at them
+demo: $(VENV)/.compiled ## blend a cow into a deer, and a bird: frames, animated SVGs, a contact sheet, a page to look at them
 	@mkdir -p $(DEMO)
 	@rm -f $(DEMO)/frames/*.svg
-	$(BIN)/shapeblend samples/e.svg samples/f.svg --frames 7 --ends --force --output $(DEMO)/frames
-	$(BIN)/shapeblend samples/e.svg samples/f.svg --force --output $(DEMO)/e-f.svg --preview $(DEMO)/look.html
-	$(BIN)/shapeblend samples/e.svg samples/f.svg --frames 7 --ends --force --output $(DEMO)/contact-sheet.png
+	$(BIN)/shapeblend samples/cow.svg samples/deer.svg --frames 7 --ends --force --output $(DEMO)/frames
+	$(BIN)/shapeblend samples/cow.svg samples/deer.svg --repeat pingpong --force --output $(DEMO)/cow-deer.svg --preview $(DEMO)/look.html
+	$(BIN)/shapeblend samples/bird-1.svg samples/bird-2.svg --repeat pingpong --force --output $(DEMO)/bird.svg
+	$(BIN)/shapeblend samples/cow.svg samples/deer.svg --frames 7 --ends --force --output $(DEMO)/contact-sheet.png
 	@echo
 	@echo "frames         $(DEMO)/frames/"
-	@echo "animated SVG   $(DEMO)/e-f.svg  (open it in a browser)"
+	@echo "animated SVGs  $(DEMO)/cow-deer.svg, $(DEMO)/bird.svg  (open them in a browser)"
 	@echo "preview        $(DEMO)/look.html  (this one too)"
 	@echo "contact sheet  $(DEMO)/contact-sheet.png"
 
@@ -93,6 +94,12 @@ SECONDS ?= 60
 fuzz: install ## feed the reader damaged files for SECONDS (60), then blend such files with random options for as long
 	$(BIN)/python tools/fuzz_reader.py $(SECONDS)
 	$(BIN)/python -m tools.fuzz_blend $(SECONDS)
+
+COUNT ?= 60
+SEED ?= 1
+
+mutants: install ## break the package in COUNT (60) random places, and list the breaks that no test notices; takes half an hour
+	$(BIN)/python -m tools.mutants --count $(COUNT) --seed $(SEED)
 
 # The usual options say --benchmark-skip, which contradicts --benchmark-only: hence the empty addopts.
 bench: install ## time the solver, whole commands and batches
@@ -160,7 +167,7 @@ clean: ## remove what the other targets made, except the pictures in docs
 	find shapeblend_cli tests tools -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Bytecode is written here because some machines forbid Python to write it when it imports.
-install: $(VENV)/.compiled ## set up .venv with the command and everything development needs
+install: $(VENV)/.installed $(VENV)/.compiled ## set up .venv with the command and everything development needs
 	@$(BIN)/python -m compileall -q shapeblend_cli
 
 ## ---- how it gets there
@@ -182,15 +189,21 @@ $(VENV)/.created:
 	"$$ready" -m venv --clear $(VENV)
 	@touch $@
 
-# Editable, so that edits of plain modules take effect at once. Compiling is left to the next step.
-$(VENV)/.installed: $(VENV)/.created pyproject.toml
+# Editable, so that edits of plain modules take effect at once. Compiling is left to the next step. The demonstration
+# needs no more than this: what [build-system] asks for is installed here, as builds are not isolated.
+$(VENV)/.runs: $(VENV)/.created pyproject.toml
 	@echo "installing into $(VENV)"
+	@SHAPEBLEND_PURE=1 $(BIN)/python -m pip install --quiet 'Cython>=3.1' 'setuptools>=77' --editable '.[pictures]'
+	@touch $@
+
+$(VENV)/.installed: $(VENV)/.runs
+	@echo "installing what development needs"
 	@SHAPEBLEND_PURE=1 $(BIN)/python -m pip install --quiet --editable '.[dev]'
 	@touch $@
 
 # A binary beside its source hides it, so all old ones go before anything else can fail, also those of modules that are
 # compiled no longer. The stamp is set only when all are there: after installing a compiler, `make` tries again.
-$(VENV)/.compiled: $(VENV)/.installed setup.py $(KERNEL_SOURCES)
+$(VENV)/.compiled: $(VENV)/.runs setup.py $(KERNEL_SOURCES)
 	@rm -f $@
 	@find shapeblend_cli -name "*.so" -exec rm -f {} +
 	@$(BIN)/python setup.py --quiet build_ext --inplace

@@ -31,7 +31,7 @@ def _directive(*_settings: object, **_named: object) -> Any:
 int = bint = uchar = Py_ssize_t = double = doublecomplex = _Type()
 
 cclass = final = cfunc = inline = _unchanged
-exceptval = boundscheck = wraparound = cdivision = _directive
+exceptval = _directive
 
 
 def cast(_type: object, value: Any) -> Any:

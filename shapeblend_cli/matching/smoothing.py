@@ -1,4 +1,4 @@
-# cython: boundscheck=False, wraparound=False, cdivision=True, initializedcheck=False
+# cython: boundscheck=False, cdivision=True, initializedcheck=False
 """Outlines at a coarser scale, on which most of bending is measured.
 
 Not in the paper. Two polygons of one curve are cut at different places, so that their angles never line up, and a

@@ -34,7 +34,7 @@ OPTIONS = {
     "--match 1,2:3": "such as 0=1 or left=right, or two points such as 120,40:98,44, not '1,2:3'",
     "--select-a 'g >'": "--select-a must be #id or a CSS selector: 'g >' is no CSS selector",
     "--select-b 'g >'": "--select-b",
-    **{f"--motion '{value}'": f"--motion must be auto, linear, rigid, intrinsic or safe, not '{value}'"
+    **{f"--motion '{value}'": f"--motion must be auto, linear, rigid or intrinsic, not '{value}'"
        for value in ("straight", "", "AUTO!")},
     "--ease easy": "--ease must be linear, ease, ease-in, ease-out, ease-in-out, or cubic-bezier",
     "--ease 'cubic-bezier(0,2,1,1)'": "numbers between 0 and 1",
@@ -98,10 +98,8 @@ COMMANDS = {
     "inspect a.svg --select :x": "an unknown pseudo-class",
     "plot graph a.svg": "a plot compares two files, A.svg and B.svg; 1 given",
     "plot graph a.svg b.svg a.svg": "a plot compares two files, A.svg and B.svg; 3 given",
-    "plot pie a.svg b.svg": "'pie' is not one of 'graph', 'surface', 'angle', 'starts'",
-    "plot graph a.svg b.svg --dot 0,0": "--dot is for angle and starts; graph shows all dots",
-    "plot starts a.svg b.svg --start 0,0": "--start and --pin would leave one",
-    "plot starts a.svg b.svg --pin 0,0": "--start and --pin would leave one",
+    "plot pie a.svg b.svg": "'pie' is not one of 'graph', 'angle'",
+    "plot graph a.svg b.svg --dot 0,0": "--dot is for angle; graph shows all dots",
 }
 
 FAILURES = {

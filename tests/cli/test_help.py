@@ -67,10 +67,10 @@ def test_the_examples_work(line, three):
         ("shapeblend a.svg b", ["file,b"]),
         (
             "shapeblend a.svg b.svg --motion ",
-            [f"plain,{m}" for m in "auto linear rigid intrinsic safe".split()],
+            [f"plain,{m}" for m in "auto linear rigid intrinsic".split()],
         ),
         ("shapeblend a.svg b.svg --bending ", ["plain,turn", "plain,paper"]),
-        ("shapeblend plot ", [f"plain,{kind}" for kind in "graph surface angle starts".split()]),
+        ("shapeblend plot ", [f"plain,{kind}" for kind in "graph angle".split()]),
         ("shapeblend plot graph a", ["file,a"]),
         ("shapeblend inspect a", ["file,a"]),
         ("shapeblend a.svg b.svg -o m", ["file,m"]),

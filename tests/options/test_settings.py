@@ -20,7 +20,7 @@ from shapeblend_cli.options.settings import Settings
         ({"vertices": True}, "vertices must be a whole number, not True"),
         ({"frames": 10_001}, "frames must be at most 10000, not 10001"),
         ({"solver": "magic"}, "solver must be exact or simplified, not 'magic'"),
-        ({"motion": []}, r"motion must be auto, linear, rigid, intrinsic or safe, not \[\]"),
+        ({"motion": []}, r"motion must be auto, linear, rigid or intrinsic, not \[\]"),
         ({"preset": "fig9"}, "preset must be fig1, .*, fig28 or paper, not 'fig9'"),
         ({"curves": 1}, "curves must be True or False, not 1"),
         ({"c_s": 0}, "c_s must be greater than 0, not 0"),
