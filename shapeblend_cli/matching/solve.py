@@ -132,7 +132,7 @@ def _first_dot(wires: Wires, search: Search, pins: Sequence[Dot]) -> Dot:
         return 0, 0
     if pins:
         return pins[0]
-    i = int(wires.corners0.sharpness().argmax())
+    i = int(np.abs(wires.corners0.turn).argmax())
     return i, int(search.near[i]) if search.near is not None else 0
 
 
