@@ -236,24 +236,26 @@ def _is_beyond(q: Curve, t: cython.double, noise: cython.double) -> cython.int:
 @cython.cfunc
 @cython.inline
 @cython.exceptval(check=False)
-def _meets_zero(q: Curve) -> cython.int:
+def _meets_zero(q: Curve, is_straight: cython.bint) -> cython.int:
     """Return whether theta reaches zero along Q: 1 or 0, or -1 where rounding might decide. At most one square root."""
     x0, y0, x1, y1, x2, y2 = q.x0, q.y0, q.x1, q.y1, q.x2, q.y2
     if x0 < 0.0 and x1 < 0.0 and x2 < 0.0:
         return 0
     noise: cython.double = ANGLE_NOISE * (fabs(x0) + fabs(x1) + fabs(x2))
+    flat: cython.double = ANGLE_NOISE * (fabs(y0) + fabs(y1) + fabs(y2))
+    if is_straight:
+        noise = flat = noise + flat
     if (y0 > noise and y1 > noise and y2 > noise) or (y0 < -noise and y1 < -noise and y2 < -noise):
         return 0
-    noise += ANGLE_NOISE * (fabs(y0) + fabs(y1) + fabs(y2))
-    if fabs(y0) <= noise or fabs(y2) <= noise:
+    if fabs(y0) <= flat or fabs(y2) <= flat:
         return -1
     b: cython.double = y1 - y0
     a: cython.double = y0 - 2.0 * y1 + y2
     discriminant: cython.double = b * b - a * y0
-    if fabs(discriminant) <= noise * noise:
-        return -1
     if discriminant < 0.0:
         return 0
+    if discriminant <= flat * flat:
+        return -1
     big: cython.double = -b - sqrt(discriminant) if b > 0.0 else -b + sqrt(discriminant)
     first: cython.int = _is_beyond(q, y0 / big, noise)
     second: cython.int = _is_beyond(q, big / a, noise) if a != 0.0 else 0
@@ -359,7 +361,7 @@ class Bending:
     ) -> cython.double:
         """Return the work where both wires move on the way in and on the way out, along Q(t) from arg Q0 to arg Q2."""
         curve: Curve = _curve(p, i, q, j)
-        meets: cython.int = _meets_zero(curve) if k_b == 0.0 else -1
+        meets: cython.int = _meets_zero(curve, False) if self.by_turning else -1
         if meets >= 0:
             return meets * self.p_b
         x0, y0, x1, y1, x2, y2 = curve.x0, curve.y0, curve.x1, curve.y1, curve.x2, curve.y2
@@ -420,7 +422,7 @@ class Bending:
     ) -> cython.double:
         """Return the work where q rests on the way in and on the way out."""
         curve: Curve = _curve_in_run(p, i, q, j)
-        meets: cython.int = _meets_zero(curve) if k_b == 0.0 else -1
+        meets: cython.int = _meets_zero(curve, True) if self.by_turning else -1
         if meets >= 0:
             return meets * self.p_b
         theta: cython.double = p.theta[i]
