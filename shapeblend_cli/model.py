@@ -332,6 +332,19 @@ class Polygon:
         return Box.around(self.vertices)
 
 
+class Work(NamedTuple):
+    """The work of a correspondence by its terms, each summed along the path."""
+
+    stretching: float = 0.0  # eq (16)
+    bending: float = 0.0  # eq (17), or by turning
+    travel: float = 0.0  # of points on their way
+
+    @property
+    def total(self) -> float:
+        """All work together."""
+        return sum(self)
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Correspondence:
     """Which vertices of two polygons correspond, and the work that takes.
@@ -342,8 +355,9 @@ class Correspondence:
         The path through the graph, ``[i, j]`` by vertex numbers, from its start. The path of closed polygons
         comes back to the first dot, which is not repeated.
     closed : bool
-    stretching, bending, travel : float
-        Work, summed along the path: by eq (16), by (17) or by turning, and for the way of points.
+    terms : Work
+        Work, summed along the path: `stretching` by eq (16), `bending` by (17) or by turning, and `travel` for the way
+        of points. Each is an attribute of the correspondence, too.
     lower_bound : float
         No correspondence of the two polygons, in these directions, takes less work: from any start, through any
         vertices, in no band, exactly solved. It is the work itself where all of that was searched, and 0 where nothing
@@ -358,9 +372,7 @@ class Correspondence:
 
     dots: IntArray
     closed: bool
-    stretching: float
-    bending: float
-    travel: float
+    terms: Work
     lower_bound: float
     zero_angles: int
     diagonal_deviation: float
@@ -368,6 +380,11 @@ class Correspondence:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "dots", frozen(self.dots, np.intp))
+
+    @classmethod
+    def without_work(cls, dots: IntArray, closed: bool) -> Correspondence:
+        """Return a correspondence that nobody solved."""
+        return cls(dots, closed, Work(), lower_bound=0.0, zero_angles=0, diagonal_deviation=0.0, sweeps=0)
 
     @property
     def pairs(self) -> IntArray:
@@ -377,7 +394,22 @@ class Correspondence:
     @property
     def work(self) -> float:
         """All work together."""
-        return self.stretching + self.bending + self.travel
+        return self.terms.total
+
+    @property
+    def stretching(self) -> float:
+        """The work of stretching."""
+        return self.terms.stretching
+
+    @property
+    def bending(self) -> float:
+        """The work of bending."""
+        return self.terms.bending
+
+    @property
+    def travel(self) -> float:
+        """The work of travel."""
+        return self.terms.travel
 
     @property
     def gap(self) -> float:
