@@ -20,6 +20,7 @@ from shapeblend_cli.model import (
     Shape,
     ShapeBlend,
     Style,
+    control_box,
 )
 from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.kept import Kept
@@ -86,7 +87,7 @@ def _box_around(shape: ShapeBlend, end: int) -> Clip:
     """Return a box around a shape at one of its ends, and its strokes."""
     paths = [contour.end if end else contour.start for contour in shape.contours]
     style = shape.style_b if end else shape.style_a
-    box = Box.around(np.concatenate([path.segments.ravel() for path in paths]))
+    box = control_box(paths)
     box = box.expanded(ROOM * box.larger_side + (style.stroke_width if style.stroke else 0.0))
     left, top, right, bottom = box.bounds
     corners = [complex(left, top), complex(right, top), complex(right, bottom), complex(left, bottom)]

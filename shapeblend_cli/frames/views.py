@@ -80,7 +80,7 @@ def _reach(pair: Pair, slack: float) -> Box | None:
 
 def _painted(paths: Sequence[CubicPath], *styles: Style) -> Box:
     """Return the box around paths, painted in the widest of some styles."""
-    reach = max(style.stroke_width / 2.0 if style.stroke else 0.0 for style in styles)
+    reach = max(style.reach for style in styles)
     return Box.union([cubics.bounds(path.segments).expanded(reach) for path in paths])
 
 

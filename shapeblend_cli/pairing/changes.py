@@ -270,9 +270,7 @@ def _near_any(points: ComplexArray, outlines: Sequence[Outline], distance: float
     near = np.zeros(len(points), bool)
     for outline in outlines:
         # Others than those near its box are further away, and computing how far is most of the work in a crowd.
-        left, top, right, bottom = Box.around(outline.line).expanded(2.0 * distance).bounds
-        x, y = points.real, points.imag
-        asked = np.flatnonzero(~near & (left <= x) & (x <= right) & (top <= y) & (y <= bottom))
+        asked = np.flatnonzero(~near & Box.around(outline.line).expanded(2.0 * distance).holds(points))
         if len(asked):
             near[asked] = outline.lengths_near(points[asked])[0] <= distance
     return near

@@ -199,8 +199,7 @@ def _growth_points(
     middle, which is carried along by the paired contour it lies in, or else by one that they touch.
     """
     paired = {match.pair[here].number: match for match in matches}
-    around = {contour.number: contour for contour in contours if contour.polygon.closed}
-    hosts = [c for c in around.values() if c.number in paired or c.role != HOLE]
+    hosts = [c for c in contours if c.polygon.closed and (c.number in paired or c.role != HOLE)]
     touching = TOUCHING * Box.union([contour.box for contour in contours]).diagonal
     areas = {contour.number: contour.area for contour in contours}
     bounds = np.array([contour.box.bounds for contour in hosts]).reshape(-1, 4)
