@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.blending.blended import blend_shapes
+from shapeblend_cli.blending.matched import Progress
 from shapeblend_cli.blending.placing import AS_IT_IS, flattened
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry.cubics import line
@@ -70,7 +71,7 @@ def _region_blend(a: Drawing, b: Drawing, settings: Settings, view: Box) -> tupl
         flat, _ = flattened([a, b], [AS_IT_IS, AS_IT_IS], settings.vertices, Kept(0))
     except InputError:
         return ()
-    return blend_shapes(flat[0], flat[1], settings, view, (Clock(), None), Kept(0).steps)
+    return blend_shapes(flat[0], flat[1], settings, view, Progress(Clock(), Kept(0)))
 
 
 def has_clips(pair: Pair) -> bool:

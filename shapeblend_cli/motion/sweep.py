@@ -4,21 +4,36 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.geometry.window import Window
     from shapeblend_cli.model import ComplexArray, ContourBlend
 
 
-class Sweep(NamedTuple):
-    """Each contour that grows is seen through a window that opens, or one that closes if it shrinks."""
+class Window(NamedTuple):
+    """A band across an axis, a unit vector, that opens from a line; all are lengths along the axis."""
 
-    windows: tuple[Window | None, ...]  # None for what stays as it is
+    axis: complex
+    start: float
+    ends: tuple[float, float]  # of the open window
+
+    def clip(self, z: ComplexArray, t: float) -> ComplexArray:
+        """Return points at time t: those outside of the band are moved along the axis to its nearer side."""
+        low, high = (self.start + t * (end - self.start) for end in self.ends)
+        turned = z * self.axis.conjugate()
+        return np.asarray((np.clip(turned.real, low, high) + 1j * turned.imag) * self.axis)
+
+
+class Sweep(NamedTuple):
+    """Motion of contours that are seen through windows, which open where a contour grows and close where it shrinks."""
+
+    windows: tuple[Window | None, ...]  # of each contour; None for one that stays
 
     @property
     def name(self) -> str:
-        """No motion that can be asked for."""
+        """The motion's name in reports; it cannot be asked for."""
         return "sweep"
 
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:

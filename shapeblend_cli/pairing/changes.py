@@ -20,8 +20,8 @@ from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.grouping import grouped, overlaps
 from shapeblend_cli.geometry.polygons import reverse_contour
 from shapeblend_cli.geometry.polyline import thin
-from shapeblend_cli.geometry.window import Window
 from shapeblend_cli.model import Box, Contour
+from shapeblend_cli.motion.sweep import Sweep, Window
 from shapeblend_cli.pairing.assignment import assign
 from shapeblend_cli.pairing.costs import channels
 from shapeblend_cli.wires.common_cuts import FlatContour
@@ -195,18 +195,20 @@ class Change(NamedTuple):
     pair : (PlacedContour, PlacedContour)
         A contour of each of the shapes.
     contours : tuple of ContourBlend
-        Those of one shape, which stay, and the loops, which grow or shrink.
-    windows : tuple of Window or None
-        How each of the loops opens; None for what stays.
+        The contours of one shape, which stay, and the loops, which grow or shrink.
+    motion : Sweep or None
+        The motion of these contours; None for straight paths.
     """
 
     pair: ContourPair
     contours: tuple[ContourBlend, ...]
-    windows: tuple[Window | None, ...]
+    motion: Sweep | None
 
-    def without(self, contours: Sequence[PlacedContour], side: int) -> list[PlacedContour]:
-        """Return the contours of A, 0, or B, 1, that belong to other shapes."""
-        return [contour for contour in contours if contour.shape != self.pair[side].shape]
+
+def unchanged(contours: Sequence[PlacedContour], changed: Sequence[Change], side: int) -> list[PlacedContour]:
+    """Return the contours of A, 0, or B, 1, that belong to none of the changed shapes."""
+    shapes = {change.pair[side].shape for change in changed}
+    return [contour for contour in contours if contour.shape not in shapes]
 
 
 def changes(a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Settings) -> list[Change]:
@@ -230,7 +232,7 @@ def changes(a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Se
         if like and i not in taken and ~j not in taken:
             change = _change(shapes[0][i], shapes[1][j], diagonal, settings.vertices)
             if change is not None:
-                found.append(change)
+                found.append(change if settings.motion == "auto" else change._replace(motion=None))
                 taken |= {i, ~j}
     return found
 
@@ -309,7 +311,7 @@ def _change(
         flat = FlatContour(cut, flatten(cut, vertices))
         grown = grow_from(window.clip(cut.segments, 0.0), flat, number, of_b=not shrinks)
         contours.append(grown._replace(reason=CUTS))
-    return Change((a[0], b[0]), tuple(contours), (*(None for _ in still), *windows))
+    return Change((a[0], b[0]), tuple(contours), Sweep((*(None for _ in still), *windows)))
 
 
 def _outline(contour: PlacedContour) -> Outline:
