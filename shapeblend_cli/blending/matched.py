@@ -18,8 +18,8 @@ from shapeblend_cli.pairing.same import same_pairs
 from shapeblend_cli.pairing.shapes import Match, shape_blends
 from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.kept import Kept
-from shapeblend_cli.wires.contour_blends import match_contours
 from shapeblend_cli.wires.direction import watch_part
+from shapeblend_cli.wires.match import match_contours
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Hashable, Sequence

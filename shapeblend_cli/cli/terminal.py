@@ -183,11 +183,11 @@ def details(run: Run) -> Iterator[str]:
                 else f"{name} {change} {kind} {spot.real:.6g},{spot.imag:.6g}"
             )
             continue
+        terms = " + ".join(f"{name} {work:.6g}" for name, work in found.terms._asdict().items())
         proof = "proven least" if found.gap == 0.0 else f"lower bound {found.lower_bound:.6g}"
         yield (
             f"contour {c.a} of A ({len(c.polygon_a.vertices)} vertices) to contour {c.b} of B "
-            f"({len(c.polygon_b.vertices)}): {len(found.dots)} dots, work {found.work:.6g} = stretching "
-            f"{found.stretching:.6g} + bending {found.bending:.6g} + travel {found.travel:.6g}, {proof}, "
+            f"({len(c.polygon_b.vertices)}): {len(found.dots)} dots, work {found.work:.6g} = {terms}, {proof}, "
             f"{found.zero_angles} angles reach zero, {found.sweeps} sweeps"
         )
     for pair in run.pairs:

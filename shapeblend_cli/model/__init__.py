@@ -201,6 +201,19 @@ class Polygon:
         return np.append(self.vertices, self.vertices[0]) if self.closed else self.vertices
 
 
+class Work(NamedTuple):
+    """The work of a correspondence by its terms, each summed along the path."""
+
+    stretching: float = 0.0  # eq (16)
+    bending: float = 0.0  # eq (17), or by turning
+    travel: float = 0.0  # of points on their way
+
+    @property
+    def total(self) -> float:
+        """All work together."""
+        return sum(self)
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Correspondence:
     """Corresponding vertices of two polygons, and the work between them.
@@ -211,8 +224,8 @@ class Correspondence:
         The path through the graph, ``[i, j]`` by vertex numbers, from its start. The path of closed polygons
         returns to the first dot, which is not repeated.
     closed : bool
-    stretching, bending, travel : float
-        Work, summed along the path: by eq (16); by (17) or by turning; by the way of points.
+    terms : Work
+        Its terms are attributes of the correspondence, too.
     lower_bound : float
         Minimum work of any correspondence of the two polygons in these directions: from any start, through any
         vertices, in no band, exactly solved. Equal to the work if all of these were searched; 0 if nothing is known.
@@ -226,9 +239,7 @@ class Correspondence:
 
     dots: IntArray
     closed: bool
-    stretching: float
-    bending: float
-    travel: float
+    terms: Work
     lower_bound: float
     zero_angles: int
     diagonal_deviation: float
@@ -236,6 +247,11 @@ class Correspondence:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "dots", frozen(self.dots, np.intp))
+
+    @classmethod
+    def without_work(cls, dots: IntArray, closed: bool) -> Correspondence:
+        """Return a correspondence that nobody solved."""
+        return cls(dots, closed, Work(), lower_bound=0.0, zero_angles=0, diagonal_deviation=0.0, sweeps=0)
 
     @property
     def pairs(self) -> IntArray:
@@ -245,7 +261,22 @@ class Correspondence:
     @property
     def work(self) -> float:
         """All work together."""
-        return self.stretching + self.bending + self.travel
+        return self.terms.total
+
+    @property
+    def stretching(self) -> float:
+        """The work of stretching."""
+        return self.terms.stretching
+
+    @property
+    def bending(self) -> float:
+        """The work of bending."""
+        return self.terms.bending
+
+    @property
+    def travel(self) -> float:
+        """The work of travel."""
+        return self.terms.travel
 
     @property
     def gap(self) -> float:

@@ -16,18 +16,16 @@ import numpy as np
 
 from shapeblend_cli.anatomy.decompose import LINE
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.grouping import grouped, overlaps
 from shapeblend_cli.geometry.polygons import reverse_contour
-from shapeblend_cli.geometry.polyline import thin
 from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.motion.sweep import Sweep, Window
 from shapeblend_cli.pairing.assignment import assign
 from shapeblend_cli.pairing.costs import channels
-from shapeblend_cli.wires.common_cuts import FlatContour
 from shapeblend_cli.wires.contour_blends import grow_from, keep_still
-from shapeblend_cli.wires.outline import Outline
-from shapeblend_cli.wires.stretches import TOLERANCE, shared_stretches
+from shapeblend_cli.wires.stretches import mostly_shared
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -35,10 +33,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.anatomy.decompose import ContourPair, PlacedContour
     from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend
     from shapeblend_cli.options.settings import Settings
-    from shapeblend_cli.wires.stretches import Stretch
-
-WATCHED, FIRST_SHARE = 32, 0.15
-"""So many points of each contour are looked at first, and so many of them at least lie on the other shape."""
+    from shapeblend_cli.wires.stretches import Shared
 
 LEAST_BOX = 0.6
 """A box around both shapes is filled by each one's at least to this share, by their diagonals."""
@@ -73,28 +68,16 @@ class _Loop(NamedTuple):
     pieces: tuple[int, int]
 
 
-def _loops(
-    outlines: tuple[Sequence[Outline], Sequence[Outline]], stretches: Sequence[Stretch], distance: float
-) -> list[_Loop]:
+def _loops(shared: Shared) -> list[_Loop]:
     """Join up what the stretches leave, B's forwards and A's backwards."""
     loops = [
         _Loop(_closed([outline.between(0.0, outline.total)], backwards=not side), (1 - side, side))
-        for side, every in enumerate(outlines)
+        for side, every in enumerate(shared.outlines)
         for k, outline in enumerate(every)
-        if all(stretch.outlines[side] != k for stretch in stretches)
+        if all(stretch.outlines[side] != k for stretch in shared.stretches)
     ]
-    # The stretch before and after each one, on either side; a closed one has no ends.
-    open_ended = [k for k, s in enumerate(stretches) if s.length < outlines[0][s.outlines[0]].total]
-    after: dict[int, int] = {}
-    before: dict[int, int] = {}
-    for side, neighbours in ((0, before), (1, after)):
-        for number in {stretches[k].outlines[side] for k in open_ended}:
-            total = outlines[side][number].total
-            on_it = [k for k in open_ended if stretches[k].outlines[side] == number]
-            on_it = [k for _, k in sorted((stretches[k].start[side] % total, k) for k in on_it)]
-            following = dict(zip(on_it, [*on_it[1:], on_it[0]], strict=True))
-            neighbours.update(following if side else {k: j for j, k in following.items()})
-    waiting = set(open_ended)
+    after, before = shared.following(1), {k: j for j, k in shared.following(0).items()}
+    waiting = set(after)
     while waiting:
         first = k = min(waiting)
         pieces, counts = [], [0, 0]
@@ -102,13 +85,10 @@ def _loops(
             waiting.discard(k)
             beyond = after[k]
             back = before[beyond]
-            for side, (one, other) in ((1, (k, beyond)), (0, (back, beyond))):
-                outline = outlines[side][stretches[one].outlines[side]]
-                start, end = stretches[one].end[side], stretches[other].start[side]
-                gap = (end - start) % outline.total
-                if min(gap, outline.total - gap) > distance:
+            for side, ends in ((1, (k, beyond)), (0, (back, beyond))):
+                piece = shared.between(side, *ends)
+                if piece is not None:
                     counts[side] += 1
-                    piece = outline.between(start % outline.total, start % outline.total + gap)
                     pieces.append(piece if side else (piece[0][::-1, ::-1], piece[1][::-1]))
             k = back
             if k == first:
@@ -267,31 +247,16 @@ def _filled_shapes(contours: Sequence[PlacedContour]) -> list[list[PlacedContour
     ]
 
 
-def _near_any(points: ComplexArray, outlines: Sequence[Outline], distance: float) -> BoolArray:
-    """Return which points are within a distance of any outline."""
-    near = np.zeros(len(points), bool)
-    for outline in outlines:
-        # Others than those near its box are further away, and computing how far is most of the work in a crowd.
-        asked = np.flatnonzero(~near & Box.around(outline.line).expanded(2.0 * distance).holds(points))
-        if len(asked):
-            near[asked] = outline.lengths_near(points[asked])[0] <= distance
-    return near
-
-
 def _change(
     a: Sequence[PlacedContour], b: Sequence[PlacedContour], diagonal: float, vertices: int
 ) -> Change | None:
     """Return the change between two shapes, if they share enough and a contour is cut into pieces."""
-    sides = [_outline(c) for c in a], [_outline(c) for c in b]
-    distance = TOLERANCE * diagonal
-    watched = np.concatenate([thin(contour.polygon.vertices, WATCHED) for contour in a])
-    if _near_any(watched, sides[1], distance).mean() < FIRST_SHARE:
+    sides = [c.flat for c in a], [c.flat for c in b]
+    shared = mostly_shared(*sides, diagonal)
+    if shared is None:
         return None
-    stretches = shared_stretches(*sides, diagonal)
-    if not stretches:
-        return None
-    totals = [sum(outline.total for outline in side) for side in sides]
-    found = _loops(sides, stretches, distance)
+    totals = [sum(flat.total for flat in side) for side in sides]
+    found = _loops(shared)
     if max((max(loop.pieces) for loop in found), default=0) < 2:
         return None
     # The simpler drawing stays.
@@ -312,10 +277,6 @@ def _change(
         grown = grow_from(window.clip(cut.segments, 0.0), flat, number, of_b=not shrinks)
         contours.append(grown._replace(reason=CUTS))
     return Change((a[0], b[0]), tuple(contours), Sweep((*(None for _ in still), *windows)))
-
-
-def _outline(contour: PlacedContour) -> Outline:
-    return Outline.of(FlatContour(contour.contour, contour.polygon))
 
 
 def _numbers(outlines: Sequence[ComplexArray], contours: Sequence[PlacedContour]) -> list[int]:

@@ -14,12 +14,11 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR, LINE, PlacedContour
+from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_places
 from shapeblend_cli.model import Box, Contour, Style, unroll
-from shapeblend_cli.wires.common_cuts import FlatContour
 from shapeblend_cli.wires.contour_blends import follow
-from shapeblend_cli.wires.outline import Outline
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
@@ -169,15 +168,14 @@ class _Following(NamedTuple):
 
 def _follow_edge(stroke: PlacedContour, leader: ContourBlend, here: int) -> _Following | None:
     """Return how a stroke follows the edge of a fill; None if it does not run along it."""
-    flats = (
+    edges = (
         FlatContour(leader.contour_a, leader.polygon_a),
         FlatContour(leader.contour_b, leader.polygon_b),
     )
-    edges = [Outline.of(flat) for flat in flats]
     track = _track(stroke, edges[here].line)
     if track is None:
         return None
-    counts = [len(flat.polygon.vertices) for flat in flats]
+    counts = [len(flat.polygon.vertices) for flat in edges]
     dots = unroll(leader.correspondence.dots, (counts[0], counts[1]))
     known = [_lengths_at(edge, dots[:, side]) for side, edge in enumerate(edges)]
     total = edges[here].total, edges[1 - here].total
@@ -220,20 +218,20 @@ def _sections(stroke: PlacedContour, covered: BoolArray) -> list[tuple[int, int]
 
 def _piece(stroke: PlacedContour, first: int, last: int) -> PlacedContour:
     """Return a stroke from one vertex to another."""
-    outline = Outline.of(FlatContour(stroke.contour, stroke.polygon))
+    outline = stroke.flat
     count = len(stroke.polygon.vertices)
     start, end = (float(outline.lengths[k % count]) for k in (first, last))
     contour = Contour(*outline.between(start, end + (outline.total if last >= count else 0.0)), closed=False)
     return stroke._replace(contour=contour, polygon=flatten(contour, last - first), role=LINE)
 
 
-def _lengths_at(edge: Outline, positions: FloatArray) -> FloatArray:
+def _lengths_at(edge: FlatContour, positions: FloatArray) -> FloatArray:
     """Return the lengths at positions by vertex numbers, which may be more than once round."""
     rounds, rest = np.divmod(positions, len(edge.lengths) - 1)
     return np.interp(rest, np.arange(len(edge.lengths)), edge.lengths) + rounds * edge.total
 
 
-def _image(edge: Outline, lengths: FloatArray, closed: bool) -> tuple[FlatContour, IntArray] | None:
+def _image(edge: FlatContour, lengths: FloatArray, closed: bool) -> tuple[FlatContour, IntArray] | None:
     """Return a stretch of an edge, flattened, and the number of its vertex that is nearest to each of some lengths."""
     first, last = float(lengths[0]), float(lengths[-1])
     low, high = min(first, last), max(first, last)
