@@ -8,14 +8,15 @@ from typing import TYPE_CHECKING
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.alignment import Alignment, align, point_pairs, shared_alignments
 from shapeblend_cli.motion.choose import (
+    AFFORDABLE_SEGMENTS,
     JUDGED,
     RotatedShape,
     Situation,
     best_motion,
     choose,
-    is_right,
-    moved,
-    straight,
+    in_motion,
+    judged_straight,
+    looks_right,
 )
 from shapeblend_cli.motion.parts import parts_of, turn_of
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
@@ -25,10 +26,6 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.blending.matched import PairedDrawings
     from shapeblend_cli.model import ShapeBlend
-
-AFFORDABLE_SEGMENTS = 2000
-"""Maximum number of segments of shapes for which several motions are tried. These take a few seconds; a drawing of
-hundreds of shapes would take minutes."""
 
 
 def move_shapes(paired: PairedDrawings, shapes: Sequence[ShapeBlend], view: Box) -> tuple[ShapeBlend, ...]:
@@ -41,7 +38,7 @@ def move_shapes(paired: PairedDrawings, shapes: Sequence[ShapeBlend], view: Box)
         shape = paired.curved(shapes[k])
         situation = Situation(
             asked=paired.settings.motion,
-            is_turned=bool(paired.rotation),
+            rotation=paired.rotation,
             leads=paired.leads(shape),
             relative_size=shape.size / largest,
             is_affordable=affordable > 0,
@@ -54,14 +51,14 @@ def move_shapes(paired: PairedDrawings, shapes: Sequence[ShapeBlend], view: Box)
         elif choice.motion == "linear":
             chosen[k] = shape._replace(reason=choice.reason)
         else:
-            chosen[k] = moved(rotate(), choice)
+            chosen[k] = in_motion(rotate(), choice)
     return tuple(chosen[k] for k in range(len(shapes)))
 
 
 def _judged(shape: ShapeBlend, view: Box, rotate: Callable[[], RotatedShape]) -> ShapeBlend:
     """Return a shape on straight paths if these look right, else in the motion that the judge prefers."""
-    judged = straight(shape, view)
-    return judged if is_right(judged) else best_motion(judged, rotate(), view)
+    straight = judged_straight(shape, view)
+    return straight if looks_right(straight) else best_motion(straight, rotate(), view)
 
 
 def _shared(paired: PairedDrawings, shapes: Sequence[ShapeBlend]) -> Sequence[Alignment | None]:

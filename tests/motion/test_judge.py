@@ -12,7 +12,7 @@ from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.alignment import Alignment
-from shapeblend_cli.motion.judge import WEIGHTS, judge
+from shapeblend_cli.motion.judge import WEIGHTS, judge_shape
 from shapeblend_cli.motion.rigid import Rigid
 from tests.support.contours import polygon_contour
 from tests.support.motions import moving_polygons, rigidly
@@ -22,6 +22,11 @@ from tests.support.strategies import rngs
 SQUARE = np.array([0, 4, 4 + 4j, 4j])
 STILL = moving_polygons((SQUARE, SQUARE))
 BAR = np.array([0, 1, 1 + 20j, 20j])
+
+
+def judge(shape, view=None):
+    """The terms for a shape."""
+    return judge_shape(shape, view).judgement
 
 
 def rotated(z, degrees):
