@@ -62,6 +62,8 @@ def match_all(
     drawings, specks = _without_specks(drawings, settings)
     if settings.mix:
         drawings, settings = _mixed(drawings, settings)
+    if len(drawings) > 2:  # a line that is cut for one pair is not the line that the next pair begins with
+        settings = settings.replace(strokes="keep")
     laid, notes = lay(drawings, settings, kept)
     check_stiff([contour.polygon for contour in laid[0].placed.contours], settings)
     clock.lap("flatten")
@@ -84,6 +86,7 @@ def _pair(laid: Sequence[LaidDrawing], i: int, k: int, settings: Settings, progr
     """Blend two of several drawings."""
     a, b = laid[i], laid[k]
     shapes = blend_shapes(a.placed, b.placed, settings, Box.union([a.view, b.view]), progress)
+    progress.clock.lap("interpolate")
     return Pair(i, k, shapes, (a.painted, b.painted), (a.view, b.view), (a.page, b.page))
 
 

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.options.settings import Settings
 
 WAYS: tuple[dict[str, Any], ...] = (
+    {"strokes": "keep"},
     {"motion": "linear"},
     {"motion": "intrinsic"},
     {"motion": "rigid"},

@@ -197,6 +197,14 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         help="How shapes move. linear: along straight lines; rigid: rotated as a whole; intrinsic: by their lengths "
         "and angles; auto: whichever of these looks best.",
     )
+    strokes: str = option(
+        types.choice("auto", "keep", "recover"),
+        default="auto",
+        section=IN_BETWEENS,
+        help="auto: drawings that are made with a pen move as the lines of that pen, also where their strokes were "
+        "expanded into filled shapes; recover: whatever lines there are do; keep: strokes and fills as the files have "
+        "them.",
+    )
     viewbox: str = option(
         types.choice("auto", "keep", "grow"),
         default="auto",
@@ -248,6 +256,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         """Raise OptionError if some of the settings do not go with so many drawings."""
         if count > 2 and any(getattr(self, name) for name in ABOUT_TWO_DRAWINGS):
             raise OptionError(f"--start, --pin, --match and --stiff apply to two files; {count} given")
+        if count > 2 and self.strokes == "recover":
+            raise OptionError(f"--strokes recover applies to two files; {count} given")
         for weights in self.mix:
             if len(weights) != count:
                 shown = ",".join(f"{weight:g}" for weight in weights)

@@ -31,7 +31,7 @@ def assert_looks_like(found, expected):
 
 @pytest.mark.parametrize("name", PAIRS)
 def test_icons_look_as_they_did_on_their_way(name, tmp_path, request):
-    blend = sb.blend(HERE / name / "a.svg", HERE / name / "b.svg", times=(0.4,))
+    blend = sb.blend(HERE / name / "a.svg", HERE / name / "b.svg", times=(0.6,))
     (file,) = blend.save(tmp_path / "out", precision=1)
     expected = HERE / name / "between.svg"
     if request.config.getoption("--update-golden"):
