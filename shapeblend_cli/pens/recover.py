@@ -121,7 +121,10 @@ def recover(contours: Sequence[ComplexArray]) -> list[Recovered] | None:
         return None
     pen = np.where(is_pen, nearest, -1)
     region = Region(contours)
-    lines = _joined(_once(_stretches(samples, pen, widths)), region)
+    stretches = _stretches(samples, pen, widths)
+    if not stretches:
+        return None
+    lines = _joined(_once(stretches), region)
     _end(lines, region)
     for line in lines:
         line.points = _thinned(line)

@@ -100,6 +100,8 @@ def stroke_edges(lines: Sequence[Recovered]) -> tuple[ComplexArray, ComplexArray
                 polygons.append(np.array([place, place + side * way, tip, place + side * out]))
         if not line.closed and line.cap == "round":
             polygons += [points[0] + reach * DISC, points[-1] + reach * DISC]
+    if not polygons:
+        return np.zeros(0, complex), np.zeros(0, complex)
     wound = [each if _area(each) > 0.0 else each[::-1] for each in polygons]
     return np.concatenate(wound), np.concatenate([np.roll(each, -1) for each in wound])
 

@@ -26,13 +26,12 @@ STREAMS = ("/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/")
 
 
 def check_targets(targets: Iterable[Path], inputs: Iterable[Path], force: bool) -> None:
-    """Refuse targets that must not be written, before any work is done, and clear up after runs that were killed.
+    """Refuse targets that must not be written, before any work is done.
 
     OutputError is raised for a target that is an input or a folder, that exists without `force`, or whose folder cannot
-    be made.
+    be made. A target that is there only because a run was killed while it moved files is put back, and is none.
     """
     sources = list(map(_real, inputs))
-    cleared: set[Path] = set()
     for target in targets:
         with _refusing(target):
             real = _real(target)
@@ -43,11 +42,10 @@ def check_targets(targets: Iterable[Path], inputs: Iterable[Path], force: bool) 
             if _is_stream(target):
                 continue
             home = _home(Path(os.path.realpath(target)))
-            for folder in {home, home.parent, *target.parents} - cleared:
-                cleared.add(folder)
-                clear(folder)
             if not force and os.path.lexists(target):
-                raise _exists(target)
+                clear(home)
+                if os.path.lexists(target):
+                    raise _exists(target)
             if not home.is_dir():
                 raise OutputError(_as_typed(home, target), "is a file, and a folder of that name is needed")
             if not os.access(home, os.W_OK):
@@ -168,6 +166,13 @@ def _can_be_replaced(folder: Path, names: Iterable[str]) -> bool:
 def _write_all(contents: Contents, force: bool, swap: bool) -> None:
     """Write all files or none; `CannotSwap` is raised where a folder turns out not to be movable."""
     current = next(iter(contents))
+    cleared: set[Path] = set()
+    while (
+        homes := _plan(contents, swap).homes - cleared
+    ):  # without a stage in it a folder may be replaced as a whole
+        cleared |= homes
+        for home in homes:
+            clear(home)
     try:
         with _locked_plan(contents, swap) as plan, ExitStack() as ends:
             stages: dict[Path, Stage] = {}
