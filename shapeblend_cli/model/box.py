@@ -9,10 +9,7 @@ import numpy as np
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from numpy.typing import NDArray
-
-    ComplexArray = NDArray[np.complex128]
-    BoolArray = NDArray[np.bool_]
+    from shapeblend_cli.model.arrays import BoolArray, ComplexArray
 
 
 class Box(NamedTuple):
