@@ -152,7 +152,7 @@ def _priced(a: Polygon, b: Polygon, dots: IntArray, constants: WorkConstants) ->
     if min(len(a.vertices), len(b.vertices)) >= least:
         with suppress(ValueError):  # a turn of 90 degrees, which section 4 forbids, has no price
             return priced(Wires(to_unit_box(a), to_unit_box(b), a.closed, constants), dots)
-    return Correspondence(dots, a.closed, 0.0, 0.0, 0.0, 0.0, 0, 0.0, 0)
+    return Correspondence.without_work(dots, a.closed)
 
 
 def staying(each: Stayed, a: Sequence[PenLine], b: Sequence[PenLine]) -> Move:

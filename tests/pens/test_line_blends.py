@@ -137,7 +137,7 @@ def test_three_drawings_are_blended_as_they_are(here, capsys):
 
 
 @pytest.mark.parametrize(
-    "output", ["x.svg", "x.svg --animate css", "x.json --emit lottie", "x.xml --emit avd", "x --emit pair"]
+    "output", ["x.svg", "x.svg --animate css", "x.json --emit lottie", "x.xml --emit avd"]
 )
 def test_every_output_has_strokes(here, output):
     files = [str(ICONS / f"ph-{name}.svg") for name in ("magnifying-glass", "x")]
