@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.outputs.contact_sheet import contact_sheet
-from shapeblend_cli.outputs.raster import Size
+from shapeblend_cli.outputs.pixels import Size
 
 if TYPE_CHECKING:
     from PIL import Image

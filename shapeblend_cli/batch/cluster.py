@@ -25,16 +25,19 @@ from shapeblend_cli.job.job import job_of
 from shapeblend_cli.system.interrupts import told
 
 PATIENCE = 8.0
-"""Seconds to wait for the scheduler to answer, and for the first worker."""
+"""Maximum wait for an answer of the scheduler, and for a worker, in seconds."""
 
 OFTEN = 1.0
-"""Seconds between two looks at which workers there are."""
+"""Time between two looks at the workers, in seconds."""
 
-AHEAD, LEAST = 3, 8
-"""Jobs that the scheduler has at a time: so many for each thread of a worker, and no fewer."""
+AHEAD = 3
+"""Jobs that the scheduler has at a time, for each thread of a worker."""
+
+LEAST = 8
+"""Minimum number of jobs that the scheduler has at a time."""
 
 ATTEMPTS = 3
-"""How often a job is sent that cannot be sent or that a worker does not understand."""
+"""Maximum number of times that a job is sent, if sending fails or a worker does not understand it."""
 
 
 class ClusterError(ShapeblendError):

@@ -25,10 +25,10 @@ from shapeblend_cli.version import __version__
 FOLDER, SUFFIX = ".shapeblend", ".json"
 
 FORM = 1
-"""The number of the form of records. Any other one is as good as none."""
+"""Version of the form of records. Records of another version count as missing."""
 
 UNRECORDED = ("output", "force", "report", "preview", "tries", "timeout")
-"""Settings that do not change what is in the outputs; which files those are is recorded by their names."""
+"""Settings that do not change the contents of outputs. The names of outputs are recorded by themselves."""
 
 IRRELEVANT = ("cli", "batch")
 """Parts of the package that outputs do not depend on."""

@@ -24,10 +24,10 @@ ATTEMPTS = 2
 DIED = "died"
 
 GRACE = 5.0
-"""Seconds in which a job may end by itself after its time, or when asked to; then its process is killed."""
+"""Time for a job to end by itself after its limit, or when it is asked to, in seconds; then its process is killed."""
 
 BLENDS = "shapeblend_cli.batch.worker"
-"""The module whose `main` a worker runs, unless another one is named."""
+"""Module whose `main` a worker runs by default."""
 
 
 class Ended(NamedTuple):

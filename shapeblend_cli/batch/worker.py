@@ -55,7 +55,7 @@ class Answer(NamedTuple):
 
 
 Act = Callable[[Order, Callable[[str], None], Callable[[str], None]], Any]
-"""What is done with an order: it is told how to note and how to warn, and returns the contents of the answer."""
+"""A function of an order, and of functions that note and warn. It returns the contents of the answer."""
 
 
 def do(order: Order, act: Act | None = None) -> Answer:

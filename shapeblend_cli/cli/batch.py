@@ -10,11 +10,10 @@ import click
 
 from shapeblend_cli.batch.options import BatchOptions
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.cli.options import NAME, FieldOption, options_of
-from shapeblend_cli.cli.terminal import BatchTerminal, say
+from shapeblend_cli.cli.parameters import NAME, FieldOption, options_of
+from shapeblend_cli.cli.terminal import BatchTerminal, TerminalOptions, say
 from shapeblend_cli.errors import OptionError, ShapeblendError
 from shapeblend_cli.job.job import RECORDS, STANDARD_INPUT
-from shapeblend_cli.options.settings import TerminalOptions
 from shapeblend_cli.system.interrupts import Interrupted
 
 if TYPE_CHECKING:
@@ -27,8 +26,11 @@ if TYPE_CHECKING:
 
 FAILED = 1
 
-PATTERN, PATTERN_OF_PAIRS = "blend/{a}-{b}", "blend/{a}"
-"""Where outputs go by default, without a suffix."""
+PATTERN = "blend/{a}-{b}"
+"""Default of --output, without a suffix."""
+
+PATTERN_OF_PAIRS = "blend/{a}"
+"""Default of --output with --pairs, without a suffix."""
 
 EXAMPLES = (
     ("shapeblend batch --chain icons -o 'moving/{a}-{b}.svg'", "an animation from each icon to the next"),

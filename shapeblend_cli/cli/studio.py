@@ -11,10 +11,12 @@ import click
 
 from shapeblend_cli.cli.blend import opened
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.cli.options import NAME, options_of
+from shapeblend_cli.cli.parameters import NAME, options_of
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.job.job import RECORDS, STANDARD_INPUT
-from shapeblend_cli.options.settings import StudioOptions
+from shapeblend_cli.options import types
+from shapeblend_cli.options.fields import Record, option
+from shapeblend_cli.options.settings import STUDIO
 from shapeblend_cli.system.interrupts import told
 
 EXAMPLES = (
@@ -22,6 +24,21 @@ EXAMPLES = (
     ("shapeblend studio blend.json", "go on with a project"),
     ("shapeblend studio", "an empty page to drop drawings into"),
 )
+
+
+class StudioOptions(Record, section=STUDIO):
+    """How the studio is opened."""
+
+    port: int | None = option(
+        types.whole(1, 65_535), default=None, help="Port of the page.", default_text="a free one"
+    )
+    open: bool = option(
+        types.FLAG,
+        default=True,
+        flags=("--open/--no-open",),
+        help="Open the page in the browser, or only print its address.",
+        default_text="open, if there is a screen",
+    )
 
 
 @click.command(
@@ -52,7 +69,7 @@ def studio(files: tuple[str, ...], **given: Any) -> None:
         server = Studio(session, options.port or 0)
     except OSError as error:
         raise click.ClickException(
-            f"port {options.port}: {error.strerror}; without --port a free one is found"
+            f"port {options.port}: {error.strerror}; without --port a free port is found"
         ) from None
     session.start()
     ended = threading.Event()

@@ -8,15 +8,16 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from shapeblend_cli.errors import OptionError, OutputError
+from shapeblend_cli.job.options import RunOptions, WriteOptions, report_settings
 from shapeblend_cli.options.fields import Record
-from shapeblend_cli.options.settings import ReadOptions, RunOptions, Settings, WriteOptions, report_settings
+from shapeblend_cli.options.settings import ReadOptions, Settings
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
 from shapeblend_cli.outputs.options import OutputOptions, specify
 
 STANDARD_INPUT = "-"
 
 RECORDS: tuple[type[Record], ...] = (ReadOptions, Settings, OutputOptions, WriteOptions, RunOptions)
-"""What can be asked of a job."""
+"""Records of the options that a job takes."""
 
 
 class Job(NamedTuple):
@@ -40,7 +41,7 @@ def job_of(files: tuple[str, ...], given: Mapping[str, Any], command: tuple[str,
         raise OptionError("--output and --report cannot both be standard output")
     if settings.mix and (write.report or write.preview or write.tries):
         raise OptionError(
-            "--report, --preview and --try are for blends from drawing to drawing, and --mix makes none"
+            "--report, --preview and --try are for blends from drawing to drawing; --mix makes mixtures"
         )
     if write.tries is not None and len(files) > 2:
         raise OptionError(f"--try applies to two files; {len(files)} given")

@@ -36,12 +36,12 @@ SLOW = (
 
 
 class Run:
-    """What was done in a run, with the seconds that each stage took."""
+    """What was done in a run, and how long each stage took."""
 
-    def __init__(self, pairs: list[Pair], settings: Settings, seconds: dict[str, float]) -> None:
+    def __init__(self, pairs: list[Pair], settings: Settings, clock: Clock) -> None:
         self.pairs = pairs
         self.settings = settings
-        self.seconds = seconds
+        self.clock = clock
 
     @cached_property
     def measures(self) -> list[Measures]:
@@ -124,7 +124,7 @@ def make(
     drawings = read_files(job.files, job.read, clock, note_and_keep, sources, kept)
     pairs = match_drawings(drawings, settings, clock, note_and_keep, progress, kept)
     _say_if_poor(job, pairs, note_and_keep)
-    run = Run(pairs, settings, clock.seconds)
+    run = Run(pairs, settings, clock)
     with _named(output.path):
         rendered = output.format.render(output, pairs)
     clock.lap("render")

@@ -27,8 +27,11 @@ from shapeblend_cli.studio.session import Download, Session
 
 HOST = "127.0.0.1"
 
-MOST_JSON, MOST_DRAWING = 4 * 2**20, 64 * 2**20
-"""Bytes of a request, and of one with a drawing; the latter is what the reader takes."""
+MOST_JSON = 4 * 2**20
+"""Maximum size of a request, in bytes."""
+
+MOST_DRAWING = 64 * 2**20
+"""Maximum size of a request with a drawing, in bytes: that of a drawing for the reader."""
 
 MOST_CONNECTIONS = 64
 """Maximum number of connections at once. A browser opens six for a page."""
@@ -55,11 +58,13 @@ HEADERS = {
 }
 
 PAGE, SHARED = "shapeblend_cli.studio", "shapeblend_cli.preview"
+
 KINDS = {
     ".html": "text/html; charset=utf-8",
     ".css": "text/css; charset=utf-8",
     ".js": "text/javascript; charset=utf-8",
 }
+
 ASSETS = {
     **{
         name: PAGE
@@ -76,7 +81,7 @@ ASSETS = {
     },
     **{name: SHARED for name in ("base.css", "values.js", "picture.js", "player.js", "parts.js")},
 }
-"""What the page is made of, and the package that each file lies in."""
+"""Files of the page, and the package of each."""
 
 BUSY = b"HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n"
 

@@ -21,11 +21,14 @@ from shapeblend_cli.studio.process import Process
 from shapeblend_cli.system.write import check_targets, write_files
 from shapeblend_cli.version import __version__
 
-MOST_FILES, MOST_BYTES = 64, 256 * 2**20
-"""Drawings that the page may give, and bytes of all of them."""
+MOST_FILES = 64
+"""Maximum number of drawings from the page."""
+
+MOST_BYTES = 256 * 2**20
+"""Maximum size of all drawings from the page together, in bytes."""
 
 SECONDS = 60.0
-"""What a blend may take, unless --timeout says otherwise."""
+"""Time limit of a blend without --timeout, in seconds."""
 
 EPOCH = (1980, 1, 1, 0, 0, 0)  # of files in an archive, whose bytes are to depend on nothing but the files
 

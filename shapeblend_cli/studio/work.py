@@ -46,10 +46,10 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Drawing, Pair
 
 KEPT = Kept(most=64, largest=1_000_000, steps=2000)
-"""Drawings that were read and flattened, and what of a blend one correction leaves as it was."""
+"""Drawings as they were read and flattened, and the parts of blends that a correction leaves unchanged."""
 
 THUMBNAIL_TIMES = (0.25, 0.5, 0.75)
-"""The moments by which other blends are shown."""
+"""Moments of a blend in a thumbnail."""
 
 
 def do(order: Order) -> Any:

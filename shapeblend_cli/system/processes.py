@@ -28,7 +28,7 @@ GRACE = 1.0
 START = (
     "import sys; sys.path.append(sys.argv[1]); import importlib; importlib.import_module(sys.argv[2]).main()"
 )
-"""What a process runs. The working folder is not searched for modules, so that no file there is taken for one."""
+"""Program of a process. The working folder is not searched for modules, so that no file there is taken for one."""
 
 
 class Child:

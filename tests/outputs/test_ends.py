@@ -13,7 +13,7 @@ from PIL import Image
 import shapeblend_cli as sb
 from shapeblend_cli.cli import run
 from shapeblend_cli.frames.frames import frame_at
-from shapeblend_cli.outputs.raster import Size, rasterize, read_png
+from shapeblend_cli.outputs.pixels import Size, rasterize, read_png
 from shapeblend_cli.preview.pictures import still_paths
 from tests.support.commands import write
 from tests.support.drawings import drawing, svg

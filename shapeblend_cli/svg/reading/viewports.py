@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from shapeblend_cli.model import Box, Length, Page
-from shapeblend_cli.svg.reading.names import name_of
+from shapeblend_cli.svg.reading.titles import name_of
 from shapeblend_cli.svg.xml.messages import Notes
 from shapeblend_cli.svg.xml.transforms import Affine, translation
 from shapeblend_cli.svg.xml.units import LEAST, Lengths, length, measured, numbers

@@ -13,10 +13,10 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Clip, Contour, Group, Shape, Style
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.clips import Clips, covers
-from shapeblend_cli.svg.reading.names import clean, group_of, name_of
+from shapeblend_cli.svg.reading.elements import contours_of
 from shapeblend_cli.svg.reading.painter import Painter
-from shapeblend_cli.svg.reading.path_data import MAX_SEGMENTS
-from shapeblend_cli.svg.reading.shapes import contours_of
+from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
+from shapeblend_cli.svg.reading.titles import clean, group_of, name_of
 from shapeblend_cli.svg.styles.cascade import INITIAL, Cascade, Inherited, inherit, share
 from shapeblend_cli.svg.styles.declarations import Declarations, substitute
 from shapeblend_cli.svg.styles.selection import ancestors, paints_nothing, select
@@ -218,7 +218,7 @@ class Walk:
             self._notes.add(f"use of '{printable(link)}' inside itself left out")
             return
         if len(visit.used) >= MAX_USE_DEPTH:
-            raise Problem(f"{node}: use nested deeper than {MAX_USE_DEPTH}, the deepest that is read")
+            raise Problem(f"{node}: use nested deeper than {MAX_USE_DEPTH}, the limit")
         shift = translation(*viewports.offset(node, visit.lengths))
         visit = self._grouped(visit)
         self._stack.append(

@@ -122,6 +122,17 @@ class Tree:
         element.elements.extend(content)
 
 
+class Ready:
+    """An element that can be added to elements of svgwrite."""
+
+    def __init__(self, element: ElementTree.Element) -> None:
+        self._element = element
+
+    def get_xml(self) -> ElementTree.Element:
+        """Return the element."""
+        return self._element
+
+
 def box_text(box: Box, decimals: int) -> str:
     """Return the value of ``viewBox``."""
     return " ".join(number(value, decimals) for value in box)

@@ -12,7 +12,7 @@ import numpy as np
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.frames.frames import make_frames
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.inkscape.document import Document
+from shapeblend_cli.inkscape.source import Document
 from shapeblend_cli.model import Box, Drawing, Frame, Name, Page, Pair
 from shapeblend_cli.outputs.formats import views
 from shapeblend_cli.pipeline import match_all
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 _PIN = re.compile(r"\s*pin\s*(\w*)\s*", re.IGNORECASE)
 
 MARGIN = 0.02
-"""Room around what an animation shows, as a share of the larger side."""
+"""Margin around the shapes of an animation, as a share of their larger side."""
 
 Pin = tuple[complex, complex]
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 NAME = click.Path(readable=False)
-"""The name of a file to read. Whether it can be read shows where it is read, in one way for all reasons."""
+"""Name of a file to read. It is checked when it is read, so that every error has the same form."""
 
 
 class FieldText(click.ParamType):  # type: ignore[type-arg]  # generic only in newer releases

@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from shapeblend_cli.geometry.cubics import evaluate, lengths
-from shapeblend_cli.svg.reading import path_data
+from shapeblend_cli.svg.reading import path_commands
 from tests.svg.reading.drawings import path_contours, refused
 
 
@@ -138,7 +138,7 @@ BROKEN = {
 
 @pytest.mark.parametrize(("data", "problem"), BROKEN.items(), ids=BROKEN)
 def test_broken_data_is_refused_where_it_breaks(data, problem):
-    error = path_data.scan(data)[1]
+    error = path_commands.scan(data)[1]
     offset, found = problem
     assert error.offset == offset
     assert found in str(error)
@@ -151,24 +151,24 @@ def test_the_message_names_the_element():
 
 
 def test_what_precedes_an_error_is_kept():
-    subpaths, error = path_data.scan("M0 0h5v5L1")
+    subpaths, error = path_commands.scan("M0 0h5v5L1")
     assert error is not None
-    assert [len(contour.segments) for contour in path_data.trace(subpaths)] == [2]
-    assert path_data.scan("M0 0h5z")[1] is None
+    assert [len(contour.segments) for contour in path_commands.trace(subpaths)] == [2]
+    assert path_commands.scan("M0 0h5z")[1] is None
 
 
 @given(st.text(st.sampled_from("MmLlHhVvCcSsQqTtAaZz0123456789.,+-eE \n#"), max_size=40))
 def test_any_text_is_read_or_refused(data):
-    subpaths, error = path_data.scan("M0 0" + data)
+    subpaths, error = path_commands.scan("M0 0" + data)
     assert error is None or 0 <= error.offset <= len(data) + 4
-    for contour in path_data.trace(subpaths):
+    for contour in path_commands.trace(subpaths):
         assert np.isfinite(contour.segments).all()
         assert (contour.segments[1:, 0] == contour.segments[:-1, 3]).all()
 
 
 @given(st.text(max_size=30))
 def test_any_other_text_is_read_or_refused(data):
-    error = path_data.scan(data)[1]
+    error = path_commands.scan(data)[1]
     assert error is None or str(error).isprintable()
 
 
@@ -183,7 +183,7 @@ def test_numbers_round_trip_however_they_are_written(numbers, separator):
     written = [template.format(value) for value, template in numbers[: len(numbers) // 2 * 2]]
     values, text = list(map(float, written)), separator.join(written)
     points = [complex(x, y) for x, y in zip(values[::2], values[1::2], strict=True)]
-    subpaths, error = path_data.scan("M" + text)
+    subpaths, error = path_commands.scan("M" + text)
     assert error is None
     assert subpaths[0].move == points[0]
     expected = [p for p, q in zip(points[1:], points, strict=False) if abs(p - q) > 1e-3]

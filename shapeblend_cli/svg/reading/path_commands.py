@@ -45,7 +45,7 @@ class TooManySegments(ValueError):
     """Path data longer than what is read, whether it keeps to the grammar or not."""
 
     def __init__(self) -> None:
-        super().__init__(f"more than {MAX_SEGMENTS} segments, the most that are read")
+        super().__init__(f"more than {MAX_SEGMENTS} segments, the limit")
 
 
 @dataclass(slots=True)
@@ -197,20 +197,15 @@ def _contour(path: list[Any], subpath: Subpath) -> Contour | None:
     cubics: list[contours.Segment] = []
     straight: list[bool] = []
     for index, segment in enumerate(path):
-        arc = subpath.arcs.get(index)
-        added = segment_to_cubics(segment, arc)
+        arc, points = subpath.arcs.get(index), segment.bpoints()
+        if arc is not None:  # the segment is a line to its end
+            added = contours.arc(segment.start, segment.end, *arc)
+        elif len(points) == 2:
+            added = [contours.line(*points)]
+        else:
+            added = [points if len(points) == 4 else contours.quadratic(*points)]
         cubics += added
-        straight += [arc is None and len(segment.bpoints()) == 2] * len(added)
+        straight += [arc is None and len(points) == 2] * len(added)
         if arc is not None and len(cubics) > MAX_SEGMENTS:
             raise TooManySegments
     return contours.chain(cubics, straight, subpath.closed)
-
-
-def segment_to_cubics(segment: Any, arc: Arc | None) -> list[contours.Segment]:
-    """Return a segment of svgpathtools as cubics; a line may stand for an arc."""
-    if arc is not None:
-        return contours.arc(segment.start, segment.end, *arc)
-    points = segment.bpoints()
-    if len(points) == 4:  # C and S
-        return [points]
-    return [contours.line(*points) if len(points) == 2 else contours.quadratic(*points)]

@@ -7,7 +7,7 @@ import math
 import re
 
 from shapeblend_cli.model import Contour
-from shapeblend_cli.svg.reading import contours, path_data
+from shapeblend_cli.svg.reading import contours, path_commands
 from shapeblend_cli.svg.styles.declarations import Declarations
 from shapeblend_cli.svg.xml.messages import Notes, Problem
 from shapeblend_cli.svg.xml.units import GrammarError, Lengths, length, numbers
@@ -40,12 +40,12 @@ def _path(node: Node, declared: Declarations, notes: Notes, lenient: bool) -> li
         match = re.fullmatch(_CSS_PATH, declared["d"])
         data = match[2] if match else "" if declared["d"] == "none" else data
     try:
-        subpaths, error = path_data.scan(data)
+        subpaths, error = path_commands.scan(data)
         if error is not None:
             has_more = any(subpath.count for subpath in subpaths)
             _report(f"{node}: {error.message_in('path data')}", has_more, notes, lenient)
-        return path_data.trace(subpaths)
-    except path_data.TooManySegments as limit:
+        return path_commands.trace(subpaths)
+    except path_commands.TooManySegments as limit:
         raise Problem(f"{node}: {limit}") from None
 
 
@@ -56,8 +56,8 @@ def _points(node: Node, notes: Notes, lenient: bool) -> Contour | None:
         # Firefox draws what stands before the error, Chromium nothing.
         values = error.before
         _report(f"{node}: {error.message_in('points')}", len(values) > 3, notes, lenient)
-    if len(values) > 2 * path_data.MAX_SEGMENTS:
-        raise Problem(f"{node}: more than {path_data.MAX_SEGMENTS} points, the most that are read")
+    if len(values) > 2 * path_commands.MAX_SEGMENTS:
+        raise Problem(f"{node}: more than {path_commands.MAX_SEGMENTS} points, the limit")
     if len(values) % 2:
         notes.add("the last coordinate, which has no partner, left out")
     points = [complex(x, y) for x, y in zip(values[::2], values[1::2], strict=False)]

@@ -24,20 +24,35 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import ComplexArray, CubicPath, Drawing
 
-SIDE, MARGIN, TOP = 720.0, 36.0, 84.0
-"""Pixels of the drawing's longer side, around it, and above it."""
+SIDE = 720.0
+"""Longer side of the drawing on the page, in pixels."""
+
+MARGIN = 36.0
+"""Margin on the left, on the right and at the bottom, in pixels."""
+
+TOP = 84.0
+"""Room for the heading, in pixels."""
 
 COLOURS = ("#1f4fa3", "#b3261e", "#1b7a3d", "#7b2fa6", "#a65200", "#00707a", "#a3155f", "#4d5a00")
-"""In turn, one for each contour."""
+"""Colours of outlines and numbers, in turn."""
 
 ROOM = 9.0
-"""Pixels from the middle of a number to its edge, about."""
+"""Half the width of a number, in pixels, about."""
 
-GRID, AROUND, OUTWARDS = 14, 16, (2.0, 3.2, 4.4, 6.0, 8.0)
-"""Numbers are tried at a grid of so many rows and columns, else at so many places around, at multiples of the room."""
+GRID = 14
+"""Number of rows, and of columns, of the places for a number in its contour."""
 
-VERTICES, CURVE = 96, np.linspace(0.0, 1.0, 8, endpoint=False)
-"""An outline is seen at so many points, at most; a curve at these parameters."""
+AROUND = 16
+"""Number of directions of the places for a number beside its contour."""
+
+OUTWARDS = (2.0, 3.2, 4.4, 6.0, 8.0)
+"""Distances of these places from the contour, in units of `ROOM`."""
+
+VERTICES = 96
+"""Maximum number of points by which an outline is seen."""
+
+CURVE = np.linspace(0.0, 1.0, 8, endpoint=False)
+"""Parameters of the points by which a segment is seen."""
 
 DECIMALS = 2
 

@@ -16,13 +16,13 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Box, Pair
 
 MOST_SIDE = 16_383
-"""Pixels; WebP has no more."""
+"""Maximum side of a picture, in pixels: that of WebP."""
 
 WIDEST_STROKE = 1e5
-"""In sizes of what is shown. resvg ends the process on strokes some millions as wide."""
+"""Maximum width of a stroke, in sizes of the view. With strokes of some million sizes resvg ends the process."""
 
 MOST_PIXELS = 80_000_000
-"""Of all pictures of a run together. They take four bytes each, and Pillow warns of pictures somewhat larger."""
+"""Maximum size of all pictures of a run together, in pixels of four bytes. Pillow warns of slightly larger pictures."""
 
 
 class Size(NamedTuple):
@@ -49,8 +49,8 @@ def size_for(width: int | None, view: Box, count: int = 1) -> Size:
     height = round(width * view.height / view.width)
     if not 1 <= height <= MOST_SIDE:
         raise PictureError(
-            f"{view.width:g} x {view.height:g} is shown of the first drawing, and that would be {width} x {height} "
-            f"pixels; pictures can be 1 to {MOST_SIDE} high, so a {'larger' if height < 1 else 'smaller'} --width "
+            f"the view of the first drawing, {view.width:g} x {view.height:g}, would be {width} x {height} pixels; "
+            f"pictures are 1 to {MOST_SIDE} pixels high, so a {'larger' if height < 1 else 'smaller'} --width "
             "or a viewBox of other proportions would work"
         )
     return check_pixels(Size(width, height), count)
@@ -64,8 +64,8 @@ def size_of(width: int | None, pairs: Sequence[Pair], count: int = 1) -> Size:
             times = max(widths, default=0.0) / pair.views[0].larger_side
             if times > WIDEST_STROKE:
                 raise PictureError(
-                    f"a stroke is {times:.1g} times as wide as what is shown, and pictures can be drawn of strokes up "
-                    f"to {WIDEST_STROKE:.0e}; --place bbox, or a viewBox of its drawing's size, would work"
+                    f"a stroke is {times:.1g} times as wide as the view, and pictures can have strokes up to "
+                    f"{WIDEST_STROKE:.0e} times as wide; --place bbox, or a viewBox of the drawing's size, would work"
                 )
     return size_for(width, pairs[0].views[0], count)
 
