@@ -2,9 +2,8 @@
 # mypy: disable-error-code="attr-defined"
 """How an angle moves during a blend, and what bending it costs.
 
-Sections 2.1, 2.2 and 3.2 of Sederberg and Greenwood, "A Physically Based Approach to 2-D Shape
-Blending", Computer Graphics 26(2), 1992 (SIGGRAPH '92). This file is compiled by Cython and runs
-uncompiled as well.
+Sections 2.1, 2.2 and 3.2 of Sederberg and Greenwood, "A Physically Based Approach to 2-D Shape Blending", Computer
+Graphics 26(2), 1992 (SIGGRAPH '92). This file is compiled by Cython and runs uncompiled as well.
 
 Symbols
 -------
@@ -25,13 +24,12 @@ triangle test. With the turns s1, s2, ... of the pieces:
 Departures
 ----------
 * What an angle costs is, unless the paper's bending is asked for, a change of turning: `Bending`.
-* Section 2.2 gives the end angles of coincident vertices; the motion in between is the limit of an
-  infinitesimal isosceles triangle. Of ``Q1`` the leading order is kept, and the motion has exactly the
-  pieces Q0 -> Q1 -> Q2. There is no epsilon.
-* An edge that shrinks through nothing and grows out the other side turns by exactly pi, either way
-  round. Where that happens beside coincident vertices the cheaper way is taken.
-* Where ``Q0``, ``Q1`` and ``Q2`` lie on one line through the origin, d vanishes and says nothing: theta
-  goes the short way.
+* Section 2.2 gives the end angles of coincident vertices; the motion in between is the limit of an infinitesimal
+  isosceles triangle. Of ``Q1`` the leading order is kept, and the motion has exactly the pieces Q0 -> Q1 -> Q2. There
+  is no epsilon.
+* An edge that shrinks through nothing and grows out the other side turns by exactly pi, either way round. Where that
+  happens beside coincident vertices the cheaper way is taken.
+* Where ``Q0``, ``Q1`` and ``Q2`` lie on one line through the origin, d vanishes: theta goes the short way.
 """
 
 from __future__ import annotations

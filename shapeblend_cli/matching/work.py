@@ -35,11 +35,10 @@ if TYPE_CHECKING:
     AddWork = Callable[[IntArray, Window, FloatArray], None]
 
 STRETCHING_DOTS = 1 << 18
-"""Stretching work is computed for so many dots at once: few enough to stay in the cache."""
-
+"""Number of dots whose stretching work is computed at once: few enough to stay in the cache."""
 
 SMOOTH_SHARE = 0.7
-"""The share of bending that is taken on smoothed outlines, where they are: the outlines themselves have the corners."""
+"""Share of bending that is measured on smoothed outlines, if they are smoothed; the outlines have the corners."""
 
 
 def edge_lengths(vertices: ComplexArray, closed: bool) -> FloatArray:
