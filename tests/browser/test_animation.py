@@ -286,7 +286,7 @@ def test_a_stroke_of_one_width_on_the_screen_is_that_of_the_drawings(here, draw,
     ]
     for name, text in zip("ab", texts, strict=True):
         (here / f"{name}.svg").write_text(text, encoding="utf-8")
-    moving = animated("a.svg", "b.svg", "--animate", method, "--repeat", "1")
+    moving = animated("a.svg", "b.svg", "--animate", method, "--repeat", "1", "--strokes", "keep")
     for shown, still in zip(
         *np.split(draw([(moving, 0.0), (moving, 1.99999), *((t, None) for t in texts)]), 2), strict=True
     ):
