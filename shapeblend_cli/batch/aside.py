@@ -10,7 +10,7 @@ from typing import Any
 
 from shapeblend_cli.batch.lines import Add, add_messages, add_results
 from shapeblend_cli.batch.options import BatchOptions
-from shapeblend_cli.batch.plan import Places, Task
+from shapeblend_cli.batch.plan import Task, places
 from shapeblend_cli.batch.run import Outcome
 from shapeblend_cli.batch.summary import OURS, Summary, dependencies, text_of
 from shapeblend_cli.errors import OutputError
@@ -27,7 +27,7 @@ def check_aside(options: BatchOptions, tasks: Sequence[Task], names: Sequence[st
     given = [file for file in files if file not in (None, STANDARD_OUTPUT)]
     if not given:
         return
-    place = Places()
+    place = places()
     taken = {place(path) for task in tasks for path in (*task.files, *map(str, task.targets), *names)}
     for file in map(str, given):
         if place(file) in taken:
