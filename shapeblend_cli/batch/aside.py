@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Sequence
 from pathlib import Path
 from time import perf_counter
@@ -64,7 +65,7 @@ class Aside:
     def begin(self, tasks: Sequence[Task]) -> None:
         """Begin with some tasks; OptionError is raised for a name that a file of dependencies cannot have."""
         if self._depfile is not None:
-            write_files({Path(self._depfile): dependencies(tasks)}, force=True)
+            write_files({Path(self._depfile): os.fsencode(dependencies(tasks))}, force=True)
         self._rows, self._began = {}, perf_counter()
         self.message(f"{self._name}: {len(tasks)} jobs")
 
