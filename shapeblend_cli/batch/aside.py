@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Sequence
 from pathlib import Path
 from time import perf_counter
@@ -10,7 +11,7 @@ from typing import Any
 
 from shapeblend_cli.batch.lines import Add, add_messages, add_results
 from shapeblend_cli.batch.options import BatchOptions
-from shapeblend_cli.batch.plan import Places, Task
+from shapeblend_cli.batch.plan import Task, places
 from shapeblend_cli.batch.run import Outcome
 from shapeblend_cli.batch.summary import OURS, Summary, dependencies, text_of
 from shapeblend_cli.errors import OutputError
@@ -27,7 +28,7 @@ def check_aside(options: BatchOptions, tasks: Sequence[Task], names: Sequence[st
     given = [file for file in files if file not in (None, STANDARD_OUTPUT)]
     if not given:
         return
-    place = Places()
+    place = places()
     taken = {place(path) for task in tasks for path in (*task.files, *map(str, task.targets), *names)}
     for file in map(str, given):
         if place(file) in taken:
@@ -64,7 +65,7 @@ class Aside:
     def begin(self, tasks: Sequence[Task]) -> None:
         """Begin with some tasks; OptionError is raised for a name that a file of dependencies cannot have."""
         if self._depfile is not None:
-            write_files({Path(self._depfile): dependencies(tasks)}, force=True)
+            write_files({Path(self._depfile): os.fsencode(dependencies(tasks))}, force=True)
         self._rows, self._began = {}, perf_counter()
         self.message(f"{self._name}: {len(tasks)} jobs")
 

@@ -54,7 +54,7 @@ def _add_to(file: str, is_ours: Callable[[bytes], bool], what: str) -> Add:
 
     def append(line: str) -> None:
         with _cannot_write(file), locked(Path(file)):
-            _append(file, line.encode() + b"\n", is_ours)
+            _append(file, _bytes(line), is_ours)
 
     if file == STANDARD_OUTPUT:
         return _print
@@ -71,6 +71,10 @@ def _add_to(file: str, is_ours: Callable[[bytes], bool], what: str) -> Add:
     return append
 
 
+def _bytes(line: str) -> bytes:
+    return line.encode("utf-8", "backslashreplace") + b"\n"
+
+
 def _print(line: str) -> None:
     sys.stdout.write(f"{line}\n")
     sys.stdout.flush()
@@ -78,7 +82,7 @@ def _print(line: str) -> None:
 
 def _write(file: str, handle: int, line: str) -> None:
     with _cannot_write(file):
-        os.write(handle, line.encode() + b"\n")
+        os.write(handle, _bytes(line))
 
 
 def _append(file: str, line: bytes, is_ours: Callable[[bytes], bool]) -> None:

@@ -66,6 +66,7 @@ class BatchOptions(Record, section=BATCH):
     keep_going: int = option(
         types.whole(0),
         default=0,
+        flags=("-k", "--keep-going"),
         help="Start no further jobs after N have failed. 0: go on, however many fail.",
     )
     fail_fast: bool = option(types.FLAG, default=False, help="The same as --keep-going 1.")

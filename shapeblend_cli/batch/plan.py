@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -115,19 +115,22 @@ def _filled(name: Name, fields: Mapping[str, str], where: str) -> str:
     return os.path.join(name.base, _FIELD.sub(fill, name.pattern))
 
 
-class Places:
-    """Paths without symbolic links, of which folders are looked up once."""
+Place = Callable[[str | Path], str]
+"""Says where a path leads, in the one form in which paths are compared."""
 
-    def __init__(self) -> None:
-        self._folder = cache(os.path.realpath)
 
-    def __call__(self, path: str | Path) -> str:
-        """Return where a path leads, in the one form that is compared."""
+def places() -> Place:
+    """Return what says where paths lead; it looks up each once."""
+    folder_of = cache(os.path.realpath)
+
+    @cache
+    def place(path: str | Path) -> str:
         folder, name = os.path.split(path)
-        place = os.path.join(self._folder(folder), name)
-        if name in ("", os.curdir, os.pardir) or os.path.islink(place):
-            place = os.path.realpath(path)
-        return os.path.normcase(place)
+        found = os.path.join(folder_of(folder), name)
+        is_plain = name not in ("", os.curdir, os.pardir) and not os.path.islink(found)
+        return os.path.normcase(found if is_plain else os.path.realpath(path))
+
+    return place
 
 
 class _Owner(NamedTuple):
@@ -143,7 +146,7 @@ def _check_files(tasks: Sequence[Task]) -> None:
         for name in (*task.files, *map(str, task.targets)):
             _check_name(name, task.where, LONGEST)
         _check_name(str(task.place), task.where, LONGEST - len(SUFFIX))
-    place = Places()
+    place = places()
     owners: dict[str, _Owner] = {}
     for task in tasks:
         files = list(map(str, task.targets))

@@ -104,7 +104,7 @@ class Record:
     def made_of(self, hash_of: Callable[[str | Path], str] | None = None) -> dict[str, Any]:
         """Return what outputs would be made of now, by the hashes of files."""
         hash_of = hash_of or hash_of_file
-        reported = {key: value for key, value in self._job.reported.items() if key not in UNRECORDED}
+        reported = {key: value for key, value in self._job.reported().items() if key not in UNRECORDED}
         return {
             "version": __version__,
             "method": method(),

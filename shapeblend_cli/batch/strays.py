@@ -11,7 +11,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from shapeblend_cli.batch.plan import Places, Task
+from shapeblend_cli.batch.plan import Place, Task, places
 from shapeblend_cli.batch.records import (
     FOLDER,
     SUFFIX,
@@ -55,7 +55,7 @@ class Strays(NamedTuple):
 
 def strays(tasks: Sequence[Task], well: Container[int] | None = None) -> Iterator[Strays]:
     """Yield the files that are outputs no more: of jobs that are gone, and of tasks if they have ended `well`."""
-    place = Places()
+    place = places()
     taken = {place(path) for task in tasks for path in (*task.files, *map(str, task.targets))}
     records = {place(path_of(task.place)) for task in tasks}
     for task in tasks:
@@ -69,7 +69,7 @@ def strays(tasks: Sequence[Task], well: Container[int] | None = None) -> Iterato
 
 
 def _strays(
-    where: Path, is_gone: bool, record: dict[str, Any], place: Places, taken: Container[str]
+    where: Path, is_gone: bool, record: dict[str, Any], place: Place, taken: Container[str]
 ) -> Strays:
     known: dict[str, set[str]] = {}
     for part in hashes_of(record):

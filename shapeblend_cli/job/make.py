@@ -138,7 +138,7 @@ def make(
         contents.update(output.by_target(rendered))
     if job.write.report or job.write.preview:
         found = report(
-            __version__, job.files, job.reported, pairs, run.measures, output.frame_files(), clock.seconds
+            __version__, job.files, job.reported(), pairs, run.measures, output.frame_files(), clock.seconds
         )
         if job.write.report:
             import json  # most runs write no report

@@ -79,7 +79,7 @@ def _blend(order: Order) -> dict[str, Any]:
             "repeat": job.output.timing.repeat,
         },
         "settings": {
-            name: value for name, value in job.reported.items() if isinstance(value, int | float | str)
+            name: value for name, value in job.reported().items() if isinstance(value, int | float | str)
         },
         "wrong": found.wrong if found is not None else None,
         "fault": found.fault if found is not None and found.wrong > 0.0 else None,

@@ -84,6 +84,18 @@ def test_the_log_has_all_messages_of_all_runs(failed, capsys):
     assert printed == [line[20:] for line in (lines[1], *lines[4:])]
 
 
+def test_names_that_are_not_utf8(drawings):
+    name = os.fsdecode(b"in/\xff.svg")
+    Path(name).write_text("<svg/>", "utf-8")
+    Path("jobs.jsonl").write_text(json.dumps({"a": name, "b": "in/1.svg", "o": "x.svg"}), "utf-8")
+    line = "batch jobs.jsonl --summary s.xml --log-file log --depfile x.d --results r.jsonl"
+    assert run(line.split()) == 1
+    assert b"x.svg: in/\xff.svg in/1.svg\n" in Path("x.d").read_bytes()
+    assert "in/\\udcff.svg: " in Path("log").read_text("utf-8")
+    (failure,) = ElementTree.parse("s.xml").iter("failure")
+    assert failure.get("message").startswith("in/\ufffd.svg: ")
+
+
 @pytest.fixture
 def escaped(drawings):
     """A batch whose names have to be escaped, and the names."""
