@@ -28,7 +28,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz mutants bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures gallery plots studio options api tables install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz mutants bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures studio options api tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -105,22 +105,13 @@ mutants: install ## break the package in COUNT (60) random places, and list the 
 bench: install ## time the solver, whole commands and batches
 	$(BIN)/python -m pytest tests/bench -o addopts= --benchmark-only
 
-pictures: install ## draw the pictures of the README, docs/examples.md, docs/moving.md, docs/paper.md and docs/motion.md
-	$(BIN)/python -m tools.readme_pictures
-	$(BIN)/python -m tools.paper_pictures
-	$(BIN)/python -m tools.moving_pictures
-	$(BIN)/python -m tools.judge_pictures
-
-gallery: install ## draw pairs next to flubber for docs/gallery.md; needs node and npm
-	$(BIN)/python -m tools.gallery
-
-plots: install ## draw the plots of docs/plots.md
-	$(BIN)/python tools/plots.py
+pictures: install npm ## draw the pictures of the documents, but for those of the studio
+	$(BIN)/python -m tools.pictures
 
 api: install ## write the reference of the Python API, docs/api.md
 	$(BIN)/python -m tools.api_reference
 
-studio: install chromium ## correct blends in the studio, measure it, and write the pictures and figures of docs/studio.md
+studio: install chromium ## draw the pictures of the studio in docs/studio.md, and measure how fast it answers
 	$(BIN)/python -m tools.studio
 
 options: install ## write docs/options.md, and the manual page

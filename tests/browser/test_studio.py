@@ -13,7 +13,7 @@ from shapeblend_cli.studio.session import Session
 from tests.browser.test_preview import CONTRASTS
 from tests.studio.test_safety import HOSTILE
 from tests.support.drawings import BAR, LEAF, svg
-from tools.studio.__main__ import drawings, measured
+from tools.studio import measured
 
 SAMPLES = ("bird-1.svg", "bird-2.svg")
 TWO = ("M3 3H10V10H3Z", "M14 12H22V21H14Z")  # parts that pair by place
@@ -553,8 +553,7 @@ def test_a_drawing_that_cannot_be_read_is_said_at_once(studio, here):
 
 def test_it_answers_while_one_looks(browser, capsys):
     """Figures are for reading; the limits are for a machine that is busy with other things."""
-    with drawings():
-        found = measured(browser)
+    found = measured(browser)
     with capsys.disabled():
         print("", *(f"{name}: {took:.0f} ms" for name, took in found.items()), sep="\n")
     assert len(found) == 4

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from tools.contact_sheet import sheet
+from tools.pictures import sheet
 from tools.quality.data import ROOT, SETS, Pair, icon_pairs, subpaths
 from tools.quality.motions import choice
 from tools.quality.peers import shapeblend

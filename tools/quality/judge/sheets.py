@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PIL import Image, ImageDraw
 
-from tools.contact_sheet import sheet
+from tools.pictures import sheet
 from tools.quality.judge import pairs
 from tools.quality.judge.blends import OPTIONS, blend_of, look, unlikeness
 from tools.quality.judge.section import HERE
