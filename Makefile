@@ -28,7 +28,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz mutants bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures studio options api tables install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz mutants bench bench-quality bench-truth bench-morphs bench-faces bench-judge pictures studio options api tables install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -121,36 +121,25 @@ options: install ## write docs/options.md, and the manual page
 tables: install ## measure the solver and write docs/solver.json, docs/solver.md and the guide's figures of it
 	$(BIN)/python -m tools.solver_table
 
-bench-quality: install ## compare the results with other tools and write docs/quality.json and .md; much of it needs node and npm
+bench-quality: install npm ## compare the results with other tools, and write docs/quality.json and .md
 	$(BIN)/python -m tools.quality
 
-TRUTH ?= out/truth
+TRUTH ?= letters
 
-bench-truth: install ## measure by letters whose in-betweens are known, in the folder TRUTH (out/truth)
-	$(if $(filter out/truth,$(TRUTH)),$(BIN)/python -m tools.quality.truth.letters)
-	$(BIN)/python -m tools.quality.truth $(TRUTH)
+bench-truth: install npm ## measure by letters whose in-betweens are known, or by the pairs in the folder TRUTH
+	$(BIN)/python -m tools.quality.truth $(TRUTH) --peers
 
-MORPHS ?= out/morphs
+MORPHS ?= morphs
 OPTIONS ?=
 
-bench-morphs: install ## measure by limbs and morphs whose in-betweens are known, in the folder MORPHS, with OPTIONS of the command
-	$(if $(filter out/morphs,$(MORPHS)),$(BIN)/python -m tools.quality.morphs.make)
-	$(BIN)/python -m tools.quality.morphs $(MORPHS) $(OPTIONS)
+bench-morphs: install npm ## measure by limbs and morphs whose in-betweens are known, or by those in MORPHS, with OPTIONS of the command
+	$(BIN)/python -m tools.quality.truth $(MORPHS) --polygons $(OPTIONS)
 
-bench-faces: install ## count the eyes that become eyes on the same side, and the mouths that become mouths; needs npm
-	$(BIN)/python -m tools.quality.faces
+bench-faces: install npm ## count the eyes that become eyes on the same side, and the mouths that become mouths
+	$(BIN)/python -m tools.quality faces --print
 
-bench-judge: install ## count the pairs for which the judge chooses the blend that was graded best by eye; needs npm
-	$(BIN)/python -m tools.quality.judge
-
-bench-rank: install ## measure whether letters find themselves in another font, for docs/rank.md; needs npm
-	$(BIN)/python -m tools.quality.likeness
-
-sweep: install ## measure what the constants do, singly and together, and write docs/defaults.json and .md; needs npm
-	$(BIN)/python -m tools.quality.sweep
-
-worst: install ## draw the pairs that straight paths do worst, next to the motion that is chosen: out/worst.png
-	$(BIN)/python -m tools.quality.worst
+bench-judge: install npm ## count the pairs for which the judge chooses the blend that was graded best by eye
+	$(BIN)/python -m tools.quality judge --print
 
 clean: ## remove what the other targets made, except the pictures in docs
 	rm -rf $(VENV) build dist out *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis .benchmarks

@@ -17,7 +17,9 @@ from tools.quality.scores import area
 from tools.quality.tables import Section, Table
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
+
+    from tools.quality.peers import Tool
 
 HERE = Path(__file__).parent
 INSTALLED = ROOT / "out" / "quality" / "faces"
@@ -131,8 +133,8 @@ def by_size(a: str, b: str) -> dict[int, int]:
 TOOLS: dict[str, Callable[[str, str], dict[int, int]]] = {"shapeblend": ours, FLUBBER: by_size}
 
 
-def measured() -> dict:
-    """Every pair with every tool."""
+def measured(tools: Sequence[Tool] = ()) -> dict:
+    """Every pair, by shapeblend and in flubber's order."""
     scores = {
         name: raw.columns(Score, [_score(*pair, become) for pair in PAIRS]) for name, become in TOOLS.items()
     }

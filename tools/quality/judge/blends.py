@@ -21,7 +21,6 @@ OPTIONS = {
     "linear": {"motion": "linear"},
     "intrinsic": {"motion": "intrinsic"},
     "rigid": {"motion": "rigid"},
-    "safe": {"motion": "safe"},
     "paper": {"motion": "linear", "preset": "paper"},
     "paper, intrinsic": {"motion": "intrinsic", "preset": "paper"},
 }

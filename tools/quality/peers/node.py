@@ -11,7 +11,7 @@ import json
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 from tools.quality.data import ROOT, Pair, pieces, polygon, subpaths, vertices
 from tools.quality.npm import install
@@ -52,14 +52,11 @@ class Library:
         The script that runs it, without the suffix.
     job : callable
         Gives what the script is told of a pair.
-    keeps_vertices : bool
-        Whether all its frames of a pair have the same vertices.
     """
 
     name: str
     script: str
     job: Callable[[Pair], dict[str, Any]]
-    keeps_vertices: ClassVar[bool] = True
 
     def ready(self) -> str | None:
         """Install it, or return why it cannot run here."""

@@ -1,4 +1,4 @@
-"""Letters of variable fonts as pairs of known truth, made into a folder: python -m tools.quality.truth.letters DIR.
+"""Letters of variable fonts as pairs of known truth.
 
 A letter has the same points wherever a font's axes stand, so its designer has said what becomes what, and how it looks
 in between.
@@ -6,7 +6,6 @@ in between.
 
 from __future__ import annotations
 
-import argparse
 import random
 from itertools import compress, islice
 from pathlib import Path
@@ -168,17 +167,3 @@ def _is_fit(one: Morph, name: str) -> bool:
 def make(folder: Path) -> None:
     """Write all sets."""
     write(folder, {name: letters(name) for name in SETS})
-
-
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", type=Path, nargs="?", default=FOLDER)
-    folder = parser.parse_args().folder
-    if problem := ready():
-        raise SystemExit(f"no letters: {problem}")
-    make(folder)
-    print(folder)
-
-
-if __name__ == "__main__":
-    main()
