@@ -86,7 +86,7 @@ golden: install ## write the expected files of the golden tests again; look at t
 faults: install ## kill runs, let them meet, and let their disks fail, for docs/reliability.md; takes minutes
 	$(BIN)/python -m tools.faults
 
-bulk: install npm ## run batches of 2,000 icons, kill and spread them, for docs/capacity.md; takes half an hour
+bulk: install npm ## run batches of 2,000 icons, kill them and do them in shards, for docs/capacity.md; takes half an hour
 	$(BIN)/python -m tools.bulk
 
 SECONDS ?= 60
@@ -111,7 +111,7 @@ pictures: install npm ## draw the pictures of the documents, but for those of th
 api: install ## write the reference of the Python API, docs/api.md
 	$(BIN)/python -m tools.api_reference
 
-studio: install chromium ## draw the pictures of the studio in docs/studio.md, and measure how fast it answers
+studio: install chromium ## draw the pictures of the page of the studio
 	$(BIN)/python -m tools.studio
 
 options: install ## write docs/options.md, and the manual page

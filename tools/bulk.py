@@ -1,4 +1,4 @@
-"""Run large batches, kill them, spread them, and measure them, for docs/capacity.md: `make bulk`.
+"""Run large batches, kill them, do them in shards, and measure them, for docs/capacity.md: `make bulk`.
 
     python -m tools.bulk [whole] [memory] [costs] [--jobs N]
 
@@ -23,17 +23,15 @@ import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
-from tools.dask_processes import ADDRESS, SCHEDULER, worker
-from tools.quality.icon_sets import icon_file, icon_set
-from tools.quality.judge import pairs as icons
+from tools.quality.judge.pairs import VARIANTS
+from tools.quality.npm import icon_file, icon_set, install
 
 JOBS = 2000
 SHARDS = 4
 KILLS = 3
-FEW, MANY = 40, 440
-"""Batches whose difference tells what a job costs a cluster."""
+COSTS = 60
+"""Jobs whose time is taken."""
 
 PACKAGE, LONGEST = "material-symbols", 400  # characters of a plain icon
 COMMAND = [sys.executable, "-m", "shapeblend_cli"]
@@ -42,21 +40,20 @@ BATCH = [*COMMAND, "batch", "--chain", "in", "-q"]
 
 def draw(count: int, folder: Path) -> None:
     """Write one more icon than there are jobs, drawn by lot."""
-    if problem := icons.ready():
+    if problem := install():
         sys.exit(f"no icons: {problem}")
-    known = icon_set(icons.INSTALLED, PACKAGE)
-    variants = icons.VARIANTS[PACKAGE]
+    known = icon_set(PACKAGE)
     names = [
         name
         for name in sorted(known["icons"])
-        if not name.endswith(variants)
+        if not name.endswith(VARIANTS[PACKAGE])
         and known["icons"][name]["body"].count("<") == 1
         and len(known["icons"][name]["body"]) < LONGEST
     ]
     folder.mkdir()
     chosen = random.Random(18).sample(names, count + 1)
     for k, name in enumerate(chosen):
-        (folder / f"{k}.svg").write_text(icon_file(icons.INSTALLED, PACKAGE, name), "utf-8")
+        (folder / f"{k}.svg").write_text(icon_file(PACKAGE, name), "utf-8")
 
 
 def say(text: str) -> None:
@@ -163,16 +160,15 @@ def _cpu(line: list[str]) -> float:
 
 
 def costs(jobs: int) -> None:
-    """Measure what a job costs in time of a processor: alone, in a batch of one process, and on a cluster."""
-    count = min(60, jobs - 10)
+    """Measure what a job costs in time of a processor: alone, and in a batch of one process."""
+    count = min(COSTS, jobs - 10)
     pairs = [(f"in/{k}.svg", f"in/{k + 1}.svg") for k in range(count)]
     Path("out").mkdir()
     alone = sum(_cpu([*COMMAND, a, b, "-q", "-o", f"out/{k}.svg"]) for k, (a, b) in enumerate(pairs)) / count
     few = _cpu([*_first(10, "few"), "-j", "1"])
     more = _cpu([*_first(10 + count, "more"), "-j", "1"])
-    found = {"a command of its own": alone, "in a batch": (more - few) / count} | cluster(jobs)
-    for what, seconds in found.items():
-        say(f"{what}: {1000 * seconds:.1f} ms")
+    say(f"a command of its own: {1000 * alone:.1f} ms")
+    say(f"in a batch: {1000 * (more - few) / count:.1f} ms")
 
 
 def _first(count: int, name: str) -> list[str]:
@@ -180,45 +176,6 @@ def _first(count: int, name: str) -> list[str]:
     rows = [{"a": f"in/{k}.svg", "b": f"in/{k + 1}.svg", "o": f"{name}/{k}.svg"} for k in range(count)]
     Path(f"{name}.jsonl").write_text("\n".join(map(json.dumps, rows)), "utf-8")
     return [*COMMAND, "batch", f"{name}.jsonl", "-q"]
-
-
-def cluster(jobs: int) -> dict[str, float]:
-    """What a job costs the client, the scheduler and the workers of a cluster, in seconds of a processor."""
-    many = min(MANY, jobs)
-    environment = {**os.environ, "DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "false"}
-    options: dict[str, Any] = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "env": environment}
-    processes = [subprocess.Popen(SCHEDULER, **options)]
-    try:
-        while not (Path(ADDRESS).exists() and "}" in Path(ADDRESS).read_text()):
-            time.sleep(0.1)
-        address = json.loads(Path(ADDRESS).read_text())["address"]
-        for name in ("first", "second"):
-            Path(name).mkdir()
-            processes.append(subprocess.Popen(worker(address, Path(name).resolve()), cwd=name, **options))
-        time.sleep(5.0)
-        subprocess.run([*_first(8, "warm"), "--cluster", address], check=True)
-        used = []
-        for count, name in ((FEW, "near"), (many, "far")):
-            before = [_used(process.pid) for process in processes]
-            own = _cpu([*_first(count, name), "--cluster", address])
-            after = [_used(process.pid) for process in processes]
-            used.append([own, *(b - a for a, b in zip(before, after, strict=True))])
-    finally:
-        for process in processes[::-1]:
-            process.terminate()
-            process.wait()
-    client, scheduler, *workers = ((b - a) / (many - FEW) for a, b in zip(*used, strict=True))
-    return {"a worker of a cluster": sum(workers), "its scheduler": scheduler, "its client": client}
-
-
-def _used(pid: int) -> float:
-    """The seconds of a processor that a process and all those that it has started have taken, also ended ones."""
-    try:
-        fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
-    except OSError:
-        return 0.0
-    own = sum(map(int, fields[11:15])) / os.sysconf("SC_CLK_TCK")
-    return own + sum(map(_used, _children(pid)))
 
 
 def _children(pid: int) -> list[int]:

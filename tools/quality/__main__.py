@@ -16,7 +16,7 @@ from tools.quality import crossings, raw, tables, times
 from tools.quality.data import ROOT
 from tools.quality.faces import section as faces
 from tools.quality.judge import section as judge
-from tools.quality.peers import ALL
+from tools.quality.peers import ALL, ready
 from tools.quality.truth import section as truth
 
 if TYPE_CHECKING:
@@ -34,36 +34,23 @@ MEASURES: dict[str, Any] = {
 """The sections, by their names in docs/quality.json."""
 
 
-def measured(names: Iterable[str] = MEASURES, known: Mapping[str, Any] | None = None) -> dict[str, Any]:
-    """Return all scores, and what could not be measured; sections without a name here stay as they were known."""
-    problems = {tool.name: tool.ready() for tool in ALL}
-    tools = [tool for tool in ALL if problems[tool.name] is None]
-    problems |= {name: measure.ready() for name, measure in MEASURES.items()}
-    missing = [f"{what} ({problem})" for what, problem in problems.items() if problem is not None]
-    for line in missing:
-        print(f"left out: {line}", file=sys.stderr)
-    found = dict(known or {}) | {
-        name: {} if problems[name] else MEASURES[name].measured(tools) for name in names
-    }
-    return {
-        "tools": [tool.name for tool in tools],
-        "front": [tool.name for tool in tools if tool.front],
-        "missing": missing,
-        **{name: found.get(name, {}) for name in MEASURES},
-    }
+def measured(names: Iterable[str]) -> dict[str, Any]:
+    """Return the scores of sections, by their names."""
+    if problem := ready():
+        sys.exit(f"nothing was measured: {problem}")
+    return {name: MEASURES[name].measured(ALL) for name in names}
 
 
 def sections(found: Mapping[str, Any]) -> list[tables.Section]:
-    """Return the sections that were measured."""
-    return [measure.section(found[name]) for name, measure in MEASURES.items() if found.get(name)]
+    """Return the sections that were measured, in their order."""
+    return [measure.section(found[name]) for name, measure in MEASURES.items() if name in found]
 
 
 def documents(found: Mapping[str, Any], readme: str) -> dict[str, str]:
     """Return what the scores make of the README, and docs/quality.md."""
     every = sections(found)
-    front = tables.front(every, found["front"], found["missing"])
-    short = tables.short(every, found["tools"], found["missing"])
-    return {README: tables.with_figures(readme, front), QUALITY: tables.document(short, every)}
+    figures = tables.with_figures(readme, tables.front(every, [tool.name for tool in ALL if tool.front]))
+    return {README: figures, QUALITY: tables.document(every, [tool.name for tool in ALL])}
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -83,9 +70,9 @@ def main(arguments: list[str] | None = None) -> None:
         print(*(section.table.markdown() for section in sections(found)), sep="\n")
         return
     if not options.again:
-        known = json.loads((ROOT / RAW).read_text("utf-8")) if options.sections else None
-        scores = measured(options.sections or MEASURES, known)
-        (ROOT / RAW).write_text(f"{raw.text(scores)}\n", "utf-8")
+        known = json.loads((ROOT / RAW).read_text("utf-8")) if options.sections else {}
+        known |= measured(options.sections or MEASURES)
+        (ROOT / RAW).write_text(f"{raw.text({name: known[name] for name in MEASURES})}\n", "utf-8")
     found = json.loads((ROOT / RAW).read_text("utf-8"))
     for name, text in documents(found, (ROOT / README).read_text("utf-8")).items():
         (ROOT / name).write_text(text, "utf-8")

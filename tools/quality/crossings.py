@@ -103,10 +103,6 @@ def scored(tool: Tool, pairs: list[Pair]) -> list[Score | None]:
     return [frames and score(frames, counts) for frames, counts in blends]
 
 
-def ready() -> None:
-    """Nothing has to be installed."""
-
-
 def section(found: dict) -> Section:
     rows, brief = [], []
     for name, what in SETS.items():

@@ -61,34 +61,34 @@ def share(conditions: Iterable[bool]) -> str:
     return f"{100 * np.mean(list(conditions)):.3g} %"
 
 
-def short(sections: Sequence[Section], tools: Sequence[str], missing: Sequence[str]) -> str:
+def short(sections: Sequence[Section], tools: Sequence[str]) -> str:
     """Return what docs/quality.md begins with; further lines in which no tool does wrong are left out."""
     rows = [_row(brief.name, brief, tools) for section in sections for brief in section.brief]
-    told = [row for row in rows if not row[0].startswith("...") or set(row[1:]) - {"0 %", NONE}]
-    return _marked(told, tools, missing)
+    return _marked(
+        [row for row in rows if not row[0].startswith("...") or set(row[1:]) - {"0 %", NONE}], tools
+    )
 
 
-def front(sections: Sequence[Section], tools: Sequence[str], missing: Sequence[str]) -> str:
+def front(sections: Sequence[Section], tools: Sequence[str]) -> str:
     """Return the table of the README."""
     briefs = [brief for section in sections for brief in section.brief]
-    return _marked([_row(brief.front, brief, tools) for brief in briefs if brief.front], tools, missing)
+    return _marked([_row(brief.front, brief, tools) for brief in briefs if brief.front], tools)
 
 
 def _row(name: str, brief: Brief, tools: Sequence[str]) -> list[str]:
     return [name, *(brief.cells.get(tool, NONE) for tool in tools)]
 
 
-def _marked(rows: list[list[str]], tools: Sequence[str], missing: Sequence[str]) -> str:
-    lines = "".join(f"\nNot measured: {line}.\n" for line in missing)
-    return f"{BEGIN}\n\n{Table(['', *tools], rows).markdown()}{lines}\n{END}"
+def _marked(rows: list[list[str]], tools: Sequence[str]) -> str:
+    return f"{BEGIN}\n\n{Table(['', *tools], rows).markdown()}\n{END}"
 
 
-def document(short_table: str, sections: Sequence[Section]) -> str:
+def document(sections: Sequence[Section], tools: Sequence[str]) -> str:
     """Return the text of docs/quality.md."""
     written = (
         "Written by `make bench-quality`, from the scores of all pairs in [quality.json](quality.json).\n"
     )
-    parts = ["# shapeblend beside other tools\n", written, f"{short_table}\n"]
+    parts = ["# shapeblend beside other tools\n", written, f"{short(sections, tools)}\n"]
     return "\n".join([*parts, *(section.markdown() for section in sections)])
 
 

@@ -7,17 +7,17 @@ import resource
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tools.quality.data import icon_pairs, svg
-from tools.quality.peers import LIBRARIES, arc_length, flubber, shapeblend
-from tools.quality.peers.node import INSTALLED, Library
+from tools.quality.npm import INSTALLED
+from tools.quality.peers import LIBRARIES, flubber, shapeblend
+from tools.quality.peers.node import Library
 from tools.quality.scores import STEPS
-from tools.quality.tables import NONE, Brief, Section, Table
+from tools.quality.tables import Brief, Section, Table
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -42,8 +42,7 @@ Processor time of {STEPS - 1} in-betweens a pair, of icons of one contour.
   which reads two files and writes {STEPS - 1}. The libraries: `node` with a script that reads and writes path data.
 - *among many*: one command for all pairs, start-up included once. The best of {RUNS_OF_MANY} runs is divided by the
   number of pairs. shapeblend: `shapeblend batch jobs.jsonl -j 1 -n {STEPS - 1}`, which blends in one process, writes as
-  many files, and keeps a record of each blend. The libraries: the same script. Even arc length: a function that is
-  called for each pair.
+  many files, and keeps a record of each blend. The libraries: the same script.
 
 Programs in Python and in JavaScript do not compare well: shapeblend starts Python, reads and writes files, and searches
 for the best correspondence; the libraries are made to blend while a page is shown. Take the ratios as rough."""
@@ -52,22 +51,16 @@ ALONE = "processor time of a whole command, icons of one contour, as a multiple 
 AMONG_MANY = "... of a pair among many in one run"
 
 
-def ready() -> str | None:
-    """Install flubber, or say why that cannot be: its time is the unit."""
-    return flubber.FINE.ready()
-
-
 def measured(tools: Sequence[Tool]) -> dict:
     """Return seconds by tool, a number a pair where each is measured alone; the tools take turns."""
-    libraries = [library for library in LIBRARIES if library.ready() is None]
     pairs = icon_pairs("single")
-    run = {library.name: theirs(library) for library in libraries}
+    run = {library.name: theirs(library) for library in LIBRARIES}
     ways = {shapeblend.NAME: ours, **run}
     alone: dict[str, list[float]] = {name: [] for name in ways}
     for pair in pairs[::EVERY]:
         for name, seconds in _best(ways, [pair], RUNS).items():
             alone[name].append(seconds)
-    many = _best({shapeblend.NAME: ours_in_bulk, **run, arc_length.NAME: evenly}, pairs, RUNS_OF_MANY)
+    many = _best({shapeblend.NAME: ours_in_bulk, **run}, pairs, RUNS_OF_MANY)
     return {"pairs": len(pairs), "alone": alone, "many": many}
 
 
@@ -130,14 +123,6 @@ def theirs(library: Library) -> Way:
             return _run(library.command, cwd=INSTALLED, input=text, stdout=out, text=True)
 
     return run
-
-
-def evenly(pairs: Sequence[Pair], folder: Path) -> float:
-    """Blend all pairs at even arc length."""
-    before = time.process_time()
-    frames = [line for pair in pairs for line in arc_length.path_data(pair, TIMES)]
-    (folder / "frames").write_text("\n".join(frames), encoding="utf-8")
-    return time.process_time() - before
 
 
 def section(found: dict) -> Section:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tools.quality import raw
 from tools.quality.judge.blends import ALIKE, OPTIONS, blend_of, look, number, unlikeness
-from tools.quality.judge.pairs import Pair, ready
+from tools.quality.judge.pairs import Pair
 from tools.quality.tables import NONE, Section, Table
 
 if TYPE_CHECKING:
@@ -46,9 +46,6 @@ one of them. Icons drawn by lot have little in common, and then straight paths a
 another measure's. *Couples in order*: of how many couples of blends of a pair with unlike grades the judge's numbers
 have the order of the grades. A blend counts only if it still looks as it did when it was graded; others are drawn
 otherwise today. `make bench-judge` measures this alone."""
-
-
-__all__ = ["judged", "measured", "ready", "section", "wrong"]
 
 
 class Graded(NamedTuple):

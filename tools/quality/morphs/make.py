@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from tools.quality.data import ROOT
 from tools.quality.morphs import articulated, authored
-from tools.quality.morphs.packages import HERE
+from tools.quality.npm import PACKAGES
 from tools.quality.truth.form import SETS
 from tools.quality.truth.write import write
 
@@ -21,4 +21,4 @@ def make(folder: Path) -> None:
     """Write both splits, and whose drawings they are."""
     write(folder / "articulated", {"single": articulated.morphs()})
     write(folder / "authored", {name: authored.morphs(name) for name in SETS})
-    shutil.copy(HERE / "LICENCE.md", folder)
+    shutil.copy(PACKAGES / "LICENCE.md", folder)

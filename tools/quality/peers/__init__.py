@@ -25,8 +25,6 @@ class Tool(NamedTuple):
         Gives for each pair its frames at the times of `scores.STEPS`, or None where the tool fails.
     linked : callable
         Gives for each pair of known truth its in-betweens and what goes where, or None where the tool fails.
-    ready : callable
-        Gives None, or else why the tool cannot run here.
     front : bool
         Whether it has a column in the README.
     """
@@ -34,7 +32,6 @@ class Tool(NamedTuple):
     name: str
     blends: Callable[[list[Pair]], list[list[list[np.ndarray]] | None]]
     linked: Callable[[list[Truth]], list[Linked | None]]
-    ready: Callable[[], str | None] = lambda: None
     front: bool = False
 
 
@@ -44,14 +41,13 @@ LIBRARIES = (flubber.FINE, kute.FINE, kute.OF_CURVES, polymorph.FINE)
 ALL = (
     Tool(shapeblend.NAME, shapeblend.blends, shapeblend.linked, front=True),
     *(
-        Tool(
-            library.name,
-            library.blends,
-            library.linked,
-            library.ready,
-            library in (flubber.FINE, kute.OF_CURVES),
-        )
+        Tool(library.name, library.blends, library.linked, library in (flubber.FINE, kute.OF_CURVES))
         for library in LIBRARIES
     ),
     Tool(arc_length.NAME, arc_length.blends, arc_length.linked, front=True),
 )
+
+
+def ready() -> str | None:
+    """Install the libraries, with the fonts, icons and animations, or return why they cannot run here."""
+    return next(filter(None, (library.ready() for library in LIBRARIES)), None)

@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 
 from tools.quality.morphs import make as morphs
-from tools.quality.morphs import packages
-from tools.quality.peers import ALL, shapeblend
+from tools.quality.npm import install
+from tools.quality.peers import ALL, ready, shapeblend
 from tools.quality.tables import NONE, Table
 from tools.quality.truth import letters
 from tools.quality.truth.form import SETS, load
@@ -23,10 +23,7 @@ from tools.quality.truth.measures import Nearness, nearness
 HEADER = ("split", "set", "tool", "pairs", "corr, median", "mean", "max", "gross", "strict, median", "mean")
 HEADER += ("dist, mean", "crossed", "corners", "segments")
 
-MADE = {
-    "letters": (letters, letters.FOLDER, letters.ready),
-    "morphs": (morphs, morphs.FOLDER, packages.ready),
-}
+MADE = {"letters": letters, "morphs": morphs}
 
 
 def row(found: list[Nearness]) -> list[str]:
@@ -57,15 +54,15 @@ def main() -> None:
     parser.add_argument("--pairs", action="store_true")
     options, also = parser.parse_known_args()
     folder = Path(options.folder)
-    if options.folder in MADE:
-        kind, folder, ready = MADE[options.folder]
-        if problem := ready():
-            parser.error(f"{options.folder} cannot be made: {problem}")
-        kind.make(folder)
+    if problem := ready() if options.peers else options.folder in MADE and install():
+        parser.error(f"npm is needed: {problem}")
+    if made := MADE.get(options.folder):
+        folder = made.FOLDER
+        made.make(folder)
     files = [file for file in (folder / "index.json", *sorted(folder.glob("*/index.json"))) if file.exists()]
     if not files:
         parser.error(f"no index.json in {folder} or the folders in it")
-    tools = [tool for tool in ALL if options.peers and tool.name != shapeblend.NAME and not tool.ready()]
+    tools = [tool for tool in ALL if options.peers and tool.name != shapeblend.NAME]
     rows = []
     for split in [file.parent for file in files]:
         for name in SETS:

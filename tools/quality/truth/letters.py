@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import random
 from itertools import compress, islice
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,18 +15,17 @@ from fontTools.pens.basePen import BasePen
 from fontTools.ttLib import TTFont
 
 from tools.quality.data import ROOT
-from tools.quality.npm import install
+from tools.quality.npm import MODULES
 from tools.quality.truth.form import SETS
 from tools.quality.truth.measures import apart
 from tools.quality.truth.write import SEED, SIZE, Morph, centred, is_plain, write
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from pathlib import Path
 
     from tools.quality.truth.write import Outline
 
-HERE = Path(__file__).parent / "fonts"
-INSTALLED = ROOT / "out" / "quality" / "fonts"
 FOLDER = ROOT / "out" / "truth"
 
 FAMILIES = {
@@ -81,11 +79,6 @@ class _Pen(BasePen):
         self.outline[-1].append(np.array([self.last, self.first]))
 
 
-def ready() -> str | None:
-    """Install the fonts, or say why that cannot be."""
-    return install(HERE, INSTALLED)
-
-
 def letters(name: str) -> Iterator[Morph]:
     """The letters of a set: of each family as many as there shall be, axis after axis."""
     for family in FAMILIES:
@@ -104,7 +97,7 @@ def letters(name: str) -> Iterator[Morph]:
 def opened(family: str) -> TTFont:
     """The font of a family."""
     name = package(family)
-    files = INSTALLED / "node_modules" / "@fontsource-variable" / name / "files"
+    files = MODULES / "@fontsource-variable" / name / "files"
     return TTFont(files / f"{name}-{FAMILIES[family]}.woff2")
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from tools.quality import raw
 from tools.quality.data import cut_in_two
-from tools.quality.morphs import make, packages
+from tools.quality.morphs import make
 from tools.quality.morphs.articulated import POSES
 from tools.quality.morphs.authored import ANIMATIONS, CHANGED
 from tools.quality.tables import NONE, Brief, Section, Table, share
@@ -135,11 +135,6 @@ licence); npm installs them from a lock file.
 A pair without an answer counts as 100 %, as 50 %, as crossed, and as without corners. shapeblend is told
 `--place asis` and the number of frames. `make bench-truth TRUTH=DIR` and `make bench-morphs MORPHS=DIR` measure other
 pairs."""
-
-
-def ready() -> str | None:
-    """Install the fonts, icons and animations, or say why that cannot be."""
-    return letters.ready() or packages.ready()
 
 
 def measured(tools: Sequence[Tool]) -> dict:
