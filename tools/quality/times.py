@@ -131,7 +131,7 @@ def section(found: dict) -> Section:
     rows = [
         [
             tool,
-            *(f"{1000 * np.median(each[tool]):.1f} ms" if tool in each else NONE for each in (alone, many)),
+            *(f"{1000 * np.median(each[tool]):.1f} ms" for each in (alone, many)),
         ]
         for tool in many
     ]
