@@ -96,6 +96,7 @@ def whole(count: int) -> None:
     current = statuses("r.jsonl").count("current")
     check(current == stood, f"run again, {current} were up to date")
     check(len(made("whole")) == count, f"all {count} outputs are there")
+    Path("r.jsonl").unlink()
     usage = _cpu(line)
     check(
         {*statuses("r.jsonl")} == {"current"},

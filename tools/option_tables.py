@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from shapeblend_cli.batch.options import BatchOptions
 from shapeblend_cli.job.job import RECORDS as OF_BLEND
 from shapeblend_cli.options.settings import (
     BATCH,
@@ -14,7 +15,6 @@ from shapeblend_cli.options.settings import (
     SECTIONS,
     STATES,
     STUDIO,
-    BatchOptions,
     InkscapeOptions,
     InstallOptions,
     PlotOptions,

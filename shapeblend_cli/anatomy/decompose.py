@@ -10,14 +10,9 @@ import numpy as np
 from shapeblend_cli.anatomy.nesting import nest
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.polygons import (
-    orientation,
-    reverse_contour,
-    reverse_polygon,
-    signed_area,
-    winding_numbers,
-)
+from shapeblend_cli.geometry.polygons import orientation, signed_area, winding_numbers
 from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Contour, Drawing, Polygon, Style
 
 if TYPE_CHECKING:
@@ -51,6 +46,11 @@ class PlacedContour(NamedTuple):
     any_rule: bool = True  # whether the other fill rule would paint the shape the same
     is_piece: bool = False  # whether it is a piece cut from the contour with this number
     opened: int | None = None  # number of the hole that is part of it, where it is a ring that is cut open
+
+    @property
+    def flat(self) -> FlatContour:
+        """The contour and its polygon."""
+        return FlatContour(self.contour, self.polygon)
 
     @property
     def box(self) -> Box:
@@ -222,8 +222,8 @@ def _with_roles(contours: Sequence[PlacedContour], exterior_orientation: int) ->
         if parent is not None:
             contour = contour._replace(role=HOLE, exterior=closed[parent].number)
         if is_reversed:
-            polygon = reverse_polygon(contour.polygon, len(contour.contour.segments))
-            contour = contour._replace(contour=reverse_contour(contour.contour), polygon=polygon)
+            back = contour.flat.reversed()
+            contour = contour._replace(contour=back.contour, polygon=back.polygon)
         placed[number] = contour
     return list(placed.values())
 

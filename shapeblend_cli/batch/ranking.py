@@ -56,10 +56,10 @@ class Ranking:
     def rate(self) -> Iterator[Rated]:
         """Blend each drawing with the first, in processes, and yield what was found, as it is."""
         orders = [
-            (k, Order((self._first, other), self._given, False, self._data))
+            (k, Order((self._first, other), self._given, False, data=self._data))
             for k, other in enumerate(self.others)
         ]
-        for ended in run_all(orders, self._options.jobs or processors(), False, WORKERS):
+        for ended in run_all(orders, self._options.jobs or processors(), module=WORKERS):
             answer = ended.answer
             found = answer.contents if answer.status == DONE else None
             yield Rated(self.others[ended.number], found, answer.error, answer.notes)

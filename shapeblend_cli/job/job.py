@@ -44,10 +44,8 @@ def job_of(files: tuple[str, ...], given: Mapping[str, Any], command: tuple[str,
         )
     if write.tries is not None and len(files) > 2:
         raise OptionError(f"--try applies to two files; {len(files)} given")
-    reported = report_settings(
-        read, output.settings, options.replace(**output.decided()), write, RunOptions.of(given)
-    )
-    return Job(files, read, output, write, reported, command)
+    reported = report_settings(read, output.settings, options, write, RunOptions.of(given))
+    return Job(files, read, output, write, reported | output.decided(), command)
 
 
 def check_files(files: tuple[str, ...], settings: Settings) -> None:

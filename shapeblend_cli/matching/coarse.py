@@ -242,7 +242,7 @@ def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> FloatArray:
         return np.arange(m, dtype=np.float64)
     runs = -(-m // FACTOR)
     padded = np.zeros(runs * FACTOR)
-    padded[:m] = Corners(vertices, closed).sharpness()
+    padded[:m] = np.abs(Corners(vertices, closed).turn)
     sharp = np.arange(runs) * FACTOR + padded.reshape(runs, FACTOR).argmax(axis=1)
     fixed = set(sharp[padded[sharp] > CORNER].tolist()) | keep | {0}
     if not closed:

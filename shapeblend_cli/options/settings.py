@@ -13,7 +13,6 @@ from shapeblend_cli.options import types as types
 from shapeblend_cli.options.constants import PRESETS, WIRE, WorkConstants
 from shapeblend_cli.options.easing import LINEAR, Ease
 from shapeblend_cli.options.fields import Record, option
-from shapeblend_cli.options.triggers import Trigger
 
 Vertices = tuple[int, int] | tuple[complex, complex]
 Contours = tuple[str, str] | tuple[complex, complex]
@@ -197,6 +196,14 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         help="How shapes move. linear: along straight lines; rigid: rotated as a whole; intrinsic: by their lengths "
         "and angles; auto: whichever of these looks best.",
     )
+    strokes: str = option(
+        types.choice("auto", "keep", "recover"),
+        default="auto",
+        section=IN_BETWEENS,
+        help="auto: drawings that are made with a pen move as the lines of that pen, also where their strokes were "
+        "expanded into filled shapes; recover: whatever lines there are do; keep: strokes and fills as the files have "
+        "them.",
+    )
     viewbox: str = option(
         types.choice("auto", "keep", "grow"),
         default="auto",
@@ -248,6 +255,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         """Raise OptionError if some of the settings do not go with so many drawings."""
         if count > 2 and any(getattr(self, name) for name in ABOUT_TWO_DRAWINGS):
             raise OptionError(f"--start, --pin, --match and --stiff apply to two files; {count} given")
+        if count > 2 and self.strokes == "recover":
+            raise OptionError(f"--strokes recover applies to two files; {count} given")
         for weights in self.mix:
             if len(weights) != count:
                 shown = ",".join(f"{weight:g}" for weight in weights)
@@ -350,65 +359,6 @@ class PlotOptions(Record, section=PLOT):
         metavar="I,J",
         help="For angle: vertex I of A and vertex J of B, which correspond.",
         default_text="the dot with the most bending work; 0",
-    )
-
-
-class BatchOptions(Record, section=BATCH):
-    """Which jobs a batch has, and how they are done."""
-
-    pairs: tuple[str, str] | None = option(
-        types.FOLDERS,
-        default=None,
-        help="Blend each drawing in FROM, or in a folder inside it, into the one with the same name in TO.",
-    )
-    chain: str | None = option(
-        types.file(),
-        default=None,
-        metavar="'*.svg'",
-        help="Blend each of these drawings, or of those in a folder, into the next one, 9.svg before 10.svg.",
-    )
-    every_two: str | None = option(
-        types.file(),
-        default=None,
-        key="all",
-        metavar="FOLDER",
-        help="Blend every two drawings of a folder, or of a pattern in quotes.",
-    )
-    jobs: int | None = option(
-        types.whole(1, 1024),
-        default=None,
-        flags=("-j", "--jobs"),
-        help="Number of jobs done at a time.",
-        default_text="the number of processors",
-    )
-    results: str | None = option(
-        types.file(),
-        default=None,
-        metavar="FILE.jsonl",
-        help="Write a line of JSON for each job as it ends; - for standard output.",
-    )
-    fail_fast: bool = option(
-        types.FLAG, default=False, help="Start no further jobs after one that fails, instead of going on."
-    )
-    dry_run: bool = option(
-        types.FLAG, default=False, help="Print what would be done, and why, and do nothing."
-    )
-    why: bool = option(types.FLAG, default=False, help="Say for each job why it is done.")
-    watch: bool = option(
-        types.FLAG,
-        default=False,
-        help="Keep running, and do jobs again when their drawings or the manifest change.",
-    )
-    shard: tuple[int, int] | None = option(
-        types.SHARD,
-        default=None,
-        help="Do the Kth of N parts of the batch, to share it between N machines.",
-    )
-    cluster: str | None = option(
-        types.ADDRESS,
-        default=None,
-        help="Let the workers of a dask scheduler do the jobs. Drawings and outputs are sent; no shared folder is "
-        "needed.",
     )
 
 
@@ -559,21 +509,14 @@ REPORTED = (
     "frames ends output emit force select_a select_b lenient place vertices start pins reverse stiff match unmatched "
     "solver band effort preset ks kb es eb pb mb cs bending kt smoothing motion viewbox style curves precision animate "
     "duration ease repeat format width columns background fps report preview"
-)
+).split()
 """The order of the settings in reports of format 1; any others follow."""
 
 
 def report_settings(*records: Record) -> dict[str, Any]:
     """Return the values of records as the report lists them."""
-    values = {o.key: _plain(getattr(record, o.name)) for record in records for o in record.options.values()}
+    values: dict[str, Any] = {}
+    for record in records:
+        values |= record.listed
     values["start"] = values["start"] or "auto"
-    return {key: values[key] for key in (*REPORTED.split(), *values) if key in values}
-
-
-def _plain(value: Any) -> Any:
-    """Return a value as JSON has it."""
-    if isinstance(value, complex):
-        return [value.real, value.imag]
-    if isinstance(value, tuple):
-        return str(value) if isinstance(value, Ease | Trigger) else [_plain(one) for one in value]
-    return value
+    return {key: values[key] for key in REPORTED if key in values} | values

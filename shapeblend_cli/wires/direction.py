@@ -63,7 +63,6 @@ def solve(
 
     Constraints that cannot be met raise a MatchError.
     """
-    wires = Wires(to_unit_box(a), to_unit_box(b), a.closed, settings.constants, stiffness(a, settings))
     search = Search(
         start=constraints.start,
         pins=constraints.pinned_vertices(a, b),
@@ -73,7 +72,12 @@ def solve(
         near=near,
         known=known,
     )
-    return least_work(wires, search, watch)
+    return least_work(wires_of(a, b, settings), search, watch)
+
+
+def wires_of(a: Polygon, b: Polygon, settings: Settings) -> Wires:
+    """Return polygons as wires in the unit box, A stiff where that is required."""
+    return Wires(to_unit_box(a), to_unit_box(b), a.closed, settings.constants, stiffness(a, settings))
 
 
 def reversed_candidates(a: Polygon, b: Polygon, reverse: str) -> list[bool]:

@@ -14,24 +14,19 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.placement import to_unit_box
-from shapeblend_cli.geometry.polyline import cumulative_lengths, thin
+from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.matching.solve import Search, least_work, priced
-from shapeblend_cli.matching.work import Wire, Wires
-from shapeblend_cli.model import Box
-from shapeblend_cli.wires.common_cuts import solve_among
-from shapeblend_cli.wires.outline import Outline
-from shapeblend_cli.wires.stretches import TOLERANCE, shared_stretches
+from shapeblend_cli.wires.common_cuts import refine
+from shapeblend_cli.wires.contour_match import Solved
+from shapeblend_cli.wires.stretches import mostly_shared
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.geometry.flat_contour import FlatContour
+    from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
-    from shapeblend_cli.options.settings import Settings
-    from shapeblend_cli.wires.common_cuts import FlatContour, Solve, Solved
-
-WATCHED, FIRST_SHARE = 32, 0.15
-"""So many points of A are looked at first, and so many of them at least lie on B."""
+    from shapeblend_cli.wires.contour_match import ContourMatch
 
 SAME, ROUNDED = 1e-6, 6
 """Shares of a length that are one; and as decimals."""
@@ -57,67 +52,45 @@ class Anchors(NamedTuple):
     steps: FloatArray
 
 
-def solve_with_shared(
-    a: FlatContour,
-    b: FlatContour,
-    solve: Solve,
-    settings: Settings,
-) -> Solved | None:
+def solve_with_shared(match: ContourMatch) -> Solved | None:
     """Solve two contours, with common cuts, such that what they share stays where it is.
 
-    Parameters
-    ----------
-    a, b : FlatContour
-        In the same direction.
-    solve : callable
-        Finds the least work, whatever is shared; see `solve_with_common_cuts`.
-    settings : Settings
-
-    Returns
-    -------
-    a, b : FlatContour
-        With all nodes of those given, and other vertices.
-    correspondence : Correspondence
-        Of these two. The lower bound is that of all matches, where it was looked for.
-
-    None if they share too little, or nothing that has an end; and for lines, and where holding takes far more work.
+    None if they share too little, or nothing that has an end; for lines, and where B is rotated; and if holding takes
+    far more work than other matches.
     """
-    anchors = _anchors(a, b)
+    anchors = None if match.rotation else _anchors(match.a, match.b)
     if anchors is None:
         return None
-    cut = a.cut_at(anchors[0].places, SAME), b.cut_at(anchors[1].places, SAME)
+    cut = match.a.cut_at(anchors[0].places, SAME), match.b.cut_at(anchors[1].places, SAME)
     limbs = [_limb_of(p, q) for p, q in zip(*map(_gaps, cut, anchors), strict=True)]
 
     def solve_pieces(
         p: FlatContour, q: FlatContour, near: IntArray | None = None, known: float = np.inf
     ) -> Solved:
-        whole = Wires(to_unit_box(p.polygon), to_unit_box(q.polygon), True, settings.constants)
-        return p, q, priced(whole, _joined((p, q), anchors, limbs, whole, settings.effort))
+        whole = match.wires(p, q)
+        dots = _joined((p, q), anchors, limbs, whole, match.settings.effort)
+        return Solved(p, q, priced(whole, dots))
 
-    most = None if any(limbs) else MOST
-    return solve_among(solve_pieces(*cut), solve_pieces, solve, settings.effort, most)
+    solved = refine(match, solve_pieces(*cut), solve_pieces)
+    return match.unless_far_more(solved, None if any(limbs) else MOST)
 
 
 def _anchors(a: FlatContour, b: FlatContour) -> tuple[Anchors, Anchors] | None:
     """Return where stretches that two closed contours share begin and end; None if there are none to hold."""
     if not (a.polygon.closed and b.polygon.closed):
         return None
-    outlines = Outline.of(a), Outline.of(b)
-    diagonal = Box.union([flat.polygon.box for flat in (a, b)]).diagonal
-    away = outlines[1].lengths_near(thin(a.polygon.vertices, WATCHED))[0]
-    if (away <= TOLERANCE * diagonal).mean() < FIRST_SHARE:
+    shared = mostly_shared([a], [b])
+    if shared is None:
         return None
-    stretches = shared_stretches(outlines[:1], outlines[1:], diagonal)
-    stretches = sorted(stretches, key=lambda stretch: stretch.start[0] % outlines[0].total)
-    if not stretches or stretches[0].end[1] - stretches[0].start[1] >= outlines[1].total:
+    stretches = sorted(shared.stretches, key=lambda stretch: stretch.start[0] % a.total)
+    if stretches[0].end[1] - stretches[0].start[1] >= b.total:
         return None
-    found = [
-        _anchors_on(outline.total, [(s.start[k], s.end[k]) for s in stretches])
-        for k, outline in enumerate(outlines)
-    ]
-    if any(abs(anchors.steps.sum() - 1.0) > 0.5 for anchors in found):
+    first, second = (
+        _anchors_on(flat.total, [(s.start[k], s.end[k]) for s in stretches]) for k, flat in enumerate((a, b))
+    )
+    if any(abs(anchors.steps.sum() - 1.0) > 0.5 for anchors in (first, second)):
         return None  # in another order on one outline than on the other
-    return found[0], found[1]
+    return first, second
 
 
 def _anchors_on(total: float, stretches: Sequence[tuple[float, float]]) -> Anchors:
@@ -131,7 +104,7 @@ def _anchors_on(total: float, stretches: Sequence[tuple[float, float]]) -> Ancho
 
 def _pieces(flat: FlatContour, anchors: Anchors) -> list[IntArray]:
     """Return the numbers of the vertices from each anchor to the next, both ends included."""
-    own = flat.lengths[: len(flat.polygon.vertices)]
+    own = flat.shares[: len(flat.polygon.vertices)]
     ends = np.abs((own[:, None] - anchors.places + 0.5) % 1.0 - 0.5).argmin(axis=0)
     counts = (np.roll(ends, -1) - ends) % len(own)
     counts[(counts == 0) & (anchors.steps > 0.5)] = len(own)
@@ -160,12 +133,7 @@ def _joined(
         elif limb:
             piece = _into_line(z, w) if limb == "a" else _into_line(w, z)[:, ::-1]
         else:
-            first, second = (
-                Wire(*(points[numbers] for points in wire))
-                for wire, numbers in zip(whole.wires, (i, j), strict=True)
-            )
-            wires = Wires(first, second, False, whole.constants)
-            piece = least_work(wires, Search(effort=effort)).dots
+            piece = least_work(whole.along(i, j), Search(effort=effort)).dots
         dots.append(np.stack([i[piece[:-1, 0]], j[piece[:-1, 1]]], axis=1))
     return _without_corners(np.concatenate(dots), (whole.m, whole.n))
 

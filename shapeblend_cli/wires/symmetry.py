@@ -16,19 +16,19 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, points_at
 from shapeblend_cli.matching.solve import Search, least_work, priced
-from shapeblend_cli.matching.work import Wire, Wires
 from shapeblend_cli.model import Polygon
-from shapeblend_cli.wires.common_cuts import solve_among
+from shapeblend_cli.wires.common_cuts import refine
+from shapeblend_cli.wires.contour_match import Solved
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Iterator, Sequence
 
+    from shapeblend_cli.geometry.flat_contour import FlatContour
+    from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import ComplexArray, Correspondence, FloatArray, IntArray
-    from shapeblend_cli.options.settings import Settings
-    from shapeblend_cli.wires.common_cuts import FlatContour, Solve, Solved
+    from shapeblend_cli.wires.contour_match import ContourMatch
 
 SAMPLES = 128
 """An axis is looked for at so many points, evenly along the outline."""
@@ -107,38 +107,12 @@ class Parts(NamedTuple):
         )
 
 
-def solve_with_symmetry(
-    a: FlatContour,
-    b: FlatContour,
-    first: Correspondence,
-    turned: Callable[[Polygon], Polygon],
-    solve: Solve,
-    settings: Settings,
-) -> Solved | None:
+def solve_with_symmetry(match: ContourMatch) -> Solved | None:
     """Solve two contours that have an axis each, with common cuts, such that both halves do the same.
-
-    Parameters
-    ----------
-    a, b : FlatContour
-        In the same direction.
-    first : Correspondence
-        The least work as they are.
-    turned : callable
-        Returns B's polygons as they are solved, perhaps rotated back.
-    solve : callable
-        Finds the least work, whatever becomes of the axes; see `solve_with_common_cuts`.
-    settings : Settings
-
-    Returns
-    -------
-    a, b : FlatContour
-        With all nodes of those given, and other vertices.
-    correspondence : Correspondence
-        Of these two. The lower bound is that of all matches, where it was looked for.
 
     None without such axes, or if it takes far more work than other matches.
     """
-    axes = common_axes(a.polygon, turned(b.polygon))
+    axes = common_axes(match.a.polygon, match.rotated_back(match.b.polygon))
     if not axes:
         return None
     axes_a, axes_b = zip(*axes, strict=True)
@@ -147,11 +121,11 @@ def solve_with_symmetry(
         p: FlatContour, q: FlatContour, near: IntArray | None = None, known: float = np.inf
     ) -> Solved:
         parts = cut_in_parts(p, axes_a), cut_in_parts(q, axes_b)
-        vertices = to_unit_box(parts[0].flat.polygon), to_unit_box(turned(parts[1].flat.polygon))
-        whole = Wires(*vertices, a.polygon.closed, settings.constants)
-        return parts[0].flat, parts[1].flat, _solve_parts(parts, whole, settings.effort)
+        flats = parts[0].flat, parts[1].flat
+        return Solved(*flats, _solve_parts(parts, match.wires(*flats), match.settings.effort))
 
-    return solve_among(solve_part(a, b), solve_part, solve, settings.effort, MOST, first.work)
+    solved = refine(match, solve_part(match.a, match.b), solve_part)
+    return match.unless_far_more(solved, MOST, match.first.work)
 
 
 def common_axes(a: Polygon, b: Polygon) -> list[tuple[Axis, Axis]]:
@@ -223,7 +197,7 @@ def cut_in_parts(flat: FlatContour, axes: Sequence[Axis]) -> Parts:
     All nodes stay vertices. A node of one part is the mirror image of a node of another one if it is the nearest there,
     and near; else that part gets a vertex. Further vertices are those of the first part.
     """
-    own = flat.lengths[: len(flat.polygon.vertices)]
+    own = flat.shares[: len(flat.polygon.vertices)]
     is_node = flat.polygon.parameter == 0.0
     ends = [_at_node(end, own[is_node]) for axis in axes for end in axis.ends]
     if not flat.polygon.closed:
@@ -310,7 +284,7 @@ def _cut(
     flat: FlatContour, ends: Sequence[float], parts: Sequence[Part], at: Sequence[FloatArray], kept: IntArray
 ) -> Parts:
     """Cut a contour at the ends of parts and at places on each; kept are the numbers of vertices already there."""
-    polygon, own = flat.polygon, flat.lengths[: len(flat.polygon.vertices)]
+    polygon, own = flat.polygon, flat.shares[: len(flat.polygon.vertices)]
     places = np.concatenate([ends, *at])
     at_ends = [np.flatnonzero(own == end) for end in ends]
     vertex = np.concatenate([[found[0] if len(found) else -1 for found in at_ends], kept.T.ravel()]).astype(
@@ -320,7 +294,7 @@ def _cut(
     points, segment, parameter = (
         np.where(new, 0, values[vertex]) for values in (polygon.vertices, polygon.segment, polygon.parameter)
     )
-    points[new], segment[new], parameter[new] = flat.points_between(places[new])
+    points[new], segment[new], parameter[new] = flat.points_at(places[new])
     order = np.argsort(np.where(new, places, own[vertex]), kind="stable")
     number = np.empty(len(order), np.intp)
     number[order] = np.arange(len(order))
@@ -340,10 +314,6 @@ def _solve_parts(parts: tuple[Parts, Parts], whole: Wires, effort: str) -> Corre
 
     The lower bound is 0, as other matches of the whole may take less work.
     """
-    first = [
-        Wire(*(points[side.vertices[0]] for points in wire))
-        for wire, side in zip(whole.wires, parts, strict=True)
-    ]
-    found = least_work(Wires(first[0], first[1], False, whole.constants), Search(effort=effort))
+    found = least_work(whole.along(*(side.vertices[0] for side in parts)), Search(effort=effort))
     dots = np.stack([side.around(found.dots[:, k]) for k, side in enumerate(parts)], axis=1)
     return priced(whole, dots, found.sweeps)

@@ -13,7 +13,7 @@ from shapeblend_cli.cli import run
 from shapeblend_cli.matching.landscape import landscape
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.svg.reading.read import read
-from shapeblend_cli.wires.contour_blends import solved_wires
+from shapeblend_cli.wires.match import solved_wires
 from tests.support.commands import points
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, SQUARES, B, svg
 from tests.support.motions import blend

@@ -1,14 +1,25 @@
 """The solver for polygons without a drawing, and the search through every path beside it."""
 
+import dataclasses
+
 from shapeblend_cli.matching.solve import Search, least_work
 from shapeblend_cli.matching.steps import BEND_OF_STEPS, MOVES
 from shapeblend_cli.matching.work import Wires
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.wires.constraints import Constraints
+from shapeblend_cli.wires.contour_match import ContourMatch
 from tests.support.oracle import Oracle
 
 
 def find_least(p0, p1, closed=True, constants=None, weight=None, **search):
     """The least-work correspondence of two polygons; `search` as in `Search`."""
     return least_work(Wires(p0, p1, closed, constants, weight), Search(**search))
+
+
+def match_of(a, b, **settings):
+    """The match of two flat contours that is free of constraints."""
+    match = ContourMatch(a, b, None, Settings(**settings), Constraints())
+    return dataclasses.replace(match, first=match.solve(a, b).correspondence)
 
 
 def exhaustive(p0, p1, closed, constants, weight=None, **restrictions):

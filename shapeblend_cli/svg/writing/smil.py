@@ -21,7 +21,7 @@ from shapeblend_cli.svg.writing.paint import Gradients, gradient_attributes, gra
 from shapeblend_cli.svg.writing.path_data import short_path_data
 from shapeblend_cli.svg.writing.rounding import number
 
-DISCRETE = frozenset(("fill_rule", "stroke_linecap", "stroke_linejoin", "spreadMethod"))
+DISCRETE = frozenset(("fill_rule", "stroke_linecap", "stroke_linejoin", "vector_effect", "spreadMethod"))
 """Attributes that have nothing in between and switch at half time."""
 
 

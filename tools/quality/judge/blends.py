@@ -11,7 +11,7 @@ import numpy as np
 import shapeblend_cli as sb
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.model import Box
-from shapeblend_cli.motion.judge import judged, outlines_of
+from shapeblend_cli.motion.judge import judge_shape, outlines_of
 from tools.quality.npm import icon_file
 
 if TYPE_CHECKING:
@@ -71,5 +71,5 @@ def unlikeness(p: str, q: str) -> float:
 def number(blend: sb.Blend) -> float:
     """What is wrong with a blend: the judge's numbers of its shapes, each counting by the area it paints."""
     view = Box.union([drawing.viewbox for drawing in blend.drawings])
-    found = [judged(shape, view) for shape in blend.pairs[0].each_shape]
+    found = [judge_shape(shape, view) for shape in blend.pairs[0].each_shape]
     return float(np.average([one.judgement.number for one in found], weights=[one.painted for one in found]))
