@@ -66,7 +66,7 @@ docs: install ## build the documents as a site, out/site, and check its links
 	$(BIN)/python -m tools.site
 
 docs-check: install npm ## draw the pictures in docs and measure some figures again, and compare; much of it needs npm
-	$(BIN)/python -m pytest -q $(DOCS_TESTS)
+	$(BIN)/python -m pytest -q $(PARALLEL) $(DOCS_TESTS)
 
 lint: $(VENV)/.installed ## check format, lint and types
 	$(BIN)/ruff format --check .
