@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from tests.support.commands import write
+from tests.support.dask_processes import ADDRESS, SCHEDULER, worker
 from tests.support.drawings import BAR, LEAF, svg
-from tools.dask_processes import ADDRESS, SCHEDULER, worker
 
 pytest.importorskip("distributed")
 

@@ -1,8 +1,7 @@
-"""Draw what each term of the judge punishes, for docs/motion.md: python -m tools.judge_pictures, no arguments."""
+"""Examples of what each term of the judge punishes, drawn for docs/motion.md by `make pictures`."""
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -17,17 +16,16 @@ if TYPE_CHECKING:
 
     Moving = Callable[[float], ComplexArray]
 
-ROOT = Path(__file__).resolve().parents[1]
-DOCS = ROOT / "docs"
-
 SHOWN = range(0, STEPS + 1, 2)
 """The moments that are drawn, of those at which the judge looks."""
 
 CELL, MARGIN, HEAD, NUMBER = 76, 8, 26, 60
 """Pixels: the height of a row and the width of a drawing in it, what stays free around that, and room for text."""
 
-GROUND, SHAPE, EDGE, TEXT, VIEW = "#f6f6f4", "#7fa3cf", "#24476f", "#333333", "#a33b3b"
-FONT = "font-family='sans-serif' font-size='14'"
+STYLE = (
+    "<style>text { font: 14px sans-serif; fill: #333 } polygon { fill: #7fa3cf; stroke: #24476f } "
+    ".view { fill: none; stroke: #a33b3b; stroke-dasharray: 3 }</style>"
+)
 
 
 class Example(NamedTuple):
@@ -112,7 +110,7 @@ EXAMPLES = {
 
 
 def term(name: str, moving: Moving, view: Box | None) -> float:
-    """What the judge finds of that fault in the motion of a polygon."""
+    """Return what the judge finds of a fault in the motion of a polygon."""
     points = np.stack([moving(t) for t in TIMES.tolist()])
     count = points.shape[1]
     following, contour = np.roll(np.arange(count), -1), np.zeros(count, int)
@@ -121,48 +119,32 @@ def term(name: str, moving: Moving, view: Box | None) -> float:
 
 
 def drawn(name: str) -> str:
-    """The picture of a term: the blend with its fault above, the one without it below, and the numbers."""
-    example = EXAMPLES[name]
-    rows = {"with": example.wrong, "without": example.right}
-    shown = [moving(TIMES[k]) for moving in rows.values() for k in SHOWN]
-    everything = Box.around(np.concatenate(shown))
-    box = Box.union([everything, example.view]) if example.view else everything
+    """Return the picture of a term: the blend with its fault, the one without it below, and the numbers."""
+    wrong, right, view = EXAMPLES[name]
+    shown = [[moving(TIMES[k]) for k in SHOWN] for moving in (wrong, right)]
+    everything = Box.around(np.concatenate([*shown[0], *shown[1]]))
+    box = Box.union([everything, view]) if view else everything
     scale = (CELL - MARGIN) / box.larger_side
-    middle = complex(*np.array(box.bounds).reshape(2, 2).mean(axis=0))
-    width, height = CELL * len(SHOWN) + NUMBER, HEAD + CELL * len(rows)
+    width, height = CELL * len(SHOWN) + NUMBER, HEAD + 2 * CELL
     lines = [
         f"<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {width} {height}' width='{width}' height='{height}'>",
-        f"<rect width='{width}' height='{height}' fill='{GROUND}'/>",
-        f"<text x='{MARGIN}' y='18' {FONT} font-weight='bold' fill='{TEXT}'>{name}</text>",
+        STYLE,
+        f"<rect width='{width}' height='{height}' fill='#f6f6f4'/>",
+        f"<text x='{MARGIN}' y='18' font-weight='bold'>{name}</text>",
     ]
-    for row, moving in enumerate(rows.values()):
+    for row, moving in enumerate((wrong, right)):
         down = HEAD + CELL * (row + 0.5)
-        for column, k in enumerate(SHOWN):
-            centre = complex(CELL * (column + 0.5), down)
-            if example.view:
-                left, top, right, bottom = example.view.bounds
-                edges = np.array([complex(left, top), complex(right, bottom)])
-                near, far = centre + scale * (edges - middle)
-                lines.append(
-                    f"<rect x='{near.real:.1f}' y='{near.imag:.1f}' width='{(far - near).real:.1f}' "
-                    f"height='{(far - near).imag:.1f}' fill='none' stroke='{VIEW}' stroke-dasharray='3'/>"
-                )
-            points = centre + scale * (moving(TIMES[k]) - middle)
-            text = " ".join(f"{z.real:.1f},{z.imag:.1f}" for z in points)
-            lines.append(f"<polygon points='{text}' fill='{SHAPE}' stroke='{EDGE}'/>")
-        value = f"{term(name, moving, example.view):.2f}"
-        lines.append(
-            f"<text x='{width - MARGIN}' y='{down + 5:.0f}' {FONT} text-anchor='end' fill='{TEXT}'>{value}</text>"
-        )
+        for column, outline in enumerate(shown[row]):
+            place = complex(CELL * (column + 0.5), down) - scale * box.centre
+            if view:
+                x, y, x1, y1 = view.bounds
+                corners = np.array([complex(x, y), complex(x1, y), complex(x1, y1), complex(x, y1)])
+                lines.append(f"<polygon class='view' points='{_points(place + scale * corners)}'/>")
+            lines.append(f"<polygon points='{_points(place + scale * outline)}'/>")
+        value = f"{term(name, moving, view):.2f}"
+        lines.append(f"<text x='{width - MARGIN}' y='{down + 5:.0f}' text-anchor='end'>{value}</text>")
     return "\n".join([*lines, "</svg>", ""])
 
 
-def main() -> None:
-    for name in EXAMPLES:
-        target = DOCS / f"judge-{name}.svg"
-        target.write_text(drawn(name), encoding="utf-8")
-        print(target.relative_to(ROOT))
-
-
-if __name__ == "__main__":
-    main()
+def _points(outline: ComplexArray) -> str:
+    return " ".join(f"{z.real:.1f},{z.imag:.1f}" for z in outline)
