@@ -87,6 +87,11 @@ class BatchOptions(Record, section=BATCH):
         types.FLAG, default=False, help="Print what would be done, and why, and do nothing."
     )
     why: bool = option(types.FLAG, default=False, help="Say for each job why it is done.")
+    outside: bool = option(
+        types.FLAG,
+        default=False,
+        help="Let the manifest name outputs outside its own folder.",
+    )
     watch: bool = option(
         types.FLAG,
         default=False,
