@@ -28,11 +28,12 @@ ROOMS = {
     "batch": "job outputs svg.writing motion options svg.reading system errors model version",
     "plot": "job wires matching svg.writing options svg.reading geometry system errors model",
     "inkscape": "pipeline outputs frames svg.writing options svg.reading geometry svg.xml system errors model",
-    "job": "pipeline blending preview outputs frames matching svg.writing motion options svg.reading "
+    "job": "pipeline blending pens preview outputs frames matching svg.writing motion options svg.reading "
     "interpolate geometry paint system errors model version",
     "pipeline": "blending wires frames options anatomy interpolate paint system model",
-    "blending": "pairing wires frames motion options anatomy interpolate geometry paint system errors model",
-    "pairing": "wires options anatomy geometry errors model",
+    "blending": "pens pairing wires frames motion options anatomy interpolate geometry paint system errors model",
+    "pens": "pairing matching motion options anatomy geometry _cython errors model",
+    "pairing": "wires motion options anatomy geometry errors model",
     "preview": "wires matching svg.writing options svg.reading interpolate geometry paint model",
     "outputs": "frames svg.writing options interpolate paint errors model",
     "wires": "matching options anatomy geometry errors model",
@@ -70,7 +71,7 @@ LIBRARIES = {
     "coloraide": "paint",
     "distributed": "batch",
     "lap": "pairing",
-    "cython": "geometry matching",
+    "cython": "geometry matching pens",
 }
 SHARED = {"numpy", *sys.stdlib_module_names}
 
@@ -83,7 +84,11 @@ HANDED_DOWN = {
         "Terminal.progress",
     ),  # how far a run has come
     # A `Motion`, which `model` declares.
-    *(f"{motion}.{what}" for motion in ("Rigid", "Intrinsic", "Sweep") for what in ("name", "segments")),
+    *(
+        f"{motion}.{what}"
+        for motion in ("Rigid", "Intrinsic", "Sweep", "Pen")
+        for what in ("name", "segments")
+    ),
     *("Settings._defaults", "WorkConstants._defaults"),  # a `Record` asks what it is made of
 }
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.batch.options import RankOptions
+from shapeblend_cli.batch.options import BatchOptions, RankOptions
 from shapeblend_cli.cli.studio import StudioOptions
 from shapeblend_cli.cli.terminal import TerminalOptions
 from shapeblend_cli.inkscape.options import InkscapeOptions, InstallOptions
@@ -19,7 +19,6 @@ from shapeblend_cli.options.settings import (
     SECTIONS,
     STATES,
     STUDIO,
-    BatchOptions,
 )
 from shapeblend_cli.plot.options import PlotOptions
 from tools.quality.data import ROOT

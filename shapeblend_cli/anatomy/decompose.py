@@ -10,14 +10,9 @@ import numpy as np
 from shapeblend_cli.anatomy.nesting import nest
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.polygons import (
-    orientation,
-    reverse_contour,
-    reverse_polygon,
-    signed_area,
-    winding_numbers,
-)
+from shapeblend_cli.geometry.polygons import orientation, signed_area, winding_numbers
 from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Contour, Drawing, Polygon, Style
 
 if TYPE_CHECKING:
@@ -30,9 +25,14 @@ if TYPE_CHECKING:
 
 EXTERIOR, HOLE, LINE = "exterior", "hole", "line"
 
-CROWD, LEAST_SHARE, LARGE = 40, 0.15, 0.25
-"""A crowd has more contours than this; no contour has less than the second share of the vertices that are wanted, and
-those of the third share of the drawing's size have all of them."""
+CROWD = 40
+"""Maximum number of contours that get all the vertices that their sizes ask for."""
+
+LEAST_SHARE = 0.15
+"""Minimum share of the wanted vertices that any contour gets."""
+
+LARGE = 0.25
+"""Minimum size of a contour that gets all the wanted vertices, as a share of the drawing's diagonal."""
 
 
 class PlacedContour(NamedTuple):
@@ -51,6 +51,11 @@ class PlacedContour(NamedTuple):
     any_rule: bool = True  # whether the other fill rule would paint the shape the same
     is_piece: bool = False  # whether it is a piece cut from the contour with this number
     opened: int | None = None  # number of the hole that is part of it, where it is a ring that is cut open
+
+    @property
+    def flat(self) -> FlatContour:
+        """The contour and its polygon."""
+        return FlatContour(self.contour, self.polygon)
 
     @property
     def box(self) -> Box:
@@ -222,8 +227,8 @@ def _with_roles(contours: Sequence[PlacedContour], exterior_orientation: int) ->
         if parent is not None:
             contour = contour._replace(role=HOLE, exterior=closed[parent].number)
         if is_reversed:
-            polygon = reverse_polygon(contour.polygon, len(contour.contour.segments))
-            contour = contour._replace(contour=reverse_contour(contour.contour), polygon=polygon)
+            back = contour.flat.reversed()
+            contour = contour._replace(contour=back.contour, polygon=back.polygon)
         placed[number] = contour
     return list(placed.values())
 

@@ -86,10 +86,10 @@ class Ranking:
     def rate(self) -> Iterator[Rated]:
         """Blend each drawing with the first, in processes, and yield what was found, as it is."""
         orders = [
-            (k, Order((self._first, other), self._given, False, self._data))
+            (k, Order((self._first, other), self._given, False, data=self._data))
             for k, other in enumerate(self.others)
         ]
-        for ended in run_all(orders, self._options.jobs or processors(), False, __name__):
+        for ended in run_all(orders, self._options.jobs or processors(), module=__name__):
             answer = ended.answer
             found = answer.contents if answer.status == DONE else None
             yield Rated(self.others[ended.number], found, answer.error, answer.notes)

@@ -52,12 +52,14 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
 
 def opened(files: tuple[str, ...], given: dict[str, Any]) -> tuple[tuple[str, ...], dict[str, Any]]:
     """Return files and options; if a project is given, its drawings and options."""
-    from shapeblend_cli.batch.project import is_project, read_project
+    from shapeblend_cli.batch.project import check_outputs, is_project, read_project
 
     projects = [file for file in files if is_project(file)]
     if not projects:
         return files, given
     if len(files) > 1:
         raise click.UsageError(f"{projects[0]}: a project names its own drawings, and is given alone")
-    project = read_project(projects[0]).with_given(given)
+    project = read_project(projects[0])
+    check_outputs(project, projects[0], given)
+    project = project.with_given(given)
     return project.files, dict(project.given)

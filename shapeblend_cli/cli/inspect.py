@@ -86,7 +86,9 @@ def _show(found: dict[str, Any]) -> None:
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")  # any id on any terminal
     viewbox = " ".join(f"{v:g}" for v in found["viewbox"]) if found["viewbox"] else "none"
-    title = f"{found['file']}: viewBox {viewbox}"
+    count = sum(len(shape["pen_lines"]) for shape in found["shapes"])
+    lines = f", {count} pen line{'s' * (count != 1)}" if count else ""
+    title = f"{found['file']}: viewBox {viewbox}{lines}"
     rows = [_cells(shape) for shape in found["shapes"]]
     if sys.stdout.isatty() and len(rows) <= _MAX_PRETTY:
         _print_table(title, rows)

@@ -53,16 +53,18 @@ def studio(files: tuple[str, ...], **given: Any) -> None:
     Options are those of a blend. Ctrl-C ends the studio.
     """
     options = StudioOptions.of(given)
+    named_first = files[0] if files else ""
     files, given = opened(files, given)
     _check(files)
     named = {name for record in RECORDS for name in record.options}
     beside = {name: value for name, value in given.items() if name in named and value not in (None, ())}
 
-    from shapeblend_cli.batch.project import Project
+    from shapeblend_cli.batch.project import Project, is_project
     from shapeblend_cli.studio.server import Studio
     from shapeblend_cli.studio.session import Session
 
-    session = Session(Project(files, beside))
+    folder = os.path.dirname(named_first) if is_project(named_first) else ""
+    session = Session(Project(files, beside), folder)
     try:
         server = Studio(session, options.port or 0)
     except OSError as error:

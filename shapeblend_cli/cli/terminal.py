@@ -155,14 +155,28 @@ class Pace:
 
 
 class BatchTerminal(Terminal):
-    """Standard error while a batch runs; it is told which jobs have ended."""
+    """Standard error while a batch runs; it is told which jobs have ended. A log gets all lines."""
 
-    def __init__(self, *, quiet: bool = False, count: int = 0) -> None:
+    def __init__(
+        self, count: int, log: Callable[[str], None] = lambda text: None, *, quiet: bool = False
+    ) -> None:
         super().__init__(quiet=quiet)
+        self._log = log
         self._count = count
         self._ended = 0
         self._failed = 0
         self._pace = Pace()
+
+    def note(self, text: str) -> None:
+        """Print a line."""
+        if self._quiet:
+            self._log(text)
+        super().note(text)
+
+    def warn(self, text: str) -> None:
+        """Print a line even if quiet."""
+        self._log(text)
+        super().warn(text)
 
     def ended(self, is_done: bool, seconds: float | None) -> None:
         """Take that a job has ended, and how long it took; None if there was nothing to do."""
@@ -204,11 +218,11 @@ def details(run: Run, began: float | None) -> Iterator[str]:
                 else f"{name} {change} {kind} {spot.real:.6g},{spot.imag:.6g}"
             )
             continue
+        terms = " + ".join(f"{name} {work:.6g}" for name, work in found.terms._asdict().items())
         proof = "proven least" if found.gap == 0.0 else f"lower bound {found.lower_bound:.6g}"
         yield (
             f"contour {c.a} of A ({len(c.polygon_a.vertices)} vertices) to contour {c.b} of B "
-            f"({len(c.polygon_b.vertices)}): {len(found.dots)} dots, work {found.work:.6g} = stretching "
-            f"{found.stretching:.6g} + bending {found.bending:.6g} + travel {found.travel:.6g}, {proof}, "
+            f"({len(c.polygon_b.vertices)}): {len(found.dots)} dots, work {found.work:.6g} = {terms}, {proof}, "
             f"{found.zero_angles} angles reach zero, {found.sweeps} sweeps"
         )
     for pair in run.pairs:

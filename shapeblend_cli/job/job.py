@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -27,7 +27,7 @@ class Job(NamedTuple):
     read: ReadOptions
     output: OutputSpec
     write: WriteOptions
-    reported: dict[str, Any]  # every option's value in force, for the report
+    reported: Callable[[], dict[str, Any]]  # gives every option's value in force, for the report
     command: tuple[str, ...]  # the command line
 
 
@@ -45,10 +45,8 @@ def job_of(files: tuple[str, ...], given: Mapping[str, Any], command: tuple[str,
         )
     if write.tries is not None and len(files) > 2:
         raise OptionError(f"--try applies to two files; {len(files)} given")
-    reported = report_settings(
-        read, output.settings, options.replace(**output.decided()), write, RunOptions.of(given)
-    )
-    return Job(files, read, output, write, reported, command)
+    records = read, output.settings, options, write, RunOptions.of(given)
+    return Job(files, read, output, write, lambda: report_settings(*records) | output.decided(), command)
 
 
 def check_files(files: tuple[str, ...], settings: Settings) -> None:

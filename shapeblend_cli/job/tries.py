@@ -10,7 +10,7 @@ from shapeblend_cli.errors import MatchError
 from shapeblend_cli.frames.frames import frame_at, shapes_at
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.raster import winding_grid
-from shapeblend_cli.model import Box, Page
+from shapeblend_cli.model import Box
 from shapeblend_cli.motion.verdict import verdict
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.writing.document import frame_svg
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.options.settings import Settings
 
 WAYS: tuple[dict[str, Any], ...] = (
+    {"strokes": "keep"},
     {"motion": "linear"},
     {"motion": "intrinsic"},
     {"motion": "rigid"},
@@ -90,7 +91,7 @@ def moments(pair: Pair, *, as_drawn: bool) -> list[str]:
     frames = [frame_at(pair, t, as_drawn=as_drawn) for t in TIMES]
     view = Box.union([frame.view for frame in frames])
     decimals = decimals_for([view])
-    return [frame_svg(frame._replace(view=view, page=Page()), decimals) for frame in frames]
+    return [frame_svg(frame.picture._replace(view=view), decimals) for frame in frames]
 
 
 def size_on_sheet(view: Box) -> tuple[float, float]:

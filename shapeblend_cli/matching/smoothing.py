@@ -28,10 +28,10 @@ if TYPE_CHECKING:
 COMPILED = cython.compiled
 
 REACH = cython.declare(cython.double, 7.0)
-"""How far a corner is felt, in standard deviations: beyond, it moves nothing by more than rounding does."""
+"""Maximum distance at which a corner is felt, in standard deviations: beyond, it moves less than rounding does."""
 
 OUTLINE = 1e-3
-"""The share of the outline itself that is left in, so that neighbours stay distinct."""
+"""Share of the outline itself in the smoothed one, so that neighbours stay distinct."""
 
 ROOT_HALF = cython.declare(cython.double, 0.5**0.5)
 ROOT_TWO_PI = cython.declare(cython.double, 2.5066282746310002)

@@ -23,7 +23,7 @@ COMPILED: bool = angles.COMPILED
 """Whether the kernels were compiled; uncompiled they give the same results, far slower."""
 
 EXACT_DOTS = {"exact": np.inf, "auto": 2_500_000, "fast": 40_000}
-"""Up to how many dots, m n, the search is exact, by effort; beyond that it goes from coarse to fine."""
+"""Maximum size of a graph, m n in dots, that is searched exactly, by effort; larger ones go from coarse to fine."""
 
 
 class Search(NamedTuple):
@@ -88,23 +88,15 @@ def least_work(
     MatchError
         Pins that name no vertex or cross each other, or a band that no path fits into.
     """
-    m, n, closed, band = wires.m, wires.n, wires.closed, search.band
-    pins = _checked_pins(([search.start] if search.start else []) + list(search.pins), m, n)
-
-    # Column 0 of the graph: the first pin, or the sharpest corner, where the fewest rows are worth a look.
-    # A band is measured from vertex 0.
-    first0, first1 = 0, 0
-    if closed and pins:
-        first0, first1 = pins[0]
-    elif closed and band is None:
-        first0 = int(wires.corners0.sharpness().argmax())
-        first1 = int(search.near[first0]) if search.near is not None else 0
-    near = None
-    if search.near is not None:
-        near = (np.roll(search.near, -first0) - first1) % n if closed else search.near
+    m, n, closed = wires.m, wires.n, wires.closed
+    pins = _checked_pins([*filter(None, [search.start]), *search.pins], m, n)
+    first = _first_dot(wires, search, pins)
+    near = search.near
+    if near is not None and closed:
+        near = (np.roll(near, -first[0]) - first[1]) % n
     problem = coarse.Problem(
-        wires=wires.beginning_at(first0, first1),
-        band=band,
+        wires=wires.beginning_at(*first),
+        band=search.band,
         solver=search.solver,
         watch=watch or (lambda share: None),
         near=near,
@@ -113,40 +105,44 @@ def least_work(
     limit = EXACT_DOTS[search.effort]
     if search.solver == "simplified":  # it works on tables that are all there
         limit = min(limit, graph.STORED_DOTS)
-    if closed and not pins:
-        found, lower_bound = coarse.solve(problem, None, limit)
-    else:
-        rolled = [((i - first0) % m, (j - first1) % n) for i, j in pins]
-        placements = _placements(rolled[1:] if closed else rolled, m, n, closed)
-        if not placements:
-            raise MatchError(_crossing(rolled, pins, closed))
-        solved = [coarse.solve(problem, placement, limit) for placement in placements]
-        found, lower_bound = min(solved, key=lambda s: s[0].work if s[0] else np.inf)
+    solved = [coarse.solve(problem, placement, limit) for placement in _placements(pins, first, wires)]
+    found, lower_bound = min(solved, key=lambda s: s[0].work if s[0] else np.inf)
     if found is None:
         raise MatchError(
-            f"no path stays within {band:g} of the diagonal of {m} and {n} vertices; a wider band would work"
-            if band is not None
+            f"no path stays within {search.band:g} of the diagonal of {m} and {n} vertices; a wider band would work"
+            if search.band is not None
             else "no path goes through these pins without a turn of 90 degrees; others would work"
         )
-
     dots = np.array(found.dots, np.intp)
     if closed:
         dots = dots[:-1]  # the end is the start again
-    price = problem.wires.path_work(dots % (m, n))
-    dots = (dots + np.array([first0, first1])) % np.array([m, n])
+    own = (dots + first) % (m, n)
     if closed and not pins:
-        dots = from_column_0(dots)
-    return Correspondence(
-        dots=dots,
-        closed=closed,
-        stretching=price.stretching,
-        bending=price.bending,
-        travel=price.travel,
-        lower_bound=min(lower_bound, price.total),
-        zero_angles=price.zero_angles,
-        diagonal_deviation=diagonal_deviation(dots, m, n, closed),
-        sweeps=found.sweeps,
-    )
+        own = from_column_0(own)
+    return _correspondence(own, problem.wires, dots % (m, n), lower_bound, found.sweeps)
+
+
+def _first_dot(wires: Wires, search: Search, pins: Sequence[Dot]) -> Dot:
+    """Return the dot at which the graph of closed wires begins; the first one of open wires.
+
+    That is the first pin, or the sharpest corner, where the fewest rows are worth a look. A band is measured from
+    vertex 0.
+    """
+    if not wires.closed or not (pins or search.band is None):
+        return 0, 0
+    if pins:
+        return pins[0]
+    i = int(np.abs(wires.corners0.turn).argmax())
+    return i, int(search.near[i]) if search.near is not None else 0
+
+
+def _correspondence(
+    dots: IntArray, wires: Wires, path: IntArray, lower_bound: float, sweeps: int
+) -> Correspondence:
+    """Return dots as a correspondence; the same path, by the vertices of these wires, is priced."""
+    work, zeros = wires.path_work(path), wires.zero_angles(path)
+    deviation = diagonal_deviation(dots, wires.m, wires.n, wires.closed)
+    return Correspondence(dots, wires.closed, work, min(lower_bound, work.total), zeros, deviation, sweeps)
 
 
 def is_proven(m: int, n: int, effort: str) -> bool:
@@ -161,18 +157,7 @@ def priced(wires: Wires, dots: IntArray, sweeps: int = 0) -> Correspondence:
     """
     if wires.closed:
         dots = from_column_0(dots)
-    price = wires.path_work(dots)
-    return Correspondence(
-        dots,
-        wires.closed,
-        price.stretching,
-        price.bending,
-        price.travel,
-        lower_bound=0.0,
-        zero_angles=price.zero_angles,
-        diagonal_deviation=diagonal_deviation(dots, wires.m, wires.n, wires.closed),
-        sweeps=sweeps,
-    )
+    return _correspondence(dots, wires, dots, 0.0, sweeps)
 
 
 def diagonal_deviation(dots: IntArray, m: int, n: int, closed: bool) -> float:
@@ -193,20 +178,29 @@ def _checked_pins(pins: list[Dot], m: int, n: int) -> list[Dot]:
     return list(dict.fromkeys(pins))
 
 
-def _placements(pins: list[Dot], m: int, n: int, closed: bool) -> list[list[Dot]]:
+def _placements(pins: list[Dot], first: Dot, wires: Wires) -> Sequence[list[Dot] | None]:
     """Return the dots of the graph that the pins can be so that one path goes through all of them, in its order.
 
     A pin that shares a vertex with the first dot lies in the first column or in the last, in the first row or in
-    the last.
+    the last. Closed wires without pins have one placement, None.
     """
+    m, n, closed = wires.m, wires.n, wires.closed
+    if closed and not pins:
+        return [None]
+    rolled = [((i - first[0]) % m, (j - first[1]) % n) for i, j in pins]
 
     def dots(i: int, j: int) -> list[Dot]:
         if not closed:
             return [(i, j)]
         return [(c, r) for c in ([0, m] if i == 0 else [i]) for r in ([0, n] if j == 0 else [j])]
 
-    ordered = [sorted(choice) for choice in product(*(dots(i, j) for i, j in pins))]
-    return [p for p in ordered if all(r1 <= r2 for (_, r1), (_, r2) in pairwise(p))]
+    ordered = [
+        sorted(choice) for choice in product(*(dots(*pin) for pin in (rolled[1:] if closed else rolled)))
+    ]
+    found = [p for p in ordered if all(r1 <= r2 for (_, r1), (_, r2) in pairwise(p))]
+    if not found:
+        raise MatchError(_crossing(rolled, pins, closed))
+    return found
 
 
 def _crossing(rolled: list[Dot], pins: list[Dot], closed: bool) -> str:

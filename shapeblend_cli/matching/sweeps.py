@@ -22,7 +22,7 @@ Departures
   never charge the angle there. Here a path starts in a *state*, a dot together with the step that led
   to it, and a closed path has to end in the state it started from.
 * No back-pointers are followed per step direction: one byte a dot says, for each of the three
-  steps out of it, which step in costs least, see `steps.paired_step`.
+  steps out of it, which step in costs least.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ def cost_to_go(
         Overwritten: the work from a dot onwards, the bend at the dot included, by the step that led to
         it. Infinite where no path leads to an end.
     following : (dots,) uint8, or empty
-        Overwritten: for each step into a dot, the step out that costs least, see `steps.paired_step`.
+        Overwritten: for each step into a dot, the step out that costs least, as in `Progress.parents`.
     """
     east: cython.double[::1] = tables.east
     south: cython.double[::1] = tables.south

@@ -34,7 +34,7 @@ cython.declare(SD=cython.int, DS=cython.int, DD=cython.int)
 EE, ED, DE, SS, SD, DS, DD = steps.BENDS
 
 FLAT = 0.02
-"""A box is at least this high for its width, and as wide for its height."""
+"""Minimum height of a box, as a share of its width, and the other way round."""
 
 
 def places(vertices: ComplexArray) -> ComplexArray:

@@ -8,7 +8,7 @@ first and is axis 0 of every table, `j` runs over the second and is axis 1; figu
 The paper's text calls eq (17) "equation 18".
 
 Departures: the paper's work is stretching, and bending along straight vertex paths. By default bending is by turning
-(`angles.TurnBending`), most of it is taken on smoothed outlines (`smoothing`), and points pay for their way (`travel`).
+(`angles.Bending`), most of it is taken on smoothed outlines (`smoothing`), and points pay for their way (`travel`).
 The constants of a preset leave all of that out.
 """
 
@@ -19,11 +19,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.matching.angles import Corners, PaperBending, TurnBending, fill_bends
+from shapeblend_cli.matching.angles import Bending, Corners, fill_bends
 from shapeblend_cli.matching.smoothing import smoothed
 from shapeblend_cli.matching.steps import BEND_OF_STEPS, NO_BEND
 from shapeblend_cli.matching.tables import Tables, Window
 from shapeblend_cli.matching.travel import Stations, add_travel, places
+from shapeblend_cli.model import Work
 from shapeblend_cli.options.constants import WorkConstants
 
 if TYPE_CHECKING:
@@ -31,26 +32,13 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
-STRETCHING_DOTS = 1 << 18
-"""Stretching work is computed for so many dots at once: few enough to stay in the cache."""
+    AddWork = Callable[[IntArray, Window, FloatArray], None]
 
+STRETCHING_DOTS = 1 << 18
+"""Number of dots whose stretching work is computed at once: few enough to stay in the cache."""
 
 SMOOTH_SHARE = 0.7
-"""The share of bending that is taken on smoothed outlines, where they are: the outlines themselves have the corners."""
-
-
-class PathWork(NamedTuple):
-    """What a path costs, and how many of its angles reach zero."""
-
-    stretching: float
-    bending: float
-    travel: float
-    zero_angles: int
-
-    @property
-    def total(self) -> float:
-        """All work together."""
-        return self.stretching + self.bending + self.travel
+"""Share of bending that is measured on smoothed outlines, if they are smoothed; the outlines have the corners."""
 
 
 def edge_lengths(vertices: ComplexArray, closed: bool) -> FloatArray:
@@ -114,9 +102,9 @@ class Wire(NamedTuple):
         outlines = (np.append(points, points[0]) for points in self)
         return Wire(*(np.interp(places, number, outline) for outline in outlines))
 
-    def beginning_at(self, i: int) -> Wire:
-        """Return the same closed wire with another first vertex."""
-        return Wire(*(np.concatenate([points[i:], points[:i]]) for points in self))
+    def along(self, numbers: IntArray) -> Wire:
+        """Return a wire through vertices with these numbers."""
+        return Wire(*(points[numbers] for points in self))
 
 
 @lru_cache(maxsize=64)
@@ -184,10 +172,16 @@ class Wires:
         """Return the same closed wires with vertex i of the first and vertex j of the second as their first ones."""
         if i == j == 0:
             return self
-        first, second = self.wires
-        return Wires(
-            first.beginning_at(i), second.beginning_at(j), True, self.constants, np.roll(self.weight, -i)
+        p, q = (
+            wire.along(np.roll(np.arange(len(wire.vertices)), -first))
+            for wire, first in zip(self.wires, (i, j), strict=True)
         )
+        return Wires(p, q, True, self.constants, np.roll(self.weight, -i))
+
+    def along(self, i: IntArray, j: IntArray) -> Wires:
+        """Return open wires along these vertices of the first wire and of the second, as stiff as anywhere."""
+        first, second = self.wires
+        return Wires(first.along(i), second.along(j), False, self.constants)
 
     def tables(self, window: Window | None = None, first_column: int = 0) -> Tables:
         """Price every step and every bend in a window, or the whole graph: O(dots) time, 64 bytes a dot.
@@ -208,8 +202,8 @@ class Wires:
             first = int(window.column_offset[part.start])
             southeast[first : first + work.size] = work.ravel()
         bends = np.zeros((window.dots, 7))
-        self._add_bending(columns, window, bends)
-        self._add_travel(columns, window, bends)
+        for add in self._terms_of_bends:
+            add(columns, window, bends)
         if not self.closed:
             if columns[0] == 0 and window.low[0] == 0:
                 bends[0] = 0.0
@@ -225,6 +219,11 @@ class Wires:
             southeast=southeast,
             bends=bends,
         )
+
+    @property
+    def _terms_of_bends(self) -> tuple[AddWork, ...]:
+        """The terms of the work that belong to dots, as in `Work` after stretching."""
+        return self._add_bending, self._add_travel
 
     def _add_bending(self, columns: IntArray, window: Window, bends: FloatArray) -> None:
         """Add the bending work of the dots of a window, whose columns are these vertices of the first wire."""
@@ -244,17 +243,15 @@ class Wires:
         window: Window,
         bends: FloatArray,
     ) -> None:
-        c = self.constants
-        e_b = c.e_b if k_b else 1.0  # a large power may be infinite, and zero times that is no number
-        kind = PaperBending(k_b, c.m_b, e_b, p_b) if c.bending == "paper" else TurnBending(k_b, e_b, p_b)
-        fill_bends(*corners, kind, columns, self.weight[columns], window, bends)
+        bending = Bending(self.constants, k_b, p_b)
+        fill_bends(*corners, bending, columns, self.weight[columns], window, bends)
 
     def _add_travel(self, columns: IntArray, window: Window, bends: FloatArray) -> None:
         if self.constants.k_t:
             add_travel(*self._stations, self.constants.k_t, columns, window, bends)
 
-    def path_work(self, dots: IntArray) -> PathWork:
-        """Price a given path by the equations, without a graph.
+    def path_work(self, dots: IntArray) -> Work:
+        """Return the work of a given path by the equations, without a graph.
 
         Parameters
         ----------
@@ -271,15 +268,18 @@ class Wires:
         stretching = stiff * stretching_work(
             self.len0[start[:, 0]] * moves[:, 0], self.len1[start[:, 1]] * moves[:, 1], self.constants
         )
-        bending, travel, zeros = self._bends_along(
-            at, kinds, self._add_bending, self._add_travel, partial(self._fill, self._corners, 0.0, 1.0)
-        )
-        return PathWork(float(stretching.sum()), float(bending.sum()), float(travel.sum()), int(zeros.sum()))
+        terms = (self._bends_along(at, kinds, add) for add in self._terms_of_bends)
+        return Work(float(stretching.sum()), *(float(term.sum()) for term in terms))
+
+    def zero_angles(self, dots: IntArray) -> int:
+        """Return how many angles reach zero on a path (see `path_work`)."""
+        _, _, at, kinds = self._path(dots)
+        return int(self._bends_along(at, kinds, partial(self._fill, self._corners, 0.0, 1.0)).sum())
 
     def bends_on(self, dots: IntArray) -> tuple[IntArray, IntArray, FloatArray]:
         """Return the dots of a path (see `path_work`) that have an angle, their bends, and the bending work of each."""
         _, _, at, kinds = self._path(dots)
-        return at, kinds, self._bends_along(at, kinds, self._add_bending)[0]
+        return at, kinds, self._bends_along(at, kinds, self._add_bending)
 
     def _path(self, dots: IntArray) -> tuple[IntArray, IntArray, IntArray, IntArray]:
         """Return the dots that steps leave, and the steps; the dots that have an angle, and their bends."""
@@ -298,16 +298,10 @@ class Wires:
             )
         return start, moves, at, kinds
 
-    def _bends_along(
-        self, at: IntArray, kinds: IntArray, *parts: Callable[[IntArray, Window, FloatArray], None]
-    ) -> FloatArray:
-        """Price a bend of each dot, for each part of the work: (parts, dots)."""
-        found = np.zeros((len(parts), len(at)))
+    def _bends_along(self, at: IntArray, kinds: IntArray, add: AddWork) -> FloatArray:
+        """Return one term of the work of a bend at each dot."""
+        bends = np.zeros((len(at), 7))
         if len(at):
             columns, rows = at[:, 0].copy(), at[:, 1].copy()
-            window, dot = Window.between(rows, rows), np.arange(len(at))
-            for part, work in zip(parts, found, strict=True):
-                bends = np.zeros((len(at), 7))
-                part(columns, window, bends)
-                work[:] = bends[dot, kinds]
-        return found
+            add(columns, Window.between(rows, rows), bends)
+        return bends[np.arange(len(at)), kinds]

@@ -197,6 +197,14 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         help="How shapes move. linear: along straight lines; rigid: rotated as a whole; intrinsic: by their lengths "
         "and angles; auto: whichever of these looks best.",
     )
+    strokes: str = option(
+        types.choice("auto", "keep", "recover"),
+        default="auto",
+        section=IN_BETWEENS,
+        help="Lines of a pen. auto: drawings made with a pen move as its lines, even if their strokes were expanded "
+        "into filled shapes; recover: every line that can be recovered moves so; keep: strokes and fills stay as they "
+        "are in the files.",
+    )
     viewbox: str = option(
         types.choice("auto", "keep", "grow"),
         default="auto",
@@ -248,6 +256,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         """Raise OptionError if some of the settings do not go with this number of drawings."""
         if count > 2 and any(getattr(self, name) for name in ABOUT_TWO_DRAWINGS):
             raise OptionError(f"--start, --pin, --match and --stiff apply to two files; {count} given")
+        if count > 2 and self.strokes == "recover":
+            raise OptionError(f"--strokes recover applies to two files; {count} given")
         for weights in self.mix:
             if len(weights) != count:
                 shown = ",".join(f"{weight:g}" for weight in weights)
@@ -282,62 +292,3 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
     def constants(self) -> WorkConstants:
         """The constants of the wire alone."""
         return WorkConstants.of(vars(self))
-
-
-class BatchOptions(Record, section=BATCH):
-    """Which jobs a batch has, and how they are done."""
-
-    pairs: tuple[str, str] | None = option(
-        types.FOLDERS,
-        default=None,
-        help="Blend each drawing in FROM, or in a folder inside it, into the one with the same name in TO.",
-    )
-    chain: str | None = option(
-        types.file(),
-        default=None,
-        metavar="'*.svg'",
-        help="Blend each of these drawings, or of those in a folder, into the next one, 9.svg before 10.svg.",
-    )
-    every_two: str | None = option(
-        types.file(),
-        default=None,
-        key="all",
-        metavar="FOLDER",
-        help="Blend every two drawings of a folder, or of a pattern in quotes.",
-    )
-    jobs: int | None = option(
-        types.whole(1, 1024),
-        default=None,
-        flags=("-j", "--jobs"),
-        help="Number of jobs done at a time.",
-        default_text="the number of processors",
-    )
-    results: str | None = option(
-        types.file(),
-        default=None,
-        metavar="FILE.jsonl",
-        help="Write a line of JSON for each job as it ends; - for standard output.",
-    )
-    fail_fast: bool = option(
-        types.FLAG, default=False, help="Start no further jobs after one that fails, instead of going on."
-    )
-    dry_run: bool = option(
-        types.FLAG, default=False, help="Print what would be done, and why, and do nothing."
-    )
-    why: bool = option(types.FLAG, default=False, help="Say for each job why it is done.")
-    watch: bool = option(
-        types.FLAG,
-        default=False,
-        help="Keep running, and do jobs again when their drawings or the manifest change.",
-    )
-    shard: tuple[int, int] | None = option(
-        types.SHARD,
-        default=None,
-        help="Do the Kth of N parts of the batch, to share it between N machines.",
-    )
-    cluster: str | None = option(
-        types.ADDRESS,
-        default=None,
-        help="Let the workers of a dask scheduler do the jobs. Drawings and outputs are sent; no shared folder is "
-        "needed.",
-    )

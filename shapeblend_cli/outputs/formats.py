@@ -142,9 +142,8 @@ def page_of(pairs: Sequence[Pair]) -> Page:
 def frame_svgs(spec: OutputSpec, pairs: Sequence[Pair], settings: Settings | None = None) -> list[str]:
     """Return every frame as an SVG document without a size, by the settings of the output or by others."""
     from shapeblend_cli.frames.frames import make_frames
-    from shapeblend_cli.model import Page
     from shapeblend_cli.svg.writing.document import frame_svg
 
     decimals = spec.decimals(pairs)
     frames = make_frames(pairs, settings or spec.settings)
-    return [frame_svg(frame._replace(page=Page()), decimals) for frame in frames]
+    return [frame_svg(frame.picture, decimals) for frame in frames]

@@ -88,7 +88,7 @@ def draw(drawing: Drawing) -> str:
     laid = [to_page.contour(contour) for contour in contours]
     rest = iter(laid)
     for shape in drawing.shapes:
-        paint = paint_attributes(to_page.style(shape.style), DECIMALS)
+        paint = paint_attributes(to_page.style(shape.style._replace(pixel=None)), DECIMALS)
         data = path_data([next(rest) for _ in shape.contours], DECIMALS)
         figure.path(data, "pale", opacity="0.3", **without_defaults(paint))
     for number, contour in enumerate(laid):

@@ -12,7 +12,7 @@ from shapeblend_cli.job.make import SLOW, check_output, match_files, write_outpu
 from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.plot.axes import short_name, value_text
 from shapeblend_cli.system.clock import Clock
-from shapeblend_cli.wires.contour_blends import solved_wires
+from shapeblend_cli.wires.match import solved_wires
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -54,8 +54,8 @@ class Subject(NamedTuple):
     def work(self) -> str:
         """The work as a sum."""
         found = self.correspondence
-        parts = [value_text(work) for work in (found.work, found.stretching, found.bending, found.travel)]
-        return "work {} = stretching {} + bending {} + travel {}".format(*parts)
+        terms = (f"{name} {value_text(work)}" for name, work in found.terms._asdict().items())
+        return f"work {value_text(found.work)} = {' + '.join(terms)}"
 
 
 def plot_files(

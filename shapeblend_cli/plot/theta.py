@@ -14,8 +14,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.matching.angles import angle_change
+from shapeblend_cli.matching.angles import Bending, fill_bends
 from shapeblend_cli.matching.steps import DD, DE, ED, EE, SS
+from shapeblend_cli.matching.tables import Window
+from shapeblend_cli.options.constants import WorkConstants
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray
 
     Control = tuple[complex, complex, complex]
+    Change = tuple[float, float, bool]
     Dot = tuple[int, int]
 
 TWO_PI = 2.0 * math.pi
@@ -62,6 +65,7 @@ class Theta(NamedTuple):
     directions: tuple[float | None, float | None, float | None]  # of those that are infinitesimal, radians
     times: FloatArray  # (k,) in [0, 1]
     angles: FloatArray  # (k,) in radians, the first in [0, 2 pi), unwrapped
+    solved: Change | None = None  # by the solver, where the extrema lie between the times
 
     @property
     def first(self) -> float:
@@ -74,10 +78,10 @@ class Theta(NamedTuple):
         return float(self.angles[-1])
 
     @property
-    def change(self) -> tuple[float, float, bool]:
-        """Delta theta, Delta theta* (figure 18), and whether theta reaches zero, as of `angle_change`."""
-        if self.directions == FINITE:
-            return angle_change(*self.control)
+    def change(self) -> Change:
+        """Delta theta, Delta theta* (figure 18), and whether theta reaches zero."""
+        if self.solved is not None:
+            return self.solved
         delta = abs(self.last - self.first)
         star = 0.5 * (float(np.abs(np.diff(self.angles)).sum()) - delta)
         return delta, star, bool(self.angles.min() < NOISE or self.angles.max() > TWO_PI - NOISE)
@@ -101,7 +105,7 @@ def theta_of(wires: Wires, dot: Dot, bend: int) -> Theta:
     """Return the motion of the angle at a dot, for a bend of `matching.steps`."""
     p, q = _corner(wires.corners0, dot[0]), _corner(wires.corners1, dot[1])
     if bend == DD:
-        return _moving(p, q)
+        return _moving(p, q)._replace(solved=_solved(wires, dot))
 
     def price(theta: Theta) -> float:
         return theta.bending(wires, dot[0])
@@ -110,6 +114,18 @@ def theta_of(wires: Wires, dot: Dot, bend: int) -> Theta:
         return min(_into_a_point(p, q, bend), key=price)
     # Only the second wire moves: the same with the wires exchanged, backwards in time.
     return _reverse(min(_into_a_point(q, p, bend - SS + EE), key=price))
+
+
+def _solved(wires: Wires, dot: Dot) -> Change:
+    """Return the change of an angle where both wires move on both sides, as the solver prices it."""
+    column, row = np.array([dot[0]]), np.array([dot[1]])
+    work = np.zeros((3, 1, 7))
+    for bends, (k_b, m_b, p_b) in zip(work, ((1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 0.0, 1.0)), strict=True):
+        bending = Bending(WorkConstants(bending="paper", m_b=m_b, e_b=1.0), k_b, p_b)
+        corners = wires.corners0, wires.corners1
+        fill_bends(*corners, bending, column, np.ones(1), Window.between(row, row), bends)
+    delta, both, zero = work[:, 0, DD].tolist()
+    return delta, both - delta, zero > 0.0
 
 
 class _Corner(NamedTuple):

@@ -13,7 +13,7 @@ import numpy as np
 from shapeblend_cli.matching.landscape import Landscape, landscape
 from shapeblend_cli.model import ContourBlend
 from shapeblend_cli.options.settings import Settings
-from shapeblend_cli.wires.contour_blends import solved_wires
+from shapeblend_cli.wires.match import solved_wires
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import IntArray

@@ -101,7 +101,9 @@ def _once(values: list[Any]) -> list[Any]:
 
 def _paint(style: Style, decimals: int, *, as_ellipse: bool) -> dict[str, Any]:
     """Return the attributes of a path and its gradients."""
-    paint: dict[str, Any] = {"path": hyphened(paint_attributes(style, decimals))}
+    attributes = paint_attributes(style._replace(pixel=None), decimals)  # pictures have any size
+    attributes.pop("vector_effect", None)
+    paint: dict[str, Any] = {"path": hyphened(attributes)}
     for name, gradient in zip(GRADIENTS, (style.fill_gradient, style.stroke_gradient), strict=True):
         if gradient is not None:
             is_radial = isinstance(gradient, RadialGradient)

@@ -2,7 +2,7 @@
 
 The steps of a path are whole edges. Two polygons of one curve that were cut apart from each other have edges of other
 lengths, and vertices in other places: a path between them climbs stairs, and where it grows an edge from a vertex it
-pays twice the edge's length for nothing. So a first path says roughly which place goes to which. It is smoothed, each
+pays twice the edge's length for nothing. A first path shows roughly which places correspond. It is smoothed, each
 outline is also cut where the other has a vertex, and the least path is found once more; and again, until the work stops
 falling.
 
@@ -11,215 +11,102 @@ Not in the paper, whose polygons are given.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.flatten import edge_parts
-from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
 from shapeblend_cli.matching.angles import Corners
 from shapeblend_cli.matching.solve import is_proven
-from shapeblend_cli.model import Polygon, unroll
+from shapeblend_cli.model import unroll
+from shapeblend_cli.wires.contour_match import Solved
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    from shapeblend_cli.model import ComplexArray, Contour, Correspondence, FloatArray, IntArray
-
-    Solved = tuple["FlatContour", "FlatContour", Correspondence]
-    Solve = Callable[["FlatContour", "FlatContour", IntArray | None, float], Solved]
+    from shapeblend_cli.geometry.flat_contour import FlatContour
+    from shapeblend_cli.model import FloatArray, IntArray
+    from shapeblend_cli.wires.contour_match import ContourMatch, Solve
 
 ROUNDS = 3
-"""The outlines are cut anew at most so often."""
+"""Maximum number of times that the outlines are cut."""
 
-EVENNESS, BASE = 2e-3, 1e-2
-"""How much it counts that a path is even, against that it goes through places that bend; and how much the path that was
-found counts where nothing bends, in radians for the whole outline."""
+EVENNESS = 2e-3
+"""Weight of an even path, in radians: outweighed where both outlines bend by more."""
+
+BASE = 1e-2
+"""Weight of the path as it was found, where nothing bends, in radians for the whole outline."""
 
 FIXED = 1e6
 """Weight of the ends of open outlines, in radians."""
 
 SHORTEST_STEP = 1e-15
-"""Steps along outlines, as shares of their length, are at least as long: shorter ones are rounding."""
-
-NOISE = 1e-12
-"""What rounding adds to work, at most."""
-
-NEAR = 0.15
-"""A place nearer to a vertex than this share of the usual edge is the vertex."""
+"""Minimum step along an outline, as a share of its length: shorter ones are rounding."""
 
 
-@dataclass(frozen=True, eq=False)
-class FlatContour:
-    """A contour and its polygon."""
-
-    contour: Contour
-    polygon: Polygon
-
-    @cached_property
-    def lengths(self) -> FloatArray:
-        """Return where vertices are along the outline, as shares of it; of a closed one the last is 1."""
-        lengths = cumulative_lengths(from_end_to_end(self.polygon.vertices, self.polygon.closed))
-        return lengths / lengths[-1]
-
-    def cut_at(self, places: FloatArray, near: float = NEAR) -> FlatContour:
-        """Return the contour with more vertices, on its curves, at shares of the outline.
-
-        There are none nearer to a vertex, or to each other, than a share of the usual edge.
-        """
-        polygon, own = self.polygon, self.lengths
-        places = np.sort(places % 1.0 if polygon.closed else places)
-        least = near * _median(np.diff(own))
-        before = np.clip(np.searchsorted(own, places, side="right") - 1, 0, len(own) - 2)
-        places = places[np.minimum(places - own[before], own[before + 1] - places) > least]
-        places = places[_apart(places, least)]
-
-        points, segment, parameter = self.points_between(places)
-        order = np.argsort(np.append(own[: len(polygon.vertices)], places), kind="stable")
-        cut = Polygon(
-            np.append(polygon.vertices, points)[order],
-            np.append(polygon.segment, segment)[order],
-            np.append(polygon.parameter, parameter)[order],
-            polygon.closed,
-        )
-        return replace(self, polygon=cut)
-
-    def points_between(self, places: FloatArray) -> tuple[ComplexArray, IntArray, FloatArray]:
-        """Return points of the contour at shares of the outline in [0, 1), the segments they are on, and parameters."""
-        # On the edge from one vertex to the next the parameter of the segment grows evenly.
-        own = self.lengths
-        edge = np.searchsorted(own, places, side="right") - 1
-        segments, start, end = edge_parts(self.contour, self.polygon)
-        segment = segments[edge]
-        share = (places - own[edge]) / (own[edge + 1] - own[edge])
-        parameter = start[edge] + (end - start)[edge] * share
-        return cubics.evaluate(self.contour.segments[segment], parameter), segment, parameter
+def solve_with_common_cuts(match: ContourMatch) -> Solved:
+    """Solve two contours, both cut where the other one has vertices."""
+    return refine(match, Solved(match.a, match.b, match.first), match.solve)
 
 
-def solve_with_common_cuts(
-    a: FlatContour,
-    b: FlatContour,
-    found: Correspondence,
-    solve: Solve,
-    effort: str,
-) -> Solved:
-    """Cut two outlines where they correspond and solve again near that, until the work stops falling.
+def refine(match: ContourMatch, start: Solved, solve: Solve) -> Solved:
+    """Cut two contours where they correspond and solve again near that, until the work stops falling.
 
-    The work before the first cut is of another problem, and does not count. What is solved last is solved everywhere,
-    where the effort allows.
+    The work before the first cut is of another problem, and does not count. Where the effort allows, the last cuts are
+    solved everywhere.
 
     Parameters
     ----------
-    a, b : FlatContour
-        In the same direction.
-    found : Correspondence
-        Of their polygons.
+    match : ContourMatch
+    start : Solved
+        Two contours in the same direction.
     solve : callable
-        Finds the correspondence of polygons of these contours; near a vertex of the second for each of the first, if
-        that is given; and may count on that some correspondence takes a given work. Returns it after the contours,
-        whose polygons it may have changed.
-    effort : {'auto', 'exact', 'fast'}
-        See `Search`.
-
-    Returns
-    -------
-    a, b : FlatContour
-        With all vertices of those given, and more.
-    correspondence : Correspondence
-        Of these two.
+        Finds the correspondence of these contours with other vertices: near a vertex of the second for each of the
+        first, if that is given, and knowing that some correspondence takes a given work. It may change the vertices.
     """
-    solved = solve(*common_cuts(a, b, (a, b), found), np.inf)
+    a, b, _ = start
+    solved = solve(*common_cuts(a, b, start), np.inf)
     for _ in range(ROUNDS - 1):
-        again = solve(*common_cuts(a, b, solved[:2], solved[2]), np.inf)
-        if again[2].work >= solved[2].work:
+        again = solve(*common_cuts(a, b, solved), np.inf)
+        if again.correspondence.work >= solved.correspondence.work:
             break
         solved = again
-    if is_proven(len(solved[0].polygon.vertices), len(solved[1].polygon.vertices), effort):
-        solved = solve(*solved[:2], None, solved[2].work)
+    a, b, found = solved
+    if is_proven(len(a.polygon.vertices), len(b.polygon.vertices), match.settings.effort):
+        solved = solve(a, b, None, found.work)
     return solved
 
 
-def solve_among(
-    start: Solved,
-    solve_some: Solve,
-    solve: Solve,
-    effort: str,
-    most: float | None,
-    known: float = np.inf,
-) -> Solved | None:
-    """Solve with common cuts where only some correspondences are wanted.
-
-    Parameters
-    ----------
-    start : Solved
-        Two contours in the same direction, and the first of these correspondences.
-    solve_some : callable
-        Finds the least work of those that are wanted; see `solve_with_common_cuts`.
-    solve : callable
-        Finds the least work of all.
-    effort : {'auto', 'exact', 'fast'}
-    most : float or None
-        How many times the least work it may take; None is any number.
-    known : float
-        The work of some correspondence.
+def common_cuts(a: FlatContour, b: FlatContour, solved: Solved) -> tuple[FlatContour, FlatContour, IntArray]:
+    """Cut each contour where the other has a vertex, by a correspondence of the same contours with other vertices.
 
     Returns
     -------
-    a, b : FlatContour
-    correspondence : Correspondence
-        The lower bound is that of all correspondences of these two, where it was looked for.
-
-    None if it takes too much work.
+    cut_a, cut_b : FlatContour
+    near : (m,) int
+        The vertex of B nearest to the partner of each vertex of A.
     """
-    return unless_far_more(solve_with_common_cuts(*start, solve_some, effort), solve, most, known)
-
-
-def unless_far_more(solved: Solved, solve: Solve, most: float | None, known: float = np.inf) -> Solved | None:
-    """Return a correspondence with the lower bound of all, or None if it takes too many times the least work.
-
-    See `solve_among` for the parameters.
-    """
-    a, b, found = solved
-    least = solve(a, b, None, found.work)[2]
-    if most is not None and found.work > most * min(known, least.work) + NOISE:
-        return None
-    return a, b, replace(found, lower_bound=min(least.lower_bound, found.work))
-
-
-def common_cuts(
-    a: FlatContour, b: FlatContour, solved: Sequence[FlatContour], found: Correspondence
-) -> tuple[FlatContour, FlatContour, IntArray]:
-    """Cut each contour where the other has a vertex, by a correspondence of the same contours with other vertices.
-
-    Return both, and the vertex of the second that is nearest to the partner of each vertex of the first.
-    """
-    place_a, place_b = _smoothed_path(solved[0], solved[1], found.dots)
+    place_a, place_b = _smoothed_path(solved.a, solved.b, solved.correspondence.dots)
     closed = a.polygon.closed
-    own_a, own_b = (flat.lengths[: len(flat.polygon.vertices)] for flat in (a, b))
+    own_a, own_b = (flat.shares[: len(flat.polygon.vertices)] for flat in (a, b))
     cut_a = a.cut_at(_along(own_b, place_b, place_a, closed))
     cut_b = b.cut_at(_along(own_a, place_a, place_b, closed))
-    partners = _along(cut_a.lengths[: len(cut_a.polygon.vertices)], place_a, place_b, closed)
-    known = cut_b.lengths
+    partners = _along(cut_a.shares[: len(cut_a.polygon.vertices)], place_a, place_b, closed)
+    known = cut_b.shares
     nearest = np.round(np.interp(partners % 1.0 if closed else partners, known, np.arange(len(known))))
     return cut_a, cut_b, nearest.astype(np.intp) % len(cut_b.polygon.vertices)
 
 
 def _smoothed_path(a: FlatContour, b: FlatContour, dots: IntArray) -> tuple[FloatArray, FloatArray]:
-    """Return places along both outlines that correspond, without stairs; neither ever falls.
+    """Return places along both outlines that correspond, as shares of the lengths, without stairs; neither ever falls.
 
     Between places where both outlines bend the same way, length goes to length evenly: no path stretches less. Let u be
-    the mean of the places of a dot, d how much B is ahead of A there, and w the lesser one of both turns. What d is to
-    be instead, x, has the least sum of ``w (x - d)^2`` over dots and ``EVENNESS (x' - x)^2 / (u' - u)`` over steps.
+    the mean of both places of a dot, d the lead of B over A there, and w the lesser of both turns. The smoothed lead x
+    has the least sum of ``w (x - d)^2`` over dots and ``EVENNESS (x' - x)^2 / (u' - u)`` over steps.
     """
     closed = a.polygon.closed
     counts = len(a.polygon.vertices), len(b.polygon.vertices)
     positions = unroll(dots, counts if closed else None)
     place_a, place_b = (
         np.interp(positions[:, k] % counts[k], np.arange(len(own)), own) + positions[:, k] // counts[k]
-        for k, own in enumerate((a.lengths, b.lengths))
+        for k, own in enumerate((a.shares, b.shares))
     )
     middle, ahead = 0.5 * (place_a + place_b), place_b - place_a
     turns = [
@@ -272,24 +159,7 @@ def _tridiagonal(diagonal: FloatArray, beside: FloatArray, right: FloatArray) ->
 
 
 def _along(places: FloatArray, known: FloatArray, partners: FloatArray, closed: bool) -> FloatArray:
-    """Return the partners of places on an outline, where some and their partners are known, rising."""
+    """Return the partners of places on an outline, between known places and partners, both rising."""
     if closed:
         places = known[0] + (places - known[0]) % 1.0
     return np.interp(places, known, partners)
-
-
-def _median(values: FloatArray) -> float:
-    """Return the median, without the modules that numpy's own loads."""
-    rising, count = np.sort(values), len(values)
-    return 0.5 * float(rising[(count - 1) // 2] + rising[count // 2])
-
-
-def _apart(places: FloatArray, least: float) -> IntArray:
-    """Return the numbers of rising places that lie further than `least` from the one before that is kept."""
-    kept: list[int] = []
-    last = -np.inf
-    for k, place in enumerate(places.tolist()):
-        if place - last > least:
-            kept.append(k)
-            last = place
-    return np.array(kept, np.intp)

@@ -18,51 +18,58 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.flat_contour import NEAR
 from shapeblend_cli.geometry.flatten import COINCIDENT
-from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polyline import distinct
 from shapeblend_cli.matching.solve import priced
-from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.model import Polygon
-from shapeblend_cli.wires.common_cuts import NEAR, NOISE, unless_far_more
+from shapeblend_cli.wires.contour_match import NOISE, Solved
 from shapeblend_cli.wires.symmetry import PARALLEL, common_axes
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
-    from shapeblend_cli.model import BoolArray, ComplexArray, Correspondence, FloatArray, IntArray
-    from shapeblend_cli.options.constants import WorkConstants
-    from shapeblend_cli.wires.common_cuts import FlatContour, Solve, Solved
+    from shapeblend_cli.geometry.flat_contour import FlatContour
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.wires.contour_match import ContourMatch
 
-    Turned = Callable[[Polygon], Polygon]
+SURE = 1e-3
+"""Maximum distance of a node that is surely a cut from the curve through it, as a share of the outline's size."""
 
-SURE, PERHAPS = 1e-3, 1e-2
-"""A node is a cut if the curve through it is so near, as a share of the outline's size. Beyond the first it may be one:
-two decimals in an icon of 24 round that much away."""
+PERHAPS = 1e-2
+"""Maximum distance of a node that may be a cut: two decimals in an icon of 24 round that much away."""
 
-MOST, MOST_OF_MANY, MOST_OTHERWISE = 1.3, 1.6, 1.1
-"""The match may take so many times the least work: of few segments; of `MANY` or more; where a line becomes a curve."""
+MOST = 1.3
+"""Maximum work of a match of few segments, as a multiple of the least work."""
+
+MOST_OF_MANY = 1.6
+"""Maximum work of a match of `MANY` segments."""
+
+MOST_OTHERWISE = 1.1
+"""Maximum work of a match in which lines become curves."""
 
 MANY = 8
-"""So many lines and curves in the same order are hardly an accident."""
+"""Minimum number of lines and curves whose common order is hardly an accident."""
 
 AGREED = 0.6
-"""So large a share of the dots of the least work has to be where the segments that become each other are."""
+"""Minimum share of the dots of the least work that agree on the curves that become each other."""
 
 LEAST_SHARE = 0.02
-"""No cut is nearer to an end of its curve than this parameter."""
+"""Minimum parameter between a cut and the ends of its curve."""
 
-SAME, LEAST_STEP = 1e-7, 1e-6
-"""Positions no further apart are one, and what is so near to a node is there. No segment is a smaller part of its
-curve than the second."""
+SAME = 1e-7
+"""Maximum difference of positions that are one."""
+
+LEAST_STEP = 1e-6
+"""Minimum part of a curve that a segment is, by the curve's parameter."""
 
 
 @dataclass(frozen=True, eq=False)
 class Curves:
     """A contour as the curves and lines that it had before anybody cut them.
 
-    A position is the number of a curve and the parameter on it: 3.5 is in the middle of the fourth one. Positions start
-    where `order` does, with a node that is no cut.
+    A position is the number of a curve and the parameter on it: 3.5 is in the middle of the fourth curve. Positions
+    start where `order` does, with a node that is no cut.
 
     Attributes
     ----------
@@ -81,10 +88,15 @@ class Curves:
 
     @classmethod
     def without(cls, flat: FlatContour, cuts: IntArray, shares: FloatArray) -> Curves:
-        """Return the curves of a contour, given at which of its segments' beginnings it was cut.
+        """Return the curves of a contour.
 
-        For the beginning of each segment `shares` has the parameter of a cut there, on the curve of the two segments
-        that meet.
+        Parameters
+        ----------
+        flat : FlatContour
+        cuts : (c,) int
+            The segments that begin with a cut.
+        shares : (k,) float
+            The parameter of a cut at the beginning of each segment, on the curve of the two segments that meet there.
         """
         contour = flat.contour
         count = len(contour.segments)
@@ -106,7 +118,7 @@ class Curves:
 
     @property
     def count(self) -> int:
-        """How many curves and lines there are."""
+        """The number of curves and lines."""
         return len(self.straight)
 
     @property
@@ -180,53 +192,28 @@ class Curves:
         return replace(self.flat, polygon=polygon), vertex
 
 
-def solve_with_same_segments(
-    a: FlatContour,
-    b: FlatContour,
-    first: Correspondence,
-    turned: Turned,
-    solve: Solve,
-    constants: WorkConstants,
-) -> Solved | None:
+def solve_with_same_segments(match: ContourMatch) -> Solved | None:
     """Let each segment of one contour become one of the other, where both can be drawn with as many.
-
-    Parameters
-    ----------
-    a, b : FlatContour
-        In the same direction.
-    first : Correspondence
-        The least work as they are.
-    turned : callable
-        Returns B's polygons as they are solved, perhaps rotated back.
-    solve : callable
-        Finds the least work, whatever the segments; see `solve_with_common_cuts`.
-    constants : WorkConstants
-
-    Returns
-    -------
-    a, b : FlatContour
-        With all nodes of those given, and other vertices.
-    correspondence : Correspondence
-        Of these two. The lower bound is that of all matches, where it was looked for.
 
     None if they cannot, if the least work does not agree on which becomes which, if it takes too much work, or if an
     axis that both have is lost.
     """
+    first = match.first
     found: list[tuple[float, Solved]] = []
-    for p, q in _drawn_alike(a, b):
+    for p, q in _drawn_alike(match.a, match.b):
         start = _start(p, q, first.dots)
-        matched = None if start is None else _matched(p, q, start, turned, constants)
+        matched = None if start is None else _matched(p, q, start, match)
         if start is None or matched is None:
             continue
         most = MOST_OTHERWISE
         if (p.straight == np.roll(q.straight, -start)).all():
             most = MOST if p.count < MANY else MOST_OF_MANY
-        if matched[2].work <= most * first.work + NOISE and _keeps_axes(matched, turned):
+        if matched.correspondence.work <= most * first.work + NOISE and _keeps_axes(matched, match):
             found.append((most, matched))
     if not found:
         return None
-    most, matched = min(found, key=lambda one: one[1][2].work / one[0])
-    return unless_far_more(matched, solve, most, first.work)
+    most, matched = min(found, key=lambda one: one[1].correspondence.work / one[0])
+    return match.unless_far_more(matched, most, first.work)
 
 
 def _drawn_alike(a: FlatContour, b: FlatContour) -> Iterator[tuple[Curves, Curves]]:
@@ -285,7 +272,7 @@ def _start(a: Curves, b: Curves, dots: IntArray) -> int | None:
     return start if votes[start] >= AGREED * len(dots) and (a.closed or start == 0) else None
 
 
-def _matched(a: Curves, b: Curves, start: int, turned: Turned, constants: WorkConstants) -> Solved | None:
+def _matched(a: Curves, b: Curves, start: int, match: ContourMatch) -> Solved | None:
     """Return both contours with vertices at the same positions, those of B counted from curve `start`, and the match.
 
     None where each has a segment without extent beside one of the other: no path stands still twice in a row.
@@ -308,16 +295,15 @@ def _matched(a: Curves, b: Curves, start: int, turned: Turned, constants: WorkCo
     dots = np.stack([vertex_a, vertex_b], axis=1)
     moved = (dots != np.roll(dots, 1, axis=0)).any(axis=1)
     moved[0] |= not a.closed
-    wires = Wires(to_unit_box(cut_a.polygon), to_unit_box(turned(cut_b.polygon)), a.closed, constants)
     try:
-        return cut_a, cut_b, priced(wires, dots[moved])
+        return Solved(cut_a, cut_b, priced(match.wires(cut_a, cut_b), dots[moved]))
     except ValueError:
         return None
 
 
-def _keeps_axes(matched: Solved, turned: Turned) -> bool:
+def _keeps_axes(matched: Solved, match: ContourMatch) -> bool:
     """Return whether what lies half way between two outlines has the axes that both have."""
-    a, b, dots = matched[0].polygon, turned(matched[1].polygon), matched[2].dots
+    a, b, dots = matched.a.polygon, match.rotated_back(matched.b.polygon), matched.correspondence.dots
     axes = common_axes(a, b)
     if not axes:
         return True

@@ -14,110 +14,91 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.placement import to_unit_box
-from shapeblend_cli.geometry.polyline import cumulative_lengths, thin
+from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.matching.solve import Search, least_work, priced
-from shapeblend_cli.matching.work import Wire, Wires
-from shapeblend_cli.model import Box
-from shapeblend_cli.wires.common_cuts import solve_among
-from shapeblend_cli.wires.outline import Outline
-from shapeblend_cli.wires.stretches import TOLERANCE, shared_stretches
+from shapeblend_cli.wires.common_cuts import refine
+from shapeblend_cli.wires.contour_match import Solved
+from shapeblend_cli.wires.stretches import mostly_shared
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.geometry.flat_contour import FlatContour
+    from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
-    from shapeblend_cli.options.settings import Settings
-    from shapeblend_cli.wires.common_cuts import FlatContour, Solve, Solved
+    from shapeblend_cli.wires.contour_match import ContourMatch
 
-WATCHED, FIRST_SHARE = 32, 0.15
-"""So many points of A are looked at first, and so many of them at least lie on B."""
+SAME = 1e-6
+"""Maximum difference of shares of a length that are one."""
 
-SAME, ROUNDED = 1e-6, 6
-"""Shares of a length that are one; and as decimals."""
+DECIMALS = 6
+"""Number of decimals of such shares."""
 
-STRAIGHT, DETOUR = 0.98, 1.5
-"""A limb goes into a line whose ends are no nearer than the first share of its length; and it is so many times as long
-as the line."""
+STRAIGHT = 0.98
+"""Minimum distance of the ends of a line that a limb goes into, as a share of the line's length."""
 
-BACK, BEYOND = 0.1, 0.25
-"""A limb goes back along the line, and beyond its ends, by these shares of it at most."""
+DETOUR = 1.5
+"""Minimum length of a limb, as a multiple of its line's length."""
+
+BACK = 0.1
+"""Maximum backtracking of a limb along its line, as a share of the line's length."""
+
+BEYOND = 0.25
+"""Maximum distance that a limb reaches beyond the ends of its line, as a share of the line's length."""
 
 MOST = 1.15
-"""Without a limb, a match that holds what is shared may take so many times the least work."""
+"""Maximum work of a match that holds the stretches, as a multiple of the least work, unless there is a limb."""
 
 
 class Anchors(NamedTuple):
-    """Places at which stretches begin and end, in turn, on an outline, and how far it is from each to the next one.
+    """Places at which stretches begin and end, in turn, and the distances from each to the next, once round.
 
-    Both as shares of its length; the steps make one round.
+    Both are shares of the outline's length.
     """
 
     places: FloatArray
     steps: FloatArray
 
 
-def solve_with_shared(
-    a: FlatContour,
-    b: FlatContour,
-    solve: Solve,
-    settings: Settings,
-) -> Solved | None:
+def solve_with_shared(match: ContourMatch) -> Solved | None:
     """Solve two contours, with common cuts, such that what they share stays where it is.
 
-    Parameters
-    ----------
-    a, b : FlatContour
-        In the same direction.
-    solve : callable
-        Finds the least work, whatever is shared; see `solve_with_common_cuts`.
-    settings : Settings
-
-    Returns
-    -------
-    a, b : FlatContour
-        With all nodes of those given, and other vertices.
-    correspondence : Correspondence
-        Of these two. The lower bound is that of all matches, where it was looked for.
-
-    None if they share too little, or nothing that has an end; and for lines, and where holding takes far more work.
+    None if they share too little, or nothing that has an end; for lines, and where B is rotated; and if holding takes
+    far more work than other matches.
     """
-    anchors = _anchors(a, b)
+    anchors = None if match.rotation else _anchors(match.a, match.b)
     if anchors is None:
         return None
-    cut = a.cut_at(anchors[0].places, SAME), b.cut_at(anchors[1].places, SAME)
+    cut = match.a.cut_at(anchors[0].places, SAME), match.b.cut_at(anchors[1].places, SAME)
     limbs = [_limb_of(p, q) for p, q in zip(*map(_gaps, cut, anchors), strict=True)]
 
     def solve_pieces(
         p: FlatContour, q: FlatContour, near: IntArray | None = None, known: float = np.inf
     ) -> Solved:
-        whole = Wires(to_unit_box(p.polygon), to_unit_box(q.polygon), True, settings.constants)
-        return p, q, priced(whole, _joined((p, q), anchors, limbs, whole, settings.effort))
+        whole = match.wires(p, q)
+        dots = _joined((p, q), anchors, limbs, whole, match.settings.effort)
+        return Solved(p, q, priced(whole, dots))
 
-    most = None if any(limbs) else MOST
-    return solve_among(solve_pieces(*cut), solve_pieces, solve, settings.effort, most)
+    solved = refine(match, solve_pieces(*cut), solve_pieces)
+    return match.unless_far_more(solved, None if any(limbs) else MOST)
 
 
 def _anchors(a: FlatContour, b: FlatContour) -> tuple[Anchors, Anchors] | None:
     """Return where stretches that two closed contours share begin and end; None if there are none to hold."""
     if not (a.polygon.closed and b.polygon.closed):
         return None
-    outlines = Outline.of(a), Outline.of(b)
-    diagonal = Box.union([flat.polygon.box for flat in (a, b)]).diagonal
-    away = outlines[1].lengths_near(thin(a.polygon.vertices, WATCHED))[0]
-    if (away <= TOLERANCE * diagonal).mean() < FIRST_SHARE:
+    shared = mostly_shared([a], [b])
+    if shared is None:
         return None
-    stretches = shared_stretches(outlines[:1], outlines[1:], diagonal)
-    stretches = sorted(stretches, key=lambda stretch: stretch.start[0] % outlines[0].total)
-    if not stretches or stretches[0].end[1] - stretches[0].start[1] >= outlines[1].total:
+    stretches = sorted(shared.stretches, key=lambda stretch: stretch.start[0] % a.total)
+    if stretches[0].end[1] - stretches[0].start[1] >= b.total:
         return None
-    found = [
-        _anchors_on(outline.total, [(s.start[k], s.end[k]) for s in stretches])
-        for k, outline in enumerate(outlines)
-    ]
-    if any(abs(anchors.steps.sum() - 1.0) > 0.5 for anchors in found):
+    first, second = (
+        _anchors_on(flat.total, [(s.start[k], s.end[k]) for s in stretches]) for k, flat in enumerate((a, b))
+    )
+    if any(abs(anchors.steps.sum() - 1.0) > 0.5 for anchors in (first, second)):
         return None  # in another order on one outline than on the other
-    return found[0], found[1]
+    return first, second
 
 
 def _anchors_on(total: float, stretches: Sequence[tuple[float, float]]) -> Anchors:
@@ -131,7 +112,7 @@ def _anchors_on(total: float, stretches: Sequence[tuple[float, float]]) -> Ancho
 
 def _pieces(flat: FlatContour, anchors: Anchors) -> list[IntArray]:
     """Return the numbers of the vertices from each anchor to the next, both ends included."""
-    own = flat.lengths[: len(flat.polygon.vertices)]
+    own = flat.shares[: len(flat.polygon.vertices)]
     ends = np.abs((own[:, None] - anchors.places + 0.5) % 1.0 - 0.5).argmin(axis=0)
     counts = (np.roll(ends, -1) - ends) % len(own)
     counts[(counts == 0) & (anchors.steps > 0.5)] = len(own)
@@ -150,7 +131,7 @@ def _joined(
     whole: Wires,
     effort: str,
 ) -> IntArray:
-    """Return the dots of all pieces, each solved from end to end; every second one lies between two shared ones."""
+    """Return the dots of all pieces, each solved from end to end; every second piece lies between two stretches."""
     dots = []
     for k, (i, j) in enumerate(zip(*map(_pieces, contours, anchors), strict=True)):
         limb = limbs[k // 2] if k % 2 else ""
@@ -160,20 +141,15 @@ def _joined(
         elif limb:
             piece = _into_line(z, w) if limb == "a" else _into_line(w, z)[:, ::-1]
         else:
-            first, second = (
-                Wire(*(points[numbers] for points in wire))
-                for wire, numbers in zip(whole.wires, (i, j), strict=True)
-            )
-            wires = Wires(first, second, False, whole.constants)
-            piece = least_work(wires, Search(effort=effort)).dots
+            piece = least_work(whole.along(i, j), Search(effort=effort)).dots
         dots.append(np.stack([i[piece[:-1, 0]], j[piece[:-1, 1]]], axis=1))
     return _without_corners(np.concatenate(dots), (whole.m, whole.n))
 
 
 def _limb_of(z: ComplexArray, w: ComplexArray) -> str:
-    """Return which of two pieces of outline, a or b, is a limb that can go straight into the other; "" if none can.
+    """Return which of two pieces of outline, a or b, is a limb that can go straight into the other; "" if neither can.
 
-    What has a point for a partner goes into that.
+    Every piece can go into a point.
     """
     if len(z) == 1 or len(w) == 1:
         return "b" if len(w) > 1 else "a" if len(z) > 1 else ""
@@ -188,16 +164,13 @@ def _limb_of(z: ComplexArray, w: ComplexArray) -> str:
 
 
 def _shares(z: ComplexArray, line: ComplexArray) -> FloatArray:
-    """Return how far along a line points are, as shares of it."""
+    """Return the positions of points along a line, as shares of the line's length."""
     return np.asarray(((z - line[0]) / (line[-1] - line[0])).real)
 
 
 def _into_line(limb: ComplexArray, line: ComplexArray) -> IntArray:
-    """Return the dots of a limb that goes straight into a line, (k, 2).
-
-    A point becomes the one beside it on the line, and what is beyond its ends becomes these.
-    """
-    share = _shares(limb, line).clip(0.0, 1.0).round(ROUNDED)
+    """Return the dots of a limb that goes straight into a line, (k, 2): each point to the nearest on the line."""
+    share = _shares(limb, line).clip(0.0, 1.0).round(DECIMALS)
     share[0], share[-1] = 0.0, 1.0
     lengths = cumulative_lengths(line)
     beside = np.abs(np.maximum.accumulate(share)[:, None] - lengths / lengths[-1]).argmin(axis=1)

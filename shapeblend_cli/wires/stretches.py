@@ -1,31 +1,53 @@
-"""Stretches that outlines share, in place and in the same direction."""
+"""Stretches that two sets of outlines share, in place and in the same direction; outlines may be open or closed.
+
+`mostly_shared` finds them where they are most of both sets. `Shared` has the stretches, and for each one the next on
+either outline with what lies between the two.
+"""
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.geometry.polyline import thin
+from shapeblend_cli.model import Box
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.wires.outline import Outline
+    from shapeblend_cli.geometry.flat_contour import FlatContour
+    from shapeblend_cli.model import BoolArray, ComplexArray
+
+    Outlines = Sequence[FlatContour]
 
 TOLERANCE = 2e-3
-"""Outlines nearer than this share of the drawings' diagonal are the same."""
+"""Maximum distance of outlines that are the same, as a share of the drawings' diagonal."""
 
 LEAST_STRETCH = 1e-2
-"""A stretch that two outlines share is at least so long, as a share of the diagonal."""
+"""Minimum length of a stretch, as a share of the diagonal."""
 
-REACH, EXACT = 4.0, 0.1
-"""Where a stretch ends is looked for within so many times that tolerance; nearer than by the second share of it is
-as near as can be."""
+REACH = 4.0
+"""Maximum length that a stretch loses at each end, in tolerances: its ends are where the outlines still meet."""
 
-LEAST_SHARED, LEAST_OF_LONGER = 0.6, 0.4
-"""So much of the shorter outlines is shared at least, and of the longer ones."""
+EXACT = 0.1
+"""Maximum distance of outlines that meet, as a share of the tolerance."""
+
+WATCHED = 32
+"""Number of points of each outline of A that are looked at before anything else."""
+
+LEAST_WATCHED = 0.15
+"""Minimum share of these points that lie on outlines of B."""
+
+LEAST_OF_SHORTER = 0.6
+"""Minimum length of all stretches, as a share of the length of the shorter set of outlines."""
+
+LEAST_OF_LONGER = 0.4
+"""Minimum length of all stretches, as a share of the length of the longer set of outlines."""
 
 UNEVEN = 0.2
-"""By how much a stretch may be longer on one outline than on the other."""
+"""Maximum difference in length of a stretch on both outlines, as a share of it."""
 
 
 class Stretch(NamedTuple):
@@ -41,17 +63,60 @@ class Stretch(NamedTuple):
         return self.end[0] - self.start[0]
 
 
-def shared_stretches(a: Sequence[Outline], b: Sequence[Outline], diagonal: float) -> list[Stretch]:
-    """Return the stretches that outlines of two drawings share, none twice; none if they do not share enough.
+class Shared(NamedTuple):
+    """Two sets of outlines, A's and B's, and the stretches that they share, the longest first, none twice."""
 
-    The diagonal is that of both drawings, or of the outlines.
+    outlines: tuple[Outlines, Outlines]
+    stretches: Sequence[Stretch]
+    distance: float  # within which outlines are the same
+
+    def following(self, side: int) -> dict[int, int]:
+        """Return the stretch that follows each stretch on its outline of A, 0, or B, 1; the last of a line has none."""
+        found: dict[int, int] = {}
+        for number, outline in enumerate(self.outlines[side]):
+            on_it = [k for k, stretch in enumerate(self.stretches) if stretch.outlines[side] == number]
+            on_it.sort(key=lambda k: self.stretches[k].start[side] % outline.total)
+            found |= pairwise(on_it + on_it[:1] * outline.polygon.closed)
+        return found
+
+    def between(self, side: int, one: int, other: int) -> tuple[ComplexArray, BoolArray] | None:
+        """Return the segments from the end of a stretch to the start of another one, and which are straight.
+
+        None if both are in one place.
+        """
+        outline = self.outlines[side][self.stretches[one].outlines[side]]
+        end, start = self.stretches[one].end[side], self.stretches[other].start[side]
+        gap = (start - end) % outline.total
+        if min(gap, outline.total - gap) <= self.distance:
+            return None
+        return outline.between(end % outline.total, end % outline.total + gap)
+
+
+def mostly_shared(a: Outlines, b: Outlines, diagonal: float | None = None) -> Shared | None:
+    """Return what two sets of outlines share if that is enough.
+
+    The diagonal is that of both drawings, or else of the outlines.
     """
+    if diagonal is None:
+        diagonal = Box.union([flat.polygon.box for flat in (*a, *b)]).diagonal
+    watched = np.concatenate([thin(flat.polygon.vertices, WATCHED) for flat in a])
+    if _near_any(watched, b, TOLERANCE * diagonal).mean() < LEAST_WATCHED:
+        return None
+    shared = shared_stretches(a, b, diagonal)
+    totals = [sum(outline.total for outline in side) for side in (a, b)]
+    length = sum(stretch.length for stretch in shared.stretches)
+    least = max(LEAST_OF_SHORTER * min(totals), LEAST_OF_LONGER * max(totals))
+    return shared if shared.stretches and length >= least else None
+
+
+def shared_stretches(a: Outlines, b: Outlines, diagonal: float) -> Shared:
+    """Return the stretches that outlines of two drawings share."""
     distance = TOLERANCE * diagonal
     found = [
         stretch
         for i, p in enumerate(a)
         for j, q in enumerate(b)
-        if p.flat.polygon.box.expanded(distance).overlaps(q.flat.polygon.box)
+        if p.polygon.box.expanded(distance).overlaps(q.polygon.box)
         for stretch in _shared((i, j), (p, q), distance)
         if stretch.length >= LEAST_STRETCH * diagonal
     ]
@@ -59,39 +124,45 @@ def shared_stretches(a: Sequence[Outline], b: Sequence[Outline], diagonal: float
     for stretch in sorted(found, key=lambda stretch: -stretch.length):
         if not any(_overlap(stretch, other, (a, b), distance) for other in kept):
             kept.append(stretch)
-    totals = [sum(outline.total for outline in side) for side in (a, b)]
-    shared = sum(stretch.length for stretch in kept)
-    return kept if shared >= max(LEAST_SHARED * min(totals), LEAST_OF_LONGER * max(totals)) else []
+    return Shared((a, b), kept, distance)
 
 
-def _overlap(
-    one: Stretch, other: Stretch, sides: tuple[Sequence[Outline], Sequence[Outline]], slack: float
-) -> bool:
+def _near_any(points: ComplexArray, outlines: Outlines, distance: float) -> BoolArray:
+    """Return which points are within a distance of any outline."""
+    near = np.zeros(len(points), bool)
+    for outline in outlines:
+        # Others than those near its box are further away, and computing how far is most of the work in a crowd.
+        asked = np.flatnonzero(~near & outline.polygon.box.expanded(2.0 * distance).holds(points))
+        if len(asked):
+            near[asked] = outline.lengths_near(points[asked])[0] <= distance
+    return near
+
+
+def _overlap(one: Stretch, other: Stretch, sides: tuple[Outlines, Outlines], slack: float) -> bool:
     """Return whether two stretches have more in common than their ends."""
     for side in (0, 1):
-        if one.outlines[side] != other.outlines[side]:
-            continue
-        total = sides[side][one.outlines[side]].total
-        ahead = (other.start[side] - one.start[side]) % total
-        behind = (one.start[side] - other.start[side]) % total
-        if (
-            ahead < one.end[side] - one.start[side] - slack
-            or behind < other.end[side] - other.start[side] - slack
-        ):
-            return True
+        if one.outlines[side] == other.outlines[side]:
+            total = sides[side][one.outlines[side]].total
+            for first, second in ((one, other), (other, one)):
+                ahead = (second.start[side] - first.start[side]) % total
+                if ahead < first.end[side] - first.start[side] - slack:
+                    return True
     return False
 
 
-def _shared(numbers: tuple[int, int], outlines: tuple[Outline, Outline], distance: float) -> list[Stretch]:
+def _shared(
+    numbers: tuple[int, int], outlines: tuple[FlatContour, FlatContour], distance: float
+) -> list[Stretch]:
     """Return the stretches that two outlines share in the same direction."""
     p, q = outlines
-    away_p, on_q = q.lengths_near(p.line[:-1])
-    away_q, on_p = p.lengths_near(q.line[:-1])
+    own_p, own_q = (flat.lengths[: len(flat.polygon.vertices)] for flat in outlines)
+    away_p, on_q = q.lengths_near(p.polygon.vertices)
+    away_q, on_p = p.lengths_near(q.polygon.vertices)
     near_p, near_q = away_p <= distance, away_q <= distance
     if near_p.sum() + near_q.sum() < 2:
         return []
-    along = np.concatenate([p.lengths[:-1], on_p[near_q]])
-    beside = np.concatenate([on_q, q.lengths[:-1][near_q]])
+    along = np.concatenate([own_p, on_p[near_q]])
+    beside = np.concatenate([on_q, own_q[near_q]])
     away = np.concatenate([away_p, away_q[near_q]])
     order = np.argsort(along, kind="stable")
     along, beside, away = along[order], beside[order], away[order]
@@ -99,8 +170,11 @@ def _shared(numbers: tuple[int, int], outlines: tuple[Outline, Outline], distanc
     # Between two that follow each other the outlines have the same length.
     ahead = np.roll(along, -1) - along
     ahead[-1] += p.total
-    advance = (np.roll(beside, -1) - beside + 0.5 * q.total) % q.total - 0.5 * q.total
+    advance = np.roll(beside, -1) - beside
+    if q.polygon.closed:
+        advance = (advance + 0.5 * q.total) % q.total - 0.5 * q.total
     joined = is_near & np.roll(is_near, -1) & (np.abs(advance - ahead) <= UNEVEN * ahead + 2.0 * distance)
+    joined[-1] &= p.polygon.closed
     if joined.all():
         return [Stretch(numbers, (0.0, float(beside[0])), (p.total, float(beside[0]) + q.total))]
     stretches = []

@@ -16,45 +16,50 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, points_at
 from shapeblend_cli.matching.solve import Search, least_work, priced
-from shapeblend_cli.matching.work import Wire, Wires
 from shapeblend_cli.model import Polygon
-from shapeblend_cli.wires.common_cuts import solve_among
+from shapeblend_cli.wires.common_cuts import refine
+from shapeblend_cli.wires.contour_match import Solved
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Iterator, Sequence
 
+    from shapeblend_cli.geometry.flat_contour import FlatContour
+    from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import ComplexArray, Correspondence, FloatArray, IntArray
-    from shapeblend_cli.options.settings import Settings
-    from shapeblend_cli.wires.common_cuts import FlatContour, Solve, Solved
+    from shapeblend_cli.wires.contour_match import ContourMatch
 
 SAMPLES = 128
-"""An axis is looked for at so many points, evenly along the outline."""
+"""Number of points, evenly along an outline, by which an axis is recognised."""
 
 TOLERANCE = 0.02
-"""How far the mirror image of an outline may be from it, as a share of its size; and the mirror image of a node from
-the node that it is, as a share of the outline's length."""
+"""Maximum distance of an outline from its mirror image, as a share of its size, and of a node from that of a node, as a
+share of the outline's length."""
 
 DIRECTIONS = (1j, 1.0)
-"""Axes that are looked for besides the long and the short one of an outline: upright first."""
+"""Directions of axes besides the long and the short one of an outline: upright first."""
 
-PARALLEL, SQUARE = 0.99, 1e-6
-"""Cosines of the angle within which two axes run the same way, and beyond which they are at right angles."""
+PARALLEL = 0.99
+"""Minimum cosine of the angle between axes that run the same way."""
+
+SQUARE = 1e-6
+"""Maximum cosine of the angle between axes at right angles."""
 
 MOST = 1.4
-"""A match that keeps an outline its own mirror image may take so many times the least work."""
+"""Maximum work of a match that keeps an outline its own mirror image, as a multiple of the least work."""
 
-NEAR, SAME = 0.3, 1e-9
-"""A vertex nearer to a node than this share of the usual edge is left out; and shares of a half that are one."""
+NEAR = 0.3
+"""Minimum distance of a vertex from all nodes, as a share of the mean edge, to be kept."""
+
+SAME = 1e-9
+"""Maximum difference of shares of a part that are one."""
 
 
 class Axis(NamedTuple):
     """An axis of an outline: its direction, and the places where the outline meets it, as shares of its length.
 
-    The first end lies further in that direction. The other one is half the outline's length away. A line meets its axis
-    in the middle alone.
+    The first end lies further in that direction, the second half a round away. A line has one end, in the middle.
     """
 
     direction: complex
@@ -73,7 +78,7 @@ class Part(NamedTuple):
     way: int
 
     def shares(self, places: FloatArray) -> FloatArray:
-        """Return how far places are along the part, as shares of it; beyond 1 they are on another one."""
+        """Return the distances of places from the beginning of the part, as shares of it; beyond 1 in another part."""
         return (self.way * (places - self.begin)) % 1.0 / self.length
 
     def places(self, shares: FloatArray) -> FloatArray:
@@ -96,7 +101,7 @@ class Parts(NamedTuple):
     vertices: Sequence[IntArray]
 
     def around(self, along: IntArray) -> IntArray:
-        """Return the vertices along the whole outline, where on each part one goes through it as `along` says."""
+        """Return the vertices along the whole outline, given those along each part, by their places in it."""
         if not self.flat.polygon.closed:
             first, second = self.vertices
             return np.concatenate([first[along[::-1]], second[along[1:]]])
@@ -107,38 +112,12 @@ class Parts(NamedTuple):
         )
 
 
-def solve_with_symmetry(
-    a: FlatContour,
-    b: FlatContour,
-    first: Correspondence,
-    turned: Callable[[Polygon], Polygon],
-    solve: Solve,
-    settings: Settings,
-) -> Solved | None:
+def solve_with_symmetry(match: ContourMatch) -> Solved | None:
     """Solve two contours that have an axis each, with common cuts, such that both halves do the same.
 
-    Parameters
-    ----------
-    a, b : FlatContour
-        In the same direction.
-    first : Correspondence
-        The least work as they are.
-    turned : callable
-        Returns B's polygons as they are solved, perhaps rotated back.
-    solve : callable
-        Finds the least work, whatever becomes of the axes; see `solve_with_common_cuts`.
-    settings : Settings
-
-    Returns
-    -------
-    a, b : FlatContour
-        With all nodes of those given, and other vertices.
-    correspondence : Correspondence
-        Of these two. The lower bound is that of all matches, where it was looked for.
-
-    None without such axes, or if it takes far more work than other matches.
+    None without such axes, or if that takes far more work than other matches.
     """
-    axes = common_axes(a.polygon, turned(b.polygon))
+    axes = common_axes(match.a.polygon, match.rotated_back(match.b.polygon))
     if not axes:
         return None
     axes_a, axes_b = zip(*axes, strict=True)
@@ -147,11 +126,11 @@ def solve_with_symmetry(
         p: FlatContour, q: FlatContour, near: IntArray | None = None, known: float = np.inf
     ) -> Solved:
         parts = cut_in_parts(p, axes_a), cut_in_parts(q, axes_b)
-        vertices = to_unit_box(parts[0].flat.polygon), to_unit_box(turned(parts[1].flat.polygon))
-        whole = Wires(*vertices, a.polygon.closed, settings.constants)
-        return parts[0].flat, parts[1].flat, _solve_parts(parts, whole, settings.effort)
+        flats = parts[0].flat, parts[1].flat
+        return Solved(*flats, _solve_parts(parts, match.wires(*flats), match.settings.effort))
 
-    return solve_among(solve_part(a, b), solve_part, solve, settings.effort, MOST, first.work)
+    solved = refine(match, solve_part(match.a, match.b), solve_part)
+    return match.unless_far_more(solved, MOST, match.first.work)
 
 
 def common_axes(a: Polygon, b: Polygon) -> list[tuple[Axis, Axis]]:
@@ -173,41 +152,31 @@ def common_axes(a: Polygon, b: Polygon) -> list[tuple[Axis, Axis]]:
 
 
 def _axes(polygon: Polygon) -> Iterator[Axis]:
-    """Yield the axes of a polygon."""
-    if not polygon.closed:
-        yield from _axes_of_line(polygon)
-        return
-    outline = from_end_to_end(polygon.vertices, closed=True)
+    """Yield the axes of a polygon; those of an open one take each half to the other one."""
+    closed, tolerance = polygon.closed, TOLERANCE * polygon.box.larger_side
+    outline = from_end_to_end(polygon.vertices, closed)
     lengths = cumulative_lengths(outline)
     places = lengths / lengths[-1]
-    even = np.arange(SAMPLES) / SAMPLES
+    even = np.arange(SAMPLES) / SAMPLES if closed else np.linspace(0.0, 1.0, SAMPLES)
     points = points_at(even, outline, places)
     middle = points.mean()
     for along in _directions(points - middle):
         images = middle + along * along * (points - middle).conj()
+        if not closed:
+            if np.abs(points[::-1] - images).max() <= tolerance:
+                yield Axis(along, (0.5,))
+            continue
         across = ((outline - middle) * np.conj(along)).imag
         at = np.flatnonzero((across[:-1] < 0.0) != (across[1:] < 0.0))
         met = places[at] + (places[at + 1] - places[at]) * across[at] / (across[at] - across[at + 1])
         off = [
             float(np.abs(points_at((2.0 * end - even) % 1.0, outline, places) - images).max()) for end in met
         ]
-        if off and min(off) <= TOLERANCE * polygon.box.larger_side:
+        if off and min(off) <= tolerance:
             end = float(met[int(np.argmin(off))])
             ends = np.array([end, (end + 0.5) % 1.0])
             ends = ends[np.argsort(-(points_at(ends, outline, places) * np.conj(along)).real)]
             yield Axis(along, (float(ends[0]), float(ends[1])))
-
-
-def _axes_of_line(polygon: Polygon) -> Iterator[Axis]:
-    """Yield the axes of an open polygon that take each half to the other one."""
-    lengths = cumulative_lengths(polygon.vertices)
-    even = np.linspace(0.0, 1.0, SAMPLES)
-    points = points_at(even, polygon.vertices, lengths / lengths[-1])
-    middle = points.mean()
-    for along in _directions(points - middle):
-        images = middle + along * along * (points - middle).conj()
-        if np.abs(points[::-1] - images).max() <= TOLERANCE * polygon.box.larger_side:
-            yield Axis(along, (0.5,))
 
 
 def _directions(points: ComplexArray) -> list[complex]:
@@ -223,7 +192,7 @@ def cut_in_parts(flat: FlatContour, axes: Sequence[Axis]) -> Parts:
     All nodes stay vertices. A node of one part is the mirror image of a node of another one if it is the nearest there,
     and near; else that part gets a vertex. Further vertices are those of the first part.
     """
-    own = flat.lengths[: len(flat.polygon.vertices)]
+    own = flat.shares[: len(flat.polygon.vertices)]
     is_node = flat.polygon.parameter == 0.0
     ends = [_at_node(end, own[is_node]) for axis in axes for end in axis.ends]
     if not flat.polygon.closed:
@@ -310,7 +279,7 @@ def _cut(
     flat: FlatContour, ends: Sequence[float], parts: Sequence[Part], at: Sequence[FloatArray], kept: IntArray
 ) -> Parts:
     """Cut a contour at the ends of parts and at places on each; kept are the numbers of vertices already there."""
-    polygon, own = flat.polygon, flat.lengths[: len(flat.polygon.vertices)]
+    polygon, own = flat.polygon, flat.shares[: len(flat.polygon.vertices)]
     places = np.concatenate([ends, *at])
     at_ends = [np.flatnonzero(own == end) for end in ends]
     vertex = np.concatenate([[found[0] if len(found) else -1 for found in at_ends], kept.T.ravel()]).astype(
@@ -320,7 +289,7 @@ def _cut(
     points, segment, parameter = (
         np.where(new, 0, values[vertex]) for values in (polygon.vertices, polygon.segment, polygon.parameter)
     )
-    points[new], segment[new], parameter[new] = flat.points_between(places[new])
+    points[new], segment[new], parameter[new] = flat.points_at(places[new])
     order = np.argsort(np.where(new, places, own[vertex]), kind="stable")
     number = np.empty(len(order), np.intp)
     number[order] = np.arange(len(order))
@@ -340,10 +309,6 @@ def _solve_parts(parts: tuple[Parts, Parts], whole: Wires, effort: str) -> Corre
 
     The lower bound is 0, as other matches of the whole may take less work.
     """
-    first = [
-        Wire(*(points[side.vertices[0]] for points in wire))
-        for wire, side in zip(whole.wires, parts, strict=True)
-    ]
-    found = least_work(Wires(first[0], first[1], False, whole.constants), Search(effort=effort))
+    found = least_work(whole.along(*(side.vertices[0] for side in parts)), Search(effort=effort))
     dots = np.stack([side.around(found.dots[:, k]) for k, side in enumerate(parts)], axis=1)
     return priced(whole, dots, found.sweeps)

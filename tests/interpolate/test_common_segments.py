@@ -304,3 +304,10 @@ def test_a_corner_matched_with_a_held_corner_keeps_what_grows_out_of_it():
     match = match_continuously(*parameters, np.array(before + hold + after))
     assert ([30, 10] == match.positions[match.fixed]).all(axis=1).any()
     assert np.diff(match.positions, axis=0).max() <= 1.0
+
+
+def test_of_two_corners_beside_one_only_the_nearer_is_matched_with_it():
+    a, b = (polygon_contour(z, closed=False) for z in ([0, 4, 6 + 1j, 6 + 6j], [0, 5, 5 + 5j]))
+    parameters = (parametrize(line, flatten(line, 11)) for line in (a, b))
+    match = match_continuously(*parameters, np.arange(11)[:, None].repeat(2, axis=1))
+    assert match.positions[match.fixed].tolist() == [[0, 0], [4, 5], [10, 10]]

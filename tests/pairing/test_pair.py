@@ -10,7 +10,7 @@ from shapeblend_cli.errors import MatchError
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pairing.assignment import assign
 from shapeblend_cli.pairing.pair import pair_contours
-from shapeblend_cli.wires.contour_blends import solved_wires
+from shapeblend_cli.wires.match import solved_wires
 from tests.support.drawings import EIGHT, EVENODD, EYED, I_DOT, J_DOT, LEAF, RING, SQUARES, B, contours_of
 
 LINE = '<path d="M2 2L20 9" fill="none" stroke="#000"/>'

@@ -22,7 +22,7 @@ from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.preview import graphs as graphs_module
 from shapeblend_cli.preview.graphs import graphs
 from shapeblend_cli.preview.pictures import dot_positions, picture
-from shapeblend_cli.wires.contour_blends import solved_wires
+from shapeblend_cli.wires.match import solved_wires
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
 from tests.support.motions import blend, rotated
 

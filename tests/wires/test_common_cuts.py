@@ -9,17 +9,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.interpolate.paths import paths_at
-from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.model import Contour, unroll
 from shapeblend_cli.svg.reading.read import read
-from shapeblend_cli.wires.common_cuts import FlatContour, solve_with_common_cuts
+from shapeblend_cli.wires.common_cuts import solve_with_common_cuts
 from tests.support.commands import contours as reported
 from tests.support.contours import circle_contour, drawing, polygon_contour, polyline
 from tests.support.motions import pair_of
-from tests.support.solver import find_least
+from tests.support.solver import match_of
 from tests.support.strategies import contours
 
 TIMES = np.linspace(0.0, 1.0, 11)
@@ -69,20 +68,15 @@ def test_a_segment_that_is_a_point_is_passed_over():
 @given(st.booleans().flatmap(lambda closed: st.tuples(contours(closed), contours(closed))))
 def test_both_are_cut_and_the_path_goes_through_all_of_it(pair):
     a, b = (flat(contour) for contour in pair)
-
-    def solve(p, q, near=None, known=np.inf):
-        return p, q, find_least(to_unit_box(p.polygon), to_unit_box(q.polygon), p.polygon.closed, near=near)
-
-    first = solve(a, b)[2]
-    cut_a, cut_b, found = solve_with_common_cuts(a, b, first, solve, "auto")
+    match = match_of(a, b)
+    cut_a, cut_b, found = solve_with_common_cuts(match)
     assert_cut_of(cut_a, a)
     assert_cut_of(cut_b, b)
     counts = len(cut_a.polygon.vertices), len(cut_b.polygon.vertices)
     steps = np.diff(unroll(found.dots, counts if a.polygon.closed else None), axis=0)
     assert set(map(tuple, steps.astype(int).tolist())) <= {(1, 0), (0, 1), (1, 1)}
     assert [set(side.tolist()) for side in found.dots.T] == [set(range(count)) for count in counts]
-    priced = Wires(*(to_unit_box(c.polygon) for c in (cut_a, cut_b)), a.polygon.closed).path_work(found.dots)
-    assert priced.total == pytest.approx(found.work)
+    assert match.wires(cut_a, cut_b).path_work(found.dots).total == pytest.approx(found.work)
     assert found.gap == 0.0
 
 

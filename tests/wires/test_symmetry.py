@@ -6,10 +6,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.svg.reading.read import read
-from shapeblend_cli.wires.common_cuts import FlatContour
 from shapeblend_cli.wires.symmetry import TOLERANCE, common_axes, cut_in_parts
 from tests.support.contours import polygon_contour
 from tests.support.drawings import svg

@@ -46,6 +46,17 @@ def root_page(root: Node, box: Box | None) -> Page:
     return Page(width if box else None, height if box else None, box, name_of(root))
 
 
+def root_pixel(root: Node, box: Box | None) -> float:
+    """Return how long a CSS pixel is in the root's coordinates at its own size; 1 if it has none."""
+    width, height = (max(length(root.get(name) or "") or 0.0, 0.0) for name in ("width", "height"))
+    if box is None or not (width or height):
+        return 1.0
+    width, height = width or height * box.width / box.height, height or width * box.height / box.width
+    if min(width, height) < LEAST:
+        return 1.0
+    return abs(_fit(box, width, height, root.get("preserveAspectRatio") or "").determinant) ** -0.5
+
+
 def _written(text: str) -> Length | None:
     """Return a length as it is written, if it is one that needs no font and is greater than 0."""
     found = measured(text)

@@ -26,8 +26,14 @@ DEFAULTS = {
     "stroke_miterlimit": "4",
     "stroke_dasharray": "none",
     "stroke_dashoffset": "0",
+    "vector_effect": "none",
 }
 """Initial values of attributes. They need not be written."""
+
+PIXEL_DIGITS = 4
+"""Decimals of lengths in pixels of the screen."""
+
+STROKE_LENGTHS = ("stroke_width", "stroke_dasharray", "stroke_dashoffset")
 
 
 def without_defaults(attributes: dict[str, str]) -> dict[str, str]:
@@ -60,6 +66,8 @@ def _simplify(style: Style) -> Style:
 
 def paint_attributes(style: Style, decimals: int) -> dict[str, str]:
     """Return the presentation attributes of a style, with plain colours in place of gradients."""
+    if style.pixel is not None:
+        style, decimals = style.stretched(1.0 / style.pixel), PIXEL_DIGITS
     paint = {"fill": style.fill or "none"}
     if style.fill is not None:
         paint["fill_opacity"] = number(style.fill_opacity, 4)
@@ -74,6 +82,7 @@ def paint_attributes(style: Style, decimals: int) -> dict[str, str]:
         dashes = " ".join(number(length, decimals) for length in style.stroke_dasharray)
         paint["stroke_dasharray"] = dashes or "none"
         paint["stroke_dashoffset"] = number(style.stroke_dashoffset, decimals) if dashes else "0"
+        paint["vector_effect"] = "none" if style.pixel is None else "non-scaling-stroke"
     return paint
 
 

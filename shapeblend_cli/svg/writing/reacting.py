@@ -18,10 +18,10 @@ from shapeblend_cli.options.triggers import CLICK, HOVER, Trigger
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import COLOURS, Values, attribute_values
 from shapeblend_cli.svg.writing.css import declaration
-from shapeblend_cli.svg.writing.paint import Gradients, visible_styles
+from shapeblend_cli.svg.writing.paint import STROKE_LENGTHS, Gradients, visible_styles
 from shapeblend_cli.svg.writing.path_data import short_path_data
 from shapeblend_cli.svg.writing.rounding import number
-from shapeblend_cli.svg.writing.smil import Timeline, add_animated, written
+from shapeblend_cli.svg.writing.smil import DISCRETE, Timeline, add_animated, written
 
 XHTML = "http://www.w3.org/1999/xhtml"
 
@@ -267,7 +267,7 @@ def _transitions(shape: KeyframedShape, changing: Sequence[str], timing: Timing,
             begin, until = _span(shape, attribute)
             begin, until = (1.0 - until, 1.0 - begin) if is_back else (begin, until)
             begin, until = ease.time_of(begin), ease.time_of(until)
-        if attribute in ("fill_rule", "stroke_linecap", "stroke_linejoin"):
+        if attribute in DISCRETE or ("vector_effect" in changing and attribute in STROKE_LENGTHS):
             begin = until = ease.time_of(0.5)
         length, delay = (number(timing.seconds * share, 4) for share in (until - begin, begin))
         wait = f" {delay}s" if begin else ""

@@ -1,0 +1,101 @@
+"""Two contours to match, solved as they are or with other vertices."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.geometry.flat_contour import FlatContour
+from shapeblend_cli.geometry.similarity import Similarity
+from shapeblend_cli.model import Correspondence
+from shapeblend_cli.wires.constraints import Constraints
+from shapeblend_cli.wires.direction import solve, wires_of
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from shapeblend_cli.matching.work import Wires
+    from shapeblend_cli.model import IntArray, Polygon
+    from shapeblend_cli.options.settings import Settings
+
+    Solve = Callable[[FlatContour, FlatContour, IntArray | None, float], "Solved"]
+
+NOISE = 1e-12
+"""Maximum rounding error of work, in units of work."""
+
+
+class Solved(NamedTuple):
+    """Two contours, with all nodes of those that were given but perhaps other vertices, and how they correspond."""
+
+    a: FlatContour
+    b: FlatContour
+    correspondence: Correspondence
+
+
+@dataclass(frozen=True, eq=False)
+class ContourMatch:
+    """Two contours in the same direction, and what their match has to keep to.
+
+    Attributes
+    ----------
+    a, b : FlatContour
+    first : Correspondence
+        The least work of the two as they are.
+    settings : Settings
+    constraints : Constraints
+    rotation : float
+        The angle by which B is rotated back while it is solved, in radians.
+    """
+
+    a: FlatContour
+    b: FlatContour
+    first: Correspondence
+    settings: Settings
+    constraints: Constraints
+    rotation: float = 0.0
+
+    @property
+    def is_free(self) -> bool:
+        """Whether nothing is required of the correspondence."""
+        return not (self.constraints.pins or self.settings.stiff)
+
+    def rotated_back(self, polygon: Polygon) -> Polygon:
+        """Return a polygon of B as it is solved."""
+        return rotated_back(polygon, self.rotation)
+
+    def wires(self, p: FlatContour, q: FlatContour) -> Wires:
+        """Return the wires of these contours with other vertices."""
+        return wires_of(p.polygon, self.rotated_back(q.polygon), self.settings)
+
+    def solve(
+        self, p: FlatContour, q: FlatContour, near: IntArray | None = None, known: float = np.inf
+    ) -> Solved:
+        """Find the least work of these contours with other vertices, perhaps near a path or below a known work."""
+        directed = self.rotated_back(q.polygon)
+        return Solved(
+            p, q, solve(p.polygon, directed, self.settings, self.constraints, near=near, known=known)
+        )
+
+    def unless_far_more(self, solved: Solved, most: float | None, known: float = np.inf) -> Solved | None:
+        """Return a correspondence with the lower bound of all; None if it takes too many times the least work.
+
+        Parameters
+        ----------
+        solved : Solved
+        most : float or None
+            How many times the least work it may take; None is any number.
+        known : float
+            The work of some correspondence.
+        """
+        a, b, found = solved
+        least = self.solve(a, b, None, found.work).correspondence
+        if most is not None and found.work > most * min(known, least.work) + NOISE:
+            return None
+        return Solved(a, b, replace(found, lower_bound=min(least.lower_bound, found.work)))
+
+
+def rotated_back(polygon: Polygon, rotation: float) -> Polygon:
+    """Return a polygon rotated back by an angle in radians."""
+    return Similarity.rotation(-rotation).polygon(polygon) if rotation else polygon
