@@ -129,13 +129,13 @@ def test_no_node_is_lost_however_near_to_another(nearest):
 
 
 def test_an_outline_of_curves_that_all_might_be_one_is_blended():
-    """Each of a thousand curves and the next one might be parts of a curve; all of them together are not."""
+    """Each of five hundred curves and the next one might be parts of a curve; all of them together are not."""
 
     def uneven(radius, wider):
-        node = radius * np.exp(2j * np.pi * np.arange(1100) / 1100)
+        node = radius * np.exp(2j * np.pi * np.arange(500) / 500)
         node = node + wider * node.real**2 / radius
         after = np.roll(node, -1)
-        segments = np.stack([node, node + 0.4 * (after - node), after - 0.2 * (after - node), after], axis=1)
+        segments = np.stack([node, node + 0.3 * (after - node), after - 0.07 * (after - node), after], axis=1)
         return Contour(segments, np.zeros(len(node), np.bool_), True)
 
     a, b = uneven(50.0, 0.0), uneven(60.0, 0.1)
