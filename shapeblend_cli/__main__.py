@@ -6,6 +6,10 @@ import gc
 import os
 import signal
 import sys
+import time
+
+# When the process was started, by the clock of the stages: until now it was at work all the time.
+BEGAN = time.perf_counter() - time.process_time()
 
 # Starting threads for large matrices, of which there are none, costs a sixth of the start; and with one thread, sums do
 # not depend on the number of processors.
@@ -33,7 +37,7 @@ def main() -> None:
 
     Nothing is left to be done at the end of the interpreter, which could only fail there, with a traceback.
     """
-    os._exit(run_safely(sys.argv[1:]))
+    os._exit(run_safely(sys.argv[1:], BEGAN))
 
 
 if __name__ == "__main__":

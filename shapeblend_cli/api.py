@@ -11,10 +11,11 @@ import numpy as np
 
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.frames.frames import frame_at, make_frames, times_of_frames
+from shapeblend_cli.job.options import report_settings
 from shapeblend_cli.job.report import measure, report
 from shapeblend_cli.model import Correspondence, Drawing, Frame, PaintedShape, Polygon
 from shapeblend_cli.options.easing import frame_times
-from shapeblend_cli.options.settings import Settings, report_settings
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, views
 from shapeblend_cli.outputs.options import OutputOptions, specify
 from shapeblend_cli.pipeline import match_all
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
     from os import PathLike
 
     from numpy.typing import ArrayLike
+
+    from shapeblend_cli.outputs.formats import OutputSpec
 
     File = str | PathLike[str]
 
@@ -222,9 +225,20 @@ class Blend:
         ...     [file.name for file in letters.save(folder + "/frames", n=2, ends=True)]
         ['frame-1.svg', 'frame-2.svg', 'frame-3.svg', 'frame-4.svg']
         """
-        settings = self.settings.replace(frames=n) if n is not None else self.settings
-        settings = settings.replace(ends=ends) if ends is not None else settings
+        asked = {"frames": n, "ends": ends}
+        settings = self.settings.replace(**{name: x for name, x in asked.items() if x is not None})
         spec = specify(OutputOptions(output=str(path), **options), settings, len(self.drawings))
+        files = self._checked_targets(spec, force)
+        is_same = spec.settings.motion == self.settings.motion
+        pairs = self.pairs if is_same else match_all(self.drawings, spec.settings)[0]
+        rendered = spec.format.render(spec, pairs)
+        for note in rendered.notes:
+            warnings.warn(note, stacklevel=2)
+        write_files(spec.by_target(rendered), force)
+        return files
+
+    def _checked_targets(self, spec: OutputSpec, force: bool) -> list[Path]:
+        """Return the files to write, if these can be written."""
         if spec.path == STANDARD_OUTPUT:
             raise OptionError(
                 "- is standard output, which only the command writes to; the name of a file would work"
@@ -232,13 +246,6 @@ class Blend:
         files = [Path(name) for name in spec.files()]
         spec.format.check_libraries()
         check_targets(files, [Path(drawing.file) for drawing in self.drawings], force)
-        pairs = self.pairs
-        if spec.settings.motion != self.settings.motion:
-            pairs, _ = match_all(self.drawings, spec.settings)
-        rendered = spec.format.render(spec, pairs)
-        for note in rendered.notes:
-            warnings.warn(note, stacklevel=2)
-        write_files(spec.by_target(rendered), force)
         return files
 
     def report(self) -> dict[str, Any]:

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 from shapeblend_cli.anatomy.decompose import without_specks
 from shapeblend_cli.blending.blended import blend_shapes
 from shapeblend_cli.blending.clipping import has_clips, with_clips
-from shapeblend_cli.blending.placing import as_drawn, flattened, pages_of, place, views_of
+from shapeblend_cli.blending.matched import Progress
+from shapeblend_cli.blending.placing import lay
 from shapeblend_cli.frames.stagger import staggered
-from shapeblend_cli.frames.views import views_with_room
+from shapeblend_cli.frames.views import with_room
 from shapeblend_cli.interpolate.stars import drawings_in
 from shapeblend_cli.model import Box, Pair
 from shapeblend_cli.paint.names import with_names
@@ -24,6 +25,7 @@ from shapeblend_cli.wires.direction import watch_part
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.blending.placing import LaidDrawing
     from shapeblend_cli.model import Drawing
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.wires.direction import Watch
@@ -57,33 +59,20 @@ def match_all(
         What was left out, one phrase each.
     """
     clock, kept = clock or Clock(), kept or Kept(0)
-    specks: list[str] = []
-    if settings.specks is not None:
-        found = [without_specks(drawing, settings.specks) for drawing in drawings]
-        drawings, specks = [drawing for drawing, _ in found], [text for _, texts in found for text in texts]
+    drawings, specks = _without_specks(drawings, settings)
     if settings.mix:
         drawings, settings = _mixed(drawings, settings)
-    maps = place(drawings, settings.place)
-    flat, notes = flattened(drawings, maps, settings.vertices, kept)
-    check_stiff([contour.polygon for contour in flat[0].contours], settings)
-    drawn = [as_drawn(drawing, to_a) for drawing, to_a in zip(drawings, maps, strict=True)]
-    views = views_of(drawings, maps, drawn, settings)
+    if len(drawings) > 2:  # a line that is cut for one pair is not the line that the next pair begins with
+        settings = settings.replace(strokes="keep")
+    laid, notes = lay(drawings, settings, kept)
+    check_stiff([contour.polygon for contour in laid[0].placed.contours], settings)
     clock.lap("flatten")
+    is_star = len(laid) > 2 and bool(settings.mix)
     pairs = []
-    is_star = len(flat) > 2 and bool(settings.mix)
-    for k in range(1, len(flat)):
-        i = 0 if is_star else k - 1
-        view = Box.union([views[i], views[k]])
-        progress = clock, watch_part(watch, k - 1, len(flat) - 1)
-        shapes = blend_shapes(flat[i], flat[k], settings, view, progress, kept.steps)
-        pairs.append(Pair(i, k, shapes, drawn=(drawn[i], drawn[k]), views=(views[i], views[k])))
-        clock.lap("interpolate")
-    views = views_with_room(pairs, settings.viewbox)
-    pages = pages_of(drawings, maps, settings.place)
-    pairs = [
-        pair._replace(views=(views[pair.a], views[pair.b]), pages=(pages[pair.a], pages[pair.b]))
-        for pair in pairs
-    ]
+    for k in range(1, len(laid)):
+        progress = Progress(clock, kept.steps, watch_part(watch, k - 1, len(laid) - 1))
+        pairs.append(_pair(laid, 0 if is_star else k - 1, k, settings, progress))
+    pairs = with_room(pairs, settings.viewbox)
     if not is_star:
         pairs = [with_clips(pair, settings) if has_clips(pair) else pair for pair in pairs]
     elif any(map(has_clips, pairs)):
@@ -93,11 +82,27 @@ def match_all(
     return with_names(pairs, drawings), [*specks, *notes]
 
 
+def _pair(laid: Sequence[LaidDrawing], i: int, k: int, settings: Settings, progress: Progress) -> Pair:
+    """Blend two of several drawings."""
+    a, b = laid[i], laid[k]
+    shapes = blend_shapes(a.placed, b.placed, settings, Box.union([a.view, b.view]), progress)
+    progress.clock.lap("interpolate")
+    return Pair(i, k, shapes, (a.painted, b.painted), (a.view, b.view), (a.page, b.page))
+
+
+def _without_specks(drawings: Sequence[Drawing], settings: Settings) -> tuple[Sequence[Drawing], list[str]]:
+    """Return drawings without their specks, if these are left out, and notes on them."""
+    if settings.specks is None:
+        return drawings, []
+    found = [without_specks(drawing, settings.specks) for drawing in drawings]
+    return [drawing for drawing, _ in found], [note for _, notes in found for note in notes]
+
+
 def _mixed(drawings: Sequence[Drawing], settings: Settings) -> tuple[list[Drawing], Settings]:
     """Return the drawings that are in some mixture, and settings for these.
 
-    Two are blended as ever. More go straight, since what turns between two drawings turns otherwise between others, and
-    each outline stays whole.
+    If there are more than two, outlines stay whole and move straight: a turn between two drawings would be another one
+    between two others.
     """
     used = drawings_in(settings.mix)
     if len(used) > 2:

@@ -17,7 +17,7 @@ from shapeblend_cli.options.types import FLAG
 SUFFIX = ".json"
 
 MAX_BYTES = 4 * 2**20
-"""Far more than any project has: whatever is larger is something else."""
+"""Maximum size of a project, in bytes. Whatever is larger is another file."""
 
 
 class Project(NamedTuple):

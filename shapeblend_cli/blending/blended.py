@@ -4,39 +4,48 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.blending.matched import explained, match_pairs, pair_drawings
+from shapeblend_cli.blending.matched import match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
+from shapeblend_cli.pens.line_blends import blend_lines, wants_lines
 
 if TYPE_CHECKING:
     from shapeblend_cli.anatomy.decompose import PlacedDrawing
-    from shapeblend_cli.model import Box, ShapeBlend
+    from shapeblend_cli.blending.matched import PairedDrawings, Progress
+    from shapeblend_cli.model import Box, Place, ShapeBlend
     from shapeblend_cli.options.settings import Settings
-    from shapeblend_cli.system.clock import Clock
-    from shapeblend_cli.system.kept import Kept
-    from shapeblend_cli.wires.direction import Watch
+
+    Shapes = tuple[ShapeBlend, ...]
 
 
 def blend_shapes(
-    a: PlacedDrawing,
-    b: PlacedDrawing,
-    settings: Settings,
-    view: Box,
-    progress: tuple[Clock, Watch | None],
-    steps: Kept,
-) -> tuple[ShapeBlend, ...]:
-    """Pair the contours of two drawings, match them, and choose how their shapes move in a view."""
-    clock, watch = progress
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: Progress
+) -> Shapes:
+    """Pair the contours of two drawings, match them, and choose how their shapes move in a view.
+
+    Drawings that are mostly drawn with a pen are blended by their lines, above the rest.
+    """
     rotation = 0.0
     if settings.motion != "linear":
         largest = [max(side.contours, key=lambda contour: contour.size) for side in (a, b)]
         rotation = rotation_between(*(contour.polygon for contour in largest)) or 0.0
-    paired = pair_drawings(a, b, settings, rotation, (clock, steps))
-    shapes, places = match_pairs(paired, watch)
-    if rotation and not is_rotated_copy([contour for shape in shapes for contour in shape.contours]):
-        paired = pair_drawings(a, b, settings, 0.0, (clock, steps))
-        shapes, places = match_pairs(paired, watch)
-    moved = in_paint_order(explained(move_shapes(paired, shapes, view), paired), places)
-    clock.lap("interpolate")
-    return moved
+    if rotation:
+        paired = pair_drawings(a, b, settings, rotation, progress)
+        shapes, places = match_pairs(paired)
+        if is_rotated_copy([contour for shape in shapes for contour in shape.contours]):
+            return _moved(paired, shapes, places, view)
+    lines = blend_lines(a, b, settings, view) if wants_lines(settings) else None
+    progress.clock.lap("match")
+    if lines is not None:
+        a, b = (side._replace(contours=rest) for side, rest in zip((a, b), lines.rest, strict=True))
+        if not (a.contours or b.contours):
+            return lines.shapes
+    paired = pair_drawings(a, b, settings, 0.0, progress)
+    outlines = _moved(paired, *match_pairs(paired), view)
+    return (*outlines, *lines.shapes) if lines else outlines
+
+
+def _moved(paired: PairedDrawings, shapes: Shapes, places: list[Place], view: Box) -> Shapes:
+    """Return matched shapes that move, in the order of paint."""
+    return in_paint_order(with_reasons(move_shapes(paired, shapes, view), paired), places)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.blending.blended import blend_shapes
+from shapeblend_cli.blending.matched import Progress
 from shapeblend_cli.blending.placing import AS_IT_IS, flattened
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry.cubics import line
@@ -20,6 +21,7 @@ from shapeblend_cli.model import (
     Shape,
     ShapeBlend,
     Style,
+    control_box,
 )
 from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.kept import Kept
@@ -69,7 +71,7 @@ def _region_blend(a: Drawing, b: Drawing, settings: Settings, view: Box) -> tupl
         flat, _ = flattened([a, b], [AS_IT_IS, AS_IT_IS], settings.vertices, Kept(0))
     except InputError:
         return ()
-    return blend_shapes(flat[0], flat[1], settings, view, (Clock(), None), Kept(0).steps)
+    return blend_shapes(flat[0], flat[1], settings, view, Progress(Clock(), Kept(0)))
 
 
 def has_clips(pair: Pair) -> bool:
@@ -86,7 +88,7 @@ def _box_around(shape: ShapeBlend, end: int) -> Clip:
     """Return a box around a shape at one of its ends, and its strokes."""
     paths = [contour.end if end else contour.start for contour in shape.contours]
     style = shape.style_b if end else shape.style_a
-    box = Box.around(np.concatenate([path.segments.ravel() for path in paths]))
+    box = control_box(paths)
     box = box.expanded(ROOM * box.larger_side + (style.stroke_width if style.stroke else 0.0))
     left, top, right, bottom = box.bounds
     corners = [complex(left, top), complex(right, top), complex(right, bottom), complex(left, bottom)]

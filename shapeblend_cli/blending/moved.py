@@ -5,18 +5,18 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.blending.matched import match_again, with_drawn_curves
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.alignment import Alignment, align, point_pairs, shared_alignments
 from shapeblend_cli.motion.choose import (
+    AFFORDABLE_SEGMENTS,
     JUDGED,
     RotatedShape,
     Situation,
     best_motion,
     choose,
-    is_right,
-    moved,
-    straight,
+    in_motion,
+    judged_straight,
+    looks_right,
 )
 from shapeblend_cli.motion.parts import parts_of, turn_of
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
@@ -27,13 +27,9 @@ if TYPE_CHECKING:
     from shapeblend_cli.blending.matched import PairedDrawings
     from shapeblend_cli.model import ShapeBlend
 
-AFFORDABLE_SEGMENTS = 2000
-"""Maximum number of segments of shapes for which several motions are tried. These take a few seconds; a drawing of
-hundreds of shapes would take minutes."""
-
 
 def move_shapes(paired: PairedDrawings, shapes: Sequence[ShapeBlend], view: Box) -> tuple[ShapeBlend, ...]:
-    """Choose how shapes move in a view. The largest come first, as what is wrong with them is seen most."""
+    """Choose how shapes move in a view, the largest first: their faults are seen most."""
     shared = _shared(paired, shapes)
     chosen: dict[int, ShapeBlend] = {}
     affordable = AFFORDABLE_SEGMENTS
@@ -41,11 +37,11 @@ def move_shapes(paired: PairedDrawings, shapes: Sequence[ShapeBlend], view: Box)
     for k in sorted(range(len(shapes)), key=lambda k: -shapes[k].size):
         shape = paired.curved(shapes[k])
         situation = Situation(
-            paired.settings.motion,
-            bool(paired.rotation),
-            paired.leads(shape),
-            shape.size / largest,
-            affordable > 0,
+            asked=paired.settings.motion,
+            rotation=paired.rotation,
+            leads=paired.leads(shape),
+            relative_size=shape.size / largest,
+            is_affordable=affordable > 0,
         )
         choice = choose(shape, situation)
         rotate = partial(_rotated, paired, shapes[k], shape, shared[k])
@@ -55,14 +51,14 @@ def move_shapes(paired: PairedDrawings, shapes: Sequence[ShapeBlend], view: Box)
         elif choice.motion == "linear":
             chosen[k] = shape._replace(reason=choice.reason)
         else:
-            chosen[k] = moved(rotate(), choice)
+            chosen[k] = in_motion(rotate(), choice)
     return tuple(chosen[k] for k in range(len(shapes)))
 
 
 def _judged(shape: ShapeBlend, view: Box, rotate: Callable[[], RotatedShape]) -> ShapeBlend:
     """Return a shape on straight paths if these look right, else in the motion that the judge prefers."""
-    judged = straight(shape, view)
-    return judged if is_right(judged) else best_motion(judged, rotate(), view)
+    straight = judged_straight(shape, view)
+    return straight if looks_right(straight) else best_motion(straight, rotate(), view)
 
 
 def _shared(paired: PairedDrawings, shapes: Sequence[ShapeBlend]) -> Sequence[Alignment | None]:
@@ -78,27 +74,29 @@ def _shared(paired: PairedDrawings, shapes: Sequence[ShapeBlend]) -> Sequence[Al
 def _rotated(
     paired: PairedDrawings, matched: ShapeBlend, shape: ShapeBlend, common: Alignment | None
 ) -> RotatedShape:
-    """Return a shape with B rotated back, if its largest contour is A's rotated, and what its motion separates."""
+    """Return a shape with B rotated back, if its largest contour is A's rotated, and what its motion separates.
+
+    The first match does not show the rotation, since points that travel cost work; so the shape is matched again.
+    """
     if paired.rotation:
         assert common is not None, "what is rotated is aligned"
         return RotatedShape(shape, common)
-    again, alignment = _rotate_back(paired, matched, common)
-    if again is not matched and is_rotated_copy(again.contours):
-        return RotatedShape(with_drawn_curves(again, paired.settings), alignment)
-    turning = _turn_parts(paired, matched, alignment)
-    return RotatedShape(
-        shape if again is matched else with_drawn_curves(again, paired.settings),
-        alignment,
-        turning and (with_drawn_curves(turning[0], paired.settings), turning[1]),
-    )
+    rotation = _rotation_of(matched)
+    if rotation is not None:
+        matched, common = paired.match_again(matched, rotation), None
+        shape = paired.curved(matched)
+    alignment = common or align(point_pairs(matched.contours))
+    if rotation is not None and is_rotated_copy(matched.contours):
+        return RotatedShape(shape, alignment)
+    return RotatedShape(shape, alignment, _turn_parts(paired, matched, alignment))
 
 
 def _turn_parts(
     paired: PairedDrawings, shape: ShapeBlend, alignment: Alignment
 ) -> tuple[ShapeBlend, tuple[Alignment, ...]] | None:
-    """Match parts of a shape again that are A's rotated; return it with the similarity of each contour.
+    """Match those parts of a shape again that are rotated copies; return it with the similarity of each contour.
 
-    That of other parts is given. None without such parts.
+    The other parts keep the given similarity. None if no part is a rotated copy.
     """
     contours = list(shape.contours)
     alignments = [alignment] * len(contours)
@@ -110,28 +108,13 @@ def _turn_parts(
         rotation = _rotation_of(part)
         if rotation is None:
             continue
-        part = match_again(paired, part, rotation)
+        part = paired.match_again(part, rotation)
         if is_rotated_copy(part.contours):
             turns = True
             turn = turn_of(part.contours, middle)
             for k, contour in zip(numbers, part.contours, strict=True):
                 contours[k], alignments[k] = contour, turn
-    return (shape._replace(contours=tuple(contours)), tuple(alignments)) if turns else None
-
-
-def _rotate_back(
-    paired: PairedDrawings, shape: ShapeBlend, common: Alignment | None
-) -> tuple[ShapeBlend, Alignment]:
-    """Align a shape; match it again first, with B rotated back, if its largest contour is A's rotated.
-
-    Points that travel cost work, so the first match does not show that.
-    """
-    rotation = _rotation_of(shape)
-    if rotation is not None:
-        shape = match_again(paired, shape, rotation)
-    elif common is not None:
-        return shape, common
-    return shape, align(point_pairs(shape.contours))
+    return (paired.curved(shape._replace(contours=tuple(contours))), tuple(alignments)) if turns else None
 
 
 def _rotation_of(shape: ShapeBlend) -> float | None:

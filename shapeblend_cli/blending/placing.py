@@ -1,24 +1,56 @@
-"""How further drawings are laid over the first, and what is seen of each."""
+"""How further drawings are laid over the first, and the part of the plane that is shown of each."""
 
 from __future__ import annotations
 
 from pathlib import PurePath
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing, decompose, main_orientation
 from shapeblend_cli.frames.views import view_of
 from shapeblend_cli.geometry.placement import place_over
 from shapeblend_cli.geometry.similarity import Similarity
-from shapeblend_cli.model import CubicPath, PaintedShape
+from shapeblend_cli.model import Box, CubicPath, Page, PaintedShape
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Box, Drawing, Page
+    from shapeblend_cli.model import Drawing
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.system.kept import Kept
 
 AS_IT_IS = Similarity()
+
+
+class LaidDrawing(NamedTuple):
+    """A drawing laid over the first."""
+
+    placed: PlacedDrawing
+    painted: tuple[PaintedShape, ...]
+    view: Box  # the part of the plane to show
+    page: Page
+
+
+def lay(
+    drawings: Sequence[Drawing], settings: Settings, kept: Kept
+) -> tuple[list[LaidDrawing], Sequence[str]]:
+    """Lay drawings over the first and flatten them. Return also notes on contours that were left out."""
+    maps = place(drawings, settings.place)
+    placed, notes = flattened(drawings, maps, settings.vertices, kept)
+    laid = []
+    for k, (drawing, to_a) in enumerate(zip(drawings, maps, strict=True)):
+        painted = as_drawn(drawing, to_a)
+        viewbox, own_page = drawing.viewbox, drawing.page
+        if settings.place == "bbox":  # the first drawing's view and size stand in for the others'
+            viewbox, page = drawings[0].viewbox, drawings[0].page._replace(name=own_page.name)
+        else:
+            viewbox, page = (
+                viewbox and to_a.box(viewbox),
+                own_page._replace(box=own_page.box and to_a.box(own_page.box)),
+            )
+        is_own = k == 0 or settings.place != "bbox"
+        view = view_of(painted, viewbox, settings.viewbox, own=is_own)
+        laid.append(LaidDrawing(placed[k], painted, view, page._replace(heading=PurePath(drawing.file).stem)))
+    return laid, notes
 
 
 def place(drawings: Sequence[Drawing], place: str) -> list[Similarity]:
@@ -30,7 +62,7 @@ def place(drawings: Sequence[Drawing], place: str) -> list[Similarity]:
 def flattened(
     drawings: Sequence[Drawing], maps: Sequence[Similarity], vertices: int, kept: Kept
 ) -> tuple[list[PlacedDrawing], list[str]]:
-    """Decompose drawings into flattened contours, those of all oriented as in the first."""
+    """Decompose drawings into flattened contours, all oriented as in the first; return also notes."""
     placed: list[PlacedDrawing] = []
     notes: list[str] = []
     orientation = None
@@ -46,7 +78,7 @@ def _contours(
     drawing: Drawing, to_a: Similarity, vertices: int, orientation: int | None, kept: Kept
 ) -> tuple[list[PlacedContour], list[str]]:
     """Decompose a drawing, unless that is kept."""
-    # The number of a drawing is no other one's for as long as it is there, and it is kept with its contours.
+    # The drawing is kept with its contours, so that no other object gets its id.
     key = id(drawing), to_a, vertices, orientation
     found = kept.find(key)
     if found is None:
@@ -58,17 +90,17 @@ def _contours(
 
 
 def as_drawn(drawing: Drawing, to_a: Similarity = AS_IT_IS) -> tuple[PaintedShape, ...]:
-    """Return what a drawing paints, laid over A. Shapes that have a clip in common still do."""
+    """Return the shapes that a drawing paints, laid over A. Shapes that share a clip still share it."""
+
+    def laid(paths: Sequence[CubicPath]) -> tuple[CubicPath, ...]:
+        return tuple(CubicPath(to_a.points(path.segments), path.straight, path.closed) for path in paths)
+
     clips = {
-        id(clip): clip._replace(
-            paths=tuple(CubicPath(to_a.points(c.segments), c.straight, c.closed) for c in clip.paths)
-        )
-        for shape in drawing.shapes
-        for clip in shape.clips
+        id(clip): clip._replace(paths=laid(clip.paths)) for shape in drawing.shapes for clip in shape.clips
     }
     return tuple(
         PaintedShape(
-            tuple(CubicPath(to_a.points(c.segments), c.straight, c.closed) for c in shape.contours),
+            laid(shape.contours),
             to_a.style(shape.style),
             name=shape.name,
             groups=shape.groups,
@@ -76,34 +108,3 @@ def as_drawn(drawing: Drawing, to_a: Similarity = AS_IT_IS) -> tuple[PaintedShap
         )
         for shape in drawing.shapes
     )
-
-
-def pages_of(drawings: Sequence[Drawing], maps: Sequence[Similarity], place: str) -> list[Page]:
-    """Return the page of each drawing, laid over A; the first one's size if they are laid by their bounds."""
-    pages = []
-    for drawing, to_a in zip(drawings, maps, strict=True):
-        own = drawing.page
-        page = own._replace(box=own.box and to_a.box(own.box))
-        if place == "bbox":
-            page = drawings[0].page._replace(name=own.name)
-        pages.append(page._replace(heading=PurePath(drawing.file).stem))
-    return pages
-
-
-def views_of(
-    drawings: Sequence[Drawing],
-    maps: Sequence[Similarity],
-    drawn: Sequence[tuple[PaintedShape, ...]],
-    settings: Settings,
-) -> list[Box]:
-    """Return what to show of each drawing: its own viewBox, or the first one's if they are laid by their bounds."""
-    viewboxes = [
-        drawing.viewbox and to_a.box(drawing.viewbox) for drawing, to_a in zip(drawings, maps, strict=True)
-    ]
-    is_bbox = settings.place == "bbox"
-    if is_bbox:
-        viewboxes = [drawings[0].viewbox] * len(drawings)
-    return [
-        view_of(shapes, viewbox, settings.viewbox, own=k == 0 or not is_bbox)
-        for k, (shapes, viewbox) in enumerate(zip(drawn, viewboxes, strict=True))
-    ]

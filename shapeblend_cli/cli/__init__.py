@@ -40,15 +40,17 @@ def shapeblend() -> None:
     """Blend one SVG drawing into another."""
 
 
-def run(arguments: Sequence[str]) -> int:
+def run(arguments: Sequence[str], began: float | None = None) -> int:
     """Run a command line; an error is one line on standard error.
 
-    Return the exit status: 0 done, 1 the input or the run failed, 2 the command line is wrong; a command may return
-    others.
+    `began` is the time by `perf_counter` at which a process was started for it. Return the exit status: 0 done, 1 the
+    input or the run failed, 2 the command line is wrong; a command may return others.
     """
     try:
         with listening():
-            status = shapeblend.main(list(arguments), prog_name="shapeblend", standalone_mode=False)
+            status = shapeblend.main(
+                list(arguments), prog_name="shapeblend", standalone_mode=False, obj=began
+            )
             if sys.stdout is not None:
                 sys.stdout.flush()
             return status or 0
@@ -68,14 +70,14 @@ def run(arguments: Sequence[str]) -> int:
         return FAILED
 
 
-def run_safely(arguments: Sequence[str]) -> int:
+def run_safely(arguments: Sequence[str], began: float | None = None) -> int:
     """Run a command line as a process of its own, which ends without a traceback whatever happens."""
     _occupy_streams()
     sys.unraisablehook = _end
     if not sys.warnoptions:
         warnings.simplefilter("ignore")  # what numpy says of numbers is nothing that a user can put right
     try:
-        return run(arguments)
+        return run(arguments, began)
     except Exception as error:
         say(in_words(error))
         return FAILED

@@ -33,8 +33,7 @@ def in_paint_order(shapes: Sequence[ShapeBlend], places: Sequence[Place]) -> tup
 
     @cache
     def boxes(shape: int, t: float) -> list[Box]:
-        styles = shapes[shape].style_a, shapes[shape].style_b
-        reach = max(style.stroke_width / 2.0 if style.stroke else 0.0 for style in styles)
+        reach = max(shapes[shape].style_a.reach, shapes[shape].style_b.reach)
         return [cubics.bounds(path.segments).expanded(reach) for path in paths_at(shapes[shape], t)]
 
     @cache
@@ -61,11 +60,6 @@ def in_paint_order(shapes: Sequence[ShapeBlend], places: Sequence[Place]) -> tup
 
 
 def _is_opaque(style: Style) -> bool:
-    opacities = []
-    for colour, opacity, gradient in (
-        (style.fill, style.fill_opacity, style.fill_gradient),
-        (style.stroke, style.stroke_opacity, style.stroke_gradient),
-    ):
-        if colour is not None:
-            opacities += [opacity, *(stop.opacity for stop in (gradient.stops if gradient else ()))]
-    return all(opacity == 1.0 for opacity in opacities)
+    paints = [paint for paint in style.paints if paint.colour is not None]
+    stops = [stop for paint in paints if paint.gradient for stop in paint.gradient.stops]
+    return all(paint.opacity == 1.0 for paint in paints) and all(stop.opacity == 1.0 for stop in stops)

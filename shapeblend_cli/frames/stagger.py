@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from shapeblend_cli.model import Box, Pair, ShapeBlend
+from shapeblend_cli.model import Pair, ShapeBlend, control_box
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -47,4 +45,4 @@ def _centre(shape: ShapeBlend) -> complex:
     """Return the middle of a shape in the first drawing, or of what is not there in the second."""
     matched = [c for c in shape.contours if not c.grows] or list(shape.contours)
     outlines = [c.end if c.grows else c.start for c in matched]
-    return Box.around(np.concatenate([path.segments.ravel() for path in outlines])).centre
+    return control_box(outlines).centre

@@ -40,20 +40,18 @@ def view_of(
     return Box.union([viewbox, _with_margin(painted)])
 
 
-def views_with_room(pairs: Sequence[Pair], keeping: str = "auto") -> list[Box]:
-    """Return the view of each drawing, enlarged for what leaves it on the way to the next drawing or from the last.
+def with_room(pairs: Sequence[Pair], keeping: str = "auto") -> list[Pair]:
+    """Return pairs whose views are enlarged for shapes that leave them between the drawings.
 
     `keeping` is as `--viewbox` has it. A drawing that ends one pair and begins the next has the same view in both.
     """
     views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
-    if keeping == "keep":
-        return views
-    for pair in pairs:
+    for pair in () if keeping == "keep" else pairs:
         reach = _reach(pair, SLACK if keeping == "grow" else CUT_OFF)
         for k in (pair.a, pair.b):
             if reach is not None and not views[k].contains(reach):
                 views[k] = Box.union([views[k], reach])
-    return views
+    return [pair._replace(views=(views[pair.a], views[pair.b])) for pair in pairs]
 
 
 def _reach(pair: Pair, slack: float) -> Box | None:
@@ -80,7 +78,7 @@ def _reach(pair: Pair, slack: float) -> Box | None:
 
 def _painted(paths: Sequence[CubicPath], *styles: Style) -> Box:
     """Return the box around paths, painted in the widest of some styles."""
-    reach = max(style.stroke_width / 2.0 if style.stroke else 0.0 for style in styles)
+    reach = max(style.reach for style in styles)
     return Box.union([cubics.bounds(path.segments).expanded(reach) for path in paths])
 
 

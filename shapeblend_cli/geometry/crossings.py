@@ -364,7 +364,7 @@ def _strand(
     """Return a strand through a circle around a vertex, between points of its chain behind and ahead."""
     strand: _Strand = _Strand.__new__(_Strand)  # a call of the class would pass arguments as Python objects
     strand.centre, strand.radius = chains.points[v], 4.0 * chains.noise
-    chain = chains.chain[ahead - 1]
+    chain: cython.Py_ssize_t = chains.chain[ahead - 1]
     strand.behind, strand.ahead = behind, ahead
     strand.begin, strand.end = chains.starts[chain], chains.starts[chain + 1] - 1
     return strand

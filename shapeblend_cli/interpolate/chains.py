@@ -125,9 +125,9 @@ def _longest_rise(numbers: Sequence[int]) -> list[int]:
 
 
 def _numbers(keys: Sequence[Key]) -> frozenset[int | None]:
-    """Return the numbers of a shape's contours; none at all if one of them is a point, or only a piece."""
+    """Return the numbers of a shape's contours; none at all if one of them is a point."""
     numbers = frozenset(key.number for key in keys)
-    return frozenset() if None in numbers or len(numbers) < len(keys) else numbers
+    return frozenset() if None in numbers else numbers
 
 
 def _start(shape: ShapeBlend, first: int) -> _ShapeChain:

@@ -170,6 +170,21 @@ def _choose_start(
     )
 
 
+def _holds(
+    match: ContinuousMatch, corners: tuple[BoolArray, BoolArray]
+) -> tuple[IntArray, IntArray, IntArray]:
+    """Return the side held in each step, and the first and the last position of each run of steps.
+
+    The sides are 0 for A, 1 for B, 2 for neither. The steps of a run hold the same side; a run ends where a position is
+    anchored, or where the advancing contour turns a corner. Given are the corners of A and B among the positions.
+    """
+    steps = np.diff(match.positions, axis=0)
+    held = np.where(steps[:, 0] == 0.0, 0, np.where(steps[:, 1] == 0.0, 1, 2))
+    turns = np.where(held[1:] == 0, corners[1][1:-1], (held[1:] == 1) & corners[0][1:-1])
+    breaks = np.flatnonzero((held[1:] != held[:-1]) | match.fixed[1:-1] | turns) + 1
+    return held, np.append(0, breaks), np.append(breaks, len(held))
+
+
 def _remove_stairs(match: ContinuousMatch) -> ContinuousMatch:
     """Return the match without holds that are rounding.
 
@@ -179,17 +194,10 @@ def _remove_stairs(match: ContinuousMatch) -> ContinuousMatch:
     the advancing contour, which are corners anyway.
     """
     a, b, positions, anchored = match.a, match.b, match.positions, match.fixed
-    steps = np.diff(positions, axis=0)
-    # The side that is held in a step: 0 is A, 1 is B, 2 neither.
-    held = np.where(steps[:, 0] == 0.0, 0, np.where(steps[:, 1] == 0.0, 1, 2))
+    corners = a.is_corner(positions[:, 0]), b.is_corner(positions[:, 1])
+    held, firsts, lasts = _holds(match, corners)
     if not (held < 2).any():
         return match
-    corners = a.is_corner(positions[:, 0]), b.is_corner(positions[:, 1])
-    # A hold is divided where the advancing contour turns a corner.
-    turns = np.where(held[1:] == 0, corners[1][1:-1], (held[1:] == 1) & corners[0][1:-1])
-    breaks = np.flatnonzero((held[1:] != held[:-1]) | anchored[1:-1] | turns) + 1
-    firsts = np.concatenate([[0], breaks])
-    lasts = np.concatenate([breaks, [len(held)]])
     lengths = a.length_at(positions[:, 0]), b.length_at(positions[:, 1])
     kept = np.ones(len(positions), np.bool_)
     forced = np.zeros(len(positions), np.bool_)
@@ -226,7 +234,7 @@ def _remove_stairs(match: ContinuousMatch) -> ContinuousMatch:
             forced[end] = True
     kept |= fixed | forced
     match = _sort(a, b, np.concatenate([positions[kept], np.reshape(middles, (-1, 2))]), fixed[kept])
-    # Vertices within a hold that is gone: without them its curve would become a chord.
+    # Vertices of the removed holds stay: without them a curve would become a chord.
     between = []
     for side in (0, 1):
         advances = held == 1 - side

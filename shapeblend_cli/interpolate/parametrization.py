@@ -9,7 +9,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import edge_parts
-from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
+from shapeblend_cli.geometry.polyline import cumulative_lengths
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -122,7 +122,7 @@ def parametrize(contour: Contour, polygon: Polygon) -> ContourParameter:
     vertices = polygon.vertices
     segment, start, end = edge_parts(contour, polygon)
     count = len(segment)
-    lengths = cumulative_lengths(from_end_to_end(vertices, closed))
+    lengths = cumulative_lengths(polygon.line)
     node = np.append(start == 0.0, True)
     if closed:
         node[-1] = node[0]

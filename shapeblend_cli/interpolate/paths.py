@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.interpolate.common_segments import common_segments
-from shapeblend_cli.model import WHOLE, Box, ContourBlend, CubicPath, ShapeBlend, Waypoint
+from shapeblend_cli.model import WHOLE, ContourBlend, CubicPath, ShapeBlend, Waypoint, control_box
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray
@@ -61,7 +61,7 @@ def waypoints(shape: ShapeBlend) -> tuple[Waypoint, ...]:
     if shape.motion is None:
         return ()
     paths = [path for contour in shape.contours for path in (contour.start, contour.end)]
-    size = Box.around(np.concatenate([path.segments.ravel() for path in paths])).larger_side
+    size = control_box(paths).larger_side
 
     @cache
     def at(t: float) -> ComplexArray:

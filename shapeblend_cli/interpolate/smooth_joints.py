@@ -24,6 +24,8 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.parametrization import CORNER, ContourParameter
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray
 
 SLIGHT_BEND = np.radians(1.0)
@@ -40,11 +42,6 @@ LEAST_HANDLE, MOST_HANDLE = 0.05, 0.9
 
 BLOCK = 32
 """So many cuts slide together, since that takes the time of their number cubed; blocks do not see each other."""
-
-
-def _in_blocks(values: FloatArray, rest: float) -> FloatArray:
-    """Return values in rows of `BLOCK`, the last one filled up."""
-    return np.append(values, np.full(-len(values) % BLOCK, rest)).reshape(-1, BLOCK)
 
 
 class _Joints(NamedTuple):
@@ -154,37 +151,30 @@ def slide_cuts(
     ----------
     a, b : ContourParameter
     cuts : (s + 1, 2) float
-        Positions; those of closed contours end where they began.
+        Positions; on closed contours the last is the first, once round.
     loose : (s + 1,) bool
-        Which cuts may slide.
+        Cuts that may slide.
     distance : float
-        How far the in-between may deviate, in the drawing's unit.
+        Maximum deviation of the in-between, in the drawing's unit.
     """
-    numbers = np.arange(len(cuts) - 1)
+    numbers, steps = np.arange(len(cuts) - 1), np.diff(cuts, axis=0)
     parts = [one.pieces(cuts[:, side]) for side, one in enumerate((a, b))]
     spans = np.stack([end - start for _, start, end in parts])
     real = (spans > 1e-9).all(axis=0)
-    line_a, line_b = (one.straight[segment] for one, (segment, _, _) in zip((a, b), parts, strict=True))
     joints_a, joints_b = (
         _joints(cubics.pieces(one.segments[segment], start, end), a.closed)
         for one, (segment, start, end) in zip((a, b), parts, strict=True)
     )
     smooth = joints_a.smooth & joints_b.smooth & real & np.roll(real, 1)
     # Lines that become curves are divided as their joints need, so these never bend.
-    free = line_a ^ line_b
+    free = a.straight[parts[0][0]] ^ b.straight[parts[1][0]]
     bends = smooth & ~free & ~np.roll(free, 1)
     node_a, node_b = a.is_node(cuts[:-1, 0]), b.is_node(cuts[:-1, 1])
     movable = loose[:-1] & smooth & ~(node_a & node_b)
     if not (bends.any() and movable.any()):
         return cuts
 
-    excess = _excess(joints_a, joints_b)
-    turn = np.angle(joints_b.direction * joints_a.direction.conj())
-    ratio = np.sqrt(joints_b.inward * joints_b.outward / (joints_a.inward * joints_a.outward))
-    bend = ratio * np.abs(np.sin(turn)) / np.maximum(1.0 + ratio**2 + 2.0 * ratio * np.cos(turn), 1e-2)
-    weight = np.where(bends, bend, 0.0) / SLIGHT_BEND
-    middle = np.angle(1.0 + ratio * np.exp(1j * turn))  # the in-between's direction, from A's
-
+    turn, middle, bend = _bend(joints_a, joints_b)
     side = np.where(node_b & ~node_a, 0, 1)
     sign = np.where(side == 0, 1.0, -1.0)
     after = np.where(smooth, spans[side, numbers], 1.0)
@@ -193,23 +183,13 @@ def slide_cuts(
     speed = 3.0 * np.where(side == 0, joints_a.outward, joints_b.outward) / after
     sideways = 0.5 * speed * np.abs(np.sin(np.where(side == 0, middle, turn - middle)))
     stiffness = (sideways / (SIDEWAYS * distance)) ** 2 + (2.0 / shorter) ** 2
-    steps = np.diff(cuts, axis=0)
-    # A column is what the slide of a cut does to its own joint and to those before and after it.
-    own, earlier, later = (
-        _in_blocks(np.where(movable, sign * change, 0.0), 0.0)
+    # The effects of a slide on the joint itself, and on the joints before and after it.
+    effects = [
+        np.where(movable, sign * change, 0.0)
         for change in (1.0 / before + 1.0 / after, -1.0 / before, -1.0 / after)
-    )
-    k = np.arange(BLOCK)
-    matrix = np.zeros((len(own), BLOCK, BLOCK))
-    matrix[:, k, k] = own
-    matrix[:, k[:-1], k[1:]] = earlier[:, 1:]
-    matrix[:, k[1:], k[:-1]] = later[:, :-1]
-    matrix *= _in_blocks(weight, 0.0)[:, :, None]
-    across = np.swapaxes(matrix, 1, 2)
-    normal = across @ matrix
-    normal[:, k, k] += _in_blocks(stiffness, 1.0)
-    target = across @ _in_blocks(-weight * excess, 0.0)[:, :, None]
-    slide = np.linalg.solve(normal, target).ravel()[: len(numbers)]
+    ]
+    weight = np.where(bends, bend, 0.0) / SLIGHT_BEND
+    slide = _least_bends(effects, weight, _excess(joints_a, joints_b), stiffness)
     slide = np.clip(slide, -LONGEST_SLIDE * shorter, LONGEST_SLIDE * shorter)
     # From parameters to positions, by the mean density of vertices on the piece that becomes shorter.
     density = np.where(slide > 0.0, steps[numbers, side] / after, steps[numbers - 1, side] / before)
@@ -218,3 +198,31 @@ def slide_cuts(
     if a.closed:
         moves[-1] = moves[0]
     return cuts + moves
+
+
+def _bend(a: _Joints, b: _Joints) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return the directions of B and at half time, as angles from those of A, and the bend for each unit of excess."""
+    turn = np.angle(b.direction * a.direction.conj())
+    ratio = np.sqrt(b.inward * b.outward / (a.inward * a.outward))
+    bend = ratio * np.abs(np.sin(turn)) / np.maximum(1.0 + ratio**2 + 2.0 * ratio * np.cos(turn), 1e-2)
+    return turn, np.angle(1.0 + ratio * np.exp(1j * turn)), bend
+
+
+def _least_bends(
+    effects: Sequence[FloatArray], weight: FloatArray, excess: FloatArray, stiffness: FloatArray
+) -> FloatArray:
+    """Return the slides that leave the least bends, by damped least squares in blocks, (s,) float."""
+    own, earlier, later, rows, wanted, damping = (
+        np.append(values, np.full(-len(values) % BLOCK, rest)).reshape(-1, BLOCK)
+        for values, rest in [*((one, 0.0) for one in (*effects, weight, -weight * excess)), (stiffness, 1.0)]
+    )
+    k = np.arange(BLOCK)
+    matrix = np.zeros((len(own), BLOCK, BLOCK))
+    matrix[:, k, k] = own
+    matrix[:, k[:-1], k[1:]] = earlier[:, 1:]
+    matrix[:, k[1:], k[:-1]] = later[:, :-1]
+    matrix *= rows[:, :, None]
+    across = np.swapaxes(matrix, 1, 2)
+    normal = across @ matrix
+    normal[:, k, k] += damping
+    return np.linalg.solve(normal, across @ wanted[:, :, None]).ravel()[: len(weight)]

@@ -140,10 +140,7 @@ def _style(blend: ShapeBlend, end: int) -> Style:
     style = blend.style_b if end else blend.style_a
     if blend.fade is None or None not in blend.sources:
         return style
-    share = blend.fade.share(float(end))
-    return style._replace(
-        fill_opacity=share * style.fill_opacity, stroke_opacity=share * style.stroke_opacity
-    )
+    return style.faded(blend.fade.share(float(end)))
 
 
 def drawings_in(mixes: Sequence[Sequence[float]]) -> list[int]:

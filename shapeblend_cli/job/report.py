@@ -10,6 +10,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import Box, ContourBlend, Drawing, Pair, Shape, ShapeBlend
+from shapeblend_cli.pens.drawings import file_lines
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -122,10 +123,14 @@ def _points(vertices: ComplexArray) -> list[list[float]]:
 
 def inspection(drawing: Drawing) -> dict[str, Any]:
     """Return the shapes of a drawing, ready for JSON; lengths and boxes ignore the width of strokes."""
+    lines: dict[int, list[dict[str, Any]]] = {}
+    for line in file_lines(drawing):
+        found = {"width": line.style.stroke_width, "closed": line.closed, "cap": line.style.stroke_linecap}
+        lines.setdefault(line.shape, []).append(found)
     return {
         "file": drawing.file,
         "viewbox": list(drawing.viewbox) if drawing.viewbox else None,
-        "shapes": [_shape(shape) for shape in drawing.shapes],
+        "shapes": [_shape(shape) | {"pen_lines": lines.get(shape.index, [])} for shape in drawing.shapes],
     }
 
 

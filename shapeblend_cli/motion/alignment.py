@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry.grouping import grouped, overlaps
-from shapeblend_cli.model import Box
+from shapeblend_cli.model import control_box
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -216,12 +216,9 @@ def _together(shapes: Sequence[ShapeBlend]) -> list[list[int]]:
     matched = [k for k, shape in enumerate(shapes) if shape.is_matched]
     if not matched:
         return []
-    starts, ends = ([_box(shapes[k], side) for k in matched] for side in ("start", "end"))
+    starts = [control_box([contour.start for contour in shapes[k].contours]) for k in matched]
+    ends = [control_box([contour.end for contour in shapes[k].contours]) for k in matched]
     return [[matched[k] for k in group] for group in grouped(overlaps(starts) & overlaps(ends))]
-
-
-def _box(shape: ShapeBlend, side: str) -> Box:
-    return Box.around(np.concatenate([getattr(c, side).segments.ravel() for c in shape.contours]))
 
 
 def residual(points: PointPairs, alignment: Alignment) -> float:

@@ -1,7 +1,8 @@
-"""Which motion a shape gets: the one asked for, or the best of several by the judge.
+"""The motion of a shape, and why: rules first, then the judge. All reasons that reports give for motions are here.
 
-The rules of `choose` come first. Where they leave it open, straight paths that look right settle it, else the judge
-compares motions. Motions other than straight need the correspondence solved again, with B rotated back.
+The first rule of `choose` that fits a shape decides. Where none does, straight paths that look right are taken, else
+the motion that looks best to the judge (`best_motion`). For other motions than straight, shapes are matched again with
+B rotated back.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import Candidate
 from shapeblend_cli.motion.alignment import Alignment
-from shapeblend_cli.motion.judge import judged
+from shapeblend_cli.motion.judge import judge_shape
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,36 +22,46 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Box, ShapeBlend
 
 ASKED = "asked for"
-RIGHT_ENOUGH = "little is wrong with it"
-STILL = "what is the same stays"
-FOLLOWS, GROWS = "it follows the edge that it lies on", "a point at one end"
+CHANGES_IN_PLACE = "the shape stays in place, except for parts that are added or removed"
+FOLLOWS = "it follows the edge that it lies on"
+GROWS = "a point at one end"
 LEADS = "straight, because strokes on its edges move with it"
-TINY = "too small to be seen to turn"
+TINY = "too small for turns to be seen"
 MANY = "too many shapes to try other motions on each"
-JUDGED, TURNED = "judged", "turned"
+LOOKS_RIGHT = "straight paths look right"
+LEAST = "the least wrong"
+NOT_MUCH_BETTER = "no other is much less wrong"
+OTHERS_CROSS = "motions that are less wrong make outlines cross"
+
+JUDGED = "judged"
+"""Name of the motion that the judge has yet to choose."""
 
 SMALL = 0.05
-"""Maximum size of a shape that moves straight in any case, as a share of the largest one's: how it turns is hardly
+"""Maximum size of a shape that moves straight in any case, as a share of the largest shape's size: its turns are hardly
 seen."""
 
+AFFORDABLE_SEGMENTS = 2000
+"""Maximum number of segments of shapes for which several motions are tried. These take a few seconds; a drawing of
+hundreds of shapes would take minutes."""
+
 RIGHT = 0.01
-"""With so little wrong nothing else is tried."""
+"""Maximum fault of straight paths for which no other motion is tried."""
 
 CHECKED_TIMES = tuple(k / 10 for k in range(1, 10))
-"""When outlines are looked at for crossings of any size; the judge weighs what they turn over."""
+"""Times at which outlines are checked for crossings of any size. The judge weighs them by the area that turns over."""
 
 CLEAN = 1.35
-"""A motion without crossings is taken for one with them if it has at most so many times as much wrong with it."""
+"""Maximum fault of a motion without crossings, relative to straight paths with crossings, to be preferred to them."""
 
 BETTER = 0.8
-"""Another motion is taken if it has at most this share of what is wrong on straight paths: these are predictable."""
+"""Maximum fault of another motion, relative to straight paths, to be preferred to them: they are predictable."""
 
 
 class RotatedShape(NamedTuple):
     """A shape matched with B rotated back, and the similarity that its motion separates.
 
-    Parts of it may turn on their own: then the shape is also given with these matched with B rotated back, and the
-    similarity of each contour.
+    If parts of the shape turn on their own, the shape with these parts matched again, and the similarity of each
+    contour.
     """
 
     shape: ShapeBlend
@@ -59,34 +70,34 @@ class RotatedShape(NamedTuple):
 
 
 class Situation(NamedTuple):
-    """What the choice of a motion hangs on besides the shape itself."""
+    """Circumstances of the choice of a motion, besides the shape itself."""
 
     asked: str  # --motion
-    is_turned: bool  # B as a whole is A turned
+    rotation: float  # of B as a whole against A, in radians
     leads: bool  # strokes ride on the shape
     relative_size: float  # as a share of the largest shape's
-    is_affordable: bool  # time is left to try several motions
+    is_affordable: bool  # trying several motions
 
 
 class Choice(NamedTuple):
-    """A motion, and why, a phrase. `JUDGED` is that of least wrong, which says why itself."""
+    """A motion and the reason for it, a phrase; `JUDGED` has none yet."""
 
     motion: str
     reason: str = ""
 
 
 def choose(shape: ShapeBlend, situation: Situation) -> Choice:
-    """Choose the motion of a shape: the first rule that fits decides."""
-    asked, is_turned, leads, relative_size, is_affordable = situation
+    """Choose the motion of a shape by rules: the first that fits decides."""
+    asked, rotation, leads, relative_size, is_affordable = situation
     if shape.motion is not None:
-        return Choice("linear", STILL)
+        return Choice("linear", CHANGES_IN_PLACE)
     if not shape.is_matched:
         reasons = (FOLLOWS if contour.follows_edge else GROWS for contour in shape.contours)
         return Choice("linear", "; ".join(dict.fromkeys(reasons)))
     if asked != "auto":
         return Choice(asked, ASKED)
-    if is_turned:
-        return Choice("rigid", TURNED)
+    if rotation:
+        return Choice("rigid", "B is A turned by {degrees:.3g} degrees")
     if leads:
         return Choice("linear", LEADS)
     if relative_size < SMALL:
@@ -94,32 +105,30 @@ def choose(shape: ShapeBlend, situation: Situation) -> Choice:
     return Choice(JUDGED) if is_affordable else Choice("linear", MANY)
 
 
-def moved(rotated: RotatedShape, choice: Choice) -> ShapeBlend:
-    """Return a shape that was matched for another motion than straight paths, in this motion."""
-    reason = choice.reason
-    if reason == TURNED:
-        reason = f"B is A turned by {math.degrees(rotated.alignment.rotation):.3g} degrees"
-    return _with_motion(rotated, choice.motion)._replace(reason=reason)
+def in_motion(rotated: RotatedShape, choice: Choice) -> ShapeBlend:
+    """Return a shape in another motion than straight, as it was chosen by rules."""
+    degrees = math.degrees(rotated.alignment.rotation)
+    return _with_motion(rotated, choice.motion)._replace(reason=choice.reason.format(degrees=degrees))
 
 
-def straight(shape: ShapeBlend, view: Box) -> ShapeBlend:
+def judged_straight(shape: ShapeBlend, view: Box) -> ShapeBlend:
     """Return a shape on straight paths, judged."""
-    return shape._replace(reason=RIGHT_ENOUGH, candidates=(judged_shape(shape, view),))
+    return shape._replace(reason=LOOKS_RIGHT, candidates=(candidate_of(shape, view),))
 
 
-def is_right(straight: ShapeBlend) -> bool:
-    """Return whether so little is wrong with a shape on straight paths that no other motion is tried."""
+def looks_right(straight: ShapeBlend) -> bool:
+    """Return whether a judged shape looks right on straight paths."""
     return straight.candidates[0].wrong <= RIGHT
 
 
-def best_motion(shape: ShapeBlend, rotated: RotatedShape, view: Box) -> ShapeBlend:
-    """Return the best of a shape on straight paths, which are judged, and in other motions."""
-    tried = list(shape.candidates)
-    best, least = shape, BETTER * tried[0].wrong
-    crossed = _crosses(shape)
+def best_motion(straight: ShapeBlend, rotated: RotatedShape, view: Box) -> ShapeBlend:
+    """Return the best of a judged shape on straight paths and the same shape in other motions."""
+    tried = list(straight.candidates)
+    best, least = straight, BETTER * tried[0].wrong
+    crossed = _crosses(straight)
     for motion in ("rigid", "intrinsic"):
         candidate = _with_motion(rotated, motion)
-        tried.append(judged_shape(candidate, view))
+        tried.append(candidate_of(candidate, view))
         wrong = tried[-1].wrong
         if crossed and wrong <= CLEAN * tried[0].wrong and not _crosses(candidate):
             best, least, crossed = candidate, wrong, False
@@ -130,24 +139,22 @@ def best_motion(shape: ShapeBlend, rotated: RotatedShape, view: Box) -> ShapeBle
 
 
 def _why(best: ShapeBlend, tried: Sequence[Candidate]) -> str:
-    """Return why one of the motions that were tried is taken, a phrase."""
+    """Return the reason for the best of several motions."""
     least = min(one.wrong for one in tried)
     if any(one.name == best.motion_name and one.wrong == least for one in tried):
-        return "the least wrong"
-    if best.motion is None and least >= BETTER * tried[0].wrong:
-        return "no other is much less wrong"
-    return "less wrong ones cross"
+        return LEAST
+    return NOT_MUCH_BETTER if best.motion is None and least >= BETTER * tried[0].wrong else OTHERS_CROSS
 
 
 def _crosses(shape: ShapeBlend) -> bool:
-    """Return whether an outline crosses itself, or another of its shape, more often on the way than at either end."""
+    """Return whether the outlines of a shape cross themselves or each other more often than at either end."""
     most = max(path_crossings(paths_at(shape, t)) for t in (0.0, 1.0))
     return any(path_crossings(paths_at(shape, t), most + 1) > most for t in CHECKED_TIMES)
 
 
-def judged_shape(shape: ShapeBlend, view: Box) -> Candidate:
-    """Judge a shape; the number is rounded, so that the last digit of a machine's arithmetic does not choose."""
-    judgement, painted = judged(shape, view)
+def candidate_of(shape: ShapeBlend, view: Box) -> Candidate:
+    """Judge a shape; numbers are rounded, so that machines that differ in the last digit choose alike."""
+    judgement, painted = judge_shape(shape, view)
     found = judgement.weighted
     terms = tuple((name, round(x, 4)) for name, x in found._asdict().items())
     return Candidate(shape.motion_name, round(sum(found), 4), terms, painted)
@@ -160,6 +167,6 @@ def _with_motion(rotated: RotatedShape, motion: str) -> ShapeBlend:
 
         shape, alignments = turning or (shape, (alignment,) * len(shape.contours))
         return shape._replace(motion=Rigid(alignments))
-    from shapeblend_cli.motion.intrinsic import intrinsic  # which most blends do without
+    from shapeblend_cli.motion.intrinsic import intrinsic  # most blends do without it
 
     return shape._replace(motion=intrinsic(shape.contours, alignment))

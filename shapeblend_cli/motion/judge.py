@@ -7,7 +7,7 @@ they differ in: their motion, their correspondence, their start. `docs/motion.md
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -17,6 +17,8 @@ from shapeblend_cli.model import Box
 from shapeblend_cli.motion.rigid import Rigid
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray, ShapeBlend
 
 STEPS = 8
@@ -110,101 +112,17 @@ class Outlines(NamedTuple):
     contour: IntArray  # (n,), the number of the contour each point is on
     closed: BoolArray  # (n,), whether that is closed
     width: float  # of strokes
-    upright: ComplexArray | None = None  # the points if nothing turned as a whole, where it does
-
-    def chords(self) -> ComplexArray:
-        """Return the chords as differences, (STEPS + 1, n)."""
-        return self.points[:, self.following] - self.points
+    upright: ComplexArray | None = None  # the points with the turn of the whole undone, if it turns
 
 
-def judge(shape: ShapeBlend, view: Box | None = None) -> Judgement:
-    """Return what is wrong with the motion of a shape.
-
-    Parameters
-    ----------
-    shape : ShapeBlend
-    view : Box, optional
-        What is seen of both drawings.
-    """
-    return judged(shape, view).judgement
-
-
-def judged(shape: ShapeBlend, view: Box | None = None) -> Judged:
-    """Return what is wrong with the motion of a shape, and the area that it paints; see `judge`."""
+def judge_shape(shape: ShapeBlend, view: Box | None = None) -> Judged:
+    """Judge the motion of a shape in a view that both drawings have in common."""
     return judge_outlines(outlines_of(shape), view)
 
 
-def outlines_of(shape: ShapeBlend) -> Outlines:
-    """Sample the outlines of a shape: the nodes, and the middle of each curve."""
-    straight = np.concatenate([contour.start.straight for contour in shape.contours])
-    ends = [_points(shape, t) for t in (0.0, 1.0)]
-    if shape.motion is None:
-        t = TIMES[:, None]
-        points = (1.0 - t) * ends[0] + t * ends[1]
-    else:
-        points = np.stack([ends[0], *(_points(shape, t) for t in TIMES[INNER].tolist()), ends[1]])
-    # Every segment gives its first node and its middle, every line its last node as well.
-    kept = []
-    following: list[IntArray] = []
-    contour: list[IntArray] = []
-    closed: list[BoolArray] = []
-    first = 0
-    count = 0
-    for number, one in enumerate(shape.contours):
-        path = one.start
-        segments = len(path.segments)
-        keep = np.ones(2 * segments + (not path.closed), np.bool_)
-        keep[1 : 2 * segments : 2] = ~straight[first : first + segments]
-        first += segments
-        n = int(keep.sum())
-        after = count + np.arange(1, n + 1)
-        after[-1] = count if path.closed else count + n - 1
-        kept.append(keep)
-        following.append(after)
-        contour.append(np.full(n, number))
-        closed.append(np.full(n, path.closed))
-        count += n
-    points = points[:, np.concatenate(kept)]
-    numbers = np.concatenate(contour)
-    widths = [style.stroke_width for style in (shape.style_a, shape.style_b) if style.stroke]
-    return Outlines(
-        points,
-        np.concatenate(following),
-        numbers,
-        np.concatenate(closed),
-        max(widths, default=0.0),
-        _upright(shape.motion, points, numbers) if isinstance(shape.motion, Rigid) else None,
-    )
-
-
-def _upright(motion: Rigid, points: ComplexArray, contour: IntArray) -> ComplexArray:
-    """Return points at all times as they would be if no contour turned."""
-    turns = motion.alignments
-    rotation = np.array([one.rotation for one in turns])[contour]
-    centre_a, centre_b = (np.array(side)[contour] for side in zip(*(one[:2] for one in turns), strict=True))
-    t = TIMES[:, None]
-    centre = (1.0 - t) * centre_a + t * centre_b
-    upright: ComplexArray = (points - centre) * np.exp(-1j * rotation * t) + centre
-    return upright
-
-
-def _points(shape: ShapeBlend, t: float) -> ComplexArray:
-    """Return the nodes and the middles of all segments, one after the other, and the end of each line."""
-    points = []
-    for path in paths_at(shape, t):
-        z = path.segments
-        both = np.empty((len(z), 2), np.complex128)
-        both[:, 0] = z[:, 0]
-        both[:, 1] = (z[:, 0] + 3.0 * (z[:, 1] + z[:, 2]) + z[:, 3]) / 8.0
-        points.append(both.ravel())
-        if not path.closed:
-            points.append(z[-1:, 3])
-    return np.concatenate(points)
-
-
 def judge_outlines(outlines: Outlines, view: Box | None = None) -> Judged:
-    """Return what is wrong with outlines that move, and the area that they paint; see `judge`."""
-    chords = outlines.chords()
+    """Judge the motion of outlines; see `judge_shape`."""
+    chords = outlines.points[:, outlines.following] - outlines.points
     lengths = np.abs(chords)
     total = lengths.sum(axis=1)
     longest = float(max(total[0], total[-1]))
@@ -212,11 +130,10 @@ def judge_outlines(outlines: Outlines, view: Box | None = None) -> Judged:
         return Judged(Judgement(), 0.0)
     areas = _areas(outlines, chords)
     painted = _painted_area(outlines, areas, longest)
-    half_width = painted / longest  # of what the outlines bound, on average
-
+    half_width = painted / longest  # of the painted region, on average
     expected = _even(lengths[0], lengths[-1])
     strain = half_width * float(np.abs(lengths - expected)[INNER].mean(axis=0).sum())
-    swept, symmetry, folds = _swept(outlines, chords), 0.0, 0.0
+    swept, symmetry, folds = _swept(outlines), 0.0, 0.0
     if outlines.closed.any():
         regions = _Regions(outlines, outlines.points)
         swept -= regions.difference()
@@ -237,10 +154,63 @@ def judge_outlines(outlines: Outlines, view: Box | None = None) -> Judged:
     return Judged(judgement, painted)
 
 
-def _even(a: FloatArray, b: FloatArray) -> FloatArray:
+def outlines_of(shape: ShapeBlend) -> Outlines:
+    """Sample the outlines of a shape: the nodes, and the middle of each curve."""
+    ends = [_points(shape, t) for t in (0.0, 1.0)]
+    if shape.motion is None:
+        points = _even(*ends)
+    else:
+        points = np.stack([ends[0], *(_points(shape, t) for t in TIMES[INNER].tolist()), ends[1]])
+    kept, following = [], []
+    counts: list[int] = []
+    for contour in shape.contours:
+        path = contour.start
+        keep = np.stack([np.ones_like(path.straight), ~path.straight], axis=1).ravel()
+        keep = keep if path.closed else np.append(keep, True)
+        first, count = sum(counts), int(keep.sum())
+        kept.append(keep)
+        following.append(first + np.append(np.arange(1, count), 0 if path.closed else count - 1))
+        counts.append(count)
+    points = points[:, np.concatenate(kept)]
+    numbers = np.repeat(np.arange(len(counts)), counts)
+    widths = [style.stroke_width for style in (shape.style_a, shape.style_b) if style.stroke]
+    return Outlines(
+        points,
+        np.concatenate(following),
+        numbers,
+        np.array([contour.start.closed for contour in shape.contours])[numbers],
+        max(widths, default=0.0),
+        _upright(shape.motion, points, numbers) if isinstance(shape.motion, Rigid) else None,
+    )
+
+
+def _upright(motion: Rigid, points: ComplexArray, contour: IntArray) -> ComplexArray:
+    """Return points at all times as they would be if no contour turned."""
+    turns = motion.alignments
+    rotation = np.array([one.rotation for one in turns])[contour]
+    centre_a, centre_b = (np.array(side)[contour] for side in zip(*(one[:2] for one in turns), strict=True))
+    centre = _even(centre_a, centre_b)
+    return (points - centre) * np.exp(-1j * rotation * TIMES[:, None]) + centre
+
+
+def _points(shape: ShapeBlend, t: float) -> ComplexArray:
+    """Return the nodes and the middles of all segments, one after the other, and the end of each line."""
+    points = []
+    for path in paths_at(shape, t):
+        z = path.segments
+        both = np.empty((len(z), 2), np.complex128)
+        both[:, 0] = z[:, 0]
+        both[:, 1] = (z[:, 0] + 3.0 * (z[:, 1] + z[:, 2]) + z[:, 3]) / 8.0
+        points.append(both.ravel())
+        if not path.closed:
+            points.append(z[-1:, 3])
+    return np.concatenate(points)
+
+
+def _even(a: Any, b: Any) -> NDArray[Any]:
     """Return an even change from a to b at all times, (STEPS + 1, ...)."""
-    t = TIMES.reshape(-1, *[1] * a.ndim)
-    return (1.0 - t) * a + t * b
+    t = TIMES.reshape(-1, *[1] * np.ndim(a))
+    return np.asarray((1.0 - t) * a + t * b)
 
 
 def _areas(outlines: Outlines, chords: ComplexArray) -> FloatArray:
@@ -267,7 +237,7 @@ def _stretched(outlines: Outlines, lengths: FloatArray) -> float:
     return 0.25 * float(np.abs((whole_a + whole_b) * (a / whole_a - b / whole_b)).sum())
 
 
-def _swept(outlines: Outlines, chords: ComplexArray) -> float:
+def _swept(outlines: Outlines) -> float:
     """Return the area that the outlines pass over, as often as they do."""
     z, after = outlines.points, outlines.points[:, outlines.following]
     # Between two times each chord sweeps a quadrilateral: half the product of its diagonals.
@@ -277,8 +247,8 @@ def _swept(outlines: Outlines, chords: ComplexArray) -> float:
 def _area_lost(areas: FloatArray) -> float:
     """Return the area lost or gained on average. What only grows may do so in size or in area."""
     a, b = float(areas[0]), float(areas[-1])
-    least = _even(np.array(a**0.5), np.array(b**0.5)) ** 2
-    off = np.maximum(least - areas, 0.0) + np.maximum(areas - _even(np.array(a), np.array(b)), 0.0)
+    least = _even(a**0.5, b**0.5) ** 2
+    off = np.maximum(least - areas, 0.0) + np.maximum(areas - _even(a, b), 0.0)
     return float(off[INNER].mean())
 
 
@@ -375,8 +345,5 @@ def _outside(outlines: Outlines, lengths: FloatArray, view: Box | None) -> float
     """Return the length of outline outside a view on average, beyond that of the ends."""
     if view is None:
         return 0.0
-    left, top, right, bottom = view.bounds
-    z = outlines.points
-    beyond = (z.real < left) | (z.real > right) | (z.imag < top) | (z.imag > bottom)
-    length = (lengths * beyond).sum(axis=1)
+    length = (lengths * ~view.holds(outlines.points)).sum(axis=1)
     return float(np.maximum(length - max(length[0], length[-1]), 0.0)[INNER].mean())

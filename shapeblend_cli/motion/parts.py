@@ -11,7 +11,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.grouping import grouped, overlaps
 from shapeblend_cli.geometry.polygons import winding_numbers
-from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, thin
+from shapeblend_cli.geometry.polyline import cumulative_lengths, thin
 from shapeblend_cli.motion.alignment import align, point_pairs
 
 if TYPE_CHECKING:
@@ -46,8 +46,7 @@ class _Outline(NamedTuple):
 
     @classmethod
     def of(cls, polygon: Polygon) -> _Outline:
-        outline = from_end_to_end(polygon.vertices, polygon.closed)
-        return cls(polygon, float(cumulative_lengths(outline)[-1]) / len(polygon.vertices))
+        return cls(polygon, float(cumulative_lengths(polygon.line)[-1]) / len(polygon.vertices))
 
     @property
     def room(self) -> Box:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, points_at
+from shapeblend_cli.geometry.polyline import cumulative_lengths, points_at
 from shapeblend_cli.motion.alignment import align, point_pairs, residual
 
 if TYPE_CHECKING:
@@ -107,8 +107,9 @@ def is_rotated_copy(contours: Sequence[ContourBlend]) -> bool:
 
 def _even(polygon: Polygon) -> tuple[ComplexArray, complex]:
     """Return points spread evenly along a polygon, relative to their mean, and that mean."""
-    points = from_end_to_end(polygon.vertices, polygon.closed)
-    lengths = cumulative_lengths(points)
-    even = points_at(np.linspace(0.0, lengths[-1], SAMPLES, endpoint=not polygon.closed), points, lengths)
+    lengths = cumulative_lengths(polygon.line)
+    even = points_at(
+        np.linspace(0.0, lengths[-1], SAMPLES, endpoint=not polygon.closed), polygon.line, lengths
+    )
     mean = complex(even.mean())
     return even - mean, mean

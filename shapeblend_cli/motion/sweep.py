@@ -2,23 +2,71 @@
 
 from __future__ import annotations
 
+import cmath
 from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.grouping import grouped, overlaps
+from shapeblend_cli.model import Contour
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.geometry.window import Window
     from shapeblend_cli.model import ComplexArray, ContourBlend
+
+BAR = 0.4
+"""Maximum width of a bar, as a share of its length."""
+
+CLEARLY = 1.2
+"""Minimum ratio of the width across the axis of most outlines to the width across the axis of largest spread, for loops
+that are no bar to open along the latter."""
+
+UPRIGHT = 0.1
+"""Share of the outlines' length that counts as upright, so that loops as wide as high open up and down."""
+
+PARALLEL = np.radians(10.0)
+"""Maximum angle between a bar's axis and the outlines along it, in radians."""
+
+ROUNDING = 1e-6
+"""Tolerance of an upright unit vector."""
+
+
+class Window(NamedTuple):
+    """A band across an axis, a unit vector, that opens from a line; all are lengths along the axis."""
+
+    axis: complex
+    start: float
+    ends: tuple[float, float]  # of the open window
+
+    def clip(self, z: ComplexArray, t: float) -> ComplexArray:
+        """Return points at time t: those outside of the band are moved along the axis to its nearer side."""
+        low, high = (self.start + t * (end - self.start) for end in self.ends)
+        turned = z * self.axis.conjugate()
+        return np.asarray((np.clip(turned.real, low, high) + 1j * turned.imag) * self.axis)
+
+    def cut(self, loop: Contour, step: float) -> Contour:
+        """Cut segments that slant through the window into pieces of about a step."""
+        turned = loop.segments * self.axis.conjugate()
+        slant = np.minimum(np.ptp(turned.real, axis=1), np.ptp(turned.imag, axis=1))
+        counts = np.maximum(np.ceil(slant / step), 1).astype(np.intp)
+        numbers = np.repeat(np.arange(len(counts)), counts)
+        within = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+        starts, ends = within / counts[numbers], (within + 1) / counts[numbers]
+        return Contour(
+            cubics.pieces(loop.segments[numbers], starts, ends), loop.straight[numbers], closed=True
+        )
 
 
 class Sweep(NamedTuple):
-    """Each contour that grows is seen through a window that opens, or one that closes if it shrinks."""
+    """Motion of contours that are seen through windows, which open where a contour grows and close where it shrinks."""
 
-    windows: tuple[Window | None, ...]  # None for what stays as it is
+    windows: tuple[Window | None, ...]  # of each contour; None for one that stays
 
     @property
     def name(self) -> str:
-        """No motion that can be asked for."""
+        """The motion's name in reports; it cannot be asked for."""
         return "sweep"
 
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
@@ -31,3 +79,45 @@ class Sweep(NamedTuple):
             else window.clip(contour.start.segments, 1.0 - t)
             for contour, window in zip(contours, self.windows, strict=True)
         ]
+
+
+def windows_of(loops: Sequence[Contour]) -> list[Window]:
+    """Return the windows of loops: one along all, from its left end, if they are a bar; else one for each group.
+
+    Loops that overlap are a group: where they cancel they must open together.
+    """
+    window = _window(loops, from_middle=False)
+    if window is not None:
+        return [window] * len(loops)
+    found: dict[int, Window | None] = {}
+    for group in grouped(overlaps([cubics.bounds(loop.segments) for loop in loops])):
+        found.update(dict.fromkeys(group, _window([loops[k] for k in group], from_middle=True)))
+    return [window for k in range(len(loops)) if (window := found[k])]
+
+
+def _window(loops: Sequence[Contour], *, from_middle: bool) -> Window | None:
+    """Return a window that opens from the middle of loops, or from the left end of a bar; None if they are no bar.
+
+    Its axis is the direction of most outlines if the loops are narrow across it, else the direction of largest spread.
+    """
+    points = np.concatenate([loop.segments.ravel() for loop in loops])
+    edges = np.concatenate([np.diff(loop.segments, axis=1).ravel() for loop in loops])
+    edges = edges[edges != 0.0]
+    doubled = edges**2 / np.abs(edges)
+    upright = UPRIGHT if from_middle else 0.0
+    mostly = _half(doubled.sum() - upright * np.abs(edges).sum())
+    parallel = np.abs(np.angle(doubled * (mostly.conjugate() ** 2))) <= 2.0 * PARALLEL
+    found: list[tuple[float, Window]] = []
+    for axis in (_half(doubled[parallel].sum()), _half(((points - points.mean()) ** 2).sum())):
+        turned = points * axis.conjugate()
+        low, high = float(turned.real.min()), float(turned.real.max())
+        width = float(np.ptp(turned.imag)) / (high - low)
+        found.append((width, Window(axis, 0.5 * (low + high) if from_middle else low, (low, high))))
+    width, window = found[0] if found[0][0] <= max(BAR, CLEARLY * found[1][0]) else found[1]
+    return window if from_middle or width <= BAR else None
+
+
+def _half(doubled: complex) -> complex:
+    """Return the unit vector, to the right or downwards, at half the angle of a number."""
+    axis = cmath.rect(1.0, 0.5 * cmath.phase(doubled))
+    return -axis if axis.imag < -1.0 + ROUNDING else axis

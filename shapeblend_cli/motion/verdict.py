@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.model import Box
-from shapeblend_cli.motion.choose import ASKED, judged_shape
+from shapeblend_cli.motion.choose import ASKED, candidate_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -56,7 +56,7 @@ def _of_pair(pair: Pair, asked_too: bool) -> Verdict | None:
     view = Box.union(list(pair.views))
     taken = [shape.taken for shape in pair.each_shape if shape.taken is not None]
     if asked_too:
-        taken += [judged_shape(shape, view) for shape in pair.each_shape if shape.reason == ASKED]
+        taken += [candidate_of(shape, view) for shape in pair.each_shape if shape.reason == ASKED]
     painted = sum(one.painted for one in taken)
     if painted == 0.0:
         return None

@@ -34,22 +34,22 @@ FORMATS: tuple[Format, ...] = (
 )
 
 EMITS = tuple(dict.fromkeys(format.emit for format in FORMATS))
-"""The values of ``--emit``."""
+"""Values of ``--emit``, the default first."""
 
 FRAME_FORMATS = tuple(format.name for format in FORMATS if format.has_frame_files)
-"""The values of ``--format``, the default first."""
+"""Values of ``--format``, the default first."""
 
 DEFAULT = "blend"
-"""The folder that is written to by default, and the beginning of the names of files."""
+"""Default folder of outputs, and the default name of a file without its suffix."""
 
 PAGES = (".htm", ".html")
-"""Suffixes of web pages, which ``--preview`` writes."""
+"""Suffixes of web pages, the files of ``--preview``."""
 
 UNSUPPORTED = tuple(
     ".avi .avif .bmp .eps .heic .ico .jpeg .jpg .jxl .m4v .mkv .mov .mpeg .mpg .ogv .pdf .ps .svgz .tif "
     ".tiff .zip".split()
 )
-"""Suffixes of file formats, which are hardly meant as the name of a folder."""
+"""Suffixes of other file formats. They hardly belong to the name of a folder."""
 
 
 def choose(emit: str, path: str | None, frame_format: str | None, drawings: int) -> tuple[Format, str]:
@@ -74,12 +74,14 @@ def choose(emit: str, path: str | None, frame_format: str | None, drawings: int)
             what = f"one file, so --output takes a name ending in {ending}, or -"
         raise OptionError(f"--emit {emit} writes {what}; {path} given")
     if suffix in PAGES:
-        raise OptionError(f"--output {path}: a page of this kind is written with --preview {path}")
+        raise OptionError(f"--output {path}: --preview {path} writes a page of this kind")
     if suffix in UNSUPPORTED:
         others = ", ".join(format.suffix for format in formats if format.suffix)
-        raise OptionError(f"--output {path}: {suffix} is not written; {others} are, and frames into a folder")
+        raise OptionError(
+            f"--output {path}: {suffix} cannot be written; {others} or a folder of frames would work"
+        )
     other = next(format.emit for format in FORMATS if format.suffix == suffix)
-    raise OptionError(f"--output {path}: with --emit {other} a file of this kind is written")
+    raise OptionError(f"--output {path}: --emit {other} writes a file of this kind")
 
 
 def alternatives(words: Sequence[str]) -> str:
@@ -88,6 +90,6 @@ def alternatives(words: Sequence[str]) -> str:
 
 
 def _suffix(path: str) -> str:
-    """Return the suffix of a file; empty for a folder and for standard output."""
-    known = (*(format.suffix for format in FORMATS if format.suffix), *PAGES, *UNSUPPORTED)
-    return next((suffix for suffix in known if path.lower().endswith(suffix)), "")
+    """Return the longest suffix that a file's name ends in; empty for a folder and for standard output."""
+    known = (*(format.suffix for format in FORMATS), *PAGES, *UNSUPPORTED)
+    return max((suffix for suffix in known if path.lower().endswith(suffix)), key=len)

@@ -3,28 +3,21 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from shapeblend_cli.model import Paint
 from shapeblend_cli.paint.oklab import blend_colours
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Gradient, ShapeBlend, Style
+    from shapeblend_cli.model import ShapeBlend, Style
 
 MOST_DASHES = 64
 """Two lists of dashes are repeated to at most so many entries."""
 
 
-class _Paint(NamedTuple):
-    """The paint of a fill or a stroke; no colour is no paint."""
-
-    colour: str | None
-    opacity: float
-    gradient: Gradient | None = None
-
-
-_NO_PAINT = _Paint(None, 1.0)
+NO_PAINT = Paint(None, 1.0)
 
 
 def painted_as(a: Style, b: Style, style: str) -> tuple[Style, Style]:
@@ -44,27 +37,26 @@ def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
 
     Colours blend in OKLab, and so do gradients of one kind, and a plain colour with a gradient; paint that only one
     side has fades in or out as it is. Widths, dashes and opacities change evenly; joins, caps and the fill rule, which
-    have nothing in between, change at half time.
+    have nothing in between, change at half time. So do widths and dashes if one stroke scales with its drawing and the
+    other does not; if neither does, they change evenly on the screen.
 
     The second style, if any, is painted below. A linear and a radial gradient have nothing in between, so B's dissolves
     into view over A's: that weighs 1 - t in every point, and where both are opaque A's stays opaque until it is covered
     altogether, for two half-transparent coats would let the ground shine through.
     """
     a, b = _with_stroke_of(a, b), _with_stroke_of(b, a)
-    fill, fill_below = _blend_paint(_fill(a), _fill(b), t)
-    stroke, stroke_below = _blend_paint(_stroke(a), _stroke(b), t)
-    dashes, offset = _blend_dashes(a, b, t)
+    (fill, fill_below), (stroke, stroke_below) = (
+        _blend_paint(p, q, t) for p, q in zip(a.paints, b.paints, strict=True)
+    )
     plain = (a if t < 0.5 else b)._replace(
-        stroke_width=(1.0 - t) * a.stroke_width + t * b.stroke_width,
         stroke_miterlimit=(1.0 - t) * a.stroke_miterlimit + t * b.stroke_miterlimit,
-        stroke_dasharray=dashes,
-        stroke_dashoffset=offset,
+        **_blend_lengths(a, b, t),
     )
     if fill_below is None and stroke_below is None:
-        return _painted(plain, fill, stroke), None
-    if fill_below is None:  # what need not dissolve is painted once: a stroke above, a fill below
-        fill, fill_below = _NO_PAINT, fill
-    return _painted(plain, fill, stroke), _painted(plain, fill_below, stroke_below or _NO_PAINT)
+        return plain.painted(fill, stroke), None
+    if fill_below is None:  # only paint that dissolves is painted twice; a fill that does not is below
+        fill, fill_below = NO_PAINT, fill
+    return plain.painted(fill, stroke), plain.painted(fill_below, stroke_below or NO_PAINT)
 
 
 def shape_styles(shape: ShapeBlend, t: float) -> tuple[Style, Style | None]:
@@ -74,7 +66,7 @@ def shape_styles(shape: ShapeBlend, t: float) -> tuple[Style, Style | None]:
     if shape.fade is None:
         return above, below
     share = shape.fade.share(t)
-    return _faded(above, share), below and _faded(below, share)
+    return above.faded(share), below and below.faded(share)
 
 
 def faded_coats(shape: ShapeBlend) -> tuple[tuple[float, ...], list[list[Style]]]:
@@ -89,39 +81,14 @@ def faded_coats(shape: ShapeBlend) -> tuple[tuple[float, ...], list[list[Style]]
     return times, [below, *coats] if len(below) == len(samples) else coats
 
 
-def _faded(style: Style, share: float) -> Style:
-    return style._replace(
-        fill_opacity=share * style.fill_opacity, stroke_opacity=share * style.stroke_opacity
-    )
-
-
-def _fill(style: Style) -> _Paint:
-    return _Paint(style.fill, style.fill_opacity, style.fill_gradient)
-
-
-def _stroke(style: Style) -> _Paint:
-    return _Paint(style.stroke, style.stroke_opacity, style.stroke_gradient)
-
-
-def _painted(style: Style, fill: _Paint, stroke: _Paint) -> Style:
-    return style._replace(
-        fill=fill.colour,
-        fill_opacity=fill.opacity,
-        fill_gradient=fill.gradient,
-        stroke=stroke.colour,
-        stroke_opacity=stroke.opacity,
-        stroke_gradient=stroke.gradient,
-    )
-
-
 def _with_stroke_of(style: Style, other: Style) -> Style:
     """Give a style without a stroke the other's width, dashes and so on, so that it fades in or out as it is."""
     if style.stroke is not None:
         return style
-    return _painted(other, _fill(style), _stroke(style))._replace(fill_rule=style.fill_rule)
+    return other.painted(*style.paints)._replace(fill_rule=style.fill_rule)
 
 
-def _blend_paint(a: _Paint, b: _Paint, t: float) -> tuple[_Paint, _Paint | None]:
+def _blend_paint(a: Paint, b: Paint, t: float) -> tuple[Paint, Paint | None]:
     """Return the paint at time t, and the one below it where two gradients are of different kinds."""
     if a.colour is None:
         return b._replace(opacity=t * b.opacity), None
@@ -130,7 +97,7 @@ def _blend_paint(a: _Paint, b: _Paint, t: float) -> tuple[_Paint, _Paint | None]
     opacity = (1.0 - t) * a.opacity + t * b.opacity
     colour = blend_colours(a.colour, b.colour, t, a.opacity, b.opacity)
     if a.gradient == b.gradient:
-        return _Paint(colour, opacity, a.gradient), None
+        return Paint(colour, opacity, a.gradient), None
 
     from shapeblend_cli.paint.gradients import blend_gradients, plain_gradient  # few drawings have any
 
@@ -139,11 +106,11 @@ def _blend_paint(a: _Paint, b: _Paint, t: float) -> tuple[_Paint, _Paint | None]
     gradient_a = a.gradient or plain_gradient(either, a.colour)
     gradient = blend_gradients(gradient_a, b.gradient or plain_gradient(either, b.colour), t)
     if gradient is not None:
-        return _Paint(colour, opacity, gradient), None
+        return Paint(colour, opacity, gradient), None
     return b._replace(opacity=t * b.opacity), a._replace(opacity=_opacity_below(a, b, t))
 
 
-def _opacity_below(a: _Paint, b: _Paint, t: float) -> float:
+def _opacity_below(a: Paint, b: Paint, t: float) -> float:
     """Return the opacity of A's paint below B's, which is painted with t times its opacity.
 
     Of what is below, 1 - t * (B's opacity) is seen, and that is to be (1 - t) * (A's opacity).
@@ -151,6 +118,23 @@ def _opacity_below(a: _Paint, b: _Paint, t: float) -> float:
     stops = b.gradient.stops if b.gradient else ()
     cover = b.opacity * min((stop.opacity for stop in stops), default=1.0)
     return a.opacity if cover == 1.0 else (1.0 - t) * a.opacity / (1.0 - t * cover)
+
+
+def _blend_lengths(a: Style, b: Style, t: float) -> dict[str, Any]:
+    """Return the fields of a style with the lengths of its stroke at time t."""
+    pixel = None
+    if a.pixel and b.pixel:
+        pixel = (1.0 - t) * a.pixel + t * b.pixel
+        a, b = a.stretched(pixel / a.pixel), b.stretched(pixel / b.pixel)
+    elif a.pixel or b.pixel:
+        pixel, t = (a.pixel, 0.0) if t < 0.5 else (b.pixel, 1.0)
+    dashes, offset = _blend_dashes(a, b, t)
+    return {
+        "stroke_width": (1.0 - t) * a.stroke_width + t * b.stroke_width,
+        "stroke_dasharray": dashes,
+        "stroke_dashoffset": offset,
+        "pixel": pixel,
+    }
 
 
 def _blend_dashes(a: Style, b: Style, t: float) -> tuple[tuple[float, ...], float]:

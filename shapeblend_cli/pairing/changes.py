@@ -1,27 +1,23 @@
-"""Shapes that are the same in place but for a part that is cut away, or put on: a microphone, and it crossed out.
+"""Shapes that are the same in place except for parts that are added or removed: a microphone, and it crossed out.
 
-Where outlines share most of their length, and what they do not share cuts one of them into pieces, no contour of one
-becomes a contour of the other. But stretches that they share cancel: what is left of B's outlines, and of A's traversed
-in reverse, joins up to loops. Such a loop winds once round what B adds, and once the other way round what it takes
-away. So one drawing's contours stay as they are, and the loops open in them, each from a line: all from one end to the
-other if together they make a bar, else each from its middle.
+Such shapes share most of their outlines, and the rest cuts a contour into pieces, so that contours cannot become each
+other. Instead the contours of one drawing stay. Where both have a stretch of outline it cancels; the rest of B's
+outlines, and the rest of A's in reverse, join up to loops. These wind round the parts that B adds, and the other way
+round the parts that it removes. They open through windows: together along a bar, else each from its middle.
 """
 
 from __future__ import annotations
 
-import cmath
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import LINE
-from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.grouping import grouped, overlaps
 from shapeblend_cli.geometry.polygons import reverse_contour
-from shapeblend_cli.geometry.window import Window
 from shapeblend_cli.model import Box, Contour
+from shapeblend_cli.motion.sweep import Sweep, windows_of
 from shapeblend_cli.pairing.assignment import assign
 from shapeblend_cli.pairing.costs import channels
 from shapeblend_cli.wires.contour_blends import grow_from, keep_still
@@ -36,40 +32,30 @@ if TYPE_CHECKING:
     from shapeblend_cli.wires.stretches import Shared
 
 LEAST_BOX = 0.6
-"""A box around both shapes is filled by each one's at least to this share, by their diagonals."""
+"""Minimum diagonal of each shape's box, as a share of the diagonal of the box around both."""
 
 LIKE_PAINT = 0.25
-"""The channels of what both shapes are filled with differ by this at most, on average; 1 is black and white."""
-
-BAR = 0.4
-"""What a bar measures across, at most, as a share of what it does along itself."""
+"""Maximum difference of two fills: the mean over their channels, from 0 to 1."""
 
 STEP = 1.5e-2
-"""Outlines that run slantwise through a window are cut into pieces of about this share of the diagonal."""
+"""Length of the pieces into which outlines that slant through a window are cut, as a share of the diagonal."""
 
-CLEARLY = 1.2
-"""What spreads along another axis than its outlines is opened along that if it is so many times narrower there."""
+STAYS = "unchanged except where parts are added or removed"
+"""Reason for the pairs of such shapes."""
 
-UPRIGHT = 0.1
-"""What runs about as much across as up and down is opened up and down, unless it is a bar; that counts by this share of
-its length."""
-
-PARALLEL, ROUNDING = np.radians(10.0), 1e-6
-"""Outlines along a bar are off its axis by this angle at most; and how exactly an axis is upright."""
-
-CUTS = "it cuts what is the same"
-"""Why a loop has no partner, for the report."""
+ADDED = "a part that is added or removed"
+"""Reason for the lack of a partner."""
 
 
 class _Loop(NamedTuple):
-    """What is left of the outlines, joined up: a closed contour, and how many pieces of each drawing it has."""
+    """Rests of outlines joined up to a closed contour."""
 
     contour: Contour
-    pieces: tuple[int, int]
+    pieces: tuple[int, int]  # numbers of rests of A and of B
 
 
 def _loops(shared: Shared) -> list[_Loop]:
-    """Join up what the stretches leave, B's forwards and A's backwards."""
+    """Join up the rests between shared stretches, B's forwards and A's backwards."""
     loops = [
         _Loop(_closed([outline.between(0.0, outline.total)], backwards=not side), (1 - side, side))
         for side, every in enumerate(shared.outlines)
@@ -99,7 +85,7 @@ def _loops(shared: Shared) -> list[_Loop]:
 
 
 def _closed(pieces: Sequence[tuple[ComplexArray, BoolArray]], *, backwards: bool = False) -> Contour:
-    """Join pieces to a closed contour; the ends of neighbours are about the same."""
+    """Join pieces, whose ends nearly meet, to a closed contour."""
     segments, straight = (np.concatenate(part) for part in zip(*pieces, strict=True))
     if backwards:
         segments, straight = segments[::-1, ::-1], straight[::-1]
@@ -112,88 +98,25 @@ def _closed(pieces: Sequence[tuple[ComplexArray, BoolArray]], *, backwards: bool
     return Contour(segments, straight, closed=True)
 
 
-def _windows(loops: Sequence[Contour]) -> list[Window]:
-    """Return how loops open: all along one bar, from its left end, else those that overlap along themselves together.
-
-    What overlaps may cancel, and so must open together.
-    """
-    window = _window(loops, from_middle=False)
-    if window is not None:
-        return [window] * len(loops)
-    together = overlaps([cubics.bounds(loop.segments) for loop in loops])
-    found: dict[int, Window | None] = {}
-    for group in grouped(together):
-        window = _window([loops[k] for k in group], from_middle=True)
-        found.update(dict.fromkeys(group, window))
-    return [window for k in range(len(loops)) if (window := found[k])]
-
-
-def _window(loops: Sequence[Contour], *, from_middle: bool) -> Window | None:
-    """Return how loops open together, from their middle, or from their left end if they make a bar.
-
-    The axis is that in which most of their outlines run, if they are a bar along it, else that along which they spread.
-    """
-    points = np.concatenate([loop.segments.ravel() for loop in loops])
-    edges = np.concatenate([np.diff(loop.segments, axis=1).ravel() for loop in loops])
-    edges = edges[edges != 0.0]
-    doubled = edges**2 / np.abs(edges)
-    upright = UPRIGHT if from_middle else 0.0
-    mostly = _half(doubled.sum() - upright * np.abs(edges).sum())
-    parallel = np.abs(np.angle(doubled * (mostly.conjugate() ** 2))) <= 2.0 * PARALLEL
-    found: list[tuple[float, Window]] = []
-    for axis in (_half(doubled[parallel].sum()), _half(((points - points.mean()) ** 2).sum())):
-        turned = points * axis.conjugate()
-        low, high = float(turned.real.min()), float(turned.real.max())
-        share = float(np.ptp(turned.imag)) / (high - low)
-        found.append((share, Window(axis, 0.5 * (low + high) if from_middle else low, (low, high))))
-    share, window = found[0] if found[0][0] <= max(BAR, CLEARLY * found[1][0]) else found[1]
-    return window if from_middle or share <= BAR else None
-
-
-def _half(doubled: complex) -> complex:
-    """Return a direction to the right, or downwards, whose angle is half that of a number."""
-    axis = cmath.rect(1.0, 0.5 * cmath.phase(doubled))
-    return -axis if axis.imag < -1.0 + ROUNDING else axis
-
-
-def _cut_along(loop: Contour, window: Window, step: float) -> Contour:
-    """Cut segments that run slantwise through a window into pieces of about a step."""
-    turned = loop.segments * window.axis.conjugate()
-    slant = np.minimum(np.ptp(turned.real, axis=1), np.ptp(turned.imag, axis=1))
-    counts = np.maximum(np.ceil(slant / step), 1).astype(np.intp)
-    numbers = np.repeat(np.arange(len(counts)), counts)
-    within = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
-    segments = cubics.pieces(loop.segments[numbers], within / counts[numbers], (within + 1) / counts[numbers])
-    return Contour(segments, loop.straight[numbers], closed=True)
-
-
 class Change(NamedTuple):
-    """Two shapes, one of which is the other with something added or taken away.
+    """Two shapes that are the same except for parts that are added or removed."""
 
-    Attributes
-    ----------
-    pair : (PlacedContour, PlacedContour)
-        A contour of each of the shapes.
-    contours : tuple of ContourBlend
-        Those of one shape, which stay, and the loops, which grow or shrink.
-    windows : tuple of Window or None
-        How each of the loops opens; None for what stays.
-    """
+    pair: ContourPair  # a contour of each shape
+    contours: tuple[ContourBlend, ...]  # those of one shape, which stay, and the loops, which grow or shrink
+    motion: Sweep | None  # of these contours; None for straight paths
 
-    pair: ContourPair
-    contours: tuple[ContourBlend, ...]
-    windows: tuple[Window | None, ...]
 
-    def without(self, contours: Sequence[PlacedContour], side: int) -> list[PlacedContour]:
-        """Return the contours of A, 0, or B, 1, that belong to other shapes."""
-        return [contour for contour in contours if contour.shape != self.pair[side].shape]
+def unchanged(contours: Sequence[PlacedContour], changed: Sequence[Change], side: int) -> list[PlacedContour]:
+    """Return the contours of A, 0, or B, 1, that belong to none of the changed shapes."""
+    shapes = {change.pair[side].shape for change in changed}
+    return [contour for contour in contours if contour.shape not in shapes]
 
 
 def changes(a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Settings) -> list[Change]:
-    """Return the shapes of two drawings that are the same in place but for something that cuts them.
+    """Return the shapes of two drawings that are the same in place except for parts that are added or removed.
 
-    They must be filled, with nearly the same colour, and nothing else. Nothing is found if contours are to be matched,
-    cut or moved otherwise.
+    These shapes are filled with nearly the same colour, and have no stroke. None are returned if users ask for other
+    pairs, cuts or motions.
     """
     free = not (settings.match or settings.pins or settings.start or settings.stiff)
     if not free or settings.unmatched == "split" or settings.motion not in ("auto", "linear"):
@@ -203,22 +126,26 @@ def changes(a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Se
         return []
     diagonal = Box.union([contour.box for contour in (*a, *b)]).diagonal
     found: list[Change] = []
-    taken: set[int] = set()
+    taken_a: set[int] = set()
+    taken_b: set[int] = set()
     for i, j in _near(*shapes):
-        paint_a, paint_b = (channels(shapes[side][k][0].style.fill) for side, k in enumerate((i, j)))
-        like = np.abs(np.subtract(paint_a, paint_b)).mean() <= LIKE_PAINT
-        if like and i not in taken and ~j not in taken:
-            change = _change(shapes[0][i], shapes[1][j], diagonal, settings.vertices)
-            if change is not None:
-                found.append(change)
-                taken |= {i, ~j}
+        p, q = shapes[0][i], shapes[1][j]
+        colours = channels(p[0].style.fill), channels(q[0].style.fill)
+        alike = np.abs(np.subtract(*colours)).mean() <= LIKE_PAINT
+        change = None
+        if alike and i not in taken_a and j not in taken_b:
+            change = _change(p, q, diagonal, settings)
+        if change is not None:
+            found.append(change)
+            taken_a.add(i)
+            taken_b.add(j)
     return found
 
 
 def _near(
     a: Sequence[Sequence[PlacedContour]], b: Sequence[Sequence[PlacedContour]]
 ) -> list[tuple[int, int]]:
-    """Return the indices of shapes of two drawings whose boxes are about the same."""
+    """Return the indices of shapes of two drawings that have about the same box."""
     bounds = [
         np.array([Box.union([contour.box for contour in shape]).bounds for shape in side]) for side in (a, b)
     ]
@@ -246,39 +173,38 @@ def _filled_shapes(contours: Sequence[PlacedContour]) -> list[list[PlacedContour
 
 
 def _change(
-    a: Sequence[PlacedContour], b: Sequence[PlacedContour], diagonal: float, vertices: int
+    a: Sequence[PlacedContour], b: Sequence[PlacedContour], diagonal: float, settings: Settings
 ) -> Change | None:
     """Return the change between two shapes, if they share enough and a contour is cut into pieces."""
     sides = [c.flat for c in a], [c.flat for c in b]
     shared = mostly_shared(*sides, diagonal)
     if shared is None:
         return None
-    totals = [sum(flat.total for flat in side) for side in sides]
     found = _loops(shared)
     if max((max(loop.pieces) for loop in found), default=0) < 2:
         return None
     # The simpler drawing stays.
-    shrinks = totals[1] < totals[0]
+    length_a, length_b = (sum(flat.total for flat in side) for side in sides)
+    shrinks = length_b < length_a
     still, others = (b, a) if shrinks else (a, b)
-    loops = [loop.contour for loop in found]
-    if shrinks:
-        loops = [reverse_contour(loop) for loop in loops]
-    windows = _windows(loops)
+    loops = [reverse_contour(loop.contour) if shrinks else loop.contour for loop in found]
+    windows = windows_of(loops)
     numbers = _numbers([*(c.polygon.vertices for c in still), *(c.segments[:, 0] for c in loops)], others)
-    contours = [
-        keep_still(contour, (number, contour.number) if shrinks else (contour.number, number))
-        for contour, number in zip(still, numbers, strict=False)
-    ]
+    contours = []
+    for contour, number in zip(still, numbers, strict=False):
+        both = (number, contour.number) if shrinks else (contour.number, number)
+        contours.append(keep_still(contour, both)._replace(reason=STAYS))
     for loop, window, number in zip(loops, windows, numbers[len(still) :], strict=True):
-        cut = _cut_along(loop, window, STEP * diagonal)
-        flat = FlatContour(cut, flatten(cut, vertices))
+        cut = window.cut(loop, STEP * diagonal)
+        flat = FlatContour(cut, flatten(cut, settings.vertices))
         grown = grow_from(window.clip(cut.segments, 0.0), flat, number, of_b=not shrinks)
-        contours.append(grown._replace(reason=CUTS))
-    return Change((a[0], b[0]), tuple(contours), (*(None for _ in still), *windows))
+        contours.append(grown._replace(reason=ADDED))
+    motion = Sweep((*(None for _ in still), *windows)) if settings.motion == "auto" else None
+    return Change((a[0], b[0]), tuple(contours), motion)
 
 
 def _numbers(outlines: Sequence[ComplexArray], contours: Sequence[PlacedContour]) -> list[int]:
-    """Return the number of a contour that is near each outline, on average, and none twice while others are left."""
+    """Return for each outline the number of the nearest contour, on average; none twice while others are left."""
     away = np.array(
         [
             [np.abs(contour.polygon.vertices[:, None] - points).min(axis=0).mean() for contour in contours]

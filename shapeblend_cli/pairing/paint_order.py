@@ -158,8 +158,7 @@ def visible_overlaps(contours: Sequence[PlacedContour]) -> list[tuple[int, int]]
     boxes: dict[int, list[Box]] = {shape: [] for shape in shapes}
     paints: dict[int, object] = {}
     for contour in contours:
-        reach = contour.style.stroke_width if contour.style.stroke else 0.0
-        boxes[contour.shape].append(contour.box.expanded(reach / 2))
+        boxes[contour.shape].append(contour.box.expanded(contour.style.reach))
         paints.setdefault(contour.shape, _single_paint(contour.style))
     x, y, width, height = np.array([Box.union(boxes[shape]) for shape in shapes]).T
     meet = (x[:, None] < x + width) & (y[:, None] < y + height)
@@ -173,14 +172,7 @@ def visible_overlaps(contours: Sequence[PlacedContour]) -> list[tuple[int, int]]
 
 def _single_paint(style: Style) -> object:
     """Return the paint and opacity of a style that has only one, else something unequal to all others."""
-    paints = {
-        (colour, opacity, gradient)
-        for colour, opacity, gradient in (
-            (style.fill, style.fill_opacity, style.fill_gradient),
-            (style.stroke, style.stroke_opacity, style.stroke_gradient),
-        )
-        if colour is not None
-    }
+    paints = {paint for paint in style.paints if paint.colour is not None}
     return paints if len(paints) == 1 else object()
 
 
@@ -197,7 +189,7 @@ def _without_near_misses(
 def _meet(p: Sequence[PlacedContour], q: Sequence[PlacedContour]) -> bool:
     """Return whether two shapes have points in common, about."""
     outlines_p, outlines_q = ([thin(c.polygon.vertices, SAMPLES) for c in shape] for shape in (p, q))
-    reach = sum(shape[0].style.stroke_width / 2.0 if shape[0].style.stroke else 0.0 for shape in (p, q))
+    reach = p[0].style.reach + q[0].style.reach
     if any(_touch(one, other, reach) for one in outlines_p for other in outlines_q):
         return True
     return _is_around(p, outlines_p, outlines_q) or _is_around(q, outlines_q, outlines_p)

@@ -35,9 +35,9 @@ class Reasons(NamedTuple):
         elif fills:
             reason = f"a stroke on the edge of {fills[0]}"
         elif a is not None and b is not None:
-            reason = self.of_pairs.get((a, b), "the same except for a part that cuts it")
+            reason = self.of_pairs[a, b]
         else:
-            reason = f"nothing in {'B' if b is None else 'A'} is like it there"
+            reason = f"{'B' if b is None else 'A'} has nothing like it there"
         in_a, in_b = (
             None if number is None else parents.get(number)
             for number, parents in zip((a, b), self.parents, strict=True)
@@ -61,7 +61,7 @@ def reasons_for(
     whole = {p.number: q.number for p, q in pairs if not (p.is_piece or q.is_piece)}
     pairing = Pairing(a, b, whole)
     found = {
-        (p.number, q.number): "a piece for it" if p.opened is q.opened else "a ring that opens for it"
+        (p.number, q.number): "a piece cut for it" if p.opened is q.opened else "a ring that opens for it"
         for p, q in pairs
         if p.is_piece or q.is_piece
     }

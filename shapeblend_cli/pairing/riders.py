@@ -16,7 +16,7 @@ import numpy as np
 from shapeblend_cli.anatomy.decompose import EXTERIOR, LINE, PlacedContour
 from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, nearest_places
+from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_places
 from shapeblend_cli.model import Box, Contour, Style, unroll
 from shapeblend_cli.wires.contour_blends import follow
 
@@ -47,7 +47,6 @@ def riders(contours: Sequence[PlacedContour], leaders: Collection[int]) -> dict[
     """
     strokes = [c for c in contours if c.style.stroke is not None and c.style.fill is None]
     fills = [c for c in contours if c.number in leaders and c.style.fill is not None and c.role == EXTERIOR]
-    outlines = [from_end_to_end(fill.polygon.vertices, closed=True) for fill in fills]
     bounds = np.array([fill.box.bounds for fill in fills]).reshape(-1, 4)
     found: dict[int, int] = {}
     for stroke in strokes:
@@ -58,7 +57,7 @@ def riders(contours: Sequence[PlacedContour], leaders: Collection[int]) -> dict[
         near = ((left <= x) & (x <= right) & (top <= y) & (y <= bottom)).mean(axis=0) >= LEAST_SHARE
         shares = []
         for k in np.flatnonzero(near).tolist():
-            track = _track(stroke, outlines[k])
+            track = _track(stroke, fills[k].polygon.line)
             if track is not None and track.share >= LEAST_SHARE:
                 shares.append((round(track.share, 1), fills[k].size, fills[k].number))
         if shares:
@@ -77,7 +76,7 @@ class _Track(NamedTuple):
 
 def _track(stroke: PlacedContour, line: ComplexArray) -> _Track | None:
     """Return the places of a stroke on a closed edge; None if it does not run along it one way."""
-    points = from_end_to_end(stroke.polygon.vertices, stroke.polygon.closed)
+    points = stroke.polygon.line
     lengths = cumulative_lengths(line)
     distance, place = nearest_places(points, line)
     near = distance <= ON_EDGE * stroke.style.stroke_width
@@ -197,7 +196,7 @@ def _sections(stroke: PlacedContour, covered: BoolArray) -> list[tuple[int, int]
     its last vertex.
     """
     closed, count = stroke.polygon.closed, len(covered)
-    lengths = cumulative_lengths(from_end_to_end(stroke.polygon.vertices, closed))
+    lengths = cumulative_lengths(stroke.polygon.line)
     lengths = np.concatenate([lengths[:count], lengths[-1] + lengths]) if closed else lengths
     covered = covered.copy()
     while True:
@@ -247,7 +246,7 @@ def _image(edge: FlatContour, lengths: FloatArray, closed: bool) -> tuple[FlatCo
         segments[-1, 3] = segments[0, 0]
     contour = Contour(segments, straight, closed)
     polygon = flatten(contour, len(lengths))
-    own = cumulative_lengths(from_end_to_end(polygon.vertices, closed))
+    own = cumulative_lengths(polygon.line)
     places = np.abs(lengths - first) * (own[-1] / (high - low))
     nearest = np.abs(own[:, None] - places).argmin(axis=0)
     return FlatContour(contour, polygon), np.maximum.accumulate(nearest)
@@ -259,6 +258,7 @@ def _near(points: ComplexArray, width: float, strokes: Sequence[PlacedContour]) 
     box = Box.around(points).expanded(width)
     for k, other in enumerate(strokes):
         if box.overlaps(other.box.expanded(width)):
-            line = from_end_to_end(other.polygon.vertices, other.polygon.closed)
-            near[k] = nearest_places(points, line)[0] <= COVERED * min(width, other.style.stroke_width)
+            near[k] = nearest_places(points, other.polygon.line)[0] <= COVERED * min(
+                width, other.style.stroke_width
+            )
     return near

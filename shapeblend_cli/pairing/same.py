@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
-from shapeblend_cli.geometry.polyline import from_end_to_end, nearest_places
+from shapeblend_cli.geometry.polyline import nearest_places
 from shapeblend_cli.model import Box
 from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
 
@@ -122,7 +122,7 @@ def are_same(p: PlacedContour, q: PlacedContour, distance: float) -> bool:
     if p.role != q.role or p.polygon.closed != q.polygon.closed:
         return False
     distance = min(distance, OWN_TOLERANCE * max(p.size, q.size))
-    lines = [from_end_to_end(contour.polygon.vertices, contour.polygon.closed) for contour in (p, q)]
+    lines = p.polygon.line, q.polygon.line
     return all(nearest_places(points, line)[0].max() <= distance for points, line in (lines, lines[::-1]))
 
 

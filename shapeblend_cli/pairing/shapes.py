@@ -10,6 +10,7 @@ from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
 from shapeblend_cli.geometry.polygons import centroid, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places, thin
 from shapeblend_cli.model import Box, ContourBlend, Fade, ShapeBlend, Style
+from shapeblend_cli.pairing.changes import Change, unchanged
 from shapeblend_cli.pairing.growth import (
     WATCHED,
     MatchedPoints,
@@ -25,8 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from shapeblend_cli.anatomy.decompose import ContourPair
-    from shapeblend_cli.model import ComplexArray, Place
-    from shapeblend_cli.pairing.changes import Change
+    from shapeblend_cli.model import ComplexArray, Motion, Place
 
 TOUCHING, LEAST_HOST, NEARLY_ALL = 0.02, 0.5, 0.9
 """A contour touches another one within the first share of the drawing's diagonal; what carries it has more than the
@@ -92,12 +92,13 @@ def shape_blends(
     for match in matches:
         groups.setdefault(match.group, []).append(match.blend)
         styles.setdefault(match.group, _styles(*match.pair))
+    motions: dict[_Group, Motion | None] = {}
     for change in changes:
         group = _Group(change.pair[0].shape, change.pair[1].shape)
         groups[group], styles[group] = list(change.contours), _styles(*change.pair)
-    for here, contours in enumerate((a, b)):
-        for change in changes:
-            contours = change.without(contours, here)
+        motions[group] = change.motion
+    for here, side in enumerate((a, b)):
+        contours = unchanged(side, changes, here)
         riding = _rides(contours, (a, b)[1 - here], matches, riders[here], here)
         for stroke in riding:
             own, other = stroke.contour.shape, stroke.shape
@@ -117,7 +118,9 @@ def shape_blends(
         (None if key.covered_in == 0 else key.a, None if key.covered_in == 1 else key.b) for key in keys
     ]
     blends = tuple(
-        ShapeBlend(tuple(groups[key]), *styles[key], fade=COVERED[key.covered_in], sources=sources)
+        ShapeBlend(
+            tuple(groups[key]), *styles[key], motions.get(key), fade=COVERED[key.covered_in], sources=sources
+        )
         for key, sources in zip(keys, shapes, strict=True)
     )
     sizes = [sum(c.polygon_a.box.area + c.polygon_b.box.area for c in shape.contours) for shape in blends]
@@ -199,8 +202,7 @@ def _growth_points(
     middle, which is carried along by the paired contour it lies in, or else by one that they touch.
     """
     paired = {match.pair[here].number: match for match in matches}
-    around = {contour.number: contour for contour in contours if contour.polygon.closed}
-    hosts = [c for c in around.values() if c.number in paired or c.role != HOLE]
+    hosts = [c for c in contours if c.polygon.closed and (c.number in paired or c.role != HOLE)]
     touching = TOUCHING * Box.union([contour.box for contour in contours]).diagonal
     areas = {contour.number: contour.area for contour in contours}
     bounds = np.array([contour.box.bounds for contour in hosts]).reshape(-1, 4)

@@ -1,18 +1,21 @@
 """Stages: folders of our own in which files are written in full, and from which they are moved into place.
 
-    HOME/.shapeblend-x7k2/new/NAME    is to become HOME/NAME: a file, or a folder with all that is in it
-    HOME/.shapeblend-x7k2/old/NAME    what was there before, until the run is done
-    HOME/.shapeblend-x7k2/moved.json  the files that are being moved, if there are several
+    HOME/.shapeblend-0123456789ab/stage       says what the folder is
+    HOME/.shapeblend-0123456789ab/new/NAME    is to become HOME/NAME: a file, or a folder with all that is in it
+    HOME/.shapeblend-0123456789ab/old/NAME    the file or folder before, until the run is done
+    HOME/.shapeblend-0123456789ab/moved.json  the files that are being moved, if there are several
 
 Who has a stage in a folder holds the system's lock on that folder for as long as the stage is there. The system takes
 the lock from a process that ends, however it ends. So a stage that is found by who holds the lock was left by a run
-that was killed, whatever the number of its process.
+that was killed, whatever the number of its process. The next run that writes into the folder takes it away. Folders
+that only have such a name, or anything else in them, are their owners' own, and stay.
 """
 
 from __future__ import annotations
 
 import errno
 import os
+import re
 import shutil
 import time
 from contextlib import contextmanager, suppress
@@ -28,10 +31,12 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 PREFIX = ".shapeblend-"
-NEW, OLD, MOVED = "new", "old", "moved.json"
+STAGE_NAME = re.compile(re.escape(PREFIX) + "[0-9a-f]{12}")
+MARK, NEW, OLD, MOVED = "stage", "new", "old", "moved.json"
+MARK_TEXT = b"shapeblend keeps files here while it writes them. The next run that writes here removes it.\n"
 
 PATIENCE = 30.0
-"""Seconds to wait for a lock. A script may hold it that runs the command itself, as `flock FOLDER command` does."""
+"""Maximum wait for a lock, in seconds. A script that runs the command may hold it, as `flock FOLDER command` does."""
 
 
 class CannotSwap(Exception):
@@ -45,6 +50,7 @@ class Stage:
         self.home = home
         self.path = home / f"{PREFIX}{os.urandom(6).hex()}"
         self.path.mkdir(mode=0o700)
+        (self.path / MARK).write_bytes(MARK_TEXT)
         self.new, self.old = self.path / NEW, self.path / OLD
         self.new.mkdir()
         self.old.mkdir()
@@ -188,11 +194,21 @@ def _stages(folder: Path) -> list[Path]:
         return [
             Path(entry.path)
             for entry in entries
-            if entry.name.startswith(PREFIX)
+            if STAGE_NAME.fullmatch(entry.name)
             and entry.is_dir(follow_symlinks=False)
             and entry.stat(follow_symlinks=False).st_uid == os.geteuid()
+            and _is_marked(Path(entry.path))
         ]
     return []
+
+
+def _is_marked(path: Path) -> bool:
+    """Return whether a folder is a stage: it says so, and has nothing in it that a stage has not."""
+    try:
+        is_ours = (path / MARK).read_bytes() == MARK_TEXT
+        return is_ours and {MARK, NEW, OLD, MOVED}.issuperset(os.listdir(path))
+    except OSError:
+        return False
 
 
 def _undo(stage: Path) -> None:

@@ -132,9 +132,7 @@ def _near_any(points: ComplexArray, outlines: Outlines, distance: float) -> Bool
     near = np.zeros(len(points), bool)
     for outline in outlines:
         # Others than those near its box are further away, and computing how far is most of the work in a crowd.
-        left, top, right, bottom = outline.polygon.box.expanded(2.0 * distance).bounds
-        x, y = points.real, points.imag
-        asked = np.flatnonzero(~near & (left <= x) & (x <= right) & (top <= y) & (y <= bottom))
+        asked = np.flatnonzero(~near & outline.polygon.box.expanded(2.0 * distance).holds(points))
         if len(asked):
             near[asked] = outline.lengths_near(points[asked])[0] <= distance
     return near

@@ -113,7 +113,7 @@ def test_a_stroke_that_grows_grows_in_width(here):
     paint = 'fill="none" stroke="#000" stroke-width="2"'
     lines = [f'<path d="M2 {y}H22" {paint}/>' for y in (4, 12)]
     write(a=svg(lines[0]), b=svg(*lines))
-    assert run(["a.svg", "b.svg", "-n", "3", "-o", "out"]) == 0
+    assert run(["a.svg", "b.svg", "-n", "3", "-o", "out", "--strokes", "keep"]) == 0
     frames = [(here / f"out/frame-{k}.svg").read_text() for k in (1, 2, 3)]
     assert [frame.count('stroke-width="2"') for frame in frames] == [1, 1, 1]
     assert 'stroke-width="0.5"' in frames[0]

@@ -55,12 +55,13 @@ def test_json_and_table_of_transformed_shapes(here, capsys):
             {
                 "index": 0, "id": "r", "element": "rect", "contours": 1, "closed": True,
                 "length": pytest.approx(12), "bbox": pytest.approx([5, 5, 9, 7]),
-                "fill": "#123456", "stroke": None, "fill_rule": "nonzero",
+                "fill": "#123456", "stroke": None, "fill_rule": "nonzero", "pen_lines": [],
             },
             {
                 "index": 1, "id": None, "element": "path", "contours": 1, "closed": False,
                 "length": pytest.approx(3), "bbox": pytest.approx([5, 5, 8, 5]),
                 "fill": None, "stroke": "#ff0000", "fill_rule": "nonzero",
+                "pen_lines": [{"width": 1.0, "closed": False, "cap": "butt"}],
             },
         ],
     }  # fmt: skip
@@ -73,7 +74,7 @@ def test_json_and_table_of_transformed_shapes(here, capsys):
 def test_columns_are_aligned_and_every_cell_is_one_word(file, capsys):
     assert run(["inspect", "a.svg"]) == 0
     assert capsys.readouterr().out == (
-        "a.svg: viewBox 0 0 20 20\n"
+        "a.svg: viewBox 0 0 20 20, 2 pen lines\n"
         "shape  element  id  contours  ends    length  box          fill     stroke   rule\n"
         "0      rect     r   1         closed  12      1.5,0,5.5,2  #123456  none     nonzero\n"
         "1      path     -   2         open    4       0,0,3,1      none     #ff0000  evenodd\n"

@@ -50,7 +50,7 @@ def test_verbose_says_the_motion_and_why_of_each_shape(here, capsys):
     assert run(["two.svg", "two.svg", "-v", "-f"]) == 0
     said = capsys.readouterr().err
     for number in (1, 2):
-        assert f"shapeblend: shape {number}: motion linear: little is wrong with it\n" in said
+        assert f"shapeblend: shape {number}: motion linear: straight paths look right\n" in said
 
 
 @pytest.mark.parametrize(

@@ -18,6 +18,9 @@ SVG = "{http://www.w3.org/2000/svg}"
 HREF = "{http://www.w3.org/1999/xlink}href"
 
 
+KEEP = ("--strokes", "keep")  # a comb and a spiral are pen lines, too
+
+
 def path(z):
     return "M" + " ".join(f"{v.real:.4f},{v.imag:.4f}" for v in z) + "Z"
 
@@ -29,21 +32,21 @@ def here(here):
 
 
 def test_a_poor_blend_is_said_in_one_line_that_says_what_would_help(here, capsys):
-    assert run(["comb.svg", "spiral.svg"]) == 0
+    assert run(["comb.svg", "spiral.svg", *KEEP]) == 0
     (line,) = capsys.readouterr().err.splitlines()
     assert re.fullmatch(
         r"shapeblend: comb.svg and spiral.svg: the in-betweens look poor, 0\.\d\d: [a-z ,]+; "
         r"--pin or --match may help, and --try FILE.svg shows other blends",
         line,
     )
-    assert run(["comb.svg", "spiral.svg", "-f", "-q"]) == 0
-    assert run(["comb.svg", "spiral.svg", "-f", "--motion", "linear"]) == 0
+    assert run(["comb.svg", "spiral.svg", *KEEP, "-f", "-q"]) == 0
+    assert run(["comb.svg", "spiral.svg", *KEEP, "-f", "--motion", "linear"]) == 0
     assert run(["bar.svg", "bar.svg", "-f"]) == 0
     assert capsys.readouterr().err == ""
 
 
 def test_in_a_pipeline_a_poor_blend_can_fail_and_then_nothing_is_written(here, capsys):
-    assert run(["comb.svg", "spiral.svg", "--fail-on", "poor", "-o", "out"]) == 1
+    assert run(["comb.svg", "spiral.svg", *KEEP, "--fail-on", "poor", "-o", "out"]) == 1
     assert "comb.svg and spiral.svg: the in-betweens look poor, " in capsys.readouterr().err
     assert not (here / "out").exists()
     assert run(["bar.svg", "bar.svg", "--fail-on", "poor", "-o", "out"]) == 0
@@ -58,7 +61,7 @@ def test_the_verdict_is_the_worst_pairs_and_names_it(here):
 
 
 def test_a_sheet_of_tries_has_other_blends_with_their_numbers_and_options(here, capsys):
-    assert run(["comb.svg", "spiral.svg", "--try", "sheet.svg", "-o", "out"]) == 0
+    assert run(["comb.svg", "spiral.svg", *KEEP, "--try", "sheet.svg", "-o", "out"]) == 0
     assert "--try" not in capsys.readouterr().err
     root = ElementTree.fromstring((here / "sheet.svg").read_text("utf-8"))
     words = [element.text for element in root.iter(f"{SVG}text")]
@@ -74,11 +77,13 @@ def test_a_sheet_of_tries_has_other_blends_with_their_numbers_and_options(here, 
 
     # The options do what the sheet says.
     options = words[1].split(None, 1)[1].split()
-    assert run(["comb.svg", "spiral.svg", *options, "-f", "-n", "1", "-o", "half.svg", "-q"]) == 0
+    assert run(["comb.svg", "spiral.svg", *KEEP, *options, "-f", "-n", "1", "-o", "half.svg", "-q"]) == 0
 
 
 def test_what_is_asked_for_is_not_tried_otherwise(here):
-    assert run(["comb.svg", "spiral.svg", "--try", "sheet.svg", "--motion", "linear", "-o", "out"]) == 0
+    assert (
+        run(["comb.svg", "spiral.svg", *KEEP, "--try", "sheet.svg", "--motion", "linear", "-o", "out"]) == 0
+    )
     text = (here / "sheet.svg").read_text("utf-8")
     assert "--motion" not in text
 

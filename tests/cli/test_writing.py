@@ -15,6 +15,7 @@ import pytest
 from shapeblend_cli.cli import run
 from shapeblend_cli.job import make as files
 from shapeblend_cli.system import staging
+from shapeblend_cli.system.write import is_inside
 from tests.support.commands import contents, made, names
 from tools.faults import runs
 
@@ -102,26 +103,66 @@ def test_the_folder_of_a_shell_stays_the_same_folder(here):
     assert os.stat("../blend").st_ino == before
 
 
-def test_stages_that_killed_runs_have_left_are_in_nobodys_way(here):
-    assert run([*BA]) == 0
-    for folder in (".", "blend"):
-        for name in (f".shapeblend-{os.getpid()}", ".shapeblend-0123"):
-            Path(folder, name, "new").mkdir(parents=True)
-            Path(folder, name, "new", "frame-1.svg").write_text("half")
+def left_by_a_killed_run(folder):
+    stage = staging.Stage(Path(folder))
+    (stage.new / "frame-1.svg").write_text("half")
+    return stage.path
+
+
+def test_stages_that_killed_runs_have_left_in_the_folder_are_removed(here):
+    assert run([*AB]) == 0
+    for _ in range(2):
+        left_by_a_killed_run("blend")
+        left_by_a_killed_run(".")
     assert run([*AB, "-f"]) == 0
     assert made() == ["blend", *(f"blend/frame-{k}.svg" for k in range(1, 6))]
+
+
+FOREIGN = {
+    "another name": (".shapeblend-cache", {"db": b"x"}),
+    "a stage's name": (".shapeblend-0123456789ab", {"db": b"x"}),
+    "empty": (".shapeblend-0123456789ab", {}),
+    "a mark of its own": (".shapeblend-0123456789ab", {"stage": b"mine"}),
+    "something else in a stage": (".shapeblend-0123456789ab", {"stage": staging.MARK_TEXT, "db": b"x"}),
+}
+
+
+@pytest.mark.parametrize("kind", FOREIGN)
+@pytest.mark.parametrize("arguments", ["-o one/deep/x.svg", "-o x.svg", "-o one/deep", "--force -o ."])
+def test_folders_that_are_not_ours_stay_wherever_they_are(here, kind, arguments):
+    name, files = FOREIGN[kind]
+    Path("one/deep").mkdir(parents=True)
+    for folder in (".", "one", "one/deep"):
+        Path(folder, name).mkdir()
+        for file, content in files.items():
+            Path(folder, name, file).write_bytes(content)
+    if kind == "empty" and os.geteuid():
+        Path(name).chmod(0)
+    before = {path: path.is_file() and path.read_bytes() for path in Path().rglob(f"{name}*/**")}
+    assert run([*AB, *arguments.split(), "-n", "1", "-f"]) == 0
+    assert {path: path.is_file() and path.read_bytes() for path in before} == before
+
+
+@pytest.mark.parametrize(
+    "arguments", ["nowhere.svg b.svg -o x.svg -f", "a.svg b.svg -o one/x.svg", "a.svg -o x.svg"]
+)
+def test_a_run_that_writes_nothing_removes_nothing(here, arguments):
+    stage = left_by_a_killed_run(".")
+    Path("one").write_text("a file")
+    assert run(arguments.split()) != 0
+    assert (stage / "new/frame-1.svg").read_text() == "half"
 
 
 def test_who_holds_the_lock_of_a_folder_for_long_stops_nobody(here, monkeypatch):
     # As `flock FOLDER shapeblend ...` does; and a stage may be in use as long as the lock is held.
     fcntl = pytest.importorskip("fcntl")
     monkeypatch.setattr(staging, "PATIENCE", 0.05)
-    Path(".shapeblend-in-use").mkdir()
+    in_use = str(left_by_a_killed_run("."))
     handle = os.open(here, os.O_RDONLY)
     fcntl.flock(handle, fcntl.LOCK_EX)
     assert run([*AB, "-o", "x.svg"]) == 0
     os.close(handle)
-    assert made() == [".shapeblend-in-use", "x.svg"]
+    assert [name for name in made() if "/" not in name] == [in_use, "x.svg"]
     assert run([*AB, "-o", "x.svg", "-f"]) == 0
     assert made() == ["x.svg"]
 
@@ -369,6 +410,30 @@ def test_names_that_are_not_utf_8(here, capsys):
     assert "Traceback" not in capsys.readouterr().err
 
 
+def test_a_working_folder_that_cannot_be_written_to_is_named(here, refused, monkeypatch):
+    monkeypatch.setattr(os, "access", lambda path, mode, **_: mode != os.W_OK)
+    for output in ("moving.svg", "./moving.svg", "new/moving.svg"):
+        refused([*AB, "-o", output], 1, f"{here}: is a folder that cannot be written to")
+    Path("there").mkdir()
+    refused([*AB, "-o", "there/moving.svg"], 1, "there: is a folder that cannot be written to")
+
+
+@pytest.mark.parametrize(
+    "line", ["{0}/a.svg {0}/b.svg", "batch --chain {0}", "studio --no-open {0}/a.svg {0}/b.svg"]
+)
+def test_a_working_folder_that_is_gone_is_named(here, capsys, monkeypatch, line):
+    gone = here / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    monkeypatch.setenv("PWD", str(gone))
+    gone.rmdir()
+    assert run(line.format(here).split()) == 1
+    said = (
+        f"shapeblend: {gone}: the current folder is not there any more; changing to another one would work\n"
+    )
+    assert capsys.readouterr().err == said
+
+
 def test_a_working_folder_that_is_gone_is_one_line(here, capsys):
     gone = here / "gone"
     gone.mkdir()
@@ -376,9 +441,8 @@ def test_a_working_folder_that_is_gone_is_one_line(here, capsys):
     gone.rmdir()
     try:
         assert run([str(here / "a.svg"), str(here / "b.svg"), "-o", str(here / "out")]) == 0
-        assert run([str(here / "a.svg"), str(here / "b.svg")]) == 1
         assert run(["../a.svg", "../b.svg", "-o", "x.svg"]) == 1
-        assert capsys.readouterr().err.count("\n") == 2
+        assert capsys.readouterr().err.count("\n") == 1
     finally:
         os.chdir(here)
 
@@ -419,3 +483,12 @@ def test_the_fresh_folder_is_one_step(here, monkeypatch):
     monkeypatch.setattr(os, "rename", lambda *given: (seen.append(made()), rename(*given)))
     assert run([*AB, "-o", "deep/er"]) == 0
     assert [name for name in seen[0] if not name.startswith(staging.PREFIX)] == []
+
+
+def test_a_path_lies_in_a_folder_where_links_lead(here):
+    (here / "own" / "deep").mkdir(parents=True)
+    (here / "own" / "out").symlink_to(here)
+    inside = [is_inside(Path(path), "own") for path in ("own/a", "own/deep/b", "own/x/../c", here / "own/d")]
+    outside = [is_inside(Path(path), "own") for path in ("a", "own/../a", "own/out/a", "owner/a", "/etc/a")]
+    assert inside == [True] * 4
+    assert outside == [False] * 5

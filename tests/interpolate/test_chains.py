@@ -152,7 +152,7 @@ def spans(shapes):
 def test_a_shape_of_other_contours_than_before_ends_there():
     assert spans(chained(pairs_of(EYED, LEAF, EYED))) == [(0, 2), (1, 2)]
     pairs = pairs_of(SQUARES, BAR, SQUARES)
-    chained(pairs)
+    assert spans(chained(pairs)) == [(0, 2), (1, 2)]
     chained([rotated(pair) for pair in pairs], (0.01, 0.2, 0.99))
 
 

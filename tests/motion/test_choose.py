@@ -92,7 +92,7 @@ def test_what_is_chosen_is_no_more_wrong_than_straight_paths_unless_these_cross(
     is_least = shape.taken.wrong == min(one.wrong for one in shape.candidates)
     assert shape.reason.startswith("the least wrong: ") == (is_least and len(shape.candidates) > 1)
     if shape.taken.wrong > straight.wrong:
-        assert shape.reason.startswith("less wrong ones cross: ")
+        assert shape.reason.startswith("motions that are less wrong make outlines cross: ")
         assert crossings(outlines, "linear", times) > 0
         assert sum(path_crossings(paths_at(shape, t)) for t in times) == 0
 
@@ -104,14 +104,14 @@ def test_only_the_shape_with_a_fault_moves_otherwise():
     pair = pair_of(*(drawings.drawing("M30 0L45 5V12H30Z", path, viewbox="-10 -10 60 60") for path in paths))
     found = dict(zip(motions(pair), reasons(pair), strict=True))
     assert set(found) == {"linear", "rigid"}
-    assert found["linear"] == "little is wrong with it"
+    assert found["linear"] == "straight paths look right"
 
 
 def test_a_shape_that_appears_has_nothing_to_choose():
     a = drawings.drawing("M2 2H10V10H2Z")
     b = drawings.drawing("M2 2H10V10H2Z", "M14 14H22V22H14Z")
     pair = pair_of(a, b)
-    assert sorted(reasons(pair)) == ["a point at one end", "little is wrong with it"]
+    assert sorted(reasons(pair)) == ["a point at one end", "straight paths look right"]
     assert motions(pair) == ["linear", "linear"]
     assert sorted(reasons(pair_of(a, b, motion="rigid"))) == ["a point at one end", "asked for"]
 

@@ -1,5 +1,8 @@
 """What the judge of in-betweens finds wrong: each term with a blend that has that fault and one that has not."""
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -9,7 +12,7 @@ from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.alignment import Alignment
-from shapeblend_cli.motion.judge import judge
+from shapeblend_cli.motion.judge import WEIGHTS, judge_shape
 from shapeblend_cli.motion.rigid import Rigid
 from tests.support.contours import polygon_contour
 from tests.support.motions import moving_polygons, rigidly
@@ -19,6 +22,11 @@ from tests.support.strategies import rngs
 SQUARE = np.array([0, 4, 4 + 4j, 4j])
 STILL = moving_polygons((SQUARE, SQUARE))
 BAR = np.array([0, 1, 1 + 20j, 20j])
+
+
+def judge(shape, view=None):
+    """The terms for a shape."""
+    return judge_shape(shape, view).judgement
 
 
 def rotated(z, degrees):
@@ -150,6 +158,12 @@ def test_lines_are_judged_too():
     found = judge(moving_polygons((line, folded), closed=False))
     assert found.strain > 0.01
     assert np.isfinite(found.number)
+
+
+def test_the_document_has_the_weights():
+    page = (Path(__file__).parents[2] / "docs" / "motion.md").read_text("utf-8")
+    table = dict(re.findall(r"^\| `(\w+)` \| ([\d.]+) \|", page, re.MULTILINE))
+    assert {name: float(weight) for name, weight in table.items()} == WEIGHTS._asdict()
 
 
 def test_a_point_has_nothing_wrong_with_it():

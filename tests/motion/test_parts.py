@@ -23,7 +23,7 @@ CORNERS_TURNED = "M8 8H2V6h4V2h2z", "M16 8h6V6h-4V2h-2z"
 
 def outlines(*paths, t=0.5):
     """The nodes of all contours half way between two documents, each given as its paths."""
-    (pair,), _ = match_all([drawing(*some) for some in paths], Settings())
+    (pair,), _ = match_all([drawing(*some) for some in paths], Settings(strokes="keep"))
     return [path.segments[:, 0] for shape in shapes_at(pair, t) for path in shape.paths]
 
 

@@ -1,8 +1,12 @@
 import numpy as np
 import pytest
 
+from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.pairing.growth import MatchedPoints, carried, growth_point_inside, nearest_paired
+from tests.support.contours import polyline
+from tests.support.drawings import drawing
+from tests.support.motions import pair_of
 
 # A crescent: the middle of its box is outside of it.
 angle = np.linspace(0.6, 2 * np.pi - 0.6, 60)
@@ -32,6 +36,17 @@ def test_a_hole_keeps_away_from_its_neighbours():
     other = MatchedPoints(HOLE + 5, 4 * HOLE)
     point = growth_point_inside(HOLE, MatchedPoints(CIRCLE, CIRCLE), [other])
     assert not any(numbers.any() for numbers in windings_of_growing_hole(point, other))
+
+
+def test_in_a_drawing_too():
+    """A hole grows where another one was, which moves away."""
+    left, right = "M6 17V23H14V17Z", "M26 17V23H34V17Z"
+    a, b = (drawing("M0 0H40V40H0Z" + holes, viewbox="0 0 40 40") for holes in (left, right + left))
+    pair = pair_of(a, b, motion="linear", match=(("1", "1"),))
+    for t in np.linspace(0.0, 1.0, 11):
+        (shape,) = shapes_at(pair, t)
+        moving, growing = (polyline(path, 1) for path in shape.paths[1:])
+        assert not winding_numbers(growing, moving).any()
 
 
 def test_the_nearest_contour_here_is_found():

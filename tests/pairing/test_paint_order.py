@@ -1,6 +1,6 @@
 import pytest
 
-from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
+from shapeblend_cli.pairing.paint_order import paint_order, paint_places, visible_overlaps
 from tests.support.drawings import contours_of
 
 TWO_COLOURS = 'fill="#fff" stroke="#000"'
@@ -36,3 +36,15 @@ def test_what_is_on_top_stays_on_top(groups, a, b, expected):
 def test_shapes_that_meet_in_other_paint_are_above_each_other(lower, x, upper, expected):
     rects = [f'<rect x="{at}" y="0" width="4" height="4" {paint}/>' for at, paint in ((0, lower), (x, upper))]
     assert visible_overlaps(contours_of(*rects, vertices=0)) == expected
+
+
+def test_what_lies_in_another_shape_changes_its_place_though_they_do_not_touch():
+    disc, dot = '<circle cx="9" cy="9" r="8" fill="#f00"/>', '<circle cx="9" cy="9" r="2" fill="#00f"/>'
+    places = paint_places([(0, 1), (1, 0)], [64.0, 4.0], contours_of(disc, dot), contours_of(dot, disc))
+    assert sorted((place.shape, place.end) for place in places if place.end is not None) == [(1, 0), (1, 1)]
+
+
+def test_what_lies_beside_another_shape_in_its_box_keeps_its_place():
+    corner, dot = '<path d="M2 2H22V4H4V22H2Z" fill="#f00"/>', '<circle cx="14" cy="14" r="2" fill="#00f"/>'
+    places = paint_places([(0, 1), (1, 0)], [64.0, 4.0], contours_of(corner, dot), contours_of(dot, corner))
+    assert all(place.end is None for place in places)

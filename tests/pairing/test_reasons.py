@@ -39,7 +39,7 @@ def test_the_report_says_what_lies_in_what_and_why_contours_are_paired(report):
         (0, 0): "overlaps 100 %",
         (1, 2): "twin of 2=3",
         (2, 3): "twin of 1=2",
-        (None, 4): "nothing in A is like it there",
+        (None, 4): "A has nothing like it there",
     }
 
 
@@ -72,5 +72,7 @@ def test_of_what_is_crossed_out_every_contour_is_there_and_the_bar_says_what_it_
     for contour in contours:
         alone = contour["a"] is None or contour["b"] is None
         assert contour["pair_because"] == (
-            "it cuts what is the same" if alone else "the same except for a part that cuts it"
+            "a part that is added or removed"
+            if alone
+            else "unchanged except where parts are added or removed"
         )

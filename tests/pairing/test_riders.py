@@ -66,6 +66,17 @@ def test_a_stroke_keeps_its_width_where_it_goes_to_strokes_and_loses_it_elsewher
     assert lengths[1.0] / (lengths[0.25] + lengths[1.0]) == pytest.approx(2 / 3, abs=0.1)
 
 
+def test_of_strokes_on_strokes_those_of_the_drawing_at_hand_are_seen_at_an_end():
+    a, b = ([FILL.format(d), STROKE.format(d, 1)] for d in (LEAF, DROP))
+    seen = [
+        [shape.style.stroke_opacity for shape in between(a, b, t) if shape.style.stroke]
+        for t in (0.0, 0.05, 0.1, 0.5, 0.9, 0.95, 1.0)
+    ]
+    of_a = [1, 1, 1, 1, 1, 0.5, 0]
+    expected = [sorted(both) for both in zip(of_a, of_a[::-1], strict=True)]
+    np.testing.assert_allclose([sorted(opacities) for opacities in seen], expected, atol=1e-9)
+
+
 def test_strokes_that_go_to_nothing_lose_their_width():
     _, strokes = sides(between([FILL.format(LEAF), STROKE.format(UPPER, 1)], [FILL.format(DROP)], 0.75))
     assert [width for _, width in strokes] == pytest.approx([0.25])

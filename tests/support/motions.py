@@ -41,8 +41,8 @@ def rotated_move(*paths, degrees=120.0, **options):
 
 
 def pair_of(a, b, **settings):
-    """Two drawings matched as they lie."""
-    (pair,), _ = match_all([a, b], Settings(place="asis", **settings))
+    """Two drawings matched as they lie, by their outlines."""
+    (pair,), _ = match_all([a, b], Settings(place="asis", strokes="keep", **settings))
     return pair
 
 

@@ -11,8 +11,8 @@ import numpy as np
 import shapeblend_cli as sb
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.model import Box
-from shapeblend_cli.motion.judge import judged, outlines_of
-from tools.quality.judge.pairs import drawn
+from shapeblend_cli.motion.judge import judge_shape, outlines_of
+from tools.quality.npm import icon_file
 
 if TYPE_CHECKING:
     from tools.quality.judge.pairs import Pair
@@ -21,7 +21,6 @@ OPTIONS = {
     "linear": {"motion": "linear"},
     "intrinsic": {"motion": "intrinsic"},
     "rigid": {"motion": "rigid"},
-    "safe": {"motion": "safe"},
     "paper": {"motion": "linear", "preset": "paper"},
     "paper, intrinsic": {"motion": "intrinsic", "preset": "paper"},
 }
@@ -40,7 +39,7 @@ def blend_of(pair: Pair, options: dict[str, str]) -> sb.Blend:
     with tempfile.TemporaryDirectory() as folder:
         files = Path(folder, "a.svg"), Path(folder, "b.svg")
         for file, name in zip(files, pair[1:], strict=True):
-            file.write_text(drawn(pair.icons, name), encoding="utf-8")
+            file.write_text(icon_file(pair.icons, name), encoding="utf-8")
         return sb.blend(*map(str, files), **options)
 
 
@@ -72,5 +71,5 @@ def unlikeness(p: str, q: str) -> float:
 def number(blend: sb.Blend) -> float:
     """What is wrong with a blend: the judge's numbers of its shapes, each counting by the area it paints."""
     view = Box.union([drawing.viewbox for drawing in blend.drawings])
-    found = [judged(shape, view) for shape in blend.pairs[0].each_shape]
+    found = [judge_shape(shape, view) for shape in blend.pairs[0].each_shape]
     return float(np.average([one.judgement.number for one in found], weights=[one.painted for one in found]))

@@ -1,0 +1,387 @@
+"""The values that pass from stage to stage: frozen, their arrays read-only.
+
+Points are complex numbers, ``x + 1j * y``, in SVG's coordinates (y down), as svgpathtools has them.
+Values that hold arrays are dataclasses, which freeze them; most others are named tuples, which take a fifth of
+the time to define, and the command starts that much sooner.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple, Protocol
+
+import numpy as np
+
+from shapeblend_cli.model.arrays import frozen as frozen
+from shapeblend_cli.model.box import Box as Box
+from shapeblend_cli.model.drawing import MOST_CONTOURS as MOST_CONTOURS
+from shapeblend_cli.model.drawing import MOST_SEGMENTS as MOST_SEGMENTS
+from shapeblend_cli.model.drawing import UNNAMED as UNNAMED
+from shapeblend_cli.model.drawing import Clip as Clip
+from shapeblend_cli.model.drawing import Contour as Contour
+from shapeblend_cli.model.drawing import CubicPath as CubicPath
+from shapeblend_cli.model.drawing import Drawing as Drawing
+from shapeblend_cli.model.drawing import Group as Group
+from shapeblend_cli.model.drawing import Length as Length
+from shapeblend_cli.model.drawing import Name as Name
+from shapeblend_cli.model.drawing import Page as Page
+from shapeblend_cli.model.drawing import Polygon as Polygon
+from shapeblend_cli.model.drawing import Shape as Shape
+from shapeblend_cli.model.drawing import control_box as control_box
+from shapeblend_cli.model.style import Gradient as Gradient
+from shapeblend_cli.model.style import LinearGradient as LinearGradient
+from shapeblend_cli.model.style import Paint as Paint
+from shapeblend_cli.model.style import RadialGradient as RadialGradient
+from shapeblend_cli.model.style import Stop as Stop
+from shapeblend_cli.model.style import Style as Style
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model.arrays import BoolArray as BoolArray
+    from shapeblend_cli.model.arrays import ComplexArray as ComplexArray
+    from shapeblend_cli.model.arrays import FloatArray as FloatArray
+    from shapeblend_cli.model.arrays import IntArray as IntArray
+    from shapeblend_cli.model.arrays import UIntArray as UIntArray
+
+
+class Work(NamedTuple):
+    """The work of a correspondence by its terms, each summed along the path."""
+
+    stretching: float = 0.0  # eq (16)
+    bending: float = 0.0  # eq (17), or by turning
+    travel: float = 0.0  # of points on their way
+
+    @property
+    def total(self) -> float:
+        """All work together."""
+        return sum(self)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Correspondence:
+    """Corresponding vertices of two polygons, and the work between them.
+
+    Attributes
+    ----------
+    dots : (k, 2) int
+        The path through the graph, ``[i, j]`` by vertex numbers, from its start. The path of closed polygons
+        returns to the first dot, which is not repeated.
+    closed : bool
+    terms : Work
+        Its terms are attributes of the correspondence, too.
+    lower_bound : float
+        Minimum work of any correspondence of the two polygons in these directions: from any start, through any
+        vertices, in no band, exactly solved. Equal to the work if all of these were searched; 0 if nothing is known.
+    zero_angles : int
+        Dots whose angle reaches zero.
+    diagonal_deviation : float
+        Eq (30), from the start.
+    sweeps : int
+        Number of passes over the graph.
+    """
+
+    dots: IntArray
+    closed: bool
+    terms: Work
+    lower_bound: float
+    zero_angles: int
+    diagonal_deviation: float
+    sweeps: int
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "dots", frozen(self.dots, np.intp))
+
+    @classmethod
+    def without_work(cls, dots: IntArray, closed: bool) -> Correspondence:
+        """Return a correspondence that nobody solved."""
+        return cls(dots, closed, Work(), lower_bound=0.0, zero_angles=0, diagonal_deviation=0.0, sweeps=0)
+
+    @property
+    def pairs(self) -> IntArray:
+        """The dots: pairs of vertex numbers."""
+        return self.dots
+
+    @property
+    def work(self) -> float:
+        """All work together."""
+        return self.terms.total
+
+    @property
+    def stretching(self) -> float:
+        """The work of stretching."""
+        return self.terms.stretching
+
+    @property
+    def bending(self) -> float:
+        """The work of bending."""
+        return self.terms.bending
+
+    @property
+    def travel(self) -> float:
+        """The work of travel."""
+        return self.terms.travel
+
+    @property
+    def gap(self) -> float:
+        """Maximum work that another path could save, as a share; 0 if this path is proven to be the best."""
+        return (self.work - self.lower_bound) / self.work if self.work > 0.0 else 0.0
+
+
+def unroll(dots: IntArray, period: tuple[int, int] | None) -> FloatArray:
+    """Return (k, 2) dots as positions along both polygons that never fall.
+
+    For closed polygons of `period` vertices, positions continue past the last vertex, and the first dot is repeated at
+    the end: (k + 1, 2).
+    """
+    if period is None:
+        return dots.astype(np.float64)
+    steps = np.diff(dots, axis=0, append=dots[:1]) % np.array(period)
+    return np.concatenate([dots[:1], dots[:1] + np.cumsum(steps, axis=0)]).astype(np.float64)
+
+
+class ContourBlend(NamedTuple):
+    """A contour of A, its partner in B, and the paths between which it moves.
+
+    Contours are numbered through each file in paint order; None stands for a missing partner. Both contours are in A's
+    coordinates and in the same direction. A contour that is a point has a polygon of one vertex.
+
+    Start and end have the same segments: at first a line for each step of the correspondence, then the drawings' own
+    curves, by `interpolate.paths.with_curves`.
+    """
+
+    a: int | None
+    b: int | None
+    contour_a: Contour
+    contour_b: Contour
+    polygon_a: Polygon  # the contours flattened, as solved
+    polygon_b: Polygon
+    scale_a: float  # divisors of the normalisation, section 3.3
+    scale_b: float
+    correspondence: Correspondence
+    start: CubicPath
+    end: CubicPath
+    cuts: tuple[FloatArray, FloatArray]  # ends of the segments, in vertices, rising; once round if closed
+    rotation: float = 0.0  # of B against A while they were matched, in radians
+    seconds: float = 0.0  # spent on matching
+    reason: str = ""  # for the pair, or for the lack of a partner, a phrase
+    parents: tuple[int | None, int | None] = (
+        None,
+        None,
+    )  # numbers of the contours around each; None outside of all
+
+    @property
+    def grows(self) -> bool:
+        """Whether it is a point at the start."""
+        return self.a is None
+
+    @property
+    def shrinks(self) -> bool:
+        """Whether it is a point at the end."""
+        return self.b is None
+
+    @property
+    def is_matched(self) -> bool:
+        """Whether it is a contour at both ends."""
+        return self.a is not None and self.b is not None
+
+    @property
+    def follows_edge(self) -> bool:
+        """Whether it has no partner and yet is no point at either end, since it follows the edge on which it lies."""
+        return not self.is_matched and min(len(self.polygon_a.vertices), len(self.polygon_b.vertices)) > 1
+
+    def dot_points(self) -> tuple[ComplexArray, ComplexArray]:
+        """Return the vertices that correspond, a pair for every dot."""
+        i, j = self.correspondence.dots.T
+        return self.polygon_a.vertices[i], self.polygon_b.vertices[j]
+
+
+class Motion(Protocol):
+    """How contours that are painted together move from start to end."""
+
+    @property
+    def name(self) -> str:
+        """The motion's name in reports and, if it can be asked for, for `--motion`."""
+
+    def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
+        """Return the control points of each contour at a time within (0, 1); their limits are the start and the end."""
+
+
+class Fade(NamedTuple):
+    """The even appearance or disappearance of a shape between two times."""
+
+    begin: float
+    until: float
+    comes: bool  # appears, else it disappears
+
+    @property
+    def times(self) -> tuple[float, ...]:
+        """The times within (0, 1) at which the change begins or ends."""
+        return tuple(t for t in (self.begin, self.until) if 0.0 < t < 1.0)
+
+    def share(self, t: float) -> float:
+        """Return the share of the shape's opacity at time t."""
+        come = min(max((t - self.begin) / (self.until - self.begin), 0.0), 1.0)
+        return come if self.comes else 1.0 - come
+
+
+class Candidate(NamedTuple):
+    """A motion of a shape that was judged."""
+
+    name: str
+    wrong: float  # the judge's number, the sum of the terms
+    terms: tuple[tuple[str, float], ...]  # weighted, as shares of the painted area
+    painted: float  # area of the shape, in square units of the drawing
+
+
+WHOLE = (0.0, 1.0)
+"""The span of a shape that moves all the time."""
+
+
+class ShapeBlend(NamedTuple):
+    """Contours that are painted together, from one paint to another."""
+
+    contours: tuple[ContourBlend, ...]
+    style_a: Style
+    style_b: Style  # its lengths in A's coordinates
+    motion: Motion | None = None  # None for straight paths, eq (2)
+    reason: str = ""  # for the motion, a phrase
+    fade: Fade | None = None  # if others take its place at one end
+    is_twin: bool = False  # the second copy of a shape that has two places in the order of paint
+    candidates: tuple[Candidate, ...] = ()  # in the order in which they were judged
+    sources: tuple[int | None, int | None] = (None, None)  # indices of its shapes in A and B
+    names: tuple[Name, ...] = ()  # of these shapes
+    groups: tuple[Group, ...] = ()
+    clips: tuple[ClipBlend, ...] = ()
+    span: tuple[float, float] = WHOLE  # the times of its start and its end
+
+    def own_time(self, t: float) -> float:
+        """Return the time within the shape's own span: 0 before it, 1 after it."""
+        begin, until = self.span
+        return t if self.span == WHOLE else min(max((t - begin) / (until - begin), 0.0), 1.0)
+
+    def time_of(self, own: float) -> float:
+        """Return the time of the blend at a time within the shape's own span."""
+        begin, until = self.span
+        return own if self.span == WHOLE else begin + own * (until - begin)
+
+    @property
+    def name(self) -> Name:
+        """The name of the shape in a blend."""
+        return Name.common(self.names) if self.names else UNNAMED
+
+    @property
+    def motion_name(self) -> str:
+        """The name of the motion in reports."""
+        return self.motion.name if self.motion else "linear"
+
+    @property
+    def is_matched(self) -> bool:
+        """Whether any of its contours has a partner."""
+        return any(contour.is_matched for contour in self.contours)
+
+    @property
+    def taken(self) -> Candidate | None:
+        """The candidate that was chosen, if there was a choice."""
+        return next((one for one in self.candidates if one.name == self.motion_name), None)
+
+    @property
+    def size(self) -> float:
+        """The larger side of its largest contour's box."""
+        return max(max(contour.scale_a, contour.scale_b) for contour in self.contours)
+
+
+class ClipBlend(NamedTuple):
+    """A clip region that moves: the union of shapes that move."""
+
+    shapes: tuple[ShapeBlend, ...]
+
+    @property
+    def rule(self) -> str:
+        """The fill rule."""
+        return self.shapes[0].style_a.fill_rule
+
+
+class Place(NamedTuple):
+    """A place in the order of paint."""
+
+    shape: int  # index
+    end: int | None = None  # 0 for the shape's place in A alone, 1 for its place in B alone; None for both
+
+
+class PaintedShape(NamedTuple):
+    """Outlines that are painted together: one path of a frame."""
+
+    paths: tuple[CubicPath, ...]
+    style: Style
+    below: Style | None = None  # painted under `style`, where one paint dissolves into another
+    name: Name = UNNAMED
+    groups: tuple[Group, ...] = ()  # the outermost first
+    clips: tuple[Clip, ...] = ()
+
+
+class Waypoint(NamedTuple):
+    """The paths of a shape at a time t within (0, 1) between two drawings."""
+
+    t: float
+    paths: tuple[CubicPath, ...]
+
+
+class KeyframedShape(NamedTuple):
+    """A shape over several keys: drawings that are blended one after the other.
+
+    All keys have the same path commands, and so have the waypoints between two keys, in order of time. From each to the
+    next all points move in nearly straight lines. A shape that fades also has styles at times of their own, between
+    which its opacities change evenly.
+    """
+
+    keys: tuple[PaintedShape, ...]
+    first: int  # number of the first drawing
+    waypoints: tuple[tuple[Waypoint, ...], ...]
+    fading: tuple[tuple[tuple[float, Style], ...], ...] = ()
+    name: Name = UNNAMED
+    groups: tuple[Group, ...] = ()
+    spans: tuple[tuple[float, float], ...] = ()  # of each pair, unless it moves all the time
+    clips: tuple[tuple[KeyframedShape, ...], ...] = ()  # regions, each the union of shapes
+
+
+class Pair(NamedTuple):
+    """Two drawings, matched shape by shape, with the numbers of their files."""
+
+    a: int
+    b: int
+    shapes: tuple[ShapeBlend, ...]  # in paint order, with twins
+    drawn: tuple[tuple[PaintedShape, ...], tuple[PaintedShape, ...]]  # the drawings themselves, laid over A
+    views: tuple[Box, Box]  # the part of the plane to show of each
+    pages: tuple[Page, Page] = (Page(), Page())  # with boxes in A's coordinates
+
+    @property
+    def each_shape(self) -> list[ShapeBlend]:
+        """The shapes without twins."""
+        return [shape for shape in self.shapes if not shape.is_twin]
+
+    @property
+    def contours(self) -> list[ContourBlend]:
+        """The contours of all shapes."""
+        return [contour for shape in self.each_shape for contour in shape.contours]
+
+
+class Frame(NamedTuple):
+    """The picture at a time t within a pair."""
+
+    t: float
+    pair: int
+    shapes: tuple[PaintedShape, ...]  # in paint order
+    view: Box  # the part of the plane to show
+    page: Page = Page()
+
+    @property
+    def picture(self) -> Frame:
+        """The frame to show at any size, with strokes as at the drawings' own."""
+        shapes = [
+            shape._replace(
+                style=shape.style._replace(pixel=None), below=shape.below and shape.below._replace(pixel=None)
+            )
+            for shape in self.shapes
+        ]
+        return self._replace(shapes=tuple(shapes), page=Page())

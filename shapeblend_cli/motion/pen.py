@@ -1,0 +1,190 @@
+"""Motion of a pen line: pieces that change, one after the other, and tails that are drawn back or on."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple, Protocol
+
+import numpy as np
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.polyline import cumulative_lengths, points_at
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import ComplexArray, ContourBlend
+
+BENDS = 0.8
+"""Minimum length of a piece half way on straight paths, as a share of its shorter end; else it turns as it goes."""
+
+
+class Moving(Protocol):
+    """Points that move."""
+
+    def points(self, t: float) -> ComplexArray:
+        """Return the points at a time, always as many."""
+
+    def scaled(self, by: float) -> Moving:
+        """Return the same, so many times as large, about the origin."""
+
+
+class Straight(NamedTuple):
+    """Points that move on straight paths."""
+
+    a: ComplexArray
+    b: ComplexArray
+
+    def points(self, t: float) -> ComplexArray:
+        """Return the points at a time."""
+        return (1.0 - t) * self.a + t * self.b
+
+    def scaled(self, by: float) -> Straight:
+        """Return the same, so many times as large."""
+        return Straight(self.a * by, self.b * by)
+
+
+class Turning(NamedTuple):
+    """A polyline whose edges change their lengths and angles evenly, about its own middle, which moves straight.
+
+    `lengths`, of A and B, and `angles`, A's and by how much they change, in radians, are those of the edges.
+    """
+
+    a: ComplexArray
+    b: ComplexArray
+    lengths: tuple[np.ndarray, np.ndarray]
+    angles: tuple[np.ndarray, np.ndarray]
+
+    def points(self, t: float) -> ComplexArray:
+        """Return the points at a time."""
+        sizes = (1.0 - t) * self.lengths[0] + t * self.lengths[1]
+        edges = sizes * np.exp(1j * (self.angles[0] + t * self.angles[1]))
+        shape = np.append(0.0, np.cumsum(edges))
+        middles = [
+            np.average((each[1:] + each[:-1]) / 2.0, weights=sizes + 1e-9) for each in (shape, self.a, self.b)
+        ]
+        return shape - middles[0] + (1.0 - t) * middles[1] + t * middles[2]
+
+    def scaled(self, by: float) -> Turning:
+        """Return the same, so many times as large."""
+        lengths = self.lengths[0] * by, self.lengths[1] * by
+        return Turning(self.a * by, self.b * by, lengths, self.angles)
+
+
+class Drawing(NamedTuple):
+    """A polyline that is drawn on from its first point, or back towards it.
+
+    `begin` and `until` are shares of the length that are drawn at the start and at the end; both ends of the line are
+    drawn back if it is drawn `from_middle`.
+    """
+
+    line: ComplexArray
+    begin: float
+    until: float
+    from_middle: bool = False
+
+    def points(self, t: float) -> ComplexArray:
+        """Return the points at a time; those that are not drawn lie at the end of those that are."""
+        share = (1.0 - t) * self.begin + t * self.until
+        along = cumulative_lengths(self.line)
+        whole = along[-1]
+        low, high = (0.5 - share / 2.0, 0.5 + share / 2.0) if self.from_middle else (0.0, share)
+        return points_at(np.clip(along, low * whole, high * whole), self.line, along)
+
+    def scaled(self, by: float) -> Drawing:
+        """Return the same, so many times as large."""
+        return self._replace(line=self.line * by)
+
+
+class Exchange(NamedTuple):
+    """A polyline that is drawn back until half time, and then another one that is drawn on from the same place."""
+
+    a: ComplexArray
+    b: ComplexArray
+
+    def points(self, t: float) -> ComplexArray:
+        """Return the points at a time, those of both lines."""
+        back, on = Drawing(self.a, 1.0, -1.0), Drawing(self.b, -1.0, 1.0)
+        first = back.points(t) if t < 0.5 else np.repeat((1.0 - t) * self.a[:1] + t * self.b[:1], len(self.a))
+        last = on.points(t) if t > 0.5 else np.repeat((1.0 - t) * self.a[:1] + t * self.b[:1], len(self.b))
+        # The one that is drawn comes last.
+        return np.concatenate([last, first]) if t < 0.5 else np.concatenate([first, last])
+
+    def scaled(self, by: float) -> Exchange:
+        """Return the same, so many times as large."""
+        return Exchange(self.a * by, self.b * by)
+
+
+class Whole(NamedTuple):
+    """A polyline of a drawing that is turned or flipped as a whole.
+
+    It turns by `angle`, in radians, about `centre`, which moves on to `target`; or it is flipped across the direction
+    `axis`, a unit vector, about these.
+    """
+
+    a: ComplexArray
+    centre: complex
+    target: complex
+    angle: float = 0.0
+    axis: complex = 0j
+
+    def points(self, t: float) -> ComplexArray:
+        """Return the points at a time."""
+        offsets = self.a - self.centre
+        if self.axis:
+            across = offsets * self.axis.conjugate()
+            offsets = (across.real + 1j * np.cos(np.pi * t) * across.imag) * self.axis
+        middle = (1.0 - t) * self.centre + t * self.target
+        return middle + offsets * np.exp(1j * self.angle * t)
+
+    def scaled(self, by: float) -> Whole:
+        """Return the same, so many times as large."""
+        return self._replace(a=self.a * by, centre=self.centre * by, target=self.target * by)
+
+
+def between(a: ComplexArray, b: ComplexArray, *, closed: bool = False) -> Moving:
+    """Return how a polyline becomes another with as many points: straight, unless that would shrink it."""
+    sizes = [float(np.abs(np.diff(each)).sum()) for each in (a, b, (a + b) / 2.0)]
+    if closed or sizes[2] >= BENDS * min(sizes[:2]):
+        return Straight(a, b)
+    edges_a, edges_b = np.diff(a), np.diff(b)
+    seen = (np.abs(edges_a) > 1e-9) & (np.abs(edges_b) > 1e-9)
+    turns = np.zeros(len(edges_a))
+    turns[seen] = np.unwrap(np.angle(edges_b[seen] / edges_a[seen]))
+    lengths = np.abs(edges_a), np.abs(edges_b)
+    turns -= 2.0 * np.pi * np.round(np.average(turns, weights=lengths[0] + lengths[1]) / (2.0 * np.pi))
+    angles = np.where(np.abs(edges_a) > 1e-9, np.angle(edges_a), np.angle(edges_b))
+    return Turning(a, b, lengths, (angles, turns))
+
+
+class Pen(NamedTuple):
+    """A line whose pieces move one after the other, and the tails at its beginning and its end, outwards from there."""
+
+    pieces: tuple[Moving, ...]
+    tails: tuple[Moving | None, Moving | None] = (None, None)
+    closed: bool = False
+
+    @property
+    def name(self) -> str:
+        """No motion that can be asked for."""
+        return "pen"
+
+    def points(self, t: float) -> ComplexArray:
+        """Return the vertices at a time, always as many."""
+        points = np.concatenate([piece.points(t) for piece in self.pieces])
+        if self.closed:
+            return points[:-1]
+        for side, tail in enumerate(self.tails):
+            if tail is not None:
+                moved = tail.points(t)
+                moved = moved - moved[0] + points[-1 if side else 0]
+                points = np.concatenate([points, moved] if side else [moved[::-1], points])
+        return points
+
+    def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
+        """Return the control points of its one contour at time t."""
+        return [cubics.lines(self.points(t), self.closed)]
+
+    def scaled(self, by: float) -> Pen:
+        """Return the same, so many times as large."""
+        tails = [None if tail is None else tail.scaled(by) for tail in self.tails]
+        return Pen(tuple(piece.scaled(by) for piece in self.pieces), (tails[0], tails[1]), self.closed)

@@ -1,0 +1,137 @@
+"""A drawing as pen lines: strokes as they are, those recovered from fills, and what is no line."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.anatomy.decompose import HOLE, PlacedDrawing, decompose
+from shapeblend_cli.errors import InputError
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.similarity import Similarity
+from shapeblend_cli.model import Box
+from shapeblend_cli.pens.line import UNITS, PenLine, length
+from shapeblend_cli.pens.recover import recover
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.anatomy.decompose import PlacedContour
+    from shapeblend_cli.model import ComplexArray, CubicPath, Drawing
+
+CURVE_POINTS = 12
+"""Points on each curved segment of a stroke."""
+
+MITER_LIMIT = 10.0
+"""Miter limit of recovered lines: their corners are as sharp as the region's."""
+
+
+class PenDrawing(NamedTuple):
+    """The lines of a drawing, those of its contours that are no lines, and the share of its ink in lines."""
+
+    lines: list[PenLine]
+    bodies: list[PlacedContour]
+    share: float
+    is_recovered: bool  # whether any line is not a stroke in the file
+
+
+def file_lines(drawing: Drawing) -> list[PenLine]:
+    """Return the lines of a drawing as it stands in its file."""
+    box = drawing.viewbox or Box.union(
+        [cubics.bounds(contour.segments) for shape in drawing.shapes for contour in shape.contours]
+    )
+    try:
+        contours, _ = decompose(drawing, Similarity(), vertices=0)
+    except InputError:  # nothing in it has an extent
+        return []
+    size = box.larger_side
+    return pen_drawing(PlacedDrawing(drawing, Similarity(), contours), UNITS / size).lines if size else []
+
+
+def pen_drawing(drawing: PlacedDrawing, scale: float) -> PenDrawing:
+    """Return the lines of a drawing: strokes, and those that are recovered from fills."""
+    groups: dict[tuple[int, int], list[PlacedContour]] = defaultdict(list)
+    for contour in drawing.contours:
+        exterior = contour.exterior if contour.exterior is not None else contour.number
+        groups[contour.shape, exterior].append(contour)
+    lines: list[PenLine] = []
+    bodies: list[PlacedContour] = []
+    ink = rest = 0.0
+    is_recovered = False
+    for members in groups.values():
+        style = members[0].style
+        clipped = bool(drawing.drawing.shapes[members[0].shape].clips)
+        found: list[PenLine] | None = None
+        if style.fill is None and style.stroke is not None and not clipped:
+            found = [_stroke(contour, scale) for contour in members]
+        elif style.stroke is None and style.fill is not None and style.fill_gradient is None and not clipped:
+            found = _recovered(members, scale)
+            is_recovered = is_recovered or found is not None
+        if found is None:
+            bodies += members
+            area = sum(c.area * (-1.0 if c.role == HOLE else 1.0) for c in members) * scale**2
+            stroke = sum(length(c.polygon.vertices) for c in members) * scale
+            rest += area if style.fill is not None else 0.0
+            rest += stroke * style.stroke_width * scale if style.stroke is not None else 0.0
+        else:
+            lines += found
+            ink += sum(max(line.length, line.width) * line.width for line in found)
+    return PenDrawing(lines, bodies, ink / (ink + rest) if ink > 0.0 else 0.0, is_recovered)
+
+
+def _stroke(contour: PlacedContour, scale: float) -> PenLine:
+    """Return a stroke as a line."""
+    points = _flat(contour.contour) * scale
+    closed = contour.contour.closed or (len(points) > 3 and abs(points[0] - points[-1]) < 1e-6)
+    if closed and len(points) > 1 and abs(points[0] - points[-1]) < 1e-6:
+        points = points[:-1]
+    style = contour.style
+    return PenLine(points, closed, style, style.stroke_width * scale, contour.number, contour.shape)
+
+
+def _flat(path: CubicPath) -> ComplexArray:
+    """Return the points of a chain: the nodes, and on curves some between them."""
+    parts = [
+        segment[:1] if straight else cubics.evaluate(segment, np.arange(CURVE_POINTS) / CURVE_POINTS)
+        for segment, straight in zip(path.segments, path.straight, strict=True)
+    ]
+    points = np.concatenate([*parts, path.segments[-1:, 3]])
+    return points[np.append(True, np.abs(np.diff(points)) > 1e-9)]
+
+
+def _recovered(members: Sequence[PlacedContour], scale: float) -> list[PenLine] | None:
+    """Return the lines of an exterior with its holes, if it is the stroke of some."""
+    if not all(contour.contour.closed for contour in members):
+        return None
+    regions = []
+    for contour in members:
+        segments = contour.contour.segments * scale
+        is_exterior = contour.role != HOLE
+        regions.append(
+            segments if (cubics.signed_area(segments) > 0.0) == is_exterior else segments[::-1, ::-1]
+        )
+    found = recover(regions)
+    if found is None:
+        return None
+    style, first = members[0].style, members[0]
+    return [
+        PenLine(
+            line.points,
+            line.closed,
+            style._replace(
+                fill=None,
+                stroke=style.fill,
+                stroke_opacity=style.fill_opacity,
+                stroke_width=line.width / scale,
+                stroke_linecap=line.cap,
+                stroke_linejoin=line.join,
+                stroke_miterlimit=MITER_LIMIT,
+            ),
+            line.width,
+            first.number,
+            first.shape,
+        )
+        for line in found
+    ]

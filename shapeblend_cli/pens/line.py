@@ -1,0 +1,145 @@
+"""A pen line, and places along polylines.
+
+Lengths here are in units of the drawing: its larger side is `UNITS` of them, as in the grid of most icons.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_places, points_at
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import ComplexArray, FloatArray, Style
+
+UNITS = 24.0
+"""Size of a drawing, in units."""
+
+
+class PenLine(NamedTuple):
+    """The centre line of a stroke.
+
+    Attributes
+    ----------
+    points : (k,) complex
+        A polyline, in units; of a closed line the first point is not repeated. A dot has one point.
+    closed : bool
+    style : Style
+        A stroke without a fill; its width is in A's coordinates.
+    width : float
+        In units.
+    contour : int
+        The number of the contour that it is, or is part of.
+    shape : int
+        The index of its shape.
+    is_piece : bool
+        Whether it is a piece of a line that was cut at its corners.
+    """
+
+    points: ComplexArray
+    closed: bool
+    style: Style
+    width: float
+    contour: int
+    shape: int
+    is_piece: bool = False
+
+    @property
+    def outline(self) -> ComplexArray:
+        """The polyline from end to end; a closed one ends where it begins."""
+        return np.append(self.points, self.points[0]) if self.closed else self.points
+
+    @property
+    def length(self) -> float:
+        """Its length, in units."""
+        return length(self.outline)
+
+    def part(self, begin: float, end: float) -> ComplexArray:
+        """Return the polyline between two lengths along the line; of a closed line also through its beginning."""
+        points, whole = self.outline, self.length
+        if self.closed and (end <= begin + 1e-9 or end > whole):
+            points = np.concatenate([points[:-1], points])
+            end += whole if end <= begin + 1e-9 else 0.0
+        along = cumulative_lengths(points)
+        inner = points[(along > begin + 1e-6) & (along < end - 1e-6)]
+        return np.concatenate([at(points, [begin]), inner, at(points, [end])])
+
+
+def length(points: ComplexArray) -> float:
+    """Return the length of a polyline."""
+    return float(np.abs(np.diff(points)).sum())
+
+
+def at(points: ComplexArray, lengths: FloatArray | list[float]) -> ComplexArray:
+    """Return points at lengths along a polyline."""
+    return points_at(np.asarray(lengths, float), points, cumulative_lengths(points))
+
+
+def evenly(points: ComplexArray, step: float) -> ComplexArray:
+    """Return points along a polyline at even lengths of at most `step`, both ends among them."""
+    whole = length(points)
+    return at(points, np.linspace(0.0, whole, max(2, int(np.ceil(whole / step)) + 1)))
+
+
+def drawn_until(points: ComplexArray, share: float) -> ComplexArray:
+    """Return a polyline drawn up to a share of its length: as many points, those beyond at its end."""
+    along = cumulative_lengths(points)
+    return points_at(np.minimum(along, min(max(share, 0.0), 1.0) * along[-1]), points, along)
+
+
+def begun(points: ComplexArray, share: float) -> ComplexArray:
+    """Return the part of a polyline up to a share of its length."""
+    along = cumulative_lengths(points)
+    end = share * along[-1]
+    return np.append(points[along < end - 1e-9], at(points, [end]))
+
+
+def foot_points(points: ComplexArray, line: ComplexArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return for each point its distance from a polyline, and the length along that to the nearest place.
+
+    The third array has the direction of the polyline there, in radians.
+    """
+    distance, place = nearest_places(points, line)
+    edge = np.minimum(place.astype(np.intp), len(line) - 2)
+    edges = np.diff(line)
+    along = cumulative_lengths(line)[edge] + (place - edge) * np.abs(edges[edge])
+    return distance, along, np.angle(edges[edge])
+
+
+def needed(points: ComplexArray, tolerance: float) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    """Return which points of a polyline are needed to keep within a tolerance of it (Douglas and Peucker 1973)."""
+    keep = np.zeros(len(points), bool)
+    keep[[0, -1]] = True
+    spans = [(0, len(points) - 1)]
+    while spans:
+        first, last = spans.pop()
+        if last - first < 2:
+            continue
+        chord, offsets = points[last] - points[first], points[first + 1 : last] - points[first]
+        size = abs(chord)
+        away = np.abs((offsets * chord.conjugate()).imag) / size if size > 1e-12 else np.abs(offsets)
+        k = int(away.argmax())
+        if away[k] > tolerance:
+            keep[first + 1 + k] = True
+            spans += [(first, first + 1 + k), (first + 1 + k, last)]
+    return keep
+
+
+def corners(points: ComplexArray, least: float = 35.0) -> list[float]:
+    """Return where a polyline turns by at least so many degrees within a unit, as shares of its length."""
+    whole = length(points)
+    along = np.arange(0.6, whole - 0.6, 0.1)
+    if whole < 1.5 or len(along) < 3:
+        return []
+    before, here, after = (at(points, along + off) for off in (-0.5, 0.0, 0.5))
+    turns = np.abs(np.angle((after - here) / (here - before + 1e-12), deg=True))
+    vertices = cumulative_lengths(points)
+    found = []
+    while turns.max() > least:
+        place = along[int(turns.argmax())]
+        vertex = vertices[np.abs(vertices - place).argmin()]
+        found.append(float(vertex if abs(vertex - place) < 0.3 else place) / whole)
+        turns[np.abs(along - place) < 1.2] = 0.0
+    return sorted(found)

@@ -1,0 +1,244 @@
+"""Which line becomes which, of those that do not stay: the least work, by symmetry and groups of both drawings."""
+
+from __future__ import annotations
+
+from itertools import pairwise, product
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.pairing.assignment import assign
+from shapeblend_cli.pens.line import at, corners, evenly, foot_points, length
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from shapeblend_cli.model import ComplexArray, FloatArray
+    from shapeblend_cli.pens.line import PenLine
+
+REACH = 8.0
+"""Distance that costs as much as a line's length, in units."""
+
+SHIFT = 0.6
+"""Weight of the common shift of all points of a line, against distances that differ along it."""
+
+BEND_COST = 0.5
+"""Cost of turning every part of a line round by half a turn, as a share of its length."""
+
+STRETCH_COST = 0.3
+"""Cost of a change of length, as a share of it."""
+
+CLOSING_COST = 0.25
+"""Cost of opening or closing a line, as a share of its length."""
+
+LONELY_COST = 0.6
+"""Cost of a line without a partner, as a share of its length and width."""
+
+LEFTOVER_COST = 1.2
+"""Cost of a piece of a cut line without a partner, as a share of its length and width: pieces that float look torn."""
+
+CUT_COST = 0.15
+"""Cost of cutting lines at their corners, as a share of their length."""
+
+MOST_CORNERS = 3
+"""Maximum number of corners of a line that is cut at them."""
+
+MERGE_COST, SPLIT_COST = 0.3, 1.0
+"""Cost of two twins that become one line, and of one line that becomes two, as a share of its length."""
+
+SYMMETRY_BONUS = 1.6
+"""Maximum work of an assignment that keeps a symmetry of both drawings, as a multiple of the least."""
+
+STARTS = 24
+"""Starts of a closed line that are compared."""
+
+TWIN_DISTANCE = 0.6
+"""Maximum distance of a line's mirror image from its twin, in units."""
+
+SAME_SHIFT = 0.25
+"""Tolerance of the shifts of lines that travel together, in units."""
+
+
+class Partners(NamedTuple):
+    """A pair of lines by number, and their polylines in the direction and from the start that cost least."""
+
+    a: int
+    b: int
+    points_a: ComplexArray
+    points_b: ComplexArray
+
+
+class Assignment(NamedTuple):
+    """Lines, perhaps cut, and which become which."""
+
+    a: list[PenLine]
+    b: list[PenLine]
+    pairs: list[Partners]
+
+
+def travelling(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Partners]:
+    """Return the lines that are the same but for one shift, if at least two have it: they travel as one."""
+    votes: list[tuple[complex, Partners]] = []
+    shares = np.linspace(0.0, 1.0, 17)
+    for (i, p), (j, q) in product(enumerate(a), enumerate(b)):
+        if abs(p.length - q.length) > 0.02 * p.length + 0.1 or p.closed != q.closed or len(p.points) < 2:
+            continue
+        for one, image in _ways(p, q):
+            shifts = at(image, shares * length(image)) - at(one, shares * length(one))
+            mean = complex(shifts.mean())
+            if np.abs(shifts - mean).max() < 0.15 and 0.4 < abs(mean) < 12.0:
+                votes.append((mean, Partners(i, j, one, image)))
+                break
+    best: dict[int, Partners] = {}
+    for common, _ in votes:
+        group: dict[int, Partners] = {}
+        for other, pair in votes:
+            if abs(other - common) < SAME_SHIFT and pair.a not in group:
+                if pair.b not in {each.b for each in group.values()}:
+                    group[pair.a] = pair
+        if len(group) > 1 and sum(a[i].length for i in group) > sum(a[i].length for i in best):
+            best = group
+    return list(best.values())
+
+
+def least_work(a: Sequence[PenLine], b: Sequence[PenLine], centres: tuple[complex, complex]) -> Assignment:
+    """Assign lines to lines, whole or cut at their corners, whichever takes less work.
+
+    The centres are those of both drawings, about which they may be symmetric.
+    """
+    best: tuple[float, Assignment] | None = None
+    for cut_a, cut_b in product((False, True), repeat=2):
+        some, others = (_cut(a) if cut_a else list(a)), (_cut(b) if cut_b else list(b))
+        if (cut_a and len(some) == len(a)) or (cut_b and len(others) == len(b)):
+            continue
+        work, pairs = _assigned(some, others, centres)
+        cuts = CUT_COST * sum(line.length for line in (*(a if cut_a else ()), *(b if cut_b else ())))
+        if best is None or work + cuts < best[0]:
+            best = work + cuts, Assignment(some, others, pairs)
+    assert best is not None
+    return best[1]
+
+
+def _cut(lines: Sequence[PenLine]) -> list[PenLine]:
+    """Cut open lines at their corners."""
+    found = []
+    for line in lines:
+        places = [] if line.closed else corners(line.outline)
+        if not 0 < len(places) <= MOST_CORNERS:
+            found.append(line)
+            continue
+        ends = [0.0, *(place * line.length for place in places), line.length]
+        found += [line._replace(points=line.part(begin, end), is_piece=True) for begin, end in pairwise(ends)]
+    return found
+
+
+def _ways(p: PenLine, q: PenLine) -> Iterator[tuple[ComplexArray, ComplexArray]]:
+    """Yield the polylines as which two lines may be matched: both directions, and the starts of a closed one."""
+    one, other = p.outline, q.outline
+    if q.closed:
+        for start in np.arange(STARTS) * q.length / STARTS:
+            rolled = q.part(start, start)
+            yield one, rolled
+            yield one, rolled[::-1]
+    elif p.closed:
+        yield from ((rolled, other) for other, rolled in _ways(q, p))
+    else:
+        yield one, other
+        yield one, other[::-1]
+
+
+def partner_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexArray]:
+    """Return what it costs that a line becomes another, and their polylines then."""
+    mean = (p.length + q.length) / 2.0
+    ways = list(_ways(p, q))
+    shares = np.linspace(0.0, 1.0, 17)
+    costs = []
+    for one, other in ways:
+        points, images = at(one, shares * length(one)), at(other, shares * length(other))
+        distance = float(np.mean(np.abs(points - images) ** 2))
+        distance -= (1.0 - SHIFT) * abs(complex(np.mean(points - images))) ** 2
+        turns = np.angle((np.diff(images) + 1e-9) / (np.diff(points) + 1e-9))
+        turns -= np.angle(np.exp(1j * turns).mean())
+        bend = float(np.abs(np.angle(np.exp(1j * turns))).mean())
+        costs.append(mean * (distance / REACH**2 + BEND_COST * bend / np.pi))
+    best = int(np.argmin(costs))
+    cost = costs[best] + STRETCH_COST * abs(p.length - q.length)
+    return cost + (CLOSING_COST * mean if p.closed != q.closed else 0.0), *ways[best]
+
+
+def _assigned(
+    a: Sequence[PenLine], b: Sequence[PenLine], centres: tuple[complex, complex]
+) -> tuple[float, list[Partners]]:
+    """Return the work of the best assignment of lines, and its pairs."""
+    if not a or not b:
+        return LONELY_COST * sum(line.length for line in (*a, *b)), []
+    ways = [[partner_cost(p, q) for q in b] for p in a]
+    costs = np.array([[way[0] for way in row] for row in ways])
+    work, pairs = _of_orbits([(i,) for i in range(len(a))], [(j,) for j in range(len(b))], a, b, costs)
+    most = SYMMETRY_BONUS * work
+    for axis in (1j, 1.0):
+        twins = [_twins(lines, centre, axis) for lines, centre in zip((a, b), centres, strict=True)]
+        if any(None in found for found in twins) or all(
+            k == twin for found in twins for k, twin in enumerate(found)
+        ):
+            continue
+        orbits_a, orbits_b = (_orbits(found) for found in twins)
+        found_work, found_pairs = _of_orbits(orbits_a, orbits_b, a, b, costs)
+        if found_work < most:
+            work, pairs, most = found_work, found_pairs, found_work
+    return work, [Partners(i, j, *ways[i][j][1:]) for i, j in pairs]
+
+
+def _orbits(twins: Sequence[int | None]) -> list[tuple[int, ...]]:
+    """Return each line that is its own mirror image, and each two that are each other's."""
+    return sorted({tuple(sorted({k, twin})) for k, twin in enumerate(twins) if twin is not None})
+
+
+def _of_orbits(
+    orbits_a: Sequence[tuple[int, ...]],
+    orbits_b: Sequence[tuple[int, ...]],
+    a: Sequence[PenLine],
+    b: Sequence[PenLine],
+    costs: FloatArray,
+) -> tuple[float, list[tuple[int, int]]]:
+    """Assign lines that are alone, and pairs of twins, each to one of either kind."""
+    m, n = len(orbits_a), len(orbits_b)
+    table = np.full((m + n, m + n), 1e6)
+    how: dict[tuple[int, int], list[tuple[int, int]]] = {}
+    for (i, p), (j, q) in product(enumerate(orbits_a), enumerate(orbits_b)):
+        if len(p) == len(q):
+            options = [(0.0, [*zip(p, q, strict=True)]), (0.0, [*zip(p, q[::-1], strict=True)])]
+        elif len(p) == 2:
+            options = [(MERGE_COST * b[q[0]].length, [(p[0], q[0]), (p[1], q[0])])]
+        else:
+            options = [(SPLIT_COST * a[p[0]].length, [(p[0], q[0]), (p[0], q[1])])]
+        priced = [(extra + sum(costs[pair] for pair in pairs), pairs) for extra, pairs in options]
+        table[i, j], how[i, j] = min(priced, key=lambda option: option[0])
+    for i, p in enumerate(orbits_a):
+        table[i, n + i] = sum(_alone_cost(a[k]) for k in p)
+    for j, q in enumerate(orbits_b):
+        table[m + j, j] = sum(_alone_cost(b[k]) for k in q)
+    table[m:, n:] = 0.0
+    chosen = assign(table)
+    work = float(sum(table[i, j] for i, j in chosen))
+    return work, [pair for i, j in chosen for pair in how.get((i, j), ())]
+
+
+def _alone_cost(line: PenLine) -> float:
+    """Return what it costs that a line has no partner."""
+    return (LEFTOVER_COST if line.is_piece else LONELY_COST) * (line.length + line.width)
+
+
+def _twins(lines: Sequence[PenLine], centre: complex, axis: complex) -> list[int | None]:
+    """Return the mirror image of each line about an axis through a point: the number of a line, or None."""
+    found: list[int | None] = []
+    for line in lines:
+        points = evenly(line.outline, 0.5) if len(line.points) > 1 else line.points
+        images = centre + axis * axis * (points - centre).conj()
+        twin = None
+        for k, other in enumerate(lines):
+            if abs(other.length - line.length) < 0.08 * line.length + 0.3 and len(other.outline) > 1:
+                if foot_points(images, other.outline)[0].max() < TWIN_DISTANCE:
+                    twin = k
+        found.append(twin)
+    return found

@@ -1,0 +1,442 @@
+"""The pen lines of a filled region, if it is the stroke of some.
+
+Where a region is a stroke of width w, the largest ball inside it that touches its outline anywhere has the diameter w,
+and its centre lies on the centre line. So points of the outline with a ball of the pen's width, moved inwards by half
+of that, string up to centre lines in the order of the outline: once on each side of the stroke. Around a round cap or
+join the centre rests, which gives the end of a line or a corner exactly. What is left is to keep each stretch once, to
+join the ends that face each other where lines cross, meet or turn a corner, and to find the caps of the others.
+
+The lines are drawn again, and kept only if that is the region. All lengths are in units (see `line.UNITS`).
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.polyline import cumulative_lengths
+from shapeblend_cli.geometry.raster import winding_grid
+from shapeblend_cli.pens.balls import ball_diameters
+from shapeblend_cli.pens.line import UNITS, evenly, length, needed
+from shapeblend_cli.pens.region import Recovered, Region, distance_ahead, nearest_edge, stroke_edges
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+
+STEP = 0.1
+"""Distance of sample points along an outline, in units."""
+
+MOST_SAMPLES = 8000
+"""Maximum number of sample points of a region: drawings with longer outlines are no icons."""
+
+WIDEST = 0.2 * UNITS
+"""Maximum width of a pen, in units."""
+
+MOST_WIDTHS = 4
+"""Maximum number of pens of a region."""
+
+WINDOW = 0.06
+"""Tolerance of the diameters that make up one pen, as a share of its width."""
+
+LEAST_INK = 2.4
+"""Minimum length of outline that a pen leaves, in widths: 1.2 on either side."""
+
+NEAR_WIDTH = 0.045
+"""Tolerance of a ball's diameter for the pen's width, as a share of it."""
+
+LEAST_SHARE = 0.6
+"""Minimum share of an outline whose balls have the width of a pen."""
+
+RESTS = 0.3
+"""Maximum step of a ball's centre at a cap or a round join, as a share of the step along the outline."""
+
+CAP_TURN = np.radians(125.0)
+"""Minimum turn of the normal around a cap, in radians; a join turns less."""
+
+SHORTEST = 0.3
+"""Minimum length of a stretch of centre line, in widths."""
+
+THINNED = 0.012
+"""Tolerance of the polylines of centre lines, in units: a quarter of a pixel where 24 units are 512."""
+
+GOOD = 0.97
+"""Minimum overlap of a region and its lines, drawn again, as a share of both together."""
+
+GRID = 192
+"""Points along the side of the grid on which these are compared."""
+
+
+class _Samples(NamedTuple):
+    """Points of outlines, (n,) each: where, unit normals into the region, contours, and lengths around them."""
+
+    points: ComplexArray
+    normals: ComplexArray
+    contour: IntArray
+    spacing: FloatArray
+
+
+class _Stretch:
+    """A stretch of centre line, its pen, and what is known of its ends: a cap, a joint, or nothing yet."""
+
+    def __init__(
+        self,
+        points: ComplexArray,
+        width: float,
+        closed: bool = False,
+        ends: Sequence[str | None] = (None, None),
+    ) -> None:
+        self.points, self.width, self.closed, self.ends = points, width, closed, list(ends)
+
+    @property
+    def outline(self) -> ComplexArray:
+        return np.append(self.points, self.points[0]) if self.closed or len(self.points) == 1 else self.points
+
+    def ending(self, side: int) -> ComplexArray:
+        """The points towards one of the ends, that end last."""
+        return self.points if side else self.points[::-1]
+
+
+def recover(contours: Sequence[ComplexArray]) -> list[Recovered] | None:
+    """Return the lines of a region, or None if it is not the stroke of any.
+
+    Parameters
+    ----------
+    contours : sequence of (k, 4) complex
+        An exterior and its holes, closed chains of cubic segments in units, with the region on their left.
+    """
+    samples = _sampled(contours)
+    if len(samples.points) > MOST_SAMPLES:
+        return None
+    diameters = ball_diameters(samples.points, samples.normals, 1.5 * WIDEST)
+    widths = _pen_widths(diameters, samples.spacing)
+    if not len(widths):
+        return None
+    nearest = np.abs(diameters[:, None] - widths).argmin(axis=1)
+    is_pen = np.abs(diameters - widths[nearest]) < NEAR_WIDTH * widths[nearest] + 0.01
+    if samples.spacing[is_pen].sum() < LEAST_SHARE * samples.spacing.sum():
+        return None
+    pen = np.where(is_pen, nearest, -1)
+    region = Region(contours)
+    stretches = _stretches(samples, pen, widths)
+    if not stretches:
+        return None
+    lines = _joined(_once(stretches), region)
+    _end(lines, region)
+    for line in lines:
+        line.points = _thinned(line)
+    return _checked(lines, region)
+
+
+def _sampled(contours: Sequence[ComplexArray]) -> _Samples:
+    """Sample outlines at the middles of steps of even parameter, so that corners are left out."""
+    parts = []
+    for number, segments in enumerate(contours):
+        lengths = cubics.lengths(segments)
+        used = np.flatnonzero(lengths > 1e-9)
+        counts = np.maximum(np.ceil(lengths[used] / STEP), 2).astype(np.intp)
+        segment = np.repeat(used, counts)
+        within = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+        t = (within + 0.5) / np.repeat(counts, counts)
+        handles = 3.0 * np.diff(segments[segment], axis=1)
+        u = 1.0 - t
+        velocity = u * u * handles[:, 0] + 2.0 * u * t * handles[:, 1] + t * t * handles[:, 2]
+        speed = np.abs(velocity)
+        normals = 1j * velocity / np.where(speed > 0.0, speed, 1.0)
+        spacing = speed / np.repeat(counts, counts)
+        parts.append((cubics.evaluate(segments[segment], t), normals, np.full(len(t), number), spacing))
+    return _Samples(*(np.concatenate(each) for each in zip(*parts, strict=True)))
+
+
+def _pen_widths(diameters: FloatArray, spacing: FloatArray) -> FloatArray:
+    """Return the diameters that most of the outline has, in widths, one after the other."""
+    found: list[float] = []
+    left = diameters < WIDEST
+    while left.any() and len(found) < MOST_WIDTHS:
+        order = np.argsort(diameters[left], kind="stable")
+        rising, ink = diameters[left][order], np.concatenate([[0.0], np.cumsum(spacing[left][order])])
+        beyond = np.searchsorted(rising, rising * (1.0 + WINDOW) + 0.02)
+        inside = ink[beyond] - ink[:-1]
+        k = int(np.argmax(inside / np.maximum(rising, 0.05)))
+        width = float(np.median(rising[k : beyond[k]]))
+        if inside[k] < LEAST_INK * width or width < 0.05:
+            break
+        found.append(width)
+        left &= ~((diameters > rising[k] - 0.12 * width) & (diameters < rising[k] + 0.18 * width))
+    return np.array(found)
+
+
+def _stretches(samples: _Samples, pen: IntArray, widths: FloatArray) -> list[_Stretch]:
+    """String up the centres of balls of a pen's width, in the order of the outline, and cut them at caps."""
+    found = []
+    centres = samples.points + samples.normals * np.where(pen >= 0, widths[pen], 0.0) / 2.0
+    for number in range(int(samples.contour.max()) + 1):
+        own = np.flatnonzero(samples.contour == number)
+        following = np.roll(own, -1)
+        apart = np.abs(centres[following] - centres[own])
+        most = 2.0 * np.maximum(samples.spacing[own], samples.spacing[following]) + 1e-9
+        goes_on = (pen[own] >= 0) & (pen[following] == pen[own]) & (apart < most)
+        if goes_on.all():
+            found += _cut_at_caps(own, centres, samples, widths[pen[own[0]]], is_ring=True)
+            continue
+        start = int(np.flatnonzero(~goes_on)[0]) + 1
+        own, goes_on = np.roll(own, -start), np.roll(goes_on, -start)
+        breaks = np.flatnonzero(~goes_on) + 1
+        for run in np.split(own, breaks[:-1]):
+            if pen[run[0]] >= 0 and len(run) > 1:
+                found += _cut_at_caps(run, centres, samples, widths[pen[run[0]]], is_ring=False)
+    return found
+
+
+def _cut_at_caps(
+    run: IntArray, centres: ComplexArray, samples: _Samples, width: float, is_ring: bool
+) -> list[_Stretch]:
+    """Cut a run of sample points where the centre rests while the normal turns by the angle of a cap."""
+    following = np.roll(run, -1)
+    spacing = 0.5 * (samples.spacing[run] + samples.spacing[following])
+    rests = np.abs(centres[following] - centres[run]) < RESTS * spacing
+    if not is_ring:
+        rests[-1] = False
+    elif rests.all():
+        return [_Stretch(np.array([centres[run].mean()]), width, ends=("round", "round"))]
+    else:
+        start = int(np.flatnonzero(~rests)[0]) + 1
+        run, rests = np.roll(run, -start), np.roll(rests, -start)
+    parts: list[_Stretch] = []
+    points: list[complex] = []
+    begin: str | None = None
+    k = 0
+    while k < len(run):
+        last = k
+        while last < len(run) - 1 and rests[last]:
+            last += 1
+        group = run[k : last + 1]
+        points.append(complex(centres[group].mean()))
+        normals = samples.normals[group]
+        if abs(float(np.angle(normals[1:] / normals[:-1]).sum())) > CAP_TURN:
+            parts.append(_Stretch(np.array(points), width, ends=(begin, "round")))
+            points, begin = [points[-1]], "round"
+        k = last + 1
+    if is_ring and not parts:
+        return [_Stretch(np.array(points), width, closed=True)]
+    if is_ring:
+        first = parts[0]
+        parts[0] = _Stretch(np.concatenate([points, first.points]), width, ends=(begin, first.ends[1]))
+    elif len(points) > 1:
+        parts.append(_Stretch(np.array(points), width, ends=(begin, None)))
+    return [part for part in parts if len(part.points) > 1]
+
+
+def _edges(stretches: Sequence[_Stretch]) -> tuple[ComplexArray, ComplexArray, IntArray]:
+    """Return the starts and ends of the edges of stretches, and whose they are."""
+    outlines = [stretch.outline for stretch in stretches]
+    owner = np.repeat(np.arange(len(outlines)), [len(points) - 1 for points in outlines])
+    starts, ends = ([points[part] for points in outlines] for part in (slice(-1), slice(1, None)))
+    return np.concatenate(starts), np.concatenate(ends), owner
+
+
+def _once(stretches: Sequence[_Stretch]) -> list[_Stretch]:
+    """Keep each stretch of centre line once, of both sides of the stroke: the longest first."""
+    kept: list[_Stretch] = []
+    for one in sorted(stretches, key=lambda each: (not each.closed, -length(each.points))):
+        if not kept:
+            kept.append(one)
+            continue
+        starts, ends, _ = _edges(kept)
+        points = evenly(one.outline, STEP) if len(one.points) > 1 else one.points
+        away, edge = nearest_edge(points, starts, ends)
+        if len(points) == 1:
+            if away[0] >= 0.2 * one.width:
+                kept.append(one)
+            continue
+        slope = np.gradient(points)
+        slant = (slope * (ends - starts)[edge].conj()).imag
+        slant = np.abs(slant) / np.maximum(np.abs(slope) * np.abs((ends - starts)[edge]), 1e-12)
+        is_new = ~((away < 0.12 * one.width + 0.02) & (slant < 0.4) | (away < 0.05 * one.width))
+        if one.closed:
+            if is_new.mean() >= 0.5:
+                kept.append(one)
+            continue
+        borders = np.flatnonzero(np.diff(np.concatenate([[False], is_new, [False]]).astype(np.int8)))
+        for first, beyond in borders.reshape(-1, 2).tolist():
+            part = points[first:beyond]
+            if length(part) > SHORTEST * one.width:
+                known = one.ends[0] if first == 0 else None, one.ends[1] if beyond == len(points) else None
+                kept.append(_Stretch(part, one.width, ends=known))
+    return kept
+
+
+class _End(NamedTuple):
+    """An end of a stretch that has no cap: whose, which, where, and the direction out of it."""
+
+    stretch: int
+    side: int
+    place: complex
+    direction: complex
+
+
+def _direction(points: ComplexArray, width: float) -> complex:
+    """Return the direction in which a polyline ends; one that curves goes on to turn."""
+    along = cumulative_lengths(points)
+    whole = float(along[-1])
+    back, skip = whole - min(0.8 * width, 0.8 * whole), whole - min(0.1 * width, 0.2 * whole)
+    places = np.array([back, (back + skip) / 2.0, skip])
+    p, q, r = np.interp(places, along, points.real) + 1j * np.interp(places, along, points.imag)
+    ahead = (r - p) / abs(r - p)
+    turn = float(np.angle((r - q) / (q - p))) if q not in (p, r) else 0.0
+    return complex(ahead * np.exp(0.9j * turn) if abs(turn) < 0.5 else ahead)
+
+
+def _joined(stretches: Sequence[_Stretch], region: Region) -> list[_Stretch]:
+    """Join stretches whose ends face each other, or meet at a corner: the least turn first."""
+    ends = [
+        _End(k, side, complex(one.ending(side)[-1]), _direction(one.ending(side), one.width))
+        for k, one in enumerate(stretches)
+        for side in (0, 1)
+        if not one.closed and len(one.points) > 1 and one.ends[side] is None
+    ]
+    joints: list[tuple[float, int, int, list[complex]]] = []
+    for i, a in enumerate(ends):
+        for j in range(i + 1, len(ends)):
+            joint = _joint(a, ends[j], stretches, region)
+            if joint is not None:
+                joints.append((joint[0], i, j, joint[1]))
+    partner: dict[int, tuple[int, list[complex]]] = {}
+    for _, i, j, between in sorted(joints, key=lambda joint: joint[0]):
+        if i not in partner and j not in partner:
+            partner[i], partner[j] = (j, between), (i, between[::-1])
+    return _strung(stretches, ends, partner)
+
+
+def _joint(
+    a: _End, b: _End, stretches: Sequence[_Stretch], region: Region
+) -> tuple[float, list[complex]] | None:
+    """Return what joining two ends costs, and the corner between them if there is one; None if they do not fit."""
+    p, q = stretches[a.stretch], stretches[b.stretch]
+    width, gap = max(p.width, q.width), abs(b.place - a.place)
+    turn = abs(float(np.angle(-b.direction / a.direction)))
+    if min(p.width, q.width) < 0.8 * width or gap > 3.2 * width or turn > np.radians(155.0):
+        return None
+    if p is q and gap > 1.2 * width and length(p.points) < 3.0 * gap:
+        return None
+    cost = turn + 0.15 * gap / width
+    if gap <= 0.25 * width:
+        return cost, []
+    if turn < 0.35:
+        across = (b.place - a.place) / gap
+        off = max(abs(np.angle(across / a.direction)), abs(np.angle(-across / b.direction)))
+        return (cost, []) if off <= 0.45 and region.holds((a.place + b.place) / 2.0) else None
+    slant = (a.direction.conjugate() * b.direction).imag
+    if abs(slant) < 0.05:
+        return None
+    offset = (b.place - a.place).conjugate()
+    reach = (offset * b.direction).imag / slant, (offset * a.direction).imag / slant
+    if not all(-0.4 * width < each < 3.0 * width for each in reach):
+        return None
+    corner = a.place + reach[0] * a.direction
+    near = nearest_edge(np.array([corner]), region.starts, region.ends)[0][0]
+    inside = region.holds(corner) or near <= 0.08 * width
+    inside = inside and region.holds((a.place + corner) / 2.0) and region.holds((b.place + corner) / 2.0)
+    return (cost, [corner]) if inside else None
+
+
+def _strung(
+    stretches: Sequence[_Stretch], ends: Sequence[_End], partner: dict[int, tuple[int, list[complex]]]
+) -> list[_Stretch]:
+    """String joined stretches up to lines."""
+    number = {(end.stretch, end.side): k for k, end in enumerate(ends)}
+    done: set[int] = set()
+    lines = []
+    for k, one in enumerate(stretches):
+        if k in done:
+            continue
+        here, side, seen = k, 0, {k}
+        while (end := number.get((here, side))) in partner:  # back to where the line begins
+            other = ends[partner[end][0]]
+            if other.stretch in seen:
+                break
+            here, side = other.stretch, 1 - other.side
+            seen.add(here)
+        first, points, closed = (here, side), [], False
+        while True:
+            done.add(here)
+            points.append(stretches[here].ending(1 - side))
+            end = number.get((here, 1 - side))
+            if end not in partner:
+                break
+            other_end, between = partner[end]
+            points.append(np.array(between, complex))
+            other = ends[other_end]
+            if other.stretch in done:
+                closed = other.stretch == first[0]
+                break
+            here, side = other.stretch, other.side
+        known = stretches[first[0]].ends[first[1]], stretches[here].ends[1 - side]
+        lines.append(_Stretch(np.concatenate(points), one.width, closed or one.closed, known))
+    return lines
+
+
+def _end(lines: Sequence[_Stretch], region: Region) -> None:
+    """Draw the ends of lines that are still open on to what they run into: another line, or the outline, by a cap."""
+    for number, line in enumerate(lines):
+        for side in (0, 1):
+            if line.closed or len(line.points) < 2 or line.ends[side] is not None:
+                continue
+            points = line.ending(side)
+            place, width = complex(points[-1]), line.width
+            ahead = _direction(points, width)
+            starts, ends, owner = _edges(lines)
+            edge_away = np.minimum(np.abs(starts - place), np.abs(ends - place))
+            others = (owner != number) | (edge_away > 0.3 * width)
+            rim = region.ahead(place, ahead)
+            meets, _ = distance_ahead(place + 0.02 * width * ahead, ahead, starts[others], ends[others])
+            if meets < 2.6 * width and meets < rim:
+                line.ends[side], reach = "joint", meets + 0.02 * width
+            else:
+                line.ends[side], reach = _cap(region, place, ahead, width, rim)
+            points = np.append(points, place + reach * ahead)
+            line.points = points if side else points[::-1]
+
+
+def _cap(region: Region, place: complex, ahead: complex, width: float, rim: float) -> tuple[str, float]:
+    """Return the cap of a line that ends ahead, and how far from here the line ends."""
+    aside = [place + 0.42j * ahead * sign * width for sign in (1.0, -1.0)]
+    beside = [min(region.ahead(at, ahead), 3.0 * width) if region.holds(at) else 0.0 for at in aside]
+    rim, at_sides = min(rim, 3.0 * width), sum(beside) / 2.0
+    if rim - at_sides > 0.11 * width:
+        return "round", max(0.0, rim - width / 2.0)
+    return "butt", min((rim + at_sides) / 2.0, 1.2 * width)
+
+
+def _thinned(line: _Stretch) -> ComplexArray:
+    points = line.points
+    if len(points) < 3:
+        return points
+    if not line.closed:
+        return points[needed(points, THINNED)]
+    far = int(np.abs(points - points[0]).argmax())
+    halves = points[: far + 1], np.append(points[far:], points[0])
+    return np.concatenate([half[needed(half, THINNED)][:-1] for half in halves])
+
+
+def _checked(lines: Sequence[_Stretch], region: Region) -> list[Recovered] | None:
+    """Return the lines with the join with which they cover the region best; None if they do not."""
+    low = min(region.starts.real), min(region.starts.imag)
+    corner = complex(*low) - 0.5 - 0.5j
+    size = max(max(region.starts.real) - low[0], max(region.starts.imag) - low[1]) + 1.0
+    wanted = winding_grid(region.starts, region.ends, corner, size / GRID, GRID) != 0
+    best: tuple[float, list[Recovered]] = 0.0, []
+    for join in ("round", "miter"):
+        drawn = [Recovered(line.points, line.closed, line.width, _cap_of(line), join) for line in lines]
+        covered = winding_grid(*stroke_edges(drawn), corner, size / GRID, GRID) != 0
+        overlap = float((wanted & covered).sum() / max(1, (wanted | covered).sum()))
+        if overlap > best[0] + 1e-4:
+            best = overlap, drawn
+    return best[1] if best[0] >= GOOD else None
+
+
+def _cap_of(line: _Stretch) -> str:
+    return "butt" if "butt" in line.ends and "round" not in line.ends else "round"

@@ -1,0 +1,146 @@
+"""Drawings that move as their pen lines."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.cli import run
+from shapeblend_cli.frames.frames import frame_at, shapes_at
+from shapeblend_cli.interpolate.paths import paths_at
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.pens.line_blends import COPY, FLIPPED, TURNED
+from shapeblend_cli.pens.moves import BECOMES, DRAWN_BACK, DRAWN_ON, STAYS
+from shapeblend_cli.pipeline import match_all
+from shapeblend_cli.svg.reading.read import read
+from tests.support.drawings import drawing
+
+ICONS = Path(__file__).parent / "icons"
+TIMES = [k / 10 for k in range(11)]
+
+PAIRS = [
+    ("lucide-menu", "lucide-x"),
+    ("lucide-eye", "lucide-eye-off"),
+    ("ph-plus", "ph-check"),
+    ("ph-magnifying-glass", "ph-x"),
+    ("ph-eye", "ph-eye-slash"),
+    ("lucide-menu", "ph-x"),
+]
+
+
+def blend(a, b, **settings):
+    drawings = [each if not isinstance(each, str) else read(str(ICONS / f"{each}.svg")) for each in (a, b)]
+    (pair,), _ = match_all(drawings, Settings(**settings))
+    return pair
+
+
+def strokes(path, viewbox="0 0 24 24"):
+    return drawing(f'<path d="{path}" fill="none" stroke="#000" stroke-width="2"/>', viewbox=viewbox)
+
+
+def reasons(pair):
+    return sorted(shape.reason for shape in pair.shapes)
+
+
+@pytest.mark.parametrize("names", PAIRS, ids="-to-".join)
+def test_line_weight_is_that_of_both_ends_at_every_moment(names):
+    pair = blend(*names)
+    unit = pair.views[0].larger_side / 24.0
+    for t in TIMES:
+        for shape, painted in zip(pair.shapes, shapes_at(pair, t), strict=True):
+            assert painted.style.fill is None
+            ends = shape.style_a.stroke_width, shape.style_b.stroke_width
+            own = shape.own_time(t)
+            assert painted.style.stroke_width == pytest.approx((1 - own) * ends[0] + own * ends[1])
+            if shape.contours[0].is_matched:
+                assert 1.4 * unit < painted.style.stroke_width < 2.1 * unit
+
+
+@pytest.mark.parametrize("names", PAIRS, ids="-to-".join)
+def test_both_ends_are_the_drawings_and_nothing_jumps_beside_them(names):
+    pair = blend(*names)
+    for t, drawn in ((0.0, pair.drawn[0]), (1.0, pair.drawn[1])):
+        assert frame_at(pair, t, as_drawn=True).shapes == drawn
+    for shape in pair.shapes:
+        for end, near in ((0.0, 1e-3), (1.0, 1.0 - 1e-3)):
+            one, other = (paths_at(shape, t)[0].segments for t in (end, near))
+            assert one.shape == other.shape
+            assert np.abs(one - other).max() < 0.003 * pair.views[0].larger_side
+
+
+def test_the_outer_bars_of_a_menu_become_both_strokes_of_the_close_sign():
+    pair = blend("lucide-menu", "lucide-x")
+    assert reasons(pair) == [BECOMES, BECOMES, DRAWN_BACK]
+    (alone,) = [shape for shape in pair.shapes if shape.reason == DRAWN_BACK]
+    assert alone.contours[0].a == 1
+    assert alone.span[1] < 1.0
+
+
+@pytest.mark.parametrize("names", [("lucide-eye", "lucide-eye-off"), ("ph-eye", "ph-eye-slash")])
+def test_what_is_crossed_out_stays_and_the_slash_is_drawn_on(names):
+    pair = blend(*names)
+    assert set(reasons(pair)) == {STAYS, DRAWN_ON}
+    (slash,) = [shape for shape in pair.shapes if shape.reason == DRAWN_ON]
+    tips = [paths_at(slash, t)[0].segments[-1, 3] for t in TIMES]
+    lengths = np.abs(np.array(tips) - paths_at(slash, 0.0)[0].segments[0, 0])
+    assert (np.diff(lengths) > 0.0).all()
+
+
+def test_a_tail_is_drawn_back_along_its_own_curve():
+    long = "M2 12H12C18 12 18 6 18 2"
+    pair = blend(strokes(long), strokes("M2 12H12"))
+    (shape,) = pair.shapes
+    half = paths_at(shape, 0.5)[0].segments
+    curve = paths_at(shape, 0.0)[0].segments[:, 0]
+    assert min(abs(half[-1, 3] - point) for point in curve) < 0.5
+    assert abs(half[0, 0] - (2 + 12j)) < 1e-6
+
+
+def test_a_drawing_that_is_turned_or_flipped_is_so_as_a_whole():
+    hook = "M4 20V4H16"
+    turned, flipped = "M20 20H4V8", "M20 20V4H8"
+    assert reasons(blend(strokes(hook), strokes(turned), motion="auto"))[0].startswith(
+        ("B is A turned", TURNED)
+    )
+    assert reasons(blend(strokes(f"{hook} M9 12H12"), strokes(f"{flipped} M15 12H12"))) == [FLIPPED, FLIPPED]
+
+
+def test_what_rests_in_both_is_not_turned():
+    assert set(reasons(blend("ph-toggle-left", "ph-toggle-right"))) <= {STAYS, BECOMES}
+
+
+def test_a_ring_without_a_partner_comes_out_of_one_like_it():
+    one, two = "M12 8A4 4 0 1 0 12 16A4 4 0 1 0 12 8Z", "M6 8A4 4 0 1 0 6 16A4 4 0 1 0 6 8Z"
+    both = f"{two} M18 8A4 4 0 1 0 18 16A4 4 0 1 0 18 8Z"
+    assert COPY in reasons(blend(strokes(one), strokes(both), strokes="recover"))
+
+
+def test_solid_shapes_and_strokes_with_fills_are_outlines():
+    solid = drawing("M2 2H22V22H2Z"), drawing("M12 2L22 22H2Z")
+    assert not {BECOMES, STAYS, DRAWN_BACK} & set(reasons(blend(*solid)))
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [{"strokes": "keep"}, {"motion": "linear"}, {"match": (("0", "0"),)}, {"pins": ((0, 0),)}],
+    ids=str,
+)
+def test_files_are_taken_as_they_are_where_users_say_how(settings):
+    assert not {BECOMES, STAYS} & set(reasons(blend("lucide-menu", "lucide-x", **settings)))
+
+
+def test_three_drawings_are_blended_as_they_are(here, capsys):
+    icons = [str(ICONS / f"lucide-{name}.svg") for name in ("menu", "x", "eye")]
+    assert run([*icons, "-n", "1"]) == 0
+    assert run([*icons, "--strokes", "recover", "-f"]) == 2
+    assert "--strokes recover applies to two files; 3 given" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "output", ["x.svg", "x.svg --animate css", "x.json --emit lottie", "x.xml --emit avd"]
+)
+def test_every_output_has_strokes(here, output):
+    files = [str(ICONS / f"ph-{name}.svg") for name in ("magnifying-glass", "x")]
+    assert run([*files, "-o", *output.split()]) == 0
+    written = "".join(path.read_text("utf-8") for path in sorted(here.rglob("*")) if path.is_file())
+    assert any(word in written for word in ("stroke-width", "strokeWidth", '"ty":"st"', '"ty": "st"'))

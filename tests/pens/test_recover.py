@@ -1,0 +1,118 @@
+"""Pen lines of filled shapes."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.anatomy.decompose import PlacedDrawing, decompose
+from shapeblend_cli.geometry.raster import winding_grid
+from shapeblend_cli.geometry.similarity import Similarity
+from shapeblend_cli.pens.drawings import pen_drawing
+from shapeblend_cli.pens.line import UNITS
+from shapeblend_cli.pens.region import Recovered, Region, stroke_edges
+from shapeblend_cli.svg.reading.read import read
+from tests.support import drawings
+
+ICONS = Path(__file__).parent / "icons"
+
+# Fills of 24 units, and for each the lines it was drawn with: closed, cap, and points that are on the line.
+STROKES = {
+    "bar": ("M3 11H21V13H3Z", [(False, "butt", [3 + 12j, 21 + 12j])]),
+    "round bar": ("M4 11H20A1 1 0 0 1 20 13H4A1 1 0 0 1 4 11Z", [(False, "round", [4 + 12j, 20 + 12j])]),
+    "plus": (
+        "M11 3H13V11H21V13H13V21H11V13H3V11H11Z",
+        [(False, "butt", [12 + 3j, 12 + 21j]), (False, "butt", [3 + 12j, 21 + 12j])],
+    ),
+    "tee": ("M3 5H21V7H13V21H11V7H3Z", [(False, "butt", [3 + 6j, 21 + 6j]), (False, "butt", [12 + 21j])]),
+    "corner": ("M4 4H6V18H20V20H4Z", [(False, "butt", [5 + 4j, 5 + 19j, 20 + 19j])]),
+    "ring": (
+        "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2ZM12 4A8 8 0 1 1 12 20A8 8 0 1 1 12 4Z",
+        [(True, "round", [12 + 3j, 21 + 12j, 12 + 21j])],
+    ),
+    "frame": ("M2 2H22V22H2ZM4 4V20H20V4Z", [(True, "round", [3 + 3j, 21 + 21j, 12 + 3j])]),
+    "dot": ("M12 11A1 1 0 1 0 12 13A1 1 0 1 0 12 11Z", [(False, "round", [12 + 12j])]),
+}
+SOLID = {
+    "square": "M2 2H22V22H2Z",
+    "disc with a hole": "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2ZM8 8V9H9V8Z",
+    "triangle": "M3 21L12 3L21 21Z",
+    "wedge": "M2 12L22 8V16Z",
+}
+
+
+def lines_of(*paths, **options):
+    drawing = drawings.drawing(*paths, **options)
+    return pen_drawing(PlacedDrawing(drawing, Similarity(), decompose(drawing, Similarity(), 200)[0]), 1.0)
+
+
+def icon(name):
+    drawing = read(str(ICONS / f"{name}.svg"))
+    scale = UNITS / drawing.viewbox.larger_side
+    contours = decompose(drawing, Similarity(), 200)[0]
+    return pen_drawing(PlacedDrawing(drawing, Similarity(), contours), scale)
+
+
+def away(line, points):
+    """How far points are from a line."""
+    outline = line.outline if len(line.points) > 1 else np.repeat(line.points, 2)
+    edges = np.diff(outline)
+    offsets = np.asarray(points)[:, None] - outline[:-1]
+    shares = np.clip((offsets * edges.conj()).real / np.maximum(np.abs(edges) ** 2, 1e-12), 0.0, 1.0)
+    return np.abs(offsets - shares * edges).min(axis=1)
+
+
+@pytest.mark.parametrize("name", STROKES)
+def test_a_stroke_comes_back_as_its_line(name):
+    path, expected = STROKES[name]
+    found = lines_of(path)
+    assert (found.bodies, found.share) == ([], 1.0)
+    assert [line.width for line in found.lines] == pytest.approx([2.0] * len(expected), rel=0.01)
+    for closed, cap, points in expected:
+        (line,) = [line for line in found.lines if away(line, points).max() < 0.05]
+        assert (line.closed, line.style.stroke_linecap) == (closed, cap)
+        assert (line.style.fill, line.style.stroke) == (None, "#000000")
+        if not closed:
+            ends = line.points[[0, -1]]
+            assert all(np.abs(ends - point).min() < 0.05 for point in (points[0], points[-1]))
+
+
+@pytest.mark.parametrize("name", SOLID)
+def test_what_is_solid_is_no_line(name):
+    found = lines_of(SOLID[name])
+    assert (found.lines, found.share) == ([], 0.0)
+
+
+@pytest.mark.parametrize("path", sorted(ICONS.glob("solid-*.svg")), ids=lambda path: path.stem)
+def test_solid_icons_are_no_lines(path):
+    assert icon(path.stem).lines == []
+
+
+@pytest.mark.parametrize("path", sorted(ICONS.glob("ph-*.svg")), ids=lambda path: path.stem)
+def test_icons_drawn_with_a_pen_come_back_as_lines_that_paint_the_same(path):
+    found = icon(path.stem)
+    assert found.bodies == []
+    assert {round(line.width, 1) for line in found.lines} == {1.5}
+    drawing = read(str(path))
+    scale = UNITS / drawing.viewbox.larger_side
+    region = Region([contour.segments * scale for shape in drawing.shapes for contour in shape.contours])
+    wanted = winding_grid(region.starts, region.ends, 0j, UNITS / 400, 400) % 2 == 1
+    strokes = [
+        Recovered(line.points, line.closed, line.width, line.style.stroke_linecap, line.style.stroke_linejoin)
+        for line in found.lines
+    ]
+    covered = winding_grid(*stroke_edges(strokes), 0j, UNITS / 400, 400) != 0
+    assert (wanted & covered).sum() / (wanted | covered).sum() > 0.985
+
+
+def test_strokes_of_a_file_are_lines_as_they_are():
+    stroke = (
+        '<path d="M2 2C8 2 12 6 12 12" fill="none" stroke="#c00" stroke-width="1.5" stroke-dasharray="2 1"/>'
+    )
+    (line,) = lines_of(stroke).lines
+    assert (line.width, line.style.stroke_dasharray) == (1.5, (2.0, 1.0))
+    assert away(line, [2 + 2j, 12 + 12j]).max() < 1e-12
+
+
+def test_what_is_filled_and_stroked_is_no_line():
+    assert lines_of('<path d="M3 11H21V13H3Z" fill="#000" stroke="#c00"/>').lines == []
