@@ -19,10 +19,10 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Style
 
 TIMES = (0.5, 0.4, 0.6, 0.3, 0.7)
-"""Times at which a shape may change its place: the first at which it meets nothing that it passes, else the first."""
+"""Times at which a shape may change its place, the best first: at one of them it may meet no shape that it passes."""
 
 LENGTH = 0.1
-"""How long a copy takes to come or to go."""
+"""Duration of a copy's fade, as a share of the time."""
 
 
 def in_paint_order(shapes: Sequence[ShapeBlend], places: Sequence[Place]) -> tuple[ShapeBlend, ...]:

@@ -13,13 +13,13 @@ if TYPE_CHECKING:
 
 
 MARGIN = 0.02
-"""Room around what a drawing without a viewBox paints, as a share of its larger side."""
+"""Margin around the painted area of a drawing without a viewBox, as a share of its larger side."""
 
 CUT_OFF = 0.04
-"""What leaves the viewBox on its way by less than this share of its size is not missed: a unit of 24."""
+"""Maximum overhang of a moving shape beyond the viewBox that is not missed, as a share of its size: a unit of 24."""
 
 SLACK = 1e-9
-"""What sticks out of a viewBox by less than this share of its size does so by rounding."""
+"""Maximum overhang that is due to rounding, as a share of the viewBox."""
 
 
 def view_of(

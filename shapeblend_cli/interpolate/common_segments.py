@@ -27,25 +27,25 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
 
 TOLERANCE = 2e-3
-"""How far in-betweens of curves may lie from those of polygons, as a share of the larger outline's size.
+"""Maximum deviation of in-betweens of curves from in-betweens of polygons, as a share of the larger outline's size.
 
-Four times what flattening allows itself. Over pairs of icons an in-between then has about as many segments as both
+Four times the tolerance of flattening. Over pairs of icons an in-between then has about as many segments as both
 drawings together, and a bump of that height is a fifth of a pixel in an icon of 100. It is a distance of outlines,
-see `deviation.deviation`; the polygons follow the continuous match, which is half an edge off the dots, at most, and
+see `deviation.deviation`; the polygons follow the continuous match, which is off the dots by half an edge at most, and
 only where a vertex is held.
 """
 
 SNAP = 1.5
-"""A node of each contour are merged if at most so many edges of the polygons lie between them."""
+"""Maximum distance of two nodes, one of each contour, that are merged, in edges of the polygons."""
 
 NEARBY = 2.0
-"""Merged nodes are blamed for deviation within so many edges; more than `SNAP`."""
+"""Maximum distance of merged nodes from a deviation that they cause, in edges; more than `SNAP`."""
 
 MOST_ROUNDS = 12
-"""Rounds of cutting; a handful is enough."""
+"""Maximum number of rounds of cutting; a handful is enough."""
 
 SLIDING_ROUNDS = 2
-"""Rounds of sliding cuts; more change little."""
+"""Number of rounds of sliding cuts; more change little."""
 
 SLIDE_SHARES = (1.0, 0.5, 0.0)
 """Shares of a slide that are tried in turn until the curves are within the tolerance."""

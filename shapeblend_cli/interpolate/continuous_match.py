@@ -14,13 +14,13 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, FloatArray, IntArray
 
 LONG_HOLD = 2
-"""A corner held over at least so many edges of the other contour is meant to be; over fewer it is rounding."""
+"""Minimum hold of a corner that is meant, in edges of the other contour; shorter holds are rounding."""
 
 REACH = 2
-"""Corners of both contours are matched if at most so many steps of the solver lie between them."""
+"""Maximum distance of corners of both contours that are matched, in steps of the solver."""
 
 START_SNAP = 0.5
-"""A node of B within so many mean edges of the partner of A's first node becomes its partner."""
+"""Maximum distance of a node of B from the partner of A's first node to become that partner, in mean edges."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

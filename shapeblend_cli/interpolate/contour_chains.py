@@ -20,13 +20,13 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, Contour, ContourBlend, FloatArray, Polygon
 
 SAME = 1e-6
-"""Positions nearer than this share of a segment are one."""
+"""Maximum distance of positions that are one, as a share of a segment."""
 
 SAMPLES = 33
-"""Points of a curve at which the search for the one nearest to a given point begins."""
+"""Number of points of a curve at which the search for the nearest point begins."""
 
 STEPS = 6
-"""Newton steps of that search."""
+"""Number of Newton steps of that search."""
 
 
 class Key(NamedTuple):

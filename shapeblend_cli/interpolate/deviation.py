@@ -14,13 +14,13 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
 TIMES = (0.25, 0.5, 0.75)
-"""When in-betweens are compared."""
+"""Times at which in-betweens are compared."""
 
 WINDOW = 3
-"""Edges to either side among which the nearest is looked for."""
+"""Number of edges to either side among which the nearest is looked for."""
 
 LEAST_SAMPLES = 4
-"""Edges, at least, by which a piece is approximated."""
+"""Minimum number of edges that approximate a piece."""
 
 
 def deviation(

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, Contour, FloatArray, IntArray, Polygon
 
 CORNER = 0.1
-"""Radians (about 6 degrees) by which an outline turns at least at a corner; smooth joints stay below by far."""
+"""Minimum turn of an outline at a corner, in radians (about 6 degrees); smooth joints stay far below."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -15,10 +15,10 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray
 
 WAYPOINT_TOLERANCE = 2e-3
-"""How far an animation may be from a motion that is not straight, as a share of the size of what moves."""
+"""Maximum deviation of an animation from a motion that is not straight, as a share of the shape's size."""
 
 MOST_HALVINGS = 6
-"""From a drawing to the next an animation has at most two to this power straight steps."""
+"""Maximum number of times that the time between two drawings is halved into straight steps."""
 
 
 def with_curves(blend: ContourBlend) -> ContourBlend:

@@ -29,19 +29,22 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray
 
 SLIGHT_BEND = np.radians(1.0)
-"""A bend that weighs as much as a deviation by `SIDEWAYS`."""
+"""Bend that weighs as much as a deviation of `SIDEWAYS`, in radians."""
 
 SIDEWAYS = 0.3
-"""A deviation, as a share of what is allowed."""
+"""Deviation that weighs as much as a slight bend, as a share of the tolerance."""
 
 LONGEST_SLIDE = 0.3
-"""The most by which a cut slides, as a share of the piece that becomes shorter."""
+"""Maximum slide of a cut, as a share of the piece that becomes shorter."""
 
-LEAST_HANDLE, MOST_HANDLE = 0.05, 0.9
-"""Length of a handle on a line, as a share of the line: such a line never turns back."""
+LEAST_HANDLE = 0.05
+"""Minimum length of a handle on a line, as a share of the line."""
+
+MOST_HANDLE = 0.9
+"""Maximum length of a handle on a line, as a share of the line: such a line never turns back."""
 
 BLOCK = 32
-"""So many cuts slide together, since that takes the time of their number cubed; blocks do not see each other."""
+"""Number of cuts that slide together, independently of other blocks: this takes the time of their number cubed."""
 
 
 class _Joints(NamedTuple):

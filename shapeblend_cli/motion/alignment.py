@@ -17,25 +17,28 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, ContourBlend, FloatArray, ShapeBlend
 
 
-REWEIGHTINGS, SETTLED = 20, 1e-3
-"""How often points are weighted anew at most, and what share less that leaves moving ends it."""
+REWEIGHTINGS = 20
+"""Maximum number of times that points are weighted anew."""
+
+SETTLED = 1e-3
+"""Minimum gain of a reweighting to be followed by another, as a share of what still moves."""
 
 NEAR = 0.02
-"""A point that moves by this share of the size half stays where it is."""
+"""Distance by which a point moves that counts as half at rest, as a share of the size."""
 
 IN_PLACE = 0.7
-"""A similarity leaves at most this share of what moves without it, or there is none."""
+"""Maximum movement that a similarity leaves, as a share of the movement without it; else there is none."""
 
 
 SUITED = np.log(2.0)
-"""A similarity suits a shape if it leaves no more than this much more of it moving than its own; points that rest under
-that one are then less than `NEAR` away."""
+"""Maximum additional movement that a common similarity leaves, compared with a shape's own. Points that rest under the
+latter are then less than `NEAR` away."""
 
 HALF_TURN = math.radians(179.0)
-"""By more than this, either way round is about as short, and rounding would choose."""
+"""Minimum angle of a half turn, in radians: either direction is about as short, and rounding would choose."""
 
 PIVOT_REACH = 1.75
-"""A shape turns about a point no further from its middle than so many times its size; the end of a bar is at 1.73."""
+"""Maximum distance of a pivot from the middle of a shape, in root mean square sizes; the end of a bar is at 1.73."""
 
 
 class Alignment(NamedTuple):

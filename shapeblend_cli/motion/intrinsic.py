@@ -21,17 +21,19 @@ if TYPE_CHECKING:
     from shapeblend_cli.motion.alignment import Alignment
 
 LEAST_CHANGE = 0.2
-"""The floor under the relative change of length in an edge's compliance, the paper's ``L_tol``."""
+"""Minimum relative change of length in an edge's compliance, the paper's ``L_tol``."""
 
 MULTIPLIER_LIMIT = 4.0
-"""About where the multipliers are held back; an edge of mean compliance then changes by a factor of 50."""
+"""Approximate maximum of the multipliers; an edge of mean compliance then changes by a factor of 50."""
 
 NEWTON_STEPS = 40
-"""Newton steps at most; four to six are usual."""
+"""Maximum number of Newton steps; four to six are usual."""
 
-POINT, CLOSED = 1e-9, 1e-13
-"""With the whole chain's length as 1: edges of less length are points, and less may be open after Newton's method; the
-chain is closed exactly then."""
+POINT = 1e-9
+"""Maximum length of an edge that counts as a point, as a share of the chain's length."""
+
+CLOSED = 1e-13
+"""Maximum gap after Newton's method, as a share of the chain's length; the chain is closed exactly then."""
 
 
 class ControlPolygons(NamedTuple):

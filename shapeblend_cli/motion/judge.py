@@ -22,29 +22,31 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray, ShapeBlend
 
 STEPS = 8
-"""The blend is looked at so many times, evenly spaced, beginning with A; the last is B."""
+"""Number of steps of time between the looks at a blend, which include both ends."""
 
 SIDE = 64
-"""Areas that no formula gives are counted on a grid of so many points along the larger side."""
+"""Number of points along each side of the grid on which areas without a formula are counted."""
 
 TIMES = np.arange(STEPS + 1) / STEPS
 INNER = slice(1, -1)
 
 SYMMETRIC = 0.05
-"""An end is symmetric if its mirror image differs from it in less than this share of its area."""
+"""Maximum difference of a symmetric drawing from its mirror image, as a share of its area."""
 
 LEANING = 0.2
-"""A symmetry that is only turned with the outlines, as of an arrow that goes round, counts as so much of one lost."""
+"""Weight of a symmetry that only turns with the outlines, as of an arrow that goes round, compared with a lost one."""
 
-LEAST_ARC, MOST_CHORD = 2.5, 0.06
-"""Two points are on both sides of a limb if the way along the outline is so many times the distance between them, or
-more, and that distance is at most the second share of the outline."""
+LEAST_ARC = 2.5
+"""Minimum way along the outline between opposite points of a limb, relative to their distance."""
+
+MOST_CHORD = 0.06
+"""Maximum distance between opposite points of a limb, as a share of the outline's length."""
 
 PROBES = 96
-"""Places of an outline at which the width of limbs is measured."""
+"""Number of places of an outline at which the width of limbs is measured."""
 
 LINE_WIDTH = 0.04
-"""What is painted as a line without a width of its own counts as so wide, as a share of its size."""
+"""Minimum width of lines, as a share of the shape's size: narrower ones count as so wide."""
 
 
 class Judgement(NamedTuple):

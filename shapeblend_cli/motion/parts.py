@@ -21,10 +21,10 @@ if TYPE_CHECKING:
     from shapeblend_cli.motion.alignment import Alignment
 
 MOST_POINTS = 128
-"""Outlines are compared at so many vertices at most."""
+"""Maximum number of an outline's vertices that are compared."""
 
 BESIDE = 0.01
-"""A part is beside the middle, or above or below it, if it is further from it than this share of its reach."""
+"""Minimum distance from the middle of a part beside, above or below it, as a share of the part's reach."""
 
 
 def parts_of(contours: Sequence[ContourBlend]) -> list[list[int]]:

@@ -15,23 +15,32 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, Polygon
 
 SAMPLES = 256
-"""Points, evenly spread along an outline, that are compared."""
+"""Number of points, evenly spread along an outline, that are compared."""
 
 ALIKE = 0.999
-"""Correlation of outlines that are the same but for a similarity: what remains is about 4 % of the size."""
+"""Minimum correlation of outlines that are the same but for a similarity: the rest is about 4 % of the size."""
 
-NEARLY_BEST, ROUNDING = 1e-3, 1e-6
-"""Starts whose correlation is less than this below the best are as good, and then the smallest angle is meant; those
-whose correlation differs by less are the same."""
+NEARLY_BEST = 1e-3
+"""Maximum difference from the best correlation of starts that are as good; of these the smallest angle is taken."""
 
-HINGE, END, LONG = 0.4, 0.8, 0.8
-"""An outline is long if its spread along and across differ by this share of their sum, as of a bar three times as long
-as wide. It is hinged at its end if the point that a rotation leaves where it is, is near the outline and far from its
-middle, as shares of its size."""
+ROUNDING = 1e-6
+"""Maximum difference of correlations that are equal."""
 
-LEAST_ROTATION, MOST_RESIDUAL = np.radians(1.0), 0.03
-"""B is a rotated copy if the angle is larger, and no more than this share of A's size is left, root mean square, once
-it is rotated back."""
+HINGE = 0.4
+"""Maximum distance of a hinge, the fixed point of a rotation, from the outline, in root mean square sizes."""
+
+END = 0.8
+"""Minimum distance of a hinge from the middle of the outline, in root mean square sizes."""
+
+LONG = 0.8
+"""Minimum difference of a long outline's spreads along and across, as a share of their sum: that of a bar three times
+as long as wide."""
+
+LEAST_ROTATION = np.radians(1.0)
+"""Minimum angle of a rotation, in radians."""
+
+MOST_RESIDUAL = 0.03
+"""Maximum distance from a rotated copy, root mean square, as a share of A's size."""
 
 
 def rotation_between(a: Polygon, b: Polygon) -> float | None:

@@ -13,15 +13,17 @@ if TYPE_CHECKING:
 
 FULL_TURN = 2.0 * np.pi
 
-CUSP, SHARP = np.pi - 1e-6, 0.75 * np.pi
-"""From the first angle on a turn is half a round, back over itself, and its sign means nothing; from the second on it
-may be taken for one the other way round, where two chains disagree about the sum."""
+CUSP = np.pi - 1e-6
+"""Minimum turn of a cusp, where a chain goes back over itself and the sign of the turn means nothing, in radians."""
+
+SHARP = 0.75 * np.pi
+"""Minimum turn that may be taken for a turn the other way round if two chains disagree about the sum, in radians."""
 
 NEARLY_STRAIGHT = 0.1
-"""Neighbours of a cusp that turn by less, together, do not say which way round it turns."""
+"""Minimum turn of both neighbours of a cusp, together, that decides its direction, in radians."""
 
 NEGLIGIBLE_AREA = 1e-9
-"""An outline that encloses less, with its length as 1, has no orientation."""
+"""Maximum area of an outline without an orientation, as a share of its squared length."""
 
 
 class Chain(NamedTuple):

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Pair
 
 POOR = 0.4
-"""A blend with so much wrong looks poor."""
+"""Minimum fault of a blend that looks poor."""
 
 FAULTS = {
     "sweep": "parts go a long way round",
@@ -25,7 +25,7 @@ FAULTS = {
     "limbs": "limbs get too thin or too fat",
     "view": "something leaves the view",
 }
-"""What the terms of the judge mean to who looks."""
+"""Faults that the terms of the judge measure, as people see them."""
 
 
 class Verdict(NamedTuple):

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Box, Drawing
 
 SAME_SCALE = 1e-3
-"""Sizes that differ by less than this share are one."""
+"""Maximum difference of sizes that are the same, as a share."""
 
 
 def common_page(pages: Sequence[Page]) -> Page:

@@ -22,10 +22,11 @@ if TYPE_CHECKING:
     from coloraide.spaces.srgb_linear import sRGBLinear
 
 TOLERANCE = 0.02
-"""The delta E OK up to which two colours look alike."""
+"""Maximum difference of colours that look alike, in delta E OK."""
 
 STEPS = 3
-"""So do colours that differ by so many 255ths in each channel: near black, one of them is a delta E OK of 0.07."""
+"""Maximum difference of colours that look alike all the same, in 255ths of each channel: near black these are up to a
+delta E OK of 0.07."""
 
 _MOST_GAPS = 16
 _PROBES = 8

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ShapeBlend, Style
 
 MOST_DASHES = 64
-"""Two lists of dashes are repeated to at most so many entries."""
+"""Maximum number of entries to which two lists of dashes are repeated."""
 
 
 NO_PAINT = Paint(None, 1.0)

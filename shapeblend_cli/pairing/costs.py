@@ -17,41 +17,50 @@ if TYPE_CHECKING:
     from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray
 
-OVERLAP_WEIGHT, DISTANCE_WEIGHT = 0.65, 1.5
-"""Cost of boxes that do not overlap, and of a distance as large as the frame: the part that a contour lies on."""
+OVERLAP_WEIGHT = 0.65
+"""Cost of boxes that do not overlap."""
+
+DISTANCE_WEIGHT = 1.5
+"""Cost of a distance as large as the frame, the part around a contour."""
 
 MARGIN = 0.03
-"""Boxes are larger by this share of their frame on each side, so that lines and specks have some."""
+"""Margin of boxes on each side, as a share of their frame, so that lines and specks have some area."""
 
 SIZE_WEIGHT = 0.45
 """Cost of a change of size by the factor e."""
 
 MOST_GROWTH = 3.0
-"""No change of size costs more than by so many times the factor e."""
+"""Maximum change of size that costs more than smaller ones, as a power of e."""
 
-WORK_WEIGHT, WORK_HALF_SATURATION = 0.5, 10.0
-"""Cost of any amount of work, and the least work that costs half of it: a circle into a five-pointed star takes about
-this much. The cost is the share work / (work + `WORK_HALF_SATURATION`): shapes that differ in every detail are not
-worse partners than those that differ in most."""
+WORK_WEIGHT = 0.5
+"""Maximum cost of work."""
+
+WORK_HALF_SATURATION = 10.0
+"""Work that costs half the maximum: about that of a circle into a five-pointed star. The cost is the share
+work / (work + `WORK_HALF_SATURATION`): shapes that differ in every detail are no worse partners than shapes that differ
+in most."""
 
 LIKENESS = WorkConstants(**PAPER)
-"""By what contours are alike: the paper's work, which does not hang on where they are. The weights are set for it."""
+"""Constants of the work between contours, the paper's: this work does not depend on places. The weights rely on it."""
 
 PAINT_WEIGHT = 0.65
-"""Cost of turning a filled shape into one that is not, or one without a stroke into one with; and of turning black
-into white."""
+"""Cost of a fill that comes or goes, of a stroke that comes or goes, and of black that becomes white."""
 
 COLOUR_HALF = 0.6
-"""Of what black into white costs, colours so far apart cost rather more than half: another colour is another colour."""
+"""Difference of colours, from 0 to 1, that costs rather more than half of black into white: another colour is another
+colour."""
 
-ALONE_COST, ALONE_SIZE_COST = 0.78, 0.35
-"""Cost of a contour without a partner, and more for one as large as the drawing."""
+ALONE_COST = 0.78
+"""Cost of a contour without a partner."""
+
+ALONE_SIZE_COST = 0.35
+"""Additional cost of a contour without a partner if it is as large as the drawing."""
 
 MOST_UNEVEN = 2.0
-"""A part is laid over another with its height scaled by at most so many times its width's factor, or the reverse."""
+"""Maximum ratio of the scales along both axes of a part that is laid over another."""
 
 MOST_WORKS = 600
-"""Maximum number of pairs whose work is compared, about: those that cost least without it."""
+"""Maximum number of pairs whose work is compared, about: the cheapest without it."""
 
 
 class Boxes(NamedTuple):

@@ -21,14 +21,20 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import ComplexArray
 
-TIMES, WATCHED = np.arange(1, 10) / 10, 24
-"""When a growing hole is checked for lying inside, and at how many of its vertices at most."""
+TIMES = np.arange(1, 10) / 10
+"""Times at which a growing hole is checked for lying inside."""
 
-GRID, TRIES = 12, 40
-"""A point that will not do is replaced by one of a grid of so many rows and columns; so many are tried at most."""
+WATCHED = 24
+"""Maximum number of vertices of an outline that are checked."""
+
+GRID = 12
+"""Number of rows and columns of the grid of points from which a hole may grow instead of its own."""
+
+TRIES = 40
+"""Maximum number of points that are tried."""
 
 FALL = 4
-"""What a vertex counts for a point outside falls by this power of the distance."""
+"""Power of the distance by which the weight of a vertex falls for a point outside."""
 
 
 class MatchedPoints(NamedTuple):

@@ -21,19 +21,19 @@ if TYPE_CHECKING:
     from shapeblend_cli.options.settings import Settings
 
 PLACES = 40
-"""A ring is tried to be opened at so many places, evenly round its hole."""
+"""Number of places, evenly round its hole, at which a ring may open."""
 
 LEAST_HOLE = 0.15
-"""The least hole of a ring, as a share of the area within its outer edge."""
+"""Minimum area of a ring's hole, as a share of the area within the outer edge."""
 
 WIDTH = 0.5
-"""By which share the work counts more where a ring is twice as wide as at its narrowest."""
+"""Additional weight of the work at a place where a ring is twice as wide as at its narrowest."""
 
 NARROW = 1e-3
-"""A ring that is narrower than this share of its size counts as so wide."""
+"""Minimum width of a ring, as a share of its size: a narrower one counts as so wide."""
 
 CLEAR = 0.6
-"""A ring is opened if that takes at most this share of the work that its outer edge alone takes."""
+"""Maximum work of an opened ring, as a share of the work of its outer edge alone."""
 
 
 def open_rings(

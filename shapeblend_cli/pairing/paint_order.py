@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 SAMPLES = 128
-"""So many vertices of a contour, at most, tell whether two meet."""
+"""Maximum number of a contour's vertices that are checked for meeting another contour."""
 
 
 def paint_places(

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     ConstrainedPairs = dict[NumbersOrNone, tuple[ContourPair, Constraints]]
 
 SUGGESTIONS = 5
-"""Largest number of ids that an error suggests."""
+"""Maximum number of ids that an error suggests."""
 
 
 class PointPin(NamedTuple):

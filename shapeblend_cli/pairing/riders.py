@@ -26,17 +26,23 @@ if TYPE_CHECKING:
     from shapeblend_cli.anatomy.decompose import ContourPair
     from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, FloatArray, IntArray
 
-ON_EDGE, COVERED = 0.5, 0.25
-"""A stroke is on an edge within the first share of its width, and is covered by another stroke within the second."""
+ON_EDGE = 0.5
+"""Maximum distance of a stroke from the edge on which it rides, in widths of the stroke."""
 
-LEAST_SHARE, SURE_SHARE = 0.75, 0.9
-"""So much of a stroke lies on the edge that it rides on, and is covered if it is."""
+COVERED = 0.25
+"""Maximum distance of a stroke from another that covers it, in widths of the narrower one."""
+
+LEAST_SHARE = 0.75
+"""Minimum share of a stroke that lies on the edge on which it rides."""
+
+SURE_SHARE = 0.9
+"""Minimum share of a stroke that lies on another that covers it."""
 
 ONE_WAY = 0.9
-"""A stroke runs along an edge one way round with this share of its length."""
+"""Minimum share of a stroke's length in its main direction along the edge."""
 
 LEAST_SECTION = 2.0
-"""A section that is covered, or is not, is at least so many times as long as the stroke is wide."""
+"""Minimum length of a section that is covered, or is not, in widths of the stroke."""
 
 
 def riders(contours: Sequence[PlacedContour], leaders: Collection[int]) -> dict[int, int]:

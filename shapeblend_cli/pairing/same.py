@@ -20,9 +20,11 @@ if TYPE_CHECKING:
 
     Numbers = tuple[int, int]
 
-TOLERANCE, OWN_TOLERANCE = 2e-3, 1e-2
-"""Contours nowhere further from each other than the first, as a share of the drawings' diagonal, are the same, if that
-is no more than the second as a share of their own."""
+TOLERANCE = 2e-3
+"""Maximum distance of contours that are the same, as a share of the drawings' diagonal."""
+
+OWN_TOLERANCE = 1e-2
+"""Maximum distance of contours that are the same, as a share of their own diagonal."""
 
 
 def same_pairs(

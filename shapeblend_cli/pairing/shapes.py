@@ -28,12 +28,18 @@ if TYPE_CHECKING:
     from shapeblend_cli.anatomy.decompose import ContourPair
     from shapeblend_cli.model import ComplexArray, Motion, Place
 
-TOUCHING, LEAST_HOST, NEARLY_ALL = 0.02, 0.5, 0.9
-"""A contour touches another one within the first share of the drawing's diagonal; what carries it has more than the
-second share of its area; and it lies in one that has the third share of its points inside."""
+TOUCHING = 0.02
+"""Maximum distance of contours that touch, as a share of the drawing's diagonal."""
+
+LEAST_HOST = 0.5
+"""Minimum area of a contour that carries another along, as a share of the other one's area."""
+
+NEARLY_ALL = 0.9
+"""Minimum share of points inside of a contour that lies in another."""
 
 COVERED = {None: None, 0: Fade(0.0, 0.1, comes=True), 1: Fade(0.9, 1.0, comes=False)}
-"""How strokes come or go that lie on those of the other drawing, but never quite, so that only these are seen there."""
+"""Fades of strokes that have strokes of A, 0, or B, 1, in their places: at that end only the latter are seen, since no
+stroke lies exactly on another."""
 
 
 class Match(NamedTuple):

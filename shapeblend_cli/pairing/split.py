@@ -23,25 +23,41 @@ if TYPE_CHECKING:
     from shapeblend_cli.options.settings import Settings
 
 
-ENDS, TRIES = 240, 400
-"""Cuts run between so many vertices at most; so many of the cheapest are checked for lying inside."""
+ENDS = 240
+"""Maximum number of vertices between which cuts are tried."""
+
+TRIES = 400
+"""Maximum number of cuts, the cheapest first, that are checked for lying inside."""
 
 LEAST_SHARE = 0.02
-"""No piece is smaller, as a share of what is cut."""
+"""Minimum area of a piece, as a share of the whole."""
 
-SAME_PLACE, FILLED, MOST_SHARED = 0.5, 0.55, 0.15
-"""Of the box around parts: how much it has in common with that of the whole that they tile, how much of it they fill,
-and how much of it is in the boxes of two."""
+SAME_PLACE = 0.5
+"""Minimum area that the box around parts has in common with the box of the whole, as a share of the larger one."""
 
-LEAST_PART, MOST_PART = 0.12, 0.57
-"""The least and the largest part that tiles a whole with others: its box, as a share of the box around all."""
+FILLED = 0.55
+"""Minimum area of all parts' boxes together, as a share of the box around them."""
+
+MOST_SHARED = 0.15
+"""Maximum area common to boxes of parts, as a share of the box around all."""
+
+LEAST_PART = 0.12
+"""Minimum area of a part's box, as a share of the box around all parts."""
+
+MOST_PART = 0.57
+"""Maximum area of a part's box, as a share of the box around all parts."""
 
 AXES = (1.0 + 0.0j, 1.0j, 1.0 + 1.0j, 1.0 - 1.0j)
-"""Directions in which the partners may be told apart."""
+"""Directions by which partners are divided into two halves."""
 
-# What makes a cut bad, each about 1 at its worst: the wrong share of the area, a length beside the exterior's own size,
-# and pieces that do not lie to each other as their partners do.
-SHARE_WEIGHT, LENGTH_WEIGHT, DIRECTION_WEIGHT = 1.0, 0.3, 1.5
+SHARE_WEIGHT = 1.0
+"""Cost of the wrong share of the area: 1 for all of it."""
+
+LENGTH_WEIGHT = 0.3
+"""Cost of a cut as long as the square root of the exterior's area."""
+
+DIRECTION_WEIGHT = 1.5
+"""Cost of pieces that lie to each other opposite to their partners."""
 
 
 def split_exteriors(
