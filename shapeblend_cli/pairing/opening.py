@@ -1,4 +1,4 @@
-"""A ring that becomes one outline without a hole: it opens where that takes the least work, as an O becomes a C."""
+"""Rings that become an outline without a hole: they open where that takes the least work, as an O becomes a C."""
 
 from __future__ import annotations
 
@@ -43,10 +43,10 @@ def open_rings(
     settings: Settings,
     required: Mapping[int, int],
 ) -> list[ContourPair]:
-    """Open the rings among paired exteriors whose partner has no hole, where that takes far less work.
+    """Open paired rings whose partner has no hole, if that takes far less work. Return all pairs.
 
-    Return all pairs. A ring that is opened has the number of its outer edge, and its hole is part of it. Only what is
-    filled and has no stroke is opened, as a stroke would show where; and no required pair, B's numbers by A's.
+    An opened ring has the number of its outer edge, and its hole is part of it. Rings with a stroke, which would show
+    the cut, and rings of required pairs, B's numbers by A's, stay closed.
     """
     opened = []
     for p, q in pairs:
@@ -66,7 +66,7 @@ def open_rings(
 def _opened(
     ring: PlacedContour, hole: PlacedContour, partner: PlacedContour, settings: Settings
 ) -> PlacedContour:
-    """Return a ring as one outline that becomes its partner with the least work; as it is if that is not much less."""
+    """Return a ring opened where it becomes its partner with the least work; unopened if that is not much less."""
     edge, inner = ring.polygon.vertices, hole.polygon.vertices
     if hole.area < LEAST_HOLE * ring.area:
         return ring
