@@ -1,4 +1,4 @@
-"""Whether one outline is a rotated copy of another, or one drawing of another."""
+"""Whether an outline, or a drawing, is a rotated copy of another."""
 
 from __future__ import annotations
 
@@ -46,10 +46,9 @@ MOST_RESIDUAL = 0.03
 def rotation_between(a: Polygon, b: Polygon) -> float | None:
     """Return the angle by which one polygon is another rotated, in (-pi, pi]; None if they are not alike.
 
-    The angle of least squares for every starting point is the argument of a cyclic correlation of both outlines, whose
-    absolute value says how well they then agree. Of angles that are as good, the smallest is meant; but one that leaves
-    the end of an outline where it is comes first: the hand of a clock turns. Closed polygons must have the same
-    orientation.
+    A cyclic correlation of both outlines has the angle of least squares for every starting point as its argument, and
+    their agreement as its absolute value. Of angles that agree as well, the smallest is taken; but first angles that
+    leave the end of a long outline where it is, as the hand of a clock. Closed polygons must have the same orientation.
     """
     if a.closed != b.closed:
         return None
@@ -72,7 +71,7 @@ def rotation_between(a: Polygon, b: Polygon) -> float | None:
     hinged = _are_hinged(p, mean_b - mean_a, size_b / size_a * np.exp(1j * angles[good]))
     good = good[hinged] if hinged.any() else good
     best = int(good[np.abs(angles[good]).argmin()])
-    # A neighbour may be better still, and then its angle is right. On a circle none is.
+    # The angle of a neighbour that agrees better is right. On a circle no neighbour does.
     while a.closed:
         neighbour = max((best - 1) % SAMPLES, (best + 1) % SAMPLES, key=correlation.__getitem__)
         if correlation[neighbour] <= correlation[best] + ROUNDING:
@@ -83,10 +82,10 @@ def rotation_between(a: Polygon, b: Polygon) -> float | None:
 
 
 def _spread_differently(p: ComplexArray, q: ComplexArray) -> bool:
-    """Return whether the distances of points from their mean say already that two outlines are not `ALIKE`.
+    """Return whether the distances of points from their mean rule out that two outlines are `ALIKE`.
 
-    Outlines of size 1 with a correlation c differ by ``2 - 2 c`` in the sum of squares, and so do distances by no more,
-    whatever the angle; in order of size, by least of all.
+    Outlines of size 1 with a correlation c differ by ``2 - 2 c`` in the sum of squares. Their distances differ by no
+    more, whatever the angle, and by the least if both are sorted.
     """
     spreads = [np.sort(np.abs(z)) for z in (p, q)]
     of_a, of_b = (spread / np.sqrt((spread**2).sum()) for spread in spreads)
@@ -94,9 +93,9 @@ def _spread_differently(p: ComplexArray, q: ComplexArray) -> bool:
 
 
 def _are_hinged(z: ComplexArray, shift: complex, factors: ComplexArray) -> BoolArray:
-    """Return which rotations leave an end of a long outline where it is.
+    """Return which rotations, complex factors, leave an end of a long outline where it is.
 
-    Given are its points relative to their mean, how far that is shifted, and the rotations as complex factors.
+    The points of the outline are relative to their mean, which is shifted.
     """
     square = float((np.abs(z) ** 2).mean())
     if abs((z * z).mean()) < LONG * square:
