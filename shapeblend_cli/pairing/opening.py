@@ -50,15 +50,14 @@ def open_rings(
     """
     opened = []
     for p, q in pairs:
-        holes = [[c for c in side if one.contains_hole(c)] for side, one in zip((a, b), (p, q), strict=True)]
-        styles = p.style, q.style
-        is_plain = all(style.fill is not None and style.stroke is None for style in styles)
-        is_free = required.get(p.number) != q.number
-        if p.role == q.role == EXTERIOR and is_plain and is_free and {len(some) for some in holes} == {0, 1}:
-            if holes[0]:
-                p = _opened(p, holes[0][0], q, settings)
+        inner_a, inner_b = [c for c in a if p.contains_hole(c)], [c for c in b if q.contains_hole(c)]
+        is_plain = all(one.style.fill is not None and one.style.stroke is None for one in (p, q))
+        is_free = p.role == q.role == EXTERIOR and required.get(p.number) != q.number
+        if is_plain and is_free and len(inner_a) + len(inner_b) == 1:
+            if inner_a:
+                p = _opened(p, inner_a[0], q, settings)
             else:
-                q = _opened(q, holes[1][0], p, settings)
+                q = _opened(q, inner_b[0], p, settings)
         opened.append((p, q))
     return opened
 
@@ -82,7 +81,8 @@ def _opened(
         outline = _keyhole(ring, hole, start, end)
         polygon = flatten(outline, settings.vertices)
         work = rough_work(to_unit_box(polygon), target, True, settings.constants)
-        cuts.append((work * (1.0 + WIDTH * max(width / narrowest - 1.0, 0.0)), work, outline, polygon))
+        weight = 1.0 + WIDTH * max(width / narrowest - 1.0, 0.0)
+        cuts.append((work * weight, work, outline, polygon))
     _, work, outline, polygon = min(cuts, key=lambda cut: cut[0])
     closed = rough_work(to_unit_box(ring.polygon), target, True, settings.constants)
     if not work <= CLEAR * closed < np.inf:
