@@ -35,7 +35,7 @@ ROOMS = {
     "pens": "pairing matching motion options anatomy geometry _cython errors model",
     "pairing": "wires motion options anatomy geometry errors model",
     "preview": "wires matching svg.writing options svg.reading interpolate geometry paint model",
-    "outputs": "frames svg.writing options interpolate paint errors model",
+    "outputs": "frames svg.writing options interpolate paint system errors model",
     "wires": "matching options anatomy geometry errors model",
     "frames": "options interpolate geometry paint model",
     "matching": "options _cython errors model",

@@ -46,9 +46,12 @@ except ImportError:  # Cython is needed to build, not to run
     from shapeblend_cli import _cython as cython
 
 if cython.compiled:
+    from cython.cimports.cpython.exc import PyErr_CheckSignals as look_for_signals
     from cython.cimports.libc.math import atan2, fabs, pow, sqrt
 else:
     from math import atan2, fabs, pow, sqrt
+
+    from shapeblend_cli._cython import look_for_signals
 
 if TYPE_CHECKING:
     from shapeblend_cli.matching.tables import Window
@@ -467,6 +470,8 @@ def fill_bends(
     has_motions: cython.bint = not by_turning or bending.p_b != 0.0
     cython.declare(c=cython.Py_ssize_t, i=cython.Py_ssize_t, j=cython.Py_ssize_t, k=cython.Py_ssize_t)
     for c in range(vertices.shape[0]):
+        if c % 8 == 0:
+            look_for_signals()
         i, j = vertices[c], low[c] % n
         k_turn: cython.double = bending.k_b * stiffness[c] if by_turning else 0.0
         k_b: cython.double = 0.0 if by_turning else bending.k_b * stiffness[c]
