@@ -50,8 +50,13 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
                 terminal.note(line)
 
 
-def opened(files: tuple[str, ...], given: dict[str, Any]) -> tuple[tuple[str, ...], dict[str, Any]]:
-    """Return files and options; if a project is given, its drawings and options."""
+def opened(
+    files: tuple[str, ...], given: dict[str, Any], *, stays_inside: bool = False
+) -> tuple[tuple[str, ...], dict[str, Any]]:
+    """Return the drawings and the options of a project if one is given, and else what is given.
+
+    A project that `stays_inside` must not write outside its folder; the studio asks instead.
+    """
     from shapeblend_cli.batch.project import check_outputs, is_project, read_project
 
     projects = [file for file in files if is_project(file)]
