@@ -108,9 +108,10 @@ def recover(contours: Sequence[ComplexArray]) -> list[Recovered] | None:
     contours : sequence of (k, 4) complex
         An exterior and its holes, closed chains of cubic segments in units, with the region on their left.
     """
-    samples = _sampled(contours)
-    if len(samples.points) > MOST_SAMPLES:
+    # Before anything is sampled: drawings far larger than their viewBox would take gigabytes.
+    if sum(float(cubics.lengths(segments).sum()) for segments in contours) > MOST_SAMPLES * STEP:
         return None
+    samples = _sampled(contours)
     diameters = ball_diameters(samples.points, samples.normals, 1.5 * WIDEST)
     widths = _pen_widths(diameters, samples.spacing)
     if not len(widths):

@@ -115,3 +115,9 @@ def test_strokes_of_a_file_are_lines_as_they_are():
 
 def test_what_is_filled_and_stroked_is_no_line():
     assert lines_of('<path d="M3 11H21V13H3Z" fill="#000" stroke="#c00"/>').lines == []
+
+
+@pytest.mark.parametrize("size", [1e4, 1e8])
+def test_outlines_far_larger_than_the_viewbox_are_not_sampled(size, monkeypatch):
+    monkeypatch.setattr("shapeblend_cli.pens.recover._sampled", None)
+    assert lines_of(f"M0 0H{size}V2H0Z").lines == []
