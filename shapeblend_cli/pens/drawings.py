@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 CURVE_POINTS = 12
 """Points on each curved segment of a stroke."""
 
+LONGEST = 800.0
+"""Maximum length of a line, in units: what goes far beyond its viewBox is no icon, and would take gigabytes."""
+
 MITER_LIMIT = 10.0
 """Miter limit of recovered lines: their corners are as sharp as the region's."""
 
@@ -67,6 +70,8 @@ def pen_drawing(drawing: PlacedDrawing, scale: float) -> PenDrawing:
         # Dashes begin where a path does, which a match by lines would move.
         if style.fill is None and style.stroke is not None and not (clipped or style.stroke_dasharray):
             found = [_stroke(contour, scale) for contour in members]
+            if max(line.length for line in found) > LONGEST:
+                found = None
         elif style.stroke is None and style.fill is not None and style.fill_gradient is None and not clipped:
             found = _recovered(members, scale)
             is_recovered = is_recovered or found is not None

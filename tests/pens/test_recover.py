@@ -121,3 +121,8 @@ def test_what_is_filled_and_stroked_is_no_line():
 def test_outlines_far_larger_than_the_viewbox_are_not_sampled(size, monkeypatch):
     monkeypatch.setattr("shapeblend_cli.pens.recover._sampled", None)
     assert lines_of(f"M0 0H{size}V2H0Z").lines == []
+
+
+def test_strokes_far_longer_than_the_viewbox_are_taken_as_they_are():
+    assert lines_of('<path d="M0 0H1e8" fill="none" stroke="#000"/>').lines == []
+    assert len(lines_of('<path d="M0 0H100" fill="none" stroke="#000"/>').lines) == 1
