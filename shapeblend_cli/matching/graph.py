@@ -36,7 +36,7 @@ PRICED = 0.5
 """Share of a usual search that is done when the tables are."""
 
 FIRST_SWEPT = 0.6
-"""Share of a usual search that is done when the first pass is."""
+"""Share of a usual search that is done after one pass."""
 
 
 class Path(NamedTuple):

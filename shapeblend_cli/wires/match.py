@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.wires.direction import Watch
 
 WAYS = (solve_with_shared, solve_with_same_segments, solve_with_symmetry, solve_with_common_cuts)
-"""Ways to solve two contours: the first one that has an answer is taken, and the last one always has."""
+"""Ways to solve two contours, the preferred ones first. The last one always has an answer."""
 
 WAYS_TO_CONSTRAINTS = WAYS[-1:]
 """Ways that keep to pins and stiff regions."""
