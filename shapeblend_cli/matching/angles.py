@@ -209,20 +209,6 @@ def _curve(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -
 
 @cython.cfunc
 @cython.exceptval(check=False)
-def _curve_in_run(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> Curve:
-    """Return a straight curve from Q0 to Q1 where q rests on the way in and on the way out.
-
-    F1 := base, B1 := minus base, so both products of Q1 are of one order: Q1 = conj(d) B0 - conj(F0) d. From
-    there the angle only goes on to pi, the angle of Q2.
-    """
-    d, b0, f0 = q.base[j], p.back[i], p.fwd[i]
-    x0, y0 = _dot(f0, b0), _cross(f0, b0)
-    x1, y1 = _dot(d, b0) - _dot(f0, d), _cross(d, b0) - _cross(f0, d)
-    return Curve(x0, y0, 0.5 * (x0 + x1), 0.5 * (y0 + y1), x1, y1)
-
-
-@cython.cfunc
-@cython.exceptval(check=False)
 def _is_beyond(q: Curve, t: cython.double, noise: cython.double) -> cython.int:
     """Return whether Q is right of the origin at a time within (0, 1): 1 if it is, -1 if rounding might decide."""
     if not 0.0 < t < 1.0:
@@ -234,17 +220,15 @@ def _is_beyond(q: Curve, t: cython.double, noise: cython.double) -> cython.int:
 @cython.cfunc
 @cython.inline
 @cython.exceptval(check=False)
-def _meets_zero(q: Curve, is_straight: cython.bint) -> cython.int:
+def _meets_zero(q: Curve) -> cython.int:
     """Return whether theta reaches zero along Q: 1 or 0, or -1 where rounding might decide. At most one square root."""
     x0, y0, x1, y1, x2, y2 = q.x0, q.y0, q.x1, q.y1, q.x2, q.y2
     if x0 < 0.0 and x1 < 0.0 and x2 < 0.0:
         return 0
     noise: cython.double = ANGLE_NOISE * (fabs(x0) + fabs(x1) + fabs(x2))
-    flat: cython.double = ANGLE_NOISE * (fabs(y0) + fabs(y1) + fabs(y2))
-    if is_straight:
-        noise = flat = noise + flat
     if (y0 > noise and y1 > noise and y2 > noise) or (y0 < -noise and y1 < -noise and y2 < -noise):
         return 0
+    flat: cython.double = ANGLE_NOISE * (fabs(y0) + fabs(y1) + fabs(y2))
     if fabs(y0) <= flat or fabs(y2) <= flat:
         return -1
     b: cython.double = y1 - y0
@@ -359,7 +343,7 @@ class Bending:
     ) -> cython.double:
         """Return the work where both wires move on the way in and on the way out, along Q(t) from arg Q0 to arg Q2."""
         curve: Curve = _curve(p, i, q, j)
-        meets: cython.int = _meets_zero(curve, False) if self.by_turning else -1
+        meets: cython.int = _meets_zero(curve) if self.by_turning else -1
         if meets >= 0:
             return meets * self.p_b
         x0, y0, x1, y1, x2, y2 = curve.x0, curve.y0, curve.x1, curve.y1, curve.x2, curve.y2
@@ -418,16 +402,31 @@ class Bending:
     def inside_run(
         self, k_b: cython.double, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t
     ) -> cython.double:
-        """Return the work where q rests on the way in and on the way out."""
-        curve: Curve = _curve_in_run(p, i, q, j)
-        meets: cython.int = _meets_zero(curve, True) if self.by_turning else -1
-        if meets >= 0:
-            return meets * self.p_b
+        """Return the work where q rests on the way in and on the way out.
+
+        F1 := base, B1 := minus base, so both products of Q1 are of one order: Q1 = conj(d) B0 - conj(F0) d. From there
+        the angle only goes on to pi, the angle of Q2.
+        """
+        d, b, f = q.base[j], p.back[i], p.fwd[i]
+        x0, y0 = _dot(f, b), _cross(f, b)
+        x1, y1 = _dot(d, b) - _dot(f, d), _cross(d, b) - _cross(f, d)
+        if (
+            self.by_turning
+        ):  # whether the way from Q0 to Q1 passes right of the origin, where rounding does not decide
+            if x0 < 0.0 and x1 < 0.0:
+                return 0.0
+            noise: cython.double = ANGLE_NOISE * (fabs(x0) + fabs(y0) + fabs(x1) + fabs(y1))
+            if (y0 > noise and y1 > noise) or (y0 < -noise and y1 < -noise):
+                return 0.0
+            right: cython.double = x0 * fabs(y1) + x1 * fabs(y0)
+            if fabs(y0) > noise and fabs(y1) > noise and fabs(right) > noise * (fabs(y0) + fabs(y1)):
+                return self.p_b if right > 0.0 else 0.0
         theta: cython.double = p.theta[i]
-        longest: cython.double = _dot(p.back[i], p.back[i]) + _dot(p.fwd[i], p.fwd[i])
-        if curve.x2 * curve.x2 + curve.y2 * curve.y2 <= CROSS_NOISE * CROSS_NOISE * longest:
-            return self.of_motion(k_b, theta, PI - theta, 0.0, 0.0)  # Q1 = 0 points nowhere
-        theta1: cython.double = atan2(curve.y2, curve.x2)
+        if x1 * x1 + y1 * y1 <= CROSS_NOISE * CROSS_NOISE * (
+            _dot(b, b) + _dot(f, f)
+        ):  # Q1 = 0 points nowhere
+            return self.of_motion(k_b, theta, PI - theta, 0.0, 0.0)
+        theta1: cython.double = atan2(y1, x1)
         if theta1 < 0.0:
             theta1 += TWO_PI
         return self.at_run(k_b, theta, Turns(_short_way(theta1 - theta), _short_way(PI - theta1)))
