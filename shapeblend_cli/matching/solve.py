@@ -92,7 +92,7 @@ def least_work(
     pins = _checked_pins([*filter(None, [search.start]), *search.pins], m, n)
     first = _first_dot(wires, search, pins)
     near = search.near
-    if near is not None and closed:
+    if near is not None:
         near = (np.roll(near, -first[0]) - first[1]) % n
     problem = coarse.Problem(
         wires=wires.beginning_at(*first),
