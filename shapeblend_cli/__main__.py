@@ -18,10 +18,10 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 gc.disable()  # one short run; looking for garbage while modules load costs a tenth of the start
 
 
-def _stop(*_: object) -> None:
+def _stop(number: int, _: object) -> None:
     """End at once, in one line, while modules load."""
     os.write(2, b"shapeblend: interrupted; nothing was written\n")
-    os._exit(1)
+    os._exit(128 + number)
 
 
 if __name__ == "__main__" or os.path.basename(sys.argv[0]).startswith("shapeblend"):

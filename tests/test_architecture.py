@@ -35,7 +35,7 @@ ROOMS = {
     "pens": "pairing matching motion options anatomy geometry _cython errors model",
     "pairing": "wires motion options anatomy geometry errors model",
     "preview": "wires matching svg.writing options svg.reading interpolate geometry paint model",
-    "outputs": "frames svg.writing options interpolate paint errors model",
+    "outputs": "frames svg.writing options interpolate paint system errors model",
     "wires": "matching options anatomy geometry errors model",
     "frames": "options interpolate geometry paint model",
     "matching": "options _cython errors model",
@@ -169,6 +169,16 @@ def test_imports_follow_the_arrows():
                 wrong.add(f"{module} imports {other}")
     assert_none(wrong, "move the code into a room that may, or hand the value down as an argument")
     assert_none({f"{name} -> {below}" for name, below in arrows - taken}, "nobody goes there: take it away")
+
+
+def test_tools_import_modules_that_there_are():
+    wrong = set()
+    for file in (PACKAGE.parent / "tools").rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+            if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("shapeblend_cli."):
+                if node.module.partition(".")[2] not in TREES:
+                    wrong.add(f"{file.name} imports {node.module}")
+    assert_none(wrong, "import it from where it is now")
 
 
 def test_no_modules_import_each_other_in_a_circle():

@@ -47,13 +47,35 @@ class Task(NamedTuple):
         return job_of(self.files, self.given, ())
 
 
+Place = Callable[[str | Path], str]
+"""Says where a path leads, in the one form in which paths are compared."""
+
+
+def places() -> Place:
+    """Return what says where paths lead; it looks up each once."""
+    folder_of = cache(os.path.realpath)
+
+    @cache
+    def place(path: str | Path) -> str:
+        folder, name = os.path.split(path)
+        found = os.path.join(folder_of(folder), name)
+        is_plain = name not in ("", os.curdir, os.pardir) and not os.path.islink(found)
+        return os.path.normcase(found if is_plain else os.path.realpath(path))
+
+    return place
+
+
 def plan(
-    rows: Sequence[Row], defaults: Mapping[str, Any], pattern: str, source: tuple[str, ...]
+    rows: Sequence[Row],
+    defaults: Mapping[str, Any],
+    pattern: str,
+    source: tuple[str, ...],
+    outside: bool = False,
 ) -> list[Task]:
     """Return the tasks of all rows, which come from a `source`.
 
     `defaults` are values of options for rows that do not have their own, and `pattern` is the output of those that get
-    none from there.
+    none from there. Files that a manifest names lie in its folder, or may lie `outside`.
 
     Raises
     ------
@@ -62,6 +84,7 @@ def plan(
         one reads or writes.
     """
     tasks = []
+    leads = places()
     for number, row in enumerate(rows, 1):
         given = {**defaults, **row.given}
         if given.get("output") is None:
@@ -71,7 +94,10 @@ def plan(
         fields = _fields(row, number, len(rows))
         for name in FILES:
             if given.get(name) is not None:
-                given[name] = _filled(given[name], fields, row.where)
+                path = _filled(given[name], fields, row.where)
+                if given[name].is_bound and not outside:
+                    _check_inside(path, given[name].base or os.curdir, row.where, leads)
+                given[name] = path
         try:
             job = job_of(row.files, given, ())
             targets = tuple(all_targets(job))
@@ -83,6 +109,15 @@ def plan(
         tasks.append(Task(number, row.where, row.files, given, targets, place, tree, source))
     _check_files(tasks)
     return tasks
+
+
+def _check_inside(path: str, folder: str, where: str, leads: Place) -> None:
+    """Raise OptionError for a path that leads out of a folder."""
+    around = leads(os.path.join(folder, os.curdir))
+    if os.path.commonpath([leads(path), around]) != around:
+        raise OptionError(
+            f"{where}: {path} lies outside the folder of the manifest; --outside on the command line allows that"
+        )
 
 
 def _suffix(emit: str) -> str:
@@ -113,24 +148,6 @@ def _filled(name: Name, fields: Mapping[str, str], where: str) -> str:
     if name.pattern == STANDARD_OUTPUT:
         raise OptionError(f"{where}: a batch writes files, and nothing to standard output")
     return os.path.join(name.base, _FIELD.sub(fill, name.pattern))
-
-
-Place = Callable[[str | Path], str]
-"""Says where a path leads, in the one form in which paths are compared."""
-
-
-def places() -> Place:
-    """Return what says where paths lead; it looks up each once."""
-    folder_of = cache(os.path.realpath)
-
-    @cache
-    def place(path: str | Path) -> str:
-        folder, name = os.path.split(path)
-        found = os.path.join(folder_of(folder), name)
-        is_plain = name not in ("", os.curdir, os.pardir) and not os.path.islink(found)
-        return os.path.normcase(found if is_plain else os.path.realpath(path))
-
-    return place
 
 
 class _Owner(NamedTuple):

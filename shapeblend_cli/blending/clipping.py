@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.options.settings import Settings
 
 ROOM = 0.05
-"""Room around a shape in the box that stands for no clip, as a share of its larger side."""
+"""Margin of the box around a shape that stands for a missing clip, as a share of the shape's larger side."""
 
 
 def with_clips(pair: Pair, settings: Settings) -> Pair:

@@ -44,7 +44,8 @@ def run(arguments: Sequence[str], began: float | None = None) -> int:
     """Run a command line; an error is one line on standard error.
 
     `began` is the time by `perf_counter` at which a process was started for it. Return the exit status: 0 done, 1 the
-    input or the run failed, 2 the command line is wrong; a command may return others.
+    input or the run failed, 2 the command line is wrong, 128 and the number of the signal that stopped it; a command
+    may return others.
     """
     try:
         with listening():
@@ -60,7 +61,10 @@ def run(arguments: Sequence[str], began: float | None = None) -> int:
     except OptionError as error:
         say(f"{error} (shapeblend --help lists the options)")
         return USAGE
-    except (Interrupted, ShapeblendError) as error:
+    except Interrupted as error:
+        say(str(error))
+        return status_of(error)
+    except ShapeblendError as error:
         say(str(error))
         return FAILED
     except (BrokenPipeError, SystemExit):
@@ -68,6 +72,11 @@ def run(arguments: Sequence[str], began: float | None = None) -> int:
     except (OSError, MemoryError) as error:
         say(in_words(error))
         return FAILED
+
+
+def status_of(interrupted: Interrupted) -> int:
+    """Return the exit status after a signal, as shells have it: 130 after Ctrl-C; 1 after --timeout."""
+    return FAILED if interrupted.is_late else 128 + interrupted.number
 
 
 def run_safely(arguments: Sequence[str], began: float | None = None) -> int:
@@ -84,7 +93,7 @@ def run_safely(arguments: Sequence[str], began: float | None = None) -> int:
 
 
 def _occupy_streams() -> None:
-    """Open what is closed of the standard streams, so that no file takes its number; printing fails as before."""
+    """Open standard streams that are closed, so that no file takes their numbers; printing fails as before."""
     for number in range(3):
         try:
             os.fstat(number)
@@ -98,4 +107,4 @@ def _end(unraisable: sys.UnraisableHookArgs) -> None:
     """Stop where a signal came while an object was deleted, which Python would only report."""
     if isinstance(unraisable.exc_value, Interrupted):
         say(str(unraisable.exc_value))
-        os._exit(FAILED)
+        os._exit(status_of(unraisable.exc_value))

@@ -226,7 +226,7 @@ def _tasks(
     rows, defaults = (found.rows, {}) if found else read_manifest(names[0])
     asked = {name: value for name, value in given.items() if value is not None and value != ()}
     pattern = PATTERN_OF_PAIRS if options.pairs else PATTERN
-    tasks = plan(rows, {**defaults, **named(asked)}, pattern, _source(names, options))
+    tasks = plan(rows, {**defaults, **named(asked)}, pattern, _source(names, options), options.outside)
     if found is not None:
         file = found.first_found(str(target) for task in tasks for target in task.targets)
         if file is not None:

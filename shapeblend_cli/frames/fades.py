@@ -1,7 +1,7 @@
-"""Where a shape changes its place in the order of paint, and when: on the way, at a time when least is seen of it.
+"""Shapes that change their place in the order of paint, at a time when little is seen of it.
 
-It is there twice, with the same outlines and paint. The copy at B's place comes first; the one at A's place then goes.
-Of paint that is not opaque, one comes while the other goes.
+Such a shape is there twice, with the same outlines and paint. First the copy at B's place appears, then the copy at A's
+place disappears; if the paint is not opaque, both at once.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Style
 
 TIMES = (0.5, 0.4, 0.6, 0.3, 0.7)
-"""Times at which a shape may change its place: the first at which it meets nothing that it passes, else the first."""
+"""Times at which a shape may change its place, the best first: at one of them it may meet no shape that it passes."""
 
 LENGTH = 0.1
-"""How long a copy takes to come or to go."""
+"""Duration of a copy's fade, as a share of the time."""
 
 
 def in_paint_order(shapes: Sequence[ShapeBlend], places: Sequence[Place]) -> tuple[ShapeBlend, ...]:
-    """Return shapes by their places, twice where they have two: one that goes, and its twin, which comes."""
+    """Return shapes in the order of their places; if they have two, a copy that disappears, and a twin that appears."""
     positions: dict[int, list[int]] = {}
     for position, place in enumerate(places):
         positions.setdefault(place.shape, []).append(position)
@@ -51,7 +51,7 @@ def in_paint_order(shapes: Sequence[ShapeBlend], places: Sequence[Place]) -> tup
         if end is not None:
             time = time_of(shape)
             is_opaque = _is_opaque(blend.style_a) and _is_opaque(blend.style_b)
-            # Two coats that are half transparent come and go at once, lest they be seen through each other.
+            # Transparent copies fade at the same time: together they would look darker.
             begin = time - LENGTH if end or not is_opaque else time
             until = time + LENGTH if not end or not is_opaque else time
             blend = blend._replace(fade=Fade(begin, until, comes=bool(end)), is_twin=bool(end))

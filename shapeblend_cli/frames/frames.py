@@ -1,4 +1,4 @@
-"""What is drawn of a blend at a time, and at the times that settings ask for."""
+"""The frames of a blend: the shapes at a time, and the times that settings ask for."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def times_of_frames(pairs: Sequence[Pair], settings: Settings) -> list[tuple[Pai
     if settings.times:
         return [(pair, settings.ease.at(t) if 0.0 < t < 1.0 else t) for pair in pairs for t in settings.times]
     times = frame_times(settings.frames, settings.ends, settings.ease)
-    # A pair but the first begins with the drawing that the one before has ended with.
+    # Pairs but the first begin with the drawing with which the pair before ends.
     return [(pair, t) for pair in pairs for t in (times[1:] if settings.ends and pair.a else times)]
 
 
@@ -62,8 +62,8 @@ def _mixed_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
 
 
 def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
-    """Return the shapes of a pair at time t, at all times with the same commands; points are kept."""
-    clips: dict[tuple[int, float], Clip] = {}  # shapes that have one in common still do
+    """Return the shapes of a pair at time t, with the same commands at all times: also contours that are points."""
+    clips: dict[tuple[int, float], Clip] = {}  # shapes that share a clip still share it
 
     def clip_at(clip: ClipBlend, time: float) -> Clip:
         key = id(clip), time
@@ -85,7 +85,7 @@ def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
 
 
 def fading_styles(shape: ShapeBlend) -> tuple[tuple[float, Style], ...]:
-    """Return times within (0, 1) and the upper styles then between which the opacities of a shape change evenly."""
+    """Return times within (0, 1) between which the opacities of a shape change evenly, with its upper styles."""
     times = shape.fade.times if shape.fade is not None else ()
     times = tuple(map(shape.time_of, times))
     return tuple((t, shape_styles(shape, t)[0]) for t in times)
@@ -94,7 +94,7 @@ def fading_styles(shape: ShapeBlend) -> tuple[tuple[float, Style], ...]:
 def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:
     """Return the frame at time t; at t = 0 and t = 1 it may be the drawing itself.
 
-    Before and after these outlines go on as they moved, and all else stays as it is there.
+    Before 0 and after 1 outlines move on, and everything else stays.
     """
     if not 0.0 <= t <= 1.0:
         end = float(t > 1.0)
@@ -109,7 +109,7 @@ def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:
 
 
 def _seen(pair: Pair, t: float) -> list[tuple[PaintedShape, ShapeBlend]]:
-    """Return the shapes at time t, without copies that have faded or are yet to come."""
+    """Return the shapes at time t without copies that cannot be seen."""
     return [
         (shape, blend)
         for shape, blend in zip(shapes_at(pair, t), pair.shapes, strict=True)

@@ -11,9 +11,9 @@ if TYPE_CHECKING:
 
 
 def staggered(pair: Pair, stagger: float, by: str) -> Pair:
-    """Return a pair in which the last shape starts so late, as a share of the time, and all take equally long.
+    """Return a pair whose shapes start in turn, the last after a share of the time, and take equally long.
 
-    They start in paint order, the largest first, or from one side of the drawing. Copies of a shape start together.
+    They start in paint order, by size, or from one side of the drawing. Copies of a shape start together.
     """
     key = _key(by)
     parts: dict[tuple[tuple[int | None, int | None], ...], list[int]] = {}
@@ -42,7 +42,7 @@ def _key(by: str) -> Callable[[ShapeBlend], float]:
 
 
 def _centre(shape: ShapeBlend) -> complex:
-    """Return the middle of a shape in the first drawing, or of what is not there in the second."""
+    """Return the middle of a shape in the first drawing; in the second if it is not in the first."""
     matched = [c for c in shape.contours if not c.grows] or list(shape.contours)
     outlines = [c.end if c.grows else c.start for c in matched]
     return control_box(outlines).centre

@@ -1,4 +1,4 @@
-"""What part of the plane a frame shows."""
+"""The part of the plane that a frame shows."""
 
 from __future__ import annotations
 
@@ -13,23 +13,22 @@ if TYPE_CHECKING:
 
 
 MARGIN = 0.02
-"""Room around what a drawing without a viewBox paints, as a share of its larger side."""
+"""Margin around the painted area of a drawing without a viewBox, as a share of its larger side."""
 
 CUT_OFF = 0.04
-"""What leaves the viewBox on its way by less than this share of its size is not missed: a unit of 24."""
+"""Maximum overhang of a moving shape beyond the viewBox that is not missed, as a share of its size: a unit of 24."""
 
 SLACK = 1e-9
-"""What sticks out of a viewBox by less than this share of its size does so by rounding."""
+"""Maximum overhang that is due to rounding, as a share of the viewBox."""
 
 
 def view_of(
     drawn: Sequence[PaintedShape], viewbox: Box | None, keeping: str = "auto", *, own: bool = True
 ) -> Box:
-    """Return what to show of a drawing: its viewBox, as browsers do; without one, what it paints.
+    """Return the view of a drawing: its viewBox, as in browsers; without one, the painted area.
 
-    `keeping` is as `--viewbox` has it. What is painted outside the viewBox is shown if it is to grow; also if else
-    nothing would be seen, or if the viewBox is not the drawing's own: where drawings are laid by their own boxes, the
-    viewBox of the first stands in for the others'.
+    `keeping` is the value of `--viewbox`. The painted area outside of the viewBox is added with `grow`, if nothing else
+    would be seen, or if the viewBox is not the drawing's own but stands in for it.
     """
     painted = Box.union([_painted(shape.paths, shape.style) for shape in drawn])
     if viewbox is None:
@@ -43,7 +42,7 @@ def view_of(
 def with_room(pairs: Sequence[Pair], keeping: str = "auto") -> list[Pair]:
     """Return pairs whose views are enlarged for shapes that leave them between the drawings.
 
-    `keeping` is as `--viewbox` has it. A drawing that ends one pair and begins the next has the same view in both.
+    `keeping` is the value of `--viewbox`. A drawing that ends one pair and begins the next has the same view in both.
     """
     views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
     for pair in () if keeping == "keep" else pairs:
@@ -55,13 +54,13 @@ def with_room(pairs: Sequence[Pair], keeping: str = "auto") -> list[Pair]:
 
 
 def _reach(pair: Pair, slack: float) -> Box | None:
-    """Return the box around what does not move straight and leaves the views of both drawings, if any does.
+    """Return the box around shapes that leave the views of both drawings on curved paths, if any do.
 
-    It may stick out by a share of the view's size, beyond what it sticks out at both ends.
+    An overhang is ignored up to `slack`, a share of the view's size, and up to the overhangs at the ends.
     """
     boxes = []
     for shape in pair.shapes:
-        # Nothing is seen of a sweep that is not seen in one of the drawings, and straight paths stay between them.
+        # Straight paths and sweeps stay within the drawings.
         if shape.motion is None or shape.motion_name == "sweep":
             continue
         ends = [
@@ -77,7 +76,7 @@ def _reach(pair: Pair, slack: float) -> Box | None:
 
 
 def _painted(paths: Sequence[CubicPath], *styles: Style) -> Box:
-    """Return the box around paths, painted in the widest of some styles."""
+    """Return the box around paths with the widest stroke of some styles."""
     reach = max(style.reach for style in styles)
     return Box.union([cubics.bounds(path.segments).expanded(reach) for path in paths])
 
@@ -91,7 +90,7 @@ def _is_inside(painted: Box, view: Box) -> bool:
 
 
 def _overhang(painted: Box, view: Box) -> float:
-    """Return how far a box sticks out of another one, as a share of that one's larger side."""
+    """Return the overhang of a box beyond a view, as a share of the view's larger side."""
     left, top, right, bottom = view.bounds
     x0, y0, x1, y1 = painted.bounds
     return max(left - x0, top - y0, x1 - right, y1 - bottom, 0.0) / view.larger_side

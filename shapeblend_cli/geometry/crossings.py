@@ -26,9 +26,12 @@ except ImportError:  # Cython is needed to build, not to run
     from shapeblend_cli import _cython as cython
 
 if cython.compiled:
+    from cython.cimports.cpython.exc import PyErr_CheckSignals as look_for_signals
     from cython.cimports.libc.math import fabs, sqrt
 else:
     from math import fabs, sqrt
+
+    from shapeblend_cli._cython import look_for_signals
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -82,13 +85,7 @@ def path_crossings(paths: Sequence[CubicPath], most: int | None = None) -> int:
     Touching is no crossing, nor is running along each other, also if the strands part to other sides than they met.
     Strands that pass through each other at a node of one or both cross once. Curves are cut into chords that deviate
     from them by at most `CHORD_ERROR` of the size; strands that stay within four times that of each other touch.
-
-    Parameters
-    ----------
-    paths : sequence of CubicPath
-        Closed ones end where they begin.
-    most : int, optional
-        Stop counting there: 1 asks whether anything crosses.
+    Counting stops at `most`: 1 asks whether anything crosses.
     """
     if not paths:
         return 0
@@ -258,6 +255,8 @@ def _count_crossings(chains: _Chains, most: cython.Py_ssize_t) -> cython.Py_ssiz
     count: cython.Py_ssize_t = 0
     cython.declare(p=cython.Py_ssize_t, q=cython.Py_ssize_t)
     for p in range(blocks.shape[0]):
+        if p % 8 == 0:
+            look_for_signals()
         for q in range(p + 1, blocks.shape[0]):
             if boxes[q, LEFT] > boxes[p, RIGHT] + noise:
                 break

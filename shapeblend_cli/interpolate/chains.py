@@ -1,4 +1,4 @@
-"""Several pairs in a row: what continues from one to the next becomes one path; see `contour_chains`."""
+"""Several pairs in a row: shapes that continue from pair to pair become one path; see `contour_chains`."""
 
 from __future__ import annotations
 
@@ -37,16 +37,12 @@ if TYPE_CHECKING:
 
 
 class _ShapeChain(NamedTuple):
-    """A shape over two keys or more, `first` being the number of the drawing it begins with.
+    """A shape over two keys or more; over two if it fades."""
 
-    It has a style at each key, and for each key but the last the times of the waypoints before the next one. What fades
-    has two keys and no more.
-    """
-
-    first: int
+    first: int  # number of the first drawing
     contours: list[ContourChain]
-    styles: list[Style]
-    times: list[tuple[float, ...]]
+    styles: list[Style]  # at each key
+    times: list[tuple[float, ...]]  # of the waypoints after each key but the last
     fading: ShapeBlend | None = None  # the shape, if it fades
     names: tuple[Name, ...] = ()
     groups: tuple[Group, ...] = ()
@@ -55,18 +51,18 @@ class _ShapeChain(NamedTuple):
 
 
 def keyframed_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
-    """Join what is painted together from one drawing to the next, for as long as it stays together.
+    """Join shapes that stay together from one drawing to the next.
 
     Parameters
     ----------
     pairs : sequence of Pair
-        Each begins with the drawing that the one before it ends with.
+        Each begins with the drawing with which the one before it ends.
 
     Returns
     -------
     list of KeyframedShape
-        In an order of paint that is each pair's own. A shape continues if the next pair has one of exactly the same
-        contours, each of them whole, and as long as it keeps its place among others that continue.
+        In an order of paint that agrees with each pair's. A shape continues if the next pair has a shape of exactly the
+        same contours, all whole, and if it keeps its place among the others that continue.
     """
     chains: list[_ShapeChain] = []
     for pair in pairs:
@@ -96,7 +92,9 @@ def keyframed_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
             merged += [*chains[merged_before:before], *new, extended]
             new, merged_before = [], before + 1
         chains = [*merged, *chains[merged_before:], *new]
-    regions: dict[tuple[int, int, Span], tuple[KeyframedShape, ...]] = {}  # what is clipped alike stays so
+    regions: dict[
+        tuple[int, int, Span], tuple[KeyframedShape, ...]
+    ] = {}  # shapes that share a clip still share it
 
     def regions_of(chain: _ShapeChain) -> tuple[tuple[KeyframedShape, ...], ...]:
         (span,) = chain.spans[:1]
@@ -110,14 +108,14 @@ def keyframed_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
 
 
 def _longest_rise(numbers: Sequence[int]) -> list[int]:
-    """Return as many numbers as can be left in a list such that they rise.
+    """Return the longest rising list that is left when other numbers are taken out.
 
     Examples
     --------
     >>> _longest_rise([4, 0, 1, 3, 2])
     [0, 1, 2]
     """
-    rises: list[list[int]] = []  # of each length the one that ends lowest
+    rises: list[list[int]] = []  # of each length the list that ends lowest
     for number in numbers:
         k = bisect_left([rise[-1] for rise in rises], number)
         rises[k : k + 1] = [[*(rises[k - 1] if k else []), number]]
@@ -178,7 +176,7 @@ def _coats(chain: _ShapeChain) -> list[KeyframedShape]:
 
 
 def _continue(chain: _ShapeChain, following: _ShapeChain) -> _ShapeChain | None:
-    """Continue every contour, and the paint, of a shape to the next key; None if one of them cannot be."""
+    """Return a shape whose contours and paint all continue to the next key; None if one of them cannot."""
     if chain.clips or following.clips:
         return None
     styles = [*chain.styles, following.styles[-1]]

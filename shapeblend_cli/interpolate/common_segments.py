@@ -1,8 +1,8 @@
-"""What makes two contours segment-for-segment alike: both are cut into the same list of cubics and lines.
+"""Two contours cut into the same list of cubics and lines.
 
-`parametrization` makes positions of vertex numbers, `continuous_match` removes the polygons' rounding from the solver's
-dots, the contours are cut where either has a node and where else the curves would stray from the polygons
-(`deviation`), and `smooth_joints` keeps smooth what is smooth in both drawings.
+`parametrization` makes positions of vertex numbers. `continuous_match` removes the rounding of polygons from the
+solver's dots. Then the contours are cut at the nodes of both, and where the curves would deviate from the polygons
+(`deviation`). `smooth_joints` keeps joints smooth that are smooth in both drawings.
 """
 
 from __future__ import annotations
@@ -27,25 +27,25 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
 
 TOLERANCE = 2e-3
-"""How far in-betweens of curves may lie from those of polygons, as a share of the larger outline's size.
+"""Maximum deviation of in-betweens of curves from in-betweens of polygons, as a share of the larger outline's size.
 
-Four times what flattening allows itself. Over pairs of icons an in-between then has about as many segments as both
+Four times the tolerance of flattening. Over pairs of icons an in-between then has about as many segments as both
 drawings together, and a bump of that height is a fifth of a pixel in an icon of 100. It is a distance of outlines,
-see `deviation.deviation`; the polygons follow the continuous match, which is half an edge off the dots, at most, and
+see `deviation.deviation`; the polygons follow the continuous match, which is off the dots by half an edge at most, and
 only where a vertex is held.
 """
 
 SNAP = 1.5
-"""A node of each contour are merged if at most so many edges of the polygons lie between them."""
+"""Maximum distance of two nodes, one of each contour, that are merged, in edges of the polygons."""
 
 NEARBY = 2.0
-"""Merged nodes are blamed for deviation within so many edges; more than `SNAP`."""
+"""Maximum distance of merged nodes from a deviation that they cause, in edges; more than `SNAP`."""
 
 MOST_ROUNDS = 12
-"""Rounds of cutting; a handful is enough."""
+"""Maximum number of rounds of cutting; a handful is enough."""
 
 SLIDING_ROUNDS = 2
-"""Rounds of sliding cuts; more change little."""
+"""Number of rounds of sliding cuts; more change little."""
 
 SLIDE_SHARES = (1.0, 0.5, 0.0)
 """Shares of a slide that are tried in turn until the curves are within the tolerance."""
@@ -54,8 +54,8 @@ SLIDE_SHARES = (1.0, 0.5, 0.0)
 class CommonSegments(NamedTuple):
     """Two contours as the same list of segments.
 
-    Each segment is a part of one segment of its drawing, or a point where the drawing waits for the other one;
-    together, in order, they are the whole drawing. Each ends where the next begins.
+    Each segment is a part of one segment of its drawing, or a point while the other drawing moves on; together, in
+    order, they are the whole contour. Each ends where the next begins.
     """
 
     start: CubicPath
@@ -68,17 +68,17 @@ def common_segments(
 ) -> CommonSegments:
     """Cut two contours at corresponding positions, so that both have the same segments.
 
-    Every node of either drawing is an end of a segment, at its position on the other one; nodes of both at nearly the
-    same position are merged, corners first. Further cuts are made only where the curves would deviate by more than
-    `TOLERANCE`. The segments of closed contours begin at A's first node.
+    Every node of either drawing is an end of a segment; nodes of both at nearly the same position are merged, the
+    nearest first. Further cuts are made only where the curves would deviate by more than `TOLERANCE`. The segments of
+    closed contours begin at A's first node.
 
     Parameters
     ----------
     contour_a, contour_b : Contour
         In the same coordinates and in the same direction; both closed or both open.
     polygon_a, polygon_b : Polygon
-        The contours flattened, vertices in the order of the contour's parameter. A polygon of one vertex stands
-        for a point, or a line, out of which the other contour grows whole: a contour with as many segments.
+        The contours flattened, vertices in the order of the contour's parameter. A polygon of one vertex stands for a
+        point or a line from which the other contour, with as many segments, grows whole.
     dots : (k, 2) int
         The solver's correspondence, as in `model.Correspondence`: steps of one vertex or none on either side.
     """
@@ -90,7 +90,7 @@ def common_segments(
     a, b = parametrize(contour_a, polygon_a), parametrize(contour_b, polygon_b)
     dots = np.asarray(dots, np.intp)
     if all(one.straight.all() and one.node.all() for one in (a, b)):
-        # Drawn as polygons: nothing is rounded, and the solver's own paths are the best.
+        # Of drawings made of lines nothing is rounded, and the solver's own paths are the best.
         cuts = unroll_from_node(a, b, dots)
     else:
         match = even_lines(match_continuously(a, b, dots))
@@ -117,7 +117,7 @@ def _grow_from(nothing: Contour, contour: Contour, polygon: Polygon) -> CommonSe
 def _pieces(
     a: ContourParameter, b: ContourParameter, cuts: FloatArray
 ) -> tuple[ComplexArray, ComplexArray, BoolArray]:
-    """Return both contours between the cuts, and which pieces are straight in both."""
+    """Return the pieces of both contours between the cuts, (s, 4) each, and which are straight in both."""
     pieces, lines = [], []
     for side, one in enumerate((a, b)):
         segment, start, end = one.pieces(cuts[:, side])
@@ -139,7 +139,7 @@ def _deviation(match: ContinuousMatch, cuts: FloatArray) -> FloatArray:
 
 
 def _find_cuts(match: ContinuousMatch, distance: float) -> FloatArray:
-    """Cut at the nodes, and where else the curves would deviate by more than `distance`."""
+    """Return cuts, (s + 1, 2), at the nodes and where the curves would otherwise deviate by more than a distance."""
     plain, nodes = _cuts_at_nodes(match)
     first = _pairs_to_merge(match, plain, nodes)
     extra = np.zeros((0, 2))
@@ -154,7 +154,7 @@ def _find_cuts(match: ContinuousMatch, distance: float) -> FloatArray:
 
 
 def _cuts_at_nodes(match: ContinuousMatch) -> tuple[FloatArray, BoolArray]:
-    """Return the positions where a drawing has a node or the match is fixed, and whether A and B have a node there."""
+    """Return the positions of nodes and of fixed matches, (k, 2), and whether A and B have a node there, (k, 2)."""
     a, b = match.a, match.b
     fixed = match.positions[match.fixed]
     positions = [fixed]
@@ -171,9 +171,9 @@ def _cuts_at_nodes(match: ContinuousMatch) -> tuple[FloatArray, BoolArray]:
 
 
 def _pairs_to_merge(match: ContinuousMatch, cuts: FloatArray, nodes: BoolArray) -> IntArray:
-    """Return the numbers of cuts to merge with the next one, so that a node of A and one of B become one."""
+    """Return the numbers of cuts at a node of one contour to merge with the next cut, at a node of the other."""
     gaps = match.edges_between(cuts[:-1], cuts[1:])
-    # Together they are at nodes of both, one of them is not, and no node has to give up its position.
+    # Both together are at nodes of A and B, but not each of them, and no node has to give up its position.
     joint = (nodes[:-1] | nodes[1:]).all(axis=1) & ~(nodes[:-1] & nodes[1:]).all(axis=1)
     torn = (nodes[:-1] & nodes[1:] & (cuts[:-1] != cuts[1:])).any(axis=1)
     near = joint & ~torn & (gaps <= SNAP)
@@ -191,7 +191,7 @@ def _pairs_to_merge(match: ContinuousMatch, cuts: FloatArray, nodes: BoolArray) 
 def _merge(
     plain: FloatArray, nodes: BoolArray, first: IntArray, extra: FloatArray
 ) -> tuple[FloatArray, IntArray]:
-    """Merge pairs of cuts and add further ones; return for each cut the number of its pair's first, else -1."""
+    """Merge pairs of cuts and add further cuts; return for each cut the number of its pair's first, -1 without."""
     cuts = plain.copy()
     merged = np.full(len(plain), -1, np.intp)
     cuts[first] = np.where(nodes[first], plain[first], plain[first + 1])
@@ -207,7 +207,7 @@ def _merge(
 def _remedies(
     match: ContinuousMatch, cuts: FloatArray, merged: IntArray, far: FloatArray, distance: float
 ) -> tuple[list[int], list[FloatArray]]:
-    """Return which merged pairs to separate, and where to cut, so that the curves deviate less."""
+    """Return the merged pairs to separate, and the cuts to add, so that the curves deviate less."""
     bad = np.flatnonzero(far > distance)
     apart: list[int] = []
     more: list[FloatArray] = []
@@ -225,7 +225,7 @@ def _remedies(
 
 
 def _slide_cuts(match: ContinuousMatch, cuts: FloatArray, distance: float) -> FloatArray:
-    """Slide cuts for smoother joints, each as far as the curves stay within `distance`."""
+    """Slide cuts for smoother joints as far as the curves stay within a distance of the polygons."""
     ends = match.positions[[0, -1]]
     held = match.positions[match.fixed]
     held = held[(held != ends[0]).any(axis=1) & (held != ends[1]).any(axis=1)]

@@ -14,13 +14,13 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, FloatArray, IntArray
 
 LONG_HOLD = 2
-"""A corner held over at least so many edges of the other contour is meant to be; over fewer it is rounding."""
+"""Minimum hold of a corner that is meant, in edges of the other contour; shorter holds are rounding."""
 
 REACH = 2
-"""Corners of both contours are matched if at most so many steps of the solver lie between them."""
+"""Maximum distance of corners of both contours that are matched, in steps of the solver."""
 
 START_SNAP = 0.5
-"""A node of B within so many mean edges of the partner of A's first node becomes its partner."""
+"""Maximum distance of a node of B from the partner of A's first node to become that partner, in mean edges."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -31,10 +31,10 @@ class ContinuousMatch:
     ----------
     a, b : ContourParameter
     positions : (l, 2) float
-        Corresponding positions on A and B: the solver's dots without the stairs. Neither column decreases; closed
-        contours return to their start.
+        Corresponding positions on A and B: the solver's dots without the stairs. Both columns rise; closed contours
+        return to their start.
     fixed : (l,) bool
-        The positions that need a cut: matched corners, both ends of the hold of a corner, and both ends of the match.
+        Positions that need a cut: matched corners, both ends of the hold of a corner, and both ends of the match.
     """
 
     a: ContourParameter
@@ -43,12 +43,12 @@ class ContinuousMatch:
     fixed: BoolArray
 
     def progress(self, positions: FloatArray) -> FloatArray:
-        """Return how far along both contours together positions are: 0 at vertices 0, 2 once round."""
+        """Return the progress of positions along both contours: 0 at vertices 0, 2 once round."""
         a, b = self.a, self.b
         return a.length_at(positions[:, 0]) / a.lengths[-1] + b.length_at(positions[:, 1]) / b.lengths[-1]
 
     def with_partners(self, side: int, positions: FloatArray) -> FloatArray:
-        """Return positions on A (side 0) or on B (side 1) and the corresponding ones on the other, (k, 2) float."""
+        """Return positions on A, side 0, or B, side 1, with the corresponding positions on the other, (k, 2) float."""
         sides = self.a, self.b
         known = [one.length_at(self.positions[:, k]) for k, one in enumerate(sides)]
         lengths = np.interp(sides[side].length_at(positions), known[side], known[1 - side])
@@ -56,7 +56,7 @@ class ContinuousMatch:
         return np.stack([positions, partners] if side == 0 else [partners, positions], axis=1)
 
     def piece_at(self, cuts: FloatArray, positions: FloatArray) -> IntArray:
-        """Return the number of the piece between two cuts on which each position lies."""
+        """Return for each position the number of the piece between cuts on which it lies."""
         numbers = np.searchsorted(self.progress(cuts), self.progress(positions), side="right") - 1
         return np.clip(numbers, 0, len(cuts) - 2)
 
@@ -71,7 +71,7 @@ class ContinuousMatch:
 
 
 def unroll_from_node(a: ContourParameter, b: ContourParameter, dots: IntArray) -> FloatArray:
-    """Return the solver's dots as positions that never decrease; those of closed contours start at A's first node."""
+    """Return the solver's dots as rising positions; for closed contours, from A's first node on."""
     if not a.closed:
         return unroll(dots, None)
     first = int(np.flatnonzero(a.node)[0])
@@ -83,9 +83,9 @@ def unroll_from_node(a: ContourParameter, b: ContourParameter, dots: IntArray) -
 def match_continuously(a: ContourParameter, b: ContourParameter, dots: IntArray) -> ContinuousMatch:
     """Remove the stairs from the solver's dots, and match corners with corners.
 
-    The polygons' vertices rarely coincide, so now and then one is held while the other contour advances by an edge.
-    That is rounding, and the position in the middle of such a step is as good as its ends. A corner that is held for
-    longer is meant to be: a piece of the other contour grows out of it.
+    The polygons' vertices rarely coincide, so now and then a vertex is held while the other contour advances by an
+    edge. That is rounding, and the position in the middle of such a step is as good as its ends. If a corner is held
+    for longer, a piece of the other contour is meant to grow out of it.
     """
     positions, anchored = _match_corners(a, b, unroll_from_node(a, b, dots))
     if a.closed:
@@ -97,7 +97,7 @@ def match_continuously(a: ContourParameter, b: ContourParameter, dots: IntArray)
 def _match_corners(
     a: ContourParameter, b: ContourParameter, given: FloatArray
 ) -> tuple[FloatArray, BoolArray]:
-    """Match corners that the solver nearly matched; return the positions, and which of them are two corners."""
+    """Match corners that the solver nearly matched; return the positions, and which of them are corners of both."""
     corner_a, corner_b = a.is_corner(given[:, 0]), b.is_corner(given[:, 1])
     both = corner_a & corner_b
     single_a = np.flatnonzero(corner_a & ~is_among(given[:, 0], given[both, 0]))
@@ -105,7 +105,7 @@ def _match_corners(
     if not len(single_a) or not len(single_b):
         return given, both
     length_a, length_b = a.length_at(given[:, 0]), b.length_at(given[:, 1])
-    # Every dot of a single corner of A with the next such dot of B after it and the last one before it.
+    # Candidates are each dot of a single corner of A and the dots of such corners of B next to it.
     after = np.searchsorted(single_b, single_a)
     candidates: list[tuple[float, int, int]] = []
     for side in (after - 1, after):
@@ -119,12 +119,12 @@ def _match_corners(
     last = len(given) - 1
     for _, i, j in sorted(candidates):
         x, y = given[i, 0], given[j, 1]
-        # Both ends of a closed match are one position, which `_choose_start` chooses.
+        # `_choose_start` chooses the ends of a closed match, which are one position.
         if x in used_a or y in used_b or (a.closed and {i, j} & {0, last}):
             continue
         used_a.add(x)
         used_b.add(y)
-        # What lies before the new position on one contour and after it on the other no longer fits.
+        # Positions before the new one on one contour and after it on the other no longer fit.
         wrong = (positions[:, 0] - x) * (positions[:, 1] - y) < 0.0
         wrong[[0, -1]] = False
         if both[wrong].any():
@@ -139,7 +139,7 @@ def _match_corners(
 def _choose_start(
     a: ContourParameter, b: ContourParameter, positions: FloatArray, anchored: BoolArray
 ) -> tuple[FloatArray, BoolArray]:
-    """Start a closed match at the position of B that suits A's first node best."""
+    """Start a closed match at the best position of B for A's first node."""
     period = np.array([a.count, b.count], np.float64)
     first = positions[0, 0]
     held = np.flatnonzero((positions[:, 0] == first) & (positions[:, 0] < first + period[0]))
@@ -188,10 +188,9 @@ def _holds(
 def _remove_stairs(match: ContinuousMatch) -> ContinuousMatch:
     """Return the match without holds that are rounding.
 
-    A hold of one step becomes the position in its middle. A longer one is spread over half an edge before it and half
-    an edge after it: a vertex stands for the contour up to halfway to the next one, so that is as true, and the
-    in-between does not bend where both contours are smooth. Holds of corners stay, and so do parts between corners of
-    the advancing contour, which are corners anyway.
+    A hold of one step becomes the position in its middle. A longer hold is extended by half an edge at both ends: a
+    vertex stands for the contour up to halfway to the next vertex, so that is as correct, and the in-between does not
+    bend where both contours are smooth. Holds of corners stay, and so do holds between corners of the other contour.
     """
     a, b, positions, anchored = match.a, match.b, match.positions, match.fixed
     corners = a.is_corner(positions[:, 0]), b.is_corner(positions[:, 1])
@@ -246,8 +245,8 @@ def _remove_stairs(match: ContinuousMatch) -> ContinuousMatch:
 def even_lines(match: ContinuousMatch) -> ContinuousMatch:
     """Return the match without positions that lie within a line of A and a line of B.
 
-    Between its ends a line then goes evenly to a line, and the in-between is a line too: any other match of the two
-    would draw the same ends, and a bend on the way.
+    Then a line evenly becomes a line, and the in-betweens are lines: any other match would have the same ends, and a
+    bend in between.
     """
     sides = match.a, match.b
     within = ~match.fixed
@@ -262,7 +261,7 @@ def even_lines(match: ContinuousMatch) -> ContinuousMatch:
 def _sort(
     a: ContourParameter, b: ContourParameter, positions: FloatArray, fixed: BoolArray
 ) -> ContinuousMatch:
-    """Sort positions, whatever rounding has done to them; those beyond the end of `fixed` are not fixed."""
+    """Return the match of positions in order, rounding corrected; positions beyond the end of `fixed` are not fixed."""
     fixed = np.append(fixed, np.zeros(len(positions) - len(fixed), np.bool_))
     order = np.lexsort((positions[:, 1], positions[:, 0]))
     return ContinuousMatch(a, b, np.maximum.accumulate(positions[order], axis=0), fixed[order])

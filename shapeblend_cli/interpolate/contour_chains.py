@@ -1,8 +1,7 @@
-"""Contours through several drawings: cut alike, so that each of them has the same segments.
+"""Contours through several drawings, with the same segments in all of them.
 
-Each pair has cut its two outlines at positions of its own, and its polygons have vertices of their own. Where a drawing
-is in two pairs, its outline is cut at the positions of both, and each cut is carried on to the outlines before and
-after, waypoints included.
+Each pair cuts its two outlines at positions of its own. If a drawing is in two pairs, its outline is cut at the
+positions of both, and each cut is carried on to the outlines before and after it, waypoints included.
 """
 
 from __future__ import annotations
@@ -20,24 +19,21 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, Contour, ContourBlend, FloatArray, Polygon
 
 SAME = 1e-6
-"""Positions nearer than this share of a segment are one."""
+"""Maximum distance of positions that are one, as a share of a segment."""
 
 SAMPLES = 33
-"""Points of a curve at which the search for the one nearest to a given point begins."""
+"""Number of points of a curve at which the search for the nearest point begins."""
 
 STEPS = 6
-"""Newton steps of that search."""
+"""Number of Newton steps of that search."""
 
 
 class Key(NamedTuple):
-    """A contour of a drawing: its number, its segments, and where it is cut.
-
-    Cuts are numbers of segments and parameters on them, added up, which rise; once round if closed.
-    """
+    """A contour of a drawing, and its cuts."""
 
     number: int | None
     segments: ComplexArray
-    cuts: FloatArray
+    cuts: FloatArray  # numbers of segments plus parameters, rising; once round if closed
 
     @classmethod
     def of(cls, number: int | None, contour: Contour, polygon: Polygon, cuts: FloatArray) -> Key:
@@ -48,17 +44,13 @@ class Key(NamedTuple):
 
 
 class ContourChain(NamedTuple):
-    """A contour over two keys or more.
+    """A contour over two keys or more."""
 
-    Its stations, (s, 4) complex, are the control points at each key, and between two keys at each waypoint. `start` is
-    the first key, cut as in its own pair, and `end` the last one.
-    """
-
-    stations: list[ComplexArray]
+    stations: list[ComplexArray]  # control points, (s, 4) each, at the keys and at the waypoints between them
     straight: BoolArray
     closed: bool
-    start: Key
-    end: Key
+    start: Key  # the first, cut as in its own pair
+    end: Key  # the last
 
     @classmethod
     def of(cls, blend: ContourBlend, between: Sequence[ComplexArray] = ()) -> ContourChain:
@@ -113,9 +105,9 @@ def extended(contour: ContourChain, after: ContourChain) -> ContourChain:
 
 
 def joined_at_end(contour: ContourChain, after: ContourChain) -> ContourChain:
-    """Add to a contour what another one that begins with its last outline ends with, before that outline.
+    """Insert the end of a contour that begins with another's last outline before that outline.
 
-    So the last one stays what further ones may begin with.
+    The last outline stays, so that further contours may begin with it.
     """
     contour, parts, parts_after, straight = _aligned(contour, after)
     *others, last = (cut(station, parts) for station in contour.stations)
@@ -129,9 +121,9 @@ def joined_at_end(contour: ContourChain, after: ContourChain) -> ContourChain:
 def _aligned(
     contour: ContourChain, after: ContourChain
 ) -> tuple[ContourChain, list[Part], list[Part], BoolArray]:
-    """Cut a contour's last outline and the first one of another, which is the same, alike.
+    """Return the parts of a contour's last outline and of the same outline, which begins another, cut alike.
 
-    Return the contour, which begins where the other one does, the parts of both, and which parts are straight in both.
+    Return first the contour, beginning where the other does, and last which parts are straight in both.
     """
     if contour.closed:
         contour = rolled_to(contour, float(after.start.cuts[0]))
@@ -143,7 +135,7 @@ def _aligned(
 
 
 def rolled_to(contour: ContourChain, position: float) -> ContourChain:
-    """Start a closed contour's list of segments at a position of the last key where there is a cut."""
+    """Start a closed contour's list of segments at the cut of the last key at a position."""
     cuts, count = contour.end.cuts, len(contour.end.segments)
     away = np.abs((cuts[:-1] - position + count / 2.0) % count - count / 2.0)
     first = int(away.argmin())
@@ -158,10 +150,10 @@ def rolled_to(contour: ContourChain, position: float) -> ContourChain:
 def common_parts(
     segments: ComplexArray, cuts: FloatArray, others: ComplexArray, other_cuts: FloatArray
 ) -> tuple[list[Part], list[Part]]:
-    """Cut an outline that is cut in two ways, into `segments` and into `others`, at the positions of both.
+    """Return the parts of two lists of segments of one outline, both cut at the positions of both.
 
-    Both begin at the same position. Their parts correspond one for one; a part is a point where the other list of
-    segments has a point and its own has none.
+    Both lists begin at the same position. Their parts correspond one for one; a part is a point where only the other
+    list has a point.
     """
     parts, other_parts = [], []
     i = j = 0
@@ -171,7 +163,7 @@ def common_parts(
         is_point = i < count_i and u == 0.0 and cuts[i + 1] - cuts[i] <= SAME
         is_other_point = j < count_j and v == 0.0 and other_cuts[j + 1] - other_cuts[j] <= SAME
         if i == count_i or j == count_j or is_point or is_other_point:
-            # The other one is held meanwhile, unless it has a point here as well.
+            # Meanwhile the other list waits, unless it has a point here as well.
             ends_i = i < count_i and (is_point or not is_other_point)
             ends_j = j < count_j and (is_other_point or not is_point)
             next_u, next_v = (1.0 if ends_i else u), (1.0 if ends_j else v)
@@ -188,7 +180,7 @@ def common_parts(
 
 
 def _nearest_parameter(segment: ComplexArray, point: complex) -> float:
-    """Return where on a segment the point nearest to a given one lies."""
+    """Return the parameter of the point of a segment that is nearest to a given point."""
     samples = np.linspace(0.0, 1.0, SAMPLES)
     u = float(samples[np.abs(cubics.evaluate(segment, samples) - point).argmin()])
     for _ in range(STEPS):
@@ -209,6 +201,6 @@ def cut(segments: ComplexArray, parts: Sequence[Part]) -> ComplexArray:
 
 
 def cut_positions(cuts: FloatArray, parts: Sequence[Part]) -> FloatArray:
-    """Return where parts of segments cut an outline: about, between two cuts of before."""
+    """Return the positions at which parts of segments cut an outline, interpolated between the former cuts."""
     numbers, _, end = (np.array(column) for column in zip(*parts, strict=True))
     return np.append(cuts[0], cuts[numbers] + end * (cuts[numbers + 1] - cuts[numbers]))

@@ -1,4 +1,4 @@
-"""How far the in-betweens of curves deviate from the in-betweens of polygons."""
+"""The deviation of in-betweens of curves from in-betweens of polygons."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
 TIMES = (0.25, 0.5, 0.75)
-"""When in-betweens are compared."""
+"""Times at which in-betweens are compared."""
 
 WINDOW = 3
-"""Edges to either side among which the nearest is looked for."""
+"""Number of edges to either side among which the nearest is looked for."""
 
 LEAST_SAMPLES = 4
-"""Edges, at least, by which a piece is approximated."""
+"""Minimum number of edges that approximate a piece."""
 
 
 def deviation(
@@ -28,10 +28,10 @@ def deviation(
 ) -> FloatArray:
     """Return the distance between the in-betweens of curves and of polygons, near each position of a match.
 
-    Both are approximated by polygons, and the distance of each one's vertices from the other's edges is taken: what
-    counts is where the outline runs, not which point is drawn where along it. Only edges nearby are considered, so
-    that one limb lying on another does not hide that it has strayed. The result is never less than the true distance
-    between these polygons. It is the largest at any of `TIMES`, in the drawing's unit.
+    Both are approximated by polygons, and the distances of the vertices of each from the edges of the other are taken:
+    the course of the outline counts, not the places of points along it. Only edges nearby are considered, so that a
+    limb that lies on another does not hide its deviation. The result, the largest at any of `TIMES` in the drawing's
+    unit, is never less than the true distance between these polygons.
 
     Parameters
     ----------

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, Contour, FloatArray, IntArray, Polygon
 
 CORNER = 0.1
-"""Radians (about 6 degrees) by which an outline turns at least at a corner; smooth joints stay below by far."""
+"""Minimum turn of an outline at a corner, in radians (about 6 degrees); smooth joints stay far below."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -25,13 +25,13 @@ class ContourParameter:
     """The parameter by which positions on a contour are given.
 
     A position is a vertex number of the flattened polygon, or a number between two: 3.5 is halfway, in the curve's
-    parameter, from vertex 3 to vertex 4. Vertices are whole numbers, so the drawing's nodes stay exact under
+    parameter, from vertex 3 to vertex 4. Vertices are whole numbers, so that the drawing's nodes stay exact under
     addition. A closed contour continues past its start: position `count` is vertex 0 again.
 
     Attributes
     ----------
     segment : (e,) int
-        The segment on which each edge of the polygon lies; as many edges as vertices if closed, else one less.
+        The segment of each edge of the polygon; as many edges as vertices if closed, else one less.
     start, end : (e,) float
         The edge's parameters on that segment.
     lengths : (e + 1,) float
@@ -93,7 +93,7 @@ class ContourParameter:
         return cubics.evaluate(self.segments[self.segment[edge]], parameter)
 
     def segment_positions(self, positions: FloatArray) -> FloatArray:
-        """Return the numbers of segments, and parameters on them added, that positions are: no vertices count there."""
+        """Return positions as numbers of segments plus parameters, which do not depend on the polygon."""
         rounds = np.floor_divide(positions, self.count) if self.closed else np.zeros_like(positions)
         edge = np.minimum((positions - rounds * self.count).astype(np.intp), self.count - 1)
         share = positions - rounds * self.count - edge
@@ -103,7 +103,7 @@ class ContourParameter:
     def pieces(self, positions: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
         """Return the segment, first and last parameter of each piece between neighbouring positions.
 
-        Between equal positions the piece is a point, on the segment that begins or continues there.
+        Between equal positions a piece is a point of the segment that begins or continues there.
         """
         first, last = positions[:-1], positions[1:]
         begins = np.floor(first).astype(np.intp)

@@ -1,4 +1,4 @@
-"""Where outlines are at a time t: on straight vertex paths, eq (2), or as a motion moves them."""
+"""The outlines at a time t: on straight vertex paths, eq (2), or as a motion moves them."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray
 
 WAYPOINT_TOLERANCE = 2e-3
-"""How far an animation may be from a motion that is not straight, as a share of the size of what moves."""
+"""Maximum deviation of an animation from a motion that is not straight, as a share of the shape's size."""
 
 MOST_HALVINGS = 6
-"""From a drawing to the next an animation has at most two to this power straight steps."""
+"""Maximum number of times that the time between two drawings is halved into straight steps."""
 
 
 def with_curves(blend: ContourBlend) -> ContourBlend:
@@ -32,10 +32,10 @@ def with_curves(blend: ContourBlend) -> ContourBlend:
 def paths_at(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
     """Return the paths of a shape at time t: exactly its start at 0 and its end at 1.
 
-    Without a motion every point moves straight, eq (2), before 0 and after 1 too.
+    Without a motion every point moves straight, eq (2), also before 0 and after 1.
     """
     t = shape.own_time(t)
-    if shape.motion_name == "sweep":  # which does not go on beyond the drawings
+    if shape.motion_name == "sweep":  # it ends at the drawings
         t = min(max(t, 0.0), 1.0)
     if shape.motion is None or t in (0.0, 1.0):
         every = [(1.0 - t) * contour.start.segments + t * contour.end.segments for contour in shape.contours]
@@ -48,10 +48,10 @@ def paths_at(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
 
 
 def waypoints(shape: ShapeBlend) -> tuple[Waypoint, ...]:
-    """Return the times, and the paths then, between which straight paths approximate a shape's motion.
+    """Return the waypoints between which straight paths approximate a shape's motion.
 
-    No control point is off by more than `WAYPOINT_TOLERANCE`, as seen at the middle and the quarters between two
-    neighbours. Straight motion needs no waypoints.
+    At the quarters between two waypoints no control point is off by more than `WAYPOINT_TOLERANCE`. Straight motion
+    needs no waypoints.
     """
     if shape.span != WHOLE:
         whole = shape._replace(span=WHOLE)

@@ -3,15 +3,15 @@
 With control points on straight paths the handles on either side of a joint are at time t
 ``(1 - t) * in_a * u + t * in_b * v`` and ``(1 - t) * out_a * u + t * out_b * v``, for handle lengths `in` and `out`
 and the drawings' directions u and v. They are parallel, and the joint stays smooth, if u is v or if
-``in_a / out_a = in_b / out_b``: if both drawings change speed alike at the joint. Two things can be chosen without
-leaving either drawing:
+``in_a / out_a = in_b / out_b``: if both drawings change speed alike at the joint. Two choices leave both drawings as
+they are:
 
-- how a line is divided that becomes a curve: its inner points may lie anywhere on it;
-- where on a segment the other drawing's node is matched. That slides the correspondence, so it is weighed against how
-  far the in-between is moved sideways.
+- the division of a line that becomes a curve: its inner points may lie anywhere on it;
+- the position on a segment with which the other drawing's node is matched. That slides the correspondence, so it is
+  weighed against the sideways deviation of the in-between.
 
-What remains of a bend after both is mostly the polygons' own: their in-between bends as well, where from one edge to
-the next the vertices of one drawing suddenly follow each other faster, beside those of the other.
+The rest of a bend is mostly the polygons' own: their in-betweens bend as well where, from one edge to the next, the
+vertices of one drawing suddenly follow each other faster, compared with the vertices of the other.
 """
 
 from __future__ import annotations
@@ -29,28 +29,31 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray
 
 SLIGHT_BEND = np.radians(1.0)
-"""A bend that weighs as much as a deviation by `SIDEWAYS`."""
+"""Bend that weighs as much as a deviation of `SIDEWAYS`, in radians."""
 
 SIDEWAYS = 0.3
-"""A deviation, as a share of what is allowed."""
+"""Deviation that weighs as much as a slight bend, as a share of the tolerance."""
 
 LONGEST_SLIDE = 0.3
-"""The most by which a cut slides, as a share of the piece that becomes shorter."""
+"""Maximum slide of a cut, as a share of the piece that becomes shorter."""
 
-LEAST_HANDLE, MOST_HANDLE = 0.05, 0.9
-"""Length of a handle on a line, as a share of the line: such a line never turns back."""
+LEAST_HANDLE = 0.05
+"""Minimum length of a handle on a line, as a share of the line."""
+
+MOST_HANDLE = 0.9
+"""Maximum length of a handle on a line, as a share of the line: such a line never turns back."""
 
 BLOCK = 32
-"""So many cuts slide together, since that takes the time of their number cubed; blocks do not see each other."""
+"""Number of cuts that slide together, independently of other blocks: this takes the time of their number cubed."""
 
 
 class _Joints(NamedTuple):
-    """The joint before each segment: whether it is smooth, its direction, the lengths of its handles in and out."""
+    """The joint before each segment, (s,) each."""
 
     smooth: BoolArray
     direction: ComplexArray
-    inward: FloatArray
-    outward: FloatArray
+    inward: FloatArray  # length of the handle before the joint
+    outward: FloatArray  # length of the handle after the joint
 
 
 def _joints(segments: ComplexArray, closed: bool) -> _Joints:
@@ -65,7 +68,7 @@ def _joints(segments: ComplexArray, closed: bool) -> _Joints:
 
 
 def _excess(a: _Joints, b: _Joints) -> FloatArray:
-    """Return by how much the changes of speed differ; 0 keeps a joint smooth."""
+    """Return the differences of both changes of speed, as logarithms; 0 keeps a joint smooth."""
     return np.log(a.inward * b.outward / (a.outward * b.inward))
 
 
@@ -84,7 +87,7 @@ def divide_lines(
     ----------
     segments_a, segments_b : (s, 4) complex
     line_a, line_b : (s,) bool
-        Which pieces are lines, or points.
+        Pieces that are lines, or points.
     closed : bool
     """
     free = line_a ^ line_b
@@ -95,7 +98,7 @@ def divide_lines(
     even_b = _match_speeds(segments_b, segments_a, free_b)
     a, b = _joints(even_a, closed), _joints(even_b, closed)
     excess = np.where(a.smooth & b.smooth, _excess(a, b), 0.0)
-    # Where both pieces at a joint can change, each takes half.
+    # If both pieces at a joint can change, each takes half.
     share = np.exp(excess / np.maximum(1, free.astype(np.intp) + np.roll(free, 1)))
     following = np.roll(share, -1)
     return (
@@ -107,7 +110,7 @@ def divide_lines(
 def _match_speeds(segments: ComplexArray, others: ComplexArray, lines: BoolArray) -> ComplexArray:
     """Divide lines so that each is as fast at its ends, for its length, as the curve it is matched with.
 
-    Then both are at the same share of their lengths at about the same time, as the polygons are.
+    Then both have passed the same share of their lengths at about the same time, as the polygons have.
     """
     legs = np.abs(np.diff(others[lines], axis=1))
     chord = np.abs(others[lines, 3] - others[lines, 0])
@@ -119,7 +122,7 @@ def _match_speeds(segments: ComplexArray, others: ComplexArray, lines: BoolArray
 def _scale_handles(
     segments: ComplexArray, lines: BoolArray, outward: FloatArray, inward: FloatArray
 ) -> ComplexArray:
-    """Make the handles of lines so many times as long, within bounds."""
+    """Scale the handles of lines, within bounds."""
     start, end = segments[lines, 0], segments[lines, 3]
     whole = np.where(end == start, 1.0, np.abs(end - start))
     head = np.abs(segments[lines, 1] - start) / whole * outward[lines]
@@ -143,9 +146,9 @@ def slide_cuts(
 ) -> FloatArray:
     """Slide cuts so that joints bend less: one step of damped least squares.
 
-    Of a cut at a node of one contour the position on the other one slides; a cut at nodes of both cannot. The bend at
-    half time is, to first order, a weight times the logarithm of ``in_a * out_b / (out_a * in_b)``, and handles are as
-    long as the piece in its segment's parameter; so each joint depends on its own cut and on the two beside it.
+    At a node of one contour, the position on the other slides; a cut at nodes of both cannot. The bend at half time is,
+    to first order, a weight times the logarithm of ``in_a * out_b / (out_a * in_b)``, and the length of a handle is
+    proportional to the piece in its segment's parameter; so each joint depends on its own cut and on the two beside it.
 
     Parameters
     ----------
@@ -166,7 +169,7 @@ def slide_cuts(
         for one, (segment, start, end) in zip((a, b), parts, strict=True)
     )
     smooth = joints_a.smooth & joints_b.smooth & real & np.roll(real, 1)
-    # Lines that become curves are divided as their joints need, so these never bend.
+    # Lines that become curves are divided so that their joints do not bend.
     free = a.straight[parts[0][0]] ^ b.straight[parts[1][0]]
     bends = smooth & ~free & ~np.roll(free, 1)
     node_a, node_b = a.is_node(cuts[:-1, 0]), b.is_node(cuts[:-1, 1])

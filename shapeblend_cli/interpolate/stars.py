@@ -1,7 +1,7 @@
-"""Several drawings that correspond through the first: each shape with one path for all, command for command.
+"""Several drawings, all paired with the first: shapes with the same path commands in every drawing.
 
-Each other drawing is paired with the first. What has a partner there is a contour of it; what has none is a point in
-all drawings but its own.
+A contour of another drawing with a partner in the first is that contour's outline there; without a partner, it is a
+point in all other drawings.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 class _Place(NamedTuple):
-    """Which shape of which pair a contour is in."""
+    """A shape of a pair, by their numbers."""
 
     pair: int
     shape: int
@@ -42,17 +42,14 @@ class _Outline(NamedTuple):
 
 
 class _Group(NamedTuple):
-    """What is painted together: the shape of each pair, of one that has no partner its own pair's alone."""
+    """Contours that are painted together, by the shape of each pair."""
 
     places: tuple[_Place, ...]
-    is_alone: bool = False
+    is_alone: bool = False  # without a partner, in one pair only
 
 
 def star_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
-    """Return shapes with a key for each drawing, the first one's first, all with the same commands.
-
-    Each pair is of the first drawing and another one. The paint of the keys is that of the drawings as it is.
-    """
+    """Return shapes with a key for each drawing, given the pairs of the first drawing with each other one."""
     count = len(pairs) + 1
     of_first: dict[int, dict[int, tuple[_Place, ContourBlend]]] = {}
     alone: list[tuple[_Place, ContourBlend]] = []
@@ -81,7 +78,7 @@ def star_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
 
 
 def _through_all(blends: dict[int, ContourBlend], count: int) -> _Outline:
-    """Return a contour of the first drawing in all of them; where it is in no pair it is as in the first."""
+    """Return a contour of the first drawing in all drawings; in drawings without a partner it is as in the first."""
     (first, blend), *others = blends.items()
     chain = reversed_in_time(ContourChain.of(blend))
     numbers = [first]
@@ -104,7 +101,7 @@ def reversed_in_time(chain: ContourChain) -> ContourChain:
 
 
 def _in_order(groups: Sequence[_Group], pairs: Sequence[Pair]) -> list[_Group]:
-    """Return groups in paint order: the first drawing's as it has them, others right above what is below them."""
+    """Return groups in paint order: the first drawing's in its order, others directly above the group below them."""
     by_place = {place: group for group in groups for place in group.places}
     ordered: list[_Group] = []
     for k, pair in enumerate(pairs):
@@ -136,7 +133,7 @@ def _shape(group: _Group, outlines: Sequence[_Outline], pairs: Sequence[Pair]) -
 
 
 def _style(blend: ShapeBlend, end: int) -> Style:
-    """Return the paint of a shape at one of its ends; strokes that others cover are not seen there."""
+    """Return the paint of a shape at an end; strokes with others in their place are not seen."""
     style = blend.style_b if end else blend.style_a
     if blend.fade is None or None not in blend.sources:
         return style
@@ -144,7 +141,7 @@ def _style(blend: ShapeBlend, end: int) -> Style:
 
 
 def drawings_in(mixes: Sequence[Sequence[float]]) -> list[int]:
-    """Return the numbers of the drawings that some mixture has something of, and two at least.
+    """Return the numbers of the drawings that have a share in some mixture; of two at least.
 
     Examples
     --------
@@ -156,7 +153,7 @@ def drawings_in(mixes: Sequence[Sequence[float]]) -> list[int]:
 
 
 def mixed_shape(shape: KeyframedShape, weights: Sequence[float]) -> PaintedShape | None:
-    """Return a shape that is so much of each key, all adding up to 1; None if there is nothing to see of it."""
+    """Return the mixture of a shape's keys by weights of sum 1; None if nothing of it is seen."""
     paths = []
     for k, path in enumerate(shape.keys[0].paths):
         segments = np.zeros_like(path.segments)
@@ -173,7 +170,7 @@ def mixed_shape(shape: KeyframedShape, weights: Sequence[float]) -> PaintedShape
 
 
 def mixed_style(shape: KeyframedShape, weights: Sequence[float]) -> Style:
-    """Return the paint that is so much of that of each key."""
+    """Return the mixture of the paint of a shape's keys."""
     mixed, total = shape.keys[0].style, 0.0
     for key, weight in zip(shape.keys, weights, strict=True):
         if not weight:
@@ -181,6 +178,6 @@ def mixed_style(shape: KeyframedShape, weights: Sequence[float]) -> Style:
         total += weight
         share = weight / total
         above, below = blend_styles(mixed, key.style, share)
-        # Gradients of two kinds have nothing in between.
+        # Gradients of two kinds do not mix.
         mixed = above if below is None else key.style if share >= 0.5 else mixed
     return mixed

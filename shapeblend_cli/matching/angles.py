@@ -7,18 +7,16 @@ Graphics 26(2), 1992 (SIGGRAPH '92). This file is compiled by Cython and runs un
 
 Symbols
 -------
-``B``, ``F`` (`back`, `fwd`): edge vectors from a vertex to the vertices before and after it; subscript
-0 for the first wire, 1 for the second. ``Q(t) = conj(F(t)) B(t)`` is eqs (6)-(9) as one complex
-product, so ``theta(t) = arg Q(t)`` in [0, 2 pi). ``d(t)``, eq (10), has the sign of theta's velocity.
+``B``, ``F`` (`back`, `fwd`): edge vectors from a vertex to the vertices before and after it; subscript 0 for the first
+wire, 1 for the second. ``Q(t) = conj(F(t)) B(t)`` is eqs (6)-(9) as one complex product, so ``theta(t) = arg Q(t)`` in
+[0, 2 pi). ``d(t)``, eq (10), has the sign of theta's velocity.
 
-The motion of theta is cut at its extrema into monotonic pieces. A piece that lies between two roots of
-d turns by less than pi, so its signed turn s is the angle between its ends; only a motion without a
-root can turn further, and then the sign of d says which way round it goes. That is eq (11) without a
-triangle test. With the turns s1, s2, ... of the pieces:
+The motion of theta is cut at its extrema into monotonic pieces. A piece that lies between two roots of d turns by less
+than pi, so its signed turn s is the angle between its ends; only a motion without a root can turn further, and then the
+sign of d gives the direction. That is eq (11) without a triangle test. With the turns s1, s2, ... of the pieces:
 
 * ``delta_theta = |s1 + s2 + ...|``,
-* ``delta_theta_star``, the way travelled against the net direction (figure 18), is
-  ``(|s1| + |s2| + ... - delta_theta) / 2``,
+* ``delta_theta_star``, the way travelled against the net direction (figure 18), is ``(|s1| + ... - delta_theta) / 2``,
 * theta reaches zero when theta0, theta0 + s1, ... leaves the open interval (0, 2 pi).
 
 Departures
@@ -46,9 +44,12 @@ except ImportError:  # Cython is needed to build, not to run
     from shapeblend_cli import _cython as cython
 
 if cython.compiled:
+    from cython.cimports.cpython.exc import PyErr_CheckSignals as look_for_signals
     from cython.cimports.libc.math import atan2, fabs, pow, sqrt
 else:
     from math import atan2, fabs, pow, sqrt
+
+    from shapeblend_cli._cython import look_for_signals
 
 if TYPE_CHECKING:
     from shapeblend_cli.matching.tables import Window
@@ -466,6 +467,8 @@ def fill_bends(
     has_motions: cython.bint = not by_turning or bending.p_b != 0.0
     cython.declare(c=cython.Py_ssize_t, i=cython.Py_ssize_t, j=cython.Py_ssize_t, k=cython.Py_ssize_t)
     for c in range(vertices.shape[0]):
+        if c % 8 == 0:
+            look_for_signals()
         i, j = vertices[c], low[c] % n
         k_turn: cython.double = bending.k_b * stiffness[c] if by_turning else 0.0
         k_b: cython.double = 0.0 if by_turning else bending.k_b * stiffness[c]

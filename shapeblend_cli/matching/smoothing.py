@@ -18,9 +18,12 @@ except ImportError:  # Cython is needed to build, not to run
     from shapeblend_cli import _cython as cython
 
 if cython.compiled:
+    from cython.cimports.cpython.exc import PyErr_CheckSignals as look_for_signals
     from cython.cimports.libc.math import erfc, exp, fabs
 else:
     from math import erfc, exp, fabs
+
+    from shapeblend_cli._cython import look_for_signals
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray
@@ -92,6 +95,8 @@ def _add_moves(
     vertex: cython.Py_ssize_t
     reach: cython.double = REACH * sigma
     for vertex in range(at.shape[0]):
+        if vertex % 64 == 0:
+            look_for_signals()
         while corners[first] < at[vertex] - reach:
             first += 1
         corner = first

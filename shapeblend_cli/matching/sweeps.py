@@ -36,6 +36,11 @@ try:
 except ImportError:  # Cython is needed to build, not to run
     from shapeblend_cli import _cython as cython
 
+if cython.compiled:
+    from cython.cimports.cpython.exc import PyErr_CheckSignals as look_for_signals
+else:
+    from shapeblend_cli._cython import look_for_signals
+
 if TYPE_CHECKING:
     from shapeblend_cli.matching.tables import Bounds, Progress, Tables, Terminals, Window
 
@@ -97,6 +102,8 @@ def cost_to_go(
     cython.declare(after_e=cython.int, after_s=cython.int, after_d=cython.int)
 
     for c in range(last_column, -1, -1):
+        if c % 8 == 0:
+            look_for_signals()
         i = c % m
         r = high[c]
         j = r % n
@@ -223,6 +230,8 @@ def sweep(
     g: cython.Py_ssize_t = 0
 
     for c in range(column, last_column + 1):
+        if c % 8 == 0:
+            look_for_signals()
         i = (c - first_column) % m
         current = 2 - previous
         new_first = -1

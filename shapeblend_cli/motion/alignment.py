@@ -17,45 +17,45 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, ContourBlend, FloatArray, ShapeBlend
 
 
-REWEIGHTINGS, SETTLED = 20, 1e-3
-"""How often points are weighted anew at most, and what share less that leaves moving ends it."""
+REWEIGHTINGS = 20
+"""Maximum number of times that points are weighted anew."""
+
+SETTLED = 1e-3
+"""Minimum gain of a reweighting to be followed by another, as a share of what still moves."""
 
 NEAR = 0.02
-"""A point that moves by this share of the size half stays where it is."""
+"""Distance by which a point moves that counts as half at rest, as a share of the size."""
 
 IN_PLACE = 0.7
-"""A similarity leaves at most this share of what moves without it, or there is none."""
+"""Maximum movement that a similarity leaves, as a share of the movement without it; else there is none."""
 
 
 SUITED = np.log(2.0)
-"""A similarity suits a shape if it leaves no more than this much more of it moving than its own; points that rest under
-that one are then less than `NEAR` away."""
+"""Maximum additional movement that a common similarity leaves, compared with a shape's own. Points that rest under the
+latter are then less than `NEAR` away."""
 
 HALF_TURN = math.radians(179.0)
-"""By more than this, either way round is about as short, and rounding would choose."""
+"""Minimum angle of a half turn, in radians: either direction is about as short, and rounding would choose."""
 
 PIVOT_REACH = 1.75
-"""A shape turns about a point no further from its middle than so many times its size; the end of a bar is at 1.73."""
+"""Maximum distance of a pivot from the middle of a shape, in root mean square sizes; the end of a bar is at 1.73."""
 
 
 class Alignment(NamedTuple):
-    """The similarity ``a -> scale * exp(1j * rotation) * (a - centre_a) + centre_b``, in parts that move evenly.
-
-    The rotation is in radians, positive from x towards y.
-    """
+    """The similarity ``a -> scale * exp(1j * rotation) * (a - centre_a) + centre_b``, in parts that change evenly."""
 
     centre_a: complex
     centre_b: complex
     scale: float
-    rotation: float
+    rotation: float  # in radians, positive from x towards y
 
     @property
     def is_half_turn(self) -> bool:
-        """Whether it may as well go the other way round."""
+        """Whether the other direction is as short."""
         return abs(self.rotation) > HALF_TURN
 
     def other_way_round(self) -> Alignment:
-        """Return the same similarity, rotated the other way."""
+        """Return the same similarity, rotated in the other direction."""
         return self._replace(rotation=self.rotation - math.copysign(2.0 * math.pi, self.rotation))
 
     def undo(self, z: ComplexArray) -> ComplexArray:
@@ -63,16 +63,13 @@ class Alignment(NamedTuple):
         return (z - self.centre_b) * cmath.rect(1.0 / self.scale, -self.rotation)
 
     def apply(self, z: ComplexArray, t: float) -> ComplexArray:
-        """Map points around the origin to where they are at time t.
-
-        The angle and the scale change evenly, and the centre moves on a straight line.
-        """
+        """Map points around the origin to time t; angle and scale change evenly, and the centre moves straight."""
         centre = (1.0 - t) * self.centre_a + t * self.centre_b
         return z * cmath.rect(1.0 - t + t * self.scale, self.rotation * t) + centre
 
 
 class PointPairs(NamedTuple):
-    """Points of outlines that correspond, and weights of sum 1: how much of the outlines each stands for; (k,) each."""
+    """Corresponding points of outlines, and the shares of the outlines that they stand for; (k,) each."""
 
     a: ComplexArray
     b: ComplexArray
@@ -103,11 +100,11 @@ def _adjacent_length(z: ComplexArray, closed: bool) -> FloatArray:
 def align(points: PointPairs) -> Alignment:
     """Return the similarity under which most of the outlines' length stays where it is.
 
-    That is the one of the least mean logarithm of ``1 + (distance / NEAR)²``: a limb that swings hardly counts by how
-    far it goes. It is found by least squares that are weighted anew again and again, once from those of even weights
-    and once from what rests in its place. Distances are in units of the geometric mean of both sizes, so that it makes
-    no difference which drawing comes first. If it leaves not much less than no similarity at all, there is none. What
-    turns by half a round does so clockwise.
+    It minimises the mean logarithm of ``1 + (distance / NEAR)²``, so that a limb that swings far counts little more
+    than one that swings less. It is found by iteratively reweighted least squares, once from even weights and once from
+    the points that rest in place. Distances are in units of the geometric mean of both sizes, so that the order of the
+    drawings makes no difference. If the movement left is not much less than without a similarity, there is none. Half
+    turns go clockwise.
     """
     everywhere = _least_squares(points)
     middle = 0.5 * (everywhere.centre_a + everywhere.centre_b)
@@ -122,9 +119,9 @@ def align(points: PointPairs) -> Alignment:
 
 
 def _pivoted(points: PointPairs, alignment: Alignment) -> Alignment:
-    """Return a similarity as a rotation about the point that it leaves where it is, if that is near the outlines.
+    """Return a similarity as a rotation about its fixed point, if that is near the outlines.
 
-    So the hand of a clock turns about its end, and what is far away goes straight.
+    So the hand of a clock turns about its end, and shapes far away go straight.
     """
     factor = cmath.rect(alignment.scale, alignment.rotation)
     if abs(factor - 1.0) < 1e-9:
@@ -138,7 +135,7 @@ def _pivoted(points: PointPairs, alignment: Alignment) -> Alignment:
 
 
 def _reweighted(points: PointPairs, alignment: Alignment) -> tuple[Alignment, float]:
-    """Return the similarity near another one under which most stays, and what it leaves moving."""
+    """Return a similarity improved by reweighting, and the movement that it leaves."""
     left, unit = np.inf, _unit(points)
     for _ in range(REWEIGHTINGS):
         off = _off(points, alignment, unit)
@@ -150,12 +147,12 @@ def _reweighted(points: PointPairs, alignment: Alignment) -> tuple[Alignment, fl
 
 
 def resting(points: PointPairs, alignment: Alignment) -> FloatArray:
-    """Return how much each point stays where it is once a similarity is undone, (k,) float: 1 if it does."""
+    """Return how much each point rests once a similarity is undone, (k,) float: 1 if it stays where it is."""
     return 1.0 / _off(points, alignment, _unit(points))
 
 
 def _moving_length(points: PointPairs, alignment: Alignment) -> float:
-    """Return the mean logarithm of `align`."""
+    """Return the movement that a similarity leaves: the mean logarithm of `align`."""
     return float(points.weight @ np.log(_off(points, alignment, _unit(points))))
 
 
@@ -172,10 +169,7 @@ def _off(points: PointPairs, alignment: Alignment, unit: float) -> FloatArray:
 
 
 def _least_squares(points: PointPairs) -> Alignment:
-    """Return the similarity that takes A's points nearest to B's by weighted least squares, but for its scale.
-
-    That is the ratio of both sizes.
-    """
+    """Return the similarity of weighted least squares, but with the ratio of both sizes as its scale."""
     a, b, weight = points
     weight = weight / weight.sum()
     centre_a, centre_b = complex(weight @ a), complex(weight @ b)
@@ -188,10 +182,10 @@ def _least_squares(points: PointPairs) -> Alignment:
 
 
 def shared_alignments(shapes: Sequence[ShapeBlend]) -> list[Alignment | None]:
-    """Return for each shape the similarity that its motion separates; None if it has no contour with a partner.
+    """Return for each shape the similarity that its motion separates; None if no contour has a partner.
 
-    Shapes that touch or lie in each other at both ends have one similarity, so that eyes do not drift against the head;
-    and all have that of the whole drawing which it suits about as well as their own.
+    Shapes that touch or lie in each other at both ends have one similarity, so that eyes do not drift against the head.
+    Shapes that the similarity of the whole drawing suits about as well as their own have that.
     """
     found: list[Alignment | None] = [None] * len(shapes)
     groups = _together(shapes)
@@ -207,7 +201,7 @@ def shared_alignments(shapes: Sequence[ShapeBlend]) -> list[Alignment | None]:
 
 
 def _suits(points: PointPairs, common: Alignment, own: Alignment) -> bool:
-    """Return whether a similarity leaves hardly more than another one."""
+    """Return whether a common similarity leaves hardly more movement than a shape's own."""
     return _moving_length(points, common) <= _moving_length(points, own) + SUITED
 
 
@@ -222,7 +216,7 @@ def _together(shapes: Sequence[ShapeBlend]) -> list[list[int]]:
 
 
 def residual(points: PointPairs, alignment: Alignment) -> float:
-    """Return the distance that a similarity leaves between A and B: root mean square, as a share of A's size."""
+    """Return the root mean square distance that a similarity leaves between A and B, as a share of A's size."""
     a, b, weight = points
     a = a - alignment.centre_a
     left, size = _size(alignment.undo(b) - a, weight), _size(a, weight)

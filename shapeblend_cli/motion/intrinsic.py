@@ -21,52 +21,52 @@ if TYPE_CHECKING:
     from shapeblend_cli.motion.alignment import Alignment
 
 LEAST_CHANGE = 0.2
-"""The floor under the relative change of length in an edge's compliance, the paper's ``L_tol``."""
+"""Minimum relative change of length in an edge's compliance, the paper's ``L_tol``."""
 
 MULTIPLIER_LIMIT = 4.0
-"""About where the multipliers are held back; an edge of mean compliance then changes by a factor of 50."""
+"""Approximate maximum of the multipliers; an edge of mean compliance then changes by a factor of 50."""
 
 NEWTON_STEPS = 40
-"""Newton steps at most; four to six are usual."""
+"""Maximum number of Newton steps; four to six are usual."""
 
-POINT, CLOSED = 1e-9, 1e-13
-"""With the whole chain's length as 1: edges of less length are points, and less may be open after Newton's method; the
-chain is closed exactly then."""
+POINT = 1e-9
+"""Maximum length of an edge that counts as a point, as a share of the chain's length."""
+
+CLOSED = 1e-13
+"""Maximum gap after Newton's method, as a share of the chain's length; the chain is closed exactly then."""
 
 
 class ControlPolygons(NamedTuple):
     """The control polygons of a contour at the start and the end, edge for edge.
 
-    Of their n edges m are ever more than a point; the arrays of edges have m elements.
+    Of n edges m are more than a point at either end; the arrays of edges have m elements.
     """
 
     path: CubicPath
-    control_points: IntArray  # (s, 4), indices of those of each segment
-    points: tuple[ComplexArray, ComplexArray]  # (n + 1,) each; those of closed contours repeat the first
-    moves: BoolArray  # (n,), which edges are the m
+    control_points: IntArray  # (s, 4), indices of each segment's points
+    points: tuple[ComplexArray, ComplexArray]  # (n + 1,) each; closed contours repeat the first
+    moves: BoolArray  # (n,), true for the m edges
     start: FloatArray  # lengths L_A
     end: FloatArray  # lengths L_B
-    direction: FloatArray  # at the start, radians
-    direction_change: FloatArray  # radians
-    share: FloatArray  # how much of the contour each edge is, of both lengths; of sum 1
+    direction: FloatArray  # at the start, in radians
+    direction_change: FloatArray  # in radians
+    share: FloatArray  # mean share of the edge in both lengths
 
     def changes_near(self, rotation: float) -> FloatArray:
-        """Return the changes of direction, with whole rounds that bring their mean nearest to a rotation."""
+        """Return the changes of direction, plus whole rounds that bring their mean nearest to a rotation."""
         mean = float((self.share * self.direction_change).sum())
         return self.direction_change - FULL_TURN * round((mean - rotation) / FULL_TURN)
 
 
 class MovingPolygon(NamedTuple):
-    """How a control polygon moves: lengths at the end and changes of direction with the similarity undone."""
+    """A control polygon that moves: its end, with the similarity undone, and what closes and places it."""
 
     polygons: ControlPolygons
     end: FloatArray
     direction_change: FloatArray
-    compliance: FloatArray  # (m,), how readily a length changes to close the polygon; 1 in the mean
-    weight: FloatArray  # (n + 1,), how much each control point counts for the position; of sum 1
-    positions: tuple[
-        complex, complex
-    ]  # the mean of the control points, so weighted, at the start and the end
+    compliance: FloatArray  # (m,), readiness of a length to change to close the polygon; 1 on average
+    weight: FloatArray  # (n + 1,), of each control point for the position; of sum 1
+    positions: tuple[complex, complex]  # weighted means of the control points, at the start and the end
 
     def at(self, t: float) -> ComplexArray:
         """Return the control points at time t, (n + 1,) complex, with the similarity undone."""
@@ -87,15 +87,15 @@ class Intrinsic(NamedTuple):
     """Motion in which lengths of edges and the angles between them change evenly; `intrinsic` makes it."""
 
     alignment: Alignment
-    polygons: tuple[MovingPolygon | None, ...]  # for each contour; None where it moves as `Rigid` has it
+    polygons: tuple[MovingPolygon | None, ...]  # of each contour; None for rigid motion
 
     @property
     def name(self) -> str:
-        """As `--motion` has it."""
+        """The name for `--motion`."""
         return "intrinsic"
 
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
-        """Return the control points of each contour at time t; the contours are those this was made of."""
+        """Return the control points of each contour at time t, of the contours that this was made of."""
         every = []
         for contour, polygon in zip(contours, self.polygons, strict=True):
             if polygon is None:
@@ -112,7 +112,7 @@ class Intrinsic(NamedTuple):
 
 
 def intrinsic(contours: Sequence[ContourBlend], alignment: Alignment) -> Intrinsic:
-    """Return the intrinsic motion of contours that are painted together, given the best similarity between them.
+    """Return the intrinsic motion of contours that are painted together, given their best similarity.
 
     Notes
     -----
@@ -128,10 +128,10 @@ def intrinsic(contours: Sequence[ContourBlend], alignment: Alignment) -> Intrins
 
     Departures from the paper:
 
-    * It is the control polygons that move, an edge for a straight segment and three for a curve. Where the outlines are
-      smooth at a joint in both drawings, the turn there is zero at the start and at the end, and so always.
-    * The similarity is taken out of B first, and comes in again as in `Rigid`. A shape and the same shape rotated,
-      scaled and moved have that shape between them, and several contours keep together.
+    * The control polygons move, with an edge for a straight segment and three for a curve. Where the outlines are
+      smooth at a joint in both drawings, the turn there is zero at both ends, and so always.
+    * The similarity is first taken out of B, and then added again as in `Rigid`. All in-betweens of a shape and the
+      same shape rotated, scaled and moved are that shape, and several contours stay together.
     * ``w_i²`` is ``σ_i L_i`` with ``σ_i = ((L_Ai - L_Bi) / (L_Ai + L_Bi))² + LEAST_CHANGE²``. An edge cut into two then
       gives way as much as before, while the paper's, twice as stiff, would depend on where curves happen to be cut.
     * Lengths change by a factor, ``L_i exp(σ_i (λ_1 cos α_i + λ_2 sin α_i))``, which differs from the paper's in the
@@ -139,13 +139,12 @@ def intrinsic(contours: Sequence[ContourBlend], alignment: Alignment) -> Intrins
     * Edges that are a point in one of the drawings, cusps and sums of turns: see `turning.directions`.
     * Directions of B are those of A plus a change, and a whole number of rounds is free. The mean change, weighted by
       length, is the nearest possible to the similarity's rotation.
-    * The paper puts the first vertex on a straight path. Here it is a weighted mean of the control points that is
-      where the rigid motion has it. An edge counts by its length, and by how much its ends rest once the similarity is
-      undone; so a limb that swings does not push the body away.
+    * The paper puts the first vertex on a straight path. Here a weighted mean of the control points is where rigid
+      motion would put it. Edges weigh by their lengths, and by how much their ends rest once the similarity is undone;
+      so a limb that swings does not push the body away.
 
-    Contours that grow from a point or shrink to one move as `Rigid` has it; also those whose turning numbers differ in
-    both drawings, such as an outline that becomes a figure of eight, for then no even turning leads from one to the
-    other.
+    Contours that are a point at one end move rigidly. So do contours with different turning numbers in both drawings,
+    such as an outline that becomes a figure of eight: no even turning leads from one to the other.
     """
     polygons = [_matched_polygons(contour) for contour in contours]
     return Intrinsic(alignment, tuple(polygon and _moving(polygon, alignment) for polygon in polygons))
@@ -183,7 +182,7 @@ def _matched_polygons(contour: ContourBlend) -> ControlPolygons | None:
 
 
 def _moving(polygon: ControlPolygons, alignment: Alignment) -> MovingPolygon:
-    """Return how a control polygon moves, once a similarity is undone."""
+    """Return the movement of a control polygon once a similarity is undone."""
     start, end = polygon.start, polygon.end / alignment.scale
     change = polygon.changes_near(alignment.rotation) - alignment.rotation
     compliance = ((start - end) / (start + end)) ** 2 + LEAST_CHANGE**2
@@ -199,7 +198,7 @@ def _moving(polygon: ControlPolygons, alignment: Alignment) -> MovingPolygon:
 
 
 def closing_lengths(length: FloatArray, u: ComplexArray, compliance: FloatArray) -> FloatArray:
-    """Return lengths that close a polygon of given directions, each by its compliance as near as possible to its own.
+    """Return lengths near given ones that close a polygon of given directions.
 
     Parameters
     ----------
@@ -215,14 +214,14 @@ def closing_lengths(length: FloatArray, u: ComplexArray, compliance: FloatArray)
 
     Notes
     -----
-    ``λ`` minimises ``Σ (L_i / σ_i) exp(σ_i u_i·λ)``, a convex function whose gradient is what is open. Newton's first
-    step from zero solves the paper's two linear equations.
+    ``λ`` minimises ``Σ (L_i / σ_i) exp(σ_i u_i·λ)``, a convex function whose gradient is the gap of the polygon.
+    Newton's first step from zero solves the paper's two linear equations.
 
-    A minimum exists if directions do not all lie in one half of the circle, which is so for turns that make one round
-    and each of which is less than half a round. For others ``λ`` would go to infinity. So
-    ``|λ|⁸ / (8 MULTIPLIER_LIMIT⁸)``, times the length of all, is added: for the ``|λ|`` of common shapes, less than 1,
-    it is less than rounding in a drawing, 1e-5 of the length; otherwise it leaves the polygon open in a way that is
-    continuous in time. What is open then the caller has to distribute.
+    A minimum exists if the directions do not all lie in one half of the circle: for turns of less than half a round
+    each that make one round together. For others ``λ`` would go to infinity. Therefore
+    ``|λ|⁸ / (8 MULTIPLIER_LIMIT⁸)``, times the whole length, is added. For the ``|λ|`` of common shapes, less than 1,
+    that is less than rounding in a drawing, 1e-5 of the length; otherwise it leaves a gap that is continuous in time,
+    which the caller has to distribute.
     """
     total = float(length.sum())
     x = y = 0.0
@@ -240,7 +239,7 @@ def closing_lengths(length: FloatArray, u: ComplexArray, compliance: FloatArray)
         growth = 6.0 * total * square * square / MULTIPLIER_LIMIT**8
         weight_sum = float(weight.sum())
         cos_squared = float(weight @ (cos * cos))
-        # The added share keeps directions that are all alike, or opposite, from dividing by zero.
+        # The small share avoids a division by zero for directions that are all alike, or opposite.
         xx = cos_squared + hold + growth * x * x + 1e-12 * weight_sum
         yy = weight_sum - cos_squared + hold + growth * y * y + 1e-12 * weight_sum
         xy = float(weight @ (cos * sin)) + growth * x * y

@@ -1,8 +1,8 @@
 """A judge of blends: how wrong the in-betweens look, as one number.
 
-A fault is what the eye sees: wrong area, for as long as it is seen. Each term below is an area on average over the time
-of the blend, as a share of the area that the shape paints. Candidates for the same shape can so be compared, whatever
-they differ in: their motion, their correspondence, their start. `docs/motion.md` has a picture of what each punishes.
+The eye sees wrong area, for as long as it is there. Each term is such an area, on average over the time of the blend,
+as a share of the area that the shape paints. So candidates for the same shape can be compared, whether they differ in
+their motion, their correspondence or their start. `docs/motion.md` has a picture of each fault.
 """
 
 from __future__ import annotations
@@ -22,54 +22,55 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray, ShapeBlend
 
 STEPS = 8
-"""The blend is looked at so many times, evenly spaced, beginning with A; the last is B."""
+"""Number of steps of time between the looks at a blend, which include both ends."""
 
 SIDE = 64
-"""Areas that no formula gives are counted on a grid of so many points along the larger side."""
+"""Number of points along each side of the grid on which areas without a formula are counted."""
 
 TIMES = np.arange(STEPS + 1) / STEPS
 INNER = slice(1, -1)
 
 SYMMETRIC = 0.05
-"""An end is symmetric if its mirror image differs from it in less than this share of its area."""
+"""Maximum difference of a symmetric drawing from its mirror image, as a share of its area."""
 
 LEANING = 0.2
-"""A symmetry that is only turned with the outlines, as of an arrow that goes round, counts as so much of one lost."""
+"""Weight of a symmetry that only turns with the outlines, as of an arrow that goes round, compared with a lost one."""
 
-LEAST_ARC, MOST_CHORD = 2.5, 0.06
-"""Two points are on both sides of a limb if the way along the outline is so many times the distance between them, or
-more, and that distance is at most the second share of the outline."""
+LEAST_ARC = 2.5
+"""Minimum way along the outline between opposite points of a limb, relative to their distance."""
+
+MOST_CHORD = 0.06
+"""Maximum distance between opposite points of a limb, as a share of the outline's length."""
 
 PROBES = 96
-"""Places of an outline at which the width of limbs is measured."""
+"""Number of places of an outline at which the width of limbs is measured."""
 
 LINE_WIDTH = 0.04
-"""What is painted as a line without a width of its own counts as so wide, as a share of its size."""
+"""Minimum width of lines, as a share of the shape's size: narrower ones count as so wide."""
 
 
 class Judgement(NamedTuple):
-    """What is wrong with a blend: areas, on average over its time, as shares of the area painted.
+    """The faults of a blend: areas, on average over its time, as shares of the painted area.
 
     Attributes
     ----------
     sweep : float
-        Area that outlines sweep beyond that in which A and B differ.
+        Area that outlines sweep, beyond the area in which A and B differ.
     strain : float
-        Pieces of outline that are shorter or longer than at an even change from A to B, times half the width of what
-        they bound.
+        Length of outline lost or gained, compared with an even change, times half the mean width of the shape.
     stretch : float
-        Pieces of outline that have another share of it in B than in A, times half that width: what melts away in one
-        place and grows in another. It is the same for all motions of a correspondence.
+        Length of outline that melts away in one place and grows in another, times half that width. It is the same for
+        all motions of a correspondence.
     area : float
-        Area lost or gained against an even change.
+        Area lost or gained, compared with an even change.
     symmetry : float
-        What the in-betweens lack of a symmetry from left to right that both ends have.
+        Area by which the in-betweens lack a left-right symmetry that both ends have.
     folds : float
-        Area round which outlines wind the wrong way or twice, beyond that of the ends.
+        Area round which outlines wind the wrong way or twice, beyond the same at the ends.
     limbs : float
-        Limbs that are thinner or fatter than at either end.
+        Area by which limbs are thinner or fatter than at either end.
     view : float
-        What is outside the view.
+        Area outside the view.
     """
 
     sweep: float = 0.0
@@ -83,12 +84,12 @@ class Judgement(NamedTuple):
 
     @property
     def weighted(self) -> Judgement:
-        """Each term times its weight."""
+        """The terms, each times its weight."""
         return Judgement(*(w * x for w, x in zip(WEIGHTS, self, strict=True)))
 
     @property
     def number(self) -> float:
-        """All terms together, each with its weight."""
+        """The sum of the weighted terms."""
         return sum(self.weighted)
 
 
@@ -98,19 +99,19 @@ WEIGHTS = Judgement(
 
 
 class Judged(NamedTuple):
-    """What is wrong with a shape, and the area that it paints itself, whose shares the terms are."""
+    """The faults of a shape, and the area that it paints, as shares of which they are measured."""
 
     judgement: Judgement
-    painted: float  # in square units of the drawing, the larger one of both ends
+    painted: float  # in square units of the drawing, at the larger end
 
 
 class Outlines(NamedTuple):
     """The outlines of a shape, as chords between points that correspond, at all `TIMES`."""
 
     points: ComplexArray  # (STEPS + 1, n)
-    following: IntArray  # (n,), the point where the chord from each one ends; the last of a line is its own
-    contour: IntArray  # (n,), the number of the contour each point is on
-    closed: BoolArray  # (n,), whether that is closed
+    following: IntArray  # (n,), the other end of the chord from each point; for the end of a line, itself
+    contour: IntArray  # (n,), the number of the contour of each point
+    closed: BoolArray  # (n,), whether this contour is closed
     width: float  # of strokes
     upright: ComplexArray | None = None  # the points with the turn of the whole undone, if it turns
 
@@ -185,7 +186,7 @@ def outlines_of(shape: ShapeBlend) -> Outlines:
 
 
 def _upright(motion: Rigid, points: ComplexArray, contour: IntArray) -> ComplexArray:
-    """Return points at all times as they would be if no contour turned."""
+    """Return points at all times with the turns of contours undone."""
     turns = motion.alignments
     rotation = np.array([one.rotation for one in turns])[contour]
     centre_a, centre_b = (np.array(side)[contour] for side in zip(*(one[:2] for one in turns), strict=True))
@@ -229,7 +230,7 @@ def _painted_area(outlines: Outlines, areas: FloatArray, longest: float) -> floa
 
 
 def _stretched(outlines: Outlines, lengths: FloatArray) -> float:
-    """Return the length of outline that is elsewhere in B than even stretching would have it."""
+    """Return the length of outline that is elsewhere in B than it would be if all of A stretched evenly."""
     a, b = lengths[0], lengths[-1]
     whole_a, whole_b = (np.bincount(outlines.contour, one)[outlines.contour] for one in (a, b))
     at_both = (whole_a > 0.0) & (whole_b > 0.0)
@@ -238,14 +239,14 @@ def _stretched(outlines: Outlines, lengths: FloatArray) -> float:
 
 
 def _swept(outlines: Outlines) -> float:
-    """Return the area that the outlines pass over, as often as they do."""
+    """Return the area that the outlines pass over, counted each time."""
     z, after = outlines.points, outlines.points[:, outlines.following]
     # Between two times each chord sweeps a quadrilateral: half the product of its diagonals.
     return 0.5 * float(np.abs(((after[1:] - z[:-1]).conj() * (z[1:] - after[:-1])).imag).sum())
 
 
 def _area_lost(areas: FloatArray) -> float:
-    """Return the area lost or gained on average. What only grows may do so in size or in area."""
+    """Return the area lost or gained on average, compared with an even change of size or of area."""
     a, b = float(areas[0]), float(areas[-1])
     least = _even(a**0.5, b**0.5) ** 2
     off = np.maximum(least - areas, 0.0) + np.maximum(areas - _even(a, b), 0.0)
@@ -253,7 +254,7 @@ def _area_lost(areas: FloatArray) -> float:
 
 
 class _Regions:
-    """The areas of closed outlines at all times, on grids; `own` are those around each time's own box."""
+    """The areas of closed outlines at all times, on grids; `own` are the grids around each time's own box."""
 
     def __init__(self, outlines: Outlines, points: ComplexArray) -> None:
         self.starts = points[:, outlines.closed]
@@ -277,7 +278,7 @@ class _Regions:
         return element * float(np.count_nonzero((a != 0) != (b != 0)))
 
     def folds(self) -> float:
-        """Return the area with winding numbers that a painted region does not have, beyond that at the ends."""
+        """Return the area of winding numbers other than 0 and 1, beyond the same at the ends."""
         wrong = np.zeros(STEPS + 1)
         for k, own in enumerate(self.own):
             if own is not None:
@@ -287,7 +288,7 @@ class _Regions:
         return float(np.maximum(wrong - max(wrong[0], wrong[-1]), 0.0)[INNER].mean())
 
     def asymmetry(self) -> float:
-        """Return the share of the area that a mirror image of the in-betweens lacks, beyond that of the ends."""
+        """Return the share of the area by which in-betweens differ from their mirror images more than the ends do."""
         ends = max(self._mirrored(0), self._mirrored(-1))
         if ends > SYMMETRIC:
             return 0.0

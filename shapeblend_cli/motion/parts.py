@@ -1,6 +1,6 @@
-"""The parts of a shape that can move each on their own: contours that neither touch nor lie in each other.
+"""The parts of a shape that can move on their own: contours that neither touch nor lie in each other.
 
-An arrow above a tray is often one path in its file. It turns as it would if it were two.
+An arrow above a tray is often one path in its file. The arrow turns as if it were a path of its own.
 """
 
 from __future__ import annotations
@@ -21,16 +21,16 @@ if TYPE_CHECKING:
     from shapeblend_cli.motion.alignment import Alignment
 
 MOST_POINTS = 128
-"""Outlines are compared at so many vertices at most."""
+"""Maximum number of an outline's vertices that are compared."""
 
 BESIDE = 0.01
-"""A part is beside the middle, or above or below it, if it is further from it than this share of its reach."""
+"""Minimum distance from the middle of a part beside, above or below it, as a share of the part's reach."""
 
 
 def parts_of(contours: Sequence[ContourBlend]) -> list[list[int]]:
     """Return the numbers of the contours of each part."""
     ends = [(_Outline.of(contour.polygon_a), _Outline.of(contour.polygon_b)) for contour in contours]
-    # Most that do not touch are told by their boxes, all at once. These leave no less room than `_touch` does.
+    # Boxes rule out most pairs at once; with their margins they rule out none that touches.
     starts, stops = zip(*([one.room for one in both] for both in ends), strict=True)
     together = np.tril(overlaps(starts) & overlaps(stops), -1)
     for p, q in np.argwhere(together).tolist():
@@ -50,15 +50,15 @@ class _Outline(NamedTuple):
 
     @property
     def room(self) -> Box:
-        """Its box, and as much around it as an edge is long."""
+        """The box, with a margin of the mean length of an edge."""
         return self.polygon.box.expanded(self.spacing)
 
 
 def turn_of(part: Sequence[ContourBlend], middle: complex) -> Alignment:
-    """Return the similarity of a part of a drawing with that middle.
+    """Return the similarity of a part of a drawing with a middle.
 
-    Of two parts that turn by half a round beside the middle, each turns towards its own side, and of two above each
-    other both turn towards the same side, so that a symmetry stays.
+    Parts to the left and to the right that make half a turn go in opposite directions, and so do parts above and below,
+    so that a symmetry is kept.
     """
     points = point_pairs(part)
     alignment = align(points)

@@ -1,4 +1,4 @@
-"""Motion of shapes that are moved by hand: turned, scaled and shifted."""
+"""Motion as if shapes were moved by hand: turned, scaled and shifted."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ if TYPE_CHECKING:
 
 
 class Rigid(NamedTuple):
-    """Motion as if a shape were moved by hand: rotated, scaled and shifted, and what else changes moves straight.
+    """Motion in which a shape is rotated, scaled and shifted; all other change is on straight paths.
 
-    A point between ``a`` and ``b`` is at time t ``S(t) ((1 - t) a + t S^-1 b)``, where ``S(t)`` is the part of the
-    similarity ``S = S(1)`` gone through by then (`Alignment.apply`). Of a shape and the same shape rotated, ``S^-1 b``
-    is ``a``, and every in-between is that shape.
+    A point from ``a`` to ``b`` is at time t at ``S(t) ((1 - t) a + t S^-1 b)``, where ``S(t)`` is the similarity
+    ``S = S(1)`` as far as it has gone by then (`Alignment.apply`). If the shape is only rotated, ``S^-1 b`` is ``a``,
+    and every in-between is that shape.
     """
 
-    alignments: tuple[Alignment, ...]  # of each contour; those of one part have the same
+    alignments: tuple[Alignment, ...]  # of each contour; contours of one part have the same
 
     @property
     def name(self) -> str:
-        """As `--motion` has it."""
+        """The name for `--motion`."""
         return "rigid"
 
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:

@@ -1,4 +1,4 @@
-"""Whether one outline is a rotated copy of another, or one drawing of another."""
+"""Whether an outline, or a drawing, is a rotated copy of another."""
 
 from __future__ import annotations
 
@@ -15,32 +15,40 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, Polygon
 
 SAMPLES = 256
-"""Points, evenly spread along an outline, that are compared."""
+"""Number of points, evenly spread along an outline, that are compared."""
 
 ALIKE = 0.999
-"""Correlation of outlines that are the same but for a similarity: what remains is about 4 % of the size."""
+"""Minimum correlation of outlines that are the same but for a similarity: the rest is about 4 % of the size."""
 
-NEARLY_BEST, ROUNDING = 1e-3, 1e-6
-"""Starts whose correlation is less than this below the best are as good, and then the smallest angle is meant; those
-whose correlation differs by less are the same."""
+NEARLY_BEST = 1e-3
+"""Maximum difference from the best correlation of starts that are as good; of these the smallest angle is taken."""
 
-HINGE, END, LONG = 0.4, 0.8, 0.8
-"""An outline is long if its spread along and across differ by this share of their sum, as of a bar three times as long
-as wide. It is hinged at its end if the point that a rotation leaves where it is, is near the outline and far from its
-middle, as shares of its size."""
+ROUNDING = 1e-6
+"""Maximum difference of correlations that are equal."""
 
-LEAST_ROTATION, MOST_RESIDUAL = np.radians(1.0), 0.03
-"""B is a rotated copy if the angle is larger, and no more than this share of A's size is left, root mean square, once
-it is rotated back."""
+HINGE = 0.4
+"""Maximum distance of a hinge, the fixed point of a rotation, from the outline, in root mean square sizes."""
+
+END = 0.8
+"""Minimum distance of a hinge from the middle of the outline, in root mean square sizes."""
+
+LONG = 0.8
+"""Minimum difference of a long outline's spreads along and across, as a share of their sum: that of a bar three times
+as long as wide."""
+
+LEAST_ROTATION = np.radians(1.0)
+"""Minimum angle of a rotation, in radians."""
+
+MOST_RESIDUAL = 0.03
+"""Maximum distance from a rotated copy, root mean square, as a share of A's size."""
 
 
 def rotation_between(a: Polygon, b: Polygon) -> float | None:
     """Return the angle by which one polygon is another rotated, in (-pi, pi]; None if they are not alike.
 
-    The angle of least squares for every starting point is the argument of a cyclic correlation of both outlines, whose
-    absolute value says how well they then agree. Of angles that are as good, the smallest is meant; but one that leaves
-    the end of an outline where it is comes first: the hand of a clock turns. Closed polygons must have the same
-    orientation.
+    A cyclic correlation of both outlines has the angle of least squares for every starting point as its argument, and
+    their agreement as its absolute value. Of angles that agree as well, the smallest is taken; but first angles that
+    leave the end of a long outline where it is, as the hand of a clock. Closed polygons must have the same orientation.
     """
     if a.closed != b.closed:
         return None
@@ -63,7 +71,7 @@ def rotation_between(a: Polygon, b: Polygon) -> float | None:
     hinged = _are_hinged(p, mean_b - mean_a, size_b / size_a * np.exp(1j * angles[good]))
     good = good[hinged] if hinged.any() else good
     best = int(good[np.abs(angles[good]).argmin()])
-    # A neighbour may be better still, and then its angle is right. On a circle none is.
+    # The angle of a neighbour that agrees better is right. On a circle no neighbour does.
     while a.closed:
         neighbour = max((best - 1) % SAMPLES, (best + 1) % SAMPLES, key=correlation.__getitem__)
         if correlation[neighbour] <= correlation[best] + ROUNDING:
@@ -74,10 +82,10 @@ def rotation_between(a: Polygon, b: Polygon) -> float | None:
 
 
 def _spread_differently(p: ComplexArray, q: ComplexArray) -> bool:
-    """Return whether the distances of points from their mean say already that two outlines are not `ALIKE`.
+    """Return whether the distances of points from their mean rule out that two outlines are `ALIKE`.
 
-    Outlines of size 1 with a correlation c differ by ``2 - 2 c`` in the sum of squares, and so do distances by no more,
-    whatever the angle; in order of size, by least of all.
+    Outlines of size 1 with a correlation c differ by ``2 - 2 c`` in the sum of squares. Their distances differ by no
+    more, whatever the angle, and by the least if both are sorted.
     """
     spreads = [np.sort(np.abs(z)) for z in (p, q)]
     of_a, of_b = (spread / np.sqrt((spread**2).sum()) for spread in spreads)
@@ -85,9 +93,9 @@ def _spread_differently(p: ComplexArray, q: ComplexArray) -> bool:
 
 
 def _are_hinged(z: ComplexArray, shift: complex, factors: ComplexArray) -> BoolArray:
-    """Return which rotations leave an end of a long outline where it is.
+    """Return which rotations, complex factors, leave an end of a long outline where it is.
 
-    Given are its points relative to their mean, how far that is shifted, and the rotations as complex factors.
+    The points of the outline are relative to their mean, which is shifted.
     """
     square = float((np.abs(z) ** 2).mean())
     if abs((z * z).mean()) < LONG * square:

@@ -1,4 +1,4 @@
-"""Directions of the edges of two matched chains, counted on past half a turn so that angles between them can change."""
+"""Directions of the edges of two matched chains, counted on past half a round, so that angles can change evenly."""
 
 from __future__ import annotations
 
@@ -13,30 +13,28 @@ if TYPE_CHECKING:
 
 FULL_TURN = 2.0 * np.pi
 
-CUSP, SHARP = np.pi - 1e-6, 0.75 * np.pi
-"""From the first angle on a turn is half a round, back over itself, and its sign means nothing; from the second on it
-may be taken for one the other way round, where two chains disagree about the sum."""
+CUSP = np.pi - 1e-6
+"""Minimum turn of a cusp, where a chain goes back over itself and the sign of the turn means nothing, in radians."""
+
+SHARP = 0.75 * np.pi
+"""Minimum turn that may be taken for a turn the other way round if two chains disagree about the sum, in radians."""
 
 NEARLY_STRAIGHT = 0.1
-"""Neighbours of a cusp that turn by less, together, do not say which way round it turns."""
+"""Minimum turn of both neighbours of a cusp, together, that decides its direction, in radians."""
 
 NEGLIGIBLE_AREA = 1e-9
-"""An outline that encloses less, with its length as 1, has no orientation."""
+"""Maximum area of an outline without an orientation, as a share of its squared length."""
 
 
 class Chain(NamedTuple):
-    """One of two chains: its edges, (n,) complex, and at each the turn from the one before, (n,) in radians.
+    """One of two chains; an edge is exactly zero where the chain stays at a point while the other chain moves on."""
 
-    An edge is exactly zero where the chain stays at a point while the other one moves on. The turn is from the last
-    edge that has a direction; zero at edges that have none, and at the first of an open chain.
-    """
-
-    edges: ComplexArray
-    turns: FloatArray
+    edges: ComplexArray  # (n,)
+    turns: FloatArray  # (n,), from the last edge with a direction, in radians; 0 without, and at an open chain's first
 
     @property
     def turning_number(self) -> int:
-        """How often the directions of a closed chain go round."""
+        """The number of rounds of a closed chain's directions."""
         return round(float(self.turns.sum()) / FULL_TURN)
 
 
@@ -56,22 +54,22 @@ def directions(
     Returns
     -------
     pair of (n,) float, or None
-        Radians. Along either chain they change by its turns, and the turns of two closed chains have the same sum. None
-        where they have not, as of a circle and a figure of eight; also where a chain is a point.
+        In radians. Along either chain they change by its turns; the turns of two closed chains have the same sum. None
+        if that cannot be, as for a circle and a figure of eight, or if a chain is a point.
 
     Notes
     -----
     A turn is within half a round of zero, with three exceptions.
 
-    * A cusp, where the chain goes back over itself: its turn is half a round either way. It is taken to be opposite to
-      the turns of its neighbours, as at the tip of a needle, and if the turning number is not 1 then, in the
+    * At a cusp, where the chain goes back over itself, the turn is half a round in either direction. It is taken to be
+      opposite to the turns of its neighbours, as at the tip of a needle. If the turning number is then not 1 in the
       orientation of the area, cusps turn the other way until it is.
-    * Where the two sums still differ, the sharpest of the turns of 135° and more may go the long way round. The edges
-      of a curve's control polygon turn by more than the curve does where its handles cross.
-    * An edge without length has no direction of its own. A handle of a curve takes that of the edge of this curve next
-      to it, which is the tangent. Where whole segments are a point, the chain turns there as the other one does, and
-      what this falls short of its own turn at the point is distributed over them: over the insides of curves, so that
-      their joints stay as smooth as they are, or else over all of them; in proportion to the other chain's lengths.
+    * If the two sums still differ, the sharpest turns of 135° and more may go the long way round. Where the handles of
+      a curve cross, the edges of its control polygon turn by more than the curve.
+    * An edge without length has no direction of its own. The handle of a curve takes the direction of the curve's next
+      edge, the tangent. Where whole segments are a point, the chain turns like the other chain, and the rest of its own
+      turn at the point is distributed over these segments in proportion to the other chain's lengths: over the insides
+      of curves, so that their joints stay as smooth as they are, or else over all joints.
     """
     if not (a.any() and b.any()):
         return None
@@ -93,7 +91,7 @@ def directions(
 
 
 def _turns(edges: ComplexArray, closed: bool) -> FloatArray:
-    """Return turns as `Chain` has them, within half a round; cusps opposite to the turns of their neighbours."""
+    """Return the turns of a `Chain`, within half a round, with cusps opposite to the turns of their neighbours."""
     moving = np.flatnonzero(edges)
     turns = np.angle(edges[moving] * np.roll(edges[moving], 1).conj())
     if not closed:
@@ -109,13 +107,13 @@ def _turns(edges: ComplexArray, closed: bool) -> FloatArray:
 
 
 def _orientation(edges: ComplexArray) -> int:
-    """Return which way round a closed chain runs: 1, -1, or 0 without an area."""
+    """Return the orientation of a closed chain: 1, -1, or 0 without an area."""
     area = signed_area(np.cumsum(edges))
     return int(np.sign(area)) if abs(area) > NEGLIGIBLE_AREA * np.abs(edges).sum() ** 2 else 0
 
 
 def _with_turning_number(chain: Chain, number: int, least: float) -> Chain:
-    """Take turns of `least` or more the other way round until the chain has a turning number, or none is left."""
+    """Reverse turns of `least` or more, the sharpest first, until the chain has a turning number, or none is left."""
     excess = chain.turning_number - number
     turns = chain.turns.copy()
     candidates = np.flatnonzero((np.abs(turns) >= least) & (turns * excess > 0.0))
@@ -125,13 +123,13 @@ def _with_turning_number(chain: Chain, number: int, least: float) -> Chain:
 
 
 def _distribute(chain: Chain, other: Chain, segment: IntArray, closed: bool) -> FloatArray:
-    """Return the turns at every edge of a chain, also where it stays at a point; their sum is kept."""
+    """Return the turns at every edge of a chain, also where it stays at a point; their sum stays."""
     n = len(segment)
     moves, other_moves = chain.edges != 0.0, other.edges != 0.0
     is_known = other_moves & np.roll(other_moves, 1)
     turns = chain.turns.copy()
     moving = np.flatnonzero(moves)
-    if not closed:  # the turns before the first edge that moves, or after the last, need have no sum
+    if not closed:  # turns before the first edge that moves, or after the last, may have any sum
         outside = np.r_[1 : moving[0] + 1, moving[-1] + 1 : n]
         is_joint = segment[outside] != segment[outside - 1]
         of_moving = np.isin(segment[outside], segment[moving[[0, -1]]]) & ~is_joint
@@ -160,7 +158,7 @@ def _distribute(chain: Chain, other: Chain, segment: IntArray, closed: bool) -> 
 
 
 def _accumulate(edges: ComplexArray, turns: FloatArray) -> FloatArray:
-    """Return directions from turns, starting from the first edge that has one."""
+    """Return directions from turns, starting with the first edge that has a direction."""
     first = int(np.flatnonzero(edges)[0])
     total = np.cumsum(turns)
     return total - total[first] + np.angle(edges[first])

@@ -1,4 +1,4 @@
-"""What the judge says of a whole blend: how wrong it looks, and what is worst."""
+"""The judge's verdict on a whole blend: how wrong it looks, and its worst fault."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Pair
 
 POOR = 0.4
-"""A blend with so much wrong looks poor."""
+"""Minimum fault of a blend that looks poor."""
 
 FAULTS = {
     "sweep": "parts go a long way round",
@@ -25,28 +25,28 @@ FAULTS = {
     "limbs": "limbs get too thin or too fat",
     "view": "something leaves the view",
 }
-"""What the terms of the judge mean to who looks."""
+"""Faults that the terms of the judge measure, as people see them."""
 
 
 class Verdict(NamedTuple):
-    """How wrong a blend looks, and what is worst with it, a phrase; with the numbers of its drawings."""
+    """The verdict on a pair of drawings."""
 
-    wrong: float
-    fault: str
-    a: int
+    wrong: float  # the mean of its shapes' faults
+    fault: str  # the worst, a phrase
+    a: int  # numbers of the drawings
     b: int
 
     @property
     def is_poor(self) -> bool:
-        """Whether that is worth a word."""
+        """Whether people should be told."""
         return self.wrong >= POOR
 
 
 def verdict(pairs: Sequence[Pair], *, asked_too: bool = False) -> Verdict | None:
-    """Return what the judge says of blends: of the worst, the mean over its shapes, by the area that each paints.
+    """Return the verdict on the worst of several pairs: the mean of its shapes' faults, by the areas that they paint.
 
-    Shapes that the judge did not see, as they come, go or stay, do not count. None if it saw nothing: where a motion
-    was asked for, and shapes whose motion was `asked_too` are not to be judged now.
+    Shapes that were not judged, as they come, go or stay, do not count; shapes whose motion was asked for are judged
+    now if they are `asked_too`. None without any.
     """
     found = [one for pair in pairs if (one := _of_pair(pair, asked_too))]
     return max(found, key=lambda one: one.wrong, default=None)

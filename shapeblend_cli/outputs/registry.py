@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError
@@ -16,6 +17,7 @@ from shapeblend_cli.outputs import (
     video,
 )
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, Format
+from shapeblend_cli.system.write import is_stream
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -55,16 +57,17 @@ UNSUPPORTED = tuple(
 def choose(emit: str, path: str | None, frame_format: str | None, drawings: int) -> tuple[Format, str]:
     """Return the format that is asked for, and the path that is written to.
 
-    The path is a folder, the name of a file, or ``-``; of `FRAME_FORMATS`, folders alone have one. Two or more drawings
-    are blended. Raises OptionError if no format is written so.
+    The path is a folder, the name of a file, a device or pipe, or ``-``; of `FRAME_FORMATS`, folders alone have one.
+    Two or more drawings are blended. Raises OptionError if no format is written so.
     """
     formats = [format for format in FORMATS if format.emit == emit]
     path = path or DEFAULT + formats[0].suffix
     if drawings > 2 and not formats[0].takes_sequences:
         raise OptionError(f"--emit {emit} takes two files; {drawings} given")
     suffix = _suffix(path)
+    goes_out = path == STANDARD_OUTPUT or (not suffix and is_stream(Path(path)))
     for format in formats:
-        fits = format.to_standard_output if path == STANDARD_OUTPUT else format.suffix == suffix
+        fits = format.to_standard_output if goes_out else format.suffix == suffix
         if fits and (not format.has_frame_files or format.name == (frame_format or FRAME_FORMATS[0])):
             return format, path
     if emit != "frames":

@@ -25,11 +25,10 @@ def plain_gradient(gradient: Gradient, colour: str) -> Gradient:
 def blend_gradients(a: Gradient, b: Gradient, t: float) -> Gradient | None:
     """Return the gradient at time t; None where the two are of different kinds.
 
-    Points, radii and stops move straight, an ellipse rotates the shorter way, and what is beyond the ends changes at
-    half time. At 0 and 1 it paints what `a` and `b` do, perhaps with more stops.
+    Points, radii and stops move straight, an ellipse rotates the shorter way, and the spread changes at half time. At 0
+    and 1 the gradient paints the same as `a` and `b`, perhaps with more stops.
 
-    Colours are not premultiplied here, because SVG does not do so between stops either: even the colour of an invisible
-    stop is seen beside it.
+    Colours are not premultiplied, as in SVG between stops: the colour of an invisible stop is seen beside it.
     """
     stops = tuple(
         Stop(p.offset, blend_colours(p.colour, q.colour, t), _between(p.opacity, q.opacity, t))
@@ -53,9 +52,9 @@ def blend_gradients(a: Gradient, b: Gradient, t: float) -> Gradient | None:
 
 
 def common_stops(a: Sequence[Stop], b: Sequence[Stop]) -> tuple[tuple[Stop, ...], tuple[Stop, ...]]:
-    """Return two lists of stops at the same offsets that paint what `a` and `b` paint.
+    """Return two lists of stops at the same offsets that paint the same as `a` and `b`.
 
-    They have every offset of either, twice where one of them changes its colour abruptly.
+    They have every offset of either, twice if a colour changes abruptly there.
     """
     common_a: list[Stop] = []
     common_b: list[Stop] = []
@@ -68,7 +67,7 @@ def common_stops(a: Sequence[Stop], b: Sequence[Stop]) -> tuple[tuple[Stop, ...]
 
 
 def _both_sides(stops: Sequence[Stop], offset: float) -> tuple[Stop, Stop]:
-    """Return what a gradient paints just before an offset and just after it, as SVG interpolates between stops."""
+    """Return the stops just before an offset and just after it, as SVG interpolates between stops."""
     offsets = [stop.offset for stop in stops]
     first, last = bisect_left(offsets, offset), bisect_right(offsets, offset)
     if first < last:
@@ -83,9 +82,9 @@ def _both_sides(stops: Sequence[Stop], offset: float) -> tuple[Stop, Stop]:
 
 
 def _align_angles(a: RadialGradient, b: RadialGradient) -> tuple[RadialGradient, RadialGradient]:
-    """Return the same two ellipses by angles that differ least.
+    """Return the same two ellipses with angles that differ least.
 
-    The angle of a circle is arbitrary, that of an ellipse up to half turns; the focus rotates back.
+    The angle of a circle is arbitrary, the angle of an ellipse up to half turns; the focus rotates back.
     """
     if a.radii[0] == a.radii[1]:
         return _at_angle(a, b.angle), b

@@ -1,4 +1,4 @@
-"""What shapes, groups and pages of two drawings are called together: as both agree, or as one of them has it."""
+"""Names of shapes, groups and pages in a blend: those on which both drawings agree, or which only one has."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Box, Drawing
 
 SAME_SCALE = 1e-3
-"""Sizes that differ by less than this share are one."""
+"""Maximum difference of sizes that are the same, as a share."""
 
 
 def common_page(pages: Sequence[Page]) -> Page:
-    """Return the page for a blend: its sizes are those on which all agree for the same part of the plane."""
+    """Return the page for a blend, with a size only if all agree on it for the same part of the plane."""
     name = Name.common([page.name for page in pages])
     heading = " to ".join(page.heading for page in pages)
     sized = [page for page in pages if page.box is not None]
@@ -55,7 +55,7 @@ def _common_length(lengths: Sequence[Length | None]) -> Length | None:
 
 
 def with_names(pairs: Sequence[Pair], drawings: Sequence[Drawing]) -> list[Pair]:
-    """Return pairs whose shapes have names and groups; groups are numbered alike in all pairs of a sequence."""
+    """Return pairs whose shapes have names and groups; the numbers of groups are common to all pairs of a sequence."""
     named = []
     numbers = {group.number: group.number for shape in drawings[0].shapes for group in shape.groups}
     numbers_of = {0: numbers}
@@ -79,7 +79,7 @@ def with_names(pairs: Sequence[Pair], drawings: Sequence[Drawing]) -> list[Pair]
 
 
 def _named(shape: ShapeBlend, a: Drawing, b: Drawing, merged: _Merged) -> ShapeBlend:
-    """Return a shape with the name and the groups of what it is in both drawings."""
+    """Return a shape with the names and the groups of its shapes in both drawings."""
     i, j = shape.sources
     one, other = (None if k is None else drawing.shapes[k] for drawing, k in ((a, i), (b, j)))
     return shape._replace(
@@ -89,7 +89,7 @@ def _named(shape: ShapeBlend, a: Drawing, b: Drawing, merged: _Merged) -> ShapeB
 
 
 def common_groups(a: Sequence[Group], b: Sequence[Group]) -> tuple[Group, ...]:
-    """Return the groups around what goes on from one pair of a sequence to the next: those of both, or of one."""
+    """Return the groups around a shape that continues in the next pair: common groups, or the groups of one pair."""
     if not (a and b):
         return (*a, *b)
     others = {group.number: group for group in b}
@@ -101,16 +101,16 @@ def common_groups(a: Sequence[Group], b: Sequence[Group]) -> tuple[Group, ...]:
 
 
 class _Merged(NamedTuple):
-    """Which groups of two drawings are one, by number, and the numbers that they have in the blend."""
+    """Groups of two drawings that are one in a blend."""
 
-    partners: Mapping[int, int]
-    numbers_a: Mapping[int, int]
-    numbers_b: Mapping[int, int]
+    partners: Mapping[int, int]  # numbers of B's groups by numbers of A's
+    numbers_a: Mapping[int, int]  # in the blend, by numbers in A
+    numbers_b: Mapping[int, int]  # in the blend, by numbers in B
 
     def groups(self, a: Sequence[Group] | None, b: Sequence[Group] | None) -> tuple[Group, ...]:
-        """Return the groups around a shape that is in some groups in A and in others in B, None if in none of them.
+        """Return the groups around a shape, given its groups in A and in B; None if it is not in that drawing.
 
-        Where each drawing has groups of its own at the same place, they contradict each other, and none stays.
+        Groups that each drawing alone has at the same place contradict each other, and none stays.
         """
         alone_a = [group._replace(number=self.numbers_a[group.number]) for group in a or ()]
         alone_b = [group._replace(number=self.numbers_b[group.number]) for group in b or ()]
@@ -135,7 +135,7 @@ class _Merged(NamedTuple):
         return (*merged, *self._between(waiting, alone_b[next_b:], b[next_b:]))
 
     def _between(self, a: list[Group], b: list[Group], drawn_b: Sequence[Group]) -> list[Group]:
-        """Return what stays of groups of A alone and groups of B at one place."""
+        """Return the groups at one place that stay, given groups that only A has, and groups of B."""
         own_b = [
             group
             for group, drawn in zip(b, drawn_b, strict=True)
@@ -145,7 +145,7 @@ class _Merged(NamedTuple):
 
 
 def _partners(shapes: Sequence[ShapeBlend], a: Drawing, b: Drawing) -> dict[int, int]:
-    """Return which group of A is which of B: those of one id or label, and those that have the same shapes in them."""
+    """Return the groups of B by groups of A: groups with the same id or label, or with the same shapes in them."""
     groups_a, groups_b = (
         {group.number: group for shape in drawing.shapes for group in shape.groups} for drawing in (a, b)
     )
@@ -177,7 +177,7 @@ def _partners(shapes: Sequence[ShapeBlend], a: Drawing, b: Drawing) -> dict[int,
 
 
 def _by_name(groups: Mapping[int, Group], key: str) -> dict[str, int]:
-    """Return the numbers of groups by their ids or labels, of those that no other group has."""
+    """Return the numbers of groups by their ids or labels, as far as these are unique."""
     names = {number: getattr(group.name, key) for number, group in groups.items()}
     counts = Counter(names.values())
     return {name: number for number, name in names.items() if name is not None and counts[name] == 1}

@@ -1,4 +1,4 @@
-"""Colours between two colours, in OKLab and premultiplied, as CSS Color 4 has it.
+"""Colours between two colours, in OKLab and premultiplied, as in CSS Color 4.
 
 https://www.w3.org/TR/css-color-4/#interpolation
 """
@@ -22,10 +22,11 @@ if TYPE_CHECKING:
     from coloraide.spaces.srgb_linear import sRGBLinear
 
 TOLERANCE = 0.02
-"""The delta E OK up to which two colours look alike."""
+"""Maximum difference of colours that look alike, in delta E OK."""
 
 STEPS = 3
-"""So do colours that differ by so many 255ths in each channel: near black, one of them is a delta E OK of 0.07."""
+"""Maximum difference of colours that look alike all the same, in 255ths of each channel: near black these are up to a
+delta E OK of 0.07."""
 
 _MOST_GAPS = 16
 _PROBES = 8
@@ -34,7 +35,7 @@ _PROBES = 8
 def blend_colours(a: str, b: str, t: float, opacity_a: float = 1.0, opacity_b: float = 1.0) -> str:
     """Return the colour ``#rrggbb`` at time t, clipped to sRGB; between two greys a grey.
 
-    Colours weigh by their opacities. What is invisible has no weight, not even at its own end.
+    Colours weigh by their opacities: an invisible colour has no weight, not even at its own end.
     """
     share = _share_of_b(t, opacity_a, opacity_b)
     if a == b or share == 0.0:
@@ -51,7 +52,7 @@ def blend_colours(a: str, b: str, t: float, opacity_a: float = 1.0, opacity_b: f
 
 
 def blend_in_srgb(a: str, b: str, t: float) -> str:
-    """Return the colour at time t as SVG has it between two stops: each channel by itself."""
+    """Return the colour at time t as SVG interpolates between two stops: each channel by itself."""
     pairs = zip(bytes.fromhex(a[1:]), bytes.fromhex(b[1:]), strict=True)
     return "#" + bytes(round((1.0 - t) * p + t * q) for p, q in pairs).hex()
 
@@ -59,8 +60,8 @@ def blend_in_srgb(a: str, b: str, t: float) -> str:
 def colour_stops(a: str, b: str, opacity_a: float = 1.0, opacity_b: float = 1.0) -> list[str]:
     """Return two colours or more at even times, between which each channel may be interpolated by itself.
 
-    SMIL and CSS do that, and so deviate from OKLab. These are as few colours as keep the deviation within `TOLERANCE`;
-    where the paint is less than opaque, so much less is seen of it.
+    SMIL and CSS do that, and so deviate from OKLab. The number of colours is the least that keeps the deviation within
+    `TOLERANCE`; with transparent paint less of it is seen.
 
     Examples
     --------
@@ -86,7 +87,7 @@ def colour_stops(a: str, b: str, opacity_a: float = 1.0, opacity_b: float = 1.0)
 
 
 def _share_of_b(t: float, opacity_a: float, opacity_b: float) -> float:
-    """Return the weight of B's colour, that of A's being the rest."""
+    """Return the weight of B's colour; A's has the rest."""
     if opacity_a == opacity_b:
         return t
     if opacity_a == 0.0 or opacity_b == 0.0:
@@ -124,8 +125,8 @@ def _spaces() -> tuple[sRGB, sRGBLinear, Oklab]:
 def _without_package(name: str) -> Iterator[None]:
     """Import modules of a package without its own ``__init__``.
 
-    coloraide's imports and registers every space it knows, which takes 70 ms, most of a run; the three needed here take
-    8. So an empty package stands in for it, and leaves no trace: a later import of coloraide gets the real one.
+    coloraide's imports every colour space, which takes 70 ms; the three needed here take 8. Meanwhile an empty package
+    stands in for it, so that a later import of coloraide gets the real one.
     """
     spec = None if name in sys.modules else importlib.util.find_spec(name)
     if spec is None or spec.submodule_search_locations is None:

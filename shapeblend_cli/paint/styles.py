@@ -14,16 +14,16 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ShapeBlend, Style
 
 MOST_DASHES = 64
-"""Two lists of dashes are repeated to at most so many entries."""
+"""Maximum number of entries to which two lists of dashes are repeated."""
 
 
 NO_PAINT = Paint(None, 1.0)
 
 
 def painted_as(a: Style, b: Style, style: str) -> tuple[Style, Style]:
-    """Return the styles of a pair under `--style`: ``a`` is A's for both, ``b`` B's for both, ``blend`` each its own.
+    """Return the styles of a pair under `--style`: A's for both, B's for both, or each its own.
 
-    The fill rule belongs to the contours rather than to the paint, and stays.
+    The fill rule, which belongs to the contours rather than to the paint, stays.
     """
     if style == "a":
         return a, a._replace(fill_rule=b.fill_rule)
@@ -41,8 +41,8 @@ def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
     other does not; if neither does, they change evenly on the screen.
 
     The second style, if any, is painted below. A linear and a radial gradient have nothing in between, so B's dissolves
-    into view over A's: that weighs 1 - t in every point, and where both are opaque A's stays opaque until it is covered
-    altogether, for two half-transparent coats would let the ground shine through.
+    into view over A's, which weighs 1 - t everywhere. If both are opaque, A's stays opaque until it is covered: the
+    ground would shine through two half-transparent coats.
     """
     a, b = _with_stroke_of(a, b), _with_stroke_of(b, a)
     (fill, fill_below), (stroke, stroke_below) = (
@@ -70,9 +70,9 @@ def shape_styles(shape: ShapeBlend, t: float) -> tuple[Style, Style | None]:
 
 
 def faded_coats(shape: ShapeBlend) -> tuple[tuple[float, ...], list[list[Style]]]:
-    """Return its own times within (0, 1), and for every coat of a shape that fades its styles at 0, then and at 1.
+    """Return the times of a fade, in the shape's own time, and for every coat of paint its styles at 0, then and at 1.
 
-    A browser can interpolate from each to the next. The lowest coat comes first.
+    A browser can interpolate from each style to the next. The lowest coat comes first.
     """
     times = shape.fade.times if shape.fade is not None else ()
     samples = [shape_styles(shape, shape.time_of(t)) for t in (0.0, *times, 1.0)]
@@ -82,14 +82,14 @@ def faded_coats(shape: ShapeBlend) -> tuple[tuple[float, ...], list[list[Style]]
 
 
 def _with_stroke_of(style: Style, other: Style) -> Style:
-    """Give a style without a stroke the other's width, dashes and so on, so that it fades in or out as it is."""
+    """Give a style without a stroke the width, dashes and so on of another, whose stroke then fades unchanged."""
     if style.stroke is not None:
         return style
     return other.painted(*style.paints)._replace(fill_rule=style.fill_rule)
 
 
 def _blend_paint(a: Paint, b: Paint, t: float) -> tuple[Paint, Paint | None]:
-    """Return the paint at time t, and the one below it where two gradients are of different kinds."""
+    """Return the paint at time t, and the paint below it if two gradients are of different kinds."""
     if a.colour is None:
         return b._replace(opacity=t * b.opacity), None
     if b.colour is None:
@@ -113,7 +113,7 @@ def _blend_paint(a: Paint, b: Paint, t: float) -> tuple[Paint, Paint | None]:
 def _opacity_below(a: Paint, b: Paint, t: float) -> float:
     """Return the opacity of A's paint below B's, which is painted with t times its opacity.
 
-    Of what is below, 1 - t * (B's opacity) is seen, and that is to be (1 - t) * (A's opacity).
+    Of the paint below, a share of 1 - t * (B's opacity) is seen, which has to be (1 - t) * (A's opacity) in all.
     """
     stops = b.gradient.stops if b.gradient else ()
     cover = b.opacity * min((stop.opacity for stop in stops), default=1.0)
@@ -152,8 +152,8 @@ def _blend_dashes(a: Style, b: Style, t: float) -> tuple[tuple[float, ...], floa
 def common_dashes(a: tuple[float, ...], b: tuple[float, ...]) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Repeat two lists of dashes until they are equally long.
 
-    A solid line against a dashed one gets dashes of the other's periods, with gaps of length 0 between them. Both are
-    empty where both lines are solid, and of different lengths where one length would be more than `MOST_DASHES`.
+    A solid line gets dashes of the other's periods, with gaps of length 0. Both lists are empty if both lines are
+    solid, and stay different in length if their common length would be more than `MOST_DASHES`.
 
     Examples
     --------
@@ -162,7 +162,7 @@ def common_dashes(a: tuple[float, ...], b: tuple[float, ...]) -> tuple[tuple[flo
     >>> common_dashes((), (4, 1))
     ((5, 0), (4, 1))
     """
-    # Of an odd number, dashes and gaps are exchanged the second time.
+    # In an odd list, dashes and gaps change roles the second time.
     a, b = (dashes * (1 + len(dashes) % 2) for dashes in (a, b))
     a, b = a or _without_gaps(b), b or _without_gaps(a)
     length = math.lcm(len(a), len(b))
@@ -179,8 +179,8 @@ def _without_gaps(dashes: tuple[float, ...]) -> tuple[float, ...]:
 def keyed_styles(styles: Sequence[Style]) -> list[list[Style]] | None:
     """Return the styles of a shape at two or more keys so that a browser can interpolate from one to the next.
 
-    There is a list of as many styles for every coat of paint, the lowest first: two, where one paint has to dissolve
-    into another. None where more than two keys have no common form: with gradients, and with different dashes.
+    There is a list of styles for every coat of paint, the lowest first: two coats if one paint dissolves into another.
+    None if more than two keys have no common form, because of gradients or different dashes.
     """
     if len(styles) == 2:
         ends = [blend_styles(styles[0], styles[1], t) for t in (0.0, 1.0)]

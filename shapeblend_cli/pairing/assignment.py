@@ -27,38 +27,48 @@ if TYPE_CHECKING:
 
     Numbers = tuple[int, int]
 
-LEVEL_COST, STRAY_COST = 0.2, 0.45
-"""Cost of a contour that lies one contour deeper than its partner, and of one that is out of what its partner's part
-becomes, or the reverse."""
+LEVEL_COST = 0.2
+"""Cost of each level of nesting by which partners differ, two at most."""
 
-SIDE_COST, AXIS_COST, TWIN_GAIN = 0.6, 0.7, 0.2
-"""Cost of one of two twins that changes sides, and of one that goes to the axis or comes from there; what is gained if
-its twin goes where its partner's twin is."""
+STRAY_COST = 0.45
+"""Cost of a contour that lies outside of the partner of the part around it; half of it outside costs half."""
 
-FOCUS_GAIN, FOCUS_REACH = 1.2, 0.5
-"""Where there is a choice, how much better a pair is that lies in the middle of what both lie in, and how far from
-there it is no better, as a share of half the diagonal: what is left out is rather at the rim, a brow and not an eye."""
+SIDE_COST = 0.6
+"""Cost of a twin that changes sides."""
+
+AXIS_COST = 0.7
+"""Cost of a twin whose partner lies on the axis."""
+
+TWIN_GAIN = 0.2
+"""Gain of a contour whose twin becomes its partner's twin."""
+
+FOCUS_GAIN = 1.2
+"""Gain of a pair in the middle of the contours around it, where there is a choice: a face rather loses its brows than
+its eyes."""
+
+FOCUS_REACH = 0.5
+"""Maximum distance from that middle at which there is a gain, as a share of half the diagonal."""
 
 INNER_GAIN = 0.6
-"""In drawings with an axis, where there is a choice, how much better a pair is if on its side of what it lies on each
-one is the nearest to the middle: eyes, and not the brows above them or the cheeks beside."""
+"""Gain, where there is a choice, of a pair of twins that are both the nearest to the middle on their sides: eyes rather
+than brows above or cheeks beside them."""
 
 OUTER_GAIN = 0.3
-"""By so much a pair may be dearer and still be taken instead of one that leaves out what one of its contours lies in:
-the white of an eye and not the pupil, a mouth and not its teeth."""
+"""Maximum additional cost of a pair to be taken instead of a pair inside it: the white of an eye instead of its pupil,
+a mouth instead of its teeth."""
 
 BESIDE = 0.15
-"""A contour is beside the axis if its middle is further from it than this share of half the drawing's width."""
+"""Minimum distance from the axis of a contour beside it, as a share of half the drawing's width."""
 
 LONELY_COST = 0.3
-"""Cost of one of two twins that goes to one of two twins without the other."""
+"""Cost of a twin whose partner is a twin, but whose twin is not paired with that one's."""
 
 NEVER = 1e6
-"""Cost of what cannot be paired: more than that of any number of others."""
+"""Cost of a pair that cannot be: more than the cost of any number of others."""
 
 
 class _Side:
-    """One drawing's contours, and what is decided of them, by their places in the sequence."""
+    """One drawing's contours and the decisions on them, by places in the sequence."""
 
     def __init__(self, contours: Sequence[PlacedContour], frame: Box | None) -> None:
         self.described = Described.of(contours)
@@ -68,41 +78,39 @@ class _Side:
             self.whole = Boxes(np.array([frame.centre]), np.array([half]))
         self.structure = structure_of(contours)
         self.alone = self.described.alone(self.whole)
-        self.focus = self._focus()
         self.mirror = mirror_of(contours, self.structure)
         self.twins = self.mirror.twins(contours) if self.mirror else []
-        self.inner = self._inner()
+        away = [self._away(k) for k in range(len(contours))]
+        self.focus = self._focus(away)
+        self.inner = self._inner(away)
         self.paired: set[int] = set()
-        self.onto: dict[int, int] = {}  # parts, each with what it becomes
+        self.onto: dict[int, int] = {}  # partners of parts, by part
         self.passed: set[int] = set()
 
-    def _focus(self) -> FloatArray:
-        """Return how near each contour is to the middle of what it lies in, and that of what that lies in."""
-        structure = self.structure
-        away = np.array([self._away(k) for k in range(len(structure.parent))])
-        around = [structure.ancestors(k) for k in range(len(away))]
-        furthest = [max(away[[k, *outer]]) if outer else FOCUS_REACH for k, outer in enumerate(around)]
+    def _away(self, k: int) -> float:
+        """Return the distance of a contour from the middle of its parent, as a share of half the parent's diagonal."""
+        boxes, parent = self.described.boxes, self.structure.parent[k]
+        if parent is None:
+            return 0.0
+        return float(abs(boxes.centres[k] - boxes.centres[parent]) / abs(boxes.halves[parent]))
+
+    def _focus(self, away: Sequence[float]) -> FloatArray:
+        """Return how near each contour, and each contour around it, is to the middle of its parent."""
+        around = [self.structure.ancestors(k) for k in range(len(away))]
+        furthest = [
+            max(away[i] for i in (k, *outer)) if outer else FOCUS_REACH for k, outer in enumerate(around)
+        ]
         return np.clip(FOCUS_REACH - np.array(furthest), 0.0, None)
 
-    def _away(self, k: int) -> float:
-        """Return how far a contour is from the middle of what it lies in, as a share of half that one's diagonal."""
-        boxes, parent = self.described.boxes, self.structure.parent[k]
-        return (
-            0.0
-            if parent is None
-            else float(abs(boxes.centres[k] - boxes.centres[parent]) / abs(boxes.halves[parent]))
-        )
-
-    def _inner(self) -> FloatArray:
-        """Return 1 for twins of which each is the nearest to the middle of what it lies in on its side, else 0."""
-        parents = self.structure.parent
+    def _inner(self, away: Sequence[float]) -> FloatArray:
+        """Return 1 for twins that are both the nearest to the middle of their parents on their sides, else 0."""
         nearest: dict[tuple[int, bool], tuple[float, int]] = {}
-        for k, parent in enumerate(parents):
+        for k, parent in enumerate(self.structure.parent):
             if self.mirror is not None and parent is not None and self.beside_axis(k):
                 side = parent, bool(self.described.boxes.centres[k].real > self.mirror.x)
-                nearest[side] = min(nearest.get(side, (np.inf, k)), (self._away(k), k))
+                nearest[side] = min(nearest.get(side, (np.inf, k)), (away[k], k))
         found = {k for _, k in nearest.values()}
-        inner = np.zeros(len(parents))
+        inner = np.zeros(len(away))
         inner[[k for twins in self.twins if found.issuperset(twins) for k in twins]] = 1.0
         return inner
 
@@ -110,13 +118,13 @@ class _Side:
         return [k for k in range(len(self.alone)) if k not in self.paired]
 
     def is_open(self, k: int) -> bool:
-        """Return whether what a contour lies in is decided."""
+        """Return whether the parent of a contour is decided."""
         first = self.structure.same[k]
         before = self.structure.parent[k] if first == k else first
         return before is None or before in self.onto or before in self.passed
 
     def twins_among(self, some: Sequence[int]) -> IntArray:
-        """Return which of some contours are twins, by their places among them, the left one first, (p, 2)."""
+        """Return the twins among some contours, by their places there, the left one first, (p, 2)."""
         at = {k: place for place, k in enumerate(some)}
         pairs = [(at[i], at[j]) for i, j in self.twins if i in at and j in at]
         return np.array(pairs, np.intp).reshape(-1, 2)
@@ -125,21 +133,19 @@ class _Side:
         """Return whether a contour is its own mirror image."""
         return self.mirror is not None and self.mirror.twin[k] == k
 
-    def beside_axis(self, k: int) -> float:
-        """Return 1 for a twin, a half for what else lies clearly to one side of the axis, and 0."""
-        if self.mirror is None or self.is_on_axis(k):
-            return 0.0
-        if self.has_twin(k):
-            return 1.0
-        away = abs(self.described.boxes.centres[k].real - self.mirror.x)
-        return 0.5 if away > BESIDE * self.whole.halves[0].real else 0.0
-
     def has_twin(self, k: int) -> bool:
         """Return whether a contour has a mirror image beside it."""
         return self.mirror is not None and self.mirror.twin[k] not in (None, k)
 
+    def beside_axis(self, k: int) -> float:
+        """Return 1 for a twin, a half for another contour clearly to one side of the axis, else 0."""
+        if self.mirror is None or self.is_on_axis(k):
+            return 0.0
+        away = abs(self.described.boxes.centres[k].real - self.mirror.x)
+        return 1.0 if self.has_twin(k) else 0.5 if away > BESIDE * self.whole.halves[0].real else 0.0
+
     def part(self, k: int) -> tuple[int, int]:
-        """Return the innermost paired part that a contour lies on, -1 for none, and how many others are between."""
+        """Return the innermost paired contour around a contour, -1 for none, and the number of others between."""
         ancestors = self.structure.ancestors(k)
         for depth, part in enumerate(ancestors):
             if part in self.onto:
@@ -147,7 +153,7 @@ class _Side:
         return -1, len(ancestors)
 
     def boxes_of(self, parts: Sequence[int]) -> Boxes:
-        """Return the boxes of parts; of -1 that of the drawing."""
+        """Return the boxes of parts; for -1 the box of the drawing."""
         boxes = self.described.boxes
         known = np.array(parts, np.intp)
         return Boxes(
@@ -157,7 +163,7 @@ class _Side:
 
 
 class Pairing:
-    """The contours of two drawings, and their pairs as far as they are decided, by places in the sequences."""
+    """The contours of two drawings and the pairs decided so far, by places in the sequences."""
 
     def __init__(
         self,
@@ -186,7 +192,7 @@ class Pairing:
             self._decide(in_a[i], in_b[j])
 
     def from_outermost_in(self) -> None:
-        """Decide all pairs: first of what lies in nothing, then of what lies in what is decided."""
+        """Decide all pairs: first of contours that lie in no other, then of contours that lie in decided ones."""
         while True:
             found = self._cheapest()
             now_open = [{k for k in side.undecided() if side.is_open(k)} for side in (self.a, self.b)]
@@ -200,7 +206,7 @@ class Pairing:
                 break
 
     def overlap(self, i: int, j: int) -> float:
-        """Return what share of both boxes is common to a pair, as drawn or laid over what they lie on."""
+        """Return the common share of a pair's boxes, as drawn or with the parts around them laid over each other."""
         a, b = self.a, self.b
         part_a, _ = a.part(i)
         box_a, box_b = a.described.boxes.take([i]), b.described.boxes.take([j])
@@ -218,12 +224,12 @@ class Pairing:
             self.a.onto[i], self.b.onto[j] = j, i
 
     def _cheapest(self) -> list[Numbers]:
-        """Pair what is undecided at the least total cost, with what is known."""
+        """Pair the undecided contours at the least total cost."""
         rows, columns = self.a.undecided(), self.b.undecided()
         if not rows or not columns:
             return []
         some = np.ix_(rows, columns)
-        # A pair that leaves most of the larger one without a partner all the same saves less.
+        # A pair of very different sizes saves less: most of the larger contour appears or disappears anyway.
         both = self.a.alone[rows][:, None], self.b.alone[columns]
         alone = 1.5 * np.minimum(*both) + 0.5 * np.maximum(*both)
         focus = FOCUS_GAIN * np.minimum(self.a.focus[rows][:, None], self.b.focus[columns])
@@ -254,7 +260,7 @@ class Pairing:
         return [(rows[i], columns[j]) for i, j in found]
 
     def _inside_partners(self, rows: Sequence[int], columns: Sequence[int]) -> BoolArray:
-        """Return where both are no holes, or holes in exteriors that are partners or not here."""
+        """Return which contours may be partners: not holes in exteriors that have other partners."""
         around_a, around_b = (
             np.array([side[k] for k in some])
             for side, some in zip(self._exterior, (rows, columns), strict=True)
@@ -263,21 +269,20 @@ class Pairing:
         return (becomes[:, None] == around_b) | (around_a[:, None] < 0) | (around_b < 0)
 
     def _cheap_costs(self, rows: Sequence[int], columns: Sequence[int]) -> FloatArray:
-        """Return what pairs cost but for their work."""
+        """Return the costs of pairs without their work."""
         a, b = self.a, self.b
-        in_a, in_b = [a.part(i) for i in rows], [b.part(j) for j in columns]
-        parts_a, parts_b = [part for part, _ in in_a], [part for part, _ in in_b]
-        onto_b, onto_a = (
-            [a.onto.get(part, -1) for part in parts_a],
-            [b.onto.get(part, -1) for part in parts_b],
+        (parts_a, depths_a), (parts_b, depths_b) = (
+            np.array([side.part(k) for k in some], np.intp).T for side, some in ((a, rows), (b, columns))
         )
+        onto_b = [a.onto.get(part, -1) for part in parts_a.tolist()]
+        onto_a = [b.onto.get(part, -1) for part in parts_b.tolist()]
         strays = _out_of(b, columns, onto_b) + _out_of(a, rows, onto_a).T
-        # Outlines drawn twice go to such as well.
+        # An outline that is drawn twice becomes one that is drawn twice.
         same_a, same_b = ([side.structure.same[k] for k in some] for side, some in ((a, rows), (b, columns)))
-        becomes, comes = [a.onto.get(k, -1) for k in same_a], [b.onto.get(k, -1) for k in same_b]
-        known = (np.array(becomes)[:, None] >= 0) | (np.array(comes) >= 0)
-        strays = strays + (known & (np.array(becomes)[:, None] != same_b))
-        levels = np.abs(np.array([depth for _, depth in in_a])[:, None] - [depth for _, depth in in_b])
+        becomes = np.array([a.onto.get(k, -1) for k in same_a])[:, None]
+        known = (becomes >= 0) | (np.array([b.onto.get(k, -1) for k in same_b]) >= 0)
+        strays = strays + (known & (becomes != same_b))
+        levels = np.abs(depths_a[:, None] - depths_b)
         some_a, some_b = a.described.take(rows), b.described.take(columns)
         frame_a, frame_b = a.boxes_of(parts_a), b.boxes_of(parts_b)
         beyond_a, beyond_b = b.boxes_of(onto_b), a.boxes_of(onto_a)
@@ -299,7 +304,7 @@ class Pairing:
         )
 
     def _axis_costs(self, rows: Sequence[int], columns: Sequence[int]) -> FloatArray:
-        """Return what it costs to leave an axis or come to it, less what is gained by going where the twin has gone."""
+        """Return costs of pairs that leave an axis or come to it, less the gains of pairs whose twins are paired."""
         sides = (self.a, rows), (self.b, columns)
         costs = np.zeros((len(rows), len(columns)))
         if self.a.mirror is None or self.b.mirror is None:
@@ -316,17 +321,17 @@ class Pairing:
 
 
 def _values(excess: FloatArray, focus: FloatArray) -> FloatArray:
-    """Return what pairs are worth, from what they cost above having no partner: less than 0, or 0 for none.
+    """Return the values of pairs to be minimised, given their costs above having no partner: 0 for no gain.
 
-    That is squared, so that one good pair is worth more than two poor ones.
+    Gains are squared, so that one good pair is worth more than two poor ones.
     """
     return -(np.where(excess < 0.0, focus - excess, 0.0) ** 2)
 
 
 def _twins_with_twins(excess: FloatArray, focus: FloatArray, a: IntArray, b: IntArray) -> list[Numbers]:
-    """Return the pairs of twins with twins, (p, 2) rows and (q, 2) columns, at the least total with all others.
+    """Return the pairs of twins, (p, 2) rows, with twins, (q, 2) columns, at the least total with all other contours.
 
-    Twins are assigned as one, left to left if that is no dearer, and all others one by one.
+    Twins are assigned together, left to left if that is no dearer; other contours one by one.
     """
     if not len(a) or not len(b):
         return []
@@ -355,7 +360,7 @@ def _outer_first(
     here: tuple[_Side, Sequence[int]],
     there: tuple[_Side, Sequence[int]],
 ) -> list[Numbers]:
-    """Return pairs, with what the first contour lies in instead of it where that is left out and about as good.
+    """Return pairs with contours around the first ones instead, where these are left out and about as good.
 
     Pairs are places in `excess` and among the contours of both sides.
     """
@@ -366,7 +371,7 @@ def _outer_first(
     for i, j in pairs:
         part, between = side.part(some[i])
         around = side.structure.ancestors(some[i])[:between]
-        # What lies in the whole drawing may be a ground for the rest: a mane around a face.
+        # A contour around all others may be a ground for them: a mane around a face.
         deeper = part >= 0 and between > other.part(others[j])[1]
         free = [place[k] for k in reversed(around) if k in place and k not in taken] if deeper else []
         better = (at for at in free if excess[at, j] < min(0.0, excess[i, j] + OUTER_GAIN))
@@ -377,18 +382,18 @@ def _outer_first(
 
 
 def _out_of(side: _Side, contours: Sequence[int], parts: Sequence[int]) -> FloatArray:
-    """Return how much of contours is out of parts, (parts, contours); nothing is out of the drawing, -1."""
+    """Return the shares of contours outside of parts, (parts, contours); nothing is outside of the drawing, -1."""
     known = np.array(parts)[:, None]
     return np.where(known < 0, 0.0, 1.0 - side.structure.within[known, contours])
 
 
 def assign(costs: FloatArray) -> list[tuple[int, int]]:
-    """Pair the rows of finite costs with columns at the least total: as many as there are of the fewer, by row."""
+    """Pair rows with columns at the least total of finite costs, as many as there are of the fewer; by row."""
     if min(costs.shape) == 0:
         return []
     if 1 in costs.shape:
         return [divmod(int(costs.argmin()), costs.shape[1])]
-    import lap  # most drawings that are blended have one exterior and no need of it
+    import lap  # drawings with one exterior do without it
 
     _, columns, _ = lap.lapjv(np.ascontiguousarray(costs), extend_cost=True)
     return [(i, int(j)) for i, j in enumerate(columns) if j >= 0]

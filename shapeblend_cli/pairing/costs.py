@@ -1,4 +1,4 @@
-"""What it costs to turn one contour into another: place, change of size and of paint, work; and to have no partner."""
+"""Costs of turning one contour into another: place, size, paint and work; and the cost of having no partner."""
 
 from __future__ import annotations
 
@@ -17,45 +17,54 @@ if TYPE_CHECKING:
     from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray
 
-OVERLAP_WEIGHT, DISTANCE_WEIGHT = 0.65, 1.5
-"""Cost of boxes that do not overlap, and of a distance as large as the frame: the part that a contour lies on."""
+OVERLAP_WEIGHT = 0.65
+"""Cost of boxes that do not overlap."""
+
+DISTANCE_WEIGHT = 1.5
+"""Cost of a distance as large as the frame, the part around a contour."""
 
 MARGIN = 0.03
-"""Boxes are larger by this share of their frame on each side, so that lines and specks have some."""
+"""Margin of boxes on each side, as a share of their frame, so that lines and specks have some area."""
 
 SIZE_WEIGHT = 0.45
 """Cost of a change of size by the factor e."""
 
 MOST_GROWTH = 3.0
-"""No change of size costs more than by so many times the factor e."""
+"""Maximum change of size that costs more than smaller ones, as a power of e."""
 
-WORK_WEIGHT, WORK_HALF_SATURATION = 0.5, 10.0
-"""Cost of any amount of work, and the least work that costs half of it: a circle into a five-pointed star takes about
-this much. The cost is the share work / (work + `WORK_HALF_SATURATION`): shapes that differ in every detail are not
-worse partners than those that differ in most."""
+WORK_WEIGHT = 0.5
+"""Maximum cost of work."""
+
+WORK_HALF_SATURATION = 10.0
+"""Work that costs half the maximum: about that of a circle into a five-pointed star. The cost is the share
+work / (work + `WORK_HALF_SATURATION`): shapes that differ in every detail are no worse partners than shapes that differ
+in most."""
 
 LIKENESS = WorkConstants(**PAPER)
-"""By what contours are alike: the paper's work, which does not hang on where they are. The weights are set for it."""
+"""Constants of the work between contours, the paper's: this work does not depend on places. The weights rely on it."""
 
 PAINT_WEIGHT = 0.65
-"""Cost of turning a filled shape into one that is not, or one without a stroke into one with; and of turning black
-into white."""
+"""Cost of a fill that comes or goes, of a stroke that comes or goes, and of black that becomes white."""
 
 COLOUR_HALF = 0.6
-"""Of what black into white costs, colours so far apart cost rather more than half: another colour is another colour."""
+"""Difference of colours, from 0 to 1, that costs rather more than half of black into white: another colour is another
+colour."""
 
-ALONE_COST, ALONE_SIZE_COST = 0.78, 0.35
-"""Cost of a contour without a partner, and more for one as large as the drawing."""
+ALONE_COST = 0.78
+"""Cost of a contour without a partner."""
+
+ALONE_SIZE_COST = 0.35
+"""Additional cost of a contour without a partner if it is as large as the drawing."""
 
 MOST_UNEVEN = 2.0
-"""A part is laid over another with its height scaled by at most so many times its width's factor, or the reverse."""
+"""Maximum ratio of the scales along both axes of a part that is laid over another."""
 
 MOST_WORKS = 600
-"""Maximum number of pairs whose work is compared, about: those that cost least without it."""
+"""Maximum number of pairs whose work is compared, about: the cheapest without it."""
 
 
 class Boxes(NamedTuple):
-    """Boxes, by centres and by halves of their width and height, both as x + iy."""
+    """Boxes by their centres and half their widths and heights, both as x + iy."""
 
     centres: ComplexArray
     halves: ComplexArray
@@ -73,12 +82,12 @@ class Boxes(NamedTuple):
 
 
 class Described(NamedTuple):
-    """What there is to compare of contours, an array each."""
+    """Properties of contours to compare, an array each."""
 
     contours: Sequence[PlacedContour]
     boxes: Boxes
-    areas: FloatArray  # 0 for open ones
-    paint: FloatArray  # (n, 2, 3), the channels of fill and stroke from 0 to 1; none are -1
+    areas: FloatArray  # (n,), 0 for open contours
+    paint: FloatArray  # (n, 2, 3), the channels of fill and stroke from 0 to 1; -1 for no paint
 
     @classmethod
     def of(cls, contours: Sequence[PlacedContour]) -> Described:
@@ -95,13 +104,13 @@ class Described(NamedTuple):
         return Described(some, self.boxes.take(chosen), self.areas[chosen], self.paint[chosen])
 
     def alone(self, whole: Boxes) -> FloatArray:
-        """Return what it costs that each has no partner, given the box of the drawing."""
+        """Return the costs of having no partner, given the box of the drawing."""
         share = np.abs(self.boxes.halves) / np.abs(whole.halves)
         return ALONE_COST + ALONE_SIZE_COST * share
 
 
 def laid(boxes: Boxes, frames: Boxes, onto: Boxes) -> Boxes:
-    """Lay boxes with the map that takes each one's frame onto another, which scales unevenly within bounds."""
+    """Return boxes under the maps of their frames onto others, which scale unevenly within bounds."""
     tiny = 1e-9 * np.maximum(np.abs(frames.halves), np.abs(onto.halves)) + 1e-300
     x = np.maximum(onto.halves.real, tiny) / np.maximum(frames.halves.real, tiny)
     y = np.maximum(onto.halves.imag, tiny) / np.maximum(frames.halves.imag, tiny)
@@ -116,7 +125,7 @@ def laid(boxes: Boxes, frames: Boxes, onto: Boxes) -> Boxes:
 
 
 def overlaps(a: Boxes, b: Boxes, reach: FloatArray) -> FloatArray:
-    """Return what share of both each box of `a` and each of `b` have in common, with margins for such a reach."""
+    """Return the common share of each box of `a` and each of `b`, (a, b), with margins in frames of half diagonals."""
     margin = MARGIN * 2.0 * reach
     away = a.centres[:, None] - b.centres
     area_a, area_b, shared = (np.ones(away.shape) for _ in range(3))
@@ -131,13 +140,13 @@ def overlaps(a: Boxes, b: Boxes, reach: FloatArray) -> FloatArray:
 
 
 def place_costs(a: Boxes, b: Boxes, reach: FloatArray) -> FloatArray:
-    """Return what it costs to move from each box of `a` to each of `b`, in frames with such half diagonals."""
+    """Return the costs of moving from each box of `a` to each of `b`, (a, b), in frames with these half diagonals."""
     distance = np.abs(a.centres[:, None] - b.centres) / (2.0 * reach)
     return OVERLAP_WEIGHT * (1.0 - overlaps(a, b, reach)) + DISTANCE_WEIGHT * distance
 
 
 def size_costs(a: Described, b: Described, laid_a: Boxes) -> FloatArray:
-    """Return what it costs that boxes and areas grow or shrink, those of `a` laid over `b`."""
+    """Return the costs of boxes and areas that grow or shrink, (a, b), with the boxes of `a` laid over `b`."""
     p, q = np.abs(laid_a.halves), np.abs(b.boxes.halves)
     tiny = 1e-9 * max(p.max(), q.max()) + 1e-300
     growth = np.abs(np.log(np.maximum(p, tiny))[:, None] - np.log(np.maximum(q, tiny)))
@@ -151,7 +160,7 @@ def size_costs(a: Described, b: Described, laid_a: Boxes) -> FloatArray:
 
 
 def paint_costs(a: Described, b: Described) -> FloatArray:
-    """Return what it costs to change the paint: 1 for black and white, 1 for each kind of paint more."""
+    """Return the costs of changing the paint, (a, b)."""
     p, q = a.paint[:, None], b.paint
     none_p, none_q = p[..., 0] < 0, q[..., 0] < 0
     apart = np.abs(p - q).mean(axis=-1)
@@ -161,14 +170,14 @@ def paint_costs(a: Described, b: Described) -> FloatArray:
 
 
 class Works:
-    """What it costs that contours are not alike, solved where it is asked for, and once."""
+    """Costs of the work between contours, each solved once, when it is wanted."""
 
     def __init__(self, a: Described, b: Described) -> None:
         self._a, self._b = a, b
         self._costs = np.full((len(a.contours), len(b.contours)), np.nan)
 
     def costs(self, wanted: BoolArray, cheap: FloatArray) -> FloatArray:
-        """Return the costs of the wanted pairs, or of those of them that are cheapest without; the others at most."""
+        """Return costs, (a, b): the maximum for pairs that are not wanted, and for the dearest of too many."""
         wanted = wanted & _worth_solving(np.where(wanted, cheap, np.inf))
         for i, j in np.argwhere(wanted & np.isnan(self._costs)).tolist():
             p, q = self._a.contours[i].polygon, self._b.contours[j].polygon
@@ -178,7 +187,7 @@ class Works:
 
 
 def _worth_solving(cheap: FloatArray) -> BoolArray:
-    """Return which pairs are finite, or if there are too many the cheapest of them in each row and column."""
+    """Return the pairs of finite cost; of too many, the cheapest in each row and column."""
     finite = np.isfinite(cheap)
     if finite.sum() <= MOST_WORKS:
         return finite

@@ -1,8 +1,7 @@
-"""Where a contour without a partner grows from, or shrinks to: its own middle, carried along by what it lies on.
+"""The point from which a contour without a partner grows: its own middle, carried along by the contour around it.
 
-Both are one question. Here is the drawing that has the contour, there the one that has not; the contours that are
-paired are known on both sides, vertex for vertex, as `MatchedPoints`. The contour grows from a point there while the
-paired ones move on straight paths to here.
+"Here" is the drawing with the contour, "there" the drawing without it. The contour grows from a point there while the
+paired contours, `MatchedPoints`, move from there to here on straight paths. A contour that shrinks does so in reverse.
 """
 
 from __future__ import annotations
@@ -21,25 +20,31 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import ComplexArray
 
-TIMES, WATCHED = np.arange(1, 10) / 10, 24
-"""When a growing hole is checked for lying inside, and at how many of its vertices at most."""
+TIMES = np.arange(1, 10) / 10
+"""Times at which a growing hole is checked for lying inside."""
 
-GRID, TRIES = 12, 40
-"""A point that will not do is replaced by one of a grid of so many rows and columns; so many are tried at most."""
+WATCHED = 24
+"""Maximum number of vertices of an outline that are checked."""
+
+GRID = 12
+"""Number of rows and columns of the grid of points from which a hole may grow instead of its own."""
+
+TRIES = 40
+"""Maximum number of points that are tried."""
 
 FALL = 4
-"""What a vertex counts for a point outside falls by this power of the distance."""
+"""Power of the distance by which the weight of a vertex falls for a point outside."""
 
 
 class MatchedPoints(NamedTuple):
-    """A paired contour: (k,) complex vertices here, and there, a pair for every dot."""
+    """Corresponding vertices of a paired contour, (k,) complex each."""
 
     here: ComplexArray
     there: ComplexArray
 
 
 def nearest_paired(contour: ComplexArray, paired: Sequence[MatchedPoints]) -> tuple[int, float]:
-    """Return which paired contour is nearest here to one given by its vertices, and how far it is."""
+    """Return the index of the paired contour that is nearest here to a contour, (n,) complex, and its distance."""
     watched = thin(contour, WATCHED)
     distances = [float(np.abs(points.here[:, None] - watched).min()) for points in paired]
     nearest = int(np.argmin(distances))
@@ -47,10 +52,10 @@ def nearest_paired(contour: ComplexArray, paired: Sequence[MatchedPoints]) -> tu
 
 
 def carried(point: complex, by: MatchedPoints, *, inside: bool) -> complex:
-    """Return where a point here lies there if a paired contour carries it.
+    """Return the image there of a point here that a paired contour carries along.
 
-    Inside a closed contour it keeps its mean value coordinates. Elsewhere, or if they lead out of the contour, it goes
-    as far as the vertices do, the nearer ones by far.
+    Inside a closed contour the point keeps its mean value coordinates. Elsewhere, or if these lead out of the contour,
+    it moves as far as the vertices on average, of which the nearer weigh far more.
     """
     if inside:
         image = complex(mean_value_weights(point, by.here) @ by.there)
@@ -64,11 +69,10 @@ def carried(point: complex, by: MatchedPoints, *, inside: bool) -> complex:
 def growth_point_inside(
     hole: ComplexArray, exterior: MatchedPoints, siblings: Sequence[MatchedPoints] = ()
 ) -> complex:
-    """Return the point there that a hole grows from, such that it stays inside its exterior all the way.
+    """Return the point there from which a hole grows without leaving its exterior or meeting its siblings.
 
-    The first choice has the mean value coordinates there that the hole's centroid has here. If a hole that grows from
-    it does not stay inside, it is the nearest point of a grid from which it does; or, if there is none, the best.
-    Nor must it meet its siblings, other holes of that exterior.
+    The first choice has the mean value coordinates of the hole's centroid. If that will not do, the nearest point of a
+    grid that will is taken, or else the best. Siblings are other holes of the exterior.
     """
     watched = thin(hole, WATCHED)
     best, most = 0j, -1.0
@@ -92,7 +96,7 @@ def _candidates(hole: ComplexArray, exterior: MatchedPoints) -> Iterator[complex
 def _share_inside(
     watched: ComplexArray, point: complex, exterior: MatchedPoints, siblings: Sequence[MatchedPoints]
 ) -> float:
-    """Return the share of times and vertices at which what grows from `point` is inside and in no other hole."""
+    """Return the share of times and vertices of a hole growing from `point` that are inside and in no other hole."""
     count = 0
     for t in TIMES:
         growing = (1.0 - t) * point + t * watched

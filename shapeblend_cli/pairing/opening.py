@@ -1,4 +1,4 @@
-"""A ring that becomes one outline without a hole: it opens where that takes the least work, as an O becomes a C."""
+"""Rings that become an outline without a hole: they open where that takes the least work, as an O becomes a C."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ if TYPE_CHECKING:
     from shapeblend_cli.options.settings import Settings
 
 PLACES = 40
-"""A ring is tried to be opened at so many places, evenly round its hole."""
+"""Number of places, evenly round its hole, at which a ring may open."""
 
 LEAST_HOLE = 0.15
-"""The least hole of a ring, as a share of the area within its outer edge."""
+"""Minimum area of a ring's hole, as a share of the area within the outer edge."""
 
 WIDTH = 0.5
-"""By which share the work counts more where a ring is twice as wide as at its narrowest."""
+"""Additional weight of the work at a place where a ring is twice as wide as at its narrowest."""
 
 NARROW = 1e-3
-"""A ring that is narrower than this share of its size counts as so wide."""
+"""Minimum width of a ring, as a share of its size: a narrower one counts as so wide."""
 
 CLEAR = 0.6
-"""A ring is opened if that takes at most this share of the work that its outer edge alone takes."""
+"""Maximum work of an opened ring, as a share of the work of its outer edge alone."""
 
 
 def open_rings(
@@ -43,22 +43,21 @@ def open_rings(
     settings: Settings,
     required: Mapping[int, int],
 ) -> list[ContourPair]:
-    """Open the rings among paired exteriors whose partner has no hole, where that takes far less work.
+    """Open paired rings whose partner has no hole, if that takes far less work. Return all pairs.
 
-    Return all pairs. A ring that is opened has the number of its outer edge, and its hole is part of it. Only what is
-    filled and has no stroke is opened, as a stroke would show where; and no required pair, B's numbers by A's.
+    An opened ring has the number of its outer edge, and its hole is part of it. Rings with a stroke, which would show
+    the cut, and rings of required pairs, B's numbers by A's, stay closed.
     """
     opened = []
     for p, q in pairs:
-        holes = [[c for c in side if one.contains_hole(c)] for side, one in zip((a, b), (p, q), strict=True)]
-        styles = p.style, q.style
-        is_plain = all(style.fill is not None and style.stroke is None for style in styles)
-        is_free = required.get(p.number) != q.number
-        if p.role == q.role == EXTERIOR and is_plain and is_free and {len(some) for some in holes} == {0, 1}:
-            if holes[0]:
-                p = _opened(p, holes[0][0], q, settings)
+        inner_a, inner_b = [c for c in a if p.contains_hole(c)], [c for c in b if q.contains_hole(c)]
+        is_plain = all(one.style.fill is not None and one.style.stroke is None for one in (p, q))
+        is_free = p.role == q.role == EXTERIOR and required.get(p.number) != q.number
+        if is_plain and is_free and len(inner_a) + len(inner_b) == 1:
+            if inner_a:
+                p = _opened(p, inner_a[0], q, settings)
             else:
-                q = _opened(q, holes[1][0], p, settings)
+                q = _opened(q, inner_b[0], p, settings)
         opened.append((p, q))
     return opened
 
@@ -66,7 +65,7 @@ def open_rings(
 def _opened(
     ring: PlacedContour, hole: PlacedContour, partner: PlacedContour, settings: Settings
 ) -> PlacedContour:
-    """Return a ring as one outline that becomes its partner with the least work; as it is if that is not much less."""
+    """Return a ring opened where it becomes its partner with the least work; unopened if that is not much less."""
     edge, inner = ring.polygon.vertices, hole.polygon.vertices
     if hole.area < LEAST_HOLE * ring.area:
         return ring
@@ -82,7 +81,8 @@ def _opened(
         outline = _keyhole(ring, hole, start, end)
         polygon = flatten(outline, settings.vertices)
         work = rough_work(to_unit_box(polygon), target, True, settings.constants)
-        cuts.append((work * (1.0 + WIDTH * max(width / narrowest - 1.0, 0.0)), work, outline, polygon))
+        weight = 1.0 + WIDTH * max(width / narrowest - 1.0, 0.0)
+        cuts.append((work * weight, work, outline, polygon))
     _, work, outline, polygon = min(cuts, key=lambda cut: cut[0])
     closed = rough_work(to_unit_box(ring.polygon), target, True, settings.constants)
     if not work <= CLEAR * closed < np.inf:

@@ -1,4 +1,4 @@
-"""The order in which paired shapes are painted, so that what is on top stays on top, or changes its place."""
+"""The order in which paired shapes are painted: shapes on top stay on top, or change their place on the way."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 SAMPLES = 128
-"""So many vertices of a contour, at most, tell whether two meet."""
+"""Maximum number of a contour's vertices that are checked for meeting another contour."""
 
 
 def paint_places(
@@ -29,7 +29,7 @@ def paint_places(
 ) -> list[Place]:
     """Return the places of groups of contours in the order of paint, from the lowest.
 
-    Where the drawings contradict each other, some groups have two, one in A and one in B: few, and rather small ones.
+    If the drawings contradict each other, a few groups, rather small ones, have a place in A and another one in B.
     """
     below = visible_overlaps(a), visible_overlaps(b)
     order = paint_order(groups, *below)
@@ -66,14 +66,14 @@ def _in_two_places(
     edges, count = np.concatenate(found), len(groups)
     twice: list[int] = []
     while len(core := _core(_split(edges, twice, count), count)):
-        # What leads to a group by one drawing and away from it by the other is cut where it has two places.
+        # Two places for a group cut each path that leads to it by one drawing and away from it by the other.
         into, out_of = (
             [np.bincount(core[core[:, 2] == side, end], minlength=2 * count)[:count] for side in (0, 1)]
             for end in (1, 0)
         )
         cut = into[0] * out_of[1] + into[1] * out_of[0]
         twice.append(min(np.flatnonzero(cut).tolist(), key=lambda k: (-cut[k], sizes[k], k)))
-    for k in list(twice):  # what came later may have made it needless
+    for k in list(twice):  # later groups may have made this one needless
         others = [other for other in twice if other != k]
         if not len(_core(_split(edges, others, count), count)):
             twice = others
@@ -89,7 +89,7 @@ def _split(edges: IntArray, twice: Sequence[int], count: int) -> IntArray:
 
 
 def _core(edges: IntArray, count: int) -> IntArray:
-    """Return the edges, lower and higher group and side, from what is above something to what is below something."""
+    """Return the edges (lower group, higher group, side) between groups that have others below and above them."""
     while True:
         is_low, is_high = np.zeros(2 * count, np.bool_), np.zeros(2 * count, np.bool_)
         is_low[edges[:, 0]] = is_high[edges[:, 1]] = True
@@ -102,7 +102,7 @@ def _core(edges: IntArray, count: int) -> IntArray:
 def _between_groups(
     groups: Sequence[Shapes], pairs: Sequence[tuple[int, int]], side: int
 ) -> Iterator[tuple[int, int]]:
-    """Yield the groups of which the first is below the second, given such shapes of one drawing."""
+    """Yield pairs of groups, the lower first, given such pairs of shapes of one drawing."""
     members: dict[int, list[int]] = {}
     for k, group in enumerate(groups):
         shape = group[side]
@@ -117,10 +117,10 @@ def _between_groups(
 def paint_order(
     groups: Sequence[Shapes], a: Sequence[tuple[int, int]], b: Sequence[tuple[int, int]]
 ) -> list[int] | None:
-    """Return the indices of groups of contours from the lowest to the highest, None if the drawings contradict.
+    """Return the indices of groups of contours from the lowest to the highest; None if the drawings contradict.
 
-    That is as near to the order in both files as possible. A group comes from a shape of A and a shape of B, `a` and
-    `b` are pairs of shapes of which the first is visibly below the second.
+    The order is as near as possible to the order in both files. A group belongs to a shape of A and a shape of B; `a`
+    and `b` are pairs of shapes, the lower first, that are visibly on each other.
     """
     below: list[set[int]] = [set() for _ in groups]
     for side, pairs in enumerate((a, b)):
@@ -150,10 +150,7 @@ def _file_order(group: Shapes) -> tuple[int, int]:
 
 
 def visible_overlaps(contours: Sequence[PlacedContour]) -> list[tuple[int, int]]:
-    """Return pairs of shapes of one drawing of which the first is visibly below the second.
-
-    That is, their boxes overlap and they are not painted all in one and the same colour.
-    """
+    """Return pairs of shapes of one drawing, the lower first, whose boxes overlap and whose paint differs."""
     shapes = sorted({contour.shape for contour in contours})
     boxes: dict[int, list[Box]] = {shape: [] for shape in shapes}
     paints: dict[int, object] = {}
@@ -171,7 +168,7 @@ def visible_overlaps(contours: Sequence[PlacedContour]) -> list[tuple[int, int]]
 
 
 def _single_paint(style: Style) -> object:
-    """Return the paint and opacity of a style that has only one, else something unequal to all others."""
+    """Return the paint of a style that has only one, else an object unequal to all others."""
     paints = {paint for paint in style.paints if paint.colour is not None}
     return paints if len(paints) == 1 else object()
 
@@ -179,7 +176,7 @@ def _single_paint(style: Style) -> object:
 def _without_near_misses(
     contours: Sequence[PlacedContour], pairs: Sequence[tuple[int, int]]
 ) -> list[tuple[int, int]]:
-    """Return the pairs of shapes that meet themselves, and not only their boxes."""
+    """Return the pairs of shapes that meet, and not only their boxes."""
     shapes: dict[int, list[PlacedContour]] = {}
     for contour in contours:
         shapes.setdefault(contour.shape, []).append(contour)
@@ -198,14 +195,14 @@ def _meet(p: Sequence[PlacedContour], q: Sequence[PlacedContour]) -> bool:
 def _is_around(
     shape: Sequence[PlacedContour], around: Sequence[ComplexArray], inner: Sequence[ComplexArray]
 ) -> bool:
-    """Return whether a shape is painted where an outline begins that it does not cross."""
+    """Return whether any of the inner outlines, none of which a shape crosses, begins inside the shape."""
     if shape[0].style.fill is None:
         return False
     return any(sum(winding_numbers(points[:1], outline)[0] for outline in around) for points in inner)
 
 
 def _touch(p: ComplexArray, q: ComplexArray, reach: float) -> bool:
-    """Return whether two closed polygons cross, or vertices are no farther apart than `reach`."""
+    """Return whether two closed polygons cross, or have vertices within `reach` of each other."""
     if reach and np.abs(p[:, None] - q).min() <= reach:
         return True
     after_p, after_q = np.roll(p, -1), np.roll(q, -1)

@@ -1,4 +1,4 @@
-"""Which contour of A becomes which of B."""
+"""Pairs of contours: which contour of A becomes which contour of B."""
 
 from __future__ import annotations
 
@@ -31,15 +31,15 @@ def pair_contours(
 ) -> list[ContourPair]:
     """Pair the contours of two drawings, from the outermost in, each time at the least total cost.
 
-    Where a contour is counts by the part that it lies on, laid over that part's partner. Exteriors are paired with
-    exteriors, open lines with open lines, and holes with holes inside paired exteriors; an exterior is paired with an
-    open line only if the drawings have no kind in common. Having no partner has a price, too: a contour whose partners
-    all cost more stays without. But one pair there is, unless the contours are only
-    the rest of drawings whose others are decided; then `frames` are the boxes of the whole drawings.
+    The place of a contour is relative to the part around it, laid over the partner of that part. Exteriors are paired
+    with exteriors, open lines with open lines, and holes with holes inside paired exteriors; an exterior is paired with
+    an open line only if the drawings have no kind in common. A contour stays without a partner if all partners cost
+    more than that. One pair is made in any case, unless the contours are the rest of drawings whose other contours are
+    decided; then `frames` are the boxes of the whole drawings.
 
-    Required pairs are pairs whatever they cost, and so are the exteriors of paired holes. Exteriors without a
-    partner get pieces with ``unmatched="split"``, or by default where they tile what is cut; pieces have its number.
-    The pairs are sorted by A's number.
+    Required pairs are made whatever they cost, and so are pairs of the exteriors of paired holes. Exteriors without a
+    partner get pieces with ``unmatched="split"``, or by default if they tile the exterior that is cut; pieces have the
+    number of that exterior. Pairs are sorted by A's number.
 
     Raises
     ------
@@ -66,7 +66,7 @@ def pair_rotated_contours(
     *,
     frames: tuple[Box, Box] | None = None,
 ) -> list[ContourPair]:
-    """Pair contours as if B were rotated back by an angle, its largest contour laid over A's; see `pair_contours`."""
+    """Pair contours as `pair_contours` does, with B rotated back by an angle and its largest contour laid over A's."""
     if not rotation:
         return pair_contours(a, b, settings, required, frames=frames)
     in_a, in_b = _middles(a, b)
@@ -130,7 +130,7 @@ def _with_pieces(
 def _required_partners(
     a: Sequence[PlacedContour], b: Sequence[PlacedContour], required: Sequence[Numbers]
 ) -> dict[int, int]:
-    """Return B's number for each of A's that is required, and for the exteriors around required holes."""
+    """Return B's numbers by A's of required pairs, and of the exteriors around required holes."""
     in_a, in_b = ({contour.number: contour for contour in side} for side in (a, b))
     partners: dict[int, int] = {}
 

@@ -1,4 +1,4 @@
-"""Why contours are paired, and what each lies in, for the report."""
+"""Reasons for the pairs of contours, for the report: all of them but those of shapes that change in place."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Reasons(NamedTuple):
-    """Why pairs of contours are pairs, and the number of what each contour lies in, by number."""
+    """The reasons for pairs of contours, and the parent of each contour, by number."""
 
     of_pairs: Mapping[Numbers, str]
     parents: tuple[Mapping[int, int], Mapping[int, int]]
@@ -52,9 +52,9 @@ def reasons_for(
     required: Collection[Numbers],
     riders: tuple[Mapping[int, int], Mapping[int, int]],
 ) -> Reasons:
-    """Say why contours of two drawings are paired, those that users require among them.
+    """Return the reasons for pairs of contours, some of which users require, and the parents of contours.
 
-    Riders are strokes, by number, and the fill on whose edge each lies.
+    Riders are numbers of strokes, with the numbers of the fills on whose edges they lie.
     """
     if len(a) == len(b) == 1:
         return Reasons({(a[0].number, b[0].number): "the only ones"}, ({}, {}), riders)

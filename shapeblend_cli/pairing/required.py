@@ -1,4 +1,4 @@
-"""What users require of the pairing: contours by number, point or id, and the pins and the start of each pair."""
+"""Requirements of users: pairs of contours by number, point or id, and the pins and the start of each pair."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     ConstrainedPairs = dict[NumbersOrNone, tuple[ContourPair, Constraints]]
 
 SUGGESTIONS = 5
-"""Largest number of ids that an error suggests."""
+"""Maximum number of ids that an error suggests."""
 
 
 class PointPin(NamedTuple):
@@ -61,7 +61,7 @@ def constrain(pairs: Sequence[ContourPair], settings: Settings, pins: Sequence[P
 
 
 def required_pairs(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> list[Numbers]:
-    """Return the pairs of contours that users name: by number, by a point, or by a shape's id, all of whose are paired.
+    """Return the pairs of contours that users name by numbers or points, and all pairs of shapes that they name by ids.
 
     Points are in each drawing's own coordinates. An id that no shape has raises a MatchError.
     """
@@ -82,7 +82,7 @@ def required_pairs(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> li
 
 
 def _at(point: complex, contours: Sequence[PlacedContour]) -> PlacedContour:
-    """Return the innermost contour around a point, of several alike the topmost; else the nearest one."""
+    """Return the innermost contour around a point, of several equal ones the topmost; else the nearest contour."""
     here = np.array([point])
     around = [c for c in contours if c.polygon.closed and winding_numbers(here, c.polygon.vertices)[0]]
     if around:

@@ -1,9 +1,8 @@
-"""Strokes along the edges of fills: they go where the edge goes.
+"""Riders: strokes that move with the edge of a fill on which they lie.
 
-Many drawings outline a shape by a fill and, above it, a stroke on the fill's edge, often cut into several lines. If the
-fill has a partner, such a stroke needs none: it rides on the fill's edge, from what it is in its own drawing to the
-same stretch of the edge in the other one. Where strokes of the other drawing lie there too, it is as wide as they are;
-else its width grows from nothing.
+Many drawings outline a fill by a stroke on its edge, often cut into several lines. If the fill has a partner, such a
+stroke needs none: it becomes the same stretch of the edge in the other drawing. Where strokes of the other drawing lie
+on that stretch it takes their width; elsewhere its width becomes 0.
 """
 
 from __future__ import annotations
@@ -26,31 +25,35 @@ if TYPE_CHECKING:
     from shapeblend_cli.anatomy.decompose import ContourPair
     from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, FloatArray, IntArray
 
-ON_EDGE, COVERED = 0.5, 0.25
-"""A stroke is on an edge within the first share of its width, and is covered by another stroke within the second."""
+ON_EDGE = 0.5
+"""Maximum distance of a stroke from the edge on which it rides, in widths of the stroke."""
 
-LEAST_SHARE, SURE_SHARE = 0.75, 0.9
-"""So much of a stroke lies on the edge that it rides on, and is covered if it is."""
+COVERED = 0.25
+"""Maximum distance of a stroke from another that covers it, in widths of the narrower one."""
+
+LEAST_SHARE = 0.75
+"""Minimum share of a stroke that lies on the edge on which it rides."""
+
+SURE_SHARE = 0.9
+"""Minimum share of a stroke that lies on another that covers it."""
 
 ONE_WAY = 0.9
-"""A stroke runs along an edge one way round with this share of its length."""
+"""Minimum share of a stroke's length in its main direction along the edge."""
 
 LEAST_SECTION = 2.0
-"""A section that is covered, or is not, is at least so many times as long as the stroke is wide."""
+"""Minimum length of a section that is covered, or is not, in widths of the stroke."""
 
 
 def riders(contours: Sequence[PlacedContour], leaders: Collection[int]) -> dict[int, int]:
-    """Return the strokes of a drawing that lie on the edge of a fill, by their numbers, and the number of that.
+    """Return the numbers of strokes that lie on the edge of a fill, each with the number of the fill.
 
-    Only some fills are leaders, by their numbers. Of several, the one on whose edge most of a stroke lies, or the
-    largest.
+    Only leaders, by number, are considered; of several the fill on whose edge most of the stroke lies, or the largest.
     """
     strokes = [c for c in contours if c.style.stroke is not None and c.style.fill is None]
     fills = [c for c in contours if c.number in leaders and c.style.fill is not None and c.role == EXTERIOR]
     bounds = np.array([fill.box.bounds for fill in fills]).reshape(-1, 4)
     found: dict[int, int] = {}
     for stroke in strokes:
-        # At least so much of it is near the box of the fill.
         x, y = (part(stroke.polygon.vertices)[:, None] for part in (np.real, np.imag))
         width = stroke.style.stroke_width
         left, top, right, bottom = (bounds + [-width, -width, width, width]).T
@@ -66,16 +69,14 @@ def riders(contours: Sequence[PlacedContour], leaders: Collection[int]) -> dict[
 
 
 class _Track(NamedTuple):
-    """Where the vertices of a stroke are along an edge."""
+    """The places of a stroke's vertices along an edge."""
 
-    share: float  # how much of the stroke is on the edge
-    lengths: (
-        FloatArray  # along the edge, falling or rising, one for each vertex; of a closed stroke with its end
-    )
+    share: float  # of the stroke's length on the edge
+    lengths: FloatArray  # along the edge, rising or falling, one for each point of the stroke's line
 
 
 def _track(stroke: PlacedContour, line: ComplexArray) -> _Track | None:
-    """Return the places of a stroke on a closed edge; None if it does not run along it one way."""
+    """Return the places of a stroke on a closed edge; None if it does not run along the edge in one direction."""
     points = stroke.polygon.line
     lengths = cumulative_lengths(line)
     distance, place = nearest_places(points, line)
@@ -101,12 +102,12 @@ def _track(stroke: PlacedContour, line: ComplexArray) -> _Track | None:
 
 
 class Ride(NamedTuple):
-    """A stroke on the edge of a fill, or a piece of it, and of which shape it is one there, if of any."""
+    """A stroke on the edge of a fill, or a piece of such a stroke."""
 
     contour: PlacedContour
     blend: ContourBlend
-    shape: int | None
-    style: Style  # there
+    shape: int | None  # index of the other drawing's shape that has a stroke in its place
+    style: Style  # in the other drawing
 
 
 def riders_of_pairs(
@@ -114,10 +115,7 @@ def riders_of_pairs(
     pairs: Sequence[ContourPair],
     required: Collection[tuple[int, int]],
 ) -> tuple[dict[int, int], dict[int, int]]:
-    """Return the strokes of both drawings that ride on fills which are paired; see `riders`.
-
-    Not those that are required to have a partner.
-    """
+    """Return the strokes of both drawings that ride on paired fills, except for required pairs; see `riders`."""
     found = []
     for side, contours in enumerate(sides):
         leaders = {
@@ -134,10 +132,10 @@ def riders_of_pairs(
 def ride(
     stroke: PlacedContour, leader: ContourBlend, here: int, there: Sequence[PlacedContour]
 ) -> list[Ride]:
-    """Return a stroke of A, 0, or B, 1, on the edge of a matched fill, `there` being the other drawing's contours.
+    """Return the pieces of a stroke of A, 0, or B, 1, that rides on the edge of a matched fill.
 
-    It is cut where strokes of the other drawing begin to lie, or to lie no longer, where it comes to be. Nothing is
-    returned if it does not run along the edge.
+    It is cut where strokes of the other drawing, whose contours are `there`, begin or end to cover its image. Nothing
+    is returned if it does not run along the edge.
     """
     strokes = [contour for contour in there if contour.style.stroke is not None]
     whole = _follow_edge(stroke, leader, here)
@@ -160,14 +158,14 @@ def ride(
 
 
 class _Following(NamedTuple):
-    """A stroke that follows an edge, and where its vertices come to be."""
+    """A stroke that follows an edge, and the images of its vertices."""
 
     blend: ContourBlend
     points: ComplexArray
 
 
 def _follow_edge(stroke: PlacedContour, leader: ContourBlend, here: int) -> _Following | None:
-    """Return how a stroke follows the edge of a fill; None if it does not run along it."""
+    """Return the blend of a stroke along the edge of a fill; None if it does not run along the edge."""
     edges = (
         FlatContour(leader.contour_a, leader.polygon_a),
         FlatContour(leader.contour_b, leader.polygon_b),
@@ -190,10 +188,9 @@ def _follow_edge(stroke: PlacedContour, leader: ContourBlend, here: int) -> _Fol
 
 
 def _sections(stroke: PlacedContour, covered: BoolArray) -> list[tuple[int, int]]:
-    """Return the first and the last vertex of each section of a stroke that is covered, or is not, if it has both.
+    """Return the end vertices of each section of a stroke that is covered, or is not; none if it has only one kind.
 
-    Short sections are as those beside them. A closed stroke has its sections in a circle, the last one perhaps beyond
-    its last vertex.
+    Short sections count as their neighbours. The last section of a closed stroke may pass its last vertex.
     """
     closed, count = stroke.polygon.closed, len(covered)
     lengths = cumulative_lengths(stroke.polygon.line)
@@ -226,13 +223,13 @@ def _piece(stroke: PlacedContour, first: int, last: int) -> PlacedContour:
 
 
 def _lengths_at(edge: FlatContour, positions: FloatArray) -> FloatArray:
-    """Return the lengths at positions by vertex numbers, which may be more than once round."""
+    """Return the lengths at positions in vertices, which may be more than once round."""
     rounds, rest = np.divmod(positions, len(edge.lengths) - 1)
     return np.interp(rest, np.arange(len(edge.lengths)), edge.lengths) + rounds * edge.total
 
 
 def _image(edge: FlatContour, lengths: FloatArray, closed: bool) -> tuple[FlatContour, IntArray] | None:
-    """Return a stretch of an edge, flattened, and the number of its vertex that is nearest to each of some lengths."""
+    """Return the stretch of an edge along some lengths, flattened, and the number of the vertex nearest to each."""
     first, last = float(lengths[0]), float(lengths[-1])
     low, high = min(first, last), max(first, last)
     if high - low <= 1e-6 * edge.total:
@@ -253,7 +250,7 @@ def _image(edge: FlatContour, lengths: FloatArray, closed: bool) -> tuple[FlatCo
 
 
 def _near(points: ComplexArray, width: float, strokes: Sequence[PlacedContour]) -> BoolArray:
-    """Return for each stroke which points it covers, those of a stroke of a width."""
+    """Return which points of a stroke of a width each stroke covers, (strokes, points)."""
     near = np.zeros((len(strokes), len(points)), np.bool_)
     box = Box.around(points).expanded(width)
     for k, other in enumerate(strokes):

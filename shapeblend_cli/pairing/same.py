@@ -20,18 +20,20 @@ if TYPE_CHECKING:
 
     Numbers = tuple[int, int]
 
-TOLERANCE, OWN_TOLERANCE = 2e-3, 1e-2
-"""Contours nowhere further from each other than the first, as a share of the drawings' diagonal, are the same, if that
-is no more than the second as a share of their own."""
+TOLERANCE = 2e-3
+"""Maximum distance of contours that are the same, as a share of the drawings' diagonal."""
+
+OWN_TOLERANCE = 1e-2
+"""Maximum distance of contours that are the same, as a share of their own diagonal."""
 
 
 def same_pairs(
     a: Sequence[PlacedContour], b: Sequence[PlacedContour], required: Sequence[Numbers] = ()
 ) -> list[Numbers]:
-    """Return the numbers of contours of two drawings that are the same in place, and so stay where they are.
+    """Return the numbers of pairs of contours that are the same in place, and so stay where they are.
 
-    Of several in one place those painted most alike are paired, then those nearest in the order of paint, which must be
-    kept. Nothing contradicts what is required: neither these pairs nor those of the exteriors around their holes.
+    Of several contours in one place the most alike in paint are paired, then the nearest in the order of paint, which
+    has to be kept. The pairs, and the pairs of the exteriors around their holes, do not contradict required pairs.
     """
     partners: dict[int | None, int | None] = {}
     taken: set[int | None] = set()
@@ -56,14 +58,14 @@ def same_pairs(
 def _in_order_of_paint(
     pairs: Sequence[ContourPair], a: Sequence[PlacedContour], b: Sequence[PlacedContour]
 ) -> list[ContourPair]:
-    """Return the pairs that can all keep the order of paint, of two that cannot the larger one."""
+    """Return the pairs that can all keep the order of paint; of two that cannot, the larger one."""
     below = visible_overlaps(a), visible_overlaps(b)
     if paint_order([(p.shape, q.shape) for p, q in pairs], *below) is not None:
         return list(pairs)
     neighbours = [_lower_and_higher(overlaps) for overlaps in below]
     kept: list[ContourPair] = []
     above: list[int] = []  # the kept pairs above each, directly or not: bit k is number k
-    of_shapes: list[dict[int, int]] = [{}, {}]  # those of each shape of A and B
+    of_shapes: list[dict[int, int]] = [{}, {}]  # the kept pairs of each shape of A and of B
     for pair in sorted(pairs, key=lambda pair: -pair[0].size):
         shapes = pair[0].shape, pair[1].shape
         lower, higher = (
@@ -90,7 +92,7 @@ def _in_order_of_paint(
 
 
 def _lower_and_higher(overlaps: Sequence[Numbers]) -> tuple[dict[int, list[int]], dict[int, list[int]]]:
-    """Return the shapes directly below each shape, and those above it."""
+    """Return the shapes directly below each shape, and the shapes directly above it."""
     lower: dict[int, list[int]] = {}
     higher: dict[int, list[int]] = {}
     for low, high in overlaps:
@@ -104,7 +106,7 @@ def _union(sets: Iterable[int]) -> int:
 
 
 def _with_exteriors(p: PlacedContour, q: PlacedContour) -> list[tuple[int | None, int | None]]:
-    """Return the numbers of two contours, and those of the exteriors around them if they are holes."""
+    """Return the numbers of two contours and, if they are holes, of the exteriors around them."""
     return [(p.number, q.number), (p.exterior, q.exterior)][: 2 if p.role == q.role == HOLE else 1]
 
 
@@ -127,7 +129,7 @@ def are_same(p: PlacedContour, q: PlacedContour, distance: float) -> bool:
 
 
 def _difference(p: PlacedContour, q: PlacedContour) -> tuple[bool, bool, bool, int]:
-    """Return how different two contours are that lie on each other, those that go together first."""
+    """Return a key by which contours that lie on each other are sorted, the most alike first."""
     fills, strokes = ((getattr(p.style, name), getattr(q.style, name)) for name in ("fill", "stroke"))
     unlike = any((one is None) != (other is None) for one, other in (fills, strokes))
     recoloured = any(one != other for one, other in (fills, strokes))

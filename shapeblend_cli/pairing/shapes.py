@@ -1,8 +1,8 @@
-"""Matched contours put together into shapes that are painted in one go, those without a partner among them."""
+"""Shapes of contours that are painted together: matched ones, and contours without a partner."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -28,12 +28,20 @@ if TYPE_CHECKING:
     from shapeblend_cli.anatomy.decompose import ContourPair
     from shapeblend_cli.model import ComplexArray, Motion, Place
 
-TOUCHING, LEAST_HOST, NEARLY_ALL = 0.02, 0.5, 0.9
-"""A contour touches another one within the first share of the drawing's diagonal; what carries it has more than the
-second share of its area; and it lies in one that has the third share of its points inside."""
+T = TypeVar("T")
+
+TOUCHING = 0.02
+"""Maximum distance of contours that touch, as a share of the drawing's diagonal."""
+
+LEAST_HOST = 0.5
+"""Minimum area of a contour that carries another along, as a share of the other one's area."""
+
+NEARLY_ALL = 0.9
+"""Minimum share of points inside of a contour that lies in another."""
 
 COVERED = {None: None, 0: Fade(0.0, 0.1, comes=True), 1: Fade(0.9, 1.0, comes=False)}
-"""How strokes come or go that lie on those of the other drawing, but never quite, so that only these are seen there."""
+"""Fades of strokes that have strokes of A, 0, or B, 1, in their places: at that end only the latter are seen, since no
+stroke lies exactly on another."""
 
 
 class Match(NamedTuple):
@@ -44,7 +52,7 @@ class Match(NamedTuple):
 
     @property
     def group(self) -> _Group:
-        """The shapes it is painted with."""
+        """The group that it is painted with."""
         return _Group(self.pair[0].shape, self.pair[1].shape)
 
     def points(self, here: int) -> MatchedPoints:
@@ -54,19 +62,21 @@ class Match(NamedTuple):
 
 
 class _Group(NamedTuple):
-    """What is painted together: the shapes it comes from, and whether a stroke grows with it.
+    """A group of contours that are painted together."""
 
-    Or the drawing that has other strokes in its place: A, 0, or B, 1.
-    """
+    a: int | None  # index of its shape in A
+    b: int | None  # index of its shape in B
+    stroke_grows: bool = False  # from nothing, with the contours
+    covered_in: int | None = None  # the drawing that has other strokes in its place: A, 0, or B, 1
 
-    a: int | None
-    b: int | None
-    stroke_grows: bool = False
-    covered_in: int | None = None
+    @property
+    def sources(self) -> tuple[int | None, int | None]:
+        """The shapes in A and B that are seen."""
+        return None if self.covered_in == 0 else self.a, None if self.covered_in == 1 else self.b
 
 
 class _Unmatched(NamedTuple):
-    """A contour without a partner, what it is painted with, and the point it grows from."""
+    """A contour without a partner, the group that it is painted with, and the point from which it grows."""
 
     contour: PlacedContour
     group: _Group
@@ -80,51 +90,49 @@ def shape_blends(
     changes: Sequence[Change] = (),
     riders: Sequence[Mapping[int, int]] = ({}, {}),
 ) -> tuple[tuple[ShapeBlend, ...], list[Place]]:
-    """Put together the contours of two drawings, and let those without a partner grow from points.
+    """Put together the contours of two drawings. Return shapes and their places in the order of paint.
 
-    Return shapes and their places in the order of paint. Contours are painted together if they come from the same shape
-    of A and the same shape of B. What grows out of one of them is painted with it, unless it has a stroke, whose width
-    must grow from nothing too. Shapes that are the same but for a change are as that has them. Strokes that ride on the
-    edge of a fill go where the edge goes; `riders` has their numbers and that of the fill, for each drawing.
+    Contours of the same shape of A and the same shape of B are painted together. Contours without a partner grow from
+    points: with their shape, unless they have a stroke, whose width must grow from 0. Changed shapes have the contours
+    of their change. Riders, numbers of strokes with the numbers of fills for each drawing, follow the fills' edges.
     """
-    groups: dict[_Group, list[ContourBlend]] = {}
-    styles: dict[_Group, tuple[Style, Style]] = {}
+    groups: dict[_Group, tuple[list[ContourBlend], tuple[Style, Style], Motion | None]] = {}
+
+    def add(
+        group: _Group, blend: ContourBlend, styles: tuple[Style, Style], motion: Motion | None = None
+    ) -> None:
+        groups.setdefault(group, ([], styles, motion))[0].append(blend)
+
     for match in matches:
-        groups.setdefault(match.group, []).append(match.blend)
-        styles.setdefault(match.group, _styles(*match.pair))
-    motions: dict[_Group, Motion | None] = {}
+        add(match.group, match.blend, _styles(*match.pair))
     for change in changes:
         group = _Group(change.pair[0].shape, change.pair[1].shape)
-        groups[group], styles[group] = list(change.contours), _styles(*change.pair)
-        motions[group] = change.motion
+        for contour in change.contours:
+            add(group, contour, _styles(*change.pair), change.motion)
     for here, side in enumerate((a, b)):
         contours = unchanged(side, changes, here)
         riding = _rides(contours, (a, b)[1 - here], matches, riders[here], here)
         for stroke in riding:
-            own, other = stroke.contour.shape, stroke.shape
-            group = _Group(other, own) if here else _Group(own, other)
-            group = group._replace(stroke_grows=True, covered_in=None if other is None else 1 - here)
-            groups.setdefault(group, []).append(stroke.blend)
-            both = stroke.contour.style, stroke.style
-            styles.setdefault(group, both[::-1] if here else both)
+            covered_in = None if stroke.shape is None else 1 - here
+            group = _Group(*_from_a(stroke.contour.shape, stroke.shape, here), True, covered_in)
+            add(group, stroke.blend, _from_a(stroke.contour.style, stroke.style, here))
         rides = {stroke.contour.number for stroke in riding}
         contours = [contour for contour in contours if contour.number not in rides]
-        for contour, group, point in _unmatched(contours, matches, here):
-            groups.setdefault(group, []).append(grow_from_point(contour, point, of_b=bool(here)))
-            nothing = contour.style._replace(stroke_width=0.0)
-            styles.setdefault(group, (nothing, contour.style) if here else (contour.style, nothing))
-    keys = list(groups)
-    shapes = [
-        (None if key.covered_in == 0 else key.a, None if key.covered_in == 1 else key.b) for key in keys
-    ]
-    blends = tuple(
-        ShapeBlend(
-            tuple(groups[key]), *styles[key], motions.get(key), fade=COVERED[key.covered_in], sources=sources
-        )
-        for key, sources in zip(keys, shapes, strict=True)
+        for loose, group, point in _unmatched(contours, matches, here):
+            nothing = loose.style._replace(stroke_width=0.0)
+            blend = grow_from_point(loose, point, of_b=bool(here))
+            add(group, blend, _from_a(loose.style, nothing, here))
+    shapes = tuple(
+        ShapeBlend(tuple(blends), *styles, motion, fade=COVERED[group.covered_in], sources=group.sources)
+        for group, (blends, styles, motion) in groups.items()
     )
-    sizes = [sum(c.polygon_a.box.area + c.polygon_b.box.area for c in shape.contours) for shape in blends]
-    return blends, paint_places(shapes, sizes, a, b)
+    sizes = [sum(c.polygon_a.box.area + c.polygon_b.box.area for c in shape.contours) for shape in shapes]
+    return shapes, paint_places([shape.sources for shape in shapes], sizes, a, b)
+
+
+def _from_a(own: T, other: T, here: int) -> tuple[T, T]:
+    """Return a value of A, 0, or B, 1, and a value of the other drawing, A's first."""
+    return (other, own) if here else (own, other)
 
 
 def _rides(
@@ -145,7 +153,7 @@ def _rides(
 
 
 def _styles(a: PlacedContour, b: PlacedContour) -> tuple[Style, Style]:
-    """Return the styles of a pair, under one fill rule where one paints both."""
+    """Return the styles of a pair, with one fill rule if that paints both."""
     rules = {contour.style.fill_rule for contour in (a, b) if not contour.any_rule}
     rule = rules.pop() if len(rules) == 1 else None if rules else "nonzero"
     if rule is None:
@@ -175,8 +183,7 @@ def _unmatched(contours: Sequence[PlacedContour], matches: Sequence[Match], here
         if (near or hole) and contour.style.stroke is None:
             group = match.group
         else:
-            own = _Group(None, contour.shape) if here else _Group(contour.shape, None)
-            group = own._replace(stroke_grows=bool(contour.style.stroke))
+            group = _Group(*_from_a(contour.shape, None, here), bool(contour.style.stroke))
         growing[contour.number] = _Unmatched(contour, group, point)
     holes = []
     for contour in contours:
@@ -196,10 +203,10 @@ def _unmatched(contours: Sequence[PlacedContour], matches: Sequence[Match], here
 def _growth_points(
     loose: Sequence[PlacedContour], contours: Sequence[PlacedContour], matches: Sequence[Match], here: int
 ) -> dict[int, complex]:
-    """Return the points that exteriors and lines without a partner grow from, by their numbers.
+    """Return the points from which exteriors and lines without a partner grow, by their numbers.
 
-    What lies in another one without a partner grows from that one's point, as a part of it. All others grow from their
-    middle, which is carried along by the paired contour it lies in, or else by one that they touch.
+    A contour inside another one without a partner grows from the same point, as a part of it. Other contours grow from
+    their middle, which is carried along by the paired contour around it, or else by a paired contour that they touch.
     """
     paired = {match.pair[here].number: match for match in matches}
     hosts = [c for c in contours if c.polygon.closed and (c.number in paired or c.role != HOLE)]
@@ -208,7 +215,7 @@ def _growth_points(
     bounds = np.array([contour.box.bounds for contour in hosts]).reshape(-1, 4)
     outer = [match.points(here) for match in matches if match.pair[here].role != HOLE]
     spots: dict[int, complex] = {}
-    # The largest first, so that what lies in another one comes after it.
+    # The largest come first, so that each comes after the contours around it.
     for contour in sorted(loose, key=lambda contour: (-areas[contour.number], contour.number)):
         vertices = contour.polygon.vertices
         middle = centroid(vertices) if contour.polygon.closed else _middle_of_line(vertices)
@@ -237,7 +244,7 @@ def _growth_points(
 
 
 def _lies_in(contour: PlacedContour, host: PlacedContour, distance: float) -> bool:
-    """Return whether nearly all of a contour lies in another one, or no further from it than a distance."""
+    """Return whether nearly all of a contour lies in another one, or within a distance of it."""
     points, outline = thin(contour.polygon.vertices, WATCHED), host.polygon.vertices
     inside = winding_numbers(points, outline) != 0
     near = nearest_places(points, np.append(outline, outline[0]))[0] <= distance
@@ -251,7 +258,7 @@ def _middle_of_line(vertices: ComplexArray) -> complex:
 
 
 def _hole_around(contour: PlacedContour, matches: Sequence[Match], here: int) -> Match | None:
-    """Return the smallest paired hole of the same shape in which an exterior is an island, if there is one."""
+    """Return the smallest paired hole of the same shape around an exterior, if there is one."""
     vertex = contour.polygon.vertices[:1]
     around = [
         match

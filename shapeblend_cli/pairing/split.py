@@ -1,4 +1,4 @@
-"""One exterior that becomes several: cut into as many pieces as it has partners."""
+"""Exteriors that become several: they are cut into as many pieces as they have partners."""
 
 from __future__ import annotations
 
@@ -23,25 +23,41 @@ if TYPE_CHECKING:
     from shapeblend_cli.options.settings import Settings
 
 
-ENDS, TRIES = 240, 400
-"""Cuts run between so many vertices at most; so many of the cheapest are checked for lying inside."""
+ENDS = 240
+"""Maximum number of vertices between which cuts are tried."""
+
+TRIES = 400
+"""Maximum number of cuts, the cheapest first, that are checked for lying inside."""
 
 LEAST_SHARE = 0.02
-"""No piece is smaller, as a share of what is cut."""
+"""Minimum area of a piece, as a share of the whole."""
 
-SAME_PLACE, FILLED, MOST_SHARED = 0.5, 0.55, 0.15
-"""Of the box around parts: how much it has in common with that of the whole that they tile, how much of it they fill,
-and how much of it is in the boxes of two."""
+SAME_PLACE = 0.5
+"""Minimum area that the box around parts has in common with the box of the whole, as a share of the larger one."""
 
-LEAST_PART, MOST_PART = 0.12, 0.57
-"""The least and the largest part that tiles a whole with others: its box, as a share of the box around all."""
+FILLED = 0.55
+"""Minimum area of all parts' boxes together, as a share of the box around them."""
+
+MOST_SHARED = 0.15
+"""Maximum area common to boxes of parts, as a share of the box around all."""
+
+LEAST_PART = 0.12
+"""Minimum area of a part's box, as a share of the box around all parts."""
+
+MOST_PART = 0.57
+"""Maximum area of a part's box, as a share of the box around all parts."""
 
 AXES = (1.0 + 0.0j, 1.0j, 1.0 + 1.0j, 1.0 - 1.0j)
-"""Directions in which the partners may be told apart."""
+"""Directions by which partners are divided into two halves."""
 
-# What makes a cut bad, each about 1 at its worst: the wrong share of the area, a length beside the exterior's own size,
-# and pieces that do not lie to each other as their partners do.
-SHARE_WEIGHT, LENGTH_WEIGHT, DIRECTION_WEIGHT = 1.0, 0.3, 1.5
+SHARE_WEIGHT = 1.0
+"""Cost of the wrong share of the area: 1 for all of it."""
+
+LENGTH_WEIGHT = 0.3
+"""Cost of a cut as long as the square root of the exterior's area."""
+
+DIRECTION_WEIGHT = 1.5
+"""Cost of pieces that lie to each other opposite to their partners."""
 
 
 def split_exteriors(
@@ -51,11 +67,11 @@ def split_exteriors(
     settings: Settings,
     required: Mapping[int, int],
 ) -> list[ContourPair]:
-    """Give exteriors without a partner a piece of the nearest exterior that has one.
+    """Give exteriors without a partner a piece of the nearest exterior that has one. Return all pairs.
 
-    Unless ``unmatched="split"``, that is done only where they tile it together with its partner, see `_tiles`, and no
-    required pair is cut; `required` has B's numbers by A's. Return all pairs. Pieces have the number of what was cut.
-    An exterior that no straight cut divides stays whole, and the others stay without a partner.
+    Pieces have the number of the exterior that is cut. Unless ``unmatched="split"``, an exterior is cut only if its
+    partner and the others tile it, see `_tiles`, and no required pair, B's numbers by A's, is cut. An exterior that no
+    straight cut divides stays whole.
     """
     always, vertices = settings.unmatched == "split", settings.vertices
     split = list(pairs)
@@ -90,10 +106,7 @@ def split_exteriors(
 
 
 def _tiles(parts: Sequence[PlacedContour], whole: PlacedContour) -> list[PlacedContour]:
-    """Return the parts that lie side by side and fill about the box of the whole, none of them nearly alone, if any do.
-
-    Small ones are left out.
-    """
+    """Return the parts, without small ones, if they lie side by side and fill about the box of the whole."""
     union = Box.union([part.box for part in parts])
     tiles = [part for part in parts if part.box.area > LEAST_PART * union.area]
     if len(tiles) < 2:
@@ -114,10 +127,7 @@ def _tiles(parts: Sequence[PlacedContour], whole: PlacedContour) -> list[PlacedC
 
 
 def _nearest(contour: PlacedContour, owners: Sequence[PlacedContour], bounds: FloatArray) -> int:
-    """Return the index of the exterior nearest to a contour; of two as near, of the larger.
-
-    `bounds` are those of their boxes, (owners, 4).
-    """
+    """Return the index of the exterior nearest to a contour, of equals the largest, given their bounds, (owners, 4)."""
     watched = thin(contour.polygon.vertices, WATCHED)
     low, high = Box.around(watched).bounds[:2], Box.around(watched).bounds[2:]
     apart = np.maximum(np.maximum(bounds[:, :2] - high, low - bounds[:, 2:]), 0.0)
@@ -134,7 +144,7 @@ def _nearest(contour: PlacedContour, owners: Sequence[PlacedContour], bounds: Fl
 
 
 class _Outline(NamedTuple):
-    """What is cut: a contour, flattened, and the holes in it."""
+    """A contour to cut, flattened, and the holes in it."""
 
     contour: Contour
     polygon: Polygon
@@ -179,14 +189,14 @@ def _area(contours: Sequence[PlacedContour]) -> float:
 
 
 def _best_cut(outline: _Outline, share: float, offset: complex) -> tuple[float, int, int]:
-    """Return the best straight cut that takes off a share of the area, the rest lying at an offset from it.
+    """Return the cost of the best straight cut, infinite if none lies inside, and the end vertices of the first piece.
 
-    That is its cost, infinite if no cut lies inside, and two vertices: a piece runs from the first to the second.
+    The first piece has about a share of the area, and the rest lies in the direction of an offset from it.
     """
     z = outline.polygon.vertices
     ends = np.round(np.linspace(0, len(z), min(ENDS, len(z)), endpoint=False)).astype(np.intp)
     shares, offsets = _halves(z, ends)
-    # An outline there and back has no area, and then no cut is finite.
+    # If the outline has no area, no cut is finite.
     with np.errstate(divide="ignore", invalid="ignore"):
         lengths = np.abs(z[ends][:, None] - z[ends]) / np.sqrt(abs(signed_area(z)))
         cosine = (offsets * np.conj(offset)).real / (np.abs(offsets) * abs(offset))
@@ -205,7 +215,7 @@ def _best_cut(outline: _Outline, share: float, offset: complex) -> tuple[float, 
 
 
 def _halves(z: ComplexArray, ends: IntArray) -> tuple[FloatArray, ComplexArray]:
-    """Return for all ends i, j the share of the area from i to j, and the offset from its centroid to the rest's."""
+    """Return the share of the area from end i to end j, and the offset from its centroid to the rest's, (i, j) each."""
     origin = z[0]
     p, q = z - origin, np.roll(z, -1) - origin
     cross = (p.conj() * q).imag / 2.0
@@ -227,7 +237,7 @@ def _halves(z: ComplexArray, ends: IntArray) -> tuple[FloatArray, ComplexArray]:
 
 
 def _lies_inside(start: complex, end: complex, boundaries: Sequence[ComplexArray]) -> bool:
-    """Return whether a line between two vertices of the first boundary lies in it, in no other, and meets none."""
+    """Return whether a line between two vertices of the first boundary lies inside it, and meets no boundary."""
     chord = end - start
     inner = start + chord * np.array([0.02, 0.25, 0.5, 0.75, 0.98])
     if not winding_numbers(inner, boundaries[0]).all():
@@ -249,10 +259,7 @@ def _section(contour: Contour, polygon: Polygon, i: int, j: int) -> Contour:
 
 
 def run_of_segments(contour: Contour, polygon: Polygon, i: int, j: int) -> tuple[ComplexArray, BoolArray]:
-    """Return the segments of a closed contour from vertex i to vertex j of its polygon, and which of them are lines.
-
-    From a vertex to itself that is once round.
-    """
+    """Return the segments of a closed contour from vertex i to j, once round if i is j, and which of them are lines."""
     count = len(contour.segments)
     first, start = int(polygon.segment[i]), float(polygon.parameter[i])
     last, end = int(polygon.segment[j]), float(polygon.parameter[j])

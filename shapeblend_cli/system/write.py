@@ -42,7 +42,7 @@ def check_targets(targets: Iterable[Path], inputs: Iterable[Path], force: bool) 
                 raise OutputError(str(target), "is an input and is never replaced; another name would work")
             if target.is_dir():
                 raise OutputError(str(target), "is a folder; the name of a file would work")
-            if _is_stream(target):
+            if is_stream(target):
                 continue
             home = _home(Path(os.path.realpath(target)))
             if not force and os.path.lexists(target):
@@ -62,7 +62,7 @@ def write_files(contents: Contents, force: bool) -> None:
     stays, and the file it names is replaced. OutputError is raised if the disk is full, a folder is read-only, and the
     like; it says what stands then.
     """
-    files = {target: content for target, content in contents.items() if content and not _is_stream(target)}
+    files = {target: content for target, content in contents.items() if content and not is_stream(target)}
     if files:
         try:
             _write_all(files, force, swap=True)
@@ -301,7 +301,7 @@ def _take_after(path: Path, other: Path) -> None:
     os.chmod(path, stat.S_IMODE(found.st_mode))
 
 
-def _is_stream(target: Path) -> bool:
+def is_stream(target: Path) -> bool:
     """Return whether a target is opened and written to where it is, being no file or an open one."""
     if str(target).startswith(STREAMS):
         return True

@@ -192,3 +192,24 @@ def test_a_command_line_is_what_gives_the_same_values():
             again[name] = True
     again = {name: v[0] if v is not True and len(v) == 1 else v for name, v in again.items()}
     assert options_of(again, "here", "") | {"lenient": False} == given
+
+
+@pytest.mark.parametrize("output", ["../{n}.svg", "{root}/{n}.svg", "link/{n}.svg"])
+def test_a_manifest_writes_outside_its_folder_only_if_the_command_line_says_so(
+    drawings, statuses, output, capsys
+):
+    Path("in/link").symlink_to("..")
+    row = json.dumps({"a": "1.svg", "b": "2.svg", "o": output.replace("{root}", str(drawings))})
+    Path("in/jobs.jsonl").write_text(row, "utf-8")
+    assert run(["batch", "in/jobs.jsonl"]) == 2
+    assert "lies outside the folder of the manifest; --outside" in capsys.readouterr().err
+    assert not Path("1.svg").exists()
+    assert statuses("in/jobs.jsonl", "--outside") == (0, "done")
+    assert Path("1.svg").exists()
+
+
+def test_a_manifest_replaces_nothing_by_itself(drawings, capsys):
+    row = json.dumps({"a": "1.svg", "b": "2.svg", "o": "x.svg", "force": True})
+    Path("in/jobs.jsonl").write_text(row, "utf-8")
+    assert run(["batch", "in/jobs.jsonl"]) == 2
+    assert "line 1: force replaces files, and only the command line can say it" in capsys.readouterr().err

@@ -267,7 +267,7 @@ def test_who_is_interrupted_after_writing_is_told_the_truth(here, capsys, monkey
     if signal.getsignal(number) is signal.SIG_IGN:
         pytest.skip("the tests run where this signal is ignored")
     monkeypatch.setattr(files, "print_text", lambda *_: signal.raise_signal(number))
-    assert run([*AB, "-o", "x.svg"]) == 1
+    assert run([*AB, "-o", "x.svg"]) == 128 + number
     assert capsys.readouterr().err == "shapeblend: interrupted; all files were written\n"
     assert made() == ["x.svg"]
 
@@ -280,7 +280,7 @@ def test_a_signal_while_files_are_moved_waits(here, capsys, monkeypatch):
         link(*arguments)
 
     monkeypatch.setattr(os, "link", link_and_raise)
-    assert run([*AB, "-n", "3", "-o", "."]) == 1
+    assert run([*AB, "-n", "3", "-o", "."]) == 143
     assert capsys.readouterr().err == "shapeblend: interrupted; all files were written\n"
     assert made() == ["frame-1.svg", "frame-2.svg", "frame-3.svg"]
 
@@ -299,7 +299,8 @@ def test_a_signal_while_modules_load_is_one_line(here, module, name):
         "from shapeblend_cli.__main__ import main; main()\n"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stderr) == (1, "shapeblend: interrupted; nothing was written\n")
+    status = 128 + getattr(signal, name)
+    assert (done.returncode, done.stderr) == (status, "shapeblend: interrupted; nothing was written\n")
 
 
 def test_a_timeout_ends_a_run_with_nothing_written(here, refused):
@@ -492,3 +493,18 @@ def test_a_path_lies_in_a_folder_where_links_lead(here):
     outside = [is_inside(Path(path), "own") for path in ("a", "own/../a", "own/out/a", "owner/a", "/etc/a")]
     assert inside == [True] * 4
     assert outside == [False] * 5
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/fd/1"), reason="needs /dev/fd")
+@pytest.mark.parametrize("output", ["/dev/stdout", "/dev/fd/1", "pipe"])
+def test_a_device_or_a_pipe_gets_what_standard_output_would(here, output):
+    command = [sys.executable, "-m", "shapeblend_cli", *AB, "-o"]
+    expected = subprocess.run([*command, "-"], capture_output=True, check=True).stdout
+    if output == "pipe":
+        os.mkfifo("pipe")
+        with subprocess.Popen([*command, output]) as process:
+            assert Path("pipe").read_bytes() == expected
+        assert process.returncode == 0
+    else:
+        assert subprocess.run([*command, output], capture_output=True, check=True).stdout == expected
+    assert made() == (["pipe"] if output == "pipe" else [])

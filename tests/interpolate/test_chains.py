@@ -90,8 +90,11 @@ def assert_alike(paths):
         assert np.abs(path.segments[1:, 0] - path.segments[:-1, 3]).max(initial=0.0) < 1e-9
 
 
-@pytest.mark.parametrize("curves", [True, False])
-@pytest.mark.parametrize("paths", SAME_CONTOURS)
+KINDS = [(paths, True) for paths in SAME_CONTOURS] + [(paths, False) for paths in SAME_CONTOURS[1::3]]
+"""Contours, and whether they are blended as curves or as polygons."""
+
+
+@pytest.mark.parametrize(("paths", "curves"), KINDS)
 def test_equal_contours_make_one_path_of_equal_commands(paths, curves):
     pairs = pairs_of(*paths, curves=curves)
     (shape,) = chained(pairs)
@@ -111,8 +114,7 @@ def test_equal_contours_make_one_path_of_equal_commands(paths, curves):
 TURNS = (120.0, 45.0, -75.0, 170.0)
 
 
-@pytest.mark.parametrize("curves", [True, False])
-@pytest.mark.parametrize("paths", SAME_CONTOURS)
+@pytest.mark.parametrize(("paths", "curves"), KINDS)
 def test_waypoints_are_cut_as_the_keys_are(paths, curves):
     pairs = [
         rotated(pair, degrees) for pair, degrees in zip(pairs_of(*paths, curves=curves), TURNS, strict=False)

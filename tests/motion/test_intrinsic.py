@@ -4,7 +4,7 @@ from itertools import product
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from shapeblend_cli.geometry import cubics
@@ -44,10 +44,10 @@ def smooth_contour(rng, m):
     return np.stack([nodes, nodes + after * tangents, ends - before * np.roll(tangents, -1), ends], axis=1)
 
 
-def moving_samples(samples, a, b, settings=None):
+def moving_samples(samples, a, b, given_settings=None):
     """The shapes between two samples, in intrinsic motion."""
     drawings = [read(str(samples / f"{name}.svg")) for name in (a, b)]
-    (pair,), _ = match_all(drawings, settings or Settings())
+    (pair,), _ = match_all(drawings, given_settings or Settings())
     for shape in pair.shapes:
         alignment = align(point_pairs(shape.contours))
         yield shape._replace(motion=intrinsic(shape.contours, alignment))
@@ -135,8 +135,7 @@ def test_an_arm_that_swings_keeps_its_length_and_on_straight_paths_collapses():
 
 
 def test_figure_28_the_dancers_arm_does_not_collapse(samples):
-    settings = Settings(preset="fig28", band="none")
-    (shape,) = moving_samples(samples, "dancer-1", "dancer-2", settings)
+    (shape,) = moving_samples(samples, "dancer-1", "dancer-2", Settings(preset="fig28", band="none"))
     (contour,) = shape.contours
     nodes = contour.start.segments[:, 0]
     neck, armpit = abs(nodes - (207 + 98j)).argmin(), abs(nodes - (222 + 158j)).argmin()
@@ -152,6 +151,7 @@ def test_figure_28_the_dancers_arm_does_not_collapse(samples):
         assert 0.98 * min(ends) < reach(shape, t) < 1.02 * max(ends)
 
 
+@settings(max_examples=20)
 @given(rngs, counts, st.integers(0, 8))
 def test_any_outlines_with_vertices_that_wait_move_continuously(rng, m, more):
     a, b = (with_repeats(rng, star_polygon(rng, m), more) for _ in range(2))

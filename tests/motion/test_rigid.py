@@ -13,7 +13,7 @@ from shapeblend_cli.motion.alignment import PointPairs, align, residual
 from shapeblend_cli.svg.reading.read import read
 from tests.support import drawings
 from tests.support.contours import drawing, polygon_contour
-from tests.support.motions import TIMES, moving_polygons, pair_of, reasons, rigidly
+from tests.support.motions import TIMES, moving_polygons, pair_of, rigidly
 from tests.support.shapes import regular_polygon, star_polygon, star_with, unit
 from tests.support.strategies import rngs
 
@@ -64,7 +64,7 @@ def subject(name, samples):
 
 
 @pytest.mark.parametrize("motion", ["auto", "rigid"])
-@pytest.mark.parametrize("degrees", [10, 90, -90, 170, 180])
+@pytest.mark.parametrize("degrees", [10, -90, 180])
 @pytest.mark.parametrize("name", ["e", "cow", "dancer-1", "star", "separate", "line"])
 def test_a_drawing_rotated_scaled_and_shifted_only_moves(samples, name, degrees, motion):
     a = subject(name, samples)
@@ -86,14 +86,7 @@ def test_any_star_rotated_only_moves(rng, m, degrees, scale, start):
     assert_only_moves(pair_of(a, placed(a, scale * unit(degrees), 3.0, start % m)), degrees, scale)
 
 
-def test_it_is_said_why(samples):
-    a = subject("cow", samples)
-    pair = pair_of(a, placed(a, unit(-70)))
-    assert reasons(pair) == ("B is A turned by -70 degrees",)
-    assert [np.degrees(c.rotation) for c in pair.contours] == pytest.approx([-70.0], abs=0.1)
-
-
-@pytest.mark.parametrize(("corners", "degrees"), [(3, 120), (6, 60), (12, 30)])
+@pytest.mark.parametrize(("corners", "degrees"), [(3, 120), (4, 90), (6, 60), (12, 30)])
 def test_a_regular_polygon_rotated_onto_itself_stays(corners, degrees):
     contour = polygon_contour(regular_polygon(corners, 0.3))
     middle = contour.segments[:, 0].mean()
@@ -102,11 +95,6 @@ def test_a_regular_polygon_rotated_onto_itself_stays(corners, degrees):
     assert [shape.motion for shape in pair.shapes] == [None]
     for t in TIMES:
         np.testing.assert_allclose(points_at(pair, t), points_at(pair, 0.0), atol=1e-9)
-
-
-def test_a_square_rotated_onto_itself_stays():
-    square = drawing(polygon_contour(regular_polygon(4)))
-    assert [shape.motion for shape in pair_of(square, placed(square, 1j, 1.0)).shapes] == [None]
 
 
 def test_a_square_rotated_by_50_degrees_rotates_back_by_40():

@@ -211,17 +211,17 @@ def test_nothing_with_nothing():
 
 
 @pytest.mark.parametrize(
-    ("a", "b", "settings"),
+    ("a", "b", "given_settings"),
     [
         ("e", "f", sb.Settings()),
         ("step-1", "step-2", sb.Settings()),  # rotated by a quarter
         ("cow", "deer", sb.Settings(stiff=((59.0 + 80.0j, 60.0, 5.0),), motion="linear")),
     ],
 )
-def test_a_correspondence_costs_on_the_solved_wires_what_it_says(a, b, settings):
-    blend = sb.blend(f"samples/{a}.svg", f"samples/{b}.svg", settings)
+def test_a_correspondence_costs_on_the_solved_wires_what_it_says(a, b, given_settings):
+    blend = sb.blend(f"samples/{a}.svg", f"samples/{b}.svg", given_settings)
     for contour in blend.pairs[0].contours:
-        price = solved_wires(contour, settings).path_work(contour.correspondence.dots)
+        price = solved_wires(contour, given_settings).path_work(contour.correspondence.dots)
         assert price.total == pytest.approx(contour.correspondence.work, rel=1e-9)
 
 

@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from shapeblend_cli.frames.frames import shapes_at
@@ -50,6 +50,7 @@ def disc(size, colour):
     return f'<circle cx="12" cy="12" r="{size}" fill="#{colour:06x}"/>'
 
 
+@settings(max_examples=25)
 @given(st.permutations(range(6)), st.lists(st.integers(0, 2), min_size=6, max_size=6))
 def test_of_what_contradicts_each_other_the_larger_is_kept(order, colours):
     # Discs that are drawn in another order; those of one colour may change places.
