@@ -61,15 +61,14 @@ COMPILED = cython.compiled
 PI = cython.declare(cython.double, 3.141592653589793)
 TWO_PI = cython.declare(cython.double, 6.283185307179586)
 
-# An angle this near to 0 or 2 pi is zero, and a turn this near to pi is a half turn: far above what
-# rounding does to the angle between two edges, far below what can be seen.
+# Maximum distance of a zero angle from 0 and 2 pi, and of a half turn from pi: far above rounding, far below sight.
 ANGLE_NOISE = cython.declare(cython.double, 1e-9)
 HALF_TURN = cython.declare(cython.double, 3.141592653589793 - 1e-9)
 
-# Directions this much less than half a round apart are certainly on one side.
+# Minimum distance from half a round of directions that are certainly on one side.
 HALF_ROUND_NOISE = cython.declare(cython.double, 1e-6)
 
-# d is nothing but rounding when it is this small beside the products it is the difference of.
+# Maximum size of d where it is nothing but rounding, as a share of the products whose difference it is.
 CROSS_NOISE = cython.declare(cython.double, 1e-12)
 
 cython.declare(EE=cython.int, ED=cython.int, DE=cython.int, SS=cython.int)
@@ -99,8 +98,8 @@ class Corners:
     vertices : (m,) complex
         No two neighbours are equal. m >= 2 when open, >= 3 when closed.
     closed : bool
-        An open wire goes straight on beyond its ends: the missing edge of an end vertex is the other one
-        reversed, so a run of coincident vertices on it lies along the wire.
+        An open wire goes straight on beyond its ends: the missing edge of an end vertex is its other edge reversed, so
+        a run of coincident vertices there lies along the wire.
 
     Attributes
     ----------
@@ -111,8 +110,7 @@ class Corners:
     back, fwd : (m,) complex
         B and F.
     base : (m,) complex
-        The direction of the base on which coincident vertices lie (section 2.2), B turned by
-        -(90 degrees + theta / 2).
+        Direction of the base on which coincident vertices lie (section 2.2): B turned by -(90 degrees + theta / 2).
     back_arg, fwd_arg, base_arg : (m,) float
         Their angles in [-pi, pi].
     heading : (m,) float
