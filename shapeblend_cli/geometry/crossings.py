@@ -85,13 +85,7 @@ def path_crossings(paths: Sequence[CubicPath], most: int | None = None) -> int:
     Touching is no crossing, nor is running along each other, also if the strands part to other sides than they met.
     Strands that pass through each other at a node of one or both cross once. Curves are cut into chords that deviate
     from them by at most `CHORD_ERROR` of the size; strands that stay within four times that of each other touch.
-
-    Parameters
-    ----------
-    paths : sequence of CubicPath
-        Closed ones end where they begin.
-    most : int, optional
-        Stop counting there: 1 asks whether anything crosses.
+    Counting stops at `most`: 1 asks whether anything crosses.
     """
     if not paths:
         return 0

@@ -7,18 +7,16 @@ Graphics 26(2), 1992 (SIGGRAPH '92). This file is compiled by Cython and runs un
 
 Symbols
 -------
-``B``, ``F`` (`back`, `fwd`): edge vectors from a vertex to the vertices before and after it; subscript
-0 for the first wire, 1 for the second. ``Q(t) = conj(F(t)) B(t)`` is eqs (6)-(9) as one complex
-product, so ``theta(t) = arg Q(t)`` in [0, 2 pi). ``d(t)``, eq (10), has the sign of theta's velocity.
+``B``, ``F`` (`back`, `fwd`): edge vectors from a vertex to the vertices before and after it; subscript 0 for the first
+wire, 1 for the second. ``Q(t) = conj(F(t)) B(t)`` is eqs (6)-(9) as one complex product, so ``theta(t) = arg Q(t)`` in
+[0, 2 pi). ``d(t)``, eq (10), has the sign of theta's velocity.
 
-The motion of theta is cut at its extrema into monotonic pieces. A piece that lies between two roots of
-d turns by less than pi, so its signed turn s is the angle between its ends; only a motion without a
-root can turn further, and then the sign of d says which way round it goes. That is eq (11) without a
-triangle test. With the turns s1, s2, ... of the pieces:
+The motion of theta is cut at its extrema into monotonic pieces. A piece that lies between two roots of d turns by less
+than pi, so its signed turn s is the angle between its ends; only a motion without a root can turn further, and then the
+sign of d gives the direction. That is eq (11) without a triangle test. With the turns s1, s2, ... of the pieces:
 
 * ``delta_theta = |s1 + s2 + ...|``,
-* ``delta_theta_star``, the way travelled against the net direction (figure 18), is
-  ``(|s1| + |s2| + ... - delta_theta) / 2``,
+* ``delta_theta_star``, the way travelled against the net direction (figure 18), is ``(|s1| + ... - delta_theta) / 2``,
 * theta reaches zero when theta0, theta0 + s1, ... leaves the open interval (0, 2 pi).
 
 Departures
@@ -63,15 +61,14 @@ COMPILED = cython.compiled
 PI = cython.declare(cython.double, 3.141592653589793)
 TWO_PI = cython.declare(cython.double, 6.283185307179586)
 
-# An angle this near to 0 or 2 pi is zero, and a turn this near to pi is a half turn: far above what
-# rounding does to the angle between two edges, far below what can be seen.
+# Maximum distance of a zero angle from 0 and 2 pi, and of a half turn from pi: far above rounding, far below sight.
 ANGLE_NOISE = cython.declare(cython.double, 1e-9)
 HALF_TURN = cython.declare(cython.double, 3.141592653589793 - 1e-9)
 
-# Directions this much less than half a round apart are certainly on one side.
+# Minimum distance from half a round of directions that are certainly on one side.
 HALF_ROUND_NOISE = cython.declare(cython.double, 1e-6)
 
-# d is nothing but rounding when it is this small beside the products it is the difference of.
+# Maximum size of d where it is nothing but rounding, as a share of the products whose difference it is.
 CROSS_NOISE = cython.declare(cython.double, 1e-12)
 
 cython.declare(EE=cython.int, ED=cython.int, DE=cython.int, SS=cython.int)
@@ -101,8 +98,8 @@ class Corners:
     vertices : (m,) complex
         No two neighbours are equal. m >= 2 when open, >= 3 when closed.
     closed : bool
-        An open wire goes straight on beyond its ends: the missing edge of an end vertex is the other one
-        reversed, so a run of coincident vertices on it lies along the wire.
+        An open wire goes straight on beyond its ends: the missing edge of an end vertex is its other edge reversed, so
+        a run of coincident vertices there lies along the wire.
 
     Attributes
     ----------
@@ -113,8 +110,7 @@ class Corners:
     back, fwd : (m,) complex
         B and F.
     base : (m,) complex
-        The direction of the base on which coincident vertices lie (section 2.2), B turned by
-        -(90 degrees + theta / 2).
+        Direction of the base on which coincident vertices lie (section 2.2): B turned by -(90 degrees + theta / 2).
     back_arg, fwd_arg, base_arg : (m,) float
         Their angles in [-pi, pi].
     heading : (m,) float
@@ -212,20 +208,6 @@ def _curve(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -
 
 @cython.cfunc
 @cython.exceptval(check=False)
-def _curve_in_run(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> Curve:
-    """Return a straight curve from Q0 to Q1 where q rests on the way in and on the way out.
-
-    F1 := base, B1 := minus base, so both products of Q1 are of one order: Q1 = conj(d) B0 - conj(F0) d. From
-    there the angle only goes on to pi, the angle of Q2.
-    """
-    d, b0, f0 = q.base[j], p.back[i], p.fwd[i]
-    x0, y0 = _dot(f0, b0), _cross(f0, b0)
-    x1, y1 = _dot(d, b0) - _dot(f0, d), _cross(d, b0) - _cross(f0, d)
-    return Curve(x0, y0, 0.5 * (x0 + x1), 0.5 * (y0 + y1), x1, y1)
-
-
-@cython.cfunc
-@cython.exceptval(check=False)
 def _is_beyond(q: Curve, t: cython.double, noise: cython.double) -> cython.int:
     """Return whether Q is right of the origin at a time within (0, 1): 1 if it is, -1 if rounding might decide."""
     if not 0.0 < t < 1.0:
@@ -237,17 +219,15 @@ def _is_beyond(q: Curve, t: cython.double, noise: cython.double) -> cython.int:
 @cython.cfunc
 @cython.inline
 @cython.exceptval(check=False)
-def _meets_zero(q: Curve, is_straight: cython.bint) -> cython.int:
+def _meets_zero(q: Curve) -> cython.int:
     """Return whether theta reaches zero along Q: 1 or 0, or -1 where rounding might decide. At most one square root."""
     x0, y0, x1, y1, x2, y2 = q.x0, q.y0, q.x1, q.y1, q.x2, q.y2
     if x0 < 0.0 and x1 < 0.0 and x2 < 0.0:
         return 0
     noise: cython.double = ANGLE_NOISE * (fabs(x0) + fabs(x1) + fabs(x2))
-    flat: cython.double = ANGLE_NOISE * (fabs(y0) + fabs(y1) + fabs(y2))
-    if is_straight:
-        noise = flat = noise + flat
     if (y0 > noise and y1 > noise and y2 > noise) or (y0 < -noise and y1 < -noise and y2 < -noise):
         return 0
+    flat: cython.double = ANGLE_NOISE * (fabs(y0) + fabs(y1) + fabs(y2))
     if fabs(y0) <= flat or fabs(y2) <= flat:
         return -1
     b: cython.double = y1 - y0
@@ -362,7 +342,7 @@ class Bending:
     ) -> cython.double:
         """Return the work where both wires move on the way in and on the way out, along Q(t) from arg Q0 to arg Q2."""
         curve: Curve = _curve(p, i, q, j)
-        meets: cython.int = _meets_zero(curve, False) if self.by_turning else -1
+        meets: cython.int = _meets_zero(curve) if self.by_turning else -1
         if meets >= 0:
             return meets * self.p_b
         x0, y0, x1, y1, x2, y2 = curve.x0, curve.y0, curve.x1, curve.y1, curve.x2, curve.y2
@@ -421,16 +401,31 @@ class Bending:
     def inside_run(
         self, k_b: cython.double, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t
     ) -> cython.double:
-        """Return the work where q rests on the way in and on the way out."""
-        curve: Curve = _curve_in_run(p, i, q, j)
-        meets: cython.int = _meets_zero(curve, True) if self.by_turning else -1
-        if meets >= 0:
-            return meets * self.p_b
+        """Return the work where q rests on the way in and on the way out.
+
+        F1 := base, B1 := minus base, so both products of Q1 are of one order: Q1 = conj(d) B0 - conj(F0) d. From there
+        the angle only goes on to pi, the angle of Q2.
+        """
+        d, b, f = q.base[j], p.back[i], p.fwd[i]
+        x0, y0 = _dot(f, b), _cross(f, b)
+        x1, y1 = _dot(d, b) - _dot(f, d), _cross(d, b) - _cross(f, d)
+        if (
+            self.by_turning
+        ):  # whether the way from Q0 to Q1 passes right of the origin, where rounding does not decide
+            if x0 < 0.0 and x1 < 0.0:
+                return 0.0
+            noise: cython.double = ANGLE_NOISE * (fabs(x0) + fabs(y0) + fabs(x1) + fabs(y1))
+            if (y0 > noise and y1 > noise) or (y0 < -noise and y1 < -noise):
+                return 0.0
+            right: cython.double = x0 * fabs(y1) + x1 * fabs(y0)
+            if fabs(y0) > noise and fabs(y1) > noise and fabs(right) > noise * (fabs(y0) + fabs(y1)):
+                return self.p_b if right > 0.0 else 0.0
         theta: cython.double = p.theta[i]
-        longest: cython.double = _dot(p.back[i], p.back[i]) + _dot(p.fwd[i], p.fwd[i])
-        if curve.x2 * curve.x2 + curve.y2 * curve.y2 <= CROSS_NOISE * CROSS_NOISE * longest:
-            return self.of_motion(k_b, theta, PI - theta, 0.0, 0.0)  # Q1 = 0 points nowhere
-        theta1: cython.double = atan2(curve.y2, curve.x2)
+        if x1 * x1 + y1 * y1 <= CROSS_NOISE * CROSS_NOISE * (
+            _dot(b, b) + _dot(f, f)
+        ):  # Q1 = 0 points nowhere
+            return self.of_motion(k_b, theta, PI - theta, 0.0, 0.0)
+        theta1: cython.double = atan2(y1, x1)
         if theta1 < 0.0:
             theta1 += TWO_PI
         return self.at_run(k_b, theta, Turns(_short_way(theta1 - theta), _short_way(PI - theta1)))

@@ -318,7 +318,7 @@ def _touching(path: IntArray, region: Window, walls: Window | None) -> BoolArray
 
 
 def _fine_rows(rows: IntArray, kept: IntArray, period: int) -> IntArray:
-    """Return the nearest vertices of the full polygon for those of the thinned one; both count on, round by round."""
+    """Return the nearest vertices of the full polygon for vertices of the thinned one, round after round."""
     return kept[rows % len(kept)] + period * (rows // len(kept))
 
 

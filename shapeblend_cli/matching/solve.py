@@ -92,7 +92,7 @@ def least_work(
     pins = _checked_pins([*filter(None, [search.start]), *search.pins], m, n)
     first = _first_dot(wires, search, pins)
     near = search.near
-    if near is not None and closed:
+    if near is not None:
         near = (np.roll(near, -first[0]) - first[1]) % n
     problem = coarse.Problem(
         wires=wires.beginning_at(*first),
@@ -140,7 +140,7 @@ def _correspondence(
     dots: IntArray, wires: Wires, path: IntArray, lower_bound: float, sweeps: int
 ) -> Correspondence:
     """Return dots as a correspondence; the same path, by the vertices of these wires, is priced."""
-    work, zeros = wires.path_work(path), wires.zero_angles(path)
+    work, zeros = wires.price(path)
     deviation = diagonal_deviation(dots, wires.m, wires.n, wires.closed)
     return Correspondence(dots, wires.closed, work, min(lower_bound, work.total), zeros, deviation, sweeps)
 

@@ -173,7 +173,7 @@ class Wires:
         if i == j == 0:
             return self
         p, q = (
-            wire.along(np.roll(np.arange(len(wire.vertices)), -first))
+            wire.along((np.arange(len(wire.vertices)) + first) % len(wire.vertices))
             for wire, first in zip(self.wires, (i, j), strict=True)
         )
         return Wires(p, q, True, self.constants, np.roll(self.weight, -i))
@@ -250,8 +250,8 @@ class Wires:
         if self.constants.k_t:
             add_travel(*self._stations, self.constants.k_t, columns, window, bends)
 
-    def path_work(self, dots: IntArray) -> Work:
-        """Return the work of a given path by the equations, without a graph.
+    def price(self, dots: IntArray) -> tuple[Work, int]:
+        """Return the work of a given path, by the equations and without a graph, and the number of its zero angles.
 
         Parameters
         ----------
@@ -269,15 +269,16 @@ class Wires:
             self.len0[start[:, 0]] * moves[:, 0], self.len1[start[:, 1]] * moves[:, 1], self.constants
         )
         terms = (self._bends_along(at, kinds, add) for add in self._terms_of_bends)
-        return Work(float(stretching.sum()), *(float(term.sum()) for term in terms))
+        zeros = self._bends_along(at, kinds, partial(self._fill, self._corners, 0.0, 1.0))
+        work = Work(float(stretching.sum()), *(float(term.sum()) for term in terms))
+        return work, int(zeros.sum())
 
-    def zero_angles(self, dots: IntArray) -> int:
-        """Return how many angles reach zero on a path (see `path_work`)."""
-        _, _, at, kinds = self._path(dots)
-        return int(self._bends_along(at, kinds, partial(self._fill, self._corners, 0.0, 1.0)).sum())
+    def path_work(self, dots: IntArray) -> Work:
+        """Return the work of a path, see `price`."""
+        return self.price(dots)[0]
 
     def bends_on(self, dots: IntArray) -> tuple[IntArray, IntArray, FloatArray]:
-        """Return the dots of a path (see `path_work`) that have an angle, their bends, and the bending work of each."""
+        """Return the dots of a path (see `price`) that have an angle, their bends, and the bending work of each."""
         _, _, at, kinds = self._path(dots)
         return at, kinds, self._bends_along(at, kinds, self._add_bending)
 
