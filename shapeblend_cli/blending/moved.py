@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.model import Box
-from shapeblend_cli.motion.alignment import Alignment, align, point_pairs, shared_alignments
+from shapeblend_cli.motion.alignment import Alignment, align_contours, shared_alignments
 from shapeblend_cli.motion.choose import (
     AFFORDABLE_SEGMENTS,
     JUDGED,
@@ -64,7 +64,7 @@ def _judged(shape: ShapeBlend, view: Box, rotate: Callable[[], RotatedShape]) ->
 def _shared(paired: PairedDrawings, shapes: Sequence[ShapeBlend]) -> Sequence[Alignment | None]:
     """Return for each shape the similarity that it has in common with others, if any."""
     if paired.rotation:
-        whole = align(point_pairs([contour for shape in shapes for contour in shape.contours]))
+        whole = align_contours([contour for shape in shapes for contour in shape.contours])
         return [whole] * len(shapes)
     if paired.settings.motion == "linear" or len(shapes) < 2:
         return [None] * len(shapes)
@@ -85,7 +85,7 @@ def _rotated(
     if rotation is not None:
         matched, common = paired.match_again(matched, rotation), None
         shape = paired.curved(matched)
-    alignment = common or align(point_pairs(matched.contours))
+    alignment = common or align_contours(matched.contours)
     if rotation is not None and is_rotated_copy(matched.contours):
         return RotatedShape(shape, alignment)
     return RotatedShape(shape, alignment, _turn_parts(paired, matched, alignment))

@@ -88,6 +88,11 @@ def point_pairs(contours: Sequence[ContourBlend]) -> PointPairs:
     return PointPairs(a, b, weight / weight.sum())
 
 
+def align_contours(contours: Sequence[ContourBlend]) -> Alignment:
+    """Return the similarity of matched contours; see `align`."""
+    return align(point_pairs(contours))
+
+
 def _adjacent_length(z: ComplexArray, closed: bool) -> FloatArray:
     """Return the length of the edges before and after each point."""
     edges = np.abs(np.diff(z, append=z[:1] if closed else z[-1:]))
@@ -192,17 +197,13 @@ def shared_alignments(shapes: Sequence[ShapeBlend]) -> list[Alignment | None]:
     if not groups:
         return found
     points = [point_pairs([contour for k in group for contour in shapes[k].contours]) for group in groups]
-    common = align(point_pairs([contour for shape in shapes for contour in shape.contours]))
+    common = align_contours([contour for shape in shapes for contour in shape.contours])
     for group, pairs in zip(groups, points, strict=True):
         own = align(pairs) if len(groups) > 1 else common
+        suits = _moving_length(pairs, common) <= _moving_length(pairs, own) + SUITED
         for k in group:
-            found[k] = common if _suits(pairs, common, own) else own
+            found[k] = common if suits else own
     return found
-
-
-def _suits(points: PointPairs, common: Alignment, own: Alignment) -> bool:
-    """Return whether a common similarity leaves hardly more movement than a shape's own."""
-    return _moving_length(points, common) <= _moving_length(points, own) + SUITED
 
 
 def _together(shapes: Sequence[ShapeBlend]) -> list[list[int]]:
