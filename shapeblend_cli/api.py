@@ -11,10 +11,11 @@ import numpy as np
 
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.frames.frames import frame_at, make_frames, times_of_frames
+from shapeblend_cli.job.options import report_settings
 from shapeblend_cli.job.report import measure, report
 from shapeblend_cli.model import Correspondence, Drawing, Frame, PaintedShape, Polygon
 from shapeblend_cli.options.easing import frame_times
-from shapeblend_cli.options.settings import Settings, report_settings
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, views
 from shapeblend_cli.outputs.options import OutputOptions, specify
 from shapeblend_cli.pipeline import match_all

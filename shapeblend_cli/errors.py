@@ -49,11 +49,23 @@ def with_extra(name: str) -> str:
     return f"{found[0] if found else 'pip install'} 'shapeblend[{name}]'"
 
 
+def _is_somewhere() -> bool:
+    """Return whether the current folder is still there."""
+    try:
+        os.getcwd()
+    except OSError:
+        return False
+    return True
+
+
 def in_words(error: BaseException) -> str:
     """Return what a user is told of an error, whatever it is."""
     if isinstance(error, ShapeblendError):
         return str(error)
     if isinstance(error, OSError):
+        if error.filename is None and not _is_somewhere():
+            folder = os.environ.get("PWD", os.curdir)
+            return f"{folder}: the current folder is not there any more; changing to another one would work"
         return f"{error.filename or 'standard output'}: cannot be written ({error.strerror or error})"
     if isinstance(error, MemoryError):
         return "not enough memory for contours of so many vertices; a smaller --vertices would help"

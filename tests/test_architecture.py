@@ -1,8 +1,10 @@
-"""Which room may look into which, by imports and by calls, and what holds for every function."""
+"""Which room may look into which, by imports and by calls, and how large functions, files and rooms are."""
 
 import ast
 import os
 import sys
+import tomllib
+from collections import Counter
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
@@ -26,14 +28,14 @@ ROOMS = {
     "batch": "job outputs svg.writing motion options svg.reading system errors model version",
     "plot": "job wires matching svg.writing options svg.reading geometry system errors model",
     "inkscape": "pipeline outputs frames svg.writing options svg.reading geometry svg.xml system errors model",
-    "job": "pipeline blending preview outputs frames matching svg.writing motion options svg.reading "
+    "job": "pipeline blending pens preview outputs frames matching svg.writing motion options svg.reading "
     "interpolate geometry paint system errors model version",
     "pipeline": "blending wires frames options anatomy interpolate paint system model",
     "blending": "pens pairing wires frames motion options anatomy interpolate geometry paint system errors model",
-    "pens": "pairing matching motion options anatomy geometry _cython model",
+    "pens": "pairing matching motion options anatomy geometry _cython errors model",
     "pairing": "wires motion options anatomy geometry errors model",
     "preview": "wires matching svg.writing options svg.reading interpolate geometry paint model",
-    "outputs": "frames svg.writing options interpolate paint errors model",
+    "outputs": "frames svg.writing options interpolate paint system errors model",
     "wires": "matching options anatomy geometry errors model",
     "frames": "options interpolate geometry paint model",
     "matching": "options _cython errors model",
@@ -90,7 +92,14 @@ HANDED_DOWN = {
     *("Settings._defaults", "WorkConstants._defaults"),  # a `Record` asks what it is made of
 }
 
-MOST_PARAMETERS = 8
+MOST_PARAMETERS, MOST_LINES, LONGEST_FILE, MOST_FILES = 8, 60, 500, 14
+
+# These shrink, in other hands; they go from here then.
+LONG = {"interpolate.smooth_joints.slide_cuts", "matching.solve.least_work", "model.py"}
+CROWDED = {"batch", "studio"}
+REPEATED = {"graph.py", "page.html", "raster.py", "work.py"}
+
+SOURCES = [file for file in PACKAGE.rglob("*") if file.suffix in (".py", ".js", ".css", ".html")]
 
 
 def module_name(file):
@@ -100,6 +109,10 @@ def module_name(file):
 
 
 TREES = {module_name(file): ast.parse(file.read_text("utf-8")) for file in sorted(PACKAGE.rglob("*.py"))}
+
+
+_PROJECT = tomllib.loads((PACKAGE.parent / "pyproject.toml").read_text("utf-8"))["tool"]
+KERNELS = {module_name(PACKAGE.parent / kernel) for kernel in _PROJECT["shapeblend"]["kernels"]}
 
 
 def room(module):
@@ -186,6 +199,40 @@ def test_functions_have_few_parameters():
                 if len({arg.arg for arg in every if arg} - {"self", "cls"}) > MOST_PARAMETERS:
                     long.add(f"{module}.{function.name}")
     assert_none(long, "gather parameters that belong together in a value")
+
+
+def test_functions_files_and_rooms_are_small():
+    long = {
+        file.relative_to(PACKAGE).as_posix()
+        for file in SOURCES
+        if module_name(file) not in KERNELS and lines_of(file) > LONGEST_FILE
+    }
+    for module in TREES.keys() - KERNELS:
+        for node in ast.walk(TREES[module]):
+            if isinstance(node, ast.FunctionDef) and code_lines(node) > MOST_LINES:
+                long.add(f"{module}.{node.name}")
+    assert_none(long - LONG, "cut it in two where it does two things")
+    files = Counter(file.parent for file in SOURCES)
+    crowded = {module_name(folder / "__init__.py") for folder, count in files.items() if count > MOST_FILES}
+    assert_none(crowded - CROWDED, "make two rooms of it")
+
+
+def test_names_of_files_say_which_one_is_meant():
+    """Modules of `cli` are called as their commands, and `options` in any room are those of its command."""
+    found = Counter(file.name for file in SOURCES if file.parent != PACKAGE / "cli")
+    twice = {name for name, count in found.items() if count > 1}
+    assert_none(twice - REPEATED - {"__init__.py", "options.py"}, "give one of them another name")
+
+
+def lines_of(file):
+    return len(file.read_text("utf-8").splitlines())
+
+
+def code_lines(function):
+    """The number of lines of a function without its docstring."""
+    first = function.body[0]
+    is_docstring = isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant)
+    return function.end_lineno - function.lineno + 1 - (is_docstring and first.end_lineno - first.lineno + 1)
 
 
 def test_calls_follow_the_arrows(here):

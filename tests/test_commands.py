@@ -48,7 +48,7 @@ RUN = [shown for shown in SHOWN if not shown.line.startswith(tuple(NOT_RUN))]
 OF_MAKE, OF_TOOLS = (
     [shown for shown in SHOWN if shown.line.startswith(start)] for start in ("make ", "python -m tools")
 )
-OUTPUTS = {"-o", "--sheet", "--results", "--preview"}
+OUTPUTS = {"-o", "--sheet", "--results", "--preview", "--summary", "--log-file"}
 
 
 @pytest.fixture

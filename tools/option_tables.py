@@ -5,7 +5,12 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from shapeblend_cli.batch.options import BatchOptions, RankOptions
+from shapeblend_cli.cli.studio import StudioOptions
+from shapeblend_cli.cli.terminal import TerminalOptions
+from shapeblend_cli.inkscape.options import InkscapeOptions, InstallOptions
 from shapeblend_cli.job.job import RECORDS as OF_BLEND
+from shapeblend_cli.job.options import StatesOptions
 from shapeblend_cli.options.settings import (
     BATCH,
     INKSCAPE,
@@ -14,15 +19,8 @@ from shapeblend_cli.options.settings import (
     SECTIONS,
     STATES,
     STUDIO,
-    BatchOptions,
-    InkscapeOptions,
-    InstallOptions,
-    PlotOptions,
-    RankOptions,
-    StatesOptions,
-    StudioOptions,
-    TerminalOptions,
 )
+from shapeblend_cli.plot.options import PlotOptions
 from tools.quality.data import ROOT
 from tools.quality.tables import Table, with_figures
 

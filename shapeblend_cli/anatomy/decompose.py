@@ -25,9 +25,14 @@ if TYPE_CHECKING:
 
 EXTERIOR, HOLE, LINE = "exterior", "hole", "line"
 
-CROWD, LEAST_SHARE, LARGE = 40, 0.15, 0.25
-"""A crowd has more contours than this; no contour has less than the second share of the vertices that are wanted, and
-those of the third share of the drawing's size have all of them."""
+CROWD = 40
+"""Maximum number of contours that get all the vertices that their sizes ask for."""
+
+LEAST_SHARE = 0.15
+"""Minimum share of the wanted vertices that any contour gets."""
+
+LARGE = 0.25
+"""Minimum size of a contour that gets all the wanted vertices, as a share of the drawing's diagonal."""
 
 
 class PlacedContour(NamedTuple):

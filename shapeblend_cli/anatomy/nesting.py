@@ -15,8 +15,11 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import BoolArray, Box, ComplexArray, IntArray, Polygon
 
-SAMPLES, STEP = 32, 1e-4
-"""Paint is sampled on both sides of so many points of a contour, at this share of its larger side away."""
+SAMPLES = 32
+"""Number of points of a contour beside which paint is looked for."""
+
+STEP = 1e-4
+"""Distance of the places that are looked at from the contour, as a share of its larger side."""
 
 
 class Nesting(NamedTuple):

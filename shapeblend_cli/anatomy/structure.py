@@ -16,14 +16,17 @@ if TYPE_CHECKING:
     from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import ComplexArray, FloatArray, Polygon
 
-SAMPLES, WOUND = 16, 100
-"""A contour lies in another if that winds round most of so many points of it, seen with so many vertices at most."""
+SAMPLES = 16
+"""Number of points of a contour, most of which lie inside what contains it."""
+
+WOUND = 100
+"""Maximum number of vertices of a contour by which its inside is told."""
 
 LARGER = 1.03
-"""What contains another contour has so many times its area at least."""
+"""Minimum area of a contour around another one, as a multiple of the other one's area."""
 
 ALIKE = 0.02
-"""Two contours are one outline, drawn twice, if their boxes differ by this share of their size at most."""
+"""Maximum difference of the boxes of one outline that is drawn twice, as a share of its size."""
 
 
 class Structure(NamedTuple):

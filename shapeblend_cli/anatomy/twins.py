@@ -16,17 +16,19 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray
 
 SAMPLES = 24
-"""Contours are mirrored by so many points."""
+"""Number of points by which contours are mirrored."""
 
-NEAR, OFF = 0.03, 0.08
-"""How far mirrored contours may be apart: their boxes, as a share of the drawing's size, and their points on average,
-as a share of their own."""
+NEAR = 0.03
+"""Maximum distance of the boxes of mirrored contours, as a share of the drawing's size."""
+
+OFF = 0.08
+"""Maximum mean distance of the points of mirrored contours, as a share of their own size."""
 
 MOST_AXES = 12
-"""So many axes are tried."""
+"""Maximum number of axes that are tried."""
 
 LEAST = 0.5
-"""A drawing has an axis if contours with so large a share of all sizes have their mirror image in it."""
+"""Minimum share of contours, by their sizes, whose mirror image is in a drawing that has an axis."""
 
 
 class Mirror(NamedTuple):

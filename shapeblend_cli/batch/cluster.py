@@ -6,7 +6,6 @@ supplied, a few jobs for each worker at a time; writes what comes back; and keep
 
 from __future__ import annotations
 
-import hashlib
 import logging
 import os
 import pickle
@@ -18,26 +17,27 @@ from contextlib import contextmanager, suppress
 from queue import Empty, SimpleQueue
 from typing import Any, NamedTuple, cast
 
-from shapeblend_cli.batch.records import Record
 from shapeblend_cli.batch.remote import Identity, compute, identity
-from shapeblend_cli.batch.rows import command_of
 from shapeblend_cli.batch.supervisor import DIED, Ended, Stopped, died
-from shapeblend_cli.batch.worker import DONE, FAILED, Answer, Order, write_answer
+from shapeblend_cli.batch.worker import DONE, FAILED, Answer, Order, made_of, write_answer
 from shapeblend_cli.errors import InputError, ShapeblendError, with_extra
-from shapeblend_cli.job.job import all_targets, job_of
+from shapeblend_cli.job.job import job_of
 from shapeblend_cli.system.interrupts import told
 
 PATIENCE = 8.0
-"""Seconds to wait for the scheduler to answer, and for the first worker."""
+"""Maximum wait for an answer of the scheduler, and for a worker, in seconds."""
 
 OFTEN = 1.0
-"""Seconds between two looks at which workers there are."""
+"""Time between two looks at the workers, in seconds."""
 
-AHEAD, LEAST = 3, 8
-"""Jobs that the scheduler has at a time: so many for each thread of a worker, and no fewer."""
+AHEAD = 3
+"""Jobs that the scheduler has at a time, for each thread of a worker."""
+
+LEAST = 8
+"""Minimum number of jobs that the scheduler has at a time."""
 
 ATTEMPTS = 3
-"""How often a job is sent that cannot be sent or that a worker does not understand."""
+"""Maximum number of times that a job is sent, if sending fails or a worker does not understand it."""
 
 
 class ClusterError(ShapeblendError):
@@ -62,7 +62,7 @@ class _Back(NamedTuple):
 
 
 def run_all(
-    orders: Iterable[tuple[int, Order]], address: str, fail_fast: bool, note: Callable[[str], None]
+    orders: Iterable[tuple[int, Order]], address: str, most: int, note: Callable[[str], None]
 ) -> Iterator[Ended]:
     """Do numbered jobs on a cluster, write what they make, and yield each as it ends, like `supervisor.run_all`.
 
@@ -76,6 +76,7 @@ def run_all(
         If there is no scheduler, or not any more, or none of its workers can be used.
     """
     waiting = deque(orders)
+    failed = 0
     if not waiting:
         return
     events: SimpleQueue[_Back | Stopped] = SimpleQueue()
@@ -94,9 +95,11 @@ def run_all(
             batch.workers.look_now_and_then()
             back = batch.take(event, waiting)
             if back is not None:
-                if fail_fast and back.answer.status != DONE:
-                    waiting.clear()
-                    batch.alone.clear()
+                if back.answer.status != DONE:
+                    failed += 1
+                    if failed == most:
+                        waiting.clear()
+                        batch.alone.clear()
                 yield back
 
 
@@ -247,9 +250,7 @@ class _Batch:
         except InputError as error:
             yield Ended(number, Answer(FAILED, str(error)), 1)
             return
-        hashes = {f: hashlib.sha256(d).hexdigest() for f, d in zip(order.files, data, strict=True)}
-        job = job_of(order.files, order.given, command_of(order.files, order.given))
-        made_of = Record(job, all_targets(job)).made_of(lambda file: hashes[str(file)])
+        of = made_of(job_of(order.files, order.given, ()), dict(zip(order.files, data, strict=True)))
         attempt = self._attempts[number] = self._attempts.get(number, 0) + 1
         future = self._client.submit(
             compute,
@@ -261,7 +262,7 @@ class _Batch:
             # Those that can be used may all end, and others come.
             allow_other_workers=self.workers.restriction is not None,
         )
-        self.sent[number] = _Sent(order, made_of, future, is_alone)
+        self.sent[number] = _Sent(order, of, future, is_alone)
         future.add_done_callback(lambda future: self._came_back(number, future))
 
     def _came_back(self, number: int, future: Any) -> None:

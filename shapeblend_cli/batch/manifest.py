@@ -33,10 +33,15 @@ def read_manifest(file: str) -> tuple[list[Row], dict[str, Any]]:
     kind = ".jsonl" if is_standard_input else _suffix(file)
     name, base = ("<stdin>", "") if is_standard_input else (file, os.path.dirname(file))
     text = _text(file, name)
+    defaults: dict[str, Any] = {}
     if kind == ".toml":
-        return _toml(text, name, base)
-    rows = _csv(text, name) if kind == ".csv" else _json_lines(text, name)
-    return [row_of(values, where, base) for where, values in rows], {}
+        rows, defaults = _toml(text, name, base)
+    else:
+        found = _csv(text, name) if kind == ".csv" else _json_lines(text, name)
+        rows = [row_of(values, where, base) for where, values in found]
+    if not rows:
+        raise OptionError(f"{name}: no jobs found; it takes one")
+    return rows, defaults
 
 
 def is_manifest(file: str) -> bool:

@@ -1,20 +1,25 @@
-"""Rows into tasks: every row is a job that could be run, and no two write one file."""
+"""Rows into tasks: every row is a job that could be run, and no job is in the way of another one."""
 
 from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from shapeblend_cli.batch.rows import LETTERS, Name, Row, command_of
+from shapeblend_cli.batch.records import SUFFIX, place_of
+from shapeblend_cli.batch.rows import LETTERS, Name, Row
 from shapeblend_cli.errors import OptionError, ShapeblendError
 from shapeblend_cli.job.job import RECORDS, Job, all_targets, job_of
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.outputs.registry import EMITS, FORMATS
 
 _FIELD = re.compile(r"\{\{|\}\}|\{([^{}]*)\}")
+
+LONGEST = 255
+"""Maximum length of a file's name, in bytes, as of nearly every file system."""
 
 FILES = tuple(o.name for record in RECORDS for o in record.options.values() if o.kind.is_file)
 
@@ -27,6 +32,9 @@ class Task(NamedTuple):
     files: tuple[str, ...]
     given: dict[str, Any]  # values of options by the names of their fields
     targets: tuple[Path, ...]
+    place: Path  # the file or the folder that it is recorded for
+    tree: str  # the folder that its output and those of similar tasks are in
+    source: tuple[str, ...]  # where the tasks of the batch come from: a word and paths
 
     @property
     def output(self) -> str:
@@ -36,39 +44,80 @@ class Task(NamedTuple):
     @property
     def job(self) -> Job:
         """The job that is run."""
-        return job_of(self.files, self.given, command_of(self.files, self.given))
+        return job_of(self.files, self.given, ())
 
 
-def plan(rows: Sequence[Row], defaults: Mapping[str, Any], pattern: str) -> list[Task]:
-    """Return the tasks of all rows.
+Place = Callable[[str | Path], str]
+"""Says where a path leads, in the one form in which paths are compared."""
+
+
+def places() -> Place:
+    """Return what says where paths lead; it looks up each once."""
+    folder_of = cache(os.path.realpath)
+
+    @cache
+    def place(path: str | Path) -> str:
+        folder, name = os.path.split(path)
+        found = os.path.join(folder_of(folder), name)
+        is_plain = name not in ("", os.curdir, os.pardir) and not os.path.islink(found)
+        return os.path.normcase(found if is_plain else os.path.realpath(path))
+
+    return place
+
+
+def plan(
+    rows: Sequence[Row],
+    defaults: Mapping[str, Any],
+    pattern: str,
+    source: tuple[str, ...],
+    outside: bool = False,
+) -> list[Task]:
+    """Return the tasks of all rows, which come from a `source`.
 
     `defaults` are values of options for rows that do not have their own, and `pattern` is the output of those that get
-    none from there.
+    none from there. Files that a manifest names lie in its folder, or may lie `outside`.
 
     Raises
     ------
     OptionError
-        If options of a row do not go together, or if two tasks write one file, or one writes what another one reads.
+        If options of a row do not go together, if a name cannot be that of a file, or if a task writes where another
+        one reads or writes.
     """
     tasks = []
+    leads = places()
     for number, row in enumerate(rows, 1):
         given = {**defaults, **row.given}
         if given.get("output") is None:
             given["output"] = Name(pattern + _suffix(given.get("emit") or EMITS[0]))
+        output = given["output"]
+        tree = os.path.dirname(os.path.join(output.base, output.pattern.partition("{")[0]))
         fields = _fields(row, number, len(rows))
         for name in FILES:
             if given.get(name) is not None:
-                given[name] = _filled(given[name], fields, row.where)
-        task = Task(number, row.where, row.files, given, ())
+                path = _filled(given[name], fields, row.where)
+                if given[name].is_bound and not outside:
+                    _check_inside(path, given[name].base or os.curdir, row.where, leads)
+                given[name] = path
         try:
-            targets = tuple(all_targets(task.job))
+            job = job_of(row.files, given, ())
+            targets = tuple(all_targets(job))
             if not targets:
                 raise OptionError("nothing is written: there are no frames, nor anything else")
         except ShapeblendError as error:
             raise OptionError(f"{row.where}: {error}") from None
-        tasks.append(task._replace(targets=targets))
+        place = place_of(job, targets)
+        tasks.append(Task(number, row.where, row.files, given, targets, place, tree, source))
     _check_files(tasks)
     return tasks
+
+
+def _check_inside(path: str, folder: str, where: str, leads: Place) -> None:
+    """Raise OptionError for a path that leads out of a folder."""
+    around = leads(os.path.join(folder, os.curdir))
+    if os.path.commonpath([leads(path), around]) != around:
+        raise OptionError(
+            f"{where}: {path} lies outside the folder of the manifest; --outside on the command line allows that"
+        )
 
 
 def _suffix(emit: str) -> str:
@@ -101,22 +150,66 @@ def _filled(name: Name, fields: Mapping[str, str], where: str) -> str:
     return os.path.join(name.base, _FIELD.sub(fill, name.pattern))
 
 
+class _Owner(NamedTuple):
+    """A task, and what it alone may write: a file, or files in a folder of frames."""
+
+    task: Task
+    path: str
+    is_file: bool
+
+
 def _check_files(tasks: Sequence[Task]) -> None:
-    written: dict[str, Task] = {}
     for task in tasks:
-        for target in task.targets:
-            other = written.setdefault(_place(target), task)
+        for name in (*task.files, *map(str, task.targets)):
+            _check_name(name, task.where, LONGEST)
+        _check_name(str(task.place), task.where, LONGEST - len(SUFFIX))
+    place = places()
+    owners: dict[str, _Owner] = {}
+    for task in tasks:
+        files = list(map(str, task.targets))
+        for path in dict.fromkeys((*files, str(task.place))):
+            other = owners.setdefault(place(path), _Owner(task, path, path in files)).task
             if other is not task:
                 raise OptionError(
-                    f"{task.where}: {target} is written by {other.where} as well; "
+                    f"{task.where}: {path} is written by {other.where} as well; "
                     "{n} or {b} in --output would tell them apart"
                 )
+
+    @cache
+    def owned(folder: str) -> str:
+        """Return a folder, or the innermost one that it is in, that has an owner; empty if there is none."""
+        parent = os.path.dirname(folder)
+        return folder if folder in owners else "" if parent == folder else owned(parent)
+
     for task in tasks:
+        for folder, target in {os.path.dirname(target): target for target in task.targets}.items():
+            above = owned(place(folder))
+            while above:
+                owner = owners[above]
+                if owner.is_file:
+                    raise OptionError(
+                        f"{task.where}: {target} is in {owner.path}, which {owner.task.where} writes as a file"
+                    )
+                if owner.task is not task:
+                    raise OptionError(
+                        f"{task.where}: {target} is in {owner.path}, where {owner.task.where} writes its files; "
+                        "another folder would work"
+                    )
+                above = owned(os.path.dirname(above))
         for file in task.files:
-            writer = written.get(_place(file))
+            writer = owners.get(place(file))
             if writer is not None:
-                raise OptionError(f"{writer.where}: {file} would be written, which {task.where} reads")
+                raise OptionError(f"{writer.task.where}: {file} would be written, which {task.where} reads")
 
 
-def _place(path: str | Path) -> str:
-    return os.path.normcase(os.path.realpath(path))
+def _check_name(path: str, where: str, longest: int) -> None:
+    """Raise OptionError if no file can have a name."""
+    try:
+        name = os.fsencode(path)
+    except UnicodeEncodeError:
+        name = b"\0"
+    if b"\0" in name:
+        raise OptionError(f"{where}: {path!a} has a character that no file's name can have")
+    names = name.split(os.fsencode(os.sep))
+    if len(names[-1]) > longest or max(map(len, names)) > LONGEST:
+        raise OptionError(f"{where}: {path} is too long a name; {longest} bytes would work")

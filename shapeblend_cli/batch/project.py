@@ -7,17 +7,19 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from shapeblend_cli.batch.manifest import once
 from shapeblend_cli.batch.rows import Name, command_of, fields_of, row_of, typed
 from shapeblend_cli.errors import InputError, OptionError
 from shapeblend_cli.options.types import FLAG
+from shapeblend_cli.system.write import is_inside
 
 SUFFIX = ".json"
 
 MAX_BYTES = 4 * 2**20
-"""Far more than any project has: whatever is larger is something else."""
+"""Maximum size of a project, in bytes. Whatever is larger is another file."""
 
 
 class Project(NamedTuple):
@@ -62,6 +64,18 @@ def read_project(file: str) -> Project:
     if len(data) > MAX_BYTES:
         raise InputError(file, f"larger than {MAX_BYTES // 2**20} MB, the most that a project has")
     return parse_project(data, file, os.path.dirname(file))
+
+
+def check_outputs(project: Project, file: str, beside: Mapping[str, Any]) -> None:
+    """Raise OptionError for a file that a project would write outside its folder, and that nobody named `beside` it."""
+    folder = os.path.dirname(file) or os.curdir
+    for field, value in fields_of(project.given):
+        if field.kind.is_file and value != "-" and beside.get(field.name) in (None, ()):
+            if not is_inside(Path(value), folder):
+                raise OptionError(
+                    f"{file}: {value} lies outside the folder of the project; {field.flags[-1]} {value} on the command "
+                    "line would write there"
+                )
 
 
 def parse_project(data: bytes, where: str, base: str) -> Project:

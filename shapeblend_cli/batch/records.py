@@ -10,24 +10,25 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from shapeblend_cli.errors import OutputError
+from shapeblend_cli.errors import FileError, InputError, OutputError
 from shapeblend_cli.job.job import Job
-from shapeblend_cli.system.staging import locked, sync_folder
+from shapeblend_cli.system.staging import sync_folder
+from shapeblend_cli.system.write import Contents
 from shapeblend_cli.version import __version__
 
-FOLDER = ".shapeblend"
+FOLDER, SUFFIX = ".shapeblend", ".json"
 
 FORM = 1
-"""The number of the form of records. Any other one is as good as none."""
+"""Version of the form of records. Records of another version count as missing."""
 
 UNRECORDED = ("output", "force", "report", "preview", "tries", "timeout")
-"""Settings that do not change what is in the outputs; which files those are is recorded by their names."""
+"""Settings that do not change the contents of outputs. The names of outputs are recorded by themselves."""
 
 IRRELEVANT = ("cli", "batch")
 """Parts of the package that outputs do not depend on."""
@@ -39,7 +40,7 @@ class State(NamedTuple):
     """How a job stands before it is done."""
 
     reason: str  # why it is to be done; empty if it is up to date
-    refusal: OutputError | None = None  # why it must not be done
+    refusal: FileError | None = None  # why it cannot or must not be done
     edited: str = ""  # an output of a job that is up to date but for that, edited since
 
 
@@ -49,13 +50,16 @@ class Record:
     def __init__(self, job: Job, targets: Sequence[Path]) -> None:
         self._job = job
         self._targets = targets
-        place = Path(job.output.path if job.output.files() else targets[0])
+        place = place_of(job, targets)
         self._home = place.parent
-        self.path = self._home / FOLDER / f"{place.name}.json"
+        self._path = path_of(place)
 
     def state(self, hash_of: Callable[[str | Path], str], force: bool) -> State:
         """Say whether the job is up to date, or why not, by the hashes of files."""
-        old, new = self._read(), self.made_of(hash_of)
+        old, new = read_record(self._path), self.made_of(hash_of)
+        for file in self._job.files:
+            if not hash_of(file) and (problem := _unreadable(file)):
+                return State("", problem)
         now = {self._name(target): hash_of(target) for target in self._targets}
         if force:
             return State("--force")
@@ -75,29 +79,37 @@ class Record:
             return State("", edited=foreign)
         return State(reason or "outputs are missing", self._refusal(foreign, bool(old)))
 
-    def write(self, made_of: dict[str, Any], contents: Mapping[Path, Any], force: bool) -> None:
-        """Record what is about to be written; OutputError is raised if that would replace what is not the batch's."""
-        old = self._read()
+    def write(
+        self, made_of: dict[str, Any], contents: Contents, force: bool, batch: Sequence[str] = ()
+    ) -> None:
+        """Record what is about to be written; OutputError is raised if that would replace what is not the batch's.
+
+        `batch` is where the job comes from, as `relative` has it.
+        """
+        old = read_record(self._path)
         now = {self._name(target): hash_of_file(target) for target in self._targets}
         if not force and (foreign := self._foreign(old, now)):
             raise self._refusal(foreign, bool(old))
+        older = {name: value for part in hashes_of(old) for name, value in part.items() if name not in now}
         record = {
             "record": FORM,
+            "batch": list(batch),
             **made_of,
-            "outputs": {self._name(path): _hash(content) for path, content in _files(contents)},
+            "outputs": {self._name(p): hashlib.sha256(data).hexdigest() for p, data in each_file(contents)},
             "before": {name: value for name, value in now.items() if value},
+            "older": {name: value for name, value in older.items() if (self._home / name).exists()},
         }
-        _replace(self.path, json.dumps(record, indent=1).encode())
+        _replace(self._path, json.dumps(record, indent=1).encode())
 
     def made_of(self, hash_of: Callable[[str | Path], str] | None = None) -> dict[str, Any]:
         """Return what outputs would be made of now, by the hashes of files."""
         hash_of = hash_of or hash_of_file
-        reported = {key: value for key, value in self._job.reported.items() if key not in UNRECORDED}
+        reported = {key: value for key, value in self._job.reported().items() if key not in UNRECORDED}
         return {
             "version": __version__,
             "method": method(),
             "inputs": [[os.path.basename(file), hash_of(file)] for file in self._job.files],
-            "settings": json.loads(json.dumps(reported)),
+            "settings": reported,
         }
 
     def _name(self, target: Path) -> str:
@@ -105,7 +117,7 @@ class Record:
 
     def _foreign(self, old: dict[str, Any], now: Hashes) -> str:
         """Return the name of an output that no batch has written so; empty if there is none."""
-        known = [old.get("outputs", {}), old.get("before", {})]
+        known = hashes_of(old)
         return next((n for n, value in now.items() if value and value not in (k.get(n) for k in known)), "")
 
     def _refusal(self, name: str, is_edited: bool) -> OutputError:
@@ -116,13 +128,35 @@ class Record:
         )
         return OutputError(str(self._home / name), problem)
 
-    def _read(self) -> dict[str, Any]:
-        """Return what is recorded; nothing if that cannot be read."""
-        with suppress(OSError, ValueError):
-            found = json.loads(self.path.read_bytes())
-            if _is_record(found):
-                return dict(found)
-        return {}
+
+def read_record(path: Path) -> dict[str, Any]:
+    """Return what a record has; nothing if it cannot be read."""
+    with suppress(OSError, ValueError):
+        found = json.loads(path.read_bytes())
+        if _is_record(found):
+            return dict(found)
+    return {}
+
+
+def path_of(place: Path) -> Path:
+    """Return where the record of a file or a folder is."""
+    return place.parent / FOLDER / f"{place.name}{SUFFIX}"
+
+
+def relative(batch: Sequence[str], home: Path) -> list[str]:
+    """Return where jobs come from, a word and paths, as records in a folder have it."""
+    word, *paths = batch
+    return [word, *(os.path.relpath(path, home) for path in paths)]
+
+
+def hashes_of(record: dict[str, Any]) -> list[Hashes]:
+    """Return the hashes of files that a batch wrote, as far as a record has them: at any time, before, and at last."""
+    return [record.get(part, {}) for part in ("older", "before", "outputs")]
+
+
+def place_of(job: Job, targets: Sequence[Path]) -> Path:
+    """Return the file or the folder that a job is recorded for."""
+    return Path(job.output.path if job.output.files() else targets[0])
 
 
 class HashOf:
@@ -150,6 +184,18 @@ def hash_of_file(path: str | Path) -> str:
         return ""
 
 
+def _unreadable(file: str) -> InputError | None:
+    """Say why a drawing that has no hash cannot be read; None if it is a device or the like."""
+    from shapeblend_cli.svg.reading.read import contents_of
+
+    if not os.path.exists(file) or os.path.isfile(file) or os.path.isdir(file):
+        try:
+            contents_of(file)
+        except InputError as error:
+            return error
+    return None
+
+
 @cache
 def method() -> str:
     """Return a hash of all code that outputs depend on."""
@@ -170,7 +216,7 @@ def _difference(old: dict[str, Any], new: dict[str, Any], now: Hashes) -> str:
         if old_name != name:
             return f"it was done with {old_name}, not {name}"
         if old_hash != value:
-            return f"{name} has changed" if value else f"{name} is missing"
+            return f"{name} has changed"
     if len(old["inputs"]) != len(new["inputs"]):
         return "it has more or fewer drawings"
     for key in sorted({*old["settings"], *new["settings"]}):
@@ -194,34 +240,25 @@ def _is_record(found: Any) -> bool:
     )
 
 
-def _files(contents: Mapping[Path, Any]) -> list[tuple[Path, str | bytes]]:
-    """Return contents by files, of what is written to files and folders."""
-    found: list[tuple[Path, str | bytes]] = []
+def each_file(contents: Contents) -> Iterator[tuple[Path, bytes]]:
+    """Yield what is written to each file, whether alone or in a folder."""
     for target, content in contents.items():
-        found += (
-            [(target / n, c) for n, c in content.items()]
-            if isinstance(content, Mapping)
-            else [(target, content)]
-        )
-    return found
-
-
-def _hash(content: str | bytes) -> str:
-    data = content.encode("utf-8", "replace") if isinstance(content, str) else content
-    return hashlib.sha256(data).hexdigest()
+        files = content if isinstance(content, Mapping) else {"": content}
+        for name, text in files.items():
+            yield target / name, text.encode("utf-8", "replace") if isinstance(text, str) else text
 
 
 def _replace(path: Path, data: bytes) -> None:
-    """Write a file in one step, and have it on the disk."""
+    """Write a file in one step, and have it on the disk. No other batch does so at the same time; see `claims`."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        with locked(path.parent):
-            new = path.with_suffix(".new")
-            with open(new, "wb") as file:
-                file.write(data)
-                file.flush()
-                os.fsync(file.fileno())
-            os.replace(new, path)
-            sync_folder(path.parent)
+        new = path.with_suffix(".new")
+        with open(new, "wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(new, path)
+        sync_folder(path.parent)
     except OSError as error:
-        raise OutputError(str(path), f"cannot be written ({error.strerror})") from error
+        where = str(path.parent)
+        raise OutputError(where, f"no record of a batch can be written there ({error.strerror})") from error

@@ -17,7 +17,7 @@ from shapeblend_cli.batch.worker import FAILED, Answer, Order
 from shapeblend_cli.version import __version__
 
 PATIENCE = 60.0
-"""Seconds after which a process that has nothing to do ends."""
+"""Maximum idle time of a process, in seconds."""
 
 Identity = tuple[str, str]
 """The version of a program, and a hash of it."""

@@ -26,6 +26,9 @@ class Name(NamedTuple):
 
     pattern: str
     base: str = ""
+    is_bound: bool = (
+        False  # whether it has to stay in that folder, as a file says it and not the command line
+    )
 
 
 class Row(NamedTuple):
@@ -81,6 +84,10 @@ def options_of(values: Mapping[str, Any], where: str, base: str) -> dict[str, An
     given: dict[str, Any] = {}
     for key, value in values.items():
         field, meaning = _option(key, where)
+        if field.name == "force":
+            raise OptionError(
+                f"{where}: force replaces files, and only the command line can say it: --force would work there"
+            )
         if field.name in given:
             raise OptionError(f"{where}: {key} is given twice")
         try:
@@ -88,7 +95,7 @@ def options_of(values: Mapping[str, Any], where: str, base: str) -> dict[str, An
         except ValueError as error:
             raise OptionError(f"{where}: {key} {error}") from None
         if field.kind.is_file:
-            given[field.name] = Name(given[field.name], base)
+            given[field.name] = Name(given[field.name], base, is_bound=True)
     return given
 
 

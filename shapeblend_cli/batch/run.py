@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
-import json
 import os
-import sys
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from datetime import UTC, datetime
 from typing import Any, NamedTuple
 
+from shapeblend_cli.batch.cache import find
+from shapeblend_cli.batch.claims import claimed
+from shapeblend_cli.batch.options import BatchOptions
 from shapeblend_cli.batch.plan import Task
-from shapeblend_cli.batch.records import HashOf, Record, State
-from shapeblend_cli.batch.supervisor import Ended
-from shapeblend_cli.batch.worker import DONE, FAILED, Answer, Order
-from shapeblend_cli.errors import OutputError
-from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
+from shapeblend_cli.batch.records import HashOf, Record, State, each_file, relative
+from shapeblend_cli.batch.strays import strays
+from shapeblend_cli.batch.supervisor import Ended, Stopped
+from shapeblend_cli.batch.worker import DONE, FAILED, Answer, Order, job_for, write_answers
+from shapeblend_cli.job.job import all_targets
+from shapeblend_cli.system.interrupts import told
 from shapeblend_cli.system.staging import clear
 
 CURRENT = "current"
+
+AT_ONCE, MUCH = 64, 2**26
+"""Maximum number of jobs whose outputs are copied out of a cache in one step, and their maximum size, in bytes."""
 
 
 class Outcome(NamedTuple):
@@ -29,21 +35,24 @@ class Outcome(NamedTuple):
     attempts: int
 
     def as_json(self) -> dict[str, Any]:
-        """Return it as the results have it."""
+        """Return it as the results have it, with the time that it is now."""
         a, b, *more = self.task.files
         found = {"job": self.task.number, "a": a, "b": b} | ({"more": more} if more else {})
         are_there = self.status in (DONE, CURRENT)
         return found | {
+            "output": self.task.output,
             "status": self.status,
             "outputs": list(map(str, self.task.targets)) if are_there else [],
             "seconds": round(self.answer.seconds, 6),
             "error": self.answer.error,
             "attempts": self.attempts,
+            "cached": self.answer.is_cached,
             "notes": [*self.answer.notes, *self.answer.warnings],
+            "ended": f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ}",
         }
 
 
-def states(tasks: Sequence[Task]) -> list[State]:
+def states(tasks: Sequence[Task]) -> Iterator[State]:
     """Say of each task whether it is up to date, after clearing up after batches that were killed."""
     for folder in sorted(
         {parent for task in tasks for t in task.targets for parent in (t.parent, t.parent.parent)}
@@ -51,25 +60,51 @@ def states(tasks: Sequence[Task]) -> list[State]:
         if folder.is_dir():
             clear(folder)
     hash_of = HashOf()
-    return [Record(task.job, task.targets).state(hash_of, bool(task.given.get("force"))) for task in tasks]
+    for task in tasks:
+        yield Record(task.job, task.targets).state(hash_of, bool(task.given.get("force")))
 
 
-Orders = Sequence[tuple[int, Order]]
+@contextmanager
+def begun(tasks: Sequence[Task], options: BatchOptions, note: Callable[[str], None]) -> Iterator[list[State]]:
+    """Give the states of tasks, and if there is anything to do keep other batches away from what they write.
+
+    See `claimed` for what `note` is told, and for what is raised.
+    """
+    found = []
+    gone = [each for each in strays(tasks) if each.files] if options.clean else []
+    for state in states(tasks):
+        found.append(state)
+        if state.reason or gone:
+            break
+    else:
+        yield found
+        return
+    places = [*(task.place for task in tasks), *(each.place for each in gone)]
+    with claimed(places, options.wait, note):
+        yield list(states(tasks))
+    for each in gone:
+        each.remove_folders()
+
+
+Run = Callable[[Sequence[tuple[int, Order]], int], Iterator[Ended]]
+"""Does numbered orders until so many have failed; see `supervisor.run_all` and `cluster.run_all`."""
 
 
 def run_tasks(
-    tasks: Sequence[Task], found: Sequence[State], run: Callable[[Orders], Iterator[Ended]], fail_fast: bool
+    tasks: Sequence[Task], found: Sequence[State], run: Run, options: BatchOptions
 ) -> Iterator[Outcome]:
-    """Have the tasks done that are not up to date; yield all of them as they end.
+    """Have the tasks done that are not up to date, by their states; yield all of them as they end.
 
-    `found` are the tasks' states, and `run` does numbered orders: see `supervisor.run_all` and `cluster.run_all`, also
-    for what is raised.
+    Raises what `run` raises.
     """
+    most = 1 if options.fail_fast else options.keep_going
+    failed = 0
     waiting: dict[int, Task] = {}
     for task, state in zip(tasks, found, strict=True):
         if state.refusal is not None:
             yield Outcome(task, FAILED, Answer(FAILED, str(state.refusal)), 0)
-            if fail_fast:
+            failed += 1
+            if failed == most:
                 return
         elif state.reason:
             waiting[task.number] = task
@@ -78,54 +113,74 @@ def run_tasks(
                 f"{state.edited}: was edited since it was written, and stays as it is" if state.edited else ""
             )
             yield Outcome(task, CURRENT, Answer(CURRENT, warnings=(edited,) if edited else ()), 0)
-    orders = [(n, Order(t.files, t.given, bool(t.given.get("force")))) for n, t in waiting.items()]
-    for ended in run(orders):
+    orders = [(number, order_of(task, options)) for number, task in waiting.items()]
+    for number, answer in _cached(orders):
+        yield Outcome(waiting.pop(number), answer.status, answer, 0)
+        failed += answer.status != DONE
+        if failed == most > 0:
+            return
+    for ended in run([order for order in orders if order[0] in waiting], max(most - failed, 0)):
         yield Outcome(waiting[ended.number], ended.answer.status, ended.answer, ended.attempts)
 
 
-@contextmanager
-def results(file: str | None) -> Iterator[Callable[[Outcome], None]]:
-    """Open a file for results, or standard output; give a function that writes one, as a line that is there at once."""
-    if file is None:
-        yield lambda outcome: None
-        return
-    stream = None
-    if file != STANDARD_OUTPUT:
-        try:
-            stream = open(file, "wb")
-        except (OSError, ValueError) as error:
-            raise _cannot_write(file, error) from error
-
-    def write(outcome: Outcome) -> None:
-        line = json.dumps(outcome.as_json(), allow_nan=False) + "\n"
-        if stream is None:
-            sys.stdout.write(line)
-            sys.stdout.flush()
-            return
-        try:
-            stream.write(line.encode())
-            stream.flush()
-        except OSError as error:
-            raise _cannot_write(file, error) from error
-
-    try:
-        yield write
-    finally:
-        if stream is not None:
-            with suppress(OSError):
-                stream.close()
+def order_of(task: Task, options: BatchOptions) -> Order:
+    """Return the order that has a task done."""
+    force, batch = bool(task.given.get("force")), tuple(relative(task.source, task.place.parent))
+    return Order(
+        task.files,
+        task.given,
+        force,
+        options.retries,
+        cache=options.cache,
+        batch=batch,
+        warns=not options.clean,
+    )
 
 
-def _cannot_write(file: str, error: OSError | ValueError) -> OutputError:
-    return OutputError(file, f"cannot be written ({getattr(error, 'strerror', None) or error})")
+def clean(tasks: Sequence[Task], ended: Mapping[int, str]) -> Iterator[str]:
+    """Remove what no job writes any more, and yield what is to be said; see `Outcome.status` for how tasks ended.
+
+    Of those that failed, everything stays.
+    """
+    for each in strays(tasks, {number for number, status in ended.items() if status in (DONE, CURRENT)}):
+        yield from each.remove()
+    for task in tasks:
+        if ended.get(task.number) == DONE:
+            from shapeblend_cli.job.make import warn_of_others
+
+            texts: list[str] = []
+            warn_of_others(task.job, texts.append)
+            yield from texts
 
 
-def check_results(file: str, tasks: Sequence[Task], manifest: str | None) -> None:
-    """Raise OutputError if results would replace what the batch reads or writes."""
-    place = os.path.realpath(file)
-    taken = {os.path.realpath(path) for task in tasks for path in (*task.files, *map(str, task.targets))}
-    if place in taken or (manifest is not None and place == os.path.realpath(manifest)):
-        raise OutputError(file, "is read or written by the batch; another name for the results would work")
+def from_cache(order: Order) -> tuple[Order, Answer, dict[str, Any]] | None:
+    """Return what the cache has of a job, as it is to be written; None if that is nothing, or the job is to be done."""
+    if order.cache is None or order.force:
+        return None
+    job = job_for(order)
+    made_of = Record(job, all_targets(job)).made_of()
+    found = find(order.cache, job, made_of)
+    if found is None:
+        return None
+    return order, Answer(DONE, notes=found.notes, contents=found.contents, is_cached=True), made_of
+
+
+def _cached(orders: Sequence[tuple[int, Order]]) -> Iterator[tuple[int, Answer]]:
+    """Write what the cache has, many jobs at a time; Stopped is raised if a signal asked to stop."""
+    stops: list[int] = []
+    found: dict[int, tuple[Order, Answer, dict[str, Any]]] = {}
+    size = 0
+    with told(stops.append):
+        for number, order in orders:
+            if stops:
+                raise Stopped(stops[0])
+            one = from_cache(order)
+            if one is not None:
+                found[number] = one
+                size += sum(len(data) for _, data in each_file(one[1].contents))
+            if found and (len(found) >= AT_ONCE or size > MUCH or number == orders[-1][0]):
+                yield from zip(found, write_answers([*found.values()]), strict=True)
+                found, size = {}, 0
 
 
 def processors() -> int:

@@ -5,13 +5,13 @@ from __future__ import annotations
 import glob
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from fnmatch import fnmatch
 from itertools import combinations, pairwise
 from typing import NamedTuple
 
 from shapeblend_cli.batch.rows import Row
-from shapeblend_cli.errors import OptionError
+from shapeblend_cli.errors import InputError, OptionError
 
 DRAWINGS = "*.[sS][vV][gG]"
 
@@ -23,9 +23,10 @@ class Found(NamedTuple):
     notes: list[str]
     pattern: str
 
-    def would_find(self, file: str) -> bool:
-        """Return whether a file would be found as well, if it were there."""
-        return bool(self.pattern) and _fits(os.path.abspath(file), os.path.abspath(self.pattern))
+    def first_found(self, files: Iterable[str]) -> str | None:
+        """Return the first of some files that would be found as well, if it were there."""
+        pattern = os.path.abspath(self.pattern)
+        return next((file for file in files if self.pattern and _fits(os.path.abspath(file), pattern)), None)
 
 
 def chain(pattern: str, more: Sequence[str] = ()) -> Found:
@@ -77,7 +78,7 @@ def _found(option: str, pattern: str, pairs: Sequence[tuple[str, str]], count: i
         raise OptionError(
             f"{option} {pattern}: {count or 'no'} {'drawing' if count == 1 else 'drawings'} found; it takes two"
         )
-    root = _root(pattern)
+    root = root_of(pattern)
     rows = [Row(f"{option}, {a} and {b}", (a, b), _below(a, root), {}) for a, b in pairs]
     return Found(rows, [], _pattern(pattern))
 
@@ -94,11 +95,17 @@ def _pattern(text: str) -> str:
 
 def drawings(text: str, more: Sequence[str] = ()) -> list[str]:
     """Return the files that fit a pattern, or the drawings in a folder, and more of them, in natural order."""
+    if os.path.isdir(text):
+        try:
+            os.listdir(text)
+        except OSError as error:
+            problem = f"is a folder that cannot be read ({error.strerror})"
+            raise InputError(text, problem) from None
     found = {*glob.glob(_pattern(text), recursive=True), *more}
     return sorted((file for file in found if os.path.isfile(file)), key=natural)
 
 
-def _root(pattern: str) -> str:
+def root_of(pattern: str) -> str:
     """Return the folder that the fixed part of a pattern names."""
     if os.path.isdir(pattern):
         return pattern

@@ -9,6 +9,7 @@ from __future__ import annotations
 import threading
 from collections import deque
 from collections.abc import Iterable, Iterator
+from itertools import count
 from queue import SimpleQueue
 from typing import NamedTuple
 
@@ -18,13 +19,15 @@ from shapeblend_cli.system.interrupts import told
 from shapeblend_cli.system.processes import Child
 
 ATTEMPTS = 2
+"""Minimum number of attempts at a job whose process dies, and of starts of a process."""
+
 DIED = "died"
 
 GRACE = 5.0
-"""Seconds in which a job may end by itself after its time, or when asked to; then its process is killed."""
+"""Time for a job to end by itself after its limit, or when it is asked to, in seconds; then its process is killed."""
 
 BLENDS = "shapeblend_cli.batch.worker"
-"""The module whose `main` a worker runs, unless another one is named."""
+"""Module whose `main` a worker runs by default."""
 
 
 class Ended(NamedTuple):
@@ -48,9 +51,11 @@ class CannotStart(ShapeblendError):
 
 
 def run_all(
-    orders: Iterable[tuple[int, Order]], count: int, fail_fast: bool, module: str = BLENDS
+    orders: Iterable[tuple[int, Order]], processes: int, most: int = 0, module: str = BLENDS
 ) -> Iterator[Ended]:
-    """Do numbered jobs in so many processes, and yield each as it ends; after one that fails no others, if `fail_fast`.
+    """Do numbered jobs in so many processes, and yield each as it ends.
+
+    After `most` failures no further jobs are started; with 0, failures stop nothing.
 
     Raises
     ------
@@ -60,8 +65,9 @@ def run_all(
         If no process can be started.
     """
     waiting = deque(orders)
+    failed: list[int] = []
     events: SimpleQueue[Ended | Exception | None] = SimpleQueue()
-    workers = [Worker(module) for _ in range(min(count, len(waiting)))]
+    workers = [Worker(module) for _ in range(min(processes, len(waiting)))]
 
     def work(worker: Worker) -> None:
         """Do jobs until there are no more."""
@@ -74,8 +80,10 @@ def run_all(
                 done = worker.do(order)
                 if done is None:
                     break
-                if fail_fast and done[0].status != DONE:
-                    waiting.clear()
+                if done[0].status != DONE:
+                    failed.append(number)
+                    if len(failed) == most:
+                        waiting.clear()
                 events.put(Ended(number, *done))
         except Exception as error:
             events.put(error)
@@ -126,7 +134,7 @@ class Worker:
         CannotStart
             If no process can be started.
         """
-        for attempt in range(1, ATTEMPTS + 1):
+        for attempt in count(1):
             process = self._started()
             if process is None:
                 return None
@@ -137,12 +145,16 @@ class Worker:
                 if self._is_stopped:
                     return None
                 answer = None  # somebody else has told the process to stop
-            if answer is not None:
-                if answer.status == TIMEOUT:
-                    self.end()
+            if answer is None:
+                ending = _ending(self.end())
+                if attempt >= max(ATTEMPTS, 1 + order.retries):
+                    return Answer(DIED, died(order, attempt, f"{ending} at last")), attempt
+                continue
+            if answer.status == TIMEOUT:
+                self.end()
+            if answer.status == DONE or attempt > order.retries:
                 return answer, attempt
-            ending = _ending(self.end())
-        return Answer(DIED, died(order, ATTEMPTS, f"{ending} at last")), ATTEMPTS
+        return None
 
     def stop(self, *, at_once: bool = False) -> None:
         """Have the process end, after what it is writing is whole. It is not started again."""

@@ -8,8 +8,11 @@ from collections.abc import Callable, Hashable, Iterable
 
 from shapeblend_cli.system.interrupts import told
 
-EVERY, SETTLED = 0.5, 0.2
-"""Seconds between two looks, and for which what has changed stays as it is before it is read."""
+EVERY = 0.5
+"""Time between two looks at the files, in seconds."""
+
+SETTLED = 0.2
+"""Time for which changed files must stay as they are before they are read, in seconds."""
 
 
 def stamps(files: Iterable[str]) -> Hashable:

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import signal
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
+from pathlib import Path
 from time import perf_counter
 from typing import Any, NamedTuple
 
+from shapeblend_cli.batch.cache import Found, keep
 from shapeblend_cli.batch.records import Record
 from shapeblend_cli.batch.rows import command_of
 from shapeblend_cli.errors import in_words
@@ -17,7 +21,10 @@ from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.interrupts import Interrupted, listening, stop_after
 from shapeblend_cli.system.kept import Kept
 from shapeblend_cli.system.processes import Parent
-from shapeblend_cli.system.write import Contents
+from shapeblend_cli.system.write import Contents, several, write_files
+
+_supervisor: int | None = None
+"""The number of the process that asks this one for jobs."""
 
 DONE, FAILED, TIMEOUT, STOPPED = "done", "failed", "timeout", "stopped"
 
@@ -28,7 +35,11 @@ class Order(NamedTuple):
     files: tuple[str, ...]
     given: dict[str, Any]  # values of options by the names of their fields
     force: bool  # whether files that no batch wrote are replaced
+    retries: int = 0  # further attempts, if it fails
     data: tuple[bytes, ...] | None = None  # what is in the files, for a worker that does not have them
+    cache: str | None = None  # the folder where what is made is kept, too
+    batch: tuple[str, ...] = ()  # where the job comes from, for its record
+    warns: bool = True  # whether files of other runs that remain are worth a line
 
 
 class Answer(NamedTuple):
@@ -40,10 +51,11 @@ class Answer(NamedTuple):
     warnings: tuple[str, ...] = ()
     seconds: float = 0.0
     contents: Any = None  # what is to be written, by a worker that was given data; or what was found
+    is_cached: bool = False  # whether the contents were kept from another time
 
 
 Act = Callable[[Order, Callable[[str], None], Callable[[str], None]], Any]
-"""What is done with an order: it is told how to note and how to warn, and returns the contents of the answer."""
+"""A function of an order, and of functions that note and warn. It returns the contents of the answer."""
 
 
 def do(order: Order, act: Act | None = None) -> Answer:
@@ -76,35 +88,56 @@ def watch_time(order: Order) -> None:
 
 def _blend(order: Order, note: Callable[[str], None], warn: Callable[[str], None]) -> Contents | None:
     from shapeblend_cli.job.make import check_files_of, check_libraries, make
+    from shapeblend_cli.svg.reading.read import contents_of
 
     watch_time(order)
-    job = _job(order)
+    job = job_for(order)
     check_libraries(job)
+    if order.data is None:
+        check_files_of(job)
+    data = order.data or tuple(map(contents_of, order.files))
+    notes: list[str] = []
+    sources = dict(zip(order.files, data, strict=True))
+    contents = make(job, Clock(), notes.append, sources=sources, kept=_kept()).contents
+    for text in notes:
+        note(text)
     if order.data is not None:
-        return make(
-            job, Clock(), note, sources=dict(zip(order.files, order.data, strict=True)), kept=_kept()
-        ).contents
-    # Before anything is read: what changes meanwhile is done again by the next batch.
-    made_of = Record(job, all_targets(job)).made_of()
-    check_files_of(job)
-    _write(job, make(job, Clock(), note, kept=_kept()).contents, made_of, order.force, warn)
+        return contents
+    _write(order, job, Found(contents, tuple(notes)), made_of(job, sources), warn)
     return None
 
 
-def _job(order: Order) -> Job:
+def made_of(job: Job, sources: Mapping[str, bytes]) -> dict[str, Any]:
+    """Return what the record of a job has of what it is made of, which are these drawings."""
+    return Record(job, all_targets(job)).made_of(lambda file: hashlib.sha256(sources[str(file)]).hexdigest())
+
+
+def job_for(order: Order) -> Job:
     """Return the job of an order. It replaces whatever there is: the record knows better what may be replaced."""
     job = job_of(order.files, order.given, command_of(order.files, order.given))
     return job._replace(write=job.write.replace(force=True))
 
 
 def _write(
-    job: Job, contents: Contents, made_of: dict[str, Any], force: bool, warn: Callable[[str], None]
+    order: Order,
+    job: Job,
+    found: Found,
+    made_of: dict[str, Any],
+    warn: Callable[[str], None],
+    is_new: bool = True,
 ) -> None:
-    """Write what was made, after its record."""
+    """Write what was made, after its record, unless whoever asked for it was killed: another batch may be at it."""
     from shapeblend_cli.job.make import write
 
-    Record(job, all_targets(job)).write(made_of, contents, force)
-    write(job, contents, warn)
+    if _supervisor not in (None, os.getppid()):
+        sys.exit()
+    if is_new and order.cache is not None and os.access(order.cache, os.W_OK):
+        try:
+            keep(order.cache, job, made_of, found)
+        except OSError as error:
+            warn(f"{order.cache}: nothing can be added to the cache ({error.strerror})")
+    Record(job, all_targets(job)).write(made_of, found.contents, order.force, order.batch)
+    write(job, found.contents, warn if order.warns else lambda text: None)
 
 
 @cache
@@ -114,21 +147,53 @@ def _kept() -> Kept:
 
 
 def write_answer(order: Order, answer: Answer, made_of: dict[str, Any]) -> Answer:
-    """Write what a worker made of data, and say what has become of the job then; see `Record.made_of`."""
+    """Write what was made elsewhere, and say what has become of the job then; see `Record.made_of`."""
     from shapeblend_cli.job.make import check_files_of
 
     warned: list[str] = []
     try:
-        job = _job(order)
+        job = job_for(order)
         check_files_of(job)
-        _write(job, answer.contents or {}, made_of, order.force, warned.append)
+        found = Found(answer.contents or {}, answer.notes)
+        _write(order, job, found, made_of, warned.append, is_new=not answer.is_cached)
     except Exception as error:
         return answer._replace(status=FAILED, error=in_words(error), contents=None)
     return answer._replace(warnings=(*answer.warnings, *warned), contents=None)
 
 
+def write_answers(made: Sequence[tuple[Order, Answer, dict[str, Any]]]) -> list[Answer]:
+    """Write what was made for several jobs, in as few steps as can be; see `write_answer`."""
+    from shapeblend_cli.job.make import check_files_of, warn_of_others
+
+    jobs = [job_for(order) for order, _, _ in made]
+    contents: dict[Path, Any] = {}
+
+    def record(job: Job, order: Order, answer: Answer, made_of: dict[str, Any]) -> None:
+        Record(job, all_targets(job)).write(made_of, answer.contents, order.force, order.batch)
+
+    try:
+        for job, (_, answer, _) in zip(jobs, made, strict=True):
+            check_files_of(job)
+            contents |= answer.contents
+        with several(record, jobs, *zip(*made, strict=True)) as each:
+            list(each)
+        write_files(contents, force=True)
+    except Exception:
+        # One by one, each that can be written is.
+        return [write_answer(*one) for one in made]
+    answers = []
+    for job, (order, answer, _) in zip(jobs, made, strict=True):
+        warned: list[str] = []
+        if order.warns:
+            warn_of_others(job, warned.append)
+        answers.append(answer._replace(warnings=tuple(warned), contents=None))
+    return answers
+
+
 def main(act: Act | None = None) -> None:
     """Answer until there are no more orders, by blends or by another act; see `do`."""
+    global _supervisor
+    _supervisor = os.getppid()
     if hasattr(signal, "SIGINT"):
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # the supervisor is told, and knows what to do
     parent = Parent()

@@ -40,15 +40,18 @@ def shapeblend() -> None:
     """Blend one SVG drawing into another."""
 
 
-def run(arguments: Sequence[str]) -> int:
+def run(arguments: Sequence[str], began: float | None = None) -> int:
     """Run a command line; an error is one line on standard error.
 
-    Return the exit status: 0 done, 1 the input or the run failed, 2 the command line is wrong; a command may return
-    others.
+    `began` is the time by `perf_counter` at which a process was started for it. Return the exit status: 0 done, 1 the
+    input or the run failed, 2 the command line is wrong, 128 and the number of the signal that stopped it; a command
+    may return others.
     """
     try:
         with listening():
-            status = shapeblend.main(list(arguments), prog_name="shapeblend", standalone_mode=False)
+            status = shapeblend.main(
+                list(arguments), prog_name="shapeblend", standalone_mode=False, obj=began
+            )
             if sys.stdout is not None:
                 sys.stdout.flush()
             return status or 0
@@ -58,7 +61,10 @@ def run(arguments: Sequence[str]) -> int:
     except OptionError as error:
         say(f"{error} (shapeblend --help lists the options)")
         return USAGE
-    except (Interrupted, ShapeblendError) as error:
+    except Interrupted as error:
+        say(str(error))
+        return status_of(error)
+    except ShapeblendError as error:
         say(str(error))
         return FAILED
     except (BrokenPipeError, SystemExit):
@@ -68,14 +74,19 @@ def run(arguments: Sequence[str]) -> int:
         return FAILED
 
 
-def run_safely(arguments: Sequence[str]) -> int:
+def status_of(interrupted: Interrupted) -> int:
+    """Return the exit status after a signal, as shells have it: 130 after Ctrl-C; 1 after --timeout."""
+    return FAILED if interrupted.is_late else 128 + interrupted.number
+
+
+def run_safely(arguments: Sequence[str], began: float | None = None) -> int:
     """Run a command line as a process of its own, which ends without a traceback whatever happens."""
     _occupy_streams()
     sys.unraisablehook = _end
     if not sys.warnoptions:
         warnings.simplefilter("ignore")  # what numpy says of numbers is nothing that a user can put right
     try:
-        return run(arguments)
+        return run(arguments, began)
     except Exception as error:
         say(in_words(error))
         return FAILED
@@ -96,4 +107,4 @@ def _end(unraisable: sys.UnraisableHookArgs) -> None:
     """Stop where a signal came while an object was deleted, which Python would only report."""
     if isinstance(unraisable.exc_value, Interrupted):
         say(str(unraisable.exc_value))
-        os._exit(FAILED)
+        os._exit(status_of(unraisable.exc_value))

@@ -3,35 +3,34 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from shapeblend_cli.batch.options import BatchOptions
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.cli.options import NAME, FieldOption, options_of
-from shapeblend_cli.cli.terminal import BatchTerminal, say
+from shapeblend_cli.cli.parameters import NAME, FieldOption, options_of
+from shapeblend_cli.cli.terminal import BatchTerminal, TerminalOptions, say
 from shapeblend_cli.errors import OptionError, ShapeblendError
 from shapeblend_cli.job.job import RECORDS, STANDARD_INPUT
-from shapeblend_cli.options.settings import (
-    BatchOptions,
-    TerminalOptions,
-)
-from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.system.interrupts import Interrupted
 
 if TYPE_CHECKING:
+    from shapeblend_cli.batch.aside import Aside
     from shapeblend_cli.batch.plan import Task
     from shapeblend_cli.batch.records import State
     from shapeblend_cli.batch.rows import Row
-    from shapeblend_cli.batch.run import Orders, Outcome
+    from shapeblend_cli.batch.run import Outcome, Run
     from shapeblend_cli.batch.sources import Found
-    from shapeblend_cli.batch.supervisor import Ended
 
 FAILED = 1
 
-PATTERN, PATTERN_OF_PAIRS = "blend/{a}-{b}", "blend/{a}"
-"""Where outputs go by default, without a suffix."""
+PATTERN = "blend/{a}-{b}"
+"""Default of --output, without a suffix."""
+
+PATTERN_OF_PAIRS = "blend/{a}"
+"""Default of --output with --pairs, without a suffix."""
 
 EXAMPLES = (
     ("shapeblend batch --chain icons -o 'moving/{a}-{b}.svg'", "an animation from each icon to the next"),
@@ -74,6 +73,10 @@ def batch(names: tuple[str, ...], **given: Any) -> int:
         raise click.UsageError(
             "--jobs is for processes on this machine; a cluster has the workers that were started"
         )
+    if options.fail_fast and options.keep_going > 1:
+        raise click.UsageError("--fail-fast is --keep-going 1; one of the two would work")
+    if options.clean and (options.shard is not None or STANDARD_INPUT in names):
+        raise click.UsageError("--clean goes with a whole batch, of a manifest that is a file or of folders")
     if options.watch and (options.dry_run or STANDARD_INPUT in names):
         raise click.UsageError(
             "--watch goes with a manifest that is a file, or with folders, and not with --dry-run"
@@ -88,31 +91,25 @@ def batch(names: tuple[str, ...], **given: Any) -> int:
 def _batch(
     names: tuple[str, ...], options: BatchOptions, printed: TerminalOptions, given: Mapping[str, Any]
 ) -> int:
-    from shapeblend_cli.batch import run
+    from shapeblend_cli.batch.aside import Aside
+    from shapeblend_cli.batch.run import states
 
     tasks, notes = _tasks(names, options, given)
     if options.dry_run:
-        _show(tasks, run.states(tasks), with_current=options.why)
+        _show(tasks, states(tasks), options)
         return 0
-    with run.results(options.results) as write:
-        return _do(tasks, notes, write, options, printed)
+    return _do(tasks, notes, Aside(options, " ".join(_source(names, options))), options, printed)
 
 
 def _watch(
     names: tuple[str, ...], options: BatchOptions, printed: TerminalOptions, given: Mapping[str, Any]
 ) -> int:
     """Do a batch, and again what changes, until a signal asks to stop."""
-    from shapeblend_cli.batch import run
-    from shapeblend_cli.batch.run import CURRENT
+    from shapeblend_cli.batch.aside import Aside
     from shapeblend_cli.batch.watch import stamps, wait_for_change
 
     tasks, notes = _tasks(names, options, given)
-    write_all: Callable[[Outcome], None]
-
-    def write(outcome: Outcome) -> None:
-        """Leave out what is up to date and was told of before."""
-        if is_first or outcome.status != CURRENT:
-            write_all(outcome)
+    aside = Aside(options, " ".join(_source(names, options)))
 
     def look() -> Hashable:
         """See the drawings that there are now, or those of the last tasks, and the manifest."""
@@ -124,84 +121,103 @@ def _watch(
         return stamps({file for row in rows for file in row.files}.union(names))
 
     is_first = True
-    with run.results(options.results) as write_all:
+    while True:
+        seen = look()
+        status = _do(tasks, notes, aside, options, printed, is_first=is_first)
+        if status > FAILED:
+            return status
+        if is_first and not printed.quiet:
+            say("waiting for drawings to change; Ctrl-C ends this")
+        is_first = False
         while True:
+            if number := wait_for_change(look, seen):
+                return 128 + number
             seen = look()
-            status = _do(tasks, notes, write, options, printed)
-            if status > FAILED:
-                return status
-            if is_first and not printed.quiet:
-                say("waiting for drawings to change; Ctrl-C ends this")
-            is_first = False
-            while True:
-                if number := wait_for_change(look, seen):
-                    return 128 + number
-                seen = look()
-                try:
-                    tasks, notes = _tasks(names, options, {**given, "force": None})
-                    break
-                except ShapeblendError as error:
-                    say(str(error))
+            try:
+                tasks, notes = _tasks(names, options, {**given, "force": None})
+                break
+            except ShapeblendError as error:
+                say(str(error))
 
 
 def _do(
     tasks: Sequence[Task],
     notes: Sequence[str],
-    write: Callable[[Outcome], None],
+    aside: Aside,
     options: BatchOptions,
     printed: TerminalOptions,
+    is_first: bool = True,
 ) -> int:
-    """Do what is not up to date of some tasks."""
-    from shapeblend_cli.batch import run
+    """Do what is not up to date of some tasks; if they are not done for the first time, tell only what is new."""
+    from shapeblend_cli.batch.cache import open_cache
+    from shapeblend_cli.batch.run import CURRENT, begun, clean, run_tasks
     from shapeblend_cli.batch.supervisor import Stopped
 
-    found = run.states(tasks)
-    ended: Counter[str] = Counter()
+    counts: Counter[str] = Counter()
+    ended: dict[int, str] = {}
     status = 0
-    with BatchTerminal(quiet=printed.quiet, count=len(tasks)) as terminal:
-        for note in notes:
-            terminal.note(note)
-        if options.why:
-            for line in _reasons(tasks, found):
-                terminal.note(line)
-        try:
-            for outcome in run.run_tasks(tasks, found, _way(options, terminal.warn), options.fail_fast):
-                is_done = outcome.answer.error is None
-                ended[outcome.status] += 1
-                write(outcome)
-                terminal.ended(is_done, outcome.answer.seconds if outcome.attempts else None)
-                for text in outcome.answer.notes if printed.verbose else ():
-                    terminal.note(f"{outcome.task.output}: {text}")
-                for text in outcome.answer.warnings:
-                    terminal.warn(text)
-                if not is_done:
-                    terminal.warn(f"{outcome.task.where}: {outcome.answer.error}")
-                    status = FAILED
-        except Stopped as stop:
-            terminal.warn(
-                "interrupted; files that were being written are complete, and the same command does the rest"
-            )
-            status = 128 + stop.number
-        terminal.note(_summary(ended, len(tasks)))
+    aside.begin(tasks)
+    try:
+        with BatchTerminal(len(tasks), aside.message, quiet=printed.quiet) as terminal:
+            for note in notes:
+                terminal.note(note)
+            if options.cache is not None and not open_cache(options.cache):
+                terminal.note(f"{options.cache}: cannot be written to; nothing is added to the cache")
+            with begun(tasks, options, terminal.note) as found:
+                for line in _reasons(tasks, found) if options.why else ():
+                    terminal.note(line)
+                try:
+                    for outcome in run_tasks(tasks, found, _way(options, terminal.warn), options):
+                        ended[outcome.task.number] = outcome.status
+                        counts["cached" if outcome.answer.is_cached else outcome.status] += 1
+                        aside.ended(outcome, is_first or outcome.status != CURRENT)
+                        _tell(outcome, terminal, with_notes=printed.verbose)
+                        if outcome.answer.error is not None:
+                            status = FAILED
+                    for text in clean(tasks, ended) if options.clean else ():
+                        terminal.warn(text)
+                except Stopped as stop:
+                    terminal.warn(
+                        "interrupted; files that were being written are complete, and the same command does the rest"
+                    )
+                    status = 128 + stop.number
+            terminal.note(_summary(counts, len(tasks)))
+    except (ShapeblendError, Interrupted) as error:
+        aside.end(tasks, str(error))
+        raise
+    aside.end(tasks)
     return status
 
 
-def _way(options: BatchOptions, note: Callable[[str], None]) -> Callable[[Orders], Iterator[Ended]]:
+def _tell(outcome: Outcome, terminal: BatchTerminal, *, with_notes: bool) -> None:
+    """Say what has become of a task."""
+    error = outcome.answer.error
+    terminal.ended(error is None, outcome.answer.seconds if outcome.attempts else None)
+    for text in outcome.answer.notes if with_notes else ():
+        terminal.note(f"{outcome.task.output}: {text}")
+    for text in outcome.answer.warnings:
+        terminal.warn(text)
+    if error is not None:
+        terminal.warn(f"{outcome.task.where}: {error}")
+
+
+def _way(options: BatchOptions, note: Callable[[str], None]) -> Run:
     """Return what does jobs: processes here, or a cluster."""
     if options.cluster is not None:
         from shapeblend_cli.batch import cluster
 
-        return lambda orders: cluster.run_all(orders, str(options.cluster), options.fail_fast, note)
+        return lambda orders, most: cluster.run_all(orders, str(options.cluster), most, note)
     from shapeblend_cli.batch.run import processors
     from shapeblend_cli.batch.supervisor import run_all
 
-    return lambda orders: run_all(orders, options.jobs or processors(), options.fail_fast)
+    return lambda orders, most: run_all(orders, options.jobs or processors(), most)
 
 
 def _tasks(
     names: tuple[str, ...], options: BatchOptions, given: Mapping[str, Any]
 ) -> tuple[list[Task], list[str]]:
     """Return the tasks of a batch, or of its shard, and notes."""
+    from shapeblend_cli.batch.aside import check_aside
     from shapeblend_cli.batch.manifest import read_manifest
     from shapeblend_cli.batch.plan import plan
     from shapeblend_cli.batch.rows import named
@@ -210,23 +226,31 @@ def _tasks(
     rows, defaults = (found.rows, {}) if found else read_manifest(names[0])
     asked = {name: value for name, value in given.items() if value is not None and value != ()}
     pattern = PATTERN_OF_PAIRS if options.pairs else PATTERN
-    tasks = plan(rows, {**defaults, **named(asked)}, pattern)
+    tasks = plan(rows, {**defaults, **named(asked)}, pattern, _source(names, options), options.outside)
     if found is not None:
-        for task in tasks:
-            for target in task.targets:
-                if found.would_find(str(target)):
-                    raise OptionError(
-                        f"{target} would be taken for one of the drawings the next time; another folder in --output "
-                        "would work"
-                    )
-    if options.results not in (None, STANDARD_OUTPUT):
-        from shapeblend_cli.batch.run import check_results
-
-        check_results(str(options.results), tasks, names[0] if names else None)
+        file = found.first_found(str(target) for task in tasks for target in task.targets)
+        if file is not None:
+            raise OptionError(
+                f"{file} would be taken for one of the drawings the next time; another folder in --output would work"
+            )
+    check_aside(options, tasks, () if found or names[0] == STANDARD_INPUT else names)
     if options.shard is not None:
         number, count = options.shard
         tasks = tasks[number - 1 :: count]
     return tasks, found.notes if found else []
+
+
+def _source(names: Sequence[str], options: BatchOptions) -> tuple[str, ...]:
+    """Return where the jobs come from: a word and paths."""
+    from shapeblend_cli.batch.sources import root_of
+
+    if options.pairs is not None:
+        return "--pairs", *options.pairs
+    if options.chain is not None:
+        return "--chain", root_of(options.chain)
+    if options.every_two is not None:
+        return "--all", root_of(options.every_two)
+    return "batch", *names
 
 
 def _found(names: tuple[str, ...], options: BatchOptions) -> Found | None:
@@ -250,14 +274,21 @@ def _found(names: tuple[str, ...], options: BatchOptions) -> Found | None:
     return None
 
 
-def _show(tasks: Sequence[Task], found: Sequence[State], *, with_current: bool) -> None:
+def _show(tasks: Sequence[Task], found: Iterable[State], options: BatchOptions) -> None:
     """Print what would be done, and why."""
+    from shapeblend_cli.batch.run import from_cache, order_of
+    from shapeblend_cli.batch.strays import strays
+
+    for each in strays(tasks) if options.clean else ():
+        for file in each.files:
+            click.echo(f"{file}\twould be removed, as no job writes it any more")
     for task, state in zip(tasks, found, strict=True):
         if state.refusal is not None:
             click.echo(f"{task.output}\twould fail: {state.refusal}")
         elif state.reason:
-            click.echo(f"{task.output}\t{state.reason}")
-        elif with_current:
+            is_cached = options.cache is not None and from_cache(order_of(task, options)) is not None
+            click.echo(f"{task.output}\t{state.reason}{'; the cache has it' if is_cached else ''}")
+        elif options.why:
             edited = f", but {state.edited} was edited since" if state.edited else ""
             click.echo(f"{task.output}\tup to date{edited}")
 
@@ -271,6 +302,7 @@ def _reasons(tasks: Sequence[Task], found: Sequence[State]) -> list[str]:
 def _summary(ended: Mapping[str, int], count: int) -> str:
     words = {
         "done": "done",
+        "cached": "from the cache",
         "current": "up to date",
         "failed": "failed",
         "timeout": "took too long",

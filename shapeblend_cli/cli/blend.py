@@ -7,13 +7,10 @@ from typing import Any
 import click
 
 from shapeblend_cli.cli.group import TYPED, SectionedCommand
-from shapeblend_cli.cli.options import NAME, options_of
-from shapeblend_cli.cli.terminal import Terminal, details
+from shapeblend_cli.cli.parameters import NAME, options_of
+from shapeblend_cli.cli.terminal import Terminal, TerminalOptions, details
 from shapeblend_cli.job.job import RECORDS, job_of
-from shapeblend_cli.options.settings import (
-    RunOptions,
-    TerminalOptions,
-)
+from shapeblend_cli.job.options import RunOptions
 from shapeblend_cli.system.interrupts import stop_after
 
 EXAMPLES = (
@@ -31,7 +28,8 @@ EXAMPLES = (
     params=options_of(*RECORDS, TerminalOptions),
 )
 @click.argument("files", type=NAME, nargs=-1, required=True, metavar="A.svg B.svg [C.svg ...]")
-def blend(files: tuple[str, ...], **given: Any) -> None:
+@click.pass_context
+def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> None:
     """Blend A.svg into B.svg, and on into further files, by bending and stretching outlines with the least work.
 
     Writes the in-betweens as SVG files, one animated SVG, or pictures. One of the files may be -, standard input.
@@ -40,7 +38,7 @@ def blend(files: tuple[str, ...], **given: Any) -> None:
     if printed.quiet and printed.verbose:
         raise click.UsageError("--quiet and --verbose contradict each other")
     files, given = opened(files, given)
-    job = job_of(files, given, ("shapeblend", *click.get_current_context().meta[TYPED]))
+    job = job_of(files, given, ("shapeblend", *context.meta[TYPED]))
     stop_after(RunOptions.of(given).timeout)
 
     from shapeblend_cli.job.make import blend_files
@@ -48,18 +46,20 @@ def blend(files: tuple[str, ...], **given: Any) -> None:
     with Terminal(quiet=printed.quiet) as terminal:
         run = blend_files(job, terminal.note, terminal.warn, terminal.progress)
         if printed.verbose:
-            for line in details(run):
+            for line in details(run, context.obj):
                 terminal.note(line)
 
 
 def opened(files: tuple[str, ...], given: dict[str, Any]) -> tuple[tuple[str, ...], dict[str, Any]]:
     """Return the drawings and the options of a project, if that is what is given, and else what is given."""
-    from shapeblend_cli.batch.project import is_project, read_project
+    from shapeblend_cli.batch.project import check_outputs, is_project, read_project
 
     projects = [file for file in files if is_project(file)]
     if not projects:
         return files, given
     if len(files) > 1:
-        raise click.UsageError(f"{projects[0]}: a project names its drawings itself; it is given alone")
-    project = read_project(projects[0]).with_given(given)
+        raise click.UsageError(f"{projects[0]}: a project names its own drawings, and is given alone")
+    project = read_project(projects[0])
+    check_outputs(project, projects[0], given)
+    project = project.with_given(given)
     return project.files, dict(project.given)

@@ -14,9 +14,10 @@ if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
 TYPED = "shapeblend_cli.typed"
-"""The key in a context's `meta` of the arguments as they were typed, after the name of the command."""
+"""Key in the `meta` of a context: the arguments as they were typed, after the name of the command."""
 
-NAMES = 30  # characters for the names of options, the same in every section
+NAMES = 30
+"""Width of the column of option names, in characters. It is the same in every section."""
 
 
 class SectionedCommand(click.Command):

@@ -8,15 +8,17 @@ from typing import Any
 import click
 
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.cli.options import NAME, options_of
+from shapeblend_cli.cli.parameters import NAME, options_of
 from shapeblend_cli.cli.terminal import say
 from shapeblend_cli.errors import OptionError
-from shapeblend_cli.options.settings import InkscapeOptions, InstallOptions, Settings, WriteOptions
+from shapeblend_cli.inkscape.options import InkscapeOptions, InstallOptions
+from shapeblend_cli.job.options import WriteOptions
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.outputs.options import OutputOptions, specify
 
 PLACED = ("place", "viewbox", "start")
-"""Settings that have no meaning for objects of one document, which lie where they lie."""
+"""Settings that objects of one document have no use for: they stay in place, and are joined at no vertex."""
 
 
 @click.group()
@@ -51,7 +53,7 @@ def blend(file: str, **given: Any) -> None:
     if not (settings.frames or settings.ends):
         raise OptionError("--frames 0 leaves nothing to put between the objects; --frames 1 would work")
 
-    from shapeblend_cli.inkscape.blend import blend_objects
+    from shapeblend_cli.inkscape.objects import blend_objects
 
     as_layers = options.frames_as == "layers"
     _print(blend_objects(file, options.ids, settings, as_layers=as_layers, note=_noter()))
@@ -80,7 +82,7 @@ def animate(file: str, **given: Any) -> None:
     if output.path == STANDARD_OUTPUT:
         raise OptionError("standard output is for the document; --output with the name of a file would work")
 
-    from shapeblend_cli.inkscape.blend import animate_objects
+    from shapeblend_cli.inkscape.objects import animate_objects
 
     force = WriteOptions.of(given).force
     _print(animate_objects(file, options.ids, output, force=force, note=_noter()))

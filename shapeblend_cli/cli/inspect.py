@@ -9,9 +9,12 @@ from typing import Any, Literal
 
 import click
 
-from shapeblend_cli.cli.options import NAME, FieldOption
+from shapeblend_cli.cli.parameters import NAME, FieldOption
 from shapeblend_cli.cli.terminal import Terminal
-from shapeblend_cli.options.settings import InspectOptions, ReadOptions, RunOptions
+from shapeblend_cli.job.options import RunOptions
+from shapeblend_cli.options import types
+from shapeblend_cli.options.fields import Record, option
+from shapeblend_cli.options.settings import OUTPUT, ReadOptions
 from shapeblend_cli.system.interrupts import stop_after
 
 COLUMNS = ("shape", "element", "id", "contours", "ends", "length", "box", "fill", "stroke", "rule")
@@ -27,6 +30,18 @@ _MAX_ALIGNED = 60  # a longer cell pushes the rest of its own line on, and no ot
 SELECT = ReadOptions.options["select_a"]._replace(
     name="select", flags=("--select",), help="List only these shapes: #id or a CSS selector."
 )
+
+
+class InspectOptions(Record, section=OUTPUT):
+    """What `inspect` writes."""
+
+    picture: str | None = option(
+        types.file(".svg"),
+        default=None,
+        metavar="FILE.svg",
+        help="Draw the shapes with the numbers of their contours, which --match takes.",
+    )
+    force: bool = option(types.FLAG, default=False, flags=("-f", "--force"), help="Replace an existing file.")
 
 
 PARAMS = [
@@ -52,7 +67,7 @@ def inspect(file: str, select: str | None, lenient: bool | None, as_json: bool, 
     drawing = read(file, lenient=bool(lenient), select=select)
     options = InspectOptions.of(given)
     if options.picture is not None:
-        from shapeblend_cli.plot.contours import write_picture
+        from shapeblend_cli.plot.numbered import write_picture
 
         write_picture(drawing, file, options.picture, force=options.force)
     found = inspection(drawing) | {"file": file}

@@ -7,10 +7,12 @@ from typing import Any
 import click
 
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.cli.options import NAME, options_of
-from shapeblend_cli.cli.terminal import Terminal
+from shapeblend_cli.cli.parameters import NAME, options_of
+from shapeblend_cli.cli.terminal import Terminal, TerminalOptions
 from shapeblend_cli.job.job import check_files
-from shapeblend_cli.options.settings import PlotOptions, ReadOptions, RunOptions, Settings, TerminalOptions
+from shapeblend_cli.job.options import RunOptions
+from shapeblend_cli.options.settings import ReadOptions, Settings
+from shapeblend_cli.plot.options import PlotOptions
 from shapeblend_cli.system.interrupts import stop_after
 
 KINDS = ("graph", "angle")  # each is a module of that name in `plot`
@@ -42,7 +44,7 @@ def plot(kind: str, files: tuple[str, ...], **given: Any) -> None:
         raise click.UsageError(f"--dot is for angle; {kind} shows all dots")
     stop_after(RunOptions.of(given).timeout)
 
-    from shapeblend_cli.plot.write import plot_files
+    from shapeblend_cli.plot.subject import plot_files
 
     a, b = files
     read, settings = ReadOptions.of(given), settings.replace(curves=False)

@@ -6,11 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from shapeblend_cli.batch.options import RankOptions
 from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.inspect import aligned
-from shapeblend_cli.cli.options import NAME, options_of
-from shapeblend_cli.cli.terminal import BatchTerminal, say
-from shapeblend_cli.options.settings import RankOptions, ReadOptions, RunOptions, Settings, TerminalOptions
+from shapeblend_cli.cli.parameters import NAME, options_of
+from shapeblend_cli.cli.terminal import BatchTerminal, TerminalOptions, say
+from shapeblend_cli.job.options import RunOptions
+from shapeblend_cli.options.settings import ReadOptions, Settings
 from shapeblend_cli.system.interrupts import Interrupted
 
 if TYPE_CHECKING:
@@ -20,7 +22,7 @@ if TYPE_CHECKING:
 
 EXAMPLES = (
     ("shapeblend rank a.svg icons", "the icons that a.svg blends into best"),
-    ("shapeblend rank a.svg icons --top 10 --sheet best.svg", "the ten best, and what they look like"),
+    ("shapeblend rank a.svg icons --top 10 --sheet best.svg", "the ten best, with pictures of them"),
     ("shapeblend rank a.svg icons --json | head -n 1", "the best, for a program"),
 )
 
@@ -47,8 +49,8 @@ def _params() -> list[click.Parameter]:
 def rank(first: str, names: tuple[str, ...], **given: Any) -> int:
     """Find the drawings in a folder that blend best with A.
 
-    For each drawing the table has how wrong the in-betweens look to the judge (0 is perfect), how much work they take,
-    and how many contours have no partner, so that they grow or shrink. DIR may also be a pattern in quotes, or files.
+    For each drawing the table lists how wrong the in-betweens look to the judge (0 is perfect), their work, and the
+    number of contours without a partner, which grow or shrink. DIR may also be a pattern in quotes, or files.
     """
     try:
         return _rank(first, names, given)

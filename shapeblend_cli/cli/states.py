@@ -7,10 +7,11 @@ from typing import Any
 import click
 
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.cli.options import NAME, options_of
-from shapeblend_cli.cli.terminal import Terminal
+from shapeblend_cli.cli.parameters import NAME, options_of
+from shapeblend_cli.cli.terminal import Terminal, TerminalOptions
 from shapeblend_cli.job.job import check_files
-from shapeblend_cli.options.settings import ReadOptions, RunOptions, Settings, StatesOptions, TerminalOptions
+from shapeblend_cli.job.options import RunOptions, StatesOptions
+from shapeblend_cli.options.settings import ReadOptions, Settings
 from shapeblend_cli.system.interrupts import stop_after
 
 EXAMPLES = (
@@ -24,7 +25,7 @@ EXAMPLES = (
 WITHOUT = (
     "frames ends motion unmatched start pins stiff match mix times stagger stagger_by curves verbose".split()
 )
-"""Settings of ways from one drawing to another, which states do not have."""
+"""Settings of motion and of single pairs, which states have no use for."""
 
 
 @click.command(
@@ -36,8 +37,8 @@ WITHOUT = (
 def states(files: tuple[str, ...], **given: Any) -> None:
     """Make one drawing with several states, which can change from any to any other.
 
-    The states have the names of the files. In an SVG, the attribute data-state of its root says which state is shown.
-    A custom element (.js) has the attribute state for this.
+    The states have the names of the files. In an SVG, the attribute data-state of the root names the state that is
+    shown; in a custom element (.js), the attribute state does.
     """
     options, settings = StatesOptions.of(given), Settings.of(given)
     check_files(files, settings)

@@ -11,10 +11,12 @@ import click
 
 from shapeblend_cli.cli.blend import opened
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.cli.options import NAME, options_of
+from shapeblend_cli.cli.parameters import NAME, options_of
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.job.job import RECORDS, STANDARD_INPUT
-from shapeblend_cli.options.settings import StudioOptions
+from shapeblend_cli.options import types
+from shapeblend_cli.options.fields import Record, option
+from shapeblend_cli.options.settings import STUDIO
 from shapeblend_cli.system.interrupts import told
 
 EXAMPLES = (
@@ -22,6 +24,21 @@ EXAMPLES = (
     ("shapeblend studio blend.json", "go on with a project"),
     ("shapeblend studio", "an empty page to drop drawings into"),
 )
+
+
+class StudioOptions(Record, section=STUDIO):
+    """How the studio is opened."""
+
+    port: int | None = option(
+        types.whole(1, 65_535), default=None, help="Port of the page.", default_text="a free one"
+    )
+    open: bool = option(
+        types.FLAG,
+        default=True,
+        flags=("--open/--no-open",),
+        help="Open the page in the browser, or only print its address.",
+        default_text="open, if there is a screen",
+    )
 
 
 @click.command(
@@ -36,21 +53,23 @@ def studio(files: tuple[str, ...], **given: Any) -> None:
     Options are those of a blend. Ctrl-C ends the studio.
     """
     options = StudioOptions.of(given)
+    named_first = files[0] if files else ""
     files, given = opened(files, given)
     _check(files)
     named = {name for record in RECORDS for name in record.options}
     beside = {name: value for name, value in given.items() if name in named and value not in (None, ())}
 
-    from shapeblend_cli.batch.project import Project
+    from shapeblend_cli.batch.project import Project, is_project
     from shapeblend_cli.studio.server import Studio
     from shapeblend_cli.studio.session import Session
 
-    session = Session(Project(files, beside))
+    folder = os.path.dirname(named_first) if is_project(named_first) else ""
+    session = Session(Project(files, beside), folder)
     try:
         server = Studio(session, options.port or 0)
     except OSError as error:
         raise click.ClickException(
-            f"port {options.port}: {error.strerror}; without --port a free one is found"
+            f"port {options.port}: {error.strerror}; without --port a free port is found"
         ) from None
     session.start()
     ended = threading.Event()

@@ -10,6 +10,10 @@ from typing import TYPE_CHECKING, Self
 
 import click
 
+from shapeblend_cli.options import types
+from shapeblend_cli.options.fields import Record, option
+from shapeblend_cli.options.settings import OTHER
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
@@ -22,6 +26,23 @@ OFTEN, SELDOM = (
 )  # seconds before the first line in a pipe or a file, and between further ones at most
 BAR = 30  # characters of the bar that shows how far a batch is
 CLEAR = "\r\x1b[K"
+
+
+class TerminalOptions(Record, section=OTHER):
+    """What a command prints."""
+
+    quiet: bool = option(
+        types.FLAG,
+        default=False,
+        flags=("-q", "--quiet"),
+        help="Print only errors, and a line if frame files of another run remain.",
+    )
+    verbose: bool = option(
+        types.FLAG,
+        default=False,
+        flags=("-v", "--verbose"),
+        help="Print what was done, and how long it took.",
+    )
 
 
 def say(text: str) -> None:
@@ -134,14 +155,28 @@ class Pace:
 
 
 class BatchTerminal(Terminal):
-    """Standard error while a batch runs; it is told which jobs have ended."""
+    """Standard error while a batch runs; it is told which jobs have ended. A log gets all lines."""
 
-    def __init__(self, *, quiet: bool = False, count: int = 0) -> None:
+    def __init__(
+        self, count: int, log: Callable[[str], None] = lambda text: None, *, quiet: bool = False
+    ) -> None:
         super().__init__(quiet=quiet)
+        self._log = log
         self._count = count
         self._ended = 0
         self._failed = 0
         self._pace = Pace()
+
+    def note(self, text: str) -> None:
+        """Print a line."""
+        if self._quiet:
+            self._log(text)
+        super().note(text)
+
+    def warn(self, text: str) -> None:
+        """Print a line even if quiet."""
+        self._log(text)
+        super().warn(text)
 
     def ended(self, is_done: bool, seconds: float | None) -> None:
         """Take that a job has ended, and how long it took; None if there was nothing to do."""
@@ -168,8 +203,8 @@ def _duration(seconds: float) -> str:
     return f"{max(seconds, 1.0):.0f} s"
 
 
-def details(run: Run) -> Iterator[str]:
-    """Yield lines that say what was done in a run, and how long it took."""
+def details(run: Run, began: float | None) -> Iterator[str]:
+    """Yield lines that say what was done in a run, and how long it took, with the start of a process that `began`."""
     for c in (contour for pair in run.pairs for contour in pair.contours):
         found = c.correspondence
         if c.a is None or c.b is None:
@@ -197,7 +232,9 @@ def details(run: Run) -> Iterator[str]:
             if shape.is_matched:
                 yield f"{name}motion {shape.motion_name}: {shape.reason}"
     yield f"{_count(len(run.measures), 'frame')}: {_crossings(run)}"
-    yield ", ".join(f"{stage} {1000 * seconds:.1f} ms" for stage, seconds in run.seconds.items())
+    start = {} if began is None else {"start": run.clock.began - began}
+    seconds = start | run.clock.seconds
+    yield ", ".join(f"{stage} {1000 * taken:.1f} ms" for stage, taken in seconds.items())
 
 
 def _crossings(run: Run) -> str:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
 ARC_PIECES = 32
-"""Pieces of equal parameter on which a segment's length is summed."""
+"""Number of pieces of equal parameter on which a segment's length is summed."""
 
 # Gauss-Legendre nodes and weights of order 4 on [0, 1], spelt out because numpy.polynomial is slow to import.
 _NODES = 0.5 + 0.5 * np.array(

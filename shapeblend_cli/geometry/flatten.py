@@ -14,16 +14,16 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import FloatArray, IntArray
 
 TOLERANCE = 5e-4
-"""How far a polygon may lie from its curve, as a share of the larger side of the contour's box."""
+"""Maximum distance of a polygon from its curve, as a share of the larger side of the contour's box."""
 
 MOST_CUTS = 32
-"""Rounds of cutting; a few are enough for any curve, cusps included."""
+"""Maximum number of rounds of cutting; a few are enough for any curve, cusps included."""
 
 MOST_GROWTH = 3
-"""A segment is divided evenly by at most so many times the pieces it would get by its length."""
+"""Maximum number of even pieces of a segment, as a multiple of those that it gets by its length."""
 
 COINCIDENT = 1e-9
-"""Vertices nearer than this share of the box are one."""
+"""Maximum distance of vertices that are one, as a share of the larger side of the box."""
 
 
 def flatten(contour: Contour, vertices: int) -> Polygon:

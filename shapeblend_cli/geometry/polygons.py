@@ -13,10 +13,10 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
 NEARLY_ALL = 0.95
-"""Share of its interior that a polygon with crossings must wind round one way for that to be its orientation."""
+"""Minimum share of the interior of a polygon with crossings round which it runs one way, to have that orientation."""
 
 GRID = 24
-"""The interior is sampled at so many points along each side of the box."""
+"""Number of points along each side of the box at which the interior is sampled."""
 
 
 def signed_area(vertices: ComplexArray) -> float:

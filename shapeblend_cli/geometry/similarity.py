@@ -58,12 +58,10 @@ class Similarity(NamedTuple):
     def style(self, style: Style) -> Style:
         """Map the lengths and gradients of a style."""
         scale = abs(self.factor)
-        return style._replace(
-            stroke_width=scale * style.stroke_width,
-            stroke_dasharray=tuple(scale * length for length in style.stroke_dasharray),
-            stroke_dashoffset=scale * style.stroke_dashoffset,
+        return style.stretched(scale)._replace(
             fill_gradient=style.fill_gradient and self._gradient(style.fill_gradient),
             stroke_gradient=style.stroke_gradient and self._gradient(style.stroke_gradient),
+            pixel=style.pixel and scale * style.pixel,
         )
 
     def _gradient(self, gradient: Gradient) -> Gradient:

@@ -11,8 +11,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape, quoteattr
 
+from shapeblend_cli.inkscape.options import InkscapeOptions
 from shapeblend_cli.options.easing import NAMES as EASES
-from shapeblend_cli.options.settings import InkscapeOptions, Settings
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.system.write import check_targets, write_files
 
 if TYPE_CHECKING:

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from shapeblend_cli.errors import OptionError, OutputError
+from shapeblend_cli.job.options import RunOptions, WriteOptions, report_settings
 from shapeblend_cli.options.fields import Record
-from shapeblend_cli.options.settings import ReadOptions, RunOptions, Settings, WriteOptions, report_settings
+from shapeblend_cli.options.settings import ReadOptions, Settings
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
 from shapeblend_cli.outputs.options import OutputOptions, specify
 
 STANDARD_INPUT = "-"
 
 RECORDS: tuple[type[Record], ...] = (ReadOptions, Settings, OutputOptions, WriteOptions, RunOptions)
-"""What can be asked of a job."""
+"""Records of the options that a job takes."""
 
 
 class Job(NamedTuple):
@@ -26,7 +27,7 @@ class Job(NamedTuple):
     read: ReadOptions
     output: OutputSpec
     write: WriteOptions
-    reported: dict[str, Any]  # every option's value in force, for the report
+    reported: Callable[[], dict[str, Any]]  # gives every option's value in force, for the report
     command: tuple[str, ...]  # the command line
 
 
@@ -40,14 +41,12 @@ def job_of(files: tuple[str, ...], given: Mapping[str, Any], command: tuple[str,
         raise OptionError("--output and --report cannot both be standard output")
     if settings.mix and (write.report or write.preview or write.tries):
         raise OptionError(
-            "--report, --preview and --try are for blends from drawing to drawing, and --mix makes none"
+            "--report, --preview and --try are for blends from drawing to drawing; --mix makes mixtures"
         )
     if write.tries is not None and len(files) > 2:
         raise OptionError(f"--try applies to two files; {len(files)} given")
-    reported = report_settings(
-        read, output.settings, options.replace(**output.decided()), write, RunOptions.of(given)
-    )
-    return Job(files, read, output, write, reported, command)
+    records = read, output.settings, options, write, RunOptions.of(given)
+    return Job(files, read, output, write, lambda: report_settings(*records) | output.decided(), command)
 
 
 def check_files(files: tuple[str, ...], settings: Settings) -> None:

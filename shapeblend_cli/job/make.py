@@ -36,12 +36,12 @@ SLOW = (
 
 
 class Run:
-    """What was done in a run, with the seconds that each stage took."""
+    """What was done in a run, and how long each stage took."""
 
-    def __init__(self, pairs: list[Pair], settings: Settings, seconds: dict[str, float]) -> None:
+    def __init__(self, pairs: list[Pair], settings: Settings, clock: Clock) -> None:
         self.pairs = pairs
         self.settings = settings
-        self.seconds = seconds
+        self.clock = clock
 
     @cached_property
     def measures(self) -> list[Measures]:
@@ -124,7 +124,7 @@ def make(
     drawings = read_files(job.files, job.read, clock, note_and_keep, sources, kept)
     pairs = match_drawings(drawings, settings, clock, note_and_keep, progress, kept)
     _say_if_poor(job, pairs, note_and_keep)
-    run = Run(pairs, settings, clock.seconds)
+    run = Run(pairs, settings, clock)
     with _named(output.path):
         rendered = output.format.render(output, pairs)
     clock.lap("render")
@@ -138,7 +138,7 @@ def make(
         contents.update(output.by_target(rendered))
     if job.write.report or job.write.preview:
         found = report(
-            __version__, job.files, job.reported, pairs, run.measures, output.frame_files(), clock.seconds
+            __version__, job.files, job.reported(), pairs, run.measures, output.frame_files(), clock.seconds
         )
         if job.write.report:
             import json  # most runs write no report
@@ -163,6 +163,11 @@ def write(
     """Write what was made, all of it or nothing."""
     write_files(contents, job.write.force)
     print_text(standard_output, "; the files were written" if any(contents.values()) else "")
+    warn_of_others(job, warn)
+
+
+def warn_of_others(job: Job, warn: Callable[[str], None]) -> None:
+    """Say that there are frames of another run in the folder of a job."""
     if stale := _stale_frames(job.output):
         warn(f"{job.output.path}: {len(stale)} frame files of another run remain, {min(stale)} among them")
 

@@ -11,8 +11,8 @@ from shapeblend_cli.interpolate.stars import star_shapes
 from shapeblend_cli.job.make import SLOW, check_output, match_files, write_output
 from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.model import Box
-from shapeblend_cli.outputs.formats import views
-from shapeblend_cli.paint.names import common_page, page_for
+from shapeblend_cli.outputs.formats import page_of, views
+from shapeblend_cli.paint.names import page_for
 from shapeblend_cli.svg.writing.rounding import decimals_for
 from shapeblend_cli.svg.writing.state_document import States, states_js, states_svg
 from shapeblend_cli.system.clock import Clock
@@ -20,7 +20,8 @@ from shapeblend_cli.system.clock import Clock
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.options.settings import ReadOptions, Settings, StatesOptions
+    from shapeblend_cli.job.options import StatesOptions
+    from shapeblend_cli.options.settings import ReadOptions, Settings
 
 
 def write_states(
@@ -40,13 +41,18 @@ def write_states(
     settings = settings.replace(mix=alone, motion="linear", unmatched="point")
     pairs = match_files(files, read, settings, Clock(), note, progress)
     shown = Box.union(views(pairs))
-    page = common_page([pairs[0].pages[0], *(pair.pages[1] for pair in pairs)])
     shapes = star_shapes(pairs)
     if any(key.style.fill_gradient or key.style.stroke_gradient for shape in shapes for key in shape.keys):
         note("gradients become plain colours in states, because CSS has no transitions of gradients")
     decimals = decimals_for(views(pairs)) if options.precision is None else options.precision
     states = States(
-        shapes, names_of(files), shown, page_for(page, shown), options.duration, settings.ease, decimals
+        shapes,
+        names_of(files),
+        shown,
+        page_for(page_of(pairs), shown),
+        options.duration,
+        settings.ease,
+        decimals,
     )
     trigger = None if options.trigger == "none" else options.trigger
     text = states_js(states, element) if element else states_svg(states, trigger)

@@ -10,7 +10,7 @@ from shapeblend_cli.errors import MatchError
 from shapeblend_cli.frames.frames import frame_at, shapes_at
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.raster import winding_grid
-from shapeblend_cli.model import Box, Page
+from shapeblend_cli.model import Box
 from shapeblend_cli.motion.verdict import verdict
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.writing.document import frame_svg
@@ -35,17 +35,19 @@ WAYS: tuple[dict[str, Any], ...] = (
     {"k_b": 0.3},
     {"k_t": 0.0},
 )
-"""Settings that are tried one at a time, where they are not given."""
+"""Settings that are tried one at a time, unless they are given."""
 
 TIMES = tuple(k / 8 for k in range(9))
-"""The moments on a sheet."""
+"""Moments of a blend on a sheet."""
 
-SIDE, DIFFERENT = 48, 0.03
-"""Blends differ to the eye if at some moment they differ in this share of what they paint, on a grid of so many points
-along the larger side."""
+SIDE = 48
+"""Points along the larger side of the grid on which two blends are compared."""
+
+DIFFERENT = 0.03
+"""Minimum difference of two blends that the eye sees at some moment, as a share of what they paint."""
 
 LARGER_SIDE = 96.0
-"""Of a picture on a sheet, in pixels."""
+"""Larger side of a picture on a sheet, in pixels."""
 
 
 class Try(NamedTuple):
@@ -89,7 +91,7 @@ def moments(pair: Pair, *, as_drawn: bool) -> list[str]:
     frames = [frame_at(pair, t, as_drawn=as_drawn) for t in TIMES]
     view = Box.union([frame.view for frame in frames])
     decimals = decimals_for([view])
-    return [frame_svg(frame._replace(view=view, page=Page()), decimals) for frame in frames]
+    return [frame_svg(frame.picture._replace(view=view), decimals) for frame in frames]
 
 
 def size_on_sheet(view: Box) -> tuple[float, float]:

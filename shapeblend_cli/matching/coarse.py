@@ -30,10 +30,10 @@ if TYPE_CHECKING:
     Dot = tuple[int, int]
 
 FACTOR = 3
-"""How many vertices become one."""
+"""Number of vertices that become one."""
 
 PADS = (16, 24, 32, 48, 64, 96, 128, 192, 256)
-"""How far a corridor reaches beyond what coarse paths cover, in vertices to all sides: as far as there is room for."""
+"""Widths of the margin of a corridor around coarse paths, in vertices to all sides: the largest with room is taken."""
 
 FOLLOWED = (
     (0.4, 1 / 16),
@@ -44,22 +44,26 @@ FOLLOWED = (
     (0.01, 1 / 128),
     (0.0, 0.0),
 )
-"""Which coarse paths are followed: the share of the best one's work that they may take more, and how far from its start
-they may start, as a share of the vertices. The first for which there is room."""
+"""Coarse paths to follow: maximum extra work, as a share of the best path's, and maximum distance from its start, as a
+share of the vertices. The first with room is taken."""
 
-CORRIDOR_DOTS, CORRIDOR_ROWS = 1_500_000, 120
-"""Room for a corridor: so many dots, or so many rows a column if that is more."""
+CORRIDOR_DOTS = 1_500_000
+"""Maximum size of a corridor, in dots."""
+
+CORRIDOR_ROWS = 120
+"""Maximum size of a corridor, in rows a column, if that is more."""
 
 MOST_WIDENINGS = 6
+"""Maximum number of times that a corridor is searched."""
 
 CORNER = 0.35
-"""A vertex whose angle is this far from straight, in radians, is a corner."""
+"""Minimum turn of a corner, in radians."""
 
 COARSEST_DOTS = 600_000
-"""Problems of up to so many dots are not thinned out further."""
+"""Maximum size of a problem that is not thinned out further, in dots."""
 
 LEAST_VERTICES = 100
-"""A polygon of up to so many vertices is not thinned out, however many the other one has."""
+"""Maximum number of vertices of a polygon that is not thinned out, however many the other polygon has."""
 
 
 class Problem(NamedTuple):
@@ -242,7 +246,7 @@ def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> FloatArray:
         return np.arange(m, dtype=np.float64)
     runs = -(-m // FACTOR)
     padded = np.zeros(runs * FACTOR)
-    padded[:m] = Corners(vertices, closed).sharpness()
+    padded[:m] = np.abs(Corners(vertices, closed).turn)
     sharp = np.arange(runs) * FACTOR + padded.reshape(runs, FACTOR).argmax(axis=1)
     fixed = set(sharp[padded[sharp] > CORNER].tolist()) | keep | {0}
     if not closed:

@@ -19,20 +19,24 @@ if TYPE_CHECKING:
 Dots = list[tuple[int, int]]
 
 ROUNDING = 1e-12
-"""Sums of work taken in another order differ by less than this share of them."""
+"""Maximum difference of sums of work taken in another order, as a share of them."""
 
 STORED_DOTS = 12_000_000
-"""Tables of more dots than these, about a gigabyte, are made block by block in every sweep."""
+"""Maximum number of dots whose tables are kept, about a gigabyte; larger tables are made in blocks for every sweep."""
 
 BLOCK_DOTS = 1_000_000
+"""Maximum number of dots of such a block."""
 
 BOUND_DOTS = 100_000
-"""Up to so many dots tables of the whole graph are made for a lower bound alone."""
+"""Maximum number of dots whose tables are made for a lower bound alone."""
 
 NOT_KEPT = np.empty(0, np.uint8)
 
-PRICED, FIRST_SWEPT = 0.5, 0.6
-"""Shares of a usual search that are done when the tables are, and when the first pass is."""
+PRICED = 0.5
+"""Share of a usual search that is done when the tables are."""
+
+FIRST_SWEPT = 0.6
+"""Share of a usual search that is done when the first pass is."""
 
 
 class Path(NamedTuple):

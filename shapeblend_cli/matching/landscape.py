@@ -20,7 +20,6 @@ from shapeblend_cli.matching.steps import (
     SOUTH,
     SOUTHEAST,
     STEPS,
-    paired_step,
 )
 from shapeblend_cli.matching.sweeps import cost_to_go
 from shapeblend_cli.matching.tables import Tables, Terminals, Window
@@ -46,7 +45,7 @@ class Landscape(NamedTuple):
     step : (columns, rows) uint8
         The step that leads to the dot on that path.
     before : (columns, rows) uint8
-        For each step out of the dot, the step in that costs least, see `steps.paired_step`.
+        For each step out of the dot, the step in that costs least, as in `Progress.parents`.
     after : (columns, rows) uint8
         For each step into the dot, the step out that costs least.
     """
@@ -56,36 +55,6 @@ class Landscape(NamedTuple):
     step: UIntArray
     before: UIntArray
     after: UIntArray
-
-    def path_through(self, column: int, row: int) -> IntArray:
-        """Follow the least path through a dot.
-
-        Returns
-        -------
-        (k, 2) int
-            Columns and rows from the start to the end, both included.
-
-        Raises
-        ------
-        ValueError
-            No path goes through the dot.
-        """
-        if not np.isfinite(self.works[column, row]):
-            raise ValueError(f"no path goes through dot {column},{row}")
-        end = np.array(self.works.shape) - 1
-        dot, step = np.array([column, row]), int(self.step[column, row])
-        back = []
-        while dot.any():
-            back.append(dot)
-            dot = dot - MOVES[step]
-            step = paired_step(self.before[tuple(dot)], step)
-        path = [dot, *reversed(back)]
-        dot, step = np.array([column, row]), int(self.step[column, row])
-        while (dot != end).any():
-            step = paired_step(self.after[tuple(dot)], step)
-            dot = dot + MOVES[step]
-            path.append(dot)
-        return np.array(path)
 
 
 def landscape(wires: Wires, dots: IntArray, band: float | None = None) -> Landscape:

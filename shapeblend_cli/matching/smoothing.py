@@ -18,9 +18,12 @@ except ImportError:  # Cython is needed to build, not to run
     from shapeblend_cli import _cython as cython
 
 if cython.compiled:
+    from cython.cimports.cpython.exc import PyErr_CheckSignals as look_for_signals
     from cython.cimports.libc.math import erfc, exp, fabs
 else:
     from math import erfc, exp, fabs
+
+    from shapeblend_cli._cython import look_for_signals
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray
@@ -28,10 +31,10 @@ if TYPE_CHECKING:
 COMPILED = cython.compiled
 
 REACH = cython.declare(cython.double, 7.0)
-"""How far a corner is felt, in standard deviations: beyond, it moves nothing by more than rounding does."""
+"""Maximum distance at which a corner is felt, in standard deviations: beyond, it moves less than rounding does."""
 
 OUTLINE = 1e-3
-"""The share of the outline itself that is left in, so that neighbours stay distinct."""
+"""Share of the outline itself in the smoothed one, so that neighbours stay distinct."""
 
 ROOT_HALF = cython.declare(cython.double, 0.5**0.5)
 ROOT_TWO_PI = cython.declare(cython.double, 2.5066282746310002)
@@ -92,6 +95,8 @@ def _add_moves(
     vertex: cython.Py_ssize_t
     reach: cython.double = REACH * sigma
     for vertex in range(at.shape[0]):
+        if vertex % 64 == 0:
+            look_for_signals()
         while corners[first] < at[vertex] - reach:
             first += 1
         corner = first

@@ -23,7 +23,7 @@ COMPILED: bool = angles.COMPILED
 """Whether the kernels were compiled; uncompiled they give the same results, far slower."""
 
 EXACT_DOTS = {"exact": np.inf, "auto": 2_500_000, "fast": 40_000}
-"""Up to how many dots, m n, the search is exact, by effort; beyond that it goes from coarse to fine."""
+"""Maximum size of a graph, m n in dots, that is searched exactly, by effort; larger ones go from coarse to fine."""
 
 
 class Search(NamedTuple):
@@ -132,7 +132,7 @@ def _first_dot(wires: Wires, search: Search, pins: Sequence[Dot]) -> Dot:
         return 0, 0
     if pins:
         return pins[0]
-    i = int(wires.corners0.sharpness().argmax())
+    i = int(np.abs(wires.corners0.turn).argmax())
     return i, int(search.near[i]) if search.near is not None else 0
 
 

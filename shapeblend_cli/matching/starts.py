@@ -19,22 +19,18 @@ still matter. Where the tables would not fit into memory there is no first pass.
 from __future__ import annotations
 
 import heapq
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from shapeblend_cli.matching.graph import FIRST_SWEPT, ROUNDING, Graph, Path, Starts
 from shapeblend_cli.matching.steps import ENTERING, SOUTHEAST, STEPS
 
-if TYPE_CHECKING:
-    pass
-
 SLACKS = (0.02, 0.2)
-"""How far above its lower bound a first closed path is looked for, as a share, before it is looked for anywhere."""
+"""Shares above its lower bound within which a first closed path is looked for, before it is looked for anywhere."""
 
 
 KNOWN = 1e-9
-"""A work that is known may be off by so much, or by so large a share: it was added up in another order."""
+"""Maximum error of a known work, in units of work or as a share of it: it was added up in another order."""
 
 
 def least_from(graph: Graph) -> Path | None:

@@ -21,12 +21,7 @@ BENDS = EE, ED, DE, SS, SD, DS, DD = (0, 1, 2, 3, 4, 5, 6)
 
 NO_BEND = -1
 BEND_OF_STEPS = np.array([[EE, NO_BEND, ED], [NO_BEND, SS, SD], [DE, DS, DD]])
-"""The bend by the step into a dot and the step out of it. Turns of 90 degrees are none: section 4 forbids them."""
+"""The bend by the step into a dot and the step out of it. Section 4 forbids turns of 90 degrees."""
 
 MIRRORED_BENDS = (EE, DE, ED, SS, DS, SD, DD)
 """The bends when a path is followed backwards."""
-
-
-def paired_step(byte: int, step: int) -> int:
-    """Return the step on the other side of a dot, of which a byte has one for each step: two bits, East lowest."""
-    return int(byte) >> 2 * step & 3

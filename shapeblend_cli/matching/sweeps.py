@@ -22,7 +22,7 @@ Departures
   never charge the angle there. Here a path starts in a *state*, a dot together with the step that led
   to it, and a closed path has to end in the state it started from.
 * No back-pointers are followed per step direction: one byte a dot says, for each of the three
-  steps out of it, which step in costs least, see `steps.paired_step`.
+  steps out of it, which step in costs least.
 """
 
 from __future__ import annotations
@@ -35,6 +35,11 @@ try:
     import cython
 except ImportError:  # Cython is needed to build, not to run
     from shapeblend_cli import _cython as cython
+
+if cython.compiled:
+    from cython.cimports.cpython.exc import PyErr_CheckSignals as look_for_signals
+else:
+    from shapeblend_cli._cython import look_for_signals
 
 if TYPE_CHECKING:
     from shapeblend_cli.matching.tables import Bounds, Progress, Tables, Terminals, Window
@@ -69,7 +74,7 @@ def cost_to_go(
         Overwritten: the work from a dot onwards, the bend at the dot included, by the step that led to
         it. Infinite where no path leads to an end.
     following : (dots,) uint8, or empty
-        Overwritten: for each step into a dot, the step out that costs least, see `steps.paired_step`.
+        Overwritten: for each step into a dot, the step out that costs least, as in `Progress.parents`.
     """
     east: cython.double[::1] = tables.east
     south: cython.double[::1] = tables.south
@@ -97,6 +102,8 @@ def cost_to_go(
     cython.declare(after_e=cython.int, after_s=cython.int, after_d=cython.int)
 
     for c in range(last_column, -1, -1):
+        if c % 8 == 0:
+            look_for_signals()
         i = c % m
         r = high[c]
         j = r % n
@@ -223,6 +230,8 @@ def sweep(
     g: cython.Py_ssize_t = 0
 
     for c in range(column, last_column + 1):
+        if c % 8 == 0:
+            look_for_signals()
         i = (c - first_column) % m
         current = 2 - previous
         new_first = -1

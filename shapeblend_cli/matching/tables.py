@@ -1,4 +1,4 @@
-"""What sweeps through a graph take: windows, the work of steps and bends, where paths begin and end, and bounds.
+"""Arguments of sweeps through a graph: windows, the work of steps and bends, ends of paths, and bounds.
 
 `columns`, `rows` and `dots` in the shapes of arrays are those of a window.
 """
@@ -113,7 +113,7 @@ class Progress:
     leaving : (4, rows) float
         Work of leaving each dot by East, and by Southeast: those of the previous column from row `current` on.
     parents : (dots,) uint8
-        For each step out of a dot, the step in that costs least, see `steps.paired_step`.
+        For each step out of a dot, the step in that costs least: two bits each, East lowest.
     visited : (columns, 2) int
         First and last row of each column that paths can reach.
     ends : (rows, 3) float

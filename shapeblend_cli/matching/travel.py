@@ -23,6 +23,11 @@ try:
 except ImportError:  # Cython is needed to build, not to run
     from shapeblend_cli import _cython as cython
 
+if cython.compiled:
+    from cython.cimports.cpython.exc import PyErr_CheckSignals as look_for_signals
+else:
+    from shapeblend_cli._cython import look_for_signals
+
 if TYPE_CHECKING:
     from shapeblend_cli.matching.tables import Window
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
@@ -34,7 +39,7 @@ cython.declare(SD=cython.int, DS=cython.int, DD=cython.int)
 EE, ED, DE, SS, SD, DS, DD = steps.BENDS
 
 FLAT = 0.02
-"""A box is at least this high for its width, and as wide for its height."""
+"""Minimum height of a box, as a share of its width, and the other way round."""
 
 
 def places(vertices: ComplexArray) -> ComplexArray:
@@ -87,6 +92,8 @@ def add_travel(
     j: cython.Py_ssize_t
     k: cython.Py_ssize_t
     for c in range(vertices.shape[0]):
+        if c % 8 == 0:
+            look_for_signals()
         i = vertices[c]
         j = low[c] % n
         x, y = p.place[i].real, p.place[i].imag

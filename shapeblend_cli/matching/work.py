@@ -8,7 +8,7 @@ first and is axis 0 of every table, `j` runs over the second and is axis 1; figu
 The paper's text calls eq (17) "equation 18".
 
 Departures: the paper's work is stretching, and bending along straight vertex paths. By default bending is by turning
-(`angles.TurnBending`), most of it is taken on smoothed outlines (`smoothing`), and points pay for their way (`travel`).
+(`angles.Bending`), most of it is taken on smoothed outlines (`smoothing`), and points pay for their way (`travel`).
 The constants of a preset leave all of that out.
 """
 
@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.matching.angles import Corners, PaperBending, TurnBending, fill_bends
+from shapeblend_cli.matching.angles import Bending, Corners, fill_bends
 from shapeblend_cli.matching.smoothing import smoothed
 from shapeblend_cli.matching.steps import BEND_OF_STEPS, NO_BEND
 from shapeblend_cli.matching.tables import Tables, Window
@@ -35,11 +35,10 @@ if TYPE_CHECKING:
     AddWork = Callable[[IntArray, Window, FloatArray], None]
 
 STRETCHING_DOTS = 1 << 18
-"""Stretching work is computed for so many dots at once: few enough to stay in the cache."""
-
+"""Number of dots whose stretching work is computed at once: few enough to stay in the cache."""
 
 SMOOTH_SHARE = 0.7
-"""The share of bending that is taken on smoothed outlines, where they are: the outlines themselves have the corners."""
+"""Share of bending that is measured on smoothed outlines, if they are smoothed; the outlines have the corners."""
 
 
 def edge_lengths(vertices: ComplexArray, closed: bool) -> FloatArray:
@@ -244,10 +243,8 @@ class Wires:
         window: Window,
         bends: FloatArray,
     ) -> None:
-        c = self.constants
-        e_b = c.e_b if k_b else 1.0  # a large power may be infinite, and zero times that is no number
-        kind = PaperBending(k_b, c.m_b, e_b, p_b) if c.bending == "paper" else TurnBending(k_b, e_b, p_b)
-        fill_bends(*corners, kind, columns, self.weight[columns], window, bends)
+        bending = Bending(self.constants, k_b, p_b)
+        fill_bends(*corners, bending, columns, self.weight[columns], window, bends)
 
     def _add_travel(self, columns: IntArray, window: Window, bends: FloatArray) -> None:
         if self.constants.k_t:

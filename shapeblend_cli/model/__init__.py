@@ -374,3 +374,14 @@ class Frame(NamedTuple):
     shapes: tuple[PaintedShape, ...]  # in paint order
     view: Box  # the part of the plane to show
     page: Page = Page()
+
+    @property
+    def picture(self) -> Frame:
+        """The frame to show at any size, with strokes as at the drawings' own."""
+        shapes = [
+            shape._replace(
+                style=shape.style._replace(pixel=None), below=shape.below and shape.below._replace(pixel=None)
+            )
+            for shape in self.shapes
+        ]
+        return self._replace(shapes=tuple(shapes), page=Page())

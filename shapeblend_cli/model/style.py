@@ -68,6 +68,17 @@ class Style(NamedTuple):
     stroke_dashoffset: float = 0.0
     fill_gradient: Gradient | None = None
     stroke_gradient: Gradient | None = None
+    pixel: float | None = (
+        None  # of the screen, at the drawing's own size; None for a stroke that scales with it
+    )
+
+    def stretched(self, scale: float) -> Style:
+        """The style with the lengths of its stroke multiplied."""
+        return self._replace(
+            stroke_width=scale * self.stroke_width,
+            stroke_dasharray=tuple(scale * length for length in self.stroke_dasharray),
+            stroke_dashoffset=scale * self.stroke_dashoffset,
+        )
 
     @property
     def reach(self) -> float:

@@ -11,7 +11,7 @@ from shapeblend_cli.options.types import choice, number
 WIRE = "The wire"
 
 PAPER_DEFAULTS = {"k_s": 1.0, "p_b": 1000.0}
-"""Defaults that are others where bending is the paper's."""
+"""Defaults that change with the paper's bending."""
 
 NOT_NEGATIVE, POSITIVE = number(0), number(0, above=True)
 
@@ -51,8 +51,8 @@ class WorkConstants(Record, section=WIRE):
     bending: str = option(
         choice("turn", "paper"),
         default="turn",
-        help="What bending costs. turn: how much more or less the wire turns; paper: how its angle changes along "
-        "straight vertex paths, equation 17.",
+        help="Measure of bending. turn: the change in how far the wire turns; paper: the change of its angle along "
+        "straight vertex paths (equation 17).",
     )
     k_t: float = option(
         NOT_NEGATIVE,
@@ -63,7 +63,7 @@ class WorkConstants(Record, section=WIRE):
     smoothing: float = option(
         number(0, 0.1),
         default=0.01,
-        help="Scale of bending: how far outlines are smoothed before most of it is measured, as a share of their "
+        help="Scale of bending: most of it is measured on outlines that are smoothed this far, as a share of their "
         "length.",
     )
 
@@ -73,7 +73,7 @@ class WorkConstants(Record, section=WIRE):
 
 
 PAPER: dict[str, Any] = {"bending": "paper", "k_t": 0.0, "smoothing": 0.0}
-"""The paper's model of work, and nothing else."""
+"""Settings that leave only the paper's model of work."""
 
 TABLE_1 = ("k_s", "k_b", "e_s", "e_b", "p_b", "m_b", "c_s", "band")
 """The columns of table 1; the last is the diagonal deviation dd."""

@@ -7,6 +7,7 @@ tables of docs/options.md.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import cached_property, lru_cache
 from typing import Any, ClassVar, NamedTuple, Self, dataclass_transform
 
 from shapeblend_cli.options.types import FieldType
@@ -74,7 +75,7 @@ class Record:
     """A value whose fields are declared by `option`. It is checked when it is made, and never changes."""
 
     options: ClassVar[dict[str, Option]] = {}
-    _given: dict[str, Any]
+    given: dict[str, Any]  # as it was given
 
     def __init_subclass__(cls, section: str = "") -> None:
         own = {name: o.named(name, section) for name, o in vars(cls).items() if isinstance(o, Option)}
@@ -89,7 +90,7 @@ class Record:
             raise TypeError(f"{type(self).__name__} has no field {min(unknown)}; its fields are {fields}")
         given = {name: value for name, value in given.items() if value is not None}
         values = {name: self.options[name].checked(value) for name, value in given.items()}
-        self.__dict__.update(self._defaults(values) | values, _given=given)
+        self.__dict__.update(self._defaults(values) | values, given=given)
 
     def _defaults(self, given: Mapping[str, Any]) -> dict[str, Any]:
         """Return all defaults; they may depend on what is given."""
@@ -97,16 +98,31 @@ class Record:
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Self:
-        """Make a record of those of some values that it has a field for."""
-        return cls(**{name: values[name] for name in cls.options if name in values})
+        """Return a record of those of some values that it has a field for; the values are in their canonical form."""
+        given = tuple((name, values[name]) for name in cls.options if name in values)
+        try:
+            return cls._made(given)
+        except TypeError:  # a list is not in its canonical form
+            return cls(**dict(given))
+
+    @classmethod
+    @lru_cache(maxsize=256)
+    def _made(cls, given: tuple[tuple[str, Any], ...]) -> Self:
+        """Make a record. The jobs of a batch ask for few different ones."""
+        return cls(**dict(given))
+
+    @cached_property
+    def listed(self) -> dict[str, Any]:
+        """The values as JSON has them, by the keys of their fields."""
+        return {option.key: _plain(getattr(self, name)) for name, option in self.options.items()}
 
     def is_given(self, name: str) -> bool:
         """Return whether a field was given a value."""
-        return name in self._given
+        return name in self.given
 
     def replace(self, **changes: Any) -> Self:
         """Return a record with other values in some fields; None stands for the default."""
-        return type(self)(**self._given | changes)
+        return type(self)(**self.given | changes)
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"{type(self).__name__} is frozen; replace({name}=...) makes a changed copy")
@@ -121,5 +137,14 @@ class Record:
         return hash(self._values())
 
     def __repr__(self) -> str:
-        given = (f"{name}={getattr(self, name)!r}" for name in self.options if name in self._given)
+        given = (f"{name}={getattr(self, name)!r}" for name in self.options if name in self.given)
         return f"{type(self).__name__}({', '.join(given)})"
+
+
+def _plain(value: Any) -> Any:
+    """Return a value as JSON has it."""
+    if isinstance(value, complex):
+        return [value.real, value.imag]
+    if isinstance(value, tuple):
+        return [_plain(one) for one in value] if type(value) is tuple else str(value)
+    return value

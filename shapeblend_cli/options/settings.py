@@ -9,11 +9,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from shapeblend_cli.errors import OptionError
-from shapeblend_cli.options import types as types
+from shapeblend_cli.options import types
 from shapeblend_cli.options.constants import PRESETS, WIRE, WorkConstants
 from shapeblend_cli.options.easing import LINEAR, Ease
 from shapeblend_cli.options.fields import Record, option
-from shapeblend_cli.options.triggers import Trigger
 
 Vertices = tuple[int, int] | tuple[complex, complex]
 Contours = tuple[str, str] | tuple[complex, complex]
@@ -44,7 +43,7 @@ SECTIONS = (
     PICTURES,
     OTHER,
 )
-"""The order in which help lists options."""
+"""Order of the sections of options in help."""
 
 
 class ReadOptions(Record, section=SHAPES):
@@ -70,7 +69,8 @@ class ReadOptions(Record, section=SHAPES):
         return self.select_a, *[self.select_b] * (files - 1)
 
 
-ABOUT_TWO_DRAWINGS = ("start", "pins", "match", "stiff")  # settings that name places of A and of B
+ABOUT_TWO_DRAWINGS = ("start", "pins", "match", "stiff")
+"""Settings that name places of A and of B."""
 
 
 class Settings(WorkConstants, section=CORRESPONDENCE):
@@ -127,7 +127,7 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         default=(),
         many=True,
         flags=("--pin",),
-        help="Vertices that must correspond: by number, or the ones nearest to a point of A and a point of B.",
+        help="Vertices that must correspond: by number, or the vertices nearest to a point of A and a point of B.",
     )
     mix: tuple[tuple[float, ...], ...] = option(
         types.MIX,
@@ -154,8 +154,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         default=(),
         many=True,
         section=SHAPES,
-        help="Contours that become each other: a number or an id of A, and one of B; or a point of A and a point of "
-        "B. A point chooses the innermost contour around it or, if there is none, the nearest.",
+        help="Pair two contours: a number or an id of A with a number or an id of B, or a point of A with a point of "
+        "B. A point chooses the innermost contour around it or, if there is none, the nearest contour.",
     )
     unmatched: str = option(
         types.choice("auto", "point", "split"),
@@ -187,8 +187,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         types.choice(*PRESETS),
         default=None,
         section=WIRE,
-        help="paper: only the paper's work, as with --bending paper --kt 0 --smoothing 0; the others: also the "
-        "constants and the band of a row of its table 1. Other options given with it take precedence.",
+        help="paper: the paper's work alone, as with --bending paper --kt 0 --smoothing 0; fig1 and so on: also the "
+        "constants and the band of that figure in the paper's table 1. Options that are given too take precedence.",
     )
     motion: str = option(
         types.choice("auto", "linear", "rigid", "intrinsic"),
@@ -209,8 +209,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         types.choice("auto", "keep", "grow"),
         default="auto",
         section=IN_BETWEENS,
-        help="What frames show. keep: the drawings' viewBoxes; grow: also what is outside them; auto: keep, unless "
-        "something clearly visible would leave them on the way.",
+        help="Part of the plane that frames show. keep: the drawings' viewBoxes; grow: also shapes outside of them; "
+        "auto: keep, unless something clearly visible would leave them on the way.",
     )
     style: str = option(
         types.choice("blend", "a", "b"),
@@ -230,7 +230,7 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         types.number(0.0, 0.95),
         default=0.0,
         section=IN_BETWEENS,
-        help="Start shapes one after the other. X is how late the last one starts, as a share of the time.",
+        help="Start shapes one after the other. X is the start of the last shape, as a share of the time.",
         default_text="0, all at once",
     )
     stagger_by: str = option(
@@ -261,11 +261,11 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         for weights in self.mix:
             if len(weights) != count:
                 shown = ",".join(f"{weight:g}" for weight in weights)
-                raise OptionError(f"--mix {shown} is of {len(weights)} files; {count} given")
+                raise OptionError(f"--mix {shown} has {len(weights)} shares; {count} files given")
         if self.is_given("stagger_by") and not self.stagger:
             raise OptionError("--stagger-by sets the order of --stagger, and needs it")
         if self.stagger and self.mix:
-            raise OptionError("--stagger is for blends from drawing to drawing, and --mix makes none")
+            raise OptionError("--stagger is for blends from drawing to drawing; --mix makes mixtures")
         if self.times and count > 2:
             raise OptionError(f"--times applies to two files; {count} given")
         if self.times and (self.is_given("frames") or self.ends or self.mix):
@@ -292,298 +292,3 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
     def constants(self) -> WorkConstants:
         """The constants of the wire alone."""
         return WorkConstants.of(vars(self))
-
-
-class WriteOptions(Record, section=OUTPUT):
-    """Which files a run writes."""
-
-    force: bool = option(types.FLAG, default=False, flags=("-f", "--force"), help="Replace existing files.")
-    report: str | None = option(
-        types.file(),
-        default=None,
-        help="Write the correspondence, its work, and measurements of the frames as JSON; - for standard output.",
-    )
-    preview: str | None = option(
-        types.file(".htm", ".html"),
-        default=None,
-        metavar="FILE.html",
-        help="Write a web page that shows the blend, its correspondence and its graph.",
-    )
-    tries: str | None = option(
-        types.file(".svg"),
-        default=None,
-        flags=("--try",),
-        metavar="FILE.svg",
-        help="Write a sheet of other blends of two drawings, to choose from by eye. Each has the options that give "
-        "it, and a number for how wrong it looks to the judge; 0 is perfect.",
-    )
-    fail_on: str = option(
-        types.choice("never", "poor"),
-        default="never",
-        help="poor: fail, and write nothing, if even the best in-betweens look poor to the judge.",
-    )
-
-
-class InspectOptions(Record, section=OUTPUT):
-    """What `inspect` writes."""
-
-    picture: str | None = option(
-        types.file(".svg"),
-        default=None,
-        metavar="FILE.svg",
-        help="Draw the shapes with the numbers of their contours, which --match takes.",
-    )
-    force: bool = option(types.FLAG, default=False, flags=("-f", "--force"), help="Replace an existing file.")
-
-
-class PlotOptions(Record, section=PLOT):
-    """What is drawn, and where to."""
-
-    output: str | None = option(
-        types.file(),
-        default=None,
-        flags=("-o", "--output"),
-        help="The SVG file to write; - for standard output.",
-        default_text="KIND.svg",
-    )
-    force: bool = option(types.FLAG, default=False, flags=("-f", "--force"), help="Replace an existing file.")
-    contour: int | None = option(
-        types.whole(0),
-        default=None,
-        metavar="K",
-        help="A contour of A, by its number in the report.",
-        default_text="the largest that is matched",
-    )
-    dot: tuple[int, int] | None = option(
-        types.START,
-        default=None,
-        metavar="I,J",
-        help="For angle: vertex I of A and vertex J of B, which correspond.",
-        default_text="the dot with the most bending work; 0",
-    )
-
-
-class BatchOptions(Record, section=BATCH):
-    """Which jobs a batch has, and how they are done."""
-
-    pairs: tuple[str, str] | None = option(
-        types.FOLDERS,
-        default=None,
-        help="Blend each drawing in FROM, or in a folder inside it, into the one with the same name in TO.",
-    )
-    chain: str | None = option(
-        types.file(),
-        default=None,
-        metavar="'*.svg'",
-        help="Blend each of these drawings, or of those in a folder, into the next one, 9.svg before 10.svg.",
-    )
-    every_two: str | None = option(
-        types.file(),
-        default=None,
-        key="all",
-        metavar="FOLDER",
-        help="Blend every two drawings of a folder, or of a pattern in quotes.",
-    )
-    jobs: int | None = option(
-        types.whole(1, 1024),
-        default=None,
-        flags=("-j", "--jobs"),
-        help="Number of jobs done at a time.",
-        default_text="the number of processors",
-    )
-    results: str | None = option(
-        types.file(),
-        default=None,
-        metavar="FILE.jsonl",
-        help="Write a line of JSON for each job as it ends; - for standard output.",
-    )
-    fail_fast: bool = option(
-        types.FLAG, default=False, help="Start no further jobs after one that fails, instead of going on."
-    )
-    dry_run: bool = option(
-        types.FLAG, default=False, help="Print what would be done, and why, and do nothing."
-    )
-    why: bool = option(types.FLAG, default=False, help="Say for each job why it is done.")
-    watch: bool = option(
-        types.FLAG,
-        default=False,
-        help="Keep running, and do jobs again when their drawings or the manifest change.",
-    )
-    shard: tuple[int, int] | None = option(
-        types.SHARD,
-        default=None,
-        help="Do the Kth of N parts of the batch, to share it between N machines.",
-    )
-    cluster: str | None = option(
-        types.ADDRESS,
-        default=None,
-        help="Let the workers of a dask scheduler do the jobs. Drawings and outputs are sent; no shared folder is "
-        "needed.",
-    )
-
-
-class RankOptions(Record, section=RANK):
-    """How drawings are ranked, and what is printed and written."""
-
-    by: str = option(
-        types.choice("looks", "work"),
-        default="looks",
-        help="What comes first. looks: the blend that looks least wrong to the judge; work: the one with the least "
-        "work.",
-    )
-    top: int | None = option(types.whole(1), default=None, help="List only the first N.", default_text="all")
-    as_json: bool = option(
-        types.FLAG, default=False, key="json", help="Print a line of JSON for each drawing, for programs."
-    )
-    sheet: str | None = option(
-        types.file(".svg"),
-        default=None,
-        metavar="FILE.svg",
-        help="Write a contact sheet: a row of in-betweens for each drawing that is listed.",
-    )
-    force: bool = option(
-        types.FLAG, default=False, flags=("-f", "--force"), help="Replace an existing sheet."
-    )
-    jobs: int | None = option(
-        types.whole(1, 1024),
-        default=None,
-        flags=("-j", "--jobs"),
-        help="Number of blends made at a time.",
-        default_text="the number of processors",
-    )
-
-
-class StudioOptions(Record, section=STUDIO):
-    """How the studio is opened."""
-
-    port: int | None = option(
-        types.whole(1, 65_535), default=None, help="Port of the page.", default_text="a free one"
-    )
-    open: bool = option(
-        types.FLAG,
-        default=True,
-        flags=("--open/--no-open",),
-        help="Open the page in the browser, or only print its address.",
-        default_text="open, if there is a screen",
-    )
-
-
-class StatesOptions(Record, section=STATES):
-    """What a drawing of several states is."""
-
-    output: str = option(
-        types.file(".svg", ".js", "-"),
-        default="states.svg",
-        flags=("-o", "--output"),
-        metavar="FILE",
-        help="An SVG, or a JavaScript module (.js) with a custom element for web pages; - for an SVG on standard "
-        "output.",
-    )
-    force: bool = option(types.FLAG, default=False, flags=("-f", "--force"), help="Replace an existing file.")
-    trigger: str = option(
-        types.choice("none", "click", "hover"),
-        default="none",
-        help="What changes the state of an SVG. none: only the page around it; click: a click, Enter or Space moves "
-        "on to the next state; hover: the second state is shown while the pointer is on it or it has the keyboard's "
-        "focus. A custom element has the attribute trigger for this.",
-    )
-    duration: float = option(
-        types.number(0.0, 3600.0), default=0.3, metavar="S", help="Seconds from one state to another."
-    )
-    element: str | None = option(
-        types.ELEMENT,
-        default=None,
-        metavar="NAME",
-        help="Name of the custom element, with a hyphen in it.",
-        default_text="the name of the file, with -states",
-    )
-    precision: int | None = option(
-        types.whole(0, 10),
-        default=None,
-        help="Decimal places of coordinates.",
-        default_text="by the size of the drawings",
-    )
-
-
-class InkscapeOptions(Record, section=INKSCAPE):
-    """What is blended in a document of Inkscape, and what becomes of it."""
-
-    ids: tuple[str, ...] = option(
-        types.TEXT,
-        default=(),
-        many=True,
-        flags=("--id",),
-        metavar="ID",
-        help="Id of a selected object. The lowest object in the document comes first.",
-    )
-    frames_as: str = option(
-        types.choice("group", "layers"),
-        default="group",
-        key="as",
-        help="Put the in-betweens into one group right above the lower object, or each into a layer.",
-    )
-
-
-class InstallOptions(Record, section=INKSCAPE):
-    """Where the extension goes."""
-
-    folder: str | None = option(
-        types.file(),
-        default=None,
-        metavar="FOLDER",
-        help="Where Inkscape looks for extensions.",
-        default_text="the one that Inkscape names, or else the usual one",
-    )
-
-
-class RunOptions(Record, section=OTHER):
-    """How long a command may take."""
-
-    timeout: float | None = option(
-        types.number(0.0, 1e6, above=True),
-        default=None,
-        metavar="S",
-        help="Stop after S seconds, with an error and with nothing written.",
-        default_text="none",
-    )
-
-
-class TerminalOptions(Record, section=OTHER):
-    """What a command prints."""
-
-    quiet: bool = option(
-        types.FLAG,
-        default=False,
-        flags=("-q", "--quiet"),
-        help="Print only errors, and a line if frame files of another run remain.",
-    )
-    verbose: bool = option(
-        types.FLAG,
-        default=False,
-        flags=("-v", "--verbose"),
-        help="Print what was done, and how long it took.",
-    )
-
-
-REPORTED = (
-    "frames ends output emit force select_a select_b lenient place vertices start pins reverse stiff match unmatched "
-    "solver band effort preset ks kb es eb pb mb cs bending kt smoothing motion viewbox style curves precision animate "
-    "duration ease repeat format width columns background fps report preview"
-)
-"""The order of the settings in reports of format 1; any others follow."""
-
-
-def report_settings(*records: Record) -> dict[str, Any]:
-    """Return the values of records as the report lists them."""
-    values = {o.key: _plain(getattr(record, o.name)) for record in records for o in record.options.values()}
-    values["start"] = values["start"] or "auto"
-    return {key: values[key] for key in (*REPORTED.split(), *values) if key in values}
-
-
-def _plain(value: Any) -> Any:
-    """Return a value as JSON has it."""
-    if isinstance(value, complex):
-        return [value.real, value.imag]
-    if isinstance(value, tuple):
-        return str(value) if isinstance(value, Ease | Trigger) else [_plain(one) for one in value]
-    return value

@@ -19,7 +19,7 @@ OPPOSITES = {
     "touchstart": "touchend",
     "keydown": "keyup",
 }
-"""Events that come with another one, which brings back what they set off."""
+"""Events that start an animation, and the events that take it back."""
 
 _EVENT = re.compile(r"([^\s.;,'\"<>&]+)\.([A-Za-z][A-Za-z0-9-]*)")
 

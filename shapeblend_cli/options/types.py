@@ -82,6 +82,17 @@ def file(*suffixes: str) -> FieldType:
     return FieldType(f"a file name{ending}", canonical, "FILE", is_file=True)
 
 
+def text(expected: str, pattern: str, metavar: str) -> FieldType:
+    """Text of a form."""
+
+    def canonical(value: Any) -> str:
+        if not isinstance(value, str) or re.fullmatch(pattern, value) is None:
+            raise ValueError
+        return value
+
+    return FieldType(expected, canonical, metavar)
+
+
 def _flag(value: Any) -> bool:
     if not isinstance(value, bool):
         raise TypeError
@@ -154,14 +165,6 @@ def _repeat(value: Any) -> Any:
     return index(value)
 
 
-def _address(value: Any) -> str:
-    _, _, rest = str(value).rpartition("://")
-    host, _, port = rest.rpartition(":")
-    if not host or not port.isdecimal():
-        raise ValueError
-    return str(value)
-
-
 def _colour(value: Any) -> str:
     from shapeblend_cli.svg.styles.css_colours import parse_colour
 
@@ -227,12 +230,6 @@ def _mix(value: Any) -> tuple[float, ...]:
     return tuple(weight / total for weight in weights)
 
 
-def _element(value: Any) -> str:
-    if re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)+", value) is None:
-        raise ValueError
-    return str(value)
-
-
 def _specks(value: Any) -> float | str:
     if isinstance(value, str):
         number = value.removesuffix("%")
@@ -251,12 +248,6 @@ def _times(value: Any) -> tuple[float, ...]:
     return times
 
 
-def _text(value: Any) -> str:
-    if not isinstance(value, str) or not value:
-        raise ValueError
-    return value
-
-
 FLAG = FieldType("True or False", _flag, "")
 MIX = FieldType(
     "shares of two files or more, 0 or more and not all 0, such as .2,.5,.3",
@@ -264,8 +255,10 @@ MIX = FieldType(
     "X,X,...",
     _floats,
 )
-ELEMENT = FieldType(
-    "the name of a custom element: small letters, digits and a hyphen, such as my-icon", _element, "NAME"
+ELEMENT = text(
+    "the name of a custom element: small letters, digits and a hyphen, such as my-icon",
+    r"[a-z][a-z0-9]*(-[a-z0-9]+)+",
+    "NAME",
 )
 SPECKS = FieldType(
     "a length such as 2.5, or a share of the drawing such as 1%",
@@ -274,7 +267,7 @@ SPECKS = FieldType(
     lambda text: text if text.endswith("%") else float(text),
 )
 TIMES = FieldType("times between -1 and 2, such as -.25,0,.5,1,1.25", _times, "T,T,...", _floats)
-TEXT = FieldType("a text", _text, "TEXT")
+TEXT = text("a text", r"(?s:.+)", "TEXT")
 SELECTOR = FieldType("", _selector, "SEL")
 START = FieldType(
     "auto, or two vertex numbers such as 0,3",
@@ -319,7 +312,9 @@ TRIGGER = FieldType(
     "load|click|hover|NAME.event",
 )
 FOLDERS = FieldType("two folders", _folders, "FROM TO", words=2)
-ADDRESS = FieldType("the address of a scheduler, such as tcp://192.168.0.1:8786", _address, "tcp://HOST:PORT")
+ADDRESS = text(
+    "the address of a scheduler, such as tcp://192.168.0.1:8786", r"(?:.*://)?.+:[0-9]+", "tcp://HOST:PORT"
+)
 SHARD = FieldType(
     "K/N, with K from 1 to N, such as 3/16",
     _shard,

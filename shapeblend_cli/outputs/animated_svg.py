@@ -4,34 +4,29 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.outputs.formats import Format, OutputSpec, Rendered, views
+from shapeblend_cli.outputs.formats import Format, OutputSpec, Rendered, page_of, views
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import Page, Pair
 
-ANIMATED = "animated svg"
-"""The name of the format."""
-
 
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Frames that are visible in turn include the drawings. One mixture stands still."""
-    if spec.settings.mix:
-        from shapeblend_cli.frames.frames import make_frames
-        from shapeblend_cli.svg.writing.document import frame_svg
-
-        (frame,) = make_frames(pairs, spec.settings)
-        return Rendered([frame_svg(frame, spec.decimals(pairs))])
     from shapeblend_cli.frames.frames import make_frames
     from shapeblend_cli.interpolate.chains import keyframed_shapes
     from shapeblend_cli.model import Box
-    from shapeblend_cli.paint.names import common_page, page_for
+    from shapeblend_cli.paint.names import page_for
     from shapeblend_cli.svg.writing.css import css_svg
+    from shapeblend_cli.svg.writing.document import frame_svg
     from shapeblend_cli.svg.writing.smil import smil_svg, stacked_svg
 
     boxes, timing, decimals = views(pairs), spec.timing, spec.decimals(pairs)
-    page = common_page([pairs[0].pages[0], *(pair.pages[1] for pair in pairs)])
+    if spec.settings.mix:
+        (frame,) = make_frames(pairs, spec.settings)
+        return Rendered([frame_svg(frame, decimals)])
+    page = page_of(pairs)
     if spec.animate == "frames":
         frames = make_frames(pairs, spec.settings.replace(ends=True))
         return Rendered([stacked_svg(frames, timing, len(pairs), decimals, page_for(page, frames[0].view))])
@@ -62,7 +57,7 @@ def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Ren
     shown = Box.union(reaction.views)
     reaction = reaction._replace(page=page_for(page, shown), views=[shown, shown])
     notes = [
-        f"{shape.name}: moves on curved paths, which CSS transitions cannot show: straight between the drawings"
+        f"{shape.name}: moves on curved paths, which CSS transitions cannot show; it moves straight"
         for shape in move.shapes
         if shape.waypoints
     ]
@@ -70,4 +65,13 @@ def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Ren
     return Rendered([reacting_css(reaction, spec.timing, decimals)], notes)
 
 
-FORMAT = Format(ANIMATED, "one animated SVG", _render, suffix=".svg", to_standard_output=True)
+FORMAT = Format(
+    "animated svg",
+    "one animated SVG",
+    _render,
+    suffix=".svg",
+    to_standard_output=True,
+    takes_stagger=True,
+    takes_triggers=True,
+    mixtures="one",
+)

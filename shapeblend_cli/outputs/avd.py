@@ -28,10 +28,10 @@ NAMESPACES = {
 }
 
 LARGEST = 200
-"""Android advises against drawables of more dp than that; larger ones are scaled down."""
+"""Maximum side of a drawable, in dp. Android advises against more, so larger drawables are scaled down."""
 
 TYPES = {"pathData": "pathType", "fillColor": "colorType", "strokeColor": "colorType"}
-"""The type of an animated property's values; all others are numbers."""
+"""Types of animated properties; all other properties are numbers."""
 
 DEFAULTS = {
     "fillAlpha": "1",
@@ -41,10 +41,10 @@ DEFAULTS = {
     "strokeLineJoin": "miter",
     "strokeMiterLimit": "4",
 }
-"""Android's, for attributes that are missing."""
+"""Android's defaults of attributes."""
 
 LONGEST = 32_767
-"""Characters of a path that Android's build tools accept."""
+"""Maximum length of a path in Android's build tools, in characters."""
 
 FIXED = ("fillType", "strokeLineCap", "strokeLineJoin", "strokeMiterLimit")
 """Properties that Android does not animate."""

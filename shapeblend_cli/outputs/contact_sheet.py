@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.outputs.formats import WHITE, Format, OutputSpec, Rendered, frame_svgs
-from shapeblend_cli.outputs.raster import Size, check_libraries, check_pixels, rasterize, read_png, size_of
+from shapeblend_cli.outputs.pixels import Size, check_libraries, check_pixels, rasterize, read_png, size_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 PAGE, CLEAR = "#e4e4e1", "#ffffff00"
 
 ONE_ROW = 8
-"""So many drawings are put into one row."""
+"""Maximum number of drawings that stand in a single row."""
 
 WIDEST = 1.6
-"""Ratio of columns to rows beyond that, at most, about."""
+"""Maximum ratio of columns to rows of a larger sheet, about."""
 
 
 def columns_for(count: int) -> int:
@@ -86,6 +86,9 @@ FORMAT = Format(
     "a contact sheet of all frames",
     _render,
     suffix=".png",
+    takes_times=True,
+    takes_stagger=True,
+    mixtures="several",
     defaults={"width": 200, "columns": None, "background": WHITE},
     check=_check,
     check_libraries=check_libraries,

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from os.path import join
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-    from shapeblend_cli.model import Box, Pair
+    from shapeblend_cli.model import Box, Page, Pair
     from shapeblend_cli.options.easing import Timing
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.options.triggers import Trigger
@@ -44,6 +44,10 @@ class Format(NamedTuple):
     files: Sequence[str] = ()  # names in its folder; empty if that has a file for each frame
     to_standard_output: bool = False  # whether it can be written there
     takes_sequences: bool = True  # whether it shows more than two drawings
+    takes_times: bool = False  # whether it shows frames at any times
+    takes_stagger: bool = False  # whether its shapes may start one after the other
+    takes_triggers: bool = False  # whether it may wait for an event
+    mixtures: Literal["none", "one", "several"] = "none"  # how many of --mix it shows
     defaults: Mapping[str, str | int | None] = {}  # of the shared options that it takes
     motion: str = "auto"  # what the motion auto stands for
     check: Callable[[OutputSpec], None] = lambda spec: None
@@ -128,12 +132,18 @@ def views(pairs: Sequence[Pair]) -> list[Box]:
     return [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
 
 
+def page_of(pairs: Sequence[Pair]) -> Page:
+    """Return the page of a document that shows all drawings."""
+    from shapeblend_cli.paint.names import common_page
+
+    return common_page([pairs[0].pages[0], *(pair.pages[1] for pair in pairs)])
+
+
 def frame_svgs(spec: OutputSpec, pairs: Sequence[Pair], settings: Settings | None = None) -> list[str]:
     """Return every frame as an SVG document without a size, by the settings of the output or by others."""
     from shapeblend_cli.frames.frames import make_frames
-    from shapeblend_cli.model import Page
     from shapeblend_cli.svg.writing.document import frame_svg
 
     decimals = spec.decimals(pairs)
     frames = make_frames(pairs, settings or spec.settings)
-    return [frame_svg(frame._replace(page=Page()), decimals) for frame in frames]
+    return [frame_svg(frame.picture, decimals) for frame in frames]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError
-from shapeblend_cli.outputs.formats import TRANSPARENT, Format, OutputSpec, Rendered, frame_svgs
-from shapeblend_cli.outputs.raster import check_libraries, rasterize, size_of
+from shapeblend_cli.outputs.formats import TRANSPARENT, Format, OutputSpec, Rendered, frame_svgs, page_of
+from shapeblend_cli.outputs.pixels import check_libraries, rasterize, size_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -29,19 +29,9 @@ def _render_png(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
 
 def _render_layers(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     from shapeblend_cli.frames.frames import make_frames
-    from shapeblend_cli.paint.names import common_page
     from shapeblend_cli.svg.writing.document import layers_svg
 
-    frames = make_frames(pairs, spec.settings)
-    return Rendered(
-        [
-            layers_svg(
-                frames,
-                spec.decimals(pairs),
-                common_page([pairs[0].pages[0], *(pair.pages[1] for pair in pairs)]),
-            )
-        ]
-    )
+    return Rendered([layers_svg(make_frames(pairs, spec.settings), spec.decimals(pairs), page_of(pairs))])
 
 
 def _check_layers(spec: OutputSpec) -> None:
@@ -49,12 +39,20 @@ def _check_layers(spec: OutputSpec) -> None:
         raise OptionError("--frames 0 leaves nothing for layers; --frames 1 or --ends would work")
 
 
+_SVG = Format(
+    "svg",
+    "one file for each frame",
+    _render_svg,
+    takes_times=True,
+    takes_stagger=True,
+    mixtures="several",
+)
+
 SINGLE = (
-    Format("svg", "one file for each frame", _render_svg),
-    Format(
-        "png",
-        "one file for each frame",
-        _render_png,
+    _SVG,
+    _SVG._replace(
+        name="png",
+        render=_render_png,
         defaults={"width": 512, "background": TRANSPARENT},
         check_libraries=check_libraries,
     ),
@@ -67,5 +65,7 @@ LAYERS = Format(
     emit="layers",
     suffix=".svg",
     to_standard_output=True,
+    takes_times=True,
+    takes_stagger=True,
     check=_check_layers,
 )

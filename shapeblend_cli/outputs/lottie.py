@@ -14,31 +14,31 @@ from shapeblend_cli.outputs.formats import Format, OutputSpec, Rendered
 from shapeblend_cli.svg.writing.rounding import number
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from shapeblend_cli.model import Box, CubicPath, Gradient, Pair, RadialGradient, Stop, Style
     from shapeblend_cli.options.easing import Ease, Timing
     from shapeblend_cli.outputs.move import Move, MovedShape, Section
 
 VERSION = "5.7.4"
-"""Of the format; players correct what older versions did otherwise."""
+"""Version of the format. Players correct the behaviour of older versions."""
 
 FRAME_RATE = 60
 
 SIZE = 512
-"""Pixels of the longer side, which players scale as they like, unless the drawing's own size will do."""
+"""Longer side of an animation, in pixels, for drawings outside of `OWN_SIZES`. Players scale it as they like."""
 
 OWN_SIZES = range(100, 4097)
-"""Longer sides that do; both sides must be whole numbers."""
+"""Longer sides that an animation takes from its drawing, in pixels. Both sides must be whole numbers."""
 
 TIME_DIGITS = 3
-"""Decimals of frames; those of waypoints need not be whole."""
+"""Decimals of times, in frames. Waypoints may lie between two frames."""
 
 SAME = 1e-3
-"""Radii that differ by less than that share are the same."""
+"""Tolerance of equal radii, as a share of the larger one."""
 
 FLATTEST = 1e-3
-"""The least ratio of two radii: what is drawn in a group that is squashed further needs more digits than files have."""
+"""Minimum ratio of the radii of an ellipse. A group that is squashed further needs more digits than files have."""
 
 FILL_RULES = {"nonzero": 1, "evenodd": 2}
 LINE_CAPS = {"butt": 1, "round": 2, "square": 3}
@@ -105,26 +105,24 @@ class _Keyframes(NamedTuple):
     def opacity(self, shape: MovedShape, paint: str) -> dict[str, Any]:
         """Return the property of the opacity of a paint."""
         sections = shape.opacities(paint, self.end - self.start, self.ease, TIME_DIGITS)
-        end = _percent(sections[-1].end)
-        starts = [_percent(section.start) for section in sections]
-        if len(sections) == 1 or all(start == end for start in starts):
-            return self.value(starts[0], end)
-        keys: list[dict[str, Any]] = []
-        for section, start in zip(sections, starts, strict=True):
-            x1, y1, x2, y2 = (_rounded(value, 4) for value in section.ease)
-            time = _rounded(self.start + section.times[0], TIME_DIGITS)
-            keys.append({"t": time, "s": [start], "o": {"x": [x1], "y": [y1]}, "i": {"x": [x2], "y": [y2]}})
-        return {"a": 1, "k": [*keys, {"t": self.end, "s": [end]}]}
+        values = [_percent(share) for share in (*(s.start for s in sections), sections[-1].end)]
+        return self._property(sections, values, lambda value: [value])
 
     def path(self, sections: Sequence[Section[tuple[CubicPath, ...]]], contour: int) -> dict[str, Any]:
         """Return the property of one of the paths of a shape."""
-        end = _bezier(sections[-1].end[contour], self.decimals)
-        starts = [_bezier(section.start[contour], self.decimals) for section in sections]
+        paths = [paths[contour] for paths in (*(s.start for s in sections), sections[-1].end)]
+        return self._property(sections, [_bezier(path, self.decimals) for path in paths], lambda value: value)
+
+    def _property(
+        self, sections: Sequence[Section[Any]], values: Sequence[Any], speed: Callable[[float], Any]
+    ) -> dict[str, Any]:
+        """Return the property with these values where sections start, and at the end; `speed` gives form to easing."""
+        *starts, end = values
         if all(start == end for start in starts):
             return {"a": 0, "k": end}
         keys: list[dict[str, Any]] = []
         for section, start in zip(sections, starts, strict=True):
-            x1, y1, x2, y2 = (_rounded(value, 4) for value in section.ease)
+            x1, y1, x2, y2 = (speed(_rounded(value, 4)) for value in section.ease)
             time = _rounded(self.start + section.times[0], TIME_DIGITS)
             keys.append({"t": time, "s": [start], "o": {"x": x1, "y": y1}, "i": {"x": x2, "y": y2}})
         return {"a": 1, "k": [*keys, {"t": self.end, "s": [end]}]}
@@ -374,7 +372,7 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     for move in moves:
         notes += move.unsupported_in("Lottie", _shows_gradients)
         notes += [
-            f"{shape.name}: Lottie cannot change its dashes into so many others; its stroke is solid"
+            f"{shape.name}: Lottie cannot change the number of its dashes; its stroke is solid"
             for shape in move.shapes
             if _loses_dashes(shape.start.style, shape.end.style)
         ]

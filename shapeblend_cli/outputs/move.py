@@ -19,7 +19,7 @@ FIXED = {
     "fill": {"fill_rule": "fill rule"},
     "stroke": {"stroke_linecap": "line cap", "stroke_linejoin": "line join"},
 }
-"""Properties of each paint that have nothing in between, and their names."""
+"""Properties of each paint that switch at once, and their names."""
 
 
 T = TypeVar("T")
@@ -104,7 +104,7 @@ class Move(NamedTuple):
     def lost_curved_motion(self) -> list[str]:
         """Return a phrase for each shape whose waypoints are lost where there are two pictures and no more."""
         return [
-            f"{shape.name}: moves on curved paths, which two files cannot show: straight between them"
+            f"{shape.name}: moves on curved paths, which two files cannot show; it moves straight between them"
             for shape in self.shapes
             if shape.waypoints
         ]

@@ -10,9 +10,8 @@ from shapeblend_cli.options.fields import Record, option
 from shapeblend_cli.options.settings import ANIMATIONS, IN_BETWEENS, OUTPUT, PICTURES, Settings
 from shapeblend_cli.options.triggers import Trigger
 from shapeblend_cli.options.types import COLOUR, REPEAT, TRIGGER, choice, file, number, whole
-from shapeblend_cli.outputs.animated_svg import ANIMATED
 from shapeblend_cli.outputs.formats import Format, OutputSpec
-from shapeblend_cli.outputs.raster import MOST_SIDE
+from shapeblend_cli.outputs.pixels import MOST_SIDE
 from shapeblend_cli.outputs.raster_animation import FASTEST
 from shapeblend_cli.outputs.registry import DEFAULT, EMITS, FORMATS, FRAME_FORMATS, alternatives, choose
 
@@ -22,7 +21,7 @@ SHARED = {
     "width": "pictures",
     "background": "pictures",
 }
-"""Options that formats share but not all take, and what they are for."""
+"""Options that several formats take, and their purposes."""
 
 
 def _by_suffix() -> str:
@@ -41,13 +40,6 @@ def _default_text(name: str) -> str:
         if name in format.defaults:
             formats.setdefault(format.defaults[name], []).append(format.suffix or f"--format {format.name}")
     return "; ".join(f"{value} for {', '.join(names)}" for value, names in formats.items())
-
-
-TIMEABLE = ("contact sheet", "layers")
-"""Formats of one file that show frames at any times."""
-
-MIXABLE = (ANIMATED, "contact sheet")
-"""Formats of one file that show mixtures."""
 
 
 class OutputOptions(Record, section=PICTURES):
@@ -75,7 +67,8 @@ class OutputOptions(Record, section=PICTURES):
         default=EMITS[0],
         section=OUTPUT,
         help="; ".join(
-            ["frames: what --output names"] + [f"{f.emit}: {f.help}" for f in FORMATS if f.emit != "frames"]
+            ["frames: the format that --output names"]
+            + [f"{f.emit}: {f.help}" for f in FORMATS if f.emit != "frames"]
         )
         + ".",
     )
@@ -104,15 +97,15 @@ class OutputOptions(Record, section=PICTURES):
         REPEAT,
         default="forever",
         section=ANIMATIONS,
-        help="How often an animation runs; pingpong: forwards and backwards, forever.",
+        help="Number of runs of an animation; pingpong: forwards and backwards, forever.",
     )
     trigger: Trigger = option(
         TRIGGER,
         default=Trigger(),
         section=ANIMATIONS,
-        help="What starts an animated SVG. load: it starts by itself; click: a click or Enter starts it, and another "
-        "one brings it back; hover: it goes to B while the pointer is on it or it has the keyboard's focus, and then "
-        "comes back; NAME.event: an event of the element with that id, with --animate smil.",
+        help="What starts an animated SVG. load: it starts by itself; click: a click or Enter plays it, and the next "
+        "one plays it back; hover: it plays when it gets the pointer or the keyboard's focus, and plays back when it "
+        "loses them; NAME.event: an event of the element with that id plays it, with --animate smil.",
         default_text="load",
     )
     format: str | None = option(
@@ -158,20 +151,20 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
     asked = f"--output {path}" if options.emit == "frames" else f"--emit {options.emit}"
     for name, what in SHARED.items():
         if getattr(options, name) is not None and name not in format.defaults:
-            raise OptionError(f"--{name} is for {what}, {_ways_to(name)}; {asked} is none")
+            raise OptionError(f"--{name} is for {what}, {_ways_to(name)}, not for {asked}")
     if options.format is not None and not format.has_frame_files:
-        raise OptionError(f"--format is for a folder, with a file a frame; {asked} is none")
+        raise OptionError(f"--format is for a folder with a file for each frame, not for {asked}")
     defaults: dict[str, Any] = dict(format.defaults)
     if settings.is_given("frames"):
         defaults.pop("fps", None)
         if options.fps is not None:
             raise OptionError("--frames and --fps both set how many pictures there are; one is enough")
-    if settings.stagger and format.emit not in (EMITS[0], "layers"):
+    if settings.stagger and not format.takes_stagger:
         raise OptionError(
-            f"--stagger is for frames, animated SVGs, raster animations and videos; {asked} is none"
+            f"--stagger is for frames, animated SVGs, raster animations and videos, not for {asked}"
         )
-    if settings.times and not (format.has_frame_files or format.name in TIMEABLE):
-        raise OptionError(f"--times is for a folder of frames, a contact sheet or layers; {asked} is none")
+    if settings.times and not format.takes_times:
+        raise OptionError(f"--times is for a folder of frames, a contact sheet or layers, not for {asked}")
     if settings.mix:
         _check_mix(options, settings, format, asked)
     if not options.trigger.is_load:
@@ -179,7 +172,7 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
     if settings.motion == "auto":
         # CSS transitions go straight from value to value.
         is_transition = options.animate == "css" and not options.trigger.is_load
-        settings = settings.replace(motion="linear" if is_transition else format.motion)
+        settings = Settings.of({**settings.given, "motion": "linear" if is_transition else format.motion})
     timing = Timing(options.duration, settings.ease, options.repeat)
     shared = {name: getattr(options, name) or defaults.get(name) for name in SHARED}
     spec = OutputSpec(
@@ -199,9 +192,9 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
 
 def _check_mix(options: OutputOptions, settings: Settings, format: Format, asked: str) -> None:
     """Raise OptionError if a format cannot show mixtures, or not so many."""
-    if not (format.has_frame_files or format.name in MIXABLE):
-        raise OptionError(f"--mix is for a folder, a name ending in .svg or one in .png; {asked} is none")
-    if format.name == ANIMATED and (len(settings.mix) > 1 or not options.trigger.is_load):
+    if format.mixtures == "none":
+        raise OptionError(f"--mix is for a folder, or for a name ending in .svg or .png, not for {asked}")
+    if format.mixtures == "one" and (len(settings.mix) > 1 or not options.trigger.is_load):
         raise OptionError(f"{asked} takes one mixture, which stands still; a folder takes several")
 
 
@@ -210,13 +203,15 @@ def _check_trigger(
 ) -> None:
     """Raise OptionError if an output cannot wait for a trigger."""
     given = f"--trigger {options.trigger}"
-    if format.name != ANIMATED or options.animate == "frames":
-        what = "--animate frames" if format.name == ANIMATED else asked
+    if not format.takes_triggers or options.animate == "frames":
+        what = "--animate frames" if format.takes_triggers else asked
         raise OptionError(
-            f"{given} is for an animated SVG, --output FILE.svg with --animate smil or css; {what} is none"
+            f"{given} is for an animated SVG, --output FILE.svg with --animate smil or css, not for {what}"
         )
     if options.is_given("repeat"):
-        raise OptionError(f"--repeat is for animations that start by themselves; {given} goes and comes back")
+        raise OptionError(
+            f"--repeat is for animations that start by themselves; with {given} each event plays them once"
+        )
     if options.animate == "css" and options.trigger.name:
         raise OptionError(f"{given}: CSS knows no events of other elements; --animate smil does")
     if options.animate == "css" and staggered:

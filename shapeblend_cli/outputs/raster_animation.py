@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from shapeblend_cli.errors import OptionError, PictureError
 from shapeblend_cli.options.easing import Timing
 from shapeblend_cli.outputs.formats import TRANSPARENT, WHITE, Format, OutputSpec, Rendered, frame_svgs
-from shapeblend_cli.outputs.raster import Size, check_libraries, rasterize, read_png, size_of
+from shapeblend_cli.outputs.pixels import Size, check_libraries, rasterize, read_png, size_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -24,16 +24,16 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Pair
 
 FPS = 25
-"""Pictures a second, unless something else is asked for."""
+"""Default rate, in pictures a second."""
 
 FASTEST = 50
-"""Pictures a second; browsers slow down what is faster."""
+"""Maximum rate, in pictures a second. Browsers slow faster animations down."""
 
 MOST_RUNS = 65_535
-"""The largest number of runs that the files can have."""
+"""Maximum number of runs in the file formats."""
 
 COLOURS = 256
-"""Of a picture in a GIF."""
+"""Number of colours of a picture in a GIF."""
 
 
 class Run(NamedTuple):
@@ -140,12 +140,12 @@ def _check(spec: OutputSpec) -> None:
     run, repeat = run_of(spec), spec.timing.repeat
     if spec.format.name == "gif" and spec.ground is None:
         raise OptionError(
-            "--background transparent: edges in a GIF cannot be half transparent; .webp and .apng can, or a colour"
+            "--background transparent: edges in a GIF cannot be half transparent; .webp, .apng or a colour would work"
         )
     if run.pictures > FASTEST * run.seconds * (1.0 + 1e-9):
         raise OptionError(
-            f"{run.pictures} pictures in {run.seconds:g} seconds: browsers slow down what is faster than "
-            f"{FASTEST} a second; a longer --duration, or fewer pictures, would work"
+            f"{run.pictures} pictures in {run.seconds:g} seconds: browsers slow down animations of "
+            f"more than {FASTEST} a second; a longer --duration, or fewer pictures, would work"
         )
     if isinstance(repeat, int) and repeat > MOST_RUNS:
         raise OptionError(f"--repeat {repeat}: raster animations run {MOST_RUNS} times at most, or forever")
@@ -162,7 +162,9 @@ def _check_webp() -> None:
 def in_time(form: Format, width: int, background: str) -> Format:
     """Return a format with what all have that show pictures one after another, and its own width and background."""
     return form._replace(
-        suffix=f".{form.name}", defaults={"width": width, "background": background, "fps": FPS}
+        suffix=f".{form.name}",
+        takes_stagger=True,
+        defaults={"width": width, "background": background, "fps": FPS},
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError
@@ -16,6 +17,7 @@ from shapeblend_cli.outputs import (
     video,
 )
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, Format
+from shapeblend_cli.system.write import is_stream
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -34,37 +36,38 @@ FORMATS: tuple[Format, ...] = (
 )
 
 EMITS = tuple(dict.fromkeys(format.emit for format in FORMATS))
-"""The values of ``--emit``."""
+"""Values of ``--emit``, the default first."""
 
 FRAME_FORMATS = tuple(format.name for format in FORMATS if format.has_frame_files)
-"""The values of ``--format``, the default first."""
+"""Values of ``--format``, the default first."""
 
 DEFAULT = "blend"
-"""The folder that is written to by default, and the beginning of the names of files."""
+"""Default folder of outputs, and the default name of a file without its suffix."""
 
 PAGES = (".htm", ".html")
-"""Suffixes of web pages, which ``--preview`` writes."""
+"""Suffixes of web pages, the files of ``--preview``."""
 
 UNSUPPORTED = tuple(
     ".avi .avif .bmp .eps .heic .ico .jpeg .jpg .jxl .m4v .mkv .mov .mpeg .mpg .ogv .pdf .ps .svgz .tif "
     ".tiff .zip".split()
 )
-"""Suffixes of file formats, which are hardly meant as the name of a folder."""
+"""Suffixes of other file formats. They hardly belong to the name of a folder."""
 
 
 def choose(emit: str, path: str | None, frame_format: str | None, drawings: int) -> tuple[Format, str]:
     """Return the format that is asked for, and the path that is written to.
 
-    The path is a folder, the name of a file, or ``-``; of `FRAME_FORMATS`, folders alone have one. Two or more drawings
-    are blended. Raises OptionError if no format is written so.
+    The path is a folder, the name of a file, a device or pipe, or ``-``; of `FRAME_FORMATS`, folders alone have one.
+    Two or more drawings are blended. Raises OptionError if no format is written so.
     """
     formats = [format for format in FORMATS if format.emit == emit]
     path = path or DEFAULT + formats[0].suffix
     if drawings > 2 and not formats[0].takes_sequences:
         raise OptionError(f"--emit {emit} takes two files; {drawings} given")
     suffix = _suffix(path)
+    goes_out = path == STANDARD_OUTPUT or (not suffix and is_stream(Path(path)))
     for format in formats:
-        fits = format.to_standard_output if path == STANDARD_OUTPUT else format.suffix == suffix
+        fits = format.to_standard_output if goes_out else format.suffix == suffix
         if fits and (not format.has_frame_files or format.name == (frame_format or FRAME_FORMATS[0])):
             return format, path
     if emit != "frames":
@@ -74,12 +77,14 @@ def choose(emit: str, path: str | None, frame_format: str | None, drawings: int)
             what = f"one file, so --output takes a name ending in {ending}, or -"
         raise OptionError(f"--emit {emit} writes {what}; {path} given")
     if suffix in PAGES:
-        raise OptionError(f"--output {path}: a page of this kind is written with --preview {path}")
+        raise OptionError(f"--output {path}: --preview {path} writes a page of this kind")
     if suffix in UNSUPPORTED:
         others = ", ".join(format.suffix for format in formats if format.suffix)
-        raise OptionError(f"--output {path}: {suffix} is not written; {others} are, and frames into a folder")
+        raise OptionError(
+            f"--output {path}: {suffix} cannot be written; {others} or a folder of frames would work"
+        )
     other = next(format.emit for format in FORMATS if format.suffix == suffix)
-    raise OptionError(f"--output {path}: with --emit {other} a file of this kind is written")
+    raise OptionError(f"--output {path}: --emit {other} writes a file of this kind")
 
 
 def alternatives(words: Sequence[str]) -> str:
@@ -88,6 +93,6 @@ def alternatives(words: Sequence[str]) -> str:
 
 
 def _suffix(path: str) -> str:
-    """Return the suffix of a file; empty for a folder and for standard output."""
-    known = (*(format.suffix for format in FORMATS if format.suffix), *PAGES, *UNSUPPORTED)
-    return next((suffix for suffix in known if path.lower().endswith(suffix)), "")
+    """Return the longest suffix that a file's name ends in; empty for a folder and for standard output."""
+    known = (*(format.suffix for format in FORMATS), *PAGES, *UNSUPPORTED)
+    return max((suffix for suffix in known if path.lower().endswith(suffix)), key=len)

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError, PictureError
-from shapeblend_cli.outputs import raster
+from shapeblend_cli.outputs import pixels
 from shapeblend_cli.outputs.formats import TRANSPARENT, WHITE, Format, OutputSpec, Rendered
-from shapeblend_cli.outputs.raster import rasterize, size_of
+from shapeblend_cli.outputs.pixels import rasterize, size_of
 from shapeblend_cli.outputs.raster_animation import in_time, run_of, svgs_of
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Pair
 
 EVEN = "pad=ceil(iw/2)*2:ceil(ih/2)*2"
-"""Both sides must be even; a line or a column is added below or on the right."""
+"""Filter that makes both sides even, as codecs require, by a line below and a column on the right."""
 
 CODECS = {
     "mp4": [
@@ -40,10 +40,10 @@ CODECS = {
 }
 
 EXACT = ["-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"]
-"""So that the same pictures give the same bytes."""
+"""Options that give the same bytes for the same pictures."""
 
 MOST_RUNS = 100
-"""A video that is to run more often is one for a player that repeats it."""
+"""Maximum number of runs. Players can repeat a video that should run more often."""
 
 MOST_FRAMES = 20_000
 
@@ -64,12 +64,12 @@ def encode(
             done = subprocess.run(command, input=b"".join(pngs[k] for k in order), capture_output=True)
         except OSError as error:
             raise PictureError(
-                f"ffmpeg cannot be run ({error.strerror}); .gif, .webp and .apng need none"
+                f"ffmpeg cannot be run ({error.strerror}); .gif, .webp and .apng would work"
             ) from None
         if done.returncode or not file.exists():
             lines = done.stderr.decode("utf-8", "replace").strip().splitlines() or ["it gives no reason"]
             raise PictureError(
-                f"ffmpeg makes no .{kind}: {lines[-1][:200]}; .gif, .webp and .apng need none of it"
+                f"ffmpeg cannot make the .{kind}: {lines[-1][:200]}; .gif, .webp and .apng would work"
             )
         return file.read_bytes()
 
@@ -87,11 +87,11 @@ def _check(spec: OutputSpec) -> None:
     run, repeat = run_of(spec), spec.timing.repeat
     if spec.format.name == "mp4" and spec.ground is None:
         raise OptionError(
-            "--background transparent: nothing in an MP4 is; .webm can be, or a colour would work"
+            "--background transparent: an MP4 cannot be transparent; .webm or a colour would work"
         )
     if isinstance(repeat, int) and repeat > MOST_RUNS:
         raise OptionError(
-            f"--repeat {repeat}: a video runs {MOST_RUNS} times at most, or as often as it is played"
+            f"--repeat {repeat}: a video has {MOST_RUNS} runs at most, and players can repeat it"
         )
     if run.pictures > MOST_FRAMES:
         raise OptionError(
@@ -100,11 +100,11 @@ def _check(spec: OutputSpec) -> None:
 
 
 def _check_ffmpeg() -> None:
-    raster.check_libraries()
+    pixels.check_libraries()
     if shutil.which("ffmpeg") is None:
         raise PictureError(
-            "videos need the program ffmpeg, which is not here (apt-get install ffmpeg, brew install ffmpeg); .gif, "
-            ".webp and .apng need none"
+            "videos need the program ffmpeg, which is not installed (apt-get install ffmpeg, brew install ffmpeg); "
+            ".gif, .webp and .apng would work"
         )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from shapeblend_cli.model import Paint
 from shapeblend_cli.paint.oklab import blend_colours
@@ -35,9 +35,10 @@ def painted_as(a: Style, b: Style, style: str) -> tuple[Style, Style]:
 def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
     """Return the paint at time t.
 
-    Colours blend in OKLab, and so do gradients of one kind, and a plain colour with a gradient; paint of one side only
-    fades in or out unchanged. Widths, dashes and opacities change evenly; joins, caps and the fill rule, which have
-    nothing in between, change at half time.
+    Colours blend in OKLab, and so do gradients of one kind, and a plain colour with a gradient; paint that only one
+    side has fades in or out as it is. Widths, dashes and opacities change evenly; joins, caps and the fill rule, which
+    have nothing in between, change at half time. So do widths and dashes if one stroke scales with its drawing and the
+    other does not; if neither does, they change evenly on the screen.
 
     The second style, if any, is painted below. A linear and a radial gradient have nothing in between, so B's dissolves
     into view over A's, which weighs 1 - t everywhere. If both are opaque, A's stays opaque until it is covered: the
@@ -47,12 +48,9 @@ def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
     (fill, fill_below), (stroke, stroke_below) = (
         _blend_paint(p, q, t) for p, q in zip(a.paints, b.paints, strict=True)
     )
-    dashes, offset = _blend_dashes(a, b, t)
     plain = (a if t < 0.5 else b)._replace(
-        stroke_width=(1.0 - t) * a.stroke_width + t * b.stroke_width,
         stroke_miterlimit=(1.0 - t) * a.stroke_miterlimit + t * b.stroke_miterlimit,
-        stroke_dasharray=dashes,
-        stroke_dashoffset=offset,
+        **_blend_lengths(a, b, t),
     )
     if fill_below is None and stroke_below is None:
         return plain.painted(fill, stroke), None
@@ -120,6 +118,23 @@ def _opacity_below(a: Paint, b: Paint, t: float) -> float:
     stops = b.gradient.stops if b.gradient else ()
     cover = b.opacity * min((stop.opacity for stop in stops), default=1.0)
     return a.opacity if cover == 1.0 else (1.0 - t) * a.opacity / (1.0 - t * cover)
+
+
+def _blend_lengths(a: Style, b: Style, t: float) -> dict[str, Any]:
+    """Return the fields of a style with the lengths of its stroke at time t."""
+    pixel = None
+    if a.pixel and b.pixel:
+        pixel = (1.0 - t) * a.pixel + t * b.pixel
+        a, b = a.stretched(pixel / a.pixel), b.stretched(pixel / b.pixel)
+    elif a.pixel or b.pixel:
+        pixel, t = (a.pixel, 0.0) if t < 0.5 else (b.pixel, 1.0)
+    dashes, offset = _blend_dashes(a, b, t)
+    return {
+        "stroke_width": (1.0 - t) * a.stroke_width + t * b.stroke_width,
+        "stroke_dasharray": dashes,
+        "stroke_dashoffset": offset,
+        "pixel": pixel,
+    }
 
 
 def _blend_dashes(a: Style, b: Style, t: float) -> tuple[tuple[float, ...], float]:

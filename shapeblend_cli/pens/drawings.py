@@ -84,7 +84,7 @@ def pen_drawing(drawing: PlacedDrawing, scale: float) -> PenDrawing:
 def _stroke(contour: PlacedContour, scale: float) -> PenLine:
     """Return a stroke as a line."""
     points = _flat(contour.contour) * scale
-    closed = contour.contour.closed or (len(points) > 3 and abs(points[0] - points[-1]) < 1e-6)
+    closed = contour.contour.closed or (len(points) > 3 and bool(abs(points[0] - points[-1]) < 1e-6))
     if closed and len(points) > 1 and abs(points[0] - points[-1]) < 1e-6:
         points = points[:-1]
     style = contour.style

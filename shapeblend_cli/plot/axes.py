@@ -30,25 +30,28 @@ svg{{fill:none;stroke-linejoin:round;stroke-linecap:round}}
 .rule{{stroke:{SOFT};stroke-width:1;stroke-dasharray:5 4}}
 """
 
-LEFT, TOP = 72.0, 96.0
-"""Where the axes begin, below a heading of three lines and beside ticks and a label."""
+LEFT = 72.0
+"""Distance of the axes from the left side of the page, in pixels: room for ticks and a label."""
+
+TOP = 96.0
+"""Distance of the axes from the top of the page, in pixels: room for a heading of three lines."""
 
 LINE = 18.0
-"""Height of a line of text."""
+"""Height of a line of text, in pixels."""
 
 TICK = 5.0
 
 WHOLE = tuple(float(f * 10**p) for p in range(6) for f in (1, 2, 5))
-"""Steps between vertex numbers."""
+"""Steps between the vertex numbers of ticks."""
 
 DIGITS = 4
-"""Digits of a work."""
+"""Number of digits of a work."""
 
 NOTHING = 1e-9
-"""Less work than this is rounding."""
+"""Tolerance of zero work, in the unit of work."""
 
 LONGEST = 36
-"""Characters of a file's name that are shown."""
+"""Maximum length of a file's name in a title, in characters."""
 
 EXPONENTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 

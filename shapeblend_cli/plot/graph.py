@@ -30,28 +30,28 @@ if TYPE_CHECKING:
     from shapeblend_cli.plot.subject import Subject
 
 SIDE = 520.0
-"""The longer side of the graph on the page."""
+"""Longer side of the graph on the page, in pixels."""
 
 SLENDEREST = 0.45
-"""The shorter side, at least, as a share of the longer one."""
+"""Minimum shorter side, as a share of the longer side."""
 
 SHADES = ("#ffffff", "#e8eff6", "#d2e0ee", "#b6cde3", "#97b7d6", "#769fc7", "#5687b7", "#3a6ea3", "#24578a")
-"""From expensive to cheap, the last for dots that cost nothing more."""
+"""Colours of dots, the most expensive first, the dots of least work last."""
 
 NO_PATH = "#efe9e2"
-"""Dots no path goes through."""
+"""Colour of dots without a path."""
 
 MOST_CELLS = 160
-"""Columns or rows that are shaded one by one; of more, several become one."""
+"""Maximum number of columns, or rows, of shaded cells. In larger graphs several dots share a cell."""
 
 SHADED_DOTS = 2_500_000
-"""Graphs of more dots are not shaded: it would take gigabytes."""
+"""Maximum number of dots of a graph with shades. More would take gigabytes."""
 
 ARROWS = 30
-"""Up to so many columns and rows there are a grid and arrows from dot to dot."""
+"""Maximum number of columns and rows of a graph with a grid, and with arrows from dot to dot."""
 
 BEADS = 70
-"""Up to so many the dots of the path are marked."""
+"""Maximum number of columns and rows of a graph in which the dots of the path are marked."""
 
 
 class Shading(NamedTuple):

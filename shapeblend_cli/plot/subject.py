@@ -1,40 +1,38 @@
-"""The subject of a plot: one contour of a pair, as it was solved."""
+"""From two files to a plot of one contour, as it was solved."""
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.errors import MatchError
+from shapeblend_cli.errors import InputError, MatchError
+from shapeblend_cli.job.make import SLOW, check_output, match_files, write_output
+from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.plot.axes import short_name, value_text
+from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.wires.match import solved_wires
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from shapeblend_cli.matching.work import Wires
-    from shapeblend_cli.model import ContourBlend, Correspondence, Pair, ShapeBlend
-    from shapeblend_cli.options.settings import PlotOptions, Settings
+    from shapeblend_cli.model import ContourBlend, Correspondence, Pair
+    from shapeblend_cli.options.settings import ReadOptions, Settings
+    from shapeblend_cli.plot.options import PlotOptions
 
     Dot = tuple[int, int]
 
 
 class Subject(NamedTuple):
-    """A contour of A and the contour of B it becomes, both files by name, and the dot that is asked for.
+    """A contour of A and the contour of B that it becomes."""
 
-    The wires are the two in the unit box. The contour has a number in the shape that it is part of. `progress` takes
-    the share of the work that is done, from 0 to 1.
-    """
-
-    names: tuple[str, str]
+    names: tuple[str, str]  # of both files
     contour: ContourBlend
-    wires: Wires
+    wires: Wires  # both contours in the unit box
     band: float | None
-    shape: ShapeBlend
-    number: int
-    dot: Dot | None
-    progress: Callable[[float], None]
+    dot: Dot | None  # the one that is asked for
 
     @property
     def correspondence(self) -> Correspondence:
@@ -60,13 +58,43 @@ class Subject(NamedTuple):
         return f"work {value_text(found.work)} = {' + '.join(terms)}"
 
 
-def choose_subject(
-    names: tuple[str, str],
-    pair: Pair,
+def plot_files(
+    kind: str,
+    files: tuple[str, str],
+    read: ReadOptions,
     settings: Settings,
     options: PlotOptions,
+    note: Callable[[str], None],
     progress: Callable[[float], None],
-) -> Subject:
+) -> None:
+    """Read two files, match them, and write the plot that the module `kind` beside this one draws.
+
+    Parameters
+    ----------
+    note : callable
+        Takes what the user should know, a line at a time.
+    progress : callable
+        Takes the share of the work that is done, from 0 to 1, now and then.
+
+    Raises
+    ------
+    ShapeblendError
+        With one line that says what was found and what would work.
+    """
+    if not COMPILED:
+        note(SLOW)
+    output = options.output or f"{kind}.svg"
+    check_output(output, files, options.force)
+    (pair,) = match_files(files, read, settings, Clock(), note, progress)
+    try:
+        subject = choose_subject(files, pair, settings, options)
+        text = import_module(f"shapeblend_cli.plot.{kind}").draw(subject)
+    except MatchError as error:
+        raise InputError(" and ".join(files), str(error)) from error
+    write_output(output, text, options.force)
+
+
+def choose_subject(names: tuple[str, str], pair: Pair, settings: Settings, options: PlotOptions) -> Subject:
     """Choose the contour by its number in A, else the largest that is matched.
 
     Raises
@@ -74,23 +102,20 @@ def choose_subject(
     MatchError
         No contour of that number is matched, or the dot names no vertices.
     """
-    matched = [
-        (contour, shape, index)
-        for shape in pair.each_shape
-        for index, contour in enumerate(shape.contours)
-        if contour.is_matched
-    ]
+    matched = [contour for contour in pair.contours if contour.is_matched]
     number, dot = options.contour, options.dot
-    candidates = [each for each in matched if number is None or each[0].a == number]
+    candidates = [contour for contour in matched if number in (None, contour.a)]
     if not candidates:
-        others = sorted({contour.a for contour, _, _ in matched if contour.a is not None})
+        others = sorted({contour.a for contour in matched if contour.a is not None})
         shown = ", ".join(map(str, others[:10])) + " and others" * (len(others) > 10)
-        raise MatchError(f"contour {number} of A is matched with none of B; {shown} would do")
-    contour, shape, index = max(candidates, key=lambda each: each[0].scale_a)
+        raise MatchError(f"contour {number} of A has no partner in B; {shown} would work")
+    contour = max(candidates, key=lambda each: each.scale_a)
     wires = solved_wires(contour, settings)
     if dot is not None and not (dot[0] < wires.m and dot[1] < wires.n):
-        raise MatchError(f"dot {dot[0]},{dot[1]} names no vertices; 0,0 to {wires.m - 1},{wires.n - 1} would")
-    return Subject(names, contour, wires, settings.band, shape, index, dot, progress)
+        raise MatchError(
+            f"dot {dot[0]},{dot[1]} names no vertices; 0,0 to {wires.m - 1},{wires.n - 1} would work"
+        )
+    return Subject(names, contour, wires, settings.band, dot)
 
 
 def index_on_path(subject: Subject, dots: Sequence[Dot]) -> int:

@@ -1,6 +1,6 @@
 // The graph of a correspondence: the work of other paths, and a canvas that shows it.
 
-import { mixed, unpacked } from "./values.js";
+import { at, figures, made, mixed, unpacked } from "./values.js";
 
 const PALETTES = {
   light: {
@@ -18,13 +18,13 @@ export const isDark = () => {
   const theme = document.documentElement.dataset.theme;
   return theme ? theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
 };
-export const palette = () => PALETTES[isDark() ? "dark" : "light"];
+const palette = () => PALETTES[isDark() ? "dark" : "light"];
 
 // Extra work, in units of the least, from which the scale begins to tell apart, and at which it ends.
-export const [FIRST, LAST] = [1e-3, 100];
-export const height = (extra) => Math.min(Math.log1p(extra / FIRST) / Math.log1p(LAST / FIRST), 1);
+const [FIRST, LAST] = [1e-3, 100];
+const height = (extra) => Math.min(Math.log1p(extra / FIRST) / Math.log1p(LAST / FIRST), 1);
 
-export function shade(level, ramp) {
+function shade(level, ramp) {
   const x = level * (ramp.length - 1);
   const k = Math.min(Math.floor(x), ramp.length - 2);
   return mixed(ramp[k], ramp[k + 1], x - k);
@@ -340,4 +340,92 @@ export class Graph {
     }
     this.point(cell);
   }
+}
+
+// Explain the shades of a landscape, if there is one, as shares of the least work if that is not 0.
+export function legend(landscape, isRelative) {
+  at("legend").hidden = !landscape;
+  if (!landscape) return;
+  const canvas = at("ramp");
+  [canvas.width, canvas.height] = [256, 1];
+  const pen = canvas.getContext("2d");
+  for (let k = 0; k < 256; k++) {
+    pen.fillStyle = shade(k / 255, palette().ramp);
+    pen.fillRect(k, 0, 1, 1);
+  }
+  const labels = [0, 0.01, 0.1, 1, 10, 100].map((extra) => {
+    const text = isRelative ? `+${100 * extra} %` : `+${figures(extra * landscape.unit, 2)}`;
+    const mark = made("span", {}, extra === 0 ? "least" : extra === LAST ? "more" : text);
+    mark.style.left = `${100 * height(extra)}%`;
+    return mark;
+  });
+  at("ticks").replaceChildren(...labels);
+}
+
+// Zoom, move and choose in the graph that is there at the time; `chosen` is told of the dot.
+export function listenToGraph(canvas, current, chosen) {
+  const fingers = new Map();
+  let moved = 0;
+  canvas.addEventListener("pointerdown", (event) => {
+    canvas.setPointerCapture(event.pointerId);
+    if (!fingers.size) moved = 0;
+    fingers.set(event.pointerId, event);
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    const last = fingers.get(event.pointerId);
+    if (!last) {
+      current().point(current().cellAt(event.clientX, event.clientY));
+      return;
+    }
+    const [dx, dy] = [event.clientX - last.clientX, event.clientY - last.clientY];
+    moved += Math.hypot(dx, dy);
+    const apart = () => {
+      const [p, q] = [...fingers.values()];
+      const middle = [(p.clientX + q.clientX) / 2, (p.clientY + q.clientY) / 2];
+      return { far: Math.hypot(p.clientX - q.clientX, p.clientY - q.clientY), middle };
+    };
+    const was = fingers.size === 2 ? apart() : null;
+    fingers.set(event.pointerId, event);
+    if (was) {
+      moved = Infinity;
+      const now = apart();
+      current().zoomBy(now.far / Math.max(was.far, 1), ...now.middle);
+      current().pan(now.middle[0] - was.middle[0], now.middle[1] - was.middle[1]);
+    } else if (current().zoom > 1 && moved > 5) {
+      current().pan(dx, dy);
+    }
+  });
+  canvas.addEventListener("pointerup", (event) => {
+    fingers.delete(event.pointerId);
+    if (moved > 5) return;
+    chosen(current().cellAt(event.clientX, event.clientY));
+  });
+  canvas.addEventListener("pointercancel", (event) => {
+    fingers.delete(event.pointerId);
+    moved = Infinity;
+  });
+  canvas.addEventListener("pointerleave", () => current()?.point(null));
+  canvas.addEventListener("blur", () => current()?.point(null));
+  canvas.addEventListener("wheel", (event) => {
+    if (event.deltaY > 0 && current().zoom === 1) return; // all is shown: the page scrolls
+    event.preventDefault();
+    current().zoomBy(Math.exp(-event.deltaY / 400), event.clientX, event.clientY);
+  }, { passive: false });
+  canvas.addEventListener("keydown", (event) => {
+    const far = event.shiftKey ? 10 : 1;
+    const moves = { ArrowLeft: [-far, 0], ArrowRight: [far, 0], ArrowUp: [0, -far], ArrowDown: [0, far] };
+    const acts = {
+      "+": () => current().zoomBy(1.6),
+      "=": () => current().zoomBy(1.6), // the same key without shift
+      "-": () => current().zoomBy(1 / 1.6),
+      0: () => current().fit(),
+      Enter: () => chosen(current().cursor),
+    };
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (moves[event.key]) current().step(...moves[event.key]);
+    else if (acts[event.key]) acts[event.key]();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  });
 }

@@ -18,11 +18,20 @@ from shapeblend_cli.wires.match import solved_wires
 if TYPE_CHECKING:
     from shapeblend_cli.model import IntArray
 
-MOST_DOTS = 300_000  # dots of all landscapes of a page together: about two bytes each
-LEVELS = 65_534  # steps of the scale on which works are stored; one more stands for no path at all
-FINEST = 1e-5  # the least extra work that the scale distinguishes from none, as a share of its unit
-LARGE, FULL = "large", "full"
-"""Why a contour has no landscape: it alone has more than `MOST_DOTS`, or there is no room left."""
+MOST_DOTS = 300_000
+"""Maximum number of dots of all landscapes of a page together. Each takes about two bytes."""
+
+LEVELS = 65_534
+"""Number of steps of the scale of works. A further level stands for dots without a path."""
+
+FINEST = 1e-5
+"""Minimum extra work that the scale distinguishes from none, as a share of its unit."""
+
+LARGE = "large"
+"""Reason for no landscape: the contour alone has more than `MOST_DOTS`."""
+
+FULL = "full"
+"""Reason for no landscape: larger contours have taken the room."""
 
 
 def graphs(contours: Sequence[ContourBlend], settings: Settings) -> list[dict[str, Any] | str | None]:

@@ -1,11 +1,11 @@
 // The page itself: what is shown, and what users do.
 
-import { at, copy, counted, drawn, figures, made, mixed, place, share, unpacked } from "./values.js";
+import { at, copy, drawn, figures, made, mixed, place, share, unpacked } from "./values.js";
 import { Matching, Picture, Scene } from "./picture.js";
 import { Player, showPlaying } from "./player.js";
 import { coloured, Filmstrip, tinted } from "./parts.js";
-import { Graph, height, isDark, Landscape, LAST, palette, shade } from "./graph.js";
-import { listFrames, showNumbers, showRun } from "./report.js";
+import { Graph, isDark, Landscape, legend, listenToGraph } from "./graph.js";
+import { listFrames, showNumbers, showRun, showStrip } from "./report.js";
 
 const data = JSON.parse(at("data").textContent);
 const letterOf = (k) => (k < 26 ? String.fromCharCode(65 + k) : `drawing ${k + 1}`);
@@ -82,32 +82,12 @@ function scope(value) {
   [player.from, player.to] = value === "all" ? [0, data.pairs.length] : [Number(value), Number(value) + 1];
   at("time").min = player.from;
   at("time").max = player.to;
-  strip();
+  showStrip(framesShown(), player.from, player.to);
   player.seek(player.from);
 }
 
 function framesShown() {
   return data.frames.filter(({ pair }) => pair >= player.from && pair < player.to);
-}
-
-function strip() {
-  const frames = framesShown();
-  const most = Math.max(...frames.map(({ area }) => area), Number.MIN_VALUE);
-  const bars = (some) =>
-    some
-      .map(({ pair, t, area }) => [(1000 * (pair + t - player.from)) / (player.to - player.from), -4 - (14 * area) / most])
-      .map(([x, height]) => `M${x} 20v${height}`)
-      .join("");
-  const crossed = frames.filter((frame) => frame.self_crossings);
-  at("whole").setAttribute("d", bars(frames.filter((frame) => !frame.self_crossings)));
-  at("crossed").setAttribute("d", bars(crossed));
-  at("strip").toggleAttribute("hidden", !frames.length);
-  at("strip-says").textContent = !frames.length
-    ? "No frames were asked for, so nothing is said of crossings and areas."
-    : `${counted(frames.length, "frame")}; a bar is its area. ` +
-      (crossed.length === 0
-        ? "None crosses itself."
-        : crossed.length === 1 ? "One of them crosses itself: the red one." : `${crossed.length} of them cross themselves: the red ones.`);
 }
 
 // ---- over the picture
@@ -315,26 +295,6 @@ function changed() {
   if (graph) graph.show(state.dot, state.chosen);
 }
 
-function legend(landscape) {
-  at("legend").hidden = !landscape;
-  if (!landscape) return;
-  const canvas = at("ramp");
-  [canvas.width, canvas.height] = [256, 1];
-  const pen = canvas.getContext("2d");
-  for (let k = 0; k < 256; k++) {
-    pen.fillStyle = shade(k / 255, palette().ramp);
-    pen.fillRect(k, 0, 1, 1);
-  }
-  const relative = contours()[state.contour].work > 0;
-  const labels = [0, 0.01, 0.1, 1, 10, 100].map((extra) => {
-    const text = relative ? `+${100 * extra} %` : `+${figures(extra * landscape.unit, 2)}`;
-    const mark = made("span", {}, extra === 0 ? "least" : extra === LAST ? "more" : text);
-    mark.style.left = `${100 * height(extra)}%`;
-    return mark;
-  });
-  at("ticks").replaceChildren(...labels);
-}
-
 const ABSENT = {
   large: (m, n) => `${m} × ${n} dots are too many for this page to hold what other paths cost: here is the path alone.`,
   full: () => "The page holds what other paths cost for the largest contours only: here is the path alone.",
@@ -391,7 +351,7 @@ function describe() {
   const absent = typeof contour.graph === "string" ? `${ABSENT[contour.graph](...contour.counts)} ` : "";
   const heat = absent ? absent : isDark() ? HELP_HEAT_DARK : HELP_HEAT;
   at("graph-help").textContent = help(a, b) + heat + HELP_KEYS;
-  legend(graph && graph.landscape);
+  legend(graph && graph.landscape, contour.work > 0);
 }
 
 // ---- what users do
@@ -447,76 +407,8 @@ function listen() {
   at("zoom-out").addEventListener("click", () => graph.zoomBy(1 / 1.6));
   at("zoom-fit").addEventListener("click", () => graph.fit());
   new ResizeObserver(() => graph && graph.draw()).observe(at("graph"));
-  listenToGraph(at("graph"));
+  listenToGraph(at("graph"), () => graph, through);
   addEventListener("keydown", key);
-}
-
-function listenToGraph(canvas) {
-  const fingers = new Map();
-  let moved = 0;
-  canvas.addEventListener("pointerdown", (event) => {
-    canvas.setPointerCapture(event.pointerId);
-    if (!fingers.size) moved = 0;
-    fingers.set(event.pointerId, event);
-  });
-  canvas.addEventListener("pointermove", (event) => {
-    const last = fingers.get(event.pointerId);
-    if (!last) {
-      graph.point(graph.cellAt(event.clientX, event.clientY));
-      return;
-    }
-    const [dx, dy] = [event.clientX - last.clientX, event.clientY - last.clientY];
-    moved += Math.hypot(dx, dy);
-    const apart = () => {
-      const [p, q] = [...fingers.values()];
-      const middle = [(p.clientX + q.clientX) / 2, (p.clientY + q.clientY) / 2];
-      return { far: Math.hypot(p.clientX - q.clientX, p.clientY - q.clientY), middle };
-    };
-    const was = fingers.size === 2 ? apart() : null;
-    fingers.set(event.pointerId, event);
-    if (was) {
-      moved = Infinity;
-      const now = apart();
-      graph.zoomBy(now.far / Math.max(was.far, 1), ...now.middle);
-      graph.pan(now.middle[0] - was.middle[0], now.middle[1] - was.middle[1]);
-    } else if (graph.zoom > 1 && moved > 5) {
-      graph.pan(dx, dy);
-    }
-  });
-  canvas.addEventListener("pointerup", (event) => {
-    fingers.delete(event.pointerId);
-    if (moved > 5) return;
-    const cell = graph.cellAt(event.clientX, event.clientY);
-    through(cell);
-  });
-  canvas.addEventListener("pointercancel", (event) => {
-    fingers.delete(event.pointerId);
-    moved = Infinity;
-  });
-  canvas.addEventListener("pointerleave", () => graph && graph.point(null));
-  canvas.addEventListener("blur", () => graph && graph.point(null));
-  canvas.addEventListener("wheel", (event) => {
-    if (event.deltaY > 0 && graph.zoom === 1) return; // all is shown: the page scrolls
-    event.preventDefault();
-    graph.zoomBy(Math.exp(-event.deltaY / 400), event.clientX, event.clientY);
-  }, { passive: false });
-  canvas.addEventListener("keydown", (event) => {
-    const far = event.shiftKey ? 10 : 1;
-    const moves = { ArrowLeft: [-far, 0], ArrowRight: [far, 0], ArrowUp: [0, -far], ArrowDown: [0, far] };
-    const acts = {
-      "+": () => graph.zoomBy(1.6),
-      "=": () => graph.zoomBy(1.6), // the same key without shift
-      "-": () => graph.zoomBy(1 / 1.6),
-      0: () => graph.fit(),
-      Enter: () => through(graph.cursor),
-    };
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (moves[event.key]) graph.step(...moves[event.key]);
-    else if (acts[event.key]) acts[event.key]();
-    else return;
-    event.preventDefault();
-    event.stopPropagation();
-  });
 }
 
 const STEP = 0.02;

@@ -31,17 +31,18 @@ POLICY = (
     "default-src 'none'; script-src {script}; style-src {style}; img-src data:; "
     "base-uri 'none'; form-action 'none'"
 )
-"""Nothing is fetched, and nothing runs but the page's own script."""
+"""Content Security Policy: the page fetches nothing, and runs only its own script."""
 
 SCRIPTS = ("values.js", "picture.js", "player.js", "parts.js", "graph.js", "report.js", "page.js")
-"""Modules, each of which imports those before it; joined in this order they are the page's script."""
+"""Modules that make the page's script, each after the modules that it imports."""
 
 STYLES = ("base.css", "page.css")
 
 LINKS = re.compile(r"^import .*\n|^export (?=const |class |function |async )", re.MULTILINE)
-"""What modules need that are apart, and one script does not."""
+"""Imports and exports of modules, which a single script does without."""
 
-LISTS = ("vertices_a", "vertices_b", "dots")  # the long lists of a contour's report, which are packed
+LISTS = ("vertices_a", "vertices_b", "dots")
+"""Long lists in the report of a contour, which are packed."""
 
 
 def preview(

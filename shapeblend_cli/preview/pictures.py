@@ -20,7 +20,7 @@ from shapeblend_cli.model import (
     unroll,
 )
 from shapeblend_cli.paint.styles import shape_styles
-from shapeblend_cli.svg.writing.paint import gradient_attributes, paint_attributes, visible_styles
+from shapeblend_cli.svg.writing.paint import gradient_attributes, hyphened, paint_attributes, visible_styles
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
 
@@ -29,9 +29,11 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import FloatArray, IntArray
 
 PAINT_STEPS = 30
-"""Paint is given at so many even times and one more; between two of them channels and numbers change evenly."""
+"""Number of even steps in time of paint. Within a step channels and numbers change evenly."""
 
-MOST_OWN_TIMES = 60  # of up to so many frames, what does not move straight is given at the time of each
+MOST_OWN_TIMES = 60
+"""Maximum number of frames at whose times curved motion is given exactly."""
+
 GRADIENTS = ("fill", "stroke")
 
 
@@ -99,7 +101,9 @@ def _once(values: list[Any]) -> list[Any]:
 
 def _paint(style: Style, decimals: int, *, as_ellipse: bool) -> dict[str, Any]:
     """Return the attributes of a path and its gradients."""
-    paint: dict[str, Any] = {"path": _with_hyphens(paint_attributes(style, decimals))}
+    attributes = paint_attributes(style._replace(pixel=None), decimals)  # pictures have any size
+    attributes.pop("vector_effect", None)
+    paint: dict[str, Any] = {"path": hyphened(attributes)}
     for name, gradient in zip(GRADIENTS, (style.fill_gradient, style.stroke_gradient), strict=True):
         if gradient is not None:
             is_radial = isinstance(gradient, RadialGradient)
@@ -107,13 +111,9 @@ def _paint(style: Style, decimals: int, *, as_ellipse: bool) -> dict[str, Any]:
             paint[name] = {
                 "tag": "radialGradient" if is_radial else "linearGradient",
                 "attributes": attributes,
-                "stops": [_with_hyphens(stop) for stop in stops],
+                "stops": [hyphened(stop) for stop in stops],
             }
     return paint
-
-
-def _with_hyphens(attributes: dict[str, str]) -> dict[str, str]:
-    return {name.replace("_", "-"): value for name, value in attributes.items()}
 
 
 def still_paths(frame: Frame, decimals: int) -> list[dict[str, Any]]:

@@ -65,3 +65,23 @@ export function listFrames(data, chosen) {
     if (!at("frames").children.length) at("frames").replaceChildren(...data.frames.map(row));
   });
 }
+
+// The bars of frames between two keys.
+export function showStrip(frames, from, to) {
+  const most = Math.max(...frames.map(({ area }) => area), Number.MIN_VALUE);
+  const bars = (some) =>
+    some
+      .map(({ pair, t, area }) => [(1000 * (pair + t - from)) / (to - from), -4 - (14 * area) / most])
+      .map(([x, height]) => `M${x} 20v${height}`)
+      .join("");
+  const crossed = frames.filter((frame) => frame.self_crossings);
+  at("whole").setAttribute("d", bars(frames.filter((frame) => !frame.self_crossings)));
+  at("crossed").setAttribute("d", bars(crossed));
+  at("strip").toggleAttribute("hidden", !frames.length);
+  at("strip-says").textContent = !frames.length
+    ? "No frames were asked for, so nothing is said of crossings and areas."
+    : `${counted(frames.length, "frame")}; a bar is its area. ` +
+      (crossed.length === 0
+        ? "None crosses itself."
+        : crossed.length === 1 ? "One of them crosses itself: the red one." : `${crossed.length} of them cross themselves: the red ones.`);
+}

@@ -316,14 +316,23 @@ async function exported(work) {
     at("written").textContent = await work();
   } catch (error) {
     at("written").textContent = error.message;
-    at("replace").hidden = !error.message.includes("--force");
   }
 }
 
-function write(what, more, force = false) {
-  at("replace").onclick = () => write(what, more, true);
+// Writes files; of those that were not agreed to, asks whether to.
+function write(what, more, agreed = []) {
   return exported(async () => {
-    const { written, notes } = await ask(what, { project: history.present, force, ...more() });
+    const { asks, written, notes } = await ask(what, { project: history.present, agreed, ...more() });
+    if (asks) {
+      const { outside, existing } = asks;
+      at("replace").textContent = existing.length ? "Replace what is there" : "Write there";
+      at("replace").onclick = () => write(what, more, [...agreed, ...outside, ...existing]);
+      at("replace").hidden = false;
+      return [
+        ...(outside.length ? [`Not in the folder of this project: ${outside.join(", ")}.`] : []),
+        ...(existing.length ? [`There already: ${existing.join(", ")}.`] : []),
+      ].join(" ");
+    }
     return [`Wrote ${written.join(" and ")} in ${folder}.`, ...notes].join(" ");
   });
 }

@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 import os
-import signal
 import threading
 from contextlib import suppress
 from typing import Any
 
 from shapeblend_cli.errors import ShapeblendError, in_words
 from shapeblend_cli.system.processes import Child, Parent
-
-GRACE = 5
-"""Seconds after its time in which a process that nobody stops ends by itself."""
 
 DONE, FAILED = "done", "failed"
 
@@ -55,7 +51,7 @@ class Process:
             timer.daemon = True
             timer.start()
             try:
-                answer = process.ask((order, seconds))
+                answer = process.ask(order)
             finally:
                 timer.cancel()
             if answer is None:
@@ -107,9 +103,7 @@ def main() -> None:
     parent = Parent()
     from shapeblend_cli.studio.work import do
 
-    for order, seconds in parent.orders():
-        if hasattr(signal, "alarm"):
-            signal.alarm(int(seconds) + GRACE)  # even if whoever asked is gone
+    for order in parent.orders():
         try:
             answer = DONE, do(order)
         except Exception as error:

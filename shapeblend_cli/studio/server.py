@@ -8,8 +8,12 @@ without the cookie. The page may load and ask for nothing elsewhere, and runs no
 from __future__ import annotations
 
 import hmac
+import io
 import json
 import secrets
+import socket
+import threading
+import time
 from collections.abc import Callable
 from http import HTTPStatus
 from http.cookies import CookieError, SimpleCookie
@@ -23,8 +27,20 @@ from shapeblend_cli.studio.session import Download, Session
 
 HOST = "127.0.0.1"
 
-MOST_JSON, MOST_DRAWING = 2**20, 64 * 2**20
-"""Bytes of a request, and of one with a drawing; the latter is what the reader takes."""
+MOST_JSON = 4 * 2**20
+"""Maximum size of a request, in bytes."""
+
+MOST_DRAWING = 64 * 2**20
+"""Maximum size of a request with a drawing, in bytes: that of a drawing for the reader."""
+
+MOST_CONNECTIONS = 64
+"""Maximum number of connections at once. A browser opens six for a page."""
+
+IDLE = 60.0
+"""Maximum time between two requests of the page on one connection, in seconds."""
+
+HEADERS_TIME, BODY_TIME = 10.0, 60.0
+"""Maximum time for the headers of a request and for its body, in seconds, however steadily bytes arrive."""
 
 POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
@@ -42,11 +58,13 @@ HEADERS = {
 }
 
 PAGE, SHARED = "shapeblend_cli.studio", "shapeblend_cli.preview"
+
 KINDS = {
     ".html": "text/html; charset=utf-8",
     ".css": "text/css; charset=utf-8",
     ".js": "text/javascript; charset=utf-8",
 }
+
 ASSETS = {
     **{
         name: PAGE
@@ -63,7 +81,9 @@ ASSETS = {
     },
     **{name: SHARED for name in ("base.css", "values.js", "picture.js", "player.js", "parts.js")},
 }
-"""What the page is made of, and the package that each file lies in."""
+"""Files of the page, and the package of each."""
+
+BUSY = b"HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n"
 
 REFUSED = "This is a studio of shapeblend. Open the whole address that the command printed, with its token."
 
@@ -78,6 +98,7 @@ class Studio(ThreadingHTTPServer):
         super().__init__((HOST, port), _Handler)
         self.session = session
         self.token = secrets.token_urlsafe(32)
+        self._free = threading.Semaphore(MOST_CONNECTIONS)
 
     @property
     def hosts(self) -> tuple[str, ...]:
@@ -94,6 +115,21 @@ class Studio(ThreadingHTTPServer):
         """What a browser opens."""
         return f"http://{self.hosts[0]}/?token={self.token}"
 
+    def process_request(self, request: Any, client_address: Any) -> None:
+        """Answer a connection, unless there are too many."""
+        if self._free.acquire(blocking=False):
+            super().process_request(request, client_address)
+        else:
+            request.sendall(BUSY)
+            self.shutdown_request(request)
+
+    def process_request_thread(self, request: Any, client_address: Any) -> None:
+        """Answer a connection until it is closed."""
+        try:
+            super().process_request_thread(request, client_address)
+        finally:
+            self._free.release()
+
     def handle_error(self, request: Any, client_address: Any) -> None:
         """Say nothing of connections that break off."""
 
@@ -104,14 +140,39 @@ class _Refused(Exception):
         self.status = status
 
 
+class _Incoming(io.RawIOBase):
+    """What a connection sends, up to a time."""
+
+    def __init__(self, connection: socket.socket) -> None:
+        self._connection = connection
+        self._end = 0.0
+
+    def allow(self, seconds: float) -> None:
+        """Wait for so many seconds from now on."""
+        self._end = time.monotonic() + seconds
+
+    def readable(self) -> bool:
+        """Return that it can be read."""
+        return True
+
+    def readinto(self, buffer: Any) -> int:
+        """Read what there is, or wait for it; raise TimeoutError when the time is over."""
+        left = self._end - time.monotonic()
+        if left <= 0.0:
+            raise TimeoutError
+        self._connection.settimeout(left)
+        return self._connection.recv_into(buffer)
+
+
 class _Handler(BaseHTTPRequestHandler):
     """One connection."""
 
     server: Studio
+    rfile: io.BufferedReader
     protocol_version = "HTTP/1.1"
     server_version, sys_version = "shapeblend", ""
-    timeout = 60
     wbufsize = -1  # headers and body in one piece, so that nothing waits for an acknowledgement
+    _is_known = False  # whether a request has come from the page
 
     ASKED: ClassVar[dict[str, Callable[[Session, Any], Any]]] = {
         "begin": Session.begin,
@@ -127,6 +188,22 @@ class _Handler(BaseHTTPRequestHandler):
         "drawing": Session.take_drawing,
         "project": Session.take_project,
     }
+
+    def setup(self) -> None:
+        """Prepare to read and write."""
+        super().setup()
+        self._incoming = _Incoming(self.connection)
+        self.rfile = io.BufferedReader(self._incoming)
+
+    def handle_one_request(self) -> None:
+        """Answer the next request, if it comes in time."""
+        try:
+            self._incoming.allow(IDLE if self._is_known else HEADERS_TIME)
+            self.rfile.peek(1)
+            self._incoming.allow(HEADERS_TIME)
+            super().handle_one_request()
+        except TimeoutError:
+            self.close_connection = True
 
     def do_GET(self) -> None:
         """Answer with the page, or one of its files."""
@@ -212,6 +289,7 @@ class _Handler(BaseHTTPRequestHandler):
         cookie = cookies.get(self.server.cookie)
         if cookie is None or not self._is_token(cookie.value):
             raise _Refused(HTTPStatus.FORBIDDEN, REFUSED)
+        self._is_known = True
 
     def _is_token(self, text: str) -> bool:
         return hmac.compare_digest(text.encode("utf-8", "replace"), self.server.token.encode())
@@ -228,7 +306,11 @@ class _Handler(BaseHTTPRequestHandler):
             raise _Refused(
                 HTTPStatus.REQUEST_ENTITY_TOO_LARGE, f"More than {most // 2**20} MB, the most that is taken."
             )
-        return self.rfile.read(int(length))
+        self._incoming.allow(BODY_TIME)
+        try:
+            return self.rfile.read(int(length))
+        except TimeoutError:
+            raise _Refused(HTTPStatus.REQUEST_TIMEOUT, "The request took too long to arrive.") from None
 
     def _json(self) -> dict[str, Any]:
         try:
@@ -246,6 +328,7 @@ class _Handler(BaseHTTPRequestHandler):
     def _send(
         self, status: HTTPStatus, kind: str, body: bytes, headers: dict[str, str] | None = None
     ) -> None:
+        self.connection.settimeout(IDLE)
         self.send_response(status)
         for name, value in {
             **HEADERS,

@@ -16,16 +16,19 @@ from shapeblend_cli.job.job import RECORDS
 from shapeblend_cli.options.fields import Option
 from shapeblend_cli.options.types import FLAG
 from shapeblend_cli.outputs.registry import DEFAULT, FORMATS, FRAME_FORMATS
-from shapeblend_cli.studio.order import Order
+from shapeblend_cli.studio.order import Consent, Order
 from shapeblend_cli.studio.process import Process
 from shapeblend_cli.system.write import check_targets, write_files
 from shapeblend_cli.version import __version__
 
-MOST_FILES, MOST_BYTES = 64, 256 * 2**20
-"""Drawings that the page may give, and bytes of all of them."""
+MOST_FILES = 64
+"""Maximum number of drawings from the page."""
+
+MOST_BYTES = 256 * 2**20
+"""Maximum size of all drawings from the page together, in bytes."""
 
 SECONDS = 60.0
-"""What a blend may take, unless --timeout says otherwise."""
+"""Time limit of a blend without --timeout, in seconds."""
 
 EPOCH = (1980, 1, 1, 0, 0, 0)  # of files in an archive, whose bytes are to depend on nothing but the files
 
@@ -40,8 +43,9 @@ class Download(NamedTuple):
 class Session:
     """Drawings, and processes that blend them: one for what is looked at, another for all that may take longer."""
 
-    def __init__(self, project: Project) -> None:
+    def __init__(self, project: Project, folder: str = "") -> None:
         self.project = project
+        self._folder = os.path.abspath(folder)  # where files are written unasked
         self._given: dict[str, bytes] = {}  # drawings that were dropped into the page
         self._opened = set(project.files)
         self._lock = threading.Lock()
@@ -114,9 +118,9 @@ class Session:
         return {"others": self._slow.ask(order, self._seconds)}
 
     def write(self, asked: Mapping[str, Any]) -> dict[str, Any]:
-        """Write what the command line writes, where it does."""
+        """Write what the command line writes, where it does, or return what to ask before that."""
         order = self._order("write", self._project(asked))
-        return self._slow.ask(order._replace(force=asked.get("force") is True), 10 * self._seconds)
+        return self._slow.ask(order._replace(consent=self._consent(asked)), 10 * self._seconds)
 
     def download(self, asked: Mapping[str, Any]) -> Download:
         """Return what the command line would write: a file, or an archive of several."""
@@ -128,13 +132,16 @@ class Session:
         return Download(f"{DEFAULT}.zip", _archive(files))
 
     def save(self, asked: Mapping[str, Any]) -> dict[str, Any]:
-        """Write the project into a file."""
+        """Write the project into a file, or return what to ask before that."""
         from pathlib import Path
 
         target = Path(_text(asked, "file"))
         if target.suffix.lower() != ".json":
             raise OptionError(f"{target}: the name of a project ends in .json")
-        project, force = self._project(asked), asked.get("force") is True
+        project, asks = self._project(asked), self._consent(asked).asks([target])
+        if any(asks.values()):
+            return {"asks": asks}
+        force = os.path.lexists(target)
         check_targets([target], [], force)
         write_files({target: project_text(project, str(target.parent))}, force)
         return {"written": [str(target)], "notes": []}
@@ -160,6 +167,12 @@ class Session:
             raise OptionError("the page sent no project; loading it again would help")
         project = project_of(values, "the project", "")
         return project._replace(files=tuple(map(self._known, project.files)))
+
+    def _consent(self, asked: Mapping[str, Any]) -> Consent:
+        agreed = asked.get("agreed", [])
+        if not isinstance(agreed, list) or not all(isinstance(name, str) for name in agreed):
+            raise OptionError("the page sent no names of files; loading it again would help")
+        return Consent(self._folder, frozenset(agreed))
 
     def _known(self, name: str) -> str:
         """Return the name of a drawing that is open here; files that nobody opened are not read."""

@@ -6,13 +6,15 @@ All of it is a function from a project and the contents of its drawings to value
 from __future__ import annotations
 
 import hashlib
+import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from shapeblend_cli.blending.placing import as_drawn, place
+from shapeblend_cli.errors import OptionError
 from shapeblend_cli.frames.frames import end_frames, frame_at
 from shapeblend_cli.frames.views import view_of
-from shapeblend_cli.job.job import Job, job_of
+from shapeblend_cli.job.job import Job, all_targets, job_of
 from shapeblend_cli.job.make import (
     check_files_of,
     check_libraries,
@@ -24,6 +26,7 @@ from shapeblend_cli.job.make import (
 from shapeblend_cli.job.tries import tries
 from shapeblend_cli.model import Frame
 from shapeblend_cli.motion.verdict import verdict
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.preview.pictures import (
     correspondence_lists,
     picture,
@@ -43,10 +46,10 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Drawing, Pair
 
 KEPT = Kept(most=64, largest=1_000_000, steps=2000)
-"""Drawings that were read and flattened, and what of a blend one correction leaves as it was."""
+"""Drawings as they were read and flattened, and the parts of blends that a correction leaves unchanged."""
 
 THUMBNAIL_TIMES = (0.25, 0.5, 0.75)
-"""The moments by which other blends are shown."""
+"""Moments of a blend in a thumbnail."""
 
 
 def do(order: Order) -> Any:
@@ -76,7 +79,7 @@ def _blend(order: Order) -> dict[str, Any]:
             "repeat": job.output.timing.repeat,
         },
         "settings": {
-            name: value for name, value in job.reported.items() if isinstance(value, int | float | str)
+            name: value for name, value in job.reported().items() if isinstance(value, int | float | str)
         },
         "wrong": found.wrong if found is not None else None,
         "fault": found.fault if found is not None and found.wrong > 0.0 else None,
@@ -161,7 +164,7 @@ def _others(order: Order) -> list[dict[str, Any]]:
             },
             "wrong": one.wrong,
             "pictures": [
-                frame_svg(frame, decimals_for([frame.view]))
+                frame_svg(frame.picture, decimals_for([frame.view]))
                 for frame in (frame_at(one.pair, t, as_drawn=settings.draws_ends) for t in THUMBNAIL_TIMES)
             ],
         }
@@ -186,13 +189,25 @@ def _contents(order: Order) -> dict[str, Any]:
 
 
 def _write(order: Order) -> dict[str, Any]:
-    """Write what the command would write, where it would."""
+    """Write what the command would write, where it would, or return what to ask before that."""
     job = _job(order)
     notes: list[str] = []
-    job = job._replace(write=job.write.replace(force=order.force))
+    if STANDARD_OUTPUT in (job.output.path, job.write.report):
+        raise OptionError(
+            f"the studio cannot write to standard output, {STANDARD_OUTPUT}; the name of a file would work"
+        )
+    targets = all_targets(job)
+    job = job._replace(write=job.write.replace(force=any(map(os.path.lexists, targets))))
     check_libraries(job)
-    check_files_of(job)
+    asks = order.consent.asks(targets)
+    if not asks["outside"]:
+        check_files_of(job)
+    if any(asks.values()):
+        return {"asks": asks}
     made = make(job, Clock(), notes.append, sources=order.sources)
+    asks = order.consent.asks(targets)  # others may have written meanwhile
+    if any(asks.values()):
+        return {"asks": asks}
     write(job, made.contents, notes.append)
     return {"written": [str(target) for target in made.contents], "notes": notes}
 

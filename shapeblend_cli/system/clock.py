@@ -15,7 +15,7 @@ class Clock:
     def __init__(self, now: Callable[[], float] = perf_counter) -> None:
         self.seconds: dict[str, float] = {}
         self._now = now
-        self._last = now()
+        self.began = self._last = now()
 
     def lap(self, stage: str) -> float:
         """Add the time since the last lap to a stage, and return it."""

@@ -8,20 +8,27 @@ from __future__ import annotations
 import gc
 import os
 import pickle
+import signal
 import subprocess
 import sys
+import threading
+import time
 import warnings
 from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from queue import SimpleQueue
+from typing import Any, BinaryIO
 
 READY = "ready"
+
+GRACE = 1.0
+"""Seconds in which a process that is at work when its parent has died may end by itself."""
 
 START = (
     "import sys; sys.path.append(sys.argv[1]); import importlib; importlib.import_module(sys.argv[2]).main()"
 )
-"""What a process runs. The working folder is not searched for modules, so that no file there is taken for one."""
+"""Program of a process. The working folder is not searched for modules, so that no file there is taken for one."""
 
 
 class Child:
@@ -76,11 +83,14 @@ class Child:
 
 
 class Parent:
-    """Whoever started this process, as it sees them."""
+    """Whoever started this process, as it sees them. When they are gone the process ends, whatever it does."""
 
     def __init__(self) -> None:
         warnings.simplefilter("ignore")
-        self._orders, self._answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
+        self._answers = os.fdopen(os.dup(1), "wb")
+        self._orders: SimpleQueue[tuple[Any, ...]] = SimpleQueue()
+        self._is_at_work = True
+        threading.Thread(target=self._receive, args=(os.fdopen(os.dup(0), "rb"),), daemon=True).start()
         # Nothing that a library reads or prints must get between them.
         nothing = os.open(os.devnull, os.O_RDWR)
         for number in (0, 1):
@@ -90,11 +100,24 @@ class Parent:
         """Yield orders until there are no more; all that is slow to load is loaded before."""
         gc.freeze()
         self.answer(READY)
-        with suppress(EOFError):
-            while True:
-                yield pickle.load(self._orders)
+        while received := self._orders.get():
+            yield from received
 
     def answer(self, value: Any) -> None:
         """Send what has become of an order."""
+        self._is_at_work = False
         pickle.dump(value, self._answers)
         self._answers.flush()
+
+    def _receive(self, stream: BinaryIO) -> None:
+        """Receive orders. That there are no more while one is being done says that the parent has died."""
+        with suppress(Exception):  # after what cannot be read nothing else can
+            while True:
+                order = pickle.load(stream)
+                self._is_at_work = True
+                self._orders.put((order,))
+        self._orders.put(())
+        if self._is_at_work:
+            os.kill(os.getpid(), signal.SIGTERM)
+            time.sleep(GRACE)
+            os._exit(1)

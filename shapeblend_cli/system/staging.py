@@ -36,7 +36,7 @@ MARK, NEW, OLD, MOVED = "stage", "new", "old", "moved.json"
 MARK_TEXT = b"shapeblend keeps files here while it writes them. The next run that writes here removes it.\n"
 
 PATIENCE = 30.0
-"""Seconds to wait for a lock. A script may hold it that runs the command itself, as `flock FOLDER command` does."""
+"""Maximum wait for a lock, in seconds. A script that runs the command may hold it, as `flock FOLDER command` does."""
 
 
 class CannotSwap(Exception):

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import os
 import stat
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from shapeblend_cli.errors import OutputError
 from shapeblend_cli.system.interrupts import has_written, uninterrupted
@@ -20,6 +20,9 @@ from shapeblend_cli.system.staging import CannotSwap, Stage, clear, locked, writ
 
 Content = str | bytes
 Contents = Mapping[Path, Content | Mapping[str, Content]]
+
+THREADS = 16
+"""Maximum number of files that are written at a time."""
 
 NOTHING_CHANGED = "nothing was changed"
 STREAMS = ("/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/")
@@ -31,15 +34,15 @@ def check_targets(targets: Iterable[Path], inputs: Iterable[Path], force: bool) 
     OutputError is raised for a target that is an input or a folder, that exists without `force`, or whose folder cannot
     be made. A target that is there only because a run was killed while it moved files is put back, and is none.
     """
-    sources = list(map(_real, inputs))
+    sources = list(map(real_path, inputs))
     for target in targets:
         with _refusing(target):
-            real = _real(target)
+            real = real_path(target)
             if real in sources:
                 raise OutputError(str(target), "is an input and is never replaced; another name would work")
             if target.is_dir():
                 raise OutputError(str(target), "is a folder; the name of a file would work")
-            if _is_stream(target):
+            if is_stream(target):
                 continue
             home = _home(Path(os.path.realpath(target)))
             if not force and os.path.lexists(target):
@@ -59,7 +62,7 @@ def write_files(contents: Contents, force: bool) -> None:
     stays, and the file it names is replaced. OutputError is raised if the disk is full, a folder is read-only, and the
     like; it says what stands then.
     """
-    files = {target: content for target, content in contents.items() if content and not _is_stream(target)}
+    files = {target: content for target, content in contents.items() if content and not is_stream(target)}
     if files:
         try:
             _write_all(files, force, swap=True)
@@ -74,6 +77,11 @@ def write_files(contents: Contents, force: bool) -> None:
         except OSError as error:
             stands = "; the other files were written" if files else ""
             raise OutputError(str(target), f"cannot be written ({_reason(error)}){stands}") from error
+
+
+def is_inside(path: Path, folder: str) -> bool:
+    """Return whether a path lies in a folder or deeper, wherever symbolic links lead."""
+    return Path(real_path(path)).is_relative_to(real_path(Path(folder)))
 
 
 class _File(NamedTuple):
@@ -132,11 +140,11 @@ def _file(target: Path, content: Content) -> _File:
     )
 
 
-def _real(path: Path) -> str:
-    """Return a path without symbolic links, where the working folder is known."""
+def real_path(path: Path) -> str:
+    """Return a path without symbolic links, where the working folder is known and the name can be one."""
     try:
         return os.path.realpath(path)
-    except OSError:
+    except (OSError, ValueError):
         return str(path)
 
 
@@ -183,16 +191,16 @@ def _write_all(contents: Contents, force: bool, swap: bool) -> None:
                     ends.callback(stages[home].remove)
             for folder in plan.folders:
                 _link_others(folder, stages[folder.parent].new / folder.name, plan.files)
-            for file in plan.files:
+            staged = [stages[file.home].new / file.inside for file in plan.files]
+            for file, path in zip(plan.files, staged, strict=True):
                 current = file.target
                 if file.replaces and not force:
                     raise _exists(current)
-                staged = stages[file.home].new / file.inside
-                if not staged.parent.is_dir():
-                    staged.parent.mkdir(parents=True)
-                write_synced(staged, file.data)
-                if file.replaces:
-                    _take_after(staged, file.replaces)
+                path.parent.mkdir(parents=True, exist_ok=True)
+            with several(_stage, plan.files, staged) as each:
+                for file in plan.files:
+                    current = file.target
+                    next(each)
             ends.enter_context(uninterrupted())
             _move_all(stages.values(), force)
             has_written()
@@ -204,6 +212,28 @@ def _write_all(contents: Contents, force: bool, swap: bool) -> None:
                 next((f.target for f in plan.files if os.path.lexists(f.target)), current)
             ) from error
         raise OutputError(str(current), f"cannot be written ({_reason(error)}); {NOTHING_CHANGED}") from error
+
+
+def _stage(file: _File, path: Path) -> None:
+    """Write a file to its stage."""
+    write_synced(path, file.data)
+    if file.replaces:
+        _take_after(path, file.replaces)
+
+
+@contextmanager
+def several(act: Callable[..., None], *values: Sequence[Any]) -> Iterator[Iterator[None]]:
+    """Give an iterator that acts on values in turn. Several wait for the disk at a time, which takes as long as one."""
+    if len(values[0]) < 2:
+        yield map(act, *values)
+        return
+    from concurrent.futures import ThreadPoolExecutor
+
+    pool = ThreadPoolExecutor(THREADS)
+    try:
+        yield pool.map(act, *values)
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
 @contextmanager
@@ -271,7 +301,7 @@ def _take_after(path: Path, other: Path) -> None:
     os.chmod(path, stat.S_IMODE(found.st_mode))
 
 
-def _is_stream(target: Path) -> bool:
+def is_stream(target: Path) -> bool:
     """Return whether a target is opened and written to where it is, being no file or an open one."""
     if str(target).startswith(STREAMS):
         return True
@@ -290,6 +320,8 @@ def _refusing(target: Path) -> Iterator[None]:
     except OutputError:
         raise
     except (OSError, ValueError) as error:
+        if isinstance(error, OSError) and error.filename is None:
+            raise  # it is about the current folder
         raise OutputError(str(target), f"cannot be written ({_reason(error)})") from error
 
 
@@ -307,5 +339,6 @@ def _encoded(content: Content) -> bytes:
 
 
 def _as_typed(folder: Path, target: Path) -> str:
-    """Return a folder on the way to a target as the target has it."""
-    return next((str(each) for each in target.parents if Path(os.path.realpath(each)) == folder), str(folder))
+    """Return a folder on the way to a target as the target has it, unless it leaves the current folder out."""
+    typed = (each for each in target.parents if each != Path())
+    return next((str(each) for each in typed if Path(os.path.realpath(each)) == folder), str(folder))

@@ -2,7 +2,7 @@
 
 The steps of a path are whole edges. Two polygons of one curve that were cut apart from each other have edges of other
 lengths, and vertices in other places: a path between them climbs stairs, and where it grows an edge from a vertex it
-pays twice the edge's length for nothing. So a first path says roughly which place goes to which. It is smoothed, each
+pays twice the edge's length for nothing. A first path shows roughly which places correspond. It is smoothed, each
 outline is also cut where the other has a vertex, and the least path is found once more; and again, until the work stops
 falling.
 
@@ -26,17 +26,19 @@ if TYPE_CHECKING:
     from shapeblend_cli.wires.contour_match import ContourMatch, Solve
 
 ROUNDS = 3
-"""The outlines are cut anew at most so often."""
+"""Maximum number of times that the outlines are cut."""
 
-EVENNESS, BASE = 2e-3, 1e-2
-"""How much it counts that a path is even, against that it goes through places that bend; and how much the path that was
-found counts where nothing bends, in radians for the whole outline."""
+EVENNESS = 2e-3
+"""Weight of an even path, in radians: outweighed where both outlines bend by more."""
+
+BASE = 1e-2
+"""Weight of the path as it was found, where nothing bends, in radians for the whole outline."""
 
 FIXED = 1e6
 """Weight of the ends of open outlines, in radians."""
 
 SHORTEST_STEP = 1e-15
-"""Steps along outlines, as shares of their length, are at least as long: shorter ones are rounding."""
+"""Minimum step along an outline, as a share of its length: shorter ones are rounding."""
 
 
 def solve_with_common_cuts(match: ContourMatch) -> Solved:
@@ -75,7 +77,11 @@ def refine(match: ContourMatch, start: Solved, solve: Solve) -> Solved:
 def common_cuts(a: FlatContour, b: FlatContour, solved: Solved) -> tuple[FlatContour, FlatContour, IntArray]:
     """Cut each contour where the other has a vertex, by a correspondence of the same contours with other vertices.
 
-    Return both, and the vertex of the second that is nearest to the partner of each vertex of the first.
+    Returns
+    -------
+    cut_a, cut_b : FlatContour
+    near : (m,) int
+        The vertex of B nearest to the partner of each vertex of A.
     """
     place_a, place_b = _smoothed_path(solved.a, solved.b, solved.correspondence.dots)
     closed = a.polygon.closed
@@ -89,11 +95,11 @@ def common_cuts(a: FlatContour, b: FlatContour, solved: Solved) -> tuple[FlatCon
 
 
 def _smoothed_path(a: FlatContour, b: FlatContour, dots: IntArray) -> tuple[FloatArray, FloatArray]:
-    """Return places along both outlines that correspond, without stairs; neither ever falls.
+    """Return places along both outlines that correspond, as shares of the lengths, without stairs; neither ever falls.
 
     Between places where both outlines bend the same way, length goes to length evenly: no path stretches less. Let u be
-    the mean of the places of a dot, d how much B is ahead of A there, and w the lesser one of both turns. What d is to
-    be instead, x, has the least sum of ``w (x - d)^2`` over dots and ``EVENNESS (x' - x)^2 / (u' - u)`` over steps.
+    the mean of both places of a dot, d the lead of B over A there, and w the lesser of both turns. The smoothed lead x
+    has the least sum of ``w (x - d)^2`` over dots and ``EVENNESS (x' - x)^2 / (u' - u)`` over steps.
     """
     closed = a.polygon.closed
     counts = len(a.polygon.vertices), len(b.polygon.vertices)
@@ -153,7 +159,7 @@ def _tridiagonal(diagonal: FloatArray, beside: FloatArray, right: FloatArray) ->
 
 
 def _along(places: FloatArray, known: FloatArray, partners: FloatArray, closed: bool) -> FloatArray:
-    """Return the partners of places on an outline, where some and their partners are known, rising."""
+    """Return the partners of places on an outline, between known places and partners, both rising."""
     if closed:
         places = known[0] + (places - known[0]) % 1.0
     return np.interp(places, known, partners)

@@ -1,4 +1,4 @@
-"""What is required of the match of two contours: a start, pins, and stiff regions."""
+"""Requirements on the match of two contours: a start, pins, and stiff regions."""
 
 from __future__ import annotations
 
@@ -20,16 +20,13 @@ if TYPE_CHECKING:
 
 
 class Constraints(NamedTuple):
-    """What is required of the match of two contours.
-
-    Pins are vertex numbers, or points in A's coordinates.
-    """
+    """Requirements on the match of two contours. Pins are vertex numbers, or points in A's coordinates."""
 
     start: Numbers | None = None
     pins: Sequence[Pin] = ()
 
     def without_numbers(self) -> Constraints:
-        """Return the constraints that do not hang on how outlines are cut: pins between points."""
+        """Return the constraints that hold however outlines are cut: pins between points."""
         return Constraints(None, [pin for pin in self.pins if not has_numbers(pin)])
 
     def rotated_back(self, rotation: float) -> Constraints:
@@ -42,7 +39,7 @@ class Constraints(NamedTuple):
         )
 
     def pinned_vertices(self, a: Polygon, b: Polygon) -> list[Numbers]:
-        """Return the vertices that pins connect: those with the numbers, or nearest to the points."""
+        """Return the vertices that pins connect, by their numbers or nearest to the points."""
         vertices = []
         for p, q in self.pins:
             if isinstance(p, int) and isinstance(q, int):
@@ -66,7 +63,7 @@ def check_stiff(polygons: Sequence[Polygon], settings: Settings) -> None:
 
 
 def stiffness(polygon: Polygon, settings: Settings) -> FloatArray | None:
-    """Return the stiffness of A's vertices, if any is asked for; in regions that overlap it multiplies."""
+    """Return the stiffness of A's vertices, (m,) float, if any is required; where regions overlap it multiplies."""
     if not settings.stiff:
         return None
     weight = np.ones(len(polygon.vertices))

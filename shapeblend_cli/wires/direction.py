@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 CLEAR = 4.0
-"""Ends of open polygons are nearer one way round if their squared distances, added up, are so many times smaller."""
+"""Minimum ratio between the summed squared distances of the ends of open polygons, both ways round, to be decided."""
 
 
 def choose_direction(
@@ -31,7 +31,11 @@ def choose_direction(
 ) -> tuple[bool, Correspondence]:
     """Solve in the direction that `settings.reverse` asks for; with `auto` in A's, or the cheaper one if undecided.
 
-    Return whether B was reversed, and the correspondence; if so its dots number the vertices of `reverse_polygon`.
+    Returns
+    -------
+    is_reversed : bool
+    correspondence : Correspondence
+        If reversed, its dots number the vertices of `reverse_polygon`.
     """
     candidates = reversed_candidates(a, b, settings.reverse)
     solved: list[tuple[bool, Correspondence]] = []
@@ -83,8 +87,7 @@ def wires_of(a: Polygon, b: Polygon, settings: Settings) -> Wires:
 def reversed_candidates(a: Polygon, b: Polygon, reverse: str) -> list[bool]:
     """Return whether to reverse B: one answer, or both where only the work can tell.
 
-    By default closed polygons are gone through with equal orientation, and the ends of open ones go to the nearer ends,
-    if that is clear.
+    By default closed polygons get one orientation, and the ends of open ones go to the nearer ends, if that is clear.
     """
     if reverse != "auto":
         return [reverse == "yes"]
@@ -99,5 +102,5 @@ def reversed_candidates(a: Polygon, b: Polygon, reverse: str) -> list[bool]:
 
 
 def watch_part(watch: Watch | None, run: int, runs: int) -> Watch | None:
-    """Return what watches one of several runs that take about the same time."""
+    """Return a watch on one of several runs that take about the same time."""
     return None if watch is None else lambda share: watch((run + share) / runs)

@@ -1,4 +1,4 @@
-"""The work between two contours, roughly: on a few of their vertices."""
+"""A rough estimate of the work between two contours, on a few of their vertices."""
 
 from __future__ import annotations
 

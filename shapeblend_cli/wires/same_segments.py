@@ -33,33 +33,43 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
     from shapeblend_cli.wires.contour_match import ContourMatch
 
-SURE, PERHAPS = 1e-3, 1e-2
-"""A node is a cut if the curve through it is so near, as a share of the outline's size. Beyond the first it may be one:
-two decimals in an icon of 24 round that much away."""
+SURE = 1e-3
+"""Maximum distance of a node that is surely a cut from the curve through it, as a share of the outline's size."""
 
-MOST, MOST_OF_MANY, MOST_OTHERWISE = 1.3, 1.6, 1.1
-"""The match may take so many times the least work: of few segments; of `MANY` or more; where a line becomes a curve."""
+PERHAPS = 1e-2
+"""Maximum distance of a node that may be a cut: two decimals in an icon of 24 round that much away."""
+
+MOST = 1.3
+"""Maximum work of a match of few segments, as a multiple of the least work."""
+
+MOST_OF_MANY = 1.6
+"""Maximum work of a match of `MANY` segments."""
+
+MOST_OTHERWISE = 1.1
+"""Maximum work of a match in which lines become curves."""
 
 MANY = 8
-"""So many lines and curves in the same order are hardly an accident."""
+"""Minimum number of lines and curves whose common order is hardly an accident."""
 
 AGREED = 0.6
-"""So large a share of the dots of the least work has to be where the segments that become each other are."""
+"""Minimum share of the dots of the least work that agree on the curves that become each other."""
 
 LEAST_SHARE = 0.02
-"""No cut is nearer to an end of its curve than this parameter."""
+"""Minimum parameter between a cut and the ends of its curve."""
 
-SAME, LEAST_STEP = 1e-7, 1e-6
-"""Positions no further apart are one, and what is so near to a node is there. No segment is a smaller part of its
-curve than the second."""
+SAME = 1e-7
+"""Maximum difference of positions that are one."""
+
+LEAST_STEP = 1e-6
+"""Minimum part of a curve that a segment is, by the curve's parameter."""
 
 
 @dataclass(frozen=True, eq=False)
 class Curves:
     """A contour as the curves and lines that it had before anybody cut them.
 
-    A position is the number of a curve and the parameter on it: 3.5 is in the middle of the fourth one. Positions start
-    where `order` does, with a node that is no cut.
+    A position is the number of a curve and the parameter on it: 3.5 is in the middle of the fourth curve. Positions
+    start where `order` does, with a node that is no cut.
 
     Attributes
     ----------
@@ -78,10 +88,15 @@ class Curves:
 
     @classmethod
     def without(cls, flat: FlatContour, cuts: IntArray, shares: FloatArray) -> Curves:
-        """Return the curves of a contour, given at which of its segments' beginnings it was cut.
+        """Return the curves of a contour.
 
-        For the beginning of each segment `shares` has the parameter of a cut there, on the curve of the two segments
-        that meet.
+        Parameters
+        ----------
+        flat : FlatContour
+        cuts : (c,) int
+            The segments that begin with a cut.
+        shares : (k,) float
+            The parameter of a cut at the beginning of each segment, on the curve of the two segments that meet there.
         """
         contour = flat.contour
         count = len(contour.segments)
@@ -103,7 +118,7 @@ class Curves:
 
     @property
     def count(self) -> int:
-        """How many curves and lines there are."""
+        """The number of curves and lines."""
         return len(self.straight)
 
     @property

@@ -28,24 +28,32 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
     from shapeblend_cli.wires.contour_match import ContourMatch
 
-SAME, ROUNDED = 1e-6, 6
-"""Shares of a length that are one; and as decimals."""
+SAME = 1e-6
+"""Maximum difference of shares of a length that are one."""
 
-STRAIGHT, DETOUR = 0.98, 1.5
-"""A limb goes into a line whose ends are no nearer than the first share of its length; and it is so many times as long
-as the line."""
+DECIMALS = 6
+"""Number of decimals of such shares."""
 
-BACK, BEYOND = 0.1, 0.25
-"""A limb goes back along the line, and beyond its ends, by these shares of it at most."""
+STRAIGHT = 0.98
+"""Minimum distance of the ends of a line that a limb goes into, as a share of the line's length."""
+
+DETOUR = 1.5
+"""Minimum length of a limb, as a multiple of its line's length."""
+
+BACK = 0.1
+"""Maximum backtracking of a limb along its line, as a share of the line's length."""
+
+BEYOND = 0.25
+"""Maximum distance that a limb reaches beyond the ends of its line, as a share of the line's length."""
 
 MOST = 1.15
-"""Without a limb, a match that holds what is shared may take so many times the least work."""
+"""Maximum work of a match that holds the stretches, as a multiple of the least work, unless there is a limb."""
 
 
 class Anchors(NamedTuple):
-    """Places at which stretches begin and end, in turn, on an outline, and how far it is from each to the next one.
+    """Places at which stretches begin and end, in turn, and the distances from each to the next, once round.
 
-    Both as shares of its length; the steps make one round.
+    Both are shares of the outline's length.
     """
 
     places: FloatArray
@@ -123,7 +131,7 @@ def _joined(
     whole: Wires,
     effort: str,
 ) -> IntArray:
-    """Return the dots of all pieces, each solved from end to end; every second one lies between two shared ones."""
+    """Return the dots of all pieces, each solved from end to end; every second piece lies between two stretches."""
     dots = []
     for k, (i, j) in enumerate(zip(*map(_pieces, contours, anchors), strict=True)):
         limb = limbs[k // 2] if k % 2 else ""
@@ -139,9 +147,9 @@ def _joined(
 
 
 def _limb_of(z: ComplexArray, w: ComplexArray) -> str:
-    """Return which of two pieces of outline, a or b, is a limb that can go straight into the other; "" if none can.
+    """Return which of two pieces of outline, a or b, is a limb that can go straight into the other; "" if neither can.
 
-    What has a point for a partner goes into that.
+    Every piece can go into a point.
     """
     if len(z) == 1 or len(w) == 1:
         return "b" if len(w) > 1 else "a" if len(z) > 1 else ""
@@ -156,16 +164,13 @@ def _limb_of(z: ComplexArray, w: ComplexArray) -> str:
 
 
 def _shares(z: ComplexArray, line: ComplexArray) -> FloatArray:
-    """Return how far along a line points are, as shares of it."""
+    """Return the positions of points along a line, as shares of the line's length."""
     return np.asarray(((z - line[0]) / (line[-1] - line[0])).real)
 
 
 def _into_line(limb: ComplexArray, line: ComplexArray) -> IntArray:
-    """Return the dots of a limb that goes straight into a line, (k, 2).
-
-    A point becomes the one beside it on the line, and what is beyond its ends becomes these.
-    """
-    share = _shares(limb, line).clip(0.0, 1.0).round(ROUNDED)
+    """Return the dots of a limb that goes straight into a line, (k, 2): each point to the nearest on the line."""
+    share = _shares(limb, line).clip(0.0, 1.0).round(DECIMALS)
     share[0], share[-1] = 0.0, 1.0
     lengths = cumulative_lengths(line)
     beside = np.abs(np.maximum.accumulate(share)[:, None] - lengths / lengths[-1]).argmin(axis=1)

@@ -31,30 +31,35 @@ if TYPE_CHECKING:
     from shapeblend_cli.wires.contour_match import ContourMatch
 
 SAMPLES = 128
-"""An axis is looked for at so many points, evenly along the outline."""
+"""Number of points, evenly along an outline, by which an axis is recognised."""
 
 TOLERANCE = 0.02
-"""How far the mirror image of an outline may be from it, as a share of its size; and the mirror image of a node from
-the node that it is, as a share of the outline's length."""
+"""Maximum distance of an outline from its mirror image, as a share of its size, and of a node from that of a node, as a
+share of the outline's length."""
 
 DIRECTIONS = (1j, 1.0)
-"""Axes that are looked for besides the long and the short one of an outline: upright first."""
+"""Directions of axes besides the long and the short one of an outline: upright first."""
 
-PARALLEL, SQUARE = 0.99, 1e-6
-"""Cosines of the angle within which two axes run the same way, and beyond which they are at right angles."""
+PARALLEL = 0.99
+"""Minimum cosine of the angle between axes that run the same way."""
+
+SQUARE = 1e-6
+"""Maximum cosine of the angle between axes at right angles."""
 
 MOST = 1.4
-"""A match that keeps an outline its own mirror image may take so many times the least work."""
+"""Maximum work of a match that keeps an outline its own mirror image, as a multiple of the least work."""
 
-NEAR, SAME = 0.3, 1e-9
-"""A vertex nearer to a node than this share of the usual edge is left out; and shares of a half that are one."""
+NEAR = 0.3
+"""Minimum distance of a vertex from all nodes, as a share of the mean edge, to be kept."""
+
+SAME = 1e-9
+"""Maximum difference of shares of a part that are one."""
 
 
 class Axis(NamedTuple):
     """An axis of an outline: its direction, and the places where the outline meets it, as shares of its length.
 
-    The first end lies further in that direction. The other one is half the outline's length away. A line meets its axis
-    in the middle alone.
+    The first end lies further in that direction, the second half a round away. A line has one end, in the middle.
     """
 
     direction: complex
@@ -73,7 +78,7 @@ class Part(NamedTuple):
     way: int
 
     def shares(self, places: FloatArray) -> FloatArray:
-        """Return how far places are along the part, as shares of it; beyond 1 they are on another one."""
+        """Return the distances of places from the beginning of the part, as shares of it; beyond 1 in another part."""
         return (self.way * (places - self.begin)) % 1.0 / self.length
 
     def places(self, shares: FloatArray) -> FloatArray:
@@ -96,7 +101,7 @@ class Parts(NamedTuple):
     vertices: Sequence[IntArray]
 
     def around(self, along: IntArray) -> IntArray:
-        """Return the vertices along the whole outline, where on each part one goes through it as `along` says."""
+        """Return the vertices along the whole outline, given those along each part, by their places in it."""
         if not self.flat.polygon.closed:
             first, second = self.vertices
             return np.concatenate([first[along[::-1]], second[along[1:]]])
@@ -110,7 +115,7 @@ class Parts(NamedTuple):
 def solve_with_symmetry(match: ContourMatch) -> Solved | None:
     """Solve two contours that have an axis each, with common cuts, such that both halves do the same.
 
-    None without such axes, or if it takes far more work than other matches.
+    None without such axes, or if that takes far more work than other matches.
     """
     axes = common_axes(match.a.polygon, match.rotated_back(match.b.polygon))
     if not axes:
@@ -147,41 +152,31 @@ def common_axes(a: Polygon, b: Polygon) -> list[tuple[Axis, Axis]]:
 
 
 def _axes(polygon: Polygon) -> Iterator[Axis]:
-    """Yield the axes of a polygon."""
-    if not polygon.closed:
-        yield from _axes_of_line(polygon)
-        return
-    outline = from_end_to_end(polygon.vertices, closed=True)
+    """Yield the axes of a polygon; those of an open one take each half to the other one."""
+    closed, tolerance = polygon.closed, TOLERANCE * polygon.box.larger_side
+    outline = from_end_to_end(polygon.vertices, closed)
     lengths = cumulative_lengths(outline)
     places = lengths / lengths[-1]
-    even = np.arange(SAMPLES) / SAMPLES
+    even = np.arange(SAMPLES) / SAMPLES if closed else np.linspace(0.0, 1.0, SAMPLES)
     points = points_at(even, outline, places)
     middle = points.mean()
     for along in _directions(points - middle):
         images = middle + along * along * (points - middle).conj()
+        if not closed:
+            if np.abs(points[::-1] - images).max() <= tolerance:
+                yield Axis(along, (0.5,))
+            continue
         across = ((outline - middle) * np.conj(along)).imag
         at = np.flatnonzero((across[:-1] < 0.0) != (across[1:] < 0.0))
         met = places[at] + (places[at + 1] - places[at]) * across[at] / (across[at] - across[at + 1])
         off = [
             float(np.abs(points_at((2.0 * end - even) % 1.0, outline, places) - images).max()) for end in met
         ]
-        if off and min(off) <= TOLERANCE * polygon.box.larger_side:
+        if off and min(off) <= tolerance:
             end = float(met[int(np.argmin(off))])
             ends = np.array([end, (end + 0.5) % 1.0])
             ends = ends[np.argsort(-(points_at(ends, outline, places) * np.conj(along)).real)]
             yield Axis(along, (float(ends[0]), float(ends[1])))
-
-
-def _axes_of_line(polygon: Polygon) -> Iterator[Axis]:
-    """Yield the axes of an open polygon that take each half to the other one."""
-    lengths = cumulative_lengths(polygon.vertices)
-    even = np.linspace(0.0, 1.0, SAMPLES)
-    points = points_at(even, polygon.vertices, lengths / lengths[-1])
-    middle = points.mean()
-    for along in _directions(points - middle):
-        images = middle + along * along * (points - middle).conj()
-        if np.abs(points[::-1] - images).max() <= TOLERANCE * polygon.box.larger_side:
-            yield Axis(along, (0.5,))
 
 
 def _directions(points: ComplexArray) -> list[complex]:

@@ -23,6 +23,7 @@ def batch(here, capsys):
     """Run a batch; the exit status, its results in order of their numbers, and what it printed."""
 
     def do(*arguments):
+        Path("results.jsonl").unlink(missing_ok=True)
         status = run(["batch", *arguments, "--results", "results.jsonl"])
         found = [json.loads(line) for line in Path("results.jsonl").read_text("utf-8").splitlines()]
         results = {each["job"]: each for each in sorted(found, key=lambda each: each["job"])}
@@ -40,3 +41,43 @@ def statuses(batch):
         return status, " ".join(results[number]["status"] for number in sorted(results))
 
     return do
+
+
+BROKEN = """
+import os, signal, sys, time
+import shapeblend_cli.batch.worker as worker
+
+def once(name):
+    try:
+        os.close(os.open(name, os.O_CREAT | os.O_EXCL))
+        return True
+    except FileExistsError:
+        return False
+
+def hold():
+    if once("begun"):
+        while not os.path.exists("go"):
+            time.sleep(0.01)
+
+def before(order):
+    output = order.given["output"]
+    {}
+
+do = worker.do
+worker.do = lambda order: (before(order), do(order))[1]
+"""
+
+
+@pytest.fixture
+def broken(monkeypatch, here):
+    """Have workers do something before some jobs: Python code in which `output` is what the job is to write.
+
+    `once(name)` is true once, and `hold()` waits once until there is a file `go`; there is one `begun` from then on.
+    """
+
+    def have(code):
+        Path("broken").mkdir()
+        Path("broken/sitecustomize.py").write_text(BROKEN.format(code), "utf-8")
+        monkeypatch.setenv("PYTHONPATH", str(Path("broken").resolve()))
+
+    return have

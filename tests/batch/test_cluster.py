@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -11,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from tests.support.commands import write
+from tests.support.dask_processes import ADDRESS, SCHEDULER, worker
 from tests.support.drawings import BAR, LEAF, svg
-from tools.dask_processes import ADDRESS, SCHEDULER, worker
 
 pytest.importorskip("distributed")
 
@@ -260,8 +261,13 @@ def test_folders_of_frames_reports_and_outputs_that_are_not_its_own(cluster, her
     assert results[1]["error"] == "m/1/frame-1.svg: exists; --force replaces it"
     assert json.loads(Path("r/2.json").read_text("utf-8"))["inputs"] == ["in/1.svg", "in/2.svg"]
     assert len(list(Path("m/2").glob("*.svg"))) == 2
-    status, results, _ = cluster.run(*line, "--force")
+    status, results, _ = cluster.run(*line, "--force", "--cache", "c")
     assert (status, statuses(results)) == (0, ["done", "done"])
+    for folder in ("m", "r"):
+        shutil.rmtree(folder)
+    status, results, _ = cluster.run(*line, "--cache", "c")
+    assert (status, [each["cached"] for each in results.values()]) == (0, [True, True])
+    assert len(list(Path("m/2").glob("*.svg"))) == 2
 
 
 def test_a_signal_ends_it_in_a_line(cluster, slow):
@@ -304,11 +310,3 @@ def test_the_scheduler_is_gone(cluster, slow):
     assert status == 1
     assert "no scheduler answers there" in printed
     assert len(printed.splitlines()) == 1
-
-
-@pytest.mark.parametrize("address", ["127.0.0.1", "tcp://", "nowhere"])
-def test_what_is_no_address(address, here):
-    drawings(2)
-    done = subprocess.run([*BATCH, *LINE, "--cluster", address], capture_output=True, text=True, check=False)
-    assert done.returncode == 2
-    assert "must be the address of a scheduler, such as tcp://192.168.0.1:8786" in done.stderr

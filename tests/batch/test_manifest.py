@@ -64,12 +64,19 @@ def test_the_command_line_counts_more_than_defaults_and_less_than_a_row(drawings
     assert len(names("in/more")) == 4
 
 
+def test_a_name_may_be_as_long_as_its_record_allows(drawings, statuses):
+    name = 246 * "x" + ".svg"
+    assert statuses("--chain", "in/[12].svg", "-o", f"m/{name}") == (0, "done")
+    assert statuses("--chain", "in/[12].svg", "-o", f"m/{name}") == (0, "current")
+
+
 def test_doubled_braces_are_braces(drawings, statuses):
     Path("in/jobs.csv").write_text("a,b,o\n1.svg,2.svg,{{a}}-{b}{{{n}}}.svg\n", "utf-8")
     assert statuses("in/jobs.csv") == (0, "done")
     assert Path("in/{a}-2{1}.svg").is_file()
 
 
+AB = '{"a": "1.svg", "b": "2.svg"'
 WRONG = {
     '{"a": "1.svg", "b": "2.svg", "vertexes": 3}': "line 2: 'vertexes' is no option of a job",
     '{"a": "1.svg", "b": "2.svg", "vertices": -3}': "line 2: vertices must be 0 or more, not -3",
@@ -82,6 +89,15 @@ WRONG = {
     '{"a": "1.svg", "b": "2.svg", "frames": 0}': "line 2: nothing is written",
     '{"a": "1.svg", "b": "2.svg", "o": "./x.svg"}': "line 2: in/x.svg is written by in/jobs.jsonl, line 1 as well",
     '{"a": "1.svg", "b": "2.svg", "o": "2.svg"}': "line 2: in/2.svg would be written, which in/jobs.jsonl, line 1",
+    f'{AB}, "o": "x.svg/y.svg"}}': "line 2: in/x.svg/y.svg is in in/x.svg, which in/jobs.jsonl, line 1 writes as",
+    f'{AB}, "o": "y"}}\n{AB}, "o": "y/z/z.svg"}}': "line 3: in/y/z/z.svg is in in/y, where in/jobs.jsonl, line 2",
+    f'{AB}, "o": "y/z.svg"}}\n{AB}, "o": "y"}}': "line 2: in/y/z.svg is in in/y, where in/jobs.jsonl, line 3 writes",
+    f'{AB}, "o": "y"}}\n{AB}, "o": "y", "format": "png"}}': "line 3: in/y is written by in/jobs.jsonl, line 2 as well",
+    f'{AB}, "o": "{251 * "x"}"}}': "line 2: in/xxx",
+    f'{AB}, "o": "{256 * "x"}/y.svg"}}': "line 2: in/xxx",
+    f'{AB}, "o": "\\u0000.svg"}}': r"line 2: 'in/\x00.svg' has a character that no file's name can have",
+    f'{AB}, "o": "\\ud800.svg"}}': r"line 2: 'in/\ud800.svg' has a character that no file's name can have",
+    '{"a": "1.svg", "b": "\\u0000.svg"}': r"line 2: 'in/\x00.svg' has a character that no file's name can have",
     '{"a": "1.svg"}': "line 2: a job has drawings a and b",
     '{"a": "1.svg", "c": "2.svg"}': "line 2: a job has drawings a and b",
     '{"a": "-", "b": "2.svg"}': "line 2: a drawing must be the name of a file, not '-'",
@@ -113,6 +129,10 @@ def test_what_is_wrong_stops_the_batch_before_it_starts(row, drawings, capsys):
         ("jobs.toml", "[default]\nframes = 3\n", "jobs.toml: 'default' is unknown"),
         ("jobs.toml", "[defaults]\nframes = 'x'\n", "jobs.toml, [defaults]: frames must be a whole number"),
         ("jobs.toml", "[[job]\n", "jobs.toml: "),
+        *(
+            (f"jobs.{kind}", text, "no jobs found")
+            for kind, text in (("csv", "a,b\n"), ("jsonl", ""), ("toml", ""))
+        ),
         ("jobs.txt", "", "jobs.txt: a manifest ends in .jsonl, .csv or .toml"),
     ],
 )
@@ -133,6 +153,20 @@ def test_what_is_wrong_in_other_manifests(name, text, words, here, capsys):
         ("--chain in -o in/{a}-{b}.svg", "in/1-2.svg would be taken for one of the drawings the next time"),
         ("--chain in --shard 3/2", "--shard must be K/N, with K from 1 to N, such as 3/16, not '3/2'"),
         ("--chain in --results in/1.svg", "in/1.svg: is read or written by the batch"),
+        ("--chain in --results x --log-file ./x", "./x: is read or written by the batch"),
+        ("- --watch", "--watch goes with a manifest that is a file, or with folders"),
+        ("--chain in --dry-run --watch", "--watch goes with a manifest that is a file, or with folders"),
+        ("- --clean", "--clean goes with a whole batch"),
+        ("--chain in --shard 1/2 --clean", "--clean goes with a whole batch"),
+        ("--chain in --fail-fast --keep-going 2", "--fail-fast is --keep-going 1; one of the two would work"),
+        ("--chain in --jobs 2 --cluster tcp://1:2", "--jobs is for processes on this machine"),
+        *(
+            (
+                f"--chain in --cluster {address}",
+                "must be the address of a scheduler, such as tcp://192.168.0.1:8786",
+            )
+            for address in ("127.0.0.1", "tcp://", "nowhere")
+        ),
     ],
 )
 def test_what_does_not_go_together_on_the_command_line(line, words, drawings, capsys):
@@ -158,3 +192,24 @@ def test_a_command_line_is_what_gives_the_same_values():
             again[name] = True
     again = {name: v[0] if v is not True and len(v) == 1 else v for name, v in again.items()}
     assert options_of(again, "here", "") | {"lenient": False} == given
+
+
+@pytest.mark.parametrize("output", ["../{n}.svg", "{root}/{n}.svg", "link/{n}.svg"])
+def test_a_manifest_writes_outside_its_folder_only_if_the_command_line_says_so(
+    drawings, statuses, output, capsys
+):
+    Path("in/link").symlink_to("..")
+    row = json.dumps({"a": "1.svg", "b": "2.svg", "o": output.replace("{root}", str(drawings))})
+    Path("in/jobs.jsonl").write_text(row, "utf-8")
+    assert run(["batch", "in/jobs.jsonl"]) == 2
+    assert "lies outside the folder of the manifest; --outside" in capsys.readouterr().err
+    assert not Path("1.svg").exists()
+    assert statuses("in/jobs.jsonl", "--outside") == (0, "done")
+    assert Path("1.svg").exists()
+
+
+def test_a_manifest_replaces_nothing_by_itself(drawings, capsys):
+    row = json.dumps({"a": "1.svg", "b": "2.svg", "o": "x.svg", "force": True})
+    Path("in/jobs.jsonl").write_text(row, "utf-8")
+    assert run(["batch", "in/jobs.jsonl"]) == 2
+    assert "line 1: force replaces files, and only the command line can say it" in capsys.readouterr().err

@@ -108,3 +108,25 @@ def test_it_stands_alone(folder, capsys):
     assert "given alone" in capsys.readouterr().err
     assert run(["none.json"]) == 1
     assert "none.json: cannot be read" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("output", ["../out.svg", "{root}/out.svg", "link/out.svg"])
+def test_a_project_writes_outside_its_folder_only_if_the_command_line_says_so(folder, capsys, output):
+    inside = folder / "inside"
+    inside.mkdir()
+    (inside / "link").symlink_to(folder)
+    path = output.format(root=folder)
+    write(inside / "blend.json", {"files": ["../a.svg", "../b.svg"], "o": path})
+    assert run(["inside/blend.json"]) == 2
+    assert "lies outside the folder of the project; --output " in capsys.readouterr().err
+    assert not (folder / "out.svg").exists()
+    assert run(["inside/blend.json", "-o", "out.svg"]) == 0
+
+
+@pytest.mark.parametrize("value", [True, "yes"])
+def test_a_project_replaces_nothing_by_itself(folder, capsys, value):
+    write(folder / "blend.json", {"files": ["a.svg", "b.svg"], "o": "moving.svg", "force": value})
+    (folder / "moving.svg").write_text("mine")
+    assert run(["blend.json"]) == 2
+    assert "only the command line can say it: --force" in capsys.readouterr().err
+    assert (folder / "moving.svg").read_text() == "mine"

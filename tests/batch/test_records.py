@@ -51,12 +51,31 @@ def test_other_settings_are_said(done, statuses, capsys):
     assert reasons(capsys, *LINE, "--duration", "3", "--timeout", "100") == {}
 
 
-def test_an_output_that_is_gone_is_made_again(done, statuses, capsys):
+def test_an_output_that_is_gone_is_made_again_and_why_is_said(done, batch, capsys):
     before = Path("m/2-9.svg").read_bytes()
     Path("m/2-9.svg").unlink()
     assert reasons(capsys, *LINE) == {"m/2-9.svg": "2-9.svg is missing"}
-    assert statuses(*LINE) == (0, "current done current")
+    status, results, printed = batch(*LINE, "--why")
+    assert (status, [each["status"] for each in results.values()]) == (0, ["current", "done", "current"])
+    assert "shapeblend: m/2-9.svg: 2-9.svg is missing" in printed.err
+    assert "m/1-2.svg" not in printed.err
     assert Path("m/2-9.svg").read_bytes() == before
+
+
+def test_a_drawing_that_cannot_be_read_is_said_before_anything_starts(done, batch, capsys):
+    Path("in/10.svg").unlink()
+    Path("in/2.svg").unlink()
+    Path("in/2.svg").mkdir()
+    Path("jobs.csv").write_text("a,b,o\nin/1.svg,in/2.svg,m/1-2.svg\nin/9.svg,in/10.svg,x.svg\n", "utf-8")
+    words = "in/{}.svg: cannot be read ({}); a readable SVG file would work"
+    problems = words.format(2, "Is a directory"), words.format(10, "No such file or directory")
+    said = reasons(capsys, "jobs.csv")
+    assert said == {"m/1-2.svg": f"would fail: {problems[0]}", "x.svg": f"would fail: {problems[1]}"}
+    status, results, _ = batch("jobs.csv")
+    assert (status, [(each["error"], each["attempts"]) for each in results.values()]) == (
+        1,
+        [(problem, 0) for problem in problems],
+    )
 
 
 def test_another_version_does_everything_again(done, statuses, monkeypatch, capsys):
@@ -64,13 +83,6 @@ def test_another_version_does_everything_again(done, statuses, monkeypatch, caps
     assert {*reasons(capsys, *LINE).values()} == {
         f"it was done by another version of shapeblend, {__version__}"
     }
-
-
-def test_why_says_it_while_it_is_done(done, batch):
-    Path("m/2-9.svg").unlink()
-    _, _, printed = batch(*LINE, "--why")
-    assert "shapeblend: m/2-9.svg: 2-9.svg is missing" in printed.err
-    assert "m/1-2.svg" not in printed.err
 
 
 def test_an_edited_output_stays_and_that_is_said(done, batch):
@@ -116,6 +128,13 @@ def test_a_batch_can_be_moved_with_its_outputs(done, statuses):
         shutil.move(folder, "elsewhere")
     os.chdir("elsewhere")
     assert statuses(*LINE) == (0, "current current current")
+
+
+def test_a_folder_that_takes_no_records_is_named(drawings, batch):
+    Path("m").mkdir()
+    Path("m/.shapeblend").touch()
+    _, results, _ = batch(*LINE)
+    assert results[1]["error"] == "m/.shapeblend: no record of a batch can be written there (File exists)"
 
 
 @pytest.mark.parametrize("damage", ["", "{", "[]", '{"record": 1}'])

@@ -1,7 +1,11 @@
 """Jobs of folders, without a manifest."""
 
+import errno
+import os
 import shutil
 from pathlib import Path
+
+import pytest
 
 from shapeblend_cli.cli import run
 from tests.support.commands import names
@@ -27,14 +31,6 @@ def test_all_are_every_two(drawings, capsys):
     assert planned(capsys, ["--all", "in", "--emit", "lottie"])[0] == "blend/1-2.json"
 
 
-def test_pairs_may_all_have_namesakes(drawings, batch):
-    shutil.copytree("in", "on")
-    status, results, printed = batch("--pairs", "in", "on", "-o", "m/{a}.svg")
-    assert status == 0
-    assert {each["status"] for each in results.values()} == {"done"}
-    assert "namesake" not in printed.err
-
-
 def test_pairs_have_one_name_in_two_folders_and_in_folders_inside(drawings, batch):
     for name in ("a/x.svg", "b/x.svg", "b/y.svg"):
         Path("on", name).parent.mkdir(parents=True, exist_ok=True)
@@ -46,6 +42,8 @@ def test_pairs_have_one_name_in_two_folders_and_in_folders_inside(drawings, batc
     assert [each["outputs"] for each in results.values()] == [["m/a/x.svg"], ["m/b/x.svg"]]
     assert "1 of 3 drawings in on have no namesake in off, b/y.svg for one" in printed.err
     assert {*names("m")} >= {"a/x.svg", "b/x.svg"}
+    _, _, printed = batch("--pairs", "off", "on", "-o", "n/{a}.svg")
+    assert "namesake" not in printed.err
 
 
 def test_in_a_manifest_folders_are_kept_below_it_alone(drawings, capsys):
@@ -61,13 +59,12 @@ def test_numbers_have_one_width(drawings, capsys):
     assert planned(capsys, ["jobs.csv", "-o", "{n}.svg"])[::9] == ["01.svg", "10.svg"]
 
 
-def test_shards_are_the_whole(drawings, statuses):
-    line = ["--all", "in", "-o", "whole/{n}.svg"]
-    assert statuses(*line) == (0, "done done done done done done")
-    line[-1] = "parts/{n}.svg"
-    ended = [statuses(*line, "--shard", f"{k}/4")[1] for k in range(1, 5)]
-    assert ended == ["done done", "done done", "done", "done"]
-    for name in names("whole"):
-        if name.endswith(".svg"):
-            assert Path("parts", name).read_bytes() == Path("whole", name).read_bytes()
-    assert statuses(*line) == (0, " ".join(["current"] * 6))
+@pytest.mark.parametrize("line", [["batch", "--chain", "in"], ["rank", "other.svg", "in"]])
+def test_a_folder_that_cannot_be_read_is_named(drawings, capsys, monkeypatch, line):
+    def forbidden(path):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), path)
+
+    shutil.copy("in/1.svg", "other.svg")
+    monkeypatch.setattr(os, "listdir", forbidden)
+    assert run(line) == 1
+    assert capsys.readouterr().err == "shapeblend: in: is a folder that cannot be read (Permission denied)\n"

@@ -11,8 +11,6 @@ from pathlib import Path
 
 import pytest
 
-from shapeblend_cli.cli import run
-
 COMMAND = [sys.executable, "-m", "shapeblend_cli", "batch", "--watch", "--results", "r.jsonl"]
 
 
@@ -88,9 +86,3 @@ def test_a_manifest_that_is_edited_is_read_again_also_after_a_mistake(watching):
     assert Path("in/y.svg").is_file()
     process.send_signal(signal.SIGTERM)
     assert process.wait(30) == 143
-
-
-@pytest.mark.parametrize("line", ["-", "--chain in --dry-run"])
-def test_what_cannot_be_watched(line, drawings, capsys):
-    assert run(["batch", *line.split(), "--watch"]) == 2
-    assert "--watch goes with a manifest that is a file, or with folders" in capsys.readouterr().err

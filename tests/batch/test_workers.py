@@ -3,6 +3,7 @@
 import heapq
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -20,32 +21,6 @@ from tests.support.drawings import BAR, LEAF, svg
 COMMAND = [sys.executable, "-m", "shapeblend_cli", "batch"]
 
 LINE = ("--all", "in", "-o", "m/{n}.svg")
-
-
-@pytest.fixture
-def broken(monkeypatch, here):
-    """Have workers do something before some jobs: Python code in which `order` is the job and `once(name)` a test."""
-
-    def have(code):
-        Path("broken").mkdir()
-        Path("broken/sitecustomize.py").write_text(
-            "import os, signal, sys, time\n"
-            "def once(name):\n"
-            "    try: os.close(os.open(name, os.O_CREAT | os.O_EXCL)); return True\n"
-            "    except FileExistsError: return False\n"
-            "def before(order):\n"
-            f"    output = order.given['output']\n    {code}\n"
-            "import builtins; builtins.before = before\n",
-            "utf-8",
-        )
-        monkeypatch.setenv("PYTHONPATH", str(Path("broken").resolve()))
-        start = (
-            "import sys; sys.path.append(sys.argv[1]); import shapeblend_cli.batch.worker as w; do = w.do; "
-            "w.do = lambda order: (before(order), do(order))[1]; w.main()"
-        )
-        monkeypatch.setattr("shapeblend_cli.system.processes.START", start)
-
-    return have
 
 
 def test_many_processes_do_what_one_does(drawings, batch):
@@ -70,15 +45,18 @@ def test_a_job_that_kills_every_process_has_died_and_the_others_are_done(drawing
     status, results, printed = batch(*LINE, "-j", "2")
     assert status == 1
     assert [results[n]["status"] for n in range(1, 7)] == ["done"] * 2 + ["died"] + ["done"] * 3
+    assert re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ", results[3].pop("ended"))
     assert results[3] | {"seconds": 0} == {
         "job": 3,
         "a": "in/1.svg",
         "b": "in/10.svg",
+        "output": "m/3.svg",
         "status": "died",
         "outputs": [],
         "seconds": 0,
         "error": "in/1.svg and in/10.svg: the process that did it died twice, by signal 11 at last",
         "attempts": 2,
+        "cached": False,
         "notes": [],
     }
     assert "shapeblend: 5 done, 1 died" in printed.err
@@ -95,14 +73,30 @@ def test_a_job_that_takes_too_long(how, drawings, broken, batch, monkeypatch):
     assert "stopped after 2.5 s (--timeout)" in results[3]["error"]
 
 
-def test_an_input_that_fails_stops_no_other_job_but_with_fail_fast(drawings, batch):
+def test_failures_stop_no_other_job_unless_as_many_as_are_asked_for(drawings, batch):
     Path("in/1.svg").write_text("<svg/>", "utf-8")
     status, results, printed = batch("--chain", "in", "-o", "m/{n}.svg", "-j", "1")
     assert (status, [results[n]["status"] for n in (1, 2, 3)]) == (1, ["failed", "done", "done"])
     assert "in/1.svg: " in results[1]["error"]
     assert "1 failed" in printed.err
-    status, results, printed = batch("--chain", "in", "-o", "n/{n}.svg", "-j", "1", "--fail-fast")
-    assert (status, [*results], "1 failed, 2 left" in printed.err) == (1, [1], True)
+    for number, option in enumerate(("--fail-fast", "--keep-going=2", "--keep-going=3"), 1):
+        status, results, printed = batch("--all", "in", "-o", "n/{n}.svg", "-j", "1", option)
+        assert (status, len(results)) == (1, number)
+        assert f"shapeblend: {number} failed, {6 - number} left" in printed.err
+
+
+def test_jobs_that_fail_take_too_long_or_die_are_tried_again(drawings, broken, batch, monkeypatch):
+    monkeypatch.setattr("shapeblend_cli.batch.supervisor.GRACE", 0.5)
+    broken(
+        "{'1': lambda: os.rename(*('in/1.svg', 'gone')[:: 1 if once('away') else -1]),"
+        "'2': lambda: once('late') and time.sleep(60),"
+        "'3': lambda: any(map(once, 'abc')) and os.kill(os.getpid(), 9)}[output[0]]()"
+    )
+    rows = "in/1.svg,in/2.svg,1.svg,\nin/2.svg,in/9.svg,2.svg,2.5\nin/9.svg,in/10.svg,3.svg,\n"
+    Path("jobs.csv").write_text(f"a,b,o,timeout\n{rows}", "utf-8")
+    status, results, _ = batch("jobs.csv", "--retries", "3")
+    assert (status, results[1]["attempts"], results[3]["attempts"]) == (0, 2, 4)
+    assert results[2]["attempts"] > 1
 
 
 def test_processes_that_do_not_start_are_one_line(drawings, monkeypatch, capsys):
@@ -145,27 +139,6 @@ def test_a_signal_ends_it_when_what_is_being_written_is_whole(number, status, he
     assert told == {str(path) for path in Path("m").glob("*.svg")}
     assert 0 < len(told) < 39
     assert not [path for path in Path("m").iterdir() if path.name.startswith(".shapeblend-")]
-
-
-def test_a_batch_that_is_killed_and_run_again_does_what_is_missing(here):
-    many(25)
-    line = [*COMMAND, "--chain", "in", "-o", "m/{n}.svg", "--report", "r/{n}.json", "-j", "2"]
-    for _ in range(3):
-        process = subprocess.Popen([*line, "--results", "r.jsonl"], stderr=subprocess.DEVNULL)
-        wait_for("r.jsonl", b'"done"')
-        time.sleep(0.05)
-        process.kill()
-        process.wait()
-        done = Path("r.jsonl").read_text().count('"done"')
-        assert 0 < done < 24
-        Path("r.jsonl").unlink()
-    subprocess.run([*line, "--results", "r.jsonl"], check=True)
-    found = [json.loads(each) for each in Path("r.jsonl").read_text().splitlines()]
-    assert {each["status"] for each in found} == {"current", "done"}
-    assert sum(each["status"] == "current" for each in found) >= 3
-    assert len(list(Path("m").glob("*.svg"))) == 24
-    assert run(["in/0.svg", "in/1.svg", "-o", "single.svg"]) == 0
-    assert Path("single.svg").read_bytes() == Path("m/01.svg").read_bytes()
 
 
 @pytest.mark.parametrize(("spread", "workers"), [(0.3, 2), (0.8, 4), (1.0, 1)])

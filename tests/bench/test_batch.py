@@ -49,6 +49,16 @@ def test_batch(benchmark, here, way):
     assert len(list(Path("out").glob("*.svg"))) == len(PAIRS)
 
 
+def test_planning(benchmark, here):
+    """20,000 rows, none of which is done; less than three seconds on a machine with nothing else to do."""
+    write(a=svg("M0 0h9v9z"), b=svg("M0 0h9v3z"))
+    rows = "".join(f"a.svg,b.svg,out/{k // 500}/{k}.svg\n" for k in range(20_000))
+    Path("jobs.csv").write_text(f"a,b,o\n{rows}", "utf-8")
+    line = f"{COMMAND} batch jobs.csv --dry-run".split()
+    done = benchmark.pedantic(lambda: subprocess.run(line, check=True, capture_output=True), rounds=3)
+    assert done.stdout.count(b"\n") == 20_000
+
+
 def test_flubber(benchmark):
     require("flubber")
     benchmark.group = GROUP

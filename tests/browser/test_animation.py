@@ -114,6 +114,11 @@ CLIPPED_ROUND = '<clipPath id="r"><circle cx="10" cy="12" r="7"/></clipPath>' + 
 CLIPPED_POINTED = '<clipPath id="p"><path d="M4 4H22L13 22Z"/></clipPath>' + BANDS.format(
     'clip-path="url(#p)"', 6
 )
+KEEPING = (
+    '<path d="M4 4H20V20H4Z" fill="none" stroke="#000" stroke-width="6" stroke-dasharray="9 3" '
+    'vector-effect="non-scaling-stroke"/>'
+)
+SCALING = '<path d="M3 3H21V15H3Z" fill="none" stroke="#800" stroke-width="2"/>'
 
 CASES = {
     "colours": ([RED, BLUE], ["--ease", "ease"]),
@@ -128,6 +133,11 @@ CASES = {
     "clipped": ([CLIPPED_ROUND, CLIPPED_POINTED], ["--ease", "ease-in"]),
     "clipped in one of them": ([CLIPPED_ROUND, BANDS.format("", 6)], []),
     "clipped in turn, through three": ([CLIPPED_ROUND, CLIPPED_POINTED, CLIPPED_ROUND], ["--stagger", "0.4"]),
+    "widths on the screen": (
+        [KEEPING, SCALING.replace('"2"', '"12" vector-effect="non-scaling-stroke"')],
+        [],
+    ),
+    "a width on the screen becomes one in the drawing": ([KEEPING, SCALING], ["--ease", "ease-in-out"]),
     "polygons, split": ([SQUARES, LEAF], ["--polygons", "--unmatched", "split"]),
 }
 
@@ -266,6 +276,21 @@ def test_the_first_and_the_last_moment_are_the_drawings(here, draw, method):
         for shown, still in ((first, a), (last, b)):
             assert (np.abs(shown - still).max(axis=2) > 0.13).mean() < 0.005, name
         assert (np.abs(first - last).max(axis=2) > 0.13).mean() > 0.02
+
+
+@pytest.mark.parametrize("method", ["smil", "css"])
+def test_a_stroke_of_one_width_on_the_screen_is_that_of_the_drawings(here, draw, method):
+    texts = [
+        svg(KEEPING).replace("<svg", '<svg width="48"'),
+        svg(f'<g transform="scale(2 3)">{KEEPING}</g>', viewbox="0 0 60 90").replace('"6"', '"3"'),
+    ]
+    for name, text in zip("ab", texts, strict=True):
+        (here / f"{name}.svg").write_text(text, encoding="utf-8")
+    moving = animated("a.svg", "b.svg", "--animate", method, "--repeat", "1", "--strokes", "keep")
+    for shown, still in zip(
+        *np.split(draw([(moving, 0.0), (moving, 1.99999), *((t, None) for t in texts)]), 2), strict=True
+    ):
+        assert_alike(shown, still)
 
 
 @pytest.mark.parametrize("method", ["smil", "css"])

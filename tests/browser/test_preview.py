@@ -17,6 +17,7 @@ from shapeblend_cli.wires.match import solved_wires
 from tests.support.commands import points
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, SQUARES, B, svg
 from tests.support.motions import blend
+from tests.support.solver import path_through
 
 SETTINGS = Settings(vertices=40, motion="linear")
 EVENODD = 'fill-rule="evenodd" fill="{}"'
@@ -265,7 +266,7 @@ def cell_of(page, column, row, columns, rows):
 def assert_other_path_is_shown(page, contour, expected, column, row, time):
     """The polygon of eq (2) by the least path through a dot, over the picture."""
     m, n = len(contour.polygon_a.vertices), len(contour.polygon_b.vertices)
-    path = expected.path_through(column, row)[:-1] + np.array(expected.start)
+    path = path_through(expected, column, row)[:-1] + np.array(expected.start)
     at_a, at_b = contour.polygon_a.vertices[path[:, 0] % m], contour.polygon_b.vertices[path[:, 1] % n]
     polygon = (1 - time) * at_a + time * at_b
     np.testing.assert_allclose(points(page.get_attribute("#overlay .other", "d")), polygon, atol=1e-2)

@@ -114,7 +114,8 @@ def test_without_ffmpeg_a_line_says_what_to_install(here, capsys, monkeypatch):
         assert run(["a.svg", "b.svg", "-o", f"x.{suffix}"]) == 1
         error = capsys.readouterr().err
         assert (
-            f"x.{suffix}: videos need the program ffmpeg, which is not here (apt-get install ffmpeg" in error
+            f"x.{suffix}: videos need the program ffmpeg, which is not installed (apt-get install ffmpeg"
+            in error
         )
         assert error.count("\n") == 1
     assert made() == []
@@ -123,8 +124,8 @@ def test_without_ffmpeg_a_line_says_what_to_install(here, capsys, monkeypatch):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ("-o x.mp4 --background transparent", "nothing in an MP4 is; .webm can be"),
-        ("-o x.webm --repeat 101", "a video runs 100 times at most"),
+        ("-o x.mp4 --background transparent", "an MP4 cannot be transparent; .webm"),
+        ("-o x.webm --repeat 101", "a video has 100 runs at most"),
         ("-o x.mp4 --duration 3600", "pictures are more than 20000"),
     ],
 )

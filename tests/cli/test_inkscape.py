@@ -141,7 +141,7 @@ def test_an_animation_goes_from_the_lowest_object_up(here):
     [
         ("", "an animation needs the name of a file"),
         ("--output -", "standard output is for the document"),
-        ("--output x.bmp", ".bmp is not written"),
+        ("--output x.bmp", ".bmp cannot be written"),
     ],
 )
 def test_an_animation_needs_a_file(here, capsys, options, message):

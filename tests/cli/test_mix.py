@@ -114,16 +114,16 @@ def test_names_stay_in_mixtures(here):
 
 
 REFUSED = {
-    "--mix .5,.5": "--mix 0.5,0.5 is of 2 files; 3 given",
+    "--mix .5,.5": "--mix 0.5,0.5 has 2 shares; 3 files given",
     "--mix 1,-1,1": "--mix must be shares of two files or more, 0 or more and not all 0",
     "--mix 0,0,0": "not all 0",
     "--mix a,b,c": "--mix must be shares",
     "--mix 1,1,1 -n 4": "--mix sets the frames itself",
     "--mix 1,1,1 --ends": "--mix sets the frames itself",
     "--mix 1,1,1 --mix 1,0,0 -o x.svg": "takes one mixture, which stands still; a folder takes several",
-    "--mix 1,1,1 -o x.gif": "--mix is for a folder, a name ending in .svg or one in .png",
+    "--mix 1,1,1 -o x.gif": "--mix is for a folder, or for a name ending in .svg or .png",
     "--mix 1,1,1 --emit layers": "--mix is for a folder",
-    "--mix 1,1,1 --report r.json": "--mix makes none",
+    "--mix 1,1,1 --report r.json": "--mix makes mixtures",
 }
 
 
@@ -137,5 +137,5 @@ def test_mixtures_in_python(here):
     blend = sb.blend(files)
     (text,) = mixed(files, ".2,.5,.3")
     assert blend.mix(0.2, 0.5, 0.3).svg == text
-    with pytest.raises(sb.ShapeblendError, match="is of 2 files; 3 given"):
+    with pytest.raises(sb.ShapeblendError, match="has 2 shares; 3 files given"):
         blend.mix(0.5, 0.5)

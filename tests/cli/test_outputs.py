@@ -225,7 +225,7 @@ def test_svg_needs_no_extra(here, monkeypatch):
 @pytest.mark.parametrize(
     ("viewbox", "words"),
     [
-        ("0 0 24000 24", "x.png: 24000 x 24 is shown of the first drawing"),
+        ("0 0 24000 24", "x.png: the view of the first drawing, 24000 x 24, would be"),
         ("0 0 24 24000", "a smaller --width"),
     ],
 )

@@ -58,7 +58,7 @@ def test_the_largest_contour_is_drawn_unless_another_is_named(here):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ("graph a.svg b.svg --contour 7", "contour 7 of A is matched with none of B; 0, 1 would do"),
+        ("graph a.svg b.svg --contour 7", "contour 7 of A has no partner in B; 0, 1 would work"),
         ("angle a.svg b.svg --dot 0,4000", "dot 0,4000 names no vertices"),
         ("graph a.svg none.svg", "none.svg: cannot be read"),
     ],

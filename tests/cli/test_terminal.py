@@ -3,6 +3,7 @@
 import contextlib
 import os
 import pty
+import re
 import signal
 import sys
 import time
@@ -13,7 +14,7 @@ import pytest
 
 from shapeblend_cli.cli import run, terminal
 from shapeblend_cli.system.clock import Clock
-from tests.support.commands import names, read_to, start_on_terminal, write
+from tests.support.commands import names, process, read_to, start_on_terminal, write
 from tests.support.drawings import LEAF, SQUARES, svg
 
 
@@ -52,7 +53,7 @@ def test_ctrl_c_leaves_nothing_behind(here):
     os.close(ours)
     assert b"\n" not in shown
     assert said.split() == b"shapeblend: interrupted; nothing was written".split()
-    assert process.wait(timeout=60) == 1
+    assert process.wait(timeout=60) == 130
     assert names() == ["a.svg", "b.svg"]
 
 
@@ -101,6 +102,16 @@ def test_short_runs_and_quiet_ones_show_nothing(files, capfd, monkeypatch):
         monkeypatch.setattr(terminal, name, 0.001)
     assert run([*files, "-o", "quiet", "-q"]) == 0
     assert capfd.readouterr() == ("", "")
+
+
+def test_verbose_says_how_long_the_start_took_where_there_was_one(files, capsys):
+    began = time.perf_counter()
+    said = process(*files, "-v").stderr.decode().splitlines()[-1]
+    passed = 1000.0 * (time.perf_counter() - began)
+    start, read = re.match(r"shapeblend: start ([\d.]+) ms, read ([\d.]+) ms, ", said).groups()
+    assert 0.0 < float(read) < float(start) < passed
+    assert run([*files, "-o", "again", "-v"]) == 0
+    assert capsys.readouterr().err.splitlines()[-1].startswith("shapeblend: read ")
 
 
 def test_a_clock_adds_up_the_laps_of_a_stage():

@@ -10,7 +10,7 @@ REFUSED = {
     "--trigger press": "must be load, click, hover, or the id of an element and an event of it, such as menu.click",
     "--trigger click": "--trigger click is for an animated SVG, --output FILE.svg",
     "--trigger click -o x.gif": "--trigger click is for an animated SVG",
-    "--trigger hover -o x.svg --animate frames": "--animate frames is none",
+    "--trigger hover -o x.svg --animate frames": "not for --animate frames",
     "--trigger click -o x.svg --repeat 2": "--repeat is for animations that start by themselves",
     "--trigger menu.click -o x.svg --animate css": "CSS knows no events of other elements",
     "c.svg --trigger click -o x.svg --animate css": "takes two files; 3 given",

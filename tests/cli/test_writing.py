@@ -15,6 +15,7 @@ import pytest
 from shapeblend_cli.cli import run
 from shapeblend_cli.job import make as files
 from shapeblend_cli.system import staging
+from shapeblend_cli.system.write import is_inside
 from tests.support.commands import contents, made, names
 from tools.faults import runs
 
@@ -266,7 +267,7 @@ def test_who_is_interrupted_after_writing_is_told_the_truth(here, capsys, monkey
     if signal.getsignal(number) is signal.SIG_IGN:
         pytest.skip("the tests run where this signal is ignored")
     monkeypatch.setattr(files, "print_text", lambda *_: signal.raise_signal(number))
-    assert run([*AB, "-o", "x.svg"]) == 1
+    assert run([*AB, "-o", "x.svg"]) == 128 + number
     assert capsys.readouterr().err == "shapeblend: interrupted; all files were written\n"
     assert made() == ["x.svg"]
 
@@ -279,7 +280,7 @@ def test_a_signal_while_files_are_moved_waits(here, capsys, monkeypatch):
         link(*arguments)
 
     monkeypatch.setattr(os, "link", link_and_raise)
-    assert run([*AB, "-n", "3", "-o", "."]) == 1
+    assert run([*AB, "-n", "3", "-o", "."]) == 143
     assert capsys.readouterr().err == "shapeblend: interrupted; all files were written\n"
     assert made() == ["frame-1.svg", "frame-2.svg", "frame-3.svg"]
 
@@ -298,7 +299,8 @@ def test_a_signal_while_modules_load_is_one_line(here, module, name):
         "from shapeblend_cli.__main__ import main; main()\n"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stderr) == (1, "shapeblend: interrupted; nothing was written\n")
+    status = 128 + getattr(signal, name)
+    assert (done.returncode, done.stderr) == (status, "shapeblend: interrupted; nothing was written\n")
 
 
 def test_a_timeout_ends_a_run_with_nothing_written(here, refused):
@@ -409,6 +411,30 @@ def test_names_that_are_not_utf_8(here, capsys):
     assert "Traceback" not in capsys.readouterr().err
 
 
+def test_a_working_folder_that_cannot_be_written_to_is_named(here, refused, monkeypatch):
+    monkeypatch.setattr(os, "access", lambda path, mode, **_: mode != os.W_OK)
+    for output in ("moving.svg", "./moving.svg", "new/moving.svg"):
+        refused([*AB, "-o", output], 1, f"{here}: is a folder that cannot be written to")
+    Path("there").mkdir()
+    refused([*AB, "-o", "there/moving.svg"], 1, "there: is a folder that cannot be written to")
+
+
+@pytest.mark.parametrize(
+    "line", ["{0}/a.svg {0}/b.svg", "batch --chain {0}", "studio --no-open {0}/a.svg {0}/b.svg"]
+)
+def test_a_working_folder_that_is_gone_is_named(here, capsys, monkeypatch, line):
+    gone = here / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    monkeypatch.setenv("PWD", str(gone))
+    gone.rmdir()
+    assert run(line.format(here).split()) == 1
+    said = (
+        f"shapeblend: {gone}: the current folder is not there any more; changing to another one would work\n"
+    )
+    assert capsys.readouterr().err == said
+
+
 def test_a_working_folder_that_is_gone_is_one_line(here, capsys):
     gone = here / "gone"
     gone.mkdir()
@@ -416,9 +442,8 @@ def test_a_working_folder_that_is_gone_is_one_line(here, capsys):
     gone.rmdir()
     try:
         assert run([str(here / "a.svg"), str(here / "b.svg"), "-o", str(here / "out")]) == 0
-        assert run([str(here / "a.svg"), str(here / "b.svg")]) == 1
         assert run(["../a.svg", "../b.svg", "-o", "x.svg"]) == 1
-        assert capsys.readouterr().err.count("\n") == 2
+        assert capsys.readouterr().err.count("\n") == 1
     finally:
         os.chdir(here)
 
@@ -459,3 +484,27 @@ def test_the_fresh_folder_is_one_step(here, monkeypatch):
     monkeypatch.setattr(os, "rename", lambda *given: (seen.append(made()), rename(*given)))
     assert run([*AB, "-o", "deep/er"]) == 0
     assert [name for name in seen[0] if not name.startswith(staging.PREFIX)] == []
+
+
+def test_a_path_lies_in_a_folder_where_links_lead(here):
+    (here / "own" / "deep").mkdir(parents=True)
+    (here / "own" / "out").symlink_to(here)
+    inside = [is_inside(Path(path), "own") for path in ("own/a", "own/deep/b", "own/x/../c", here / "own/d")]
+    outside = [is_inside(Path(path), "own") for path in ("a", "own/../a", "own/out/a", "owner/a", "/etc/a")]
+    assert inside == [True] * 4
+    assert outside == [False] * 5
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/fd/1"), reason="needs /dev/fd")
+@pytest.mark.parametrize("output", ["/dev/stdout", "/dev/fd/1", "pipe"])
+def test_a_device_or_a_pipe_gets_what_standard_output_would(here, output):
+    command = [sys.executable, "-m", "shapeblend_cli", *AB, "-o"]
+    expected = subprocess.run([*command, "-"], capture_output=True, check=True).stdout
+    if output == "pipe":
+        os.mkfifo("pipe")
+        with subprocess.Popen([*command, output]) as process:
+            assert Path("pipe").read_bytes() == expected
+        assert process.returncode == 0
+    else:
+        assert subprocess.run([*command, output], capture_output=True, check=True).stdout == expected
+    assert made() == (["pipe"] if output == "pipe" else [])

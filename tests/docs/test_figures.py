@@ -1,4 +1,4 @@
-"""The figures in docs/*.json: the documents are made of them, and a few of them are measured anew."""
+"""A few figures of docs/quality.json are measured anew, with drawings that are made anew."""
 
 import json
 
@@ -6,41 +6,31 @@ import numpy as np
 import pytest
 
 from tests.support.equipment import require
-from tools import bulk, solver_table
+from tools import solver
 from tools.quality import __main__ as quality
-from tools.quality import crossings, letters, motions, raw, sizes, sweep, times
-from tools.quality.data import ROOT, SETS, icon_pairs
+from tools.quality import crossings, raw, times
+from tools.quality.data import ROOT, SETS, icon_pairs, subpaths
+from tools.quality.faces import section as faces
+from tools.quality.judge import pairs
 from tools.quality.judge import section as judge
-from tools.quality.morphs import section as limbs
-from tools.quality.motions import Choice
-from tools.quality.peers import ALL, arc_length, flubber, kute, polymorph, shapeblend
+from tools.quality.morphs import articulated, make
+from tools.quality.peers import ALL, LIBRARIES, flubber, kute, shapeblend
 from tools.quality.scores import STEPS, Score
-from tools.quality.truth import form
-from tools.quality.truth.measures import Nearness
+from tools.quality.truth import letters
+from tools.quality.truth import section as truth
+from tools.quality.truth.form import TIMES
+from tools.quality.truth.measures import Nearness, apart, strict
+from tools.quality.truth.write import centred, is_plain
 
 FOUND = json.loads((ROOT / quality.RAW).read_text(encoding="utf-8"))
-SWEPT = json.loads(sweep.RAW.read_text(encoding="utf-8"))
-SOLVED = json.loads(solver_table.RAW.read_text(encoding="utf-8"))
-SINGLE = icon_pairs("single")
 TOOLS = {tool.name: tool for tool in ALL}
+ANEW = (shapeblend.NAME, flubber.NAME)
+"""Other libraries are held by their versions."""
 
-LIBRARIES = (*flubber.LIBRARIES, kute.FINE, kute.OF_CURVES, polymorph.FINE)
-MEASURED = (shapeblend.NAME, arc_length.NAME, *(library.name for library in LIBRARIES))
-
-EVERY = {
-    "icons": {"single": 40, "whole": 20},
-    "letters": {"single": 10, "multi": 8, "cut": 13},
-    "morphs": dict(zip(limbs.SETS, (8, 10, 2), strict=True)),
-}
+EVERY = {"single": 20, "whole": 10}
+EVERY_TRUTH = dict(zip(truth.KINDS, (10, 8, 13, 8, 10, 2), strict=True))
+EVERY_GRADED, EVERY_FACE = 20, 8
 """One pair in so many is measured anew."""
-SWEPT_EVERY = 12
-JUDGED_EVERY = 20
-SOLVED_NEAR = {"rel": 1e-3, "abs": 1e-6}
-
-
-def chosen(what, name):
-    """The numbers of the pairs that are measured anew."""
-    return range(0, len(FOUND[what][name]["pairs"]), EVERY[what][name])
 
 
 def same(kind, scores, told, numbers):
@@ -49,160 +39,112 @@ def same(kind, scores, told, numbers):
         assert values == pytest.approx([told[column][k] for k in numbers], abs=2e-3), column
 
 
-def test_documents_are_what_was_measured():
-    readme = (ROOT / quality.README).read_text(encoding="utf-8")
-    for name, text in quality.documents(FOUND, readme).items():
-        assert (ROOT / name).read_text(encoding="utf-8") == text
-    assert sweep.DOCUMENT.read_text(encoding="utf-8") == sweep.document(SWEPT)
-    assert solver_table.DOCUMENT.read_text(encoding="utf-8") == solver_table.document(SOLVED)
-    assert solver_table.figures(SOLVED) in solver_table.GUIDE.read_text(encoding="utf-8")
-    assert bulk.DOCUMENT.read_text(encoding="utf-8") == bulk.document(json.loads(bulk.RAW.read_text("utf-8")))
-
-
 def test_every_pair_has_its_scores():
-    assert FOUND["missing"] == []
     for name in SETS:
         assert FOUND["icons"][name]["pairs"] == [pair.id for pair in icon_pairs(name)]
-        assert list(FOUND["icons"][name]["scores"]) == list(TOOLS)
-    for name in letters.KINDS:
-        assert list(FOUND["letters"][name]["scores"]) == [tool.name for tool in ALL if tool.linked]
-    for what in limbs.SETS:
-        assert list(FOUND["morphs"][what]["scores"]) == [tool.name for tool in ALL if tool.linked]
-    for kept in [*FOUND["icons"].values(), *FOUND["letters"].values(), *FOUND["morphs"].values()]:
+        counts = [len(subpaths(data)) for pair in icon_pairs(name) for data in (pair.a, pair.b)]
+        assert (min(counts), max(counts)) == {"single": (1, 1), "whole": (2, 5)}[name]
+    assert list(FOUND["truth"]) == list(truth.KINDS)
+    for kept in [*FOUND["icons"].values(), *FOUND["truth"].values()]:
+        assert list(kept["scores"]) == list(TOOLS)
         columns = [column for scores in kept["scores"].values() for column in scores.values()]
         assert {len(column) for column in columns} == {len(kept["pairs"])}
-    assert {len(column) for column in SOLVED["icons"].values()} == {len(SINGLE)}
-    assert {len(column) for column in SOLVED["fine"].values()} == {len(SINGLE[:: solver_table.EVERY])}
-
-
-def require_for(tool):
-    if tool in {library.name for library in LIBRARIES}:
-        require(tool.split()[0])
 
 
 @pytest.mark.parametrize("name", SETS)
-@pytest.mark.parametrize("tool", MEASURED)
+@pytest.mark.parametrize("tool", ANEW)
 def test_icons_measured_anew(name, tool):
-    require_for(tool)
-    numbers = chosen("icons", name)
+    if tool == flubber.NAME:
+        require("flubber")
+    numbers = range(0, len(icon_pairs(name)), EVERY[name])
     scores = crossings.scored(TOOLS[tool], [icon_pairs(name)[k] for k in numbers])
     same(Score, scores, FOUND["icons"][name]["scores"][tool], numbers)
 
 
-@pytest.mark.parametrize("name", SETS)
-def test_motions_measured_anew(name):
-    numbers = chosen("icons", name)
-    choices = [motions.choice(shapeblend.report(icon_pairs(name)[k])) for k in numbers]
-    told = raw.records(Choice, FOUND["motions"][name])
-    assert choices == [told[k] for k in numbers]
-
-
-@pytest.mark.parametrize("name", SETS)
-def test_sizes_measured_anew(name, libraries):
-    told = FOUND["sizes"][name]
-    pair = next(pair for pair in icon_pairs(name) if pair.id == told["pairs"][0])
-    assert sizes.segments([pair], libraries) == {
-        tool: counts[:1] for tool, counts in told["segments"].items()
-    }
-    for tool, files in sizes.animations([pair], libraries).items():
-        for kind, (text,) in files.items():
-            assert len(text) == pytest.approx(told["bytes"][tool][kind][0], rel=0.01), (tool, kind)
-
-
-@pytest.mark.parametrize("name", letters.KINDS)
-@pytest.mark.parametrize("tool", MEASURED)
-def test_letters_measured_anew(name, tool, fonts):
-    require_for(tool)
-    numbers = chosen("letters", name)
-    truths = letters.pairs_of(fonts, name)
-    assert [truth.id for truth in truths] == FOUND["letters"][name]["pairs"]
-    scores = letters.scored(TOOLS[tool], [truths[k] for k in numbers])
-    same(Nearness, scores, FOUND["letters"][name]["scores"][tool], numbers)
-
-
-@pytest.mark.parametrize("what", limbs.SETS)
-@pytest.mark.parametrize("tool", MEASURED)
-def test_limbs_and_morphs_measured_anew(what, tool, morphs):
-    require_for(tool)
-    numbers = chosen("morphs", what)
-    split, name = limbs.SETS[what]
-    truths = list(form.load(morphs / split, name))
-    assert [truth.id for truth in truths] == FOUND["morphs"][what]["pairs"]
-    scores = letters.scored(TOOLS[tool], [truths[k] for k in numbers])
-    same(Nearness, scores, FOUND["morphs"][what]["scores"][tool], numbers)
+@pytest.mark.parametrize("kind", truth.KINDS)
+@pytest.mark.parametrize("tool", ANEW)
+def test_letters_limbs_and_morphs_measured_anew(kind, tool, truths):
+    if tool == flubber.NAME:
+        require("flubber")
+    every, told = truth.pairs_of(kind), FOUND["truth"][kind]
+    assert [one.id for one in every] == told["pairs"]
+    numbers = range(0, len(every), EVERY_TRUTH[kind])
+    scores = truth.scored(TOOLS[tool], [every[k] for k in numbers])
+    same(Nearness, scores, told["scores"][tool], numbers)
 
 
 @pytest.mark.parametrize("seed", judge.SEEDS)
 def test_the_judge_measured_anew(seed):
-    require("graded icons")
+    require("fonts, icons and animations")
     told, every = FOUND["judge"][str(seed)], judge.graded(seed)
     assert told["pairs"] == [" ".join(one.pair) for one in every]
-    for k in range(0, len(every), JUDGED_EVERY):
+    drawn = iter(pairs.picked(seed, judge.SEEDS[seed]))
+    assert all(one.pair in drawn for one in every)  # in the order in which they were drawn
+    for k in range(0, len(every), EVERY_GRADED):
         found = judge.measure(every[k])
         assert found.numbers == pytest.approx({n: c[k] for n, c in told["numbers"].items()}, abs=2e-3)
         assert found.taken == told["taken"][k]
 
 
-def test_times_are_of_commands_that_write_what_they_should(libraries, tmp_path):
-    pairs = icon_pairs("single")[:2]
+def test_faces_measured_anew(monkeypatch):
+    require("fonts, icons and animations")
+    assert sorted(a for a, _ in faces.PAIRS) == sorted(b for _, b in faces.PAIRS) == sorted(faces.FACES)
+    monkeypatch.setattr(faces, "PAIRS", faces.PAIRS[::EVERY_FACE])
+    assert faces.measured()["eyes"] == FOUND["faces"]["eyes"][::EVERY_FACE]
+
+
+def test_times_are_of_commands_that_write_what_they_should(tmp_path):
+    few = icon_pairs("single")[:2]
     for way, count in ((times.ours, 1), (times.ours_in_bulk, 2)):
         folder = tmp_path / way.__name__
         folder.mkdir()
-        assert min(way(pairs[:count], folder)) > 0.01
+        assert way(few[:count], folder) > 0.01
         assert len(list(folder.glob("frames-*/*.svg"))) == count * (STEPS - 1)
-    for library in times.TIMED:
-        times.theirs(library)(pairs, tmp_path)
+    for library in LIBRARIES:
+        require("KUTE.js" if library is kute.OF_CURVES else library.name.split()[0])
+        times.theirs(library)(few, tmp_path)
         lines = (tmp_path / "frames").read_text(encoding="utf-8").splitlines()
         assert [[f[0] for f in json.loads(line)["frames"]] for line in lines] == [["M"] * (STEPS - 1)] * 2
-    times.evenly(pairs, tmp_path)
-    assert len((tmp_path / "frames").read_text(encoding="utf-8").splitlines()) == 2 * (STEPS - 1)
 
 
-def test_every_setting_was_swept_and_every_option_has_one_default():
-    assert list(SWEPT) == list(sweep.settings())
-    for key in sweep.options():
-        rows = [sweep.row(SWEPT, key, value) for value in sweep.values(key)]
-        assert sum(row[1].startswith("**") for row in rows) == 1, key
+def test_letters_and_morphs_are_fit_and_change(truths):
+    for kind in truth.KINDS:
+        for one in truth.pairs_of(kind):
+            contours = len(one.frames[0])
+            assert (contours == 1) == ("several" not in kind)
+            assert len(shapeblend.drawn(one.b)) == contours
+            straight = [[p + (q - p) * t for p, q in one.true_links()] for t in TIMES]
+            if kind == truth.LIMBS:
+                assert all(is_plain(frame) for frame in one.frames), one.id
+                assert strict(one, straight) > 1e-3  # limbs go on arcs, which straight ways miss
+            else:
+                assert apart(*centred(one.frames[0], one.frames[-1])) >= letters.DIFFERENT
+                assert strict(one, straight) < 3 * letters.EVEN
 
 
-@pytest.mark.parametrize("number", [0, 2, -1])
-def test_defaults_measured_anew(number, fonts, morphs):
-    name, setting = list(sweep.settings().items())[number]
-    truths = {
-        of: [truth for set_ in form.SETS for truth in form.load(folder, set_)][:: sweep.EVERY[of]]
-        for of, folder in sweep.FOLDERS.items()
-    }
-    few = {of: some[::SWEPT_EVERY] for of, some in truths.items()}
-    found = sweep.scored(setting, few, SINGLE[:: sweep.EVERY["icons"]][::SWEPT_EVERY])
-    for of, kinds in found.items():
-        for kind, values in kinds.items():
-            assert values == pytest.approx(SWEPT[name][of][kind][::SWEPT_EVERY], abs=2e-3), (of, kind)
+def test_letters_and_limbs_are_the_same_every_time(truths, monkeypatch, tmp_path):
+    family = next(iter(letters.FAMILIES))
+    monkeypatch.setattr(letters, "FAMILIES", {family: letters.FAMILIES[family]})
+    monkeypatch.setattr(articulated, "POSES", articulated.POSES[:2])
+    letters.make(tmp_path / "letters")
+    make.make(tmp_path / "morphs")
+    for made, folder in ((tmp_path / "letters", letters.FOLDER), (tmp_path / "morphs", make.FOLDER)):
+        files = [*made.glob("**/truth.json"), *made.glob("**/b.svg")]
+        assert len(files) > 10
+        for file in files:
+            assert file.read_bytes() == (folder / file.relative_to(made)).read_bytes()
 
 
-def test_defaults_are_near_the_best():
-    """No other setting is much nearer to the truth on all sets without crossing more icons."""
-    default = SWEPT[""]
-    for name, other in SWEPT.items():
-        shares = [np.mean(other[of]["corr"]) / np.mean(default[of]["corr"]) for of in sweep.FOLDERS]
-        crossed = [
-            sum(found["icons"]["crossed"]) + sum(found["icons"]["little"]) for found in (other, default)
-        ]
-        assert max(shares) > 0.8 or crossed[0] > crossed[1], name
+def test_an_in_between_of_a_letter_is_that_of_the_font(truths):
+    one = letters.letter(letters.opened("Archivo"), "Archivo", "I", "wght", 0.0, 1.0)
+    widths = [float(np.ptp(np.concatenate(frame).real)) for frame in one.frames]
+    assert np.diff(widths) == pytest.approx([(widths[-1] - widths[0]) / 4] * 4, abs=0.2)
+    assert widths[-1] > 1.2 * widths[0]
 
 
-@pytest.mark.parametrize("number", range(0, len(SINGLE), 16))
-def test_solved_icons_anew(number):
-    found = solver_table.on_icon(*solver_table.outlines(SINGLE[number], solver_table.VERTICES))
-    for name in ("simplified", "divided"):
-        assert found[name] == pytest.approx(SOLVED["icons"][name][number], **SOLVED_NEAR)
-
-
-@pytest.mark.parametrize("number", [3, 21])
-def test_finely_solved_icons_anew(number):
-    pair = SINGLE[:: solver_table.EVERY][number]
-    found = solver_table.on_fine_icon(*solver_table.outlines(pair, solver_table.FINE))
-    assert found["coarse"] == pytest.approx(SOLVED["fine"]["coarse"][number], **SOLVED_NEAR)
-
-
-def test_symmetric_shapes_are_still_proven():
-    assert SOLVED["family"]["proven"] == [1] * 100
+def test_the_papers_other_ways_end_where_the_page_on_the_solver_says():
+    for pair in icon_pairs("single")[::40]:
+        outlines = solver.outlines(pair, solver.VERTICES)
+        simplified, divided = solver.work_above(solver.Wires(*outlines))
+        assert 0.0 < simplified < 0.078
+        assert divided == 0.0

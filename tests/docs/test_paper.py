@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.options.constants import PRESETS
-from tools import paper_pictures
+from tools.pictures import DOCS, shown, written
 
-TEXT = paper_pictures.PAGE.read_text(encoding="utf-8")
+TEXT = (DOCS / "paper.md").read_text(encoding="utf-8")
+SHOWN = shown("paper.md")
 TIMES = np.arange(7) / 6
 
 
@@ -19,7 +20,7 @@ def report(tmp_path):
 
     def report_of(name, *more):
         file = tmp_path / "report.json"
-        paper_pictures.draw(f"{name}.png", "--report", str(file), *more)
+        written([*SHOWN[f"paper/{name}.png"], "--report", str(file), *more], f"{name}.png")
         return json.loads(file.read_text(encoding="utf-8"))
 
     return report_of
@@ -39,7 +40,7 @@ def moving(found, number):
 
 
 def test_every_picture_has_its_command_and_every_command_its_picture():
-    assert len(paper_pictures.shown()) == TEXT.count("![") == TEXT.count("```sh")
+    assert len(SHOWN) == TEXT.count("![") == TEXT.count("```sh")
 
 
 ROWS = re.findall(r"^\| (\d+) \| (.*) \| (\S+) \|$", TEXT, re.MULTILINE)
@@ -50,7 +51,7 @@ def test_figures_of_table_1_have_its_constants_and_stay_in_its_band(report, figu
     preset, name = f"fig{figure}", f"figure-{figure}"
     columns = ("band", "k_s", "k_b", "e_s", "e_b")
     assert [float(value) for value in constants.split(" | ")] == [PRESETS[preset][key] for key in columns]
-    assert f"--preset {preset}" in " ".join(paper_pictures.shown()[f"{name}.png"].words)
+    assert f"--preset {preset}" in " ".join(SHOWN[f"paper/{name}.png"])
     assert f"{contour(report(name))['diagonal_deviation']:.3f}" == here
 
 

@@ -81,7 +81,7 @@ REFUSED = {
     "--stagger-by size": "--stagger-by sets the order of --stagger",
     "--stagger .5 --emit lottie": "--stagger is for frames, animated SVGs",
     "--stagger .5 --emit pair": "--stagger is for frames, animated SVGs",
-    "--stagger .5 --mix .5,.5": "--mix makes none",
+    "--stagger .5 --mix .5,.5": "--mix makes mixtures",
     "--stagger .5 -o x.svg --animate css --trigger hover": "needs --animate smil",
 }
 

@@ -257,7 +257,7 @@ def test_compiled_and_uncompiled_kernels_agree(rng, load_uncompiled):
     assert crossings.COMPILED
     uncompiled = load_uncompiled("shapeblend_cli.geometry.crossings")
     assert not uncompiled.COMPILED
-    shapes = [outlines for outlines, _ in ALL.values()]
-    shapes += [[random_chain(rng, 3), random_chain(rng, 2)], [lines(random_polygon(rng, 60))]]
+    shapes = [outlines for outlines, _ in ALL.values()][::2]
+    shapes += [[random_chain(rng, 2), random_chain(rng, 2)], [lines(random_polygon(rng, 40))]]
     counts = [path_crossings(outlines) for outlines in shapes]
     assert [uncompiled.path_crossings(outlines) for outlines in shapes] == counts

@@ -46,13 +46,13 @@ def assert_bounds(found, least):
 
 
 SEEDS = {
-    "anywhere": range(300),
-    "start": range(1000, 1040),
-    "open": range(2000, 2060),
-    "band": range(4000, 4080),
-    "pins": range(5000, 5100),
-    "stiff": range(6000, 6040),
-    "all": range(7000, 7060),
+    "anywhere": range(30),
+    "start": range(1000, 1005),
+    "open": range(2000, 2006),
+    "band": range(4000, 4012),
+    "pins": range(5000, 5012),
+    "stiff": range(6000, 6006),
+    "all": range(7000, 7008),
 }
 OPEN_EVERY = {"open": 1, "band": 4, "pins": 3, "stiff": 3}
 REFUSED = {
@@ -132,7 +132,7 @@ def test_crossing_pins_are_named(rng):
     assert find_least(p, p, pins=[(4, 8), (8, 4)]).work > 0.0  # two alone never cross on closed outlines
 
 
-@pytest.mark.parametrize("seed", range(8000, 8060))
+@pytest.mark.parametrize("seed", range(8000, 8008))
 def test_the_simplified_solver_is_never_below_the_exact_one(seed):
     p0, p1, constants, _ = random_problem(seed)
     for closed in (True, False):
@@ -140,13 +140,6 @@ def test_the_simplified_solver_is_never_below_the_exact_one(seed):
         simple = find_least(p0, p1, closed, constants, solver="simplified")
         assert simple.work >= exact.work * (1 - 1e-12)
         assert_bounds(simple, exact)
-
-
-def test_the_simplified_solver_considers_every_start(rng):
-    p0, p1 = random_polygon(rng, 12), random_polygon(rng, 10)
-    best = find_least(p0, p1, solver="simplified").work
-    for j in range(10):
-        assert best <= find_least(p0, p1, start=(0, j), solver="simplified").work * (1 + 1e-12)
 
 
 def simplified_by_the_book(p0, p1, constants):
@@ -173,14 +166,14 @@ def simplified_by_the_book(p0, p1, constants):
     return work[m - 1, n - 1]
 
 
-@pytest.mark.parametrize("seed", range(9000, 9030))
+@pytest.mark.parametrize("seed", range(9000, 9006))
 def test_the_simplified_solver_is_that_of_the_equations(seed):
     p0, p1, constants, _ = random_problem(seed)
     simple = find_least(p0, p1, False, constants, solver="simplified")
     assert simple.work == pytest.approx(simplified_by_the_book(p0, p1, constants), rel=1e-9)
 
 
-@pytest.mark.parametrize("seed", range(25))
+@pytest.mark.parametrize("seed", range(6))
 def test_work_is_the_sum_of_the_equations_along_the_dots(seed):
     rng = np.random.default_rng(3000 + seed)
     closed = bool(seed % 3)
@@ -190,19 +183,6 @@ def test_work_is_the_sum_of_the_equations_along_the_dots(seed):
     assert found.work == pytest.approx(
         Oracle(p0, p1, closed, constants, weight).price(found.dots), rel=5e-3, abs=5e-3
     )
-
-
-@pytest.mark.parametrize("closed", [True, False])
-def test_tables_made_block_by_block_change_nothing(rng, closed, monkeypatch):
-    p0, p1 = star_polygon(rng, 23), star_polygon(rng, 31)
-    pins = [(2, 5), (9, 20)]
-    stored = [find_least(p0, p1, closed, **given) for given in ({}, {"pins": pins}, {"band": 0.3})]
-    monkeypatch.setattr(graph, "STORED_DOTS", 0)
-    monkeypatch.setattr(graph, "BLOCK_DOTS", 100)
-    blocks = [find_least(p0, p1, closed, **given) for given in ({}, {"pins": pins}, {"band": 0.3})]
-    for one, other in zip(stored, blocks, strict=True):
-        np.testing.assert_array_equal(one.dots, other.dots)
-        assert one.work == other.work
 
 
 def plain_sweeps(p0, p1):
@@ -251,13 +231,6 @@ def test_bounds_are_those_of_the_sweep(rng):
     assert open_graph.lower_bound() == pytest.approx(find_least(p0, p1, False).work, rel=1e-12)
 
 
-def test_a_path_prices_the_same_wherever_it_begins(rng):
-    p0, p1 = star_polygon(rng, 9), star_polygon(rng, 7)
-    found = find_least(p0, p1, True)
-    turned = Wires(p0, p1).path_work(np.roll(found.dots, 4, axis=0))
-    assert turned.total == pytest.approx(found.work)
-
-
 @pytest.mark.parametrize(
     "dots", [[[0, 0], [1, 0], [1, 1], [2, 2]], [[0, 0], [2, 1]], [[0, 0], [1, 1], [2, 2], [2, 2]]]
 )
@@ -294,14 +267,6 @@ def test_compiled_and_uncompiled_kernels_agree_to_the_bit(rng, load_uncompiled, 
     monkeypatch.setattr("shapeblend_cli.matching.landscape.cost_to_go", uncompiled.cost_to_go)
     for one, other in zip(compiled, solve_all(), strict=True):
         np.testing.assert_array_equal(one, other)
-
-
-def test_arguments_are_left_as_they_were(rng):
-    p0, p1 = star_polygon(rng, 8), star_polygon(rng, 6)
-    before = p0.copy(), p1.copy()
-    find_least(p0, p1, True)
-    np.testing.assert_array_equal(p0, before[0])
-    np.testing.assert_array_equal(p1, before[1])
 
 
 @pytest.mark.parametrize("closed", [True, False])

@@ -8,7 +8,7 @@ from shapeblend_cli.errors import PictureError
 from shapeblend_cli.model import Box
 from shapeblend_cli.outputs.contact_sheet import PAGE, columns_for, contact_sheet
 from shapeblend_cli.outputs.formats import WHITE
-from shapeblend_cli.outputs.raster import MOST_SIDE, Size, rasterize, read_png, size_for
+from shapeblend_cli.outputs.pixels import MOST_SIDE, Size, rasterize, read_png, size_for
 from tests.support.commands import write
 from tests.support.drawings import svg
 
@@ -71,7 +71,7 @@ def test_strokes_too_wide_for_pictures_are_refused(here, capsys):
     write(a=svg("M2 2H20V20Z"), b=tiny)
     for target in ("x.png", "x.gif"):
         assert run(["a.svg", "b.svg", "-o", target]) == 1
-        assert "times as wide as what is shown" in capsys.readouterr().err
+        assert "times as wide as the view" in capsys.readouterr().err
         assert not (here / target).exists()
     assert run(["a.svg", "b.svg", "-o", "x.svg"]) == 0
 

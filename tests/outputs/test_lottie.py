@@ -140,7 +140,7 @@ def test_a_note_tells_which_dashes_there_are_none_of(here, capsys, counts, notes
     a, b = (svg(line.format(" ".join(map(str, range(1, count + 1))) or "none")) for count in counts)
     write(a=a, b=b)
     assert run(["a.svg", "b.svg", "--emit", "lottie"]) == 0
-    assert capsys.readouterr().err.count("shape-1: Lottie cannot change its dashes") == notes
+    assert capsys.readouterr().err.count("shape-1: Lottie cannot change the number of its dashes") == notes
     assert ('"n":"d"' in Path("blend.json").read_text(encoding="utf-8")) != bool(notes)
 
 

@@ -8,7 +8,7 @@ from PIL import Image, ImageChops
 
 from shapeblend_cli.options.easing import Timing
 from shapeblend_cli.outputs.formats import WHITE
-from shapeblend_cli.outputs.raster import Size, rasterize, read_png
+from shapeblend_cli.outputs.pixels import Size, rasterize, read_png
 from shapeblend_cli.outputs.raster_animation import FASTEST, Run, encode, run_for
 from tests.support.drawings import svg
 

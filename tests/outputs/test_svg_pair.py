@@ -92,7 +92,9 @@ def test_curved_paths_are_said_to_be_lost():
         return spec.format.render(spec, [pair])
 
     contents, notes = render("pair", pair)
-    assert notes == ["shape-1: moves on curved paths, which two files cannot show: straight between them"]
+    assert notes == [
+        "shape-1: moves on curved paths, which two files cannot show; it moves straight between them"
+    ]
     assert render("pair", straight) == (contents, [])
     for emit in ("lottie", "avd"):
         assert render(emit, pair).notes == []

@@ -25,6 +25,27 @@ def test_numbers_go_straight_and_keywords_change_at_half_time():
     assert (late.stroke_linecap, late.stroke_linejoin) == ("round", "bevel")
 
 
+def test_strokes_that_do_not_scale_change_evenly_on_the_screen():
+    a = LINE._replace(stroke_width=2.0, stroke_dasharray=(8.0, 4.0), pixel=1.0)
+    b = LINE._replace(stroke_width=0.4, stroke_dasharray=(0.4, 0.2), pixel=0.1)
+    for t, width, dash in ((0.0, 2.0, 8.0), (0.25, 2.5, 7.0), (1.0, 4.0, 4.0)):
+        found = at(a, b, t).stretched(1.0 / at(a, b, t).pixel)
+        assert (found.stroke_width, *found.stroke_dasharray) == pytest.approx((width, dash, dash / 2))
+
+
+def test_a_stroke_that_scales_becomes_one_that_does_not_at_half_time():
+    a = LINE._replace(stroke_width=32.0, stroke_dasharray=(50.0, 20.0))
+    b = LINE._replace(stroke_width=2.0, stroke_dasharray=(4.0, 1.0), pixel=0.1)
+    for style, t in ((a, 0.0), (a, 0.49), (b, 0.5), (b, 1.0)):
+        found = at(a, b, t)
+        assert (found.stroke_width, found.stroke_dasharray, found.pixel) == (
+            style.stroke_width,
+            style.stroke_dasharray,
+            style.pixel,
+        )
+    assert at(Style(), b, 0.25).pixel == 0.1
+
+
 def test_a_stroke_that_fades_in_has_its_own_shape_all_along():
     b = LINE._replace(stroke_width=3.0, stroke_linecap="round", stroke_dasharray=(2.0, 1.0))
     found = at(Style(), b, 0.25)

@@ -1,5 +1,6 @@
 """Drawings that move as their pen lines."""
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,7 @@ from shapeblend_cli.pens.line_blends import COPY, FLIPPED, TURNED
 from shapeblend_cli.pens.moves import BECOMES, DRAWN_BACK, DRAWN_ON, STAYS
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.reading.read import read
-from tests.support.drawings import drawing
+from tests.support.drawings import drawing, svg
 
 ICONS = Path(__file__).parent / "icons"
 TIMES = [k / 10 for k in range(11)]
@@ -137,10 +138,17 @@ def test_three_drawings_are_blended_as_they_are(here, capsys):
 
 
 @pytest.mark.parametrize(
-    "output", ["x.svg", "x.svg --animate css", "x.json --emit lottie", "x.xml --emit avd", "x --emit pair"]
+    "output", ["x.svg", "x.svg --animate css", "x.json --emit lottie", "x.xml --emit avd"]
 )
 def test_every_output_has_strokes(here, output):
     files = [str(ICONS / f"ph-{name}.svg") for name in ("magnifying-glass", "x")]
     assert run([*files, "-o", *output.split()]) == 0
     written = "".join(path.read_text("utf-8") for path in sorted(here.rglob("*")) if path.is_file())
     assert any(word in written for word in ("stroke-width", "strokeWidth", '"ty":"st"', '"ty": "st"'))
+
+
+def test_an_open_line_of_several_segments_is_inspected(here, capsys):
+    Path("a.svg").write_text(svg('<path d="M4 20L8 8L12 16L20 4" fill="none" stroke="#000"/>'))
+    assert run("inspect a.svg --json".split()) == 0
+    (shape,) = json.loads(capsys.readouterr().out)["shapes"]
+    assert [line["closed"] for line in shape["pen_lines"]] == [False]

@@ -5,8 +5,9 @@ from xml.etree import ElementTree
 
 import pytest
 
-from shapeblend_cli.options.settings import PlotOptions, Settings
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pipeline import match_all
+from shapeblend_cli.plot.options import PlotOptions
 from shapeblend_cli.plot.subject import choose_subject
 from shapeblend_cli.svg.reading.read import read
 
@@ -51,6 +52,6 @@ def subject_of(samples, tmp_path):
         wanted = Settings(curves=False, **settings)
         (pair,), _ = match_all([read(file) for file in files], wanted)
         options = PlotOptions(contour=contour, dot=dot)
-        return choose_subject(tuple(files), pair, wanted, options, lambda share: None)
+        return choose_subject(tuple(files), pair, wanted, options)
 
     return match

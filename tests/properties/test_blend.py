@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from shapeblend_cli.geometry.similarity import Similarity
-from shapeblend_cli.model import Contour, Style
+from shapeblend_cli.model import Contour
 from shapeblend_cli.options.constants import WorkConstants
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.wires.same_segments import MOST_OF_MANY
@@ -78,27 +78,6 @@ def test_reversing_or_mirroring_both_keeps_the_work(rng, m, n, constants):
     assert find_least(p0.conj(), p1.conj(), True, constants).work == pytest.approx(work, rel=1e-9, abs=1e-9)
 
 
-@given(seeds, counts, counts, similarities)
-def test_place_and_size_do_not_matter(seed, m, n, similarity):
-    a, b = star(seed, m), star(seed + 1, n)
-    pairs = [
-        match(drawing(polygon_contour(a)), drawing(polygon_contour(other)), ASIS)
-        for other in (b, similarity.points(b))
-    ]
-    works = [pair.contours[0].correspondence.work for pair in pairs]
-    assert works[0] == pytest.approx(works[1], rel=1e-6, abs=1e-6)
-
-
-@given(seeds, counts, counts)
-def test_the_best_start_is_no_worse_than_any(seed, m, n):
-    p0, p1 = star(seed, m), star(seed + 1, n)
-    best = find_least(p0, p1, True)
-    for j in range(0, n, max(1, n // 5)):
-        assert find_least(p0, p1, True, start=(0, j)).work >= best.work - 1e-9
-    start = tuple(best.dots[len(best.dots) // 2].tolist())
-    assert find_least(p0, p1, True, start=start).work == pytest.approx(best.work, rel=1e-9, abs=1e-9)
-
-
 @given(seeds, counts, counts, st.booleans())
 def test_frames_at_both_ends_are_the_drawings(seed, m, n, curves):
     a, b = (drawing(polygon_contour(star(seed + k, count))) for k, count in enumerate((m, n)))
@@ -134,16 +113,3 @@ def test_two_circles_of_other_counts_stay_round():
     halfway = (p0[dots[:, 0]] + p1[dots[:, 1]]) / 2
     centre = (p0.mean() + p1.mean()) / 2
     assert abs(halfway - centre).min() > 0.4
-
-
-def test_paint_goes_from_one_to_the_other():
-    square, triangle = polygon_contour([0, 1, 1 + 1j, 1j]), polygon_contour([0, 1, 1j])
-    a = drawing(square, style=Style(fill="#000000", stroke=None))
-    b = drawing(triangle, style=Style(fill=None, stroke="#ff8000", stroke_width=3.0))
-    _, frames = blend(a, b, Settings(frames=1, ends=True, curves=False))
-    styles = [frame.shapes[0].style for frame in frames]
-    assert [s.fill for s in styles] == ["#000000"] * 3
-    assert [s.fill_opacity for s in styles] == [1.0, 0.5, 0.0]
-    assert [s.stroke for s in styles] == ["#ff8000"] * 3
-    assert [s.stroke_opacity for s in styles] == [0.0, 0.5, 1.0]
-    assert [s.stroke_width for s in styles] == [3.0] * 3

@@ -12,7 +12,7 @@ from tests.support.contours import furthest, polyline
 
 DATA = Path(__file__).parents[1] / "bench" / "data" / "pairs.json"
 PAIRS = json.loads(DATA.read_text(encoding="utf-8"))
-CHOSEN = [("single", k) for k in range(0, 80, 4)] + [("whole", k) for k in range(0, 40, 4)]
+CHOSEN = [("single", k) for k in range(0, 80, 10)] + [("whole", k) for k in range(0, 40, 10)]
 
 
 def points(drawing, pieces):

@@ -66,17 +66,6 @@ def test_no_path_costs_less_than_the_least_nor_than_the_bound(rng, m, n, closed,
         assert pinned.lower_bound <= other * (1 + 1e-9) + 1e-9
 
 
-@given(rngs, counts, st.booleans(), constants.filter(lambda c: c.e_b >= 1.0))
-def test_an_outline_and_itself_cost_nothing_wherever_it_begins(rng, m, closed, constants):
-    p = star_polygon(rng, m)
-    start = int(rng.integers(m)) if closed else 0
-    found = find_least(p, np.roll(p, start), closed, constants)
-    assert found.work == pytest.approx(0.0, abs=1e-7)
-    # With paper's zero prices and without travel, a symmetric outline may turn for nothing too.
-    if constants.k_t:
-        assert np.roll(p, start)[found.dots[:, 1]] == pytest.approx(p[found.dots[:, 0]])
-
-
 @given(rngs, st.integers(5, 25), constants.filter(lambda c: c.k_t > 0.0 and c.bending == "turn"))
 def test_rotated_half_a_turn_it_costs_its_travel_alone(rng, m, constants):
     p = unit_box(star_with(rng, 5 * m))

@@ -64,8 +64,8 @@ def opened(here):
     (here / "b.svg").write_text(svg(LEAF, attributes='fill="#206080"'))
     running = []
 
-    def open_(*files, **given):
-        session = Session(Project(files or ("a.svg", "b.svg"), given))
+    def open_(*files, folder="", **given):
+        session = Session(Project(files or ("a.svg", "b.svg"), given), folder)
         studio = Studio(session)
         threading.Thread(target=studio.serve_forever, args=(0.02,), daemon=True).start()
         running.append((studio, session))

@@ -1,6 +1,7 @@
 """`shapeblend studio` as a process: where it says it is, and how it ends."""
 
 import http.client
+import json
 import os
 import re
 import signal
@@ -72,6 +73,25 @@ def test_it_says_where_it_is_and_leaves_nothing_behind(started, ending):
     while any(map(is_there, found)) and time.monotonic() < deadline:
         time.sleep(0.1)
     assert not any(map(is_there, found))
+
+
+def test_a_project_writes_unasked_in_its_own_folder_alone(started, here):
+    (here / "own").mkdir()
+    (here / "own" / "blend.json").write_text('{"files": ["../a.svg", "../b.svg"], "output": "../made.svg"}')
+    _, address = started("own/blend.json")
+    url = urlsplit(address)
+    connection = http.client.HTTPConnection(url.netloc, timeout=60)
+    connection.request("GET", f"/?{url.query}")
+    response = connection.getresponse()
+    response.read()
+    headers = {"Cookie": response.headers["Set-Cookie"].partition(";")[0], "Origin": f"http://{url.netloc}"}
+    headers["Content-Type"] = "application/json"
+    answer = {}
+    for what in ("begin", "write"):
+        connection.request("POST", f"/api/{what}", json.dumps({"project": answer.get("project")}), headers)
+        answer = json.loads(connection.getresponse().read())
+    connection.close()
+    assert answer == {"asks": {"outside": [str(here / "made.svg")], "existing": []}}
 
 
 def test_a_port_may_be_asked_for(started, capsys):

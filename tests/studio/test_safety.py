@@ -3,11 +3,14 @@
 import json
 import re
 import socket
+import time
 from xml.etree import ElementTree
 
 import pytest
 
+from shapeblend_cli.studio import server
 from shapeblend_cli.studio.server import ASSETS, POLICY
+from tests.support.commands import wait_until
 from tests.support.drawings import BAR, LEAF, svg
 
 PROJECT = {"files": ["a.svg", "b.svg"]}
@@ -62,14 +65,14 @@ WRONG = {
 
 
 @pytest.mark.parametrize("wrong", WRONG)
-@pytest.mark.parametrize("what", ["look", "write", "begin"])
-def test_requests_from_elsewhere_are_refused(client, here, wrong, what):
+def test_requests_from_elsewhere_are_refused(client, here, wrong):
     headers = {
         name: value and value.format(port=client.port) for name, value in (TYPE | WRONG[wrong]).items()
     }
-    response, body = client.request("POST", f"/api/{what}", LOOK, **headers)
-    assert 400 <= response.status < 500
-    assert b"a.svg" not in body
+    for what in ("look", "write", "begin"):
+        response, body = client.request("POST", f"/api/{what}", LOOK, **headers)
+        assert 400 <= response.status < 500, what
+        assert b"a.svg" not in body
     assert sorted(path.name for path in here.iterdir()) == ["a.svg", "b.svg"]
 
 
@@ -193,13 +196,48 @@ def test_names_of_dropped_files_are_names_alone(client, name):
 
 def test_too_much_is_refused_before_it_is_read(client):
     for path, kind, length in (
-        ("/api/look", "application/json", 2**21),
+        ("/api/look", "application/json", 2**23),
         ("/api/drawing?name=a.svg", "application/octet-stream", 2**27),
     ):
         response, _ = client.request("POST", path, b"", Content_Type=kind, Content_Length=str(length))
         assert response.status == 413
     response, _ = client.request("POST", "/api/look", "[" * 100_000, **TYPE)
     assert response.status == 400
+
+
+BODIES = {"headers": b"GET / HTTP/1.1\r\nA: ", "body": b"POST /api/look HTTP/1.1\r\nContent-Length: 1000\r\n"}
+
+
+@pytest.mark.parametrize("part", BODIES)
+def test_a_request_that_trickles_in_is_cut_off(client, monkeypatch, part):
+    monkeypatch.setattr(server, f"{part.upper()}_TIME", 0.5)
+    begun = BODIES[part]
+    if part == "body":
+        sent = client.own | {"Content-Type": "application/json"}
+        begun += "".join(f"{name}: {value}\r\n" for name, value in sent.items()).encode() + b"\r\n"
+    with socket.create_connection(("127.0.0.1", client.port)) as connection:
+        connection.sendall(begun)
+        connection.settimeout(0.05)
+        said, end = None, time.monotonic() + 20
+        while not said and time.monotonic() < end:
+            try:
+                said = connection.recv(1000) or b"closed"
+            except TimeoutError:
+                connection.sendall(b"x")
+            except ConnectionError:
+                said = b"closed"
+    assert said is not None
+    assert said == b"closed" if part == "headers" else said.startswith(b"HTTP/1.1 408 ")
+
+
+def test_of_too_many_connections_the_last_are_turned_away(opened, monkeypatch):
+    monkeypatch.setattr(server, "MOST_CONNECTIONS", 3)
+    client = opened()
+    held = [socket.create_connection(("127.0.0.1", client.port)) for _ in range(3)]
+    assert client.request("GET", "/")[0].status == 503
+    for connection in held:
+        connection.close()
+    wait_until(lambda: client.request("GET", "/")[0].status == 200)
 
 
 def test_a_blend_that_hangs_is_stopped_and_the_studio_goes_on(opened, here):

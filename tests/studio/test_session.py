@@ -8,6 +8,7 @@ import zipfile
 import pytest
 
 from shapeblend_cli.cli import run
+from shapeblend_cli.errors import PictureError
 from shapeblend_cli.outputs.registry import FORMATS
 from tests.support.drawings import BAR, EYED, LEAF, svg
 
@@ -33,6 +34,10 @@ def typed(command, folder, monkeypatch):
 
 @pytest.mark.parametrize("format", FORMATS, ids=lambda format: f"{format.emit}-{format.name}")
 def test_an_export_is_what_the_shown_command_line_writes(client, here, monkeypatch, format):
+    try:
+        format.check_libraries()
+    except PictureError as missing:
+        pytest.skip(str(missing))
     options = {"output": f"made{format.suffix}", "frames": 3}
     if format.emit != "frames":
         options["emit"] = format.emit
@@ -59,21 +64,64 @@ def test_an_export_is_what_the_shown_command_line_writes(client, here, monkeypat
             assert downloaded == content
 
 
-def test_what_is_there_is_replaced_only_if_that_is_asked_for(client, here):
-    project = PROJECT | {"output": "moving.svg"}
-    (here / "moving.svg").write_text("mine")
-    assert "exists" in client.ask("write", project=project)["error"]
-    assert (here / "moving.svg").read_text() == "mine"
-    assert client.ask("write", project=project, force=True)["written"] == ["moving.svg"]
-    assert (here / "moving.svg").read_text().startswith("<svg")
+def test_a_file_is_replaced_only_if_that_is_agreed_to(client, here):
+    project = PROJECT | {"output": "moving.svg", "report": "report.json"}
+    mine, other = here / "moving.svg", here / "report.json"
+    mine.write_text("mine")
+    other.symlink_to(here / "mine.json")
+    (here / "mine.json").write_text("mine")
+    names = [str(mine), str(here / "mine.json")]
+    for agreed in ([], names[:1], ["moving.svg", "*"]):
+        asks = client.ask("write", project=project, agreed=agreed)["asks"]
+        assert asks == {"outside": [], "existing": [name for name in names if name not in agreed]}
+        assert (mine.read_text(), other.read_text()) == ("mine", "mine")
+    written = client.ask("write", project=project, agreed=names)["written"]
+    assert written == ["moving.svg", "report.json"]
+    assert mine.read_text().startswith("<svg")
+    assert json.loads(other.read_text())
+
+
+@pytest.mark.parametrize("option", ["output", "report", "preview", "try"])
+@pytest.mark.parametrize("name", ["made{}", "own/../made{}", "{here}/made{}", "own/link/made{}"])
+def test_outside_its_folder_a_studio_writes_only_what_is_agreed_to(opened, here, option, name):
+    (here / "own").mkdir()
+    (here / "own" / "link").symlink_to(here)
+    client = opened(folder="own")
+    name = name.format({"report": ".json", "preview": ".html"}.get(option, ".svg"), here=here)
+    project = PROJECT | {"output": "own/blend.svg", option: name}
+    place = here / name.rpartition("/")[2]
+    for agreed in ([], ["made.svg", str(here)]):
+        asked = client.ask("write", project=project, agreed=agreed)
+        assert asked == {"asks": {"outside": [str(place)], "existing": []}}
+        assert contents(here / "own") == {}
+        assert not place.exists()
+    assert name in client.ask("write", project=project, agreed=[str(place)])["written"]
+    assert place.exists()
+
+
+def test_a_project_is_saved_in_its_own_folder_unless_another_is_agreed_to(opened, here):
+    (here / "own").mkdir()
+    client = opened(folder="own")
+    asks = {"outside": [str(here / "blend.json")], "existing": []}
+    assert client.ask("save", project=PROJECT, file="blend.json") == {"asks": asks}
+    assert client.ask("save", project=PROJECT, file="own/blend.json")["written"] == ["own/blend.json"]
+    assert client.ask("save", project=PROJECT, file="blend.json", agreed=asks["outside"])["written"]
+
+
+def test_a_studio_has_no_standard_output(client, here):
+    before = contents(here)
+    for options in ({"output": "-", "emit": "lottie"}, {"report": "-", "output": "moving.svg"}):
+        assert (
+            "cannot write to standard output, -;" in client.ask("write", project=PROJECT | options)["error"]
+        )
+    assert contents(here) == before
 
 
 def test_a_drawing_is_never_replaced(client, here):
     before = contents(here)
-    for force in (False, True):
-        assert (
-            "is an input" in client.ask("write", project=PROJECT | {"output": "a.svg"}, force=force)["error"]
-        )
+    for agreed in ([], [str(here / "a.svg")]):
+        answer = client.ask("write", project=PROJECT | {"output": "a.svg"}, agreed=agreed)
+        assert "is an input" in answer["error"]
     assert contents(here) == before
 
 
@@ -84,7 +132,10 @@ def test_a_project_that_is_saved_does_the_same(client, here, monkeypatch):
     by_project = (here / "moving.svg").read_bytes()
     command = client.ask("look", project=project)["command"]
     assert typed(command, here / "typed", monkeypatch) == {"moving.svg": by_project}
-    assert "exists" in client.ask("save", project=project, file="blend.json")["error"]
+    there = [str(here / "blend.json")]
+    asked = client.ask("save", project=project, file="blend.json")
+    assert asked == {"asks": {"outside": [], "existing": there}}
+    assert client.ask("save", project=project, file="blend.json", agreed=there)["written"] == ["blend.json"]
     assert "ends in .json" in client.ask("save", project=project, file="blend.svg")["error"]
 
 

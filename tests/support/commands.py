@@ -8,6 +8,7 @@ import pty
 import re
 import subprocess
 import sys
+import time
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -35,6 +36,14 @@ def made():
 def contents(folder="."):
     """The bytes of all files in a folder and in those inside it."""
     return {path: path.is_file() and path.read_bytes() for path in sorted(Path(folder).rglob("*"))}
+
+
+def wait_until(is_so, seconds=30):
+    """Wait until something is so, and fail if it never is."""
+    end = time.monotonic() + seconds
+    while not is_so() and time.monotonic() < end:
+        time.sleep(0.02)
+    assert is_so()
 
 
 def report(*arguments):

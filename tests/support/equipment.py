@@ -9,11 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from tools.quality.judge import pairs as judge_icons
-from tools.quality.morphs import packages
 from tools.quality.npm import install
 from tools.quality.peers import flubber, kute, polymorph
-from tools.quality.truth import letters
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
@@ -38,9 +35,7 @@ EQUIPMENT = {
     "flubber": flubber.FINE.ready,
     "KUTE.js": kute.FINE.ready,
     "polymorph": polymorph.FINE.ready,
-    "fonts": letters.ready,
-    "morphs": packages.ready,
-    "graded icons": judge_icons.ready,
+    "fonts, icons and animations": install,
 }
 """For each program a function that makes it ready, and returns None, or why it cannot."""
 

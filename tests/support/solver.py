@@ -2,6 +2,8 @@
 
 import dataclasses
 
+import numpy as np
+
 from shapeblend_cli.matching.solve import Search, least_work
 from shapeblend_cli.matching.steps import BEND_OF_STEPS, MOVES
 from shapeblend_cli.matching.work import Wires
@@ -30,3 +32,20 @@ def exhaustive(p0, p1, closed, constants, weight=None, **restrictions):
         return priced[i, j, BEND_OF_STEPS[MOVES.index(step_in), MOVES.index(step_out)]]
 
     return Oracle(p0, p1, closed, constants, weight).least(bend, **restrictions)
+
+
+def path_through(land, column, row):
+    """Columns and rows of the least path through a dot, as the landscape says what comes before and after."""
+    dot, step = np.array([column, row]), int(land.step[column, row])
+    back = []
+    while dot.any():
+        back.append(dot)
+        dot = dot - MOVES[step]
+        step = int(land.before[tuple(dot)]) >> 2 * step & 3
+    path = [dot, *reversed(back)]
+    dot, step = np.array([column, row]), int(land.step[column, row])
+    while (dot != np.array(land.works.shape) - 1).any():
+        step = int(land.after[tuple(dot)]) >> 2 * step & 3
+        dot = dot + MOVES[step]
+        path.append(dot)
+    return np.array(path)

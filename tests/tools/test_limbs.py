@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.geometry.polygons import signed_area
-from tools.quality.morphs import articulated, authored, packages
+from tools.quality.morphs import articulated, authored
 from tools.quality.morphs.articulated import Pose
 from tools.quality.morphs.rig import NEAR, Limb, Rig
 from tools.quality.truth.form import truth
-from tools.quality.truth.measures import apart, corr, strict
+from tools.quality.truth.measures import corr, strict
 from tools.quality.truth.write import Morph, at, is_plain, pair
 
 
@@ -28,20 +28,16 @@ def posed(rig, time):
     return np.concatenate([rig.pose(segment, U, time) for segment in range(len(rig.contour))])
 
 
-@pytest.mark.parametrize("degrees", [30.0, -60.0, 80.0])
+@pytest.mark.parametrize("degrees", [30.0, -80.0])
 def test_a_limb_turns_and_keeps_its_width_and_the_rest_stays(degrees):
     rig = Rig(BAR, [Limb((50, 5), (100, 5), degrees)])
-    rest, turned = posed(rig, 0.0), posed(rig, 1.0)
+    rest, about = posed(rig, 0.0), 50 + 5j
     body, limb = rest.real < 40, rest.real > 60
-    np.testing.assert_array_equal(turned[body], rest[body])
-    about = 50 + 5j
-    np.testing.assert_allclose(
-        turned[limb], about + (rest[limb] - about) * np.exp(1j * np.radians(degrees)), atol=0.1
-    )
-    halfway = posed(rig, 0.5)
-    np.testing.assert_allclose(
-        halfway[limb], about + (rest[limb] - about) * np.exp(0.5j * np.radians(degrees)), atol=0.1
-    )
+    for time in (0.5, 1.0):
+        turned = posed(rig, time)
+        np.testing.assert_array_equal(turned[body], rest[body])
+        expected = about + (rest[limb] - about) * np.exp(1j * np.radians(time * degrees))
+        np.testing.assert_allclose(turned[limb], expected, atol=0.1)
     assert is_plain([turned])
     assert abs(signed_area(turned)) == pytest.approx(1000.0, rel=0.05)
 
@@ -50,41 +46,31 @@ def test_a_limb_grows_and_one_that_hangs_on_it_goes_with_it():
     rig = Rig(BAR, [Limb((80, 5), (100, 5), 40.0), Limb((50, 5), (100, 5), 90.0, 1.5)])
     rest, turned = posed(rig, 0.0), posed(rig, 1.0)
     between = (rest.real > 60) & (rest.real < 70)
-    np.testing.assert_allclose(
-        turned[between],
-        50 + 5j + 1j * (1.5 * (rest[between].real - 50) + 1j * (rest[between].imag - 5)),
-        atol=0.2,
-    )
+    along, across = rest[between].real - 50, rest[between].imag - 5
+    np.testing.assert_allclose(turned[between], 50 + 5j + 1j * (1.5 * along + 1j * across), atol=0.2)
     assert turned[rest.real > 95].imag.min() > 50
 
 
-def test_drawings_are_scaled_to_one_size():
-    rig = Rig([2 * segment + 7 for segment in BAR], [])
-    np.testing.assert_allclose(rig.contour, BAR)
-
-
-def test_cubics_follow_the_pose_and_a_is_drawn_as_it_was():
-    rig = Rig(BAR, [Limb((50, 5), (100, 5), 70.0)])
+def test_cubics_follow_the_pose():
+    rig = Rig([2 * segment + 7 for segment in BAR], [Limb((50, 5), (100, 5), 70.0)])
+    np.testing.assert_allclose(rig.contour, BAR)  # drawings are scaled to one size
     pieces = rig.pieces(random.Random(1))
     assert len(pieces) > len(BAR)
     for time in (0.0, 0.25, 1.0):
         outline = rig.outline(pieces, time)
-        assert all(
-            p[-1] == pytest.approx(q[0]) for p, q in zip(outline, outline[1:] + outline[:1], strict=True)
-        )
+        ends, starts = ([cubic[k] for cubic in outline] for k in (-1, 0))
+        assert ends == pytest.approx([*starts[1:], starts[0]])
         for (segment, first, last), cubic in zip(pieces, outline, strict=True):
             off = at(cubic, U) - rig.pose(segment, first + U * (last - first), time)
             assert np.abs(off).max() < 2 * NEAR
-    assert [len(rig.outline(pieces, 0.0)), len(rig.contour)] == [len(pieces), 4]
 
 
-def test_a_pose_is_written_in_the_form(monkeypatch):
-    monkeypatch.setattr(articulated, "icon", lambda family, name: BAR)
+def test_a_pose_is_written_in_the_form_and_a_is_drawn_as_it_was(monkeypatch):
+    monkeypatch.setattr(articulated, "silhouette", lambda family, name: BAR)
     one = articulated.morph(Pose("family", "bar", "bend", [Limb((50, 5), (100, 5), 60.0)]), 0)
     known, a, b = pair(one, "x", "single")
     assert a.count("L") == 3
     assert b.count("C") > 2
-    assert (known["family"], known["char"], len(known["frames"])) == ("bar", "bend", 9)
     found = truth(json.loads(json.dumps(known)), a, b)
     assert corr(found, found.true_links()) == pytest.approx(0.0, abs=1e-9)
     # Straight ways cut off the arc.
@@ -102,10 +88,9 @@ OBLONG, ARROW = [[0, 0], [40, 0], [40, 20], [0, 20]], [[0, 0], [40, 10], [0, 20]
 @pytest.fixture
 def animation(monkeypatch, tmp_path):
     """Make an animation of which paths are painted together."""
-    folder = tmp_path / "node_modules" / "lottie-web" / "test" / "animations"
+    folder = tmp_path / "lottie-web" / "test" / "animations"
     folder.mkdir(parents=True)
-    for module in (packages, authored):
-        monkeypatch.setattr(module, "INSTALLED", tmp_path)
+    monkeypatch.setattr(authored, "MODULES", tmp_path)
     monkeypatch.setattr(authored, "ANIMATIONS", ("made",))
 
     def write(*paths, layers=("a",)):
@@ -130,15 +115,7 @@ def test_a_step_goes_from_keyframe_to_keyframe(animation):
     assert (first.layer, first.group, first.number, second.number) == ("a", "inner", 0, 1)
     np.testing.assert_array_equal(np.array(first.ends[0])[0, :, 0], np.array(OBLONG) @ [1, 1j])
     np.testing.assert_array_equal(np.array(first.ends[1]), np.array(second.ends[0]))
-
-
-def test_handles_are_relative_to_their_nodes():
-    bent = path(OBLONG) | {"o": [[1, 2]] * 4, "i": [[3, 4]] * 4}
-    np.testing.assert_array_equal(authored._segments(bent)[0], [0, 1 + 2j, 43 + 4j, 40])
-
-
-def test_the_last_keyframe_of_an_old_file_is_told_by_the_one_before(animation):
-    old = keys(OBLONG, ARROW)
+    old = keys(OBLONG, ARROW)  # an old file tells the last keyframe by the one before
     old[0]["e"] = old[1].pop("s")
     animation(old)
     assert len(list(authored.steps("made"))) == 1
@@ -165,7 +142,6 @@ def test_of_copies_of_a_layer_the_step_that_changes_most_is_taken(animation):
     (one,) = authored.morphs("single")
     assert one.what["char"] == "a/inner/1"
     assert max(np.ptp(frame[0].real) for frame in one.frames) == pytest.approx(100.0)
-    assert list(authored.morphs("multi")) == []
 
 
 def test_what_is_stretched_or_turned_over_alone_is_no_morph(animation):
@@ -181,6 +157,4 @@ def test_how_far_a_morph_is_from_an_affine_map():
 
     assert authored.changed(made([[5, 5], [25, 15], [15, 25], [-5, 15]])) == pytest.approx(0.0, abs=1e-9)
     assert authored.changed(made(ARROW)) > 0.2
-    assert apart(*made(ARROW).frames) > 0.2
-    assert authored.is_same(made(ARROW), made(ARROW))
     assert not authored.is_same(made(ARROW), made(OBLONG))

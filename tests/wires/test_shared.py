@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from shapeblend_cli.geometry import cubics
@@ -43,9 +43,9 @@ def path(points):
     return "M" + " ".join(f"{x},{y}" for x, y in points) + "Z"
 
 
-def blend(a, b, **settings):
+def blend(a, b, **options):
     """The only shape of two documents, each of one path, on straight paths."""
-    (shape,) = pair_of(drawing(a), drawing(b), motion="linear", **settings).shapes
+    (shape,) = pair_of(drawing(a), drawing(b), motion="linear", **options).shapes
     return shape
 
 
@@ -90,6 +90,7 @@ def test_a_limb_that_swings_is_no_limb_that_goes_in():
     assert contour.correspondence.work <= 1.15 * contour.correspondence.lower_bound + 1e-9
 
 
+@settings(max_examples=25)  # each is a whole blend
 @given(st.integers(0, 2**32 - 1))
 def test_a_held_match_is_a_path_and_no_less_than_the_least(seed):
     rng = np.random.default_rng(seed)

@@ -1,9 +1,9 @@
-"""Kill runs, let them meet, and fill their disks; then write docs/reliability.md: `make faults`.
+"""Kill runs, let them meet, and let their disks fail, for docs/reliability.md: `make faults`.
 
     python -m tools.faults [RUNS]
 
 RUNS is the number of kills with each signal at random moments, of as many again at the moves, and of meetings; 200
-without it. With fewer the document is printed and not written. The first promise that is not kept ends it.
+without it. The first promise that is not kept ends it.
 """
 
 from __future__ import annotations
@@ -19,9 +19,8 @@ from itertools import cycle, islice
 from pathlib import Path
 
 from tools.faults import runs
-from tools.faults.document import DOCUMENT, Counts, document
 
-FULL = 200
+RUNS = 200
 AFTER = 0.06
 """Seconds in which Python has started and come to the first line of the command."""
 NAMESPACES = 10
@@ -47,23 +46,20 @@ def meetings(count: int, where: Path) -> None:
     say(f"two runs at once: {count}")
 
 
-def errors(where: Path, expected: dict[str, runs.Expected]) -> int:
-    """Let each change of each target meet an error of the disk; return how many there are."""
-    total = 0
+def errors(where: Path, expected: dict[str, runs.Expected]) -> None:
+    """Let each change of each target meet an error of the disk."""
     for name, each in expected.items():
         runs.fail_at_moves(each, "EIO", range(1, each.changes + 1), where / name)
-        total += each.changes
-    say(f"errors of the disk: {total}")
-    return total
+    say(f"errors of the disk: {sum(each.changes for each in expected.values())}")
 
 
-def namespaces(where: Path) -> int | None:
-    """Kill runs that are process 1 of a namespace and have one folder in common; None where that cannot be made."""
+def namespaces(where: Path) -> None:
+    """Kill runs that are process 1 of a namespace and have one folder in common, where namespaces can be made."""
     command = ["unshare", "--fork", "--pid", "--mount-proc"]
     try:
         subprocess.run([*command, "true"], check=True, capture_output=True)
     except (OSError, subprocess.CalledProcessError):
-        return None
+        return say("process 1 of a namespace: not on this machine")
     expected = runs.prepare("folder", where / "one")
     for k in range(NAMESPACES):
         moment = str(expected.changes * (k + 1) // NAMESPACES)
@@ -89,7 +85,6 @@ def namespaces(where: Path) -> int | None:
         if runs.state(where / "one") != expected.new or runs.litter(where / "one"):
             raise runs.Fault(f"after the next run in a namespace: {runs.litter(where / 'one')}")
     say(f"process 1 of a namespace: {NAMESPACES}")
-    return NAMESPACES
 
 
 def say(text: str) -> None:
@@ -97,23 +92,17 @@ def say(text: str) -> None:
 
 
 def main() -> None:
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else FULL
+    count = int(sys.argv[1]) if len(sys.argv) > 1 else RUNS
     memory = "/dev/shm"  # where nothing waits for a disk
     where = Path(tempfile.mkdtemp(prefix="shapeblend-", dir=memory if os.path.isdir(memory) else None))
     try:
         expected = {name: runs.prepare(name, where / name) for name in runs.TARGETS}
         kills(count, where, expected)
         meetings(count, where)
-        found = Counts(
-            namespaces=namespaces(where), errors=errors(where, expected), kills=count, meetings=count
-        )
+        errors(where, expected)
+        namespaces(where)
     finally:
         shutil.rmtree(where)
-    text = document(found)
-    if count >= FULL:
-        DOCUMENT.write_text(text, encoding="utf-8")
-    else:
-        print(text)
 
 
 if __name__ == "__main__":

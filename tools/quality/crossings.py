@@ -9,7 +9,7 @@ import numpy as np
 from tools.quality import raw
 from tools.quality.data import DECIMALS, SETS, icon_pairs, subpaths
 from tools.quality.scores import LITTLE, Score, score
-from tools.quality.tables import NONE, Section, Table, share
+from tools.quality.tables import NONE, Brief, Section, Table, share
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -29,9 +29,18 @@ HEADER = (
     "contours left out",
 )
 
-OVERLAPPING = "... contours cross each other"
-LEFT_OUT = "... contours are left out"
-LITTLE_AREA = "... an in-between has less than 70 % of its area"
+SHORT = (
+    ("{} pairs of icons of {}: an in-between crosses itself", 2),
+    ("... contours cross each other", 3),
+    ("... an in-between has less than 70 % of its area", 4),
+    ("... contours are left out", 6),
+)
+"""Rows of the short table, with the columns of the long one that they have."""
+
+FRONT = {
+    ("single", 2): "Icons that cross themselves on the way",
+    ("whole", 6): "Icons with several outlines that lose some",
+}
 
 TEXT = f"""\
 Pairs of icons: `tests/bench/data/pairs.json`. Nine in-betweens a pair, t = .1, .2, ... .9.
@@ -51,28 +60,28 @@ Pairs of icons: `tests/bench/data/pairs.json`. Nine in-betweens a pair, t = .1, 
 The tools:
 
 - shapeblend: its command, told the number of frames and nothing else, so that it chooses how shapes move: by
-  looking for crossings itself, at these times among others. Below it are its motions, each for all pairs. Measured
-  are the frame files it writes, rounding included; a contour with curves in about 2000 pieces.
+  looking for crossings itself, at these times among others. Measured are the frame files it writes, rounding included;
+  a contour with curves in about 2000 pieces.
 - flubber, KUTE.js and polymorph are libraries for web pages, run in node. All three have the MIT licence, and npm
   installs them from a lock file. Some help is given that users can easily give, too: contours are put in order of size,
   or turned the same way round.
-  - flubber: `maxSegmentLength` is a 120th of the longest contour. "Sides of 10" is the library's default, which is
-    coarse in drawings 100 wide. Several contours go by `interpolateAll`, which pairs them as they come and gets them in
+  - flubber: `maxSegmentLength` is a 120th of the longest contour; the library's default, 10, is coarse in drawings 100
+    wide. Several contours go by `interpolateAll`, which pairs them as they come and gets them in
     order of size, `separate` and `combine`. For several to several in unequal number it has no call: the largest are
     taken. It knows no holes and turns every contour the same way round.
-  - KUTE.js: its component `svgMorph`, which is based on flubber. `morphPrecision` is a 120th of the longest contour;
-    "sides of 10" is its default. It only takes the first contour of a path, and its documentation advises to split
+  - KUTE.js: its component `svgMorph`, which is based on flubber. `morphPrecision` is a 120th of the longest contour. It
+    only takes the first contour of a path, and its documentation advises to split
     paths. So each contour has a tween of its own here, they are paired in order of size, and those without a partner
     are left out. It does not turn contours of lines alone the same way round, so that is done before.
   - KUTE.js, curves: its component `svgCubicMorph`, which has no options. It is taken from the library's sources, as the
     published bundle lacks it. From the best start on, the first line or curve of one drawing becomes the first of the
     other, and so on. Where one drawing has fewer, long ones are cut in two. Contours are treated as before; the line
     that closes them is drawn, as the component does not see it in a Z.
-  - polymorph: the package polymorph-js. `precision`, the number of decimals, is {DECIMALS}. "Whole numbers" is its
-    default, which is coarse in drawings 100 wide. It pairs contours in order of their lengths, and begins each near the
-    upper left of its box. Where one has fewer curves it gets some without length, and what has no partner grows from a
-    point. It would turn contours inside out that go opposite ways, so all are turned the same way round before. At
-    t = 0 and 1 it returns its input, so it is asked for a millionth beside that.
+  - polymorph: the package polymorph-js. `precision`, the number of decimals, is {DECIMALS}; its default is 0. It pairs
+    contours in order of their lengths, and begins each near the upper left of its box. Where one has fewer curves it
+    gets some without length, and what has no partner grows from a point. It would turn contours inside out that go
+    opposite ways, so all are turned the same way round before. At t = 0 and 1 it returns its input, so it is asked for
+    a millionth beside that.
 - even arc length: 120 vertices a contour, from the start with the least squared distances. Contours are paired in
   order of size; what is left over grows from a point or shrinks to one."""
 
@@ -95,22 +104,15 @@ def scored(tool: Tool, pairs: list[Pair]) -> list[Score | None]:
 
 
 def section(found: dict) -> Section:
-    rows, brief = [], {}
+    rows, brief = [], []
     for name, what in SETS.items():
-        for tool, scores in found[name]["scores"].items():
-            cells = _cells(raw.records(Score, scores))
-            rows.append([what, tool, *cells])
-            count, _, crossed, overlapping, little, _, left_out = cells
-            for told, cell in (
-                (f"{count} pairs of icons of {what}: an in-between crosses itself", crossed),
-                (OVERLAPPING, overlapping),
-                (LITTLE_AREA, little),
-                (LEFT_OUT, left_out),
-            ):
-                brief.setdefault((name, told), {})[tool] = cell
-    return Section(
-        "Crossings and area", TEXT, Table(HEADER, rows), [(told, cells) for (_, told), cells in brief.items()]
-    )
+        told = {tool: _cells(raw.records(Score, each)) for tool, each in found[name]["scores"].items()}
+        rows += [[what, tool, *cells] for tool, cells in told.items()]
+        for words, k in SHORT:
+            cells = {tool: each[k] for tool, each in told.items()}
+            line = words.format(len(found[name]["pairs"]), what)
+            brief.append(Brief(line, cells, FRONT.get((name, k), "")))
+    return Section("Crossings and area", TEXT, Table(HEADER, rows), brief)
 
 
 def _cells(scores: list[Score | None]) -> list[str]:

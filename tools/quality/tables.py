@@ -1,4 +1,4 @@
-"""Markdown: sections of docs/quality.md, its short table, and the shorter one of the README."""
+"""Markdown: the sections of docs/quality.md, its short table, and the shorter one of the README."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
 BEGIN = "<!-- figures: written by make bench-quality -->"
 END = "<!-- end of figures -->"
@@ -27,87 +27,75 @@ class Table(NamedTuple):
         return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
-class Section(NamedTuple):
-    """One measure.
+class Brief(NamedTuple):
+    """A row of the short table.
 
     Attributes
     ----------
-    title, text : str
-    table : Table
-    brief : sequence of (str, dict)
-        What the short table says of it: a row's name, and a cell for each tool, by name.
+    name : str
+    cells : mapping
+        A cell for each tool, by name.
+    front : str
+        What the README calls it, in plainer words; nothing if it is not in the README.
     """
+
+    name: str
+    cells: Mapping[str, str]
+    front: str = ""
+
+
+class Section(NamedTuple):
+    """One measure, and what the short table says of it."""
 
     title: str
     text: str
     table: Table
-    brief: Sequence[tuple[str, dict[str, str]]]
+    brief: Sequence[Brief] = ()
 
     def markdown(self) -> str:
         return f"## {self.title}\n\n{self.text}\n\n{self.table.markdown()}"
 
 
 def share(conditions: Iterable[bool]) -> str:
-    """How many of them hold, to three digits."""
+    """Return how many of them hold, to three digits."""
     return f"{100 * np.mean(list(conditions)):.3g} %"
 
 
-def short(sections: Sequence[Section], tools: Sequence[str], missing: Sequence[str]) -> str:
-    """What docs/quality.md begins with; further lines in which no tool does wrong are left out."""
-    rows = [
-        [name, *(cells.get(tool, NONE) for tool in tools)]
-        for section in sections
-        for name, cells in section.brief
-    ]
-    told = [row for row in rows if not row[0].startswith("...") or set(row[1:]) - {"0 %", NONE}]
-    lines = "".join(f"\nNot measured: {line}.\n" for line in missing)
-    return f"{BEGIN}\n\n{Table(['', *tools], told).markdown()}{lines}\n{END}"
+def short(sections: Sequence[Section], tools: Sequence[str]) -> str:
+    """Return what docs/quality.md begins with; further lines in which no tool does wrong are left out."""
+    rows = [_row(brief.name, brief, tools) for section in sections for brief in section.brief]
+    return _marked(
+        [row for row in rows if not row[0].startswith("...") or set(row[1:]) - {"0 %", NONE}], tools
+    )
 
 
-FRONT = (
-    (
-        "Letters",
-        "misses of the designer's",
-        0,
-        "Letters half way: area that differs from what the designer drew",
-    ),
-    ("Letters", "cut in two", 0, "... if one letter has extra points on its outline"),
-    ("Letters", "corners kept", 0, "Letters half way: corners kept"),
-    ("Limbs and morphs", "limbs turned", 0, "Limbs that swing: how far points are off along the outline"),
-    ("Crossings and area", "crosses itself", 0, "Icons that cross themselves on the way"),
-    ("Crossings and area", "left out", -1, "Icons with several outlines that lose some"),
-    ("Segments and bytes", "segments", 0, "Lines and curves in an icon half way"),
-    ("Time", "time of a whole command", 0, "Processor time of one blend, compared with flubber"),
-    ("Time", "many in one run", 0, "... of each blend in a run of many"),
-)
-"""What the README says of tools: of the lines of a section that the short table has, those that have some words in
-their names, which of these, and plainer words."""
-
-
-def front(sections: Sequence[Section], tools: Sequence[str], missing: Sequence[str]) -> str:
+def front(sections: Sequence[Section], tools: Sequence[str]) -> str:
     """Return the table of the README."""
-    briefs = {section.title: section.brief for section in sections}
-    rows = []
-    for title, meant, which, words in FRONT:
-        if lines := [cells for name, cells in briefs.get(title, ()) if meant in name]:
-            rows.append([words, *(lines[which].get(tool, NONE) for tool in tools)])
-    lines = "".join(f"\nNot measured: {line}.\n" for line in missing)
-    return f"{BEGIN}\n\n{Table(['', *tools], rows).markdown()}{lines}\n{END}"
+    briefs = [brief for section in sections for brief in section.brief]
+    return _marked([_row(brief.front, brief, tools) for brief in briefs if brief.front], tools)
 
 
-def document(short_table: str, sections: Sequence[Section]) -> str:
-    """The text of docs/quality.md."""
+def _row(name: str, brief: Brief, tools: Sequence[str]) -> list[str]:
+    return [name, *(brief.cells.get(tool, NONE) for tool in tools)]
+
+
+def _marked(rows: list[list[str]], tools: Sequence[str]) -> str:
+    return f"{BEGIN}\n\n{Table(['', *tools], rows).markdown()}\n{END}"
+
+
+def document(sections: Sequence[Section], tools: Sequence[str]) -> str:
+    """Return the text of docs/quality.md."""
     written = (
         "Written by `make bench-quality`, from the scores of all pairs in [quality.json](quality.json).\n"
     )
-    parts = ["# shapeblend beside other tools\n", written, f"{short_table}\n"]
+    parts = ["# shapeblend beside other tools\n", written, f"{short(sections, tools)}\n"]
     return "\n".join([*parts, *(section.markdown() for section in sections)])
 
 
-def with_figures(text: str, short_table: str, first: str = BEGIN, last: str = END) -> str:
-    """A text with the figures between two marks replaced."""
+def with_figures(text: str, figures: str, first: str = BEGIN, last: str = END) -> str:
+    """Return a text with what is between two marks replaced."""
     before, begin, rest = text.partition(first)
     _, end, after = rest.partition(last)
     if not (begin and end):
         raise ValueError(f"no place for figures: it begins with {first} and ends with {last}")
-    return before + short_table + after
+    return before + figures + after

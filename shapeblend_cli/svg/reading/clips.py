@@ -10,8 +10,8 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import Box, Clip, Contour
 from shapeblend_cli.svg.reading import contours, viewports
-from shapeblend_cli.svg.reading.path_data import MAX_SEGMENTS
-from shapeblend_cli.svg.reading.shapes import contours_of
+from shapeblend_cli.svg.reading.elements import contours_of
+from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
 from shapeblend_cli.svg.xml.messages import Notes, check_limit
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, parse, translation
 from shapeblend_cli.svg.xml.xmltree import SHAPES, Node
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 _LINK = re.compile(r"""\s*url\(\s*["']?#([^"')]{1,1000})["']?\s*\)\s*""")
 
 SLACK = 1e-6
-"""What sticks out of a clip by less than this share of its size is rounding."""
+"""Tolerance of a shape that reaches out of its clip, as a share of the diagonal of the clip."""
 
 NOT_APPLIED = "clip-path not applied"
 

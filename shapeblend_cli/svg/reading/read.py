@@ -47,7 +47,7 @@ def read(
             tag = printable(root.tag.lstrip(":"))
             raise Problem(f"its root element is <{tag}>, not <svg>; an SVG file would work")
         box = viewports.root_box(root, notes)
-        shapes = Walk(root, notes, lenient, is_to_blend).shapes(viewports.root_lengths(box), select)
+        shapes = Walk(root, notes, lenient, is_to_blend).shapes(box, select)
     except Problem as problem:
         raise InputError(name, str(problem)) from None
     return Drawing(name, box, shapes, notes.phrases(), viewports.root_page(root, box))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from shapeblend_cli.model import Box, Length, Page
-from shapeblend_cli.svg.reading.names import name_of
+from shapeblend_cli.svg.reading.titles import name_of
 from shapeblend_cli.svg.xml.messages import Notes
 from shapeblend_cli.svg.xml.transforms import Affine, translation
 from shapeblend_cli.svg.xml.units import LEAST, Lengths, length, measured, numbers
@@ -44,6 +44,17 @@ def root_page(root: Node, box: Box | None) -> Page:
     """Return the size that the root has as it is written, for the box that it shows, and what it is called."""
     width, height = (_written(root.get(name) or "") for name in ("width", "height"))
     return Page(width if box else None, height if box else None, box, name_of(root))
+
+
+def root_pixel(root: Node, box: Box | None) -> float:
+    """Return how long a CSS pixel is in the root's coordinates at its own size; 1 if it has none."""
+    width, height = (max(length(root.get(name) or "") or 0.0, 0.0) for name in ("width", "height"))
+    if box is None or not (width or height):
+        return 1.0
+    width, height = width or height * box.width / box.height, height or width * box.height / box.width
+    if min(width, height) < LEAST:
+        return 1.0
+    return abs(_fit(box, width, height, root.get("preserveAspectRatio") or "").determinant) ** -0.5
 
 
 def _written(text: str) -> Length | None:

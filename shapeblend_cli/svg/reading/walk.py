@@ -13,10 +13,10 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Clip, Contour, Group, Shape, Style
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.clips import Clips, covers
-from shapeblend_cli.svg.reading.names import clean, group_of, name_of
+from shapeblend_cli.svg.reading.elements import contours_of
 from shapeblend_cli.svg.reading.painter import Painter
-from shapeblend_cli.svg.reading.path_data import MAX_SEGMENTS
-from shapeblend_cli.svg.reading.shapes import contours_of
+from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
+from shapeblend_cli.svg.reading.titles import clean, group_of, name_of
 from shapeblend_cli.svg.styles.cascade import INITIAL, Cascade, Inherited, inherit, share
 from shapeblend_cli.svg.styles.declarations import Declarations, substitute
 from shapeblend_cli.svg.styles.selection import ancestors, paints_nothing, select
@@ -94,13 +94,14 @@ class Walk:
         self._segments = 0
         self._used_contours: dict[int, list[Contour]] = {}
         self._painted = 0
+        self._pixel = 1.0
         self._chosen: set[int] = set()
         self._ancestors: set[int] = set()
         self._reason: str | None = None
         self._other_names: dict[str, None] = {}
 
-    def shapes(self, lengths: Lengths, selector: str | None = None) -> tuple[Shape, ...]:
-        """Return the shapes that are painted, of which there has to be one.
+    def shapes(self, box: Box | None, selector: str | None = None) -> tuple[Shape, ...]:
+        """Return the shapes that are painted, of which there has to be one, given the box of the root.
 
         With a selector, only shapes that it matches are returned, those in elements it matches, and those drawn through
         a ``use`` of which one of the two is true. Their numbers are those among all shapes.
@@ -108,6 +109,8 @@ class Walk:
         nodes = [] if selector is None else select(self._root, selector)
         self._chosen = {id(node) for node in nodes}
         self._ancestors = {id(node) for node in ancestors(self._root, nodes[0])} if nodes else set()
+        self._pixel = viewports.root_pixel(self._root, box)
+        lengths = viewports.root_lengths(box)
         self._stack = [_Visit(self._root, IDENTITY, INITIAL, 1.0, lengths, chosen=selector is None)]
         while self._stack:
             self._process(self._stack.pop())
@@ -215,7 +218,7 @@ class Walk:
             self._notes.add(f"use of '{printable(link)}' inside itself left out")
             return
         if len(visit.used) >= MAX_USE_DEPTH:
-            raise Problem(f"{node}: use nested deeper than {MAX_USE_DEPTH}, the deepest that is read")
+            raise Problem(f"{node}: use nested deeper than {MAX_USE_DEPTH}, the limit")
         shift = translation(*viewports.offset(node, visit.lengths))
         visit = self._grouped(visit)
         self._stack.append(
@@ -249,9 +252,12 @@ class Walk:
         if visit.inherited.visibility != "visible":
             return "hidden"
         scale = math.sqrt(abs(visit.matrix.determinant))
-        if declared.get("vector-effect") == "non-scaling-stroke":
-            scale = 1.0
-        style = self._painter.style(visit.inherited, visit.opacity, scale, visit.lengths)
+        scales = declared.get("vector-effect", "").strip().lower() != "non-scaling-stroke"
+        style = self._painter.style(
+            visit.inherited, visit.opacity, scale if scales else self._pixel, visit.lengths
+        )
+        if style.stroke is not None and not scales:
+            style = style._replace(pixel=self._pixel)
         if style.fill is None and style.stroke is None:
             return "with neither fill nor stroke"
         own_contours = self._contours(visit, declared)

@@ -16,7 +16,7 @@ PRESENTATION = frozenset(
     "mask opacity stop-color stop-opacity stroke stroke-dasharray stroke-dashoffset stroke-linecap stroke-linejoin "
     "stroke-miterlimit stroke-opacity stroke-width transform transform-origin vector-effect visibility".split()
 )
-"""Properties this reader knows that may be written as attributes."""
+"""Presentation attributes: properties that this reader knows, and that may be written as attributes."""
 
 
 class Inherited(NamedTuple):

@@ -30,7 +30,7 @@ def parse_inline(text: str) -> tuple[Declarations, Declarations]:
     Many elements have the same: the dictionaries are shared and must not be changed.
     """
     if len(text) > _MAX_INLINE:
-        raise Problem(f"a style attribute longer than {_MAX_INLINE} characters, the most that is read")
+        raise Problem(f"a style attribute longer than {_MAX_INLINE} characters, the limit")
     if re.search(_NEEDS_PARSER, text):
         return parse(text)
     normal: Declarations = {}

@@ -36,7 +36,7 @@ UNREADABLE = (
     AttributeError,
     TypeError,
 )
-"""Errors of cssselect2 on texts that are no selectors, or none it knows."""
+"""Errors of cssselect2 on texts that are no selectors, or unknown selectors."""
 
 
 def match(root: Node, texts: list[str]) -> dict[int, tuple[Declarations, Declarations]]:
@@ -73,7 +73,7 @@ def _rules(texts: list[str]) -> Iterator[tuple[Any, tuple[Declarations, Declarat
     """Yield the selectors of all sheets, each with its declarations, in order."""
     sheet = _without_fonts("\n".join(texts))
     if len(sheet) > _MAX_TEXT:
-        raise Problem(f"a style sheet longer than {_MAX_TEXT} characters, the most that is read")
+        raise Problem(f"a style sheet longer than {_MAX_TEXT} characters, the limit")
     waiting = tinycss2.parse_stylesheet(sheet, skip_comments=True, skip_whitespace=True)[::-1]
     while waiting:
         rule = waiting.pop()

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from shapeblend_cli.model import KeyframedShape
 from shapeblend_cli.options.easing import Ease
 from shapeblend_cli.paint.oklab import colour_stops
-from shapeblend_cli.svg.writing.paint import paint_attributes, without_defaults
+from shapeblend_cli.svg.writing.paint import STROKE_LENGTHS, paint_attributes, without_defaults
 from shapeblend_cli.svg.writing.path_data import short_path_data
 
 COLOURS = frozenset(("fill", "stroke", "stop_color"))
@@ -22,6 +22,9 @@ COLOURS = frozenset(("fill", "stroke", "stop_color"))
 OPACITIES = ("fill_opacity", "stroke_opacity")
 
 TIME_DIGITS = 5
+
+INSTANT = 1e-4
+"""Share of the time from key to key in which a value changes at once."""
 
 
 class Values(NamedTuple):
@@ -65,6 +68,10 @@ def attribute_values(shape: KeyframedShape, decimals: int) -> dict[str, Values]:
     ]
     written = {name for key in keys for name in without_defaults(key)}
     values = {name: values_between(name, [key[name] for key in keys]) for name in keys[0] if name in written}
+    if "vector_effect" in values:
+        for name in STROKE_LENGTHS:
+            if name in values:
+                values[name] = _switched(values[name], [key["vector_effect"] for key in keys])
     if any(shape.fading):
         fading = [[(t, paint_attributes(style, decimals)) for t, style in each] for each in shape.fading]
         for name in (name for name in OPACITIES if name in keys[0]):
@@ -75,6 +82,17 @@ def attribute_values(shape: KeyframedShape, decimals: int) -> dict[str, Values]:
     waypoints = [[(w.t, short_path_data(w.paths, decimals)) for w in section] for section in shape.waypoints]
     values["d"] = values["d"]._replace(waypoints=waypoints)
     return values
+
+
+def _switched(values: Values, kinds: Sequence[str]) -> Values:
+    """Return values that change at half time from keys of one kind to those of another one."""
+    steps = zip(pairwise(values.keys), pairwise(kinds), values.waypoints, strict=True)
+    return values._replace(
+        waypoints=[
+            section if kind == other else [(0.5 - INSTANT, start), (0.5, end)]
+            for (start, end), (kind, other), section in steps
+        ]
+    )
 
 
 def delayed(values: Values, spans: Sequence[tuple[float, float]]) -> Values:

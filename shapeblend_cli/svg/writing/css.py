@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Sequence
-from xml.etree.ElementTree import Element, SubElement
+from xml.etree.ElementTree import Element
 
 from shapeblend_cli.model import Box, KeyframedShape, Page
 from shapeblend_cli.options.easing import FOREVER, PINGPONG, Timing
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import COLOURS, TIME_DIGITS, Moment, attribute_values, moments
-from shapeblend_cli.svg.writing.ids import Ids
+from shapeblend_cli.svg.writing.paint import Regions, add_region
 from shapeblend_cli.svg.writing.rounding import number
 
 
@@ -32,7 +32,17 @@ def css_svg(
     drawing = document.empty(view, decimals, page)
     tree = document.Tree.of(drawing, shapes)
     rules = []
-    regions = _Regions(tree.ids, prefix, run, timing, last)
+
+    def add_clip(element: Element, clip: Sequence[KeyframedShape]) -> None:
+        for k, shape in enumerate(clip):
+            values, own = attribute_values(shape, decimals)["d"], f"{element.get('id')}-{k}"
+            add_region(element, {"class": own, "d": values.keys[0]}, shape.keys[0].style.fill_rule)
+            if not values.is_constant:
+                timed = _declarations("d", moments(values, timing.ease, shape.first), last)
+                clip_rules.extend([_keyframes(own, timed), f".{own}{{animation:{own} {run} linear}}"])
+
+    clip_rules: list[str] = []
+    regions = Regions(tree.ids, add_clip, f"{prefix}-clip")
     for k, (shape, attributes) in enumerate(zip(shapes, values_by_shape, strict=True)):
         name, animations = f"{prefix}-{k}", []
         times = [(shape.first + i) / last for i in range(len(shape.keys))]
@@ -52,7 +62,7 @@ def css_svg(
             animations.append(f"{name} {run} {timing.ease.css()}")
         path = drawing.path(
             class_=name,
-            **regions.attributes(shape.clips, decimals),
+            **regions.attributes(shape.clips),
             **{attribute: values.keys[0] for attribute, values in attributes.items()},
         )
         if len(shape.keys) <= last:
@@ -65,43 +75,9 @@ def css_svg(
         if animations:
             rules.append(f".{name}{{animation:{','.join(animations)}}}")
         tree.add(path, shape.groups, shape.name)
-    rules += regions.rules
+    rules += clip_rules
     rules.append(f"@media (prefers-reduced-motion:reduce){{[class^={prefix}]{{animation:none!important}}}}")
     return document.text(drawing, style="\n".join(["", *rules, ""]), definitions=regions.elements)
-
-
-class _Regions:
-    """The clip paths of a document that are animated by rules, each defined once in `elements`."""
-
-    def __init__(self, ids: Ids, prefix: str, run: str, timing: Timing, last: int) -> None:
-        self.elements: list[Element] = []
-        self.rules: list[str] = []
-        self._ids, self._prefix, self._run, self._timing, self._last = ids, prefix, run, timing, last
-        self._names: dict[tuple[int, ...], str] = {}
-
-    def attributes(self, clips: Sequence[Sequence[KeyframedShape]], decimals: int) -> dict[str, str]:
-        """Return the attribute that clips a path by all of some regions; none if there are none."""
-        return {"clip_path": f"url(#{self._name(clips, decimals)})"} if clips else {}
-
-    def _name(self, clips: Sequence[Sequence[KeyframedShape]], decimals: int) -> str:
-        key = tuple(map(id, clips))
-        if key in self._names:
-            return self._names[key]
-        around = self.attributes(clips[:-1], decimals)
-        name = self._names[key] = self._ids.new(f"{self._prefix}-clip-{len(self._names) + 1}")
-        hyphened = {attribute.replace("_", "-"): value for attribute, value in around.items()}
-        element = Element("clipPath", {"id": name, **hyphened})
-        for k, shape in enumerate(clips[-1]):
-            values = attribute_values(shape, decimals)["d"]
-            own = f"{name}-{k}"
-            rule = shape.keys[0].style.fill_rule
-            given = {} if rule == "nonzero" else {"clip-rule": rule}
-            SubElement(element, "path", {"class": own, "d": values.keys[0], **given})
-            if not values.is_constant:
-                timed = _declarations("d", moments(values, self._timing.ease, shape.first), self._last)
-                self.rules += [_keyframes(own, timed), f".{own}{{animation:{own} {self._run} linear}}"]
-        self.elements.append(element)
-        return name
 
 
 def _keyframes(name: str, declarations: dict[float, list[str]]) -> str:

@@ -47,7 +47,8 @@ def fingerprint(shapes: Iterable[KeyframedShape], *others: object) -> str:
         [([path.segments.tolist() for path in key.paths], key.style) for key in shape.keys]
         for shape in shapes
     ]
-    return f"{zlib.crc32(repr((drawn, *others)).encode()):08x}"
+    text = repr((drawn, *others)).replace(", pixel=None", "")
+    return f"{zlib.crc32(text.encode()):08x}"
 
 
 def _add_texts(element: Any, name: Name) -> None:
@@ -119,6 +120,17 @@ class Tree:
         element.elements.clear()
         _add_texts(element, name)
         element.elements.extend(content)
+
+
+class Ready:
+    """An element that can be added to elements of svgwrite."""
+
+    def __init__(self, element: ElementTree.Element) -> None:
+        self._element = element
+
+    def get_xml(self) -> ElementTree.Element:
+        """Return the element."""
+        return self._element
 
 
 def box_text(box: Box, decimals: int) -> str:

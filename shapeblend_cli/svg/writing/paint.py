@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Any
 from xml.etree.ElementTree import Element, SubElement
 
 from shapeblend_cli.model import Clip, Gradient, LinearGradient, PaintedShape, RadialGradient, Style
@@ -12,7 +13,9 @@ from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
 
-SHARE_DIGITS = 5  # decimals of shares, such as the offset of a gradient's stop
+SHARE_DIGITS = 5
+"""Decimals of shares, such as the offset of a stop."""
+
 DEFAULTS = {
     "fill_opacity": "1",
     "fill_rule": "nonzero",
@@ -23,8 +26,14 @@ DEFAULTS = {
     "stroke_miterlimit": "4",
     "stroke_dasharray": "none",
     "stroke_dashoffset": "0",
+    "vector_effect": "none",
 }
-"""Initial values: attributes with these need not be written."""
+"""Initial values of attributes. They need not be written."""
+
+PIXEL_DIGITS = 4
+"""Decimals of lengths in pixels of the screen."""
+
+STROKE_LENGTHS = ("stroke_width", "stroke_dasharray", "stroke_dashoffset")
 
 
 def without_defaults(attributes: dict[str, str]) -> dict[str, str]:
@@ -57,6 +66,8 @@ def _simplify(style: Style) -> Style:
 
 def paint_attributes(style: Style, decimals: int) -> dict[str, str]:
     """Return the presentation attributes of a style, with plain colours in place of gradients."""
+    if style.pixel is not None:
+        style, decimals = style.stretched(1.0 / style.pixel), PIXEL_DIGITS
     paint = {"fill": style.fill or "none"}
     if style.fill is not None:
         paint["fill_opacity"] = number(style.fill_opacity, 4)
@@ -71,6 +82,7 @@ def paint_attributes(style: Style, decimals: int) -> dict[str, str]:
         dashes = " ".join(number(length, decimals) for length in style.stroke_dasharray)
         paint["stroke_dasharray"] = dashes or "none"
         paint["stroke_dashoffset"] = number(style.stroke_dashoffset, decimals) if dashes else "0"
+        paint["vector_effect"] = "none" if style.pixel is None else "non-scaling-stroke"
     return paint
 
 
@@ -120,31 +132,40 @@ def _coordinates(point: complex, decimals: int) -> tuple[str, str]:
     return number(point.real, decimals), number(point.imag, decimals)
 
 
-class Clips:
-    """The clip paths of a document, each defined once in `elements`."""
+class Regions:
+    """The clip paths of a document, each defined once in `elements`; how one is drawn is left to `draw`."""
 
-    def __init__(self, decimals: int, ids: Ids) -> None:
-        self.decimals = decimals
-        self._ids = ids
+    def __init__(self, ids: Ids, draw: Callable[[Element, Any], None], prefix: str = "clip") -> None:
         self.elements: list[Element] = []
+        self._ids, self._draw, self._prefix = ids, draw, prefix
         self._names: dict[tuple[int, ...], str] = {}
-        self._kept: list[Sequence[Clip]] = []  # so that no other one gets the number of one
+        self._kept: list[Sequence[Any]] = []  # so that no other region gets the number of one
 
-    def attributes(self, clips: Sequence[Clip]) -> dict[str, str]:
+    def attributes(self, regions: Sequence[Any]) -> dict[str, str]:
         """Return the attribute that clips a path by all of some regions; none if there are none."""
-        return {"clip_path": f"url(#{self._name(clips)})"} if clips else {}
+        return {"clip_path": f"url(#{self._name(regions)})"} if regions else {}
 
-    def _name(self, clips: Sequence[Clip]) -> str:
-        key = tuple(map(id, clips))
+    def _name(self, regions: Sequence[Any]) -> str:
+        key = tuple(map(id, regions))
         if key not in self._names:
-            around = self.attributes(clips[:-1])
-            name = self._names[key] = self._ids.new(f"clip-{len(self._names) + 1}")
-            self._kept.append(clips)
-            element = Element("clipPath", {"id": name, **{k.replace("_", "-"): v for k, v in around.items()}})
-            rule = {} if clips[-1].rule == "nonzero" else {"clip-rule": clips[-1].rule}
-            SubElement(element, "path", {"d": path_data(clips[-1].paths, self.decimals), **rule})
+            around = hyphened(self.attributes(regions[:-1]))
+            name = self._names[key] = self._ids.new(f"{self._prefix}-{len(self._names) + 1}")
+            self._kept.append(regions)
+            element = Element("clipPath", {"id": name, **around})
+            self._draw(element, regions[-1])
             self.elements.append(element)
         return self._names[key]
+
+
+def add_region(clip_path: Element, attributes: dict[str, str], rule: str) -> Element:
+    """Add a path with a fill rule to a clip path, and return it."""
+    clip_rule = {} if rule == "nonzero" else {"clip-rule": rule}
+    return SubElement(clip_path, "path", {**attributes, **clip_rule})
+
+
+def hyphened(attributes: dict[str, str]) -> dict[str, str]:
+    """Return attributes with the names that they have in SVG."""
+    return {name.replace("_", "-"): value for name, value in attributes.items()}
 
 
 class Gradients:
@@ -153,7 +174,7 @@ class Gradients:
     def __init__(self, decimals: int, ids: Ids | None = None) -> None:
         self.decimals = decimals
         self._ids = ids or Ids()
-        self.clips = Clips(decimals, self._ids)
+        self.clips = Regions(self._ids, self._add_clip)
         self._gradients: list[Element] = []
         self._names: dict[Gradient, str] = {}
 
@@ -161,6 +182,9 @@ class Gradients:
     def elements(self) -> list[Element]:
         """The definitions of gradients and of clip paths."""
         return [*self._gradients, *self.clips.elements]
+
+    def _add_clip(self, element: Element, clip: Clip) -> None:
+        add_region(element, {"d": path_data(clip.paths, self.decimals)}, clip.rule)
 
     def attributes(self, style: Style) -> dict[str, str]:
         """Return the presentation attributes of a style, linked to its gradients, without initial values."""
@@ -186,5 +210,5 @@ def gradient_element(
     tag = "linearGradient" if isinstance(gradient, LinearGradient) else "radialGradient"
     element = Element(tag, {"id": name, **attributes})
     for stop in stops:
-        SubElement(element, "stop", {key.replace("_", "-"): value for key, value in stop.items()})
+        SubElement(element, "stop", hyphened(stop))
     return element

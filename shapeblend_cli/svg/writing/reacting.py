@@ -18,10 +18,10 @@ from shapeblend_cli.options.triggers import CLICK, HOVER, Trigger
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import COLOURS, Values, attribute_values
 from shapeblend_cli.svg.writing.css import declaration
-from shapeblend_cli.svg.writing.paint import Gradients, visible_styles
+from shapeblend_cli.svg.writing.paint import STROKE_LENGTHS, Gradients, visible_styles
 from shapeblend_cli.svg.writing.path_data import short_path_data
 from shapeblend_cli.svg.writing.rounding import number
-from shapeblend_cli.svg.writing.smil import Timeline, add_animated, written
+from shapeblend_cli.svg.writing.smil import DISCRETE, Timeline, add_animated, written
 
 XHTML = "http://www.w3.org/1999/xhtml"
 
@@ -29,7 +29,7 @@ PRESS = (
     "if(/^( |Enter)$/.test(event.key)){event.preventDefault();for(const r of this.querySelectorAll(':scope>rect[id]'))"
     "if(getComputedStyle(r).display!='none'){r.dispatchEvent(new Event('click',{bubbles:true}));break}}"
 )
-"""What a key does to a button: it clicks the one of its two areas that is there."""
+"""Handler of keys: Enter and Space click the area of the button that is displayed."""
 
 PRESSED = "this.setAttribute('aria-pressed',this.getAttribute('aria-pressed')!='true')"
 
@@ -37,9 +37,13 @@ LISTEN = """\
 (function(g){var o=false;function s(e){g.dispatchEvent(new Event(e))}
 function f(){var n=document.getElementById(%s);if(n){%s}}
 document.readyState=="loading"?document.addEventListener("DOMContentLoaded",f):f()})(document.currentScript.parentNode)"""
+"""Script that turns events of another element into events of the drawing."""
+
 IN_TURN = 'n.addEventListener(%s,function(){o=!o;s(o?"forth":"back")})'
+"""Listener for an event that goes forth and back in turn."""
+
 EACH = 'n.addEventListener(%s,function(){s("forth")});n.addEventListener(%s,function(){s("back")})'
-"""Turn the events of another element into events of our own: one and the other in turn, or each of two into one."""
+"""Listeners for an event that goes forth, and its opposite that goes back."""
 
 
 class Reaction(NamedTuple):
@@ -70,7 +74,8 @@ def reacting_smil(reaction: Reaction, timing: Timing, decimals: int) -> str:
     timeline = _ThereAndBack(drawing, len(reaction.views) - 1, timing, *_begins(trigger, name))
     timeline.add_views(drawing, [document.box_text(view, decimals) for view in reaction.views])
     drawing["role"] = "presentation"  # what it is, is said of what is in it
-    around = written_group({"id": name, **_role(trigger, reaction.page.called)})
+    around = drawing.g()
+    around.attribs.update({"id": name, **_role(trigger, reaction.page.called)})
     drawing.add(around)
     area = {**_area(Box.union(reaction.views), decimals), "fill": "none", "pointer-events": "all"}
     around.add(written("rect", area))
@@ -103,32 +108,12 @@ def reacting_smil(reaction: Reaction, timing: Timing, decimals: int) -> str:
         events = [json.dumps(event) for event in (trigger.event, trigger.opposite) if event]
         listens = (EACH if trigger.opposite else IN_TURN) % tuple(events)
         script.text = LISTEN % (json.dumps(trigger.name), listens)
-        around.add(_Ready(script))
+        around.add(document.Ready(script))
     style = (
         f"#{name}:focus:not(:focus-visible){{outline:none}}.{name}-still{{display:none}}"
         f"@media (prefers-reduced-motion:reduce){{.{name}-still{{display:inline}}.{name}-moving{{display:none}}}}"
     )
     return document.text(drawing, style=style, definitions=[*gradients, *defined.elements])
-
-
-def written_group(attributes: dict[str, str]) -> Any:
-    """Return a group for elements of svgwrite."""
-    from shapeblend_cli.svg.libraries import svgwrite
-
-    group = svgwrite.container.Group(debug=False)
-    group.attribs.update(attributes)
-    return group
-
-
-class _Ready:
-    """An element as svgwrite has them, its attributes in their order."""
-
-    def __init__(self, element: Element) -> None:
-        self._element = element
-
-    def get_xml(self) -> Element:
-        """Return the element."""
-        return self._element
 
 
 def _area(box: Box, decimals: int) -> dict[str, str]:
@@ -255,7 +240,7 @@ def reacting_css(reaction: Reaction, timing: Timing, decimals: int) -> str:
             rules.append(f"{','.join(f'{one} .{own}' for one in active)}{{{';'.join([*moved, there])}}}")
         tree.add(drawing.path(class_=own, **start), shape.groups, shape.name)
     if is_click:
-        drawing.add(_Ready(_check_box(reaction, decimals)))
+        drawing.add(document.Ready(_check_box(reaction, decimals)))
         rules.append(f".{name}:has(:focus-visible){{outline:2px solid}}")
     rules.append(f"@media (prefers-reduced-motion:reduce){{[class^={name}]{{transition:none!important}}}}")
     return document.text(drawing, style="\n".join(["", *rules, ""]))
@@ -282,7 +267,7 @@ def _transitions(shape: KeyframedShape, changing: Sequence[str], timing: Timing,
             begin, until = _span(shape, attribute)
             begin, until = (1.0 - until, 1.0 - begin) if is_back else (begin, until)
             begin, until = ease.time_of(begin), ease.time_of(until)
-        if attribute in ("fill_rule", "stroke_linecap", "stroke_linejoin"):
+        if attribute in DISCRETE or ("vector_effect" in changing and attribute in STROKE_LENGTHS):
             begin = until = ease.time_of(0.5)
         length, delay = (number(timing.seconds * share, 4) for share in (until - begin, begin))
         wait = f" {delay}s" if begin else ""

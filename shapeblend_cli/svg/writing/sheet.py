@@ -8,8 +8,14 @@ from typing import NamedTuple
 
 from shapeblend_cli.svg.writing.figure import Figure
 
-GAP, WORDS, MARGIN = 6.0, 22.0, 12.0
-"""Between pictures, for the line above a row, and around all, in pixels."""
+GAP = 6.0
+"""Distance between pictures, in pixels."""
+
+WORDS = 22.0
+"""Height of the line of words above a row, in pixels."""
+
+MARGIN = 12.0
+"""Margin around all rows, in pixels."""
 
 STYLE = """\
 .ground { fill: #fff }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any
-from xml.etree.ElementTree import Element, SubElement
+from xml.etree.ElementTree import Element
 
 from shapeblend_cli.model import WHOLE, Box, Frame, Gradient, KeyframedShape, Page, RadialGradient
 from shapeblend_cli.options.easing import FOREVER, PINGPONG, Timing
@@ -17,12 +17,19 @@ from shapeblend_cli.svg.writing.animation import (
     moments,
     values_between,
 )
-from shapeblend_cli.svg.writing.paint import Gradients, gradient_attributes, gradient_element, visible_styles
+from shapeblend_cli.svg.writing.paint import (
+    Gradients,
+    Regions,
+    add_region,
+    gradient_attributes,
+    gradient_element,
+    visible_styles,
+)
 from shapeblend_cli.svg.writing.path_data import short_path_data
 from shapeblend_cli.svg.writing.rounding import number
 
-DISCRETE = frozenset(("fill_rule", "stroke_linecap", "stroke_linejoin", "spreadMethod"))
-"""Attributes that have nothing in between and switch at half time."""
+DISCRETE = frozenset(("fill_rule", "stroke_linecap", "stroke_linejoin", "vector_effect", "spreadMethod"))
+"""Attributes without values in between, which switch at half time."""
 
 
 def smil_svg(
@@ -45,8 +52,18 @@ def add_animated(
 ) -> list[Element]:
     """Add animated paths to a drawing, and return the gradients they are painted with."""
     gradients: list[Element] = []
-    regions = _Regions(tree, timeline, decimals)
     drawings = timeline.pairs + 1
+
+    def add_clip(element: Element, clip: Sequence[KeyframedShape]) -> None:
+        for shape in clip:
+            values = attribute_values(_extend(shape, drawings), decimals)["d"]
+            path = add_region(element, {"d": values.keys[0]}, shape.keys[0].style.fill_rule)
+            if not values.is_constant:
+                inside = _Holder()
+                timeline.animate(inside, "d", values)
+                path.extend(inside.elements)
+
+    regions = Regions(tree.ids, add_clip)
     for shape in shapes:
         extended = _extend(shape, drawings)
         attributes = attribute_values(extended, decimals)
@@ -67,38 +84,6 @@ def add_animated(
             timeline.show(path, shape.first, shape.first + len(shape.keys) - 1)
         tree.add(path, shape.groups, shape.name)
     return [*gradients, *regions.elements]
-
-
-class _Regions:
-    """The animated clip paths of a document, each defined once in `elements`."""
-
-    def __init__(self, tree: document.Tree, timeline: Timeline, decimals: int) -> None:
-        self.elements: list[Element] = []
-        self._ids, self._timeline, self._decimals = tree.ids, timeline, decimals
-        self._names: dict[tuple[int, ...], str] = {}
-
-    def attributes(self, clips: Sequence[Sequence[KeyframedShape]]) -> dict[str, str]:
-        """Return the attribute that clips a path by all of some regions; none if there are none."""
-        return {"clip_path": f"url(#{self._name(clips)})"} if clips else {}
-
-    def _name(self, clips: Sequence[Sequence[KeyframedShape]]) -> str:
-        key = tuple(map(id, clips))
-        if key not in self._names:
-            around = self.attributes(clips[:-1])
-            name = self._names[key] = self._ids.new(f"clip-{len(self._names) + 1}")
-            hyphened = {attribute.replace("_", "-"): value for attribute, value in around.items()}
-            element = Element("clipPath", {"id": name, **hyphened})
-            for shape in clips[-1]:
-                values = attribute_values(_extend(shape, self._timeline.pairs + 1), self._decimals)["d"]
-                rule = shape.keys[0].style.fill_rule
-                given = {} if rule == "nonzero" else {"clip-rule": rule}
-                path = SubElement(element, "path", {"d": values.keys[0], **given})
-                if not values.is_constant:
-                    inside = _Holder()
-                    self._timeline.animate(inside, "d", values)
-                    path.extend(inside.elements)
-            self.elements.append(element)
-        return self._names[key]
 
 
 def stacked_svg(
@@ -194,17 +179,6 @@ class _Holder:
     def add(self, animation: Any) -> None:
         """Add an animation."""
         self.elements.append(animation.get_xml())
-
-
-class _Written:
-    """An element as svgwrite has them."""
-
-    def __init__(self, element: Element) -> None:
-        self._element = element
-
-    def get_xml(self) -> Element:
-        """Return the element."""
-        return self._element
 
 
 class Timeline:
@@ -309,4 +283,4 @@ class Timeline:
 
 def written(tag: str, attributes: dict[str, str]) -> Any:
     """Return an element that can be added to those of svgwrite."""
-    return _Written(Element(tag, dict(sorted(attributes.items()))))
+    return document.Ready(Element(tag, dict(sorted(attributes.items()))))

@@ -16,7 +16,7 @@ from shapeblend_cli.options.easing import Ease
 from shapeblend_cli.paint.styles import keyed_styles
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.css import declaration
-from shapeblend_cli.svg.writing.paint import paint_attributes, without_defaults
+from shapeblend_cli.svg.writing.paint import STROKE_LENGTHS, paint_attributes, without_defaults
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
 
@@ -110,7 +110,8 @@ def _drawing(states: States, *, with_data: bool) -> tuple[Any, list[str]]:
         changing = [a for a in values[0] if len({each[a] for each in values}) > 1]
         own = f"{prefix}-{k}"
         if changing:
-            transition = ",".join(a.replace("_", "-") for a in changing)
+            at_once = STROKE_LENGTHS if "vector_effect" in changing else ()
+            transition = ",".join(a.replace("_", "-") for a in changing if a not in at_once)
             timing = f"{number(states.seconds, 4)}s {states.ease.css()}"
             rules.append(
                 f".{own}{{transition-property:{transition};transition-duration:{timing.split()[0]};"

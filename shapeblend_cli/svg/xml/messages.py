@@ -14,7 +14,7 @@ class Problem(Exception):
 def check_limit(count: int, most: int, things: str) -> None:
     """Raise a Problem if there are more things than are read."""
     if count > most:
-        raise Problem(f"more than {most} {things}, the most that are read")
+        raise Problem(f"more than {most} {things}, the limit")
 
 
 class Notes:

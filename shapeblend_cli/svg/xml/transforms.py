@@ -88,7 +88,7 @@ _FUNCTIONS: dict[str, tuple[str, tuple[int, ...], Callable[..., Affine]]] = {
     "skewx": ("a", (1,), lambda x: Affine(c=math.tan(x))),
     "skewy": ("a", (1,), lambda y: Affine(b=math.tan(y))),
 }
-"""The kinds of a function's arguments, how many it can have, and its map.
+"""Transform functions by name: the kinds of their arguments, their possible numbers, and the map.
 
 Kinds are n for numbers, s for numbers or percentages, a for angles, x and y for horizontal and vertical lengths.
 """

@@ -20,6 +20,7 @@ BLANK = r"[ \t\r\n\f]"
 GAP = rf"{BLANK}*+(?:,{BLANK}*+)?+"  # what may stand between two numbers
 LIMIT = 1e9  # numbers of this size or more are refused: products of a few of them must stay finite
 LEAST = 1e-12  # coordinates smaller than this are 0: so small a drawing has no digits left beside another one
+
 PIXELS = {
     "": 1.0,
     "px": 1.0,
@@ -30,7 +31,7 @@ PIXELS = {
     "pt": 96.0 / 72.0,
     "pc": 16.0,
 }
-"""CSS pixels in one absolute unit: https://www.w3.org/TR/css-values-3/#absolute-lengths."""
+"""Lengths of absolute units, in CSS pixels: https://www.w3.org/TR/css-values-3/#absolute-lengths."""
 
 Measure = tuple[float, bool]
 """A length in user units, except that ``(share, True)`` is a share of the viewport's diagonal."""

@@ -44,8 +44,10 @@ _SVG_NAMESPACES = (
 
 POINT_LISTS = frozenset(("path", "polyline", "polygon"))
 SHAPES = POINT_LISTS | {"rect", "circle", "ellipse", "line"}
+
 GROUPS = frozenset(("g", "a", "switch", "svg", "use"))
-"""Elements that draw what stands in them, or what they refer to."""
+"""Elements that draw their children, or the element that they refer to."""
+
 LEFT_OUT = frozenset(("text", "image", "foreignObject", "video", "canvas", "iframe"))
 """Elements that browsers draw and this reader does not."""
 
@@ -108,7 +110,7 @@ def _unpack(data: bytes) -> bytes:
     if data.startswith(b"\x1f\x8b"):
         data = _gunzip(data)
     if len(data) > MAX_BYTES:
-        raise Problem(f"larger than {_MEGABYTES} MB, the most that is read")
+        raise Problem(f"larger than {_MEGABYTES} MB, the limit")
     if not data.strip():
         raise Problem("the file is empty; an SVG file would work")
     for magic, name in _OTHER_FORMATS.items():
@@ -175,12 +177,12 @@ class _Builder:
         self._elements += 1
         check_limit(self._elements, MAX_ELEMENTS, "elements")
         if len(self._open) > MAX_DEPTH:
-            raise Problem(f"elements nested deeper than {MAX_DEPTH}, the deepest that is read")
+            raise Problem(f"elements nested deeper than {MAX_DEPTH}, the limit")
         if self._has_defaults:
             # Expat adds default values to every element: they multiply.
             self._default_text += sum(map(len, attrib.values()))
             if self._default_text > MAX_BYTES:
-                raise Problem(f"attributes longer than {_MEGABYTES} MB together, the most that is read")
+                raise Problem(f"attributes longer than {_MEGABYTES} MB together, the limit")
         namespaces = self._namespaces[-1]
         declared = [key for key in attrib if key.startswith("xmlns")]
         if declared:
@@ -220,7 +222,7 @@ class _Builder:
         self._entities[name] = size
         self._entity_text += size
         if self._entity_text > MAX_ENTITY_TEXT:
-            raise Problem(f"more than {MAX_ENTITY_TEXT} characters of entity text, the most that is read")
+            raise Problem(f"more than {MAX_ENTITY_TEXT} characters of entity text, the limit")
 
     def _check_entities(self) -> None:
         """Refuse a document whose entities would swell it, before expat expands them."""
@@ -231,7 +233,7 @@ class _Builder:
         largest = max(self._entities.values())
         total = sum(self._entities.get(name, largest) for name in names)
         if total > MAX_BYTES:
-            raise Problem(f"entities swell it to more than {_MEGABYTES} MB, the most that is read")
+            raise Problem(f"entities swell it to more than {_MEGABYTES} MB, the limit")
 
 
 def _forgive(root: str, declared: list[str], namespaces: dict[str, bool]) -> None:

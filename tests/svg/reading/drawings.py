@@ -5,7 +5,7 @@ import pytest
 
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry.cubics import bounds, lengths
-from shapeblend_cli.svg.reading import path_data
+from shapeblend_cli.svg.reading import path_commands
 from shapeblend_cli.svg.reading.read import read
 
 VIEWBOX = 'viewBox="0 0 100 100"'
@@ -51,6 +51,6 @@ def length(drawing):
 
 def path_contours(data):
     """Return the contours of path data that keeps to the grammar."""
-    subpaths, error = path_data.scan(data)
+    subpaths, error = path_commands.scan(data)
     assert error is None
-    return path_data.trace(subpaths)
+    return path_commands.trace(subpaths)

@@ -5,7 +5,7 @@ import gzip
 import pytest
 
 from shapeblend_cli.errors import InputError
-from shapeblend_cli.svg.reading import path_data, walk
+from shapeblend_cli.svg.reading import path_commands, walk
 from shapeblend_cli.svg.styles import stylesheets
 from shapeblend_cli.svg.xml import xmltree
 from tests.svg.reading.drawings import RECT, boxes, drawn, refused, svg
@@ -94,7 +94,7 @@ def test_limits_are_held(module, name, limit, markup, message, monkeypatch):
 
 
 def test_size_is_limited_after_unpacking():
-    refused(gzip.compress(b" " * 65 * 2**20), "larger than 64 MB, the most that is read")
+    refused(gzip.compress(b" " * 65 * 2**20), "larger than 64 MB, the limit")
 
 
 def test_the_deepest_element_and_any_number_of_siblings_are_read():
@@ -109,10 +109,10 @@ def test_use_of_itself_ends():
 
 
 def test_segments_of_arcs_are_counted_before_they_are_kept(monkeypatch):
-    monkeypatch.setattr(path_data, "MAX_SEGMENTS", 20)
+    monkeypatch.setattr(path_commands, "MAX_SEGMENTS", 20)
     arcs = '<path d="M0 0{}"/>'.format
     assert len(drawn(arcs("a9 9 0 1 1 1 0" * 2)).shapes[0].contours[0].segments) == 16
-    refused(arcs("a9 9 0 1 1 1 0" * 3), "path on line 1: more than 20 segments, the most that are read")
+    refused(arcs("a9 9 0 1 1 1 0" * 3), "path on line 1: more than 20 segments, the limit")
 
 
 def test_only_the_beginning_of_a_list_of_classes_counts(monkeypatch):

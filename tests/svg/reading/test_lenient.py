@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from shapeblend_cli.svg.reading import path_data
+from shapeblend_cli.svg.reading import path_commands
 from tests.svg.reading.drawings import RECT, boxes, drawn, length, refused
 
 # Length and box as Chromium 156 has them.
@@ -74,6 +74,6 @@ def test_a_used_element_is_noted_once():
 
 
 def test_limits_hold_all_the_same(monkeypatch):
-    monkeypatch.setattr(path_data, "MAX_SEGMENTS", 10)
+    monkeypatch.setattr(path_commands, "MAX_SEGMENTS", 10)
     message = refused(f'<path d="M0 0{"h1v1 " * 10}"/>', "more than 10 segments", lenient=True)
     assert "--lenient" not in message

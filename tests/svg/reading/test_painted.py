@@ -145,6 +145,7 @@ SHEETS = {
     "not": "rect:not(.c) { fill: red }",
     "attribute": "[width='1'] { fill: red }",
     "important": "rect { fill: red !important } #i { fill: blue }",
+    "nothing but important": "rect { fill: red !important }",
     "media": "@media screen { rect { fill: red } } @media print { rect { fill: blue } }",
     "after an embedded font": "@font-face{src:url(data:font/woff;base64,AA)} rect { fill: red }",
     "after nonsense": "} ] !! rect::: {} .a { fill: red } rect { ",

@@ -117,6 +117,25 @@ def test_stroke_width_is_in_root_units_unless_it_does_not_scale(markup, width):
 
 
 @pytest.mark.parametrize(
+    ("root", "width"),
+    [
+        ('viewBox="0 0 24 24"', 3),
+        ('viewBox="0 0 24 24" width="100%" height="100%"', 3),
+        ('width="240" height="240"', 3),
+        ('viewBox="0 0 24 24" width="240" height="240"', 0.3),
+        ('viewBox="0 0 24 24" height="1in"', 0.75),
+        ('viewBox="0 0 24 24" width="48" height="96"', 1.5),
+        ('viewBox="0 0 24 24" width="48" height="96" preserveAspectRatio="xMinYMin slice"', 0.75),
+    ],
+)
+def test_a_stroke_that_does_not_scale_is_in_pixels_at_the_drawings_own_size(root, width):
+    style = "stroke: red; stroke-width: 3px; stroke-dasharray: 6; vector-effect: NON-SCALING-STROKE"
+    (shape,) = drawn(f'<g transform="scale(5)"><path d="M0 0h1" style="{style}"/></g>', root).shapes
+    found = shape.style.stroke_width, *shape.style.stroke_dasharray, 3 * shape.style.pixel
+    assert found == pytest.approx((width, 2 * width, width))
+
+
+@pytest.mark.parametrize(
     "markup",
     [
         '<rect width="9" height="9" transform="scale(0 1)"/>',

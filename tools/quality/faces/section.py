@@ -7,20 +7,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import shapeblend_cli as sb
-from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.svg.reading.read import read
 from tools.quality import raw
-from tools.quality.data import ROOT
-from tools.quality.icon_sets import icon_file
-from tools.quality.npm import install
-from tools.quality.scores import area
+from tools.quality.npm import icon_file
 from tools.quality.tables import Section, Table
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Sequence
 
-HERE = Path(__file__).parent
-INSTALLED = ROOT / "out" / "quality" / "faces"
+    from tools.quality.peers import Tool
+
 
 # Contours by number, counted through the file: the left eye, the right eye, the mouth. Seen by eye in each drawing; of
 # a mouth with teeth or a tongue it is what they lie on.
@@ -70,10 +65,8 @@ APART = 17
 """Each face is paired with the one so many places on in the list, and the last ones with the first."""
 
 PAIRS = list(zip(FACES, [*FACES][APART:] + [*FACES][:APART], strict=True))
-FLUBBER = "flubber's order"
 
 HEADER = (
-    "faces",
     "pairs",
     "eyes that become the eye on the same side",
     "mouths that become a mouth",
@@ -84,9 +77,8 @@ TEXT = f"""\
 {len(FACES)} faces of Twemoji, which npm installs from a lock file, in {len(PAIRS)} pairs: each with the face {APART}
 places on in the list of `tools/quality/faces/section.py`. Which contours are the left eye, the right eye and the
 mouth were identified by eye, and are in that list; where eyes are of several contours (white, pupil) the outer one
-counts, and of a mouth with teeth or a tongue what they lie on. shapeblend is told nothing.
-{FLUBBER[0].upper()}{FLUBBER[1:]}: contours in order of size, as flubber gets them wherever it is measured here.
-`make bench-faces` measures this alone."""
+counts, and of a mouth with teeth or a tongue what they lie on. shapeblend is told nothing. `make bench-faces` measures
+this alone."""
 
 
 class Score(NamedTuple):
@@ -96,18 +88,13 @@ class Score(NamedTuple):
     mouths: int
 
 
-def ready() -> str | None:
-    """Install the faces, or say why that cannot be."""
-    return install(HERE, INSTALLED)
-
-
 def drawn(name: str) -> str:
     """The file that draws a face."""
-    return icon_file(INSTALLED, "twemoji", name)
+    return icon_file("twemoji", name)
 
 
-def ours(a: str, b: str) -> dict[int, int]:
-    """What each contour of a face becomes, by shapeblend."""
+def become(a: str, b: str) -> dict[int, int]:
+    """What each contour of a face becomes."""
     with tempfile.TemporaryDirectory() as folder:
         files = Path(folder, "a.svg"), Path(folder, "b.svg")
         for file, name in zip(files, (a, b), strict=True):
@@ -116,58 +103,30 @@ def ours(a: str, b: str) -> dict[int, int]:
     return {c.a: c.b for c in pair.contours if c.a is not None and c.b is not None}
 
 
-def by_size(a: str, b: str) -> dict[int, int]:
-    """What each contour becomes if both drawings give theirs in order of size."""
-    ordered = []
-    for name in (a, b):
-        contours = [
-            contour for shape in read(name, drawn(name).encode()).shapes for contour in shape.contours
-        ]
-        areas = [area(flatten(contour, 0).vertices) for contour in contours]
-        ordered.append(sorted(range(len(areas)), key=lambda k: -areas[k]))
-    return dict(zip(*ordered, strict=False))
+def measured(tools: Sequence[Tool] = ()) -> dict:
+    """Every pair, by shapeblend."""
+    scores = raw.columns(Score, [_score(*pair) for pair in PAIRS])
+    return {"pairs": [f"{a} {b}" for a, b in PAIRS], **scores}
 
 
-TOOLS: dict[str, Callable[[str, str], dict[int, int]]] = {"shapeblend": ours, FLUBBER: by_size}
-
-
-def measured() -> dict:
-    """Every pair with every tool."""
-    scores = {
-        name: raw.columns(Score, [_score(*pair, become) for pair in PAIRS]) for name, become in TOOLS.items()
-    }
-    return {"pairs": [f"{a} {b}" for a, b in PAIRS], "scores": scores}
-
-
-def _score(a: str, b: str, become: Callable[[str, str], dict[int, int]]) -> Score:
+def _score(a: str, b: str) -> Score:
     found = become(a, b)
     *eyes, mouth = (found.get(p) == q for p, q in zip(FACES[a], FACES[b], strict=True))
     return Score(sum(eyes), int(mouth))
 
 
 def wrong(found: dict) -> list[str]:
-    """The pairs of faces in which not all is as it should be with shapeblend."""
-    scores = raw.records(Score, found["scores"]["shapeblend"])
-    return [
-        f"{pair}: {s.eyes} eyes, {s.mouths} mouths"
-        for pair, s in zip(found["pairs"], scores, strict=True)
-        if sum(s) < 3
-    ]
+    """The pairs of faces in which not all is as it should be."""
+    scores = zip(found["pairs"], raw.records(Score, found), strict=True)
+    return [f"{pair}: {s.eyes} eyes, {s.mouths} mouths" for pair, s in scores if sum(s) < 3]
 
 
 def section(found: dict) -> Section:
-    rows = []
-    count = len(found["pairs"])
-    for tool, columns in found["scores"].items():
-        scores = raw.records(Score, columns)
-        right = f"{sum(sum(s) == 3 for s in scores)} of {count}"
-        rows.append(
-            [
-                tool,
-                str(count),
-                f"{sum(s.eyes for s in scores)} of {2 * count}",
-                f"{sum(s.mouths for s in scores)} of {count}",
-                right,
-            ]
-        )
-    return Section("Faces", TEXT, Table(HEADER, rows), [])
+    scores, count = raw.records(Score, found), len(found["pairs"])
+    row = [
+        str(count),
+        f"{sum(s.eyes for s in scores)} of {2 * count}",
+        f"{sum(s.mouths for s in scores)} of {count}",
+        f"{sum(sum(s) == 3 for s in scores)} of {count}",
+    ]
+    return Section("Faces", TEXT, Table(HEADER, [row]))

@@ -12,7 +12,7 @@ import shapeblend_cli as sb
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.judge import judge_shape, outlines_of
-from tools.quality.judge.pairs import drawn
+from tools.quality.npm import icon_file
 
 if TYPE_CHECKING:
     from tools.quality.judge.pairs import Pair
@@ -21,7 +21,6 @@ OPTIONS = {
     "linear": {"motion": "linear"},
     "intrinsic": {"motion": "intrinsic"},
     "rigid": {"motion": "rigid"},
-    "safe": {"motion": "safe"},
     "paper": {"motion": "linear", "preset": "paper"},
     "paper, intrinsic": {"motion": "intrinsic", "preset": "paper"},
 }
@@ -40,7 +39,7 @@ def blend_of(pair: Pair, options: dict[str, str]) -> sb.Blend:
     with tempfile.TemporaryDirectory() as folder:
         files = Path(folder, "a.svg"), Path(folder, "b.svg")
         for file, name in zip(files, pair[1:], strict=True):
-            file.write_text(drawn(pair.icons, name), encoding="utf-8")
+            file.write_text(icon_file(pair.icons, name), encoding="utf-8")
         return sb.blend(*map(str, files), **options)
 
 

@@ -4,14 +4,9 @@ from __future__ import annotations
 
 import functools
 import random
-from pathlib import Path
 from typing import NamedTuple
 
-from tools.quality.data import ROOT
-from tools.quality.icon_sets import icon_file, icon_set
-from tools.quality.npm import install
-
-INSTALLED = ROOT / "out" / "quality" / "judge"
+from tools.quality.npm import icon_set
 
 GAME, CONTRAST = "game-icons", "fluent-emoji-high-contrast"
 SETS = (GAME, "ph", GAME, CONTRAST, GAME, "material-symbols", "healthicons", GAME, "twemoji", GAME)
@@ -45,22 +40,12 @@ class Pair(NamedTuple):
     b: str
 
 
-def ready() -> str | None:
-    """Install the icons, or say why that cannot be."""
-    return install(Path(__file__).parent, INSTALLED)
-
-
-def drawn(icons: str, name: str) -> str:
-    """The file that draws an icon."""
-    return icon_file(INSTALLED, icons, name)
-
-
 @functools.cache
 def names(icons: str) -> list[str]:
     """The icons of a package that may be drawn."""
     return sorted(
         name
-        for name in icon_set(INSTALLED, icons)["icons"]
+        for name in icon_set(icons)["icons"]
         if not any(part in name for part in LEFT_OUT) and not name.endswith(VARIANTS.get(icons, ()))
     )
 
@@ -88,5 +73,5 @@ def _pick(lots: random.Random, icons: str, related: bool) -> Pair:
 
 
 def _is_simple(icons: str, name: str) -> bool:
-    body = icon_set(INSTALLED, icons)["icons"][name]["body"]
+    body = icon_set(icons)["icons"][name]["body"]
     return len(body) <= LONGEST and body.count("<") <= MOST_TAGS

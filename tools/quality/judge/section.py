@@ -15,6 +15,8 @@ from tools.quality.tables import NONE, Section, Table
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from tools.quality.peers import Tool
+
 HERE = Path(__file__).parent
 
 SEEDS = {17: 130, 18: 40}
@@ -26,19 +28,12 @@ BEST = 3
 CHOICES = ("linear", "rigid", "intrinsic")
 """What `--motion auto` chooses from."""
 
-HEADER = (
-    "seed",
-    "pairs",
-    "auto takes the best",
-    *(f"always {name}" for name in CHOICES),
-    "couples in order",
-    "least of six is the best",
-)
+HEADER = ("seed", "pairs", "auto takes the best", *(f"always {name}" for name in CHOICES), "couples in order")
 
 TEXT = f"""\
 Does the judge that chooses motions see what an eye sees? Icons of six packages, which npm installs from a lock file,
 in pairs drawn by lot: {SEEDS[17]} with the seed 17, {SEEDS[18]} with 18. Every other one has a word in common, as `bat`
-and `bat-wing`. Of each pair six blends were drawn (straight, intrinsic, rigid and safe motion; straight and intrinsic
+and `bat-wing`. Of each pair several blends were drawn (straight, intrinsic and rigid motion; straight and intrinsic
 motion of the paper's correspondence), in shuffled rows without names, and graded from 0 to {BEST} by eye. The judge's
 weights were chosen with earlier blends of the pairs of seed 17 in view, which had been graded before there was a judge;
 when motions had changed, these pairs were graded again in the same way. Its numbers for those of seed 18 were looked at
@@ -49,9 +44,8 @@ grades are in `tools/quality/judge`.
 best grade of the three, where these differ and it takes the same for all shapes; beside it the same for always taking
 one of them. Icons drawn by lot have little in common, and then straight paths are hard to beat; limbs that swing are
 another measure's. *Couples in order*: of how many couples of blends of a pair with unlike grades the judge's numbers
-have the order of the grades. *Least of six*: of how many pairs the blend with the least number has the best grade of
-all six. A blend counts only if it still looks as it did when it was graded; others are drawn otherwise today.
-`make bench-judge` measures this alone."""
+have the order of the grades. A blend counts only if it still looks as it did when it was graded; others are drawn
+otherwise today. `make bench-judge` measures this alone."""
 
 
 class Graded(NamedTuple):
@@ -88,7 +82,7 @@ class Measured(NamedTuple):
     taken: str | None
 
 
-def measured() -> dict[str, Any]:
+def measured(tools: Sequence[Tool] = ()) -> dict[str, Any]:
     """Every pair of all sets."""
     found = {}
     for seed in SEEDS:
@@ -128,11 +122,6 @@ class Judged(NamedTuple):
     def differs(self) -> bool:
         """Whether it matters which is taken."""
         return len(set(self.grades.values())) > 1
-
-    @property
-    def least(self) -> str:
-        """The one with the least number; of several the first."""
-        return min(self.numbers, key=lambda name: self.numbers[name])
 
     def best(self, name: str | None) -> bool:
         """Whether no other has a better grade."""
@@ -203,7 +192,6 @@ def section(found: dict[str, Any]) -> Section:
                 of([one.best(one.taken) for one in few]),
                 *(of([one.best(name) for one in few]) for name in CHOICES),
                 of([right for one in every for right in couples(one)]),
-                of([one.best(one.least) for one in every if one.differs]),
             ]
         )
     return Section("The judge", TEXT, Table(HEADER, rows), [])

@@ -1,6 +1,6 @@
 """Draw a further set of pairs to be graded by eye: python -m tools.quality.judge.sheets SEED COUNT.
 
-Into `out/quality/judge/SEED` go a sheet for each pair, its rows in shuffled order with letters for names, and `key.tsv`
+Into `out/judge/SEED` go a sheet for each pair, its rows in shuffled order with letters for names, and `key.tsv`
 with what each letter stands for: look into that only when all is graded. Write the grades into a file, a line for each
 pair, as
 
@@ -21,10 +21,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PIL import Image, ImageDraw
 
-from tools.contact_sheet import sheet
+from tools.pictures import sheet
+from tools.quality.data import ROOT
 from tools.quality.judge import pairs
 from tools.quality.judge.blends import OPTIONS, blend_of, look, unlikeness
 from tools.quality.judge.section import HERE
+from tools.quality.npm import install
 
 if TYPE_CHECKING:
     import shapeblend_cli as sb
@@ -102,9 +104,9 @@ def main(arguments: list[str] | None = None) -> None:
     parser.add_argument("count", type=int)
     parser.add_argument("--grades", type=Path, metavar="FILE")
     options = parser.parse_args(arguments)
-    if problem := pairs.ready():
+    if problem := install():
         sys.exit(f"no icons: {problem}")
-    folder = pairs.INSTALLED / str(options.seed)
+    folder = ROOT / "out" / "judge" / str(options.seed)
     if options.grades is None:
         draw(options.seed, options.count, folder)
         print(folder)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry.polygons import signed_area
-from tools.quality.morphs.packages import INSTALLED
+from tools.quality.npm import MODULES
 from tools.quality.truth.measures import apart
 from tools.quality.truth.write import SIZE, Morph, centred, is_plain
 
@@ -85,7 +85,7 @@ def morphs(name: str) -> Iterator[Morph]:
 
 def steps(animation: str) -> Iterator[Step]:
     """All steps of closed paths."""
-    file = INSTALLED / "node_modules" / "lottie-web" / "test" / "animations" / f"{animation}.json"
+    file = MODULES / "lottie-web" / "test" / "animations" / f"{animation}.json"
     drawn = json.loads(file.read_text(encoding="utf-8"))
     for holder in (drawn, *drawn["assets"]):
         for layer in holder.get("layers", ()):

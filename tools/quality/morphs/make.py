@@ -1,39 +1,24 @@
-"""Make limbs and morphs of known truth into a folder, a split each: python -m tools.quality.morphs.make [DIR]."""
+"""Make limbs and morphs of known truth into a folder, a split each."""
 
 from __future__ import annotations
 
-import argparse
 import shutil
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 from tools.quality.data import ROOT
 from tools.quality.morphs import articulated, authored
-from tools.quality.morphs.packages import HERE, ready
+from tools.quality.npm import PACKAGES
 from tools.quality.truth.form import SETS
 from tools.quality.truth.write import write
 
-FOLDER = ROOT / "out" / "morphs"
+if TYPE_CHECKING:
+    from pathlib import Path
 
-SPLITS = {"articulated": "limbs turned", "authored": "authored morphs"}
-"""The splits, and what is in each."""
+FOLDER = ROOT / "out" / "morphs"
 
 
 def make(folder: Path) -> None:
     """Write both splits, and whose drawings they are."""
     write(folder / "articulated", {"single": articulated.morphs()})
     write(folder / "authored", {name: authored.morphs(name) for name in SETS})
-    shutil.copy(HERE / "LICENCE.md", folder)
-
-
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", type=Path, nargs="?", default=FOLDER)
-    folder = parser.parse_args().folder
-    if problem := ready():
-        raise SystemExit(f"no morphs: {problem}")
-    make(folder)
-    print(folder)
-
-
-if __name__ == "__main__":
-    main()
+    shutil.copy(PACKAGES / "LICENCE.md", folder)

@@ -9,7 +9,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
-from tools.quality.data import DECIMALS, Pair, polygon, subpaths
+from tools.quality.data import Pair, polygon, subpaths
 from tools.quality.scores import STEPS, area
 from tools.quality.truth.form import TIMES, Linked, Truth
 
@@ -29,16 +29,6 @@ def linked(truths: list[Truth]) -> list[Linked | None]:
 def _linked(a: list[np.ndarray], b: list[np.ndarray]) -> Linked:
     matched = links(a, b)
     return Linked([between(matched, t) for t in TIMES], matched, VERTICES * len(matched))
-
-
-def path_data(pair: Pair, times: list[float]) -> list[str]:
-    """Frames at some times as path data."""
-    matched = links(contours(pair.a), contours(pair.b))
-    return ["".join(map(_data, between(matched, t))) for t in times]
-
-
-def _data(contour: np.ndarray) -> str:
-    return f"M{'L'.join(f'{z.real:.{DECIMALS}f},{z.imag:.{DECIMALS}f}' for z in contour)}Z"
 
 
 def contours(data: str) -> list[np.ndarray]:

@@ -1,5 +1,5 @@
 // A job has `a` and `b`, lists of path data with one contour each, of equal length; and `side`, the longest side of a
-// polygon, null for the library's own, or `curves`: true for the component that blends curves.
+// polygon, or `curves`: true for the component that blends curves.
 //
 // The library's bundle has no component for curves, so both are taken from its sources. These name each other
 // without a suffix, which bundlers allow and node does not: the hook adds it.
@@ -22,8 +22,7 @@ function ends(component, a, b, side) {
   if (component === curves) {
     component.functions.crossCheck.call(tween, property);
   } else {
-    const length = side ?? component.defaultOptions.morphPrecision;
-    const [first, last] = component.Util.getInterpolationPoints(a, b, length);
+    const [first, last] = component.Util.getInterpolationPoints(a, b, side);
     tween.valuesStart.path.polygon = first;
     tween.valuesEnd.path.polygon = last;
   }

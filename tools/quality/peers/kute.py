@@ -8,7 +8,6 @@ unless they are of lines alone, so all are turned before.
 
 from __future__ import annotations
 
-import functools
 from typing import Any
 
 from tools.quality.data import Pair, one_way_round, open_data
@@ -16,17 +15,14 @@ from tools.quality.peers.node import Library, largest, longest_side, version
 
 NAME = f"KUTE.js {version('kute.js')}"
 
-COARSE = f"{NAME}, sides of 10"
-"""What it is called where it is left its default, a longest side of 10 units whatever the drawing's size."""
-
 CURVES = f"{NAME}, curves"
 """What it is called with the component for curves, which has no options."""
 
 
-def job(pair: Pair, own_sides: bool) -> dict[str, Any]:
+def job(pair: Pair) -> dict[str, Any]:
     """Return what the script is told of a pair."""
     a, b = (list(map(one_way_round, contours)) for contours in largest(pair))
-    return {"a": a, "b": b, "side": None if own_sides else longest_side(pair), "curves": False}
+    return {"a": a, "b": b, "side": longest_side(pair), "curves": False}
 
 
 def job_of_curves(pair: Pair) -> dict[str, Any]:
@@ -35,6 +31,5 @@ def job_of_curves(pair: Pair) -> dict[str, Any]:
     return {"a": a, "b": b, "side": None, "curves": True}
 
 
-FINE = Library(NAME, "kute", functools.partial(job, own_sides=False))
+FINE = Library(NAME, "kute", job)
 OF_CURVES = Library(CURVES, "kute", job_of_curves)
-LIBRARIES = (FINE, Library(COARSE, "kute", functools.partial(job, own_sides=True)), OF_CURVES)

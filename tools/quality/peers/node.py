@@ -1,6 +1,6 @@
 """Libraries that morph paths in web pages, run by node.
 
-npm installs them from the lock file beside this one into `out/`. Each has a script here, which gets a line of JSON a
+npm installs them into `out/npm`. Each has a script here, which gets a line of JSON a
 pair and answers with path data at the times that were asked for.
 """
 
@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import functools
 import json
+import shutil
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
-from tools.quality.data import ROOT, Pair, pieces, polygon, subpaths, vertices
-from tools.quality.npm import install
+from tools.quality.data import Pair, pieces, polygon, subpaths, vertices
+from tools.quality.npm import INSTALLED, PACKAGES, install
 from tools.quality.scores import STEPS, area
 from tools.quality.truth.form import TIMES, Linked, Truth
 
@@ -26,9 +27,7 @@ if TYPE_CHECKING:
     from tools.quality.scores import Frame
 
 HERE = Path(__file__).parent
-INSTALLED = ROOT / "out" / "quality" / "peers"
 RUN = "run.mjs"
-SCRIPTS = (RUN, *sorted(file.name for file in HERE.glob("*.mjs") if file.name != RUN))
 
 VERTICES = 120
 """Where a library takes a longest side, the longest contour gets about so many."""
@@ -36,7 +35,7 @@ VERTICES = 120
 
 def version(package: str) -> str:
     """Return which version of a package is installed."""
-    known = json.loads((HERE / "package.json").read_text(encoding="utf-8"))
+    known = json.loads((PACKAGES / "package.json").read_text(encoding="utf-8"))
     return known["dependencies"][package]
 
 
@@ -52,18 +51,15 @@ class Library:
         The script that runs it, without the suffix.
     job : callable
         Gives what the script is told of a pair.
-    keeps_vertices : bool
-        Whether all its frames of a pair have the same vertices.
     """
 
     name: str
     script: str
     job: Callable[[Pair], dict[str, Any]]
-    keeps_vertices: ClassVar[bool] = True
 
     def ready(self) -> str | None:
         """Install it, or return why it cannot run here."""
-        return install(HERE, INSTALLED, *SCRIPTS) or _starts(self.script)
+        return install() or _starts(self.script)
 
     def lines(self, pairs: Sequence[Pair], times: Sequence[float]) -> str:
         """Return what the script gets on standard input."""
@@ -118,7 +114,10 @@ def contours(data: str) -> Frame:
 
 @functools.cache
 def _starts(script: str) -> str | None:
-    """Start a script without jobs, or return why it does not start."""
+    """Put a script beside its library and start it without jobs, or return why it does not start."""
+    for name in (RUN, f"{script}.mjs"):
+        if not (there := INSTALLED / name).exists() or there.read_bytes() != (HERE / name).read_bytes():
+            shutil.copyfile(HERE / name, there)
     done = subprocess.run(
         ["node", RUN, script], cwd=INSTALLED, input="", capture_output=True, text=True, check=False
     )

@@ -21,24 +21,19 @@ if TYPE_CHECKING:
 
 NAME = f"polymorph {version('polymorph-js')}"
 
-COARSE = f"{NAME}, whole numbers"
-"""What it is called where it is left its default, no decimals whatever the drawing's size."""
-
 APART = 6
 """With so many decimals it takes no two points on the way for one."""
 
 ON_THE_WAY = (0.25, 0.75)
 
 
-def job(pair: Pair, precision: int | None) -> dict[str, Any]:
+def job(pair: Pair, precision: int) -> dict[str, Any]:
     """Return what the script is told of a pair."""
     return {"a": one_way_round(pair.a), "b": one_way_round(pair.b), "precision": precision}
 
 
 class Polymorph(Library):
     """The library, whose frames on the way say what goes where."""
-
-    keeps_vertices = False
 
     def links(self, pairs: Sequence[Pair]) -> list[list[tuple[np.ndarray, np.ndarray]] | None]:
         """Return what goes where: vertices go straight, so two frames on the way give both ends."""
@@ -51,4 +46,3 @@ class Polymorph(Library):
 
 
 FINE = Polymorph(NAME, "polymorph", functools.partial(job, precision=DECIMALS))
-LIBRARIES = (FINE, Polymorph(COARSE, "polymorph", functools.partial(job, precision=None)))

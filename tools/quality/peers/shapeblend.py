@@ -22,21 +22,12 @@ if TYPE_CHECKING:
 
 NAME = "shapeblend"
 
-DEFAULT = "auto"
-MOTIONS = ("linear", "rigid", "intrinsic", "safe")
-"""What else `--motion` takes."""
-
 FINE = 2000
 """A contour with curves is cut into about so many pieces. One of straight lines is taken as it is."""
 
 
-def named(motion: str) -> str:
-    """What the command is called that blends with a motion."""
-    return NAME if motion == DEFAULT else f"{NAME} --motion {motion}"
-
-
-def blends(pairs: list[Pair], motion: str = DEFAULT) -> list[list[list[np.ndarray]] | None]:
-    files = (frames(pair, motion) for pair in pairs)
+def blends(pairs: list[Pair]) -> list[list[list[np.ndarray]] | None]:
+    files = (frames(pair) for pair in pairs)
     return [each and [drawn(text) for text in each] for each in files]
 
 
@@ -65,39 +56,12 @@ def links_of(contour: dict) -> tuple[np.ndarray, np.ndarray]:
     return (np.array(contour["vertices_a"]) @ [1, 1j])[a], (np.array(contour["vertices_b"]) @ [1, 1j])[b]
 
 
-def frames(
-    pair: Pair, motion: str = DEFAULT, steps: int = STEPS, also: Sequence[str] = ()
-) -> list[str] | None:
+def frames(pair: Pair, steps: int = STEPS) -> list[str] | None:
     """The files at even times, both ends among them, or None if the command fails."""
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder, "frames")
-        options = ["--frames", str(steps - 1), "--ends", "--motion", motion, *also]
-        return _files(target) if _blend(_svgs(pair), Path(folder), target, *options) else None
-
-
-def report(pair: Pair) -> dict | None:
-    """What the command reports, or None if it fails."""
-    with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder, "report.json")
-        options = ["--frames", "0", "--report", str(file)]
-        if not _blend(_svgs(pair), Path(folder), Path(folder, "none"), *options):
-            return None
-        return json.loads(file.read_text(encoding="utf-8"))
-
-
-def animation(pair: Pair) -> str | None:
-    """The animated SVG, or None if the command fails."""
-    with tempfile.TemporaryDirectory() as folder:
-        target = Path(folder, "moving.svg")
-        return target.read_text(encoding="utf-8") if _blend(_svgs(pair), Path(folder), target) else None
-
-
-def middle(pair: Pair) -> str | None:
-    """The one file half way, or None if the command fails."""
-    with tempfile.TemporaryDirectory() as folder:
-        target = Path(folder, "frames")
-        done = _blend(_svgs(pair), Path(folder), target, "--frames", "1")
-        return _files(target)[0] if done else None
+        done = _blend((svg(pair.a), svg(pair.b)), Path(folder), target, "--frames", str(steps - 1), "--ends")
+        return _files(target) if done else None
 
 
 def segments(text: str) -> int:
@@ -110,10 +74,6 @@ def drawn(text: str) -> list[np.ndarray]:
     """The vertices of everything a file draws, a contour each."""
     shapes = read("a file", text.encode()).shapes
     return [_vertices(contour) for shape in shapes for contour in shape.contours]
-
-
-def _svgs(pair: Pair) -> tuple[str, str]:
-    return svg(pair.a), svg(pair.b)
 
 
 def _files(folder: Path) -> list[str]:

@@ -1,4 +1,4 @@
-"""Letters of variable fonts as pairs of known truth, made into a folder: python -m tools.quality.truth.letters DIR.
+"""Letters of variable fonts as pairs of known truth.
 
 A letter has the same points wherever a font's axes stand, so its designer has said what becomes what, and how it looks
 in between.
@@ -6,10 +6,8 @@ in between.
 
 from __future__ import annotations
 
-import argparse
 import random
 from itertools import compress, islice
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,18 +15,17 @@ from fontTools.pens.basePen import BasePen
 from fontTools.ttLib import TTFont
 
 from tools.quality.data import ROOT
-from tools.quality.npm import install
+from tools.quality.npm import MODULES
 from tools.quality.truth.form import SETS
 from tools.quality.truth.measures import apart
 from tools.quality.truth.write import SEED, SIZE, Morph, centred, is_plain, write
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from pathlib import Path
 
     from tools.quality.truth.write import Outline
 
-HERE = Path(__file__).parent / "fonts"
-INSTALLED = ROOT / "out" / "quality" / "fonts"
 FOLDER = ROOT / "out" / "truth"
 
 FAMILIES = {
@@ -82,11 +79,6 @@ class _Pen(BasePen):
         self.outline[-1].append(np.array([self.last, self.first]))
 
 
-def ready() -> str | None:
-    """Install the fonts, or say why that cannot be."""
-    return install(HERE, INSTALLED)
-
-
 def letters(name: str) -> Iterator[Morph]:
     """The letters of a set: of each family as many as there shall be, axis after axis."""
     for family in FAMILIES:
@@ -105,7 +97,7 @@ def letters(name: str) -> Iterator[Morph]:
 def opened(family: str) -> TTFont:
     """The font of a family."""
     name = package(family)
-    files = INSTALLED / "node_modules" / "@fontsource-variable" / name / "files"
+    files = MODULES / "@fontsource-variable" / name / "files"
     return TTFont(files / f"{name}-{FAMILIES[family]}.woff2")
 
 
@@ -168,17 +160,3 @@ def _is_fit(one: Morph, name: str) -> bool:
 def make(folder: Path) -> None:
     """Write all sets."""
     write(folder, {name: letters(name) for name in SETS})
-
-
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", type=Path, nargs="?", default=FOLDER)
-    folder = parser.parse_args().folder
-    if problem := ready():
-        raise SystemExit(f"no letters: {problem}")
-    make(folder)
-    print(folder)
-
-
-if __name__ == "__main__":
-    main()

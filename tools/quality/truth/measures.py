@@ -24,11 +24,12 @@ if TYPE_CHECKING:
 WRONG = 0.5
 """What a contour counts that goes to another one than it should. A random start gives half of that."""
 
-GROSS = 0.05
-"""A correspondence that is off by more than this has missed the shape somewhere."""
+GROSS, OPEN_GROSS = 0.05, 0.1
+"""A correspondence that is off by more than this has missed the shape somewhere; of open lines, where nothing goes
+round, by more than the second."""
 
-PLACES = 720
-"""At so many places of a contour the correspondence is compared."""
+PLACES, OPEN_PLACES = 720, 201
+"""Places of a contour at which the correspondence is compared, and places of an open line at which distances are."""
 
 SHARP, STILL_SHARP = 30.0, 20.0
 """Degrees by which an outline turns at a corner at both ends, and in between."""
@@ -42,10 +43,12 @@ class Nearness(NamedTuple):
 
     Attributes
     ----------
-    strict : float
-        1 - what two regions share of what they cover, mean over `TIMES`.
     corr : float
         How far along B's contours points of A's arrive from where they should, mean, as a share of the contour.
+    strict : float or None
+        1 - what two regions share of what they cover, mean over `TIMES`; None of open lines.
+    dist : float or None
+        How far in-betweens of an open line are from the true ones, mean, as a share of the size; None of regions.
     crossed : bool
         Whether a contour of an in-between crosses or touches itself.
     corners : float or None
@@ -54,26 +57,35 @@ class Nearness(NamedTuple):
         With how many the middle one is written.
     """
 
-    strict: float
     corr: float
-    crossed: bool
-    corners: float | None
-    segments: int
+    strict: float | None = None
+    dist: float | None = None
+    crossed: bool = False
+    corners: float | None = None
+    segments: int = 0
+
+    @property
+    def gross(self) -> bool:
+        """Whether the correspondence has missed the shape somewhere."""
+        return self.corr > (OPEN_GROSS if self.strict is None else GROSS)
 
 
-NO_ANSWER = Nearness(1.0, WRONG, True, 0.0, 0)
+NO_ANSWER = Nearness(WRONG, strict=1.0, crossed=True, corners=0.0)
+NO_LINE = Nearness(WRONG, dist=1.0)
 
 
 def nearness(truth: Truth, found: Linked | None) -> Nearness:
     """Judge a blend; one that is none is as far off as can be."""
+    if truth.open:
+        return open_nearness(truth, found)
     if found is None:
         return NO_ANSWER
     return Nearness(
-        strict(truth, found.frames),
         corr(truth, found.links),
-        any(is_crossed(contour) for frame in found.frames for contour in frame),
-        corners(truth, found.frames[TIMES.index(0.5)]),
-        found.segments,
+        strict=strict(truth, found.frames),
+        crossed=any(is_crossed(contour) for frame in found.frames for contour in frame),
+        corners=corners(truth, found.frames[TIMES.index(0.5)]),
+        segments=found.segments,
     )
 
 
@@ -212,3 +224,38 @@ def turns(contour: np.ndarray, reach: float = 0.0) -> np.ndarray:
 def _fine(contour: np.ndarray, size: float) -> np.ndarray:
     """A contour without vertices that are one."""
     return contour[np.abs(contour - np.roll(contour, 1)) > 1e-9 * size]
+
+
+def open_nearness(truth: Truth, found: Linked | None) -> Nearness:
+    """Judge a blend of one open line; one that is none, or of several, is as far off as can be."""
+    if found is None or any(len(contours) != 1 for contours in (*found.frames, found.links)):
+        return NO_LINE
+    size = extent([*truth.frames[0], *truth.frames[-1]])
+    each = zip(TIMES, found.frames, strict=True)
+    apart = [_lines_apart(truth.laid_back(frame, t)[0], truth.at(t)[0]) for t, frame in each]
+    off = _open_error(truth, *found.links[0])
+    return Nearness(off, dist=float(np.mean(apart)) / size, segments=found.segments)
+
+
+def _lines_apart(p: np.ndarray, q: np.ndarray) -> float:
+    """The mean distance of places on each line to the other."""
+    lines, shares = [line(p), line(q)], np.linspace(0.0, 1.0, OPEN_PLACES)
+    places = [shapely.line_interpolate_point(one, shares, normalized=True) for one in lines]
+    return float(np.mean([shapely.distance(places[k], lines[1 - k]).mean() for k in (0, 1)]))
+
+
+def _open_error(truth: Truth, p: np.ndarray, q: np.ndarray) -> float:
+    """How far along b the points of a arrive from where they should, as a share of b."""
+    (ends,) = truth.true_links()
+    u, v = (
+        shapely.line_locate_point(line(end), shapely.points(z.real, z.imag), normalized=True)
+        for end, z in zip(ends, (p, q), strict=True)
+    )
+    if u[-1] < u[0]:
+        u, v = u[::-1], v[::-1]
+    places = (np.arange(PLACES) + 0.5) / PLACES
+    ((true_u, true_v),) = truth.along
+    if true_v[-1] < true_v[0]:
+        true_v = 1.0 - true_v  # B's file goes the other way than the true end, along which `v` is counted
+    arrived = np.interp(places, np.maximum.accumulate(u), v)
+    return float(np.abs(arrived - np.interp(places, true_u, true_v)).mean())

@@ -1,0 +1,71 @@
+"""Options of the command line, made from the fields of records."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from shapeblend_cli.options.types import FLAG, FieldType
+
+if TYPE_CHECKING:
+    from collections.abc import Container
+
+    from click.shell_completion import CompletionItem
+
+    from shapeblend_cli.options.fields import Option, Record
+
+
+NAME = click.Path(readable=False)
+"""Name of a file to read. It is checked when it is read, so that every error has the same form."""
+
+
+class FieldText(click.ParamType):  # type: ignore[type-arg]  # generic only in newer releases
+    """Text that stands for the value of a field."""
+
+    name = "text"
+
+    def __init__(self, kind: FieldType) -> None:
+        self.kind = kind
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Read a value; an error names the option and what would work."""
+        try:
+            return self.kind.parse(value)
+        except ValueError as error:
+            name = max(param.opts, key=len) if param else ""
+            raise click.UsageError(f"{name} {error}", ctx) from None
+
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list[CompletionItem]:
+        """Offer the words that a value may be, or files."""
+        from click.shell_completion import CompletionItem
+
+        if self.kind.is_file:
+            return [CompletionItem(incomplete, type="file")]
+        return [CompletionItem(word) for word in self.kind.choices if word.startswith(incomplete)]
+
+
+class FieldOption(click.Option):
+    """An option made from a field. Its value is None, or for a repeatable one empty, where it is not given."""
+
+    def __init__(self, field: Option) -> None:
+        value: dict[str, Any] = {"is_flag": True}
+        if field.kind is not FLAG:
+            # Where several words make a value, the record alone checks it.
+            kind = FieldText(field.kind) if field.kind.words == 1 else NAME
+            value = {
+                "type": kind,
+                "metavar": field.metavar,
+                "multiple": field.many,
+                "nargs": field.kind.words,
+            }
+        super().__init__([*field.flags, field.name], help=field.full_help, default=None, **value)
+        self.section = field.section
+
+
+def options_of(*records: type[Record], without: Container[str] = ()) -> list[FieldOption]:
+    """Make the options of records, but for some fields."""
+    fields = (field for record in records for field in record.options.values())
+    return [FieldOption(field) for field in fields if field.name not in without]

@@ -1,0 +1,226 @@
+"""Objects of a document of Inkscape that are blended: in-betweens in the document, or an animation of their own."""
+
+from __future__ import annotations
+
+import re
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.errors import InputError
+from shapeblend_cli.frames.frames import make_frames
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.inkscape.source import Document
+from shapeblend_cli.model import Box, Drawing, Frame, Name, Page, Pair
+from shapeblend_cli.outputs.formats import views
+from shapeblend_cli.pipeline import match_all
+from shapeblend_cli.svg.reading.read import read
+from shapeblend_cli.svg.writing.document import frames_in_groups
+from shapeblend_cli.svg.writing.ids import Ids
+from shapeblend_cli.svg.writing.rounding import decimals_for
+from shapeblend_cli.system.write import check_targets, write_files
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from shapeblend_cli.model import ComplexArray, Shape
+    from shapeblend_cli.options.settings import Settings
+    from shapeblend_cli.outputs.formats import OutputSpec
+    from shapeblend_cli.svg.xml.transforms import Affine
+
+_PIN = re.compile(r"\s*pin\s*(\w*)\s*", re.IGNORECASE)
+
+MARGIN = 0.02
+"""Margin around the shapes of an animation, as a share of their larger side."""
+
+Pin = tuple[complex, complex]
+
+
+class Selected(NamedTuple):
+    """The objects that are blended, the lowest first, as drawings of one document, and the points that are pinned."""
+
+    document: Document
+    numbers: list[int]  # of the elements
+    drawings: list[Drawing]
+    pins: tuple[Pin, ...]
+
+
+def blend_objects(
+    file: str, ids: Sequence[str], settings: Settings, *, as_layers: bool, note: Callable[[str], None]
+) -> bytes:
+    """Return a document of Inkscape with in-betweens of two of its objects, above the lower one.
+
+    They begin at that, and are in a group, or each in a layer. All else in the document stays as it is.
+    """
+    selected = _selected(file, ids, note)
+    if len(selected.numbers) != 2:
+        raise InputError(
+            file,
+            f"{_objects(len(selected.numbers))} selected; two, or two groups, and dots for pins, would work",
+        )
+    pairs = _matched(selected, settings, note)
+    frames = [_inside(frame) for frame in make_frames(pairs, settings)]
+    document, (lower, upper) = selected.document, selected.numbers
+    around = document.ancestors(lower)
+    after = lower
+    if as_layers:
+        # Layers are in layers alone: they come after the group that the lower object is in.
+        while len(around) > 1 and not document.elements[around[-1]].is_layer:
+            after = around.pop()
+    names = [document.elements[number].id or "" for number in (lower, upper)]
+    text = frames_in_groups(
+        frames,
+        decimals_for(views(pairs)),
+        Ids(taken=[element.id for element in document.elements if element.id]),
+        (" to ".join(names), _transform(document.matrix_in(around), file)),
+        as_layers=as_layers,
+    )
+    return document.with_text_after(after, text)
+
+
+def animate_objects(
+    file: str,
+    ids: Sequence[str],
+    output: OutputSpec,
+    *,
+    force: bool,
+    note: Callable[[str], None],
+) -> bytes:
+    """Write an animation that goes from object to object, from the lowest up, and return the document as it is."""
+    selected = _selected(file, ids, note)
+    if len(selected.numbers) < 2:
+        raise InputError(file, f"{_objects(len(selected.numbers))} selected; two or more would work")
+    output.format.check_libraries()
+    check_targets([Path(name) for name in output.files()], [Path(file)], force)
+    every = [shape for drawing in selected.drawings for shape in drawing.shapes]
+    shown = Box.union([_painted(shape) for shape in every])
+    shown = shown.expanded(MARGIN * shown.larger_side)
+    drawings = [drawing._replace(viewbox=shown, page=Page()) for drawing in selected.drawings]
+    pairs = _matched(selected._replace(drawings=drawings), output.settings, note)
+    rendered = output.format.render(output, pairs)
+    for text in rendered.notes:
+        note(text)
+    write_files(output.by_target(rendered), force)
+    return selected.document.data
+
+
+def _selected(file: str, ids: Sequence[str], note: Callable[[str], None]) -> Selected:
+    """Read the objects that are selected; dots and lines that are pins are none of them."""
+    try:
+        data = Path(file).read_bytes()
+    except OSError as error:
+        raise InputError(file, f"cannot be read ({error.strerror}); a readable SVG file would work") from None
+    every = read(file, data)
+    pins = _pin_shapes(every)
+    document = Document.of(data)
+    numbers = []
+    for name in dict.fromkeys(ids):
+        number = document.number_of(name)
+        if number is None:
+            raise InputError(file, f"no object has the id {name}; one that is in the document would work")
+        if not any(name in (shape.id, *(group.name.id for group in shape.groups)) for shape in pins):
+            numbers.append(number)
+    numbers.sort()
+    for lower, upper in pairwise(numbers):
+        if lower in document.ancestors(upper):
+            inner, outer = (document.elements[number].id for number in (upper, lower))
+            raise InputError(file, f"{inner} is in {outer}; objects beside each other would work")
+    drawings = []
+    for number in numbers:
+        # The groups that the object itself is in are those of the document.
+        depth = len(document.ancestors(number)) - 1
+        drawing = read(file, data, select=f"#{document.elements[number].id}", is_to_blend=True)
+        shapes = tuple(_without(shape, depth) for shape in drawing.shapes)
+        drawings.append(drawing._replace(shapes=shapes, page=Page()))
+    for text in every.notes:
+        note(text)
+    return Selected(document, numbers, drawings, _pins(pins, drawings, file) if len(drawings) == 2 else ())
+
+
+def _without(shape: Shape, depth: int) -> Shape:
+    from dataclasses import replace
+
+    return replace(shape, groups=shape.groups[depth:])
+
+
+def _matched(selected: Selected, settings: Settings, note: Callable[[str], None]) -> list[Pair]:
+    settings = settings.replace(place="asis", pins=(*settings.pins, *selected.pins))
+    pairs, notes = match_all(selected.drawings, settings)
+    for text in notes:
+        note(text)
+    return pairs
+
+
+def _pin_shapes(drawing: Drawing) -> list[Shape]:
+    return [shape for shape in drawing.shapes if shape.name.label and _PIN.fullmatch(shape.name.label)]
+
+
+def _pins(shapes: Sequence[Shape], drawings: Sequence[Drawing], file: str) -> tuple[Pin, ...]:
+    """Return the points that shapes mark: two dots of one label, or the ends of a line."""
+    marked: dict[str, list[complex]] = {}
+    for shape in shapes:
+        match = _PIN.fullmatch(shape.name.label or "")
+        assert match is not None, "it is a pin"
+        segments = shape.contours[0].segments
+        ends = [complex(segments[0, 0]), complex(segments[-1, 3])]
+        is_line = not shape.contours[0].closed
+        marked.setdefault(match[1], []).extend(ends if is_line else [cubics.bounds(segments).centre])
+    outlines = [_points(drawing) for drawing in drawings]
+    pins = []
+    for label, points in marked.items():
+        if len(points) != 2:
+            raise InputError(
+                file,
+                f"'pin {label}' marks {len(points)} points; two dots or one line with that label would work",
+            )
+        ways = [(p, q) for p, q in (points, points[::-1])]
+        pins.append(min(ways, key=lambda way: sum(_away(p, o) for p, o in zip(way, outlines, strict=True))))
+    return tuple(pins)
+
+
+def _points(drawing: Drawing) -> ComplexArray:
+    t = np.arange(8) / 8
+    return np.concatenate(
+        [
+            cubics.evaluate(contour.segments[:, None, :], t).ravel()
+            for shape in drawing.shapes
+            for contour in shape.contours
+        ]
+    )
+
+
+def _away(point: complex, outline: ComplexArray) -> float:
+    return float(np.abs(outline - point).min())
+
+
+def _painted(shape: Shape) -> Box:
+    reach = shape.style.stroke_width / 2.0 if shape.style.stroke else 0.0
+    return Box.union([cubics.bounds(contour.segments).expanded(reach) for contour in shape.contours])
+
+
+def _inside(frame: Frame) -> Frame:
+    """Return a frame whose shapes have their ids as labels, as the objects in the document have them as ids."""
+    return frame._replace(
+        shapes=tuple(
+            shape._replace(name=Name(None, shape.name.label or shape.name.id, *shape.name[2:]))
+            for shape in frame.shapes
+        )
+    )
+
+
+def _transform(matrix: Affine, file: str) -> str:
+    """Return what takes the root's coordinates into those inside of elements, as an attribute; empty for nothing."""
+    if abs(matrix.determinant) < 1e-12:
+        raise InputError(file, "the lower object is in a group without extent; another one would work")
+    a, b, c, d, e, f = matrix
+    size = matrix.determinant
+    inverse = (d / size, -b / size, -c / size, a / size, (c * f - d * e) / size, (b * e - a * f) / size)
+    if inverse == (1.0, 0.0, 0.0, 1.0, 0.0, 0.0):
+        return ""
+    return f"matrix({' '.join(f'{entry + 0.0:.12g}' for entry in inverse)})"
+
+
+def _objects(count: int) -> str:
+    return "one object is" if count == 1 else f"{count or 'no'} objects are"

@@ -1,0 +1,114 @@
+"""Options of a run: what it writes and reports, and how long it may take. Nothing heavy is imported here."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from shapeblend_cli.options import types
+from shapeblend_cli.options.easing import Ease
+from shapeblend_cli.options.fields import Record, option
+from shapeblend_cli.options.settings import OTHER, OUTPUT, STATES
+from shapeblend_cli.options.triggers import Trigger
+
+
+class WriteOptions(Record, section=OUTPUT):
+    """Which files a run writes."""
+
+    force: bool = option(types.FLAG, default=False, flags=("-f", "--force"), help="Replace existing files.")
+    report: str | None = option(
+        types.file(),
+        default=None,
+        help="Write the correspondence, its work, and measurements of the frames as JSON; - for standard output.",
+    )
+    preview: str | None = option(
+        types.file(".htm", ".html"),
+        default=None,
+        metavar="FILE.html",
+        help="Write a web page that shows the blend, its correspondence and its graph.",
+    )
+    tries: str | None = option(
+        types.file(".svg"),
+        default=None,
+        flags=("--try",),
+        metavar="FILE.svg",
+        help="Write a sheet of other blends of two drawings, to choose from by eye, each with its options and the "
+        "judge's number for how wrong it looks; 0 is perfect.",
+    )
+    fail_on: str = option(
+        types.choice("never", "poor"),
+        default="never",
+        help="poor: fail, and write nothing, if even the best in-betweens look poor to the judge.",
+    )
+
+
+class RunOptions(Record, section=OTHER):
+    """How long a command may take."""
+
+    timeout: float | None = option(
+        types.number(0.0, 1e6, above=True),
+        default=None,
+        metavar="S",
+        help="Stop after S seconds, with an error and with nothing written.",
+        default_text="none",
+    )
+
+
+class StatesOptions(Record, section=STATES):
+    """What a drawing of several states is."""
+
+    output: str = option(
+        types.file(".svg", ".js", "-"),
+        default="states.svg",
+        flags=("-o", "--output"),
+        metavar="FILE",
+        help="An SVG, or a JavaScript module (.js) with a custom element for web pages; - for an SVG on standard "
+        "output.",
+    )
+    force: bool = option(types.FLAG, default=False, flags=("-f", "--force"), help="Replace an existing file.")
+    trigger: str = option(
+        types.choice("none", "click", "hover"),
+        default="none",
+        help="What changes the state of an SVG. none: only the page around it; click: a click, Enter or Space moves "
+        "on to the next state; hover: the second state is shown while the pointer is on it or it has the keyboard's "
+        "focus. A custom element has the attribute trigger for this.",
+    )
+    duration: float = option(
+        types.number(0.0, 3600.0), default=0.3, metavar="S", help="Seconds from one state to another."
+    )
+    element: str | None = option(
+        types.ELEMENT,
+        default=None,
+        metavar="NAME",
+        help="Name of the custom element, with a hyphen in it.",
+        default_text="the name of the file, with -states",
+    )
+    precision: int | None = option(
+        types.whole(0, 10),
+        default=None,
+        help="Decimal places of coordinates.",
+        default_text="by the size of the drawings",
+    )
+
+
+REPORTED = (
+    "frames ends output emit force select_a select_b lenient place vertices start pins reverse stiff match unmatched "
+    "solver band effort preset ks kb es eb pb mb cs bending kt smoothing motion viewbox style curves precision animate "
+    "duration ease repeat format width columns background fps report preview"
+)
+"""Order of the settings in reports of format 1; further settings follow."""
+
+
+def report_settings(*records: Record) -> dict[str, Any]:
+    """Return the values of records as the report lists them."""
+    values = {o.key: _plain(getattr(record, o.name)) for record in records for o in record.options.values()}
+    values["start"] = values["start"] or "auto"
+    return {key: values[key] for key in (*REPORTED.split(), *values) if key in values}
+
+
+def _plain(value: Any) -> Any:
+    """Return a value as JSON has it."""
+    if isinstance(value, complex):
+        return [value.real, value.imag]
+    if isinstance(value, tuple):
+        return str(value) if isinstance(value, Ease | Trigger) else [_plain(one) for one in value]
+    return value

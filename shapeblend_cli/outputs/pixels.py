@@ -1,0 +1,102 @@
+"""Raster pictures, drawn by resvg from our own SVG documents alone: native code should not read others' files."""
+
+from __future__ import annotations
+
+import io
+from importlib import import_module
+from typing import TYPE_CHECKING, NamedTuple
+
+from shapeblend_cli.errors import PictureError, with_extra
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from PIL import Image
+
+    from shapeblend_cli.model import Box, Pair
+
+MOST_SIDE = 16_383
+"""Maximum side of a picture, in pixels: that of WebP."""
+
+WIDEST_STROKE = 1e5
+"""Maximum width of a stroke, in sizes of the view. With strokes of some million sizes resvg ends the process."""
+
+MOST_PIXELS = 80_000_000
+"""Maximum size of all pictures of a run together, in pixels of four bytes. Pillow warns of slightly larger pictures."""
+
+
+class Size(NamedTuple):
+    """Pixels of a picture."""
+
+    width: int
+    height: int
+
+
+def check_libraries() -> None:
+    """Raise PictureError where pictures cannot be drawn."""
+    try:
+        for name in ("resvg_py", "PIL.Image"):
+            import_module(name)
+    except ImportError as error:
+        raise PictureError(
+            f"pictures need resvg_py and Pillow; {with_extra('pictures')} installs them"
+        ) from error
+
+
+def size_for(width: int | None, view: Box, count: int = 1) -> Size:
+    """Return the size of `count` pictures of a view, or raise PictureError if they are too large or have no height."""
+    assert width is not None, "raster formats have a default"
+    height = round(width * view.height / view.width)
+    if not 1 <= height <= MOST_SIDE:
+        raise PictureError(
+            f"the view of the first drawing, {view.width:g} x {view.height:g}, would be {width} x {height} pixels; "
+            f"pictures are 1 to {MOST_SIDE} pixels high, so a {'larger' if height < 1 else 'smaller'} --width "
+            "or a viewBox of other proportions would work"
+        )
+    return check_pixels(Size(width, height), count)
+
+
+def size_of(width: int | None, pairs: Sequence[Pair], count: int = 1) -> Size:
+    """Return the size of pictures of a blend; see `size_for`. Strokes far too wide raise PictureError as well."""
+    for pair in pairs:
+        for shape in pair.shapes:
+            widths = [style.stroke_width for style in (shape.style_a, shape.style_b) if style.stroke]
+            times = max(widths, default=0.0) / pair.views[0].larger_side
+            if times > WIDEST_STROKE:
+                raise PictureError(
+                    f"a stroke is {times:.1g} times as wide as the view, and pictures can have strokes up to "
+                    f"{WIDEST_STROKE:.0e} times as wide; --place bbox, or a viewBox of the drawing's size, would work"
+                )
+    return size_for(width, pairs[0].views[0], count)
+
+
+def check_pixels(size: Size, count: int = 1) -> Size:
+    """Return the size of `count` pictures, or raise PictureError if they have more than `MOST_PIXELS`."""
+    if count * size.width * size.height > MOST_PIXELS:
+        pictures = f"{count} pictures of " if count > 1 else ""
+        raise PictureError(
+            f"{pictures}{size.width} x {size.height} pixels are more than {MOST_PIXELS // 1_000_000} million; "
+            "a smaller --width or fewer frames would work"
+        )
+    return size
+
+
+def rasterize(svg: str, size: Size, background: str | None = None) -> bytes:
+    """Return a document as a PNG, fitted into the picture as large as possible, centre on centre.
+
+    The document is without an XML declaration. Where nothing is painted, the picture has the colour `background`, or
+    without one is transparent.
+    """
+    import resvg_py
+
+    fitted = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{size.width}" height="{size.height}">{svg}</svg>'
+    )
+    return bytes(resvg_py.svg_to_bytes(svg_string=fitted, background=background, skip_system_fonts=True))
+
+
+def read_png(png: bytes) -> Image.Image:
+    """Return a picture: red, green, blue and alpha."""
+    from PIL import Image
+
+    return Image.open(io.BytesIO(png)).convert("RGBA")
