@@ -1,4 +1,4 @@
-"""How the matched shapes of two drawings move; shapes that turn are matched again for it."""
+"""The motions of the matched shapes of two drawings; shapes that turn are matched again."""
 
 from __future__ import annotations
 
@@ -74,12 +74,12 @@ def _shared(paired: PairedDrawings, shapes: Sequence[ShapeBlend]) -> Sequence[Al
 def _rotated(
     paired: PairedDrawings, matched: ShapeBlend, shape: ShapeBlend, common: Alignment | None
 ) -> RotatedShape:
-    """Return a shape with B rotated back, if its largest contour is A's rotated, and what its motion separates.
+    """Return a shape, matched with B rotated back if its largest contour is A's rotated, for motions that turn.
 
     The first match does not show the rotation, since points that travel cost work; so the shape is matched again.
     """
     if paired.rotation:
-        assert common is not None, "what is rotated is aligned"
+        assert common is not None, "rotated drawings are aligned"
         return RotatedShape(shape, common)
     rotation = _rotation_of(matched)
     if rotation is not None:

@@ -21,7 +21,7 @@ REWEIGHTINGS = 20
 """Maximum number of times that points are weighted anew."""
 
 SETTLED = 1e-3
-"""Minimum gain of a reweighting to be followed by another, as a share of what still moves."""
+"""Minimum gain of a reweighting to be followed by another, as a share of the movement that is left."""
 
 NEAR = 0.02
 """Distance by which a point moves that counts as half at rest, as a share of the size."""
