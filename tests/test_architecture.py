@@ -171,6 +171,16 @@ def test_imports_follow_the_arrows():
     assert_none({f"{name} -> {below}" for name, below in arrows - taken}, "nobody goes there: take it away")
 
 
+def test_tools_import_modules_that_there_are():
+    wrong = set()
+    for file in (PACKAGE.parent / "tools").rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+            if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("shapeblend_cli."):
+                if node.module.partition(".")[2] not in TREES:
+                    wrong.add(f"{file.name} imports {node.module}")
+    assert_none(wrong, "import it from where it is now")
+
+
 def test_no_modules_import_each_other_in_a_circle():
     graph = {module: {*imported_modules(module)} - {module} for module in TREES}
     try:

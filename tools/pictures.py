@@ -16,10 +16,10 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from PIL import Image
-from shapeblend_cli.outputs.raster import Size
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.outputs.contact_sheet import contact_sheet
+from shapeblend_cli.outputs.pixels import Size
 from tools import judge_examples
 from tools.quality.data import ROOT, icon_pairs
 from tools.quality.peers import flubber, shapeblend

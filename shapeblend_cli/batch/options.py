@@ -45,8 +45,8 @@ class BatchOptions(Record, section=BATCH):
         types.file(".xml", ".json"),
         default=None,
         metavar="FILE.xml|FILE.json",
-        help="Write what has become of all jobs when the batch ends: for CI servers as JUnit XML, with a test case for "
-        "each job, or as JSON.",
+        help="Write the outcome of all jobs at the end of the batch: as JUnit XML for CI servers, with a test case "
+        "for each job, or as JSON.",
     )
     log_file: str | None = option(
         types.file(), default=None, help="Append all messages to a file, with the time, even with --quiet."
@@ -55,7 +55,7 @@ class BatchOptions(Record, section=BATCH):
         types.file(".d"),
         default=None,
         metavar="FILE.d",
-        help="Write a file for make and ninja that says of which drawings each output is made.",
+        help="Write the drawings that each output depends on, for make and ninja.",
     )
     retries: int = option(
         types.whole(0, 100),
@@ -74,14 +74,14 @@ class BatchOptions(Record, section=BATCH):
         types.file(),
         default=None,
         metavar="DIR",
-        help="Keep outputs in a folder, too, and copy those from there that were made of the same before, in whatever "
-        "checkout or on whatever machine.",
+        help="Keep outputs in a folder too, and copy outputs from there that were made from the same drawings and "
+        "settings before, in any checkout and on any machine.",
     )
     clean: bool = option(
         types.FLAG,
         default=False,
-        help="Remove what this batch wrote for jobs that it has no more, and frames of longer runs, unless they were "
-        "edited since.",
+        help="Remove outputs of jobs that the batch no longer has, and frames of longer runs, unless they were edited "
+        "since.",
     )
     dry_run: bool = option(
         types.FLAG, default=False, help="Print what would be done, and why, and do nothing."

@@ -22,8 +22,11 @@ from shapeblend_cli.system.staging import clear
 
 CURRENT = "current"
 
-AT_ONCE, MUCH = 64, 2**26
-"""Maximum number of jobs whose outputs are copied out of a cache in one step, and their maximum size, in bytes."""
+AT_ONCE = 64
+"""Maximum number of jobs whose outputs are copied out of a cache in one step."""
+
+MUCH = 2**26
+"""Maximum size of the outputs that are copied out of a cache in one step, in bytes."""
 
 
 class Outcome(NamedTuple):

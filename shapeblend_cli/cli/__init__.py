@@ -93,7 +93,7 @@ def run_safely(arguments: Sequence[str], began: float | None = None) -> int:
 
 
 def _occupy_streams() -> None:
-    """Open what is closed of the standard streams, so that no file takes its number; printing fails as before."""
+    """Open standard streams that are closed, so that no file takes their numbers; printing fails as before."""
     for number in range(3):
         try:
             os.fstat(number)

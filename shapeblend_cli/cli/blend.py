@@ -51,7 +51,7 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
 
 
 def opened(files: tuple[str, ...], given: dict[str, Any]) -> tuple[tuple[str, ...], dict[str, Any]]:
-    """Return the drawings and the options of a project, if that is what is given, and else what is given."""
+    """Return files and options; if a project is given, its drawings and options."""
     from shapeblend_cli.batch.project import check_outputs, is_project, read_project
 
     projects = [file for file in files if is_project(file)]

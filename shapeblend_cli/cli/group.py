@@ -21,7 +21,7 @@ NAMES = 30
 
 
 class SectionedCommand(click.Command):
-    """A command whose help lists examples, pairs of a command line and what it does, and options by section."""
+    """A command whose help lists examples, pairs of a command line and its effect, and options by section."""
 
     def __init__(self, *args: Any, examples: Sequence[tuple[str, str]] = (), **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
@@ -44,7 +44,7 @@ class SectionedCommand(click.Command):
 
 
 class DefaultGroup(click.Group):
-    """A group that blends when no command is named, and whose help is that of blending."""
+    """A group that blends when no command is named, and has the help of blending."""
 
     default = "blend"
 
@@ -57,7 +57,7 @@ class DefaultGroup(click.Group):
         return super().parse_args(ctx, args)
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
-        """Offer commands, and what the default command may begin with, such as a file."""
+        """Offer commands, and the beginnings of the default command, such as a file."""
         from click.shell_completion import CompletionItem
 
         default = self.commands[self.default]

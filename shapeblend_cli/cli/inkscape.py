@@ -1,4 +1,4 @@
-"""``shapeblend inkscape``: the extension for Inkscape, and what it calls."""
+"""``shapeblend inkscape``: the extension for Inkscape, and the commands that it calls."""
 
 from __future__ import annotations
 

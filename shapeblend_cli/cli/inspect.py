@@ -33,7 +33,7 @@ SELECT = ReadOptions.options["select_a"]._replace(
 
 
 class InspectOptions(Record, section=OUTPUT):
-    """What `inspect` writes."""
+    """Files that `inspect` writes."""
 
     picture: str | None = option(
         types.file(".svg"),
@@ -82,7 +82,7 @@ def inspect(file: str, select: str | None, lenient: bool | None, as_json: bool, 
 
 
 def _show(found: dict[str, Any]) -> None:
-    """Print what `report.inspection` returns on standard output."""
+    """Print the result of `report.inspection` on standard output."""
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")  # any id on any terminal
     viewbox = " ".join(f"{v:g}" for v in found["viewbox"]) if found["viewbox"] else "none"

@@ -29,7 +29,7 @@ class FieldText(click.ParamType):  # type: ignore[type-arg]  # generic only in n
         self.kind = kind
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Read a value; an error names the option and what would work."""
+        """Read a value; an error names the option and says what would work."""
         try:
             return self.kind.parse(value)
         except ValueError as error:

@@ -90,7 +90,7 @@ def studio(files: tuple[str, ...], **given: Any) -> None:
 
 
 def _check(files: tuple[str, ...]) -> None:
-    """Refuse files that cannot be read, before anything is opened; what is in them the page says."""
+    """Refuse files that cannot be read, before anything is opened. The page tells of faults in their contents."""
     for file in files:
         if file == STANDARD_INPUT:
             raise click.UsageError("the studio takes files, not standard input")

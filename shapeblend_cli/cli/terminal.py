@@ -1,4 +1,4 @@
-"""What a command prints on standard error while it runs: notes, details, and how far it is."""
+"""Notes, details and progress on standard error while a command runs."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ CLEAR = "\r\x1b[K"
 
 
 class TerminalOptions(Record, section=OTHER):
-    """What a command prints."""
+    """How much a command prints."""
 
     quiet: bool = option(
         types.FLAG,
@@ -143,7 +143,7 @@ class Pace:
         self._squares += seconds * seconds
 
     def left(self, jobs: int) -> float | None:
-        """Return the seconds that so many further jobs take; None where that cannot be said."""
+        """Return the time of further jobs, in seconds; None where it cannot be estimated."""
         n = self._count
         if n < self.ENOUGH or not self._sum:
             return None
@@ -204,7 +204,7 @@ def _duration(seconds: float) -> str:
 
 
 def details(run: Run, began: float | None) -> Iterator[str]:
-    """Yield lines that say what was done in a run, and how long it took, with the start of a process that `began`."""
+    """Yield the details of a run and its times, with the start of its process if that `began` for it."""
     for c in (contour for pair in run.pairs for contour in pair.contours):
         found = c.correspondence
         if c.a is None or c.b is None:

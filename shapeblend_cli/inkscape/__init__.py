@@ -1,4 +1,4 @@
-"""Inkscape's extension: its files, and what it runs.
+"""The extension for Inkscape: its files, and the functions behind them.
 
 It may import pipeline, outputs, svg and what is below them.
 """

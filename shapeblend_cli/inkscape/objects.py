@@ -211,7 +211,7 @@ def _inside(frame: Frame) -> Frame:
 
 
 def _transform(matrix: Affine, file: str) -> str:
-    """Return what takes the root's coordinates into those inside of elements, as an attribute; empty for nothing."""
+    """Return the map from the root's coordinates into elements as an attribute; empty for the identity."""
     if abs(matrix.determinant) < 1e-12:
         raise InputError(file, "the lower object is in a group without extent; another one would work")
     a, b, c, d, e, f = matrix

@@ -8,7 +8,7 @@ from shapeblend_cli.options.settings import INKSCAPE
 
 
 class InkscapeOptions(Record, section=INKSCAPE):
-    """What is blended in a document of Inkscape, and what becomes of it."""
+    """The objects that are blended in a document of Inkscape, and the place of the in-betweens."""
 
     ids: tuple[str, ...] = option(
         types.TEXT,

@@ -43,7 +43,7 @@ def arguments(given: list[str]) -> list[str]:
 
 
 def main() -> int:
-    """Call the command; what it prints is for Inkscape."""
+    """Call the command, and hand its output to Inkscape."""
     called = command()
     if called is None:
         sys.stderr.write(MISSING + "\n")

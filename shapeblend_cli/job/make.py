@@ -36,7 +36,7 @@ SLOW = (
 
 
 class Run:
-    """What was done in a run, and how long each stage took."""
+    """The pairs of a run, and the times of its stages."""
 
     def __init__(self, pairs: list[Pair], settings: Settings, clock: Clock) -> None:
         self.pairs = pairs
@@ -50,7 +50,7 @@ class Run:
 
 
 class Made(NamedTuple):
-    """What a run has made, before any of it is written."""
+    """The results of a run, before they are written."""
 
     run: Run
     contents: Contents  # of files and folders
@@ -86,7 +86,7 @@ def check_libraries(job: Job) -> None:
 
 
 def check_files_of(job: Job) -> None:
-    """Raise OutputError if a job would write what it must not; see `check_targets`."""
+    """Raise OutputError if a job must not write one of its targets; see `check_targets`."""
     _check(all_targets(job), job.files, job.write.force)
 
 
@@ -110,7 +110,7 @@ def make(
 ) -> Made:
     """Read files, blend each with the next, and return what is to be written; see `blend_files` for the parameters.
 
-    What is `kept` of drawings is not made again.
+    Drawings and steps in `kept` are not made again.
     """
     notes: list[str] = []
 

@@ -1,4 +1,4 @@
-"""Options of a run: what it writes and reports, and how long it may take. Nothing heavy is imported here."""
+"""Options of a run: its files, its report and its time limit. Nothing heavy is imported here."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class RunOptions(Record, section=OTHER):
 
 
 class StatesOptions(Record, section=STATES):
-    """What a drawing of several states is."""
+    """A drawing of several states."""
 
     output: str = option(
         types.file(".svg", ".js", "-"),

@@ -1,4 +1,4 @@
-"""What users can ask for: every option with its default, range and help, and how it is read and checked.
+"""Options with their defaults, ranges and help, and the types that read and check them.
 
 It may import errors, and svg.styles for colours and selectors.
 """

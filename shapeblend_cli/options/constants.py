@@ -1,4 +1,4 @@
-"""The constants of the wire: the paper's seven, those of its table 1, and three of our own."""
+"""The constants of the wire: the seven of the paper's table 1, and three of our own."""
 
 from __future__ import annotations
 

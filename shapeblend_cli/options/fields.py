@@ -28,7 +28,7 @@ class Option(NamedTuple):
     name: str = ""  # of the field
 
     def named(self, name: str, section: str) -> Option:
-        """Return the option with what follows from its name and its record."""
+        """Return the option with the values that follow from its name and its record."""
         key = self.key or name
         return self._replace(
             name=name,
@@ -98,7 +98,7 @@ class Record:
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Self:
-        """Return a record of those of some values that it has a field for; the values are in their canonical form."""
+        """Make a record of values by name, in their canonical form; values without a field are left out."""
         given = tuple((name, values[name]) for name in cls.options if name in values)
         try:
             return cls._made(given)

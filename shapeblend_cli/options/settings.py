@@ -1,4 +1,4 @@
-"""What can be set of a blend, checked when it is made. The command line's options are made from these tables.
+"""The settings of a blend, which are checked when they are made. The options of commands are made from them.
 
 Nothing heavy is imported here, for the sake of ``--help``.
 """
@@ -65,7 +65,7 @@ class ReadOptions(Record, section=SHAPES):
     )
 
     def selections(self, files: int) -> tuple[str | None, ...]:
-        """Return the selector of each of so many files."""
+        """Return the selector of each file."""
         return self.select_a, *[self.select_b] * (files - 1)
 
 
@@ -201,9 +201,9 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         types.choice("auto", "keep", "recover"),
         default="auto",
         section=IN_BETWEENS,
-        help="auto: drawings that are made with a pen move as the lines of that pen, also where their strokes were "
-        "expanded into filled shapes; recover: whatever lines there are do; keep: strokes and fills as the files have "
-        "them.",
+        help="Lines of a pen. auto: drawings made with a pen move as its lines, even if their strokes were expanded "
+        "into filled shapes; recover: every line that can be recovered moves so; keep: strokes and fills stay as they "
+        "are in the files.",
     )
     viewbox: str = option(
         types.choice("auto", "keep", "grow"),
@@ -253,7 +253,7 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         return super()._defaults(preset | dict(given)) | preset
 
     def check_drawings(self, count: int) -> None:
-        """Raise OptionError if some of the settings do not go with so many drawings."""
+        """Raise OptionError if some of the settings do not go with this number of drawings."""
         if count > 2 and any(getattr(self, name) for name in ABOUT_TWO_DRAWINGS):
             raise OptionError(f"--start, --pin, --match and --stiff apply to two files; {count} given")
         if count > 2 and self.strokes == "recover":

@@ -1,4 +1,4 @@
-"""What sets an animation off, and what brings it back."""
+"""The triggers of an animation, and their opposites."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _EVENT = re.compile(r"([^\s.;,'\"<>&]+)\.([A-Za-z][A-Za-z0-9-]*)")
 
 
 class Trigger(NamedTuple):
-    """What sets an animation off: that it is loaded, a click, that it is pointed at, or the event of an element."""
+    """The trigger of an animation: loading, a click, the pointer on it, or the event of an element."""
 
     kind: str = LOAD  # or "event"
     name: str = ""  # of the element, its id

@@ -1,4 +1,4 @@
-"""The types of fields: how a value is typed, and what it must be.
+"""The types of fields, which read and check values.
 
 Errors are phrased so that the name of a field or of an option goes before them: "must be 0 or more, not -3".
 """
@@ -15,7 +15,7 @@ from shapeblend_cli.options import easing, triggers
 
 
 class Unfit(ValueError):
-    """Says what a value must be and what it is, where `FieldType.expected` would not say it well."""
+    """An error with a text of its own, where `FieldType.expected` would not say it well."""
 
 
 class FieldType(NamedTuple):

@@ -51,7 +51,7 @@ FIXED = ("fillType", "strokeLineCap", "strokeLineJoin", "strokeMiterLimit")
 
 
 def animated_vector(move: Move, timing: Timing, decimals: int) -> str:
-    """Return an animated vector drawable that moves once, coordinates with so many decimals."""
+    """Return an animated vector drawable that moves once."""
     from xml.etree import ElementTree
 
     view = move.view

@@ -50,8 +50,8 @@ def contact_sheet(
 ) -> Image.Image:
     """Return a picture of one or more drawings in rows, each in a cell of its own.
 
-    Without a number of columns there are `columns_for` so many. Colours of None, behind the drawings and between the
-    cells, are transparent. Raises PictureError if the picture has too many pixels.
+    The default number of columns is that of `columns_for`. Colours of None, behind the drawings and between the cells,
+    are transparent. Raises PictureError if the picture has too many pixels.
     """
     from PIL import Image, ImageColor
 

@@ -1,4 +1,4 @@
-"""What a format is, and an output in a format.
+"""A format, and an output in a format.
 
 A format is chosen, and its options are checked, before anything heavy is imported: the modules of formats import
 numpy, svgwrite, Pillow and resvg_py only in the functions that need them.
@@ -24,7 +24,7 @@ TRANSPARENT, WHITE = "transparent", "#ffffff"
 
 
 class Rendered(NamedTuple):
-    """The contents of an output, in the order of `OutputSpec.files`, and phrases for what the format cannot show."""
+    """The contents of an output, in the order of `OutputSpec.files`, and notes on properties that it cannot show."""
 
     contents: Sequence[str | bytes]
     notes: Sequence[str] = ()
@@ -60,9 +60,9 @@ class Format(NamedTuple):
 
 
 class OutputSpec(NamedTuple):
-    """An output with nothing left to choose, of so many drawings; see `options.specify`.
+    """An output with nothing left to choose; see `options.specify`.
 
-    `options.OutputOptions` describes the fields after `timing`; None is what the format has no use for.
+    `options.OutputOptions` describes the fields after `timing`. A field is None if the format has no use for it.
     """
 
     format: Format
@@ -114,7 +114,7 @@ class OutputSpec(NamedTuple):
         return [join(self.path, name) for name in self.format.files or self.frame_files() if name]
 
     def by_target(self, rendered: Rendered) -> dict[Path, str | bytes | dict[str, str | bytes]]:
-        """Return the contents by what they are written to: a file, or a folder with names of files in it."""
+        """Return the contents by target: a file, or a folder with the names of its files."""
         if self.format.suffix:
             return {Path(self.path): rendered.contents[0]}
         names = [name for name in self.format.files or self.frame_files() if name]

@@ -46,9 +46,9 @@ LINE_JOINS = {"miter": 1, "round": 2, "bevel": 3}
 
 
 def lottie(moves: Sequence[Move], timing: Timing, decimals: int) -> str:
-    """Return a Lottie animation of one move after another, coordinates with so many decimals.
+    """Return a Lottie animation of one move after another.
 
-    The frame named by `op` is not shown, so there is one more than in the seconds: the last one shows the last drawing.
+    The frame named by `op` is not shown, so there is one more than fits the seconds: it shows the last drawing.
     """
     import json
 
@@ -86,7 +86,7 @@ def lottie(moves: Sequence[Move], timing: Timing, decimals: int) -> str:
 
 
 class _Keyframes(NamedTuple):
-    """The keyframes of a move: frames of its start and its end, and what is between."""
+    """The keyframes of a move: the frames of its start and its end, and its easing."""
 
     start: int
     end: int

@@ -1,4 +1,4 @@
-"""What players of other programs are given: two pictures alike command for command, and waypoints between them."""
+"""A blend for other programs: two pictures that are alike command for command, and waypoints between them."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class MovedShape(NamedTuple):
     def sections(self, length: float, ease: Ease, decimals: int) -> list[Section[tuple[CubicPath, ...]]]:
         """Return the sections of a motion from waypoint to waypoint, given the length in time and the easing of all.
 
-        Times have so many decimals; a waypoint at the time of another one, or of an end, is left out.
+        Times are rounded to decimals; a waypoint at the time of another one, or of an end, is left out.
         """
         inner = [(waypoint.t, waypoint.paths) for waypoint in self.waypoints]
         return _sections([(0.0, self.start.paths), *inner, (1.0, self.end.paths)], length, ease, decimals)

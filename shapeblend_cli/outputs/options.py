@@ -1,4 +1,4 @@
-"""Options of an output, and what a format makes of them. Help texts take what they say of formats from the registry."""
+"""Options of an output, with checks and defaults by format. Help takes the formats from their registry."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ SHARED = {
 
 
 def _by_suffix() -> str:
-    """Return what an output is by the suffix of its name."""
+    """Return the kinds of outputs by the suffixes of their names."""
     suffixes: dict[str, list[str]] = {}
     for format in FORMATS:
         if format.emit == "frames" and format.suffix:
@@ -191,7 +191,7 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
 
 
 def _check_mix(options: OutputOptions, settings: Settings, format: Format, asked: str) -> None:
-    """Raise OptionError if a format cannot show mixtures, or not so many."""
+    """Raise OptionError if a format cannot show the mixtures."""
     if format.mixtures == "none":
         raise OptionError(f"--mix is for a folder, or for a name ending in .svg or .png, not for {asked}")
     if format.mixtures == "one" and (len(settings.mix) > 1 or not options.trigger.is_load):

@@ -37,7 +37,7 @@ COLOURS = 256
 
 
 class Run(NamedTuple):
-    """One run of an animation, with so many pairs of drawings and steps from one drawing to the next.
+    """One run of an animation: its pairs of drawings, and the steps from each drawing to the next.
 
     All its pictures are shown for the same time, and all drawings are among them. If it runs backwards after forwards,
     neither end is shown twice.
@@ -64,7 +64,7 @@ class Run(NamedTuple):
         return forwards + forwards[-2:0:-1] if self.timing.is_pingpong else forwards
 
     def delays(self, units: int) -> list[int]:
-        """Return how long each picture is shown, in so many units a second, rounded without drift."""
+        """Return the time of each picture, in `units` of a second, rounded without drift."""
         ends = [round(k * self.seconds * units / self.pictures) for k in range(self.pictures + 1)]
         return [end - start for start, end in pairwise(ends)]
 
@@ -160,7 +160,7 @@ def _check_webp() -> None:
 
 
 def in_time(form: Format, width: int, background: str) -> Format:
-    """Return a format with what all have that show pictures one after another, and its own width and background."""
+    """Return a format with the fields of all animations of pictures, and its own width and background."""
     return form._replace(
         suffix=f".{form.name}",
         takes_stagger=True,

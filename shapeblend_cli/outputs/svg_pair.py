@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def svg_pair(move: Move, decimals: int) -> list[str]:
     """Return two SVG documents: the same paths by id, order, attributes and commands.
 
-    Each shows what its drawing shows, in the coordinates of A. A contour without a partner is a point in the other
+    Each shows its drawing, in the coordinates of A. A contour without a partner is a point in the other
     file; paint without a partner is there with an opacity of 0, so that it can fade in.
     """
     from shapeblend_cli.svg.writing import document

@@ -51,7 +51,7 @@ MOST_FRAMES = 20_000
 def encode(
     kind: str, pngs: Sequence[bytes], order: Sequence[int], rate: Fraction, ground: str | None
 ) -> bytes:
-    """Return a video of pictures in an order, so many a second. Without a colour behind them a WebM is transparent."""
+    """Return a video of pictures in an order, at a rate a second. A WebM without a ground is transparent."""
     program = shutil.which("ffmpeg")
     assert program is not None, "that was checked"
     pixels = ["-pix_fmt", "yuva420p" if ground is None else "yuv420p"] if kind == "webm" else []

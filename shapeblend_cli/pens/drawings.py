@@ -64,7 +64,8 @@ def pen_drawing(drawing: PlacedDrawing, scale: float) -> PenDrawing:
         style = members[0].style
         clipped = bool(drawing.drawing.shapes[members[0].shape].clips)
         found: list[PenLine] | None = None
-        if style.fill is None and style.stroke is not None and not clipped:
+        # Dashes begin where a path does, which a match by lines would move.
+        if style.fill is None and style.stroke is not None and not (clipped or style.stroke_dasharray):
             found = [_stroke(contour, scale) for contour in members]
         elif style.stroke is None and style.fill is not None and style.fill_gradient is None and not clipped:
             found = _recovered(members, scale)

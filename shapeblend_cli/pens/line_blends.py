@@ -77,13 +77,19 @@ def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Bo
     if whole is not None:
         return LineBlend(tuple(move.shape(scale, settings.constants) for move in whole), ([], []))
     moves, kept, loose = _moves(one.lines, other.lines)
-    is_alike = kept >= KEPT or (
-        min(one.share, other.share) >= ALL and (one.is_recovered or other.is_recovered or loose <= LOOSE)
-    )
+    is_recovered = one.is_recovered or other.is_recovered
+    suits_strokes = loose <= LOOSE and not _is_whole(moves)
+    is_alike = kept >= KEPT or (min(one.share, other.share) >= ALL and (is_recovered or suits_strokes))
     if not (is_alike or is_asked):
         return None
     shapes = tuple(move.shape(scale, settings.constants) for move in moves)
     return LineBlend(shapes, (one.bodies, other.bodies))
+
+
+def _is_whole(moves: Sequence[Move]) -> bool:
+    """Return whether each line becomes another as a whole; strokes are matched so by their outlines, and better."""
+    pairs = [(move.a, move.b) for move in moves]
+    return all(p is not None and q is not None and not (p.is_piece or q.is_piece) for p, q in pairs)
 
 
 def _moves(a: Sequence[PenLine], b: Sequence[PenLine]) -> tuple[list[Move], float, float]:
@@ -194,6 +200,7 @@ def _copies(found: Assignment, moves: Sequence[Move]) -> list[Move]:
                 and own.closed
                 and other.closed
                 and _is_like(own, line)
+                and _is_like(other, line)
             ]
             if like:
                 _, other = min(like, key=lambda each: abs(_centre([each[0]]) - _centre([line])))

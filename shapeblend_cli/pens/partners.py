@@ -43,8 +43,11 @@ CUT_COST = 0.15
 MOST_CORNERS = 3
 """Maximum number of corners of a line that is cut at them."""
 
-MERGE_COST, SPLIT_COST = 0.3, 1.0
-"""Cost of two twins that become one line, and of one line that becomes two, as a share of its length."""
+MERGE_COST = 0.3
+"""Cost of two twins that become one line, as a share of its length."""
+
+SPLIT_COST = 1.0
+"""Cost of one line that becomes two, as a share of its length."""
 
 SYMMETRY_BONUS = 1.6
 """Maximum work of an assignment that keeps a symmetry of both drawings, as a multiple of the least."""

@@ -24,21 +24,22 @@ from shapeblend_cli.plot.axes import (
     value_text,
 )
 from shapeblend_cli.plot.subject import Subject, index_on_path
-from shapeblend_cli.plot.theta import NOISE, TWO_PI, Piece, Theta, bezier, theta_of
-from shapeblend_cli.svg.writing.figure import Figure, Point, line_data
+from shapeblend_cli.plot.theta import NOISE, TWO_PI, Theta, bezier, theta_of
+from shapeblend_cli.svg.writing.figure import Figure, line_data
 
 if TYPE_CHECKING:
     Dot = tuple[int, int]
 
 SIDE = 320.0
-"""Of both panels, which are squares."""
+"""Side of each panel, a square, in pixels."""
 
 Q_LEFT, THETA_LEFT, THUMBS_LEFT = 40.0, 448.0, 838.0
 THUMB = 132.0
 
 NAMES = "Q₀", "Q₁", "Q₂"
+
 RAY = 0.45, 0.3, 0.45
-"""Length at which the direction of each infinitesimal control point is drawn, as a share of the largest."""
+"""Length of the line towards an infinitesimal control point, as a share of the longest control vector."""
 
 STEPS_OF_DEGREES = (1, 2, 5, 10, 15, 30, 45, 60, 90)
 
@@ -99,15 +100,15 @@ def angle_of(subject: Subject) -> DotAngle:
 def draw(subject: Subject) -> str:
     """Return the figure as a document."""
     (i, j), theta, bending = angle_of(subject)
-    zero = "; θ reaches zero" if theta.reaches_zero else ""
+    delta, star, is_zero = theta.change
     figure = titled_figure(
         THUMBS_LEFT + THUMB + 24.0,
         TOP + SIDE + 60.0,
         _STYLE,
         f"{subject.title}, vertex {i} of A and {j} of B",
         subject.contours,
-        f"Δθ = {_degrees(theta.delta)}, Δθ* = {_degrees(theta.delta_star)}, "
-        f"bending work {value_text(bending)}{zero}",
+        f"Δθ = {_degrees(delta)}, Δθ* = {_degrees(star)}, "
+        f"bending work {value_text(bending)}{'; θ reaches zero' if is_zero else ''}",
     )
     _q_panel(figure, theta)
     _theta_panel(figure, theta)
@@ -143,7 +144,7 @@ def _q_panel(figure: Figure, theta: Theta) -> None:
         turns = np.linspace(0.0, angle, max(int(abs(angle) / 0.05), 2))
         figure.line(axes.points(radius * side * np.exp(1j * turns)), kind)
     figure.line(axes.points(np.array(control)), "control")
-    figure.line(axes.points(bezier(control)(np.linspace(0.0, 1.0, 65))), "q")
+    figure.line(axes.points(bezier(control, np.linspace(0.0, 1.0, 65))), "q")
     for k, kind in ((0, "first"), (2, "last")):
         figure.line(axes.points(np.array([0j, control[k]])), kind)
     middle = sum(control) / 3.0
@@ -173,8 +174,7 @@ def _name(axes: Axes, point: complex, away: complex, words: str, kind: str) -> N
 
 def _theta_panel(figure: Figure, theta: Theta) -> None:
     """Draw theta(t), and how far it moves in all and against the net direction."""
-    values = np.degrees(np.concatenate([piece.angles for piece in theta.pieces]))
-    low, high = float(values.min()), float(values.max())
+    low, high = (math.degrees(angle) for angle in (theta.angles.min(), theta.angles.max()))
     room = max(0.14 * (high - low), 4.0)
     low, high = low - room, high + room
     axes = Axes(figure, THETA_LEFT, TOP, SIDE, SIDE, (-0.06, 1.2), (low, high))
@@ -186,24 +186,20 @@ def _theta_panel(figure: Figure, theta: Theta) -> None:
             figure.words("θ = 0", (THETA_LEFT + SIDE - 6.0, axes.at(0.0, level)[1] - 7.0), "right-note")
     for angle in (theta.first, theta.last):
         axes.across(math.degrees(angle), "rule")
-    whole = [point for piece in theta.pieces for point in _curve(axes, piece)]
+    whole = axes.points(theta.times + 1j * np.degrees(theta.angles))
     figure.line(whole, "q")
     for piece in theta.against:
-        figure.line(_curve(axes, piece), "against")
+        figure.line(axes.points(piece.times + 1j * np.degrees(piece.angles)), "against")
     figure.circle(whole[0], 4.0, "point")
     figure.circle(whole[-1], 4.0, "point")
     _span(axes, 1.07, math.degrees(theta.first), math.degrees(theta.last))
-    if theta.delta > NOISE:
+    if abs(theta.last - theta.first) > NOISE:
         x, y = axes.at(1.135, math.degrees(theta.first + theta.last) / 2.0)
         figure.words("Δθ", (x, y + 4.5), "name")
     _stars(axes, theta)
     axes.frame()
     axes.ticks_below([0.0, 0.25, 0.5, 0.75, 1.0], ["0", "0.25", "0.5", "0.75", "1"], "t")
     axes.ticks_beside(levels, [f"{v:g}°".replace("-", "−") for v in levels], "θ(t)")
-
-
-def _curve(axes: Axes, piece: Piece) -> list[Point]:
-    return axes.points(piece.times + 1j * np.degrees(piece.angles))
 
 
 def _stars(axes: Axes, theta: Theta) -> None:

@@ -1,4 +1,4 @@
-"""What all plots share: colours, headings, and axes with their ticks."""
+"""Colours, headings, and axes with their ticks, for all plots."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ class Axes(NamedTuple):
         self.figure.path("".join(upright + level), "grid")
 
     def ticks_below(self, values: Sequence[float], names: Sequence[str], label: str) -> None:
-        """Draw ticks under the lower side, with their names, and what they count."""
+        """Draw ticks under the lower side, with their names and a label."""
         bottom = self.top + self.height
         xs = [self.at(value, 0.0)[0] for value in values]
         marks = [line_data([(x, bottom), (x, bottom + TICK)]) for x in xs]
@@ -105,7 +105,7 @@ class Axes(NamedTuple):
         self.figure.words(label, (self.left + self.width / 2.0, bottom + 40.0), "label")
 
     def ticks_beside(self, values: Sequence[float], names: Sequence[str], label: str) -> None:
-        """Draw ticks along the left side, with their names, and what they count."""
+        """Draw ticks along the left side, with their names and a label."""
         ys = [self.at(0.0, value)[1] for value in values]
         marks = [line_data([(self.left - TICK, y), (self.left, y)]) for y in ys]
         self.figure.path("".join(marks), "tick")
@@ -135,7 +135,7 @@ def short_name(file: str) -> str:
 
 
 def ticks(low: float, high: float, most: int = 6, steps: Sequence[float] = ()) -> list[float]:
-    """Return at most so many round values: multiples of one of `steps`, else of 1, 2 or 5 times a power of ten."""
+    """Return up to `most` round values: multiples of one of `steps`, else of 1, 2 or 5 times a power of ten."""
     if not steps:
         power = 10.0 ** math.floor(math.log10((high - low) / most)) if high > low else 1.0
         steps = [power, 2.0 * power, 5.0 * power, 10.0 * power]

@@ -149,7 +149,7 @@ def cells(more: FloatArray) -> tuple[FloatArray, tuple[IntArray, IntArray]]:
 
 
 def rectangles(mask: BoolArray) -> list[tuple[int, int, int, int]]:
-    """Cover what is true with few rectangles ``(column, row, columns, rows)``: runs of a row, equal ones joined."""
+    """Cover the true cells with few rectangles ``(column, row, columns, rows)``: runs of a row, equal ones joined."""
     covering = []
     growing: dict[tuple[int, int], int] = {}
     for row in range(mask.shape[1] + 1):

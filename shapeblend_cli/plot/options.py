@@ -8,7 +8,7 @@ from shapeblend_cli.options.settings import PLOT
 
 
 class PlotOptions(Record, section=PLOT):
-    """What is drawn, and where to."""
+    """The subject of a plot, and its file."""
 
     output: str | None = option(
         types.file(),

@@ -72,7 +72,7 @@ def plot_files(
     Parameters
     ----------
     note : callable
-        Takes what the user should know, a line at a time.
+        Takes notes for the user, a line at a time.
     progress : callable
         Takes the share of the work that is done, from 0 to 1, now and then.
 

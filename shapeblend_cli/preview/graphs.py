@@ -1,4 +1,4 @@
-"""The graph of a correspondence for the page: what each dot would cost. Large tables are packed as short text."""
+"""The graph of a correspondence for the page: the cost of each dot. Large tables are packed as short text."""
 
 from __future__ import annotations
 

@@ -57,7 +57,7 @@ def preview(
 ) -> str:
     """Return a page that shows a run.
 
-    The `ends` are the drawings, as frames show them; the `command` is in words; `notes` are what the run printed;
+    The `ends` are the drawings, as frames show them; the `command` is in words; the `notes` were printed by the run;
     the `maps` lay each drawing over the first.
     """
     decimals = decimals_for([frame.view for frame in ends])

@@ -1,4 +1,4 @@
-"""What the page draws: paths at the times between which they move straight, and paint at even times."""
+"""Shapes for the page: paths at the times between which they move straight, and paint at even times."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ GRADIENTS = ("fill", "stroke")
 def picture(pair: Pair, ends: tuple[Frame, Frame], times: Sequence[float], decimals: int) -> dict[str, Any]:
     """Return a pair for the page: its `shapes` between the ends, and the `ends` themselves, in paint order.
 
-    The ends are what is seen at t = 0 and t = 1, and the times those of the frames.
+    The ends are the frames at t = 0 and t = 1, and the times belong to the frames.
     """
     return {
         "shapes": [_moving_shape(shape, times, decimals) for shape in pair.shapes],
@@ -147,7 +147,7 @@ def scale_and_shift(to_a: Similarity) -> list[float]:
 
 
 def rounded(values: Iterable[float], decimals: int) -> list[float]:
-    """Return numbers as they are written with so many decimals."""
+    """Return numbers as they are written with a number of decimals."""
     return [float(number(value, decimals)) for value in values]
 
 

@@ -39,8 +39,11 @@ MOST_CONNECTIONS = 64
 IDLE = 60.0
 """Maximum time between two requests of the page on one connection, in seconds."""
 
-HEADERS_TIME, BODY_TIME = 10.0, 60.0
-"""Maximum time for the headers of a request and for its body, in seconds, however steadily bytes arrive."""
+HEADERS_TIME = 10.0
+"""Maximum time for the headers of a request, in seconds, however steadily bytes arrive."""
+
+BODY_TIME = 60.0
+"""Maximum time for the body of a request, in seconds, however steadily bytes arrive."""
 
 POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "

@@ -46,7 +46,7 @@ class _StandIn(ModuleType):
 
 @contextmanager
 def _stand_ins() -> Iterator[None]:
-    """Put stand-ins into `sys.modules` for what is not imported yet, and take them out again."""
+    """Put stand-ins into `sys.modules` for modules that are not imported yet, and take them out again."""
     names = [name for name in _PUT_OFF if name not in sys.modules]
     if "scipy.integrate" in names and "scipy" not in sys.modules:
         # Importing a submodule imports its parent first, which here is most of the cost.

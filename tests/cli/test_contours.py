@@ -53,7 +53,7 @@ DRAWN = {"B": B, "8": EIGHT, "i": I_DOT, "j": J_DOT, "eye": EYED, "leaf": LEAF}
 DRAWN |= {"ring": RING, "squares": SQUARES, "bar": BAR}
 
 
-@pytest.mark.parametrize("pair", "B-8 8-B i-j eye-leaf leaf-eye ring-leaf squares-ring bar-B".split())
+@pytest.mark.parametrize("pair", "B-8 i-j eye-leaf ring-leaf squares-ring bar-B".split())
 @pytest.mark.parametrize("unmatched", ["point", "split"])
 def test_what_is_filled_changes_smoothly(here, pair, unmatched):
     files(*map(DRAWN.get, pair.split("-")))

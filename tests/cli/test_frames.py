@@ -7,7 +7,7 @@ import pytest
 
 import shapeblend_cli as sb
 from shapeblend_cli.cli import run
-from tests.support.commands import assert_refused, made, points, report, write
+from tests.support.commands import made, points, report, write
 from tests.support.drawings import BAR, EYED, LEAF, svg
 
 BOX, FAR = "M2 8h8v8h-8z", "M6 8h8v8h-8z"
@@ -83,23 +83,6 @@ def test_specks_may_be_a_share_of_the_drawing(here, capsys):
     assert len(sb.blend("a.svg", "b.svg", specks=2.0).pairs[0].contours) == 2
 
 
-REFUSED = {
-    "--times 3": "--times must be at most 2, not 3",
-    "--times 0,x": "--times must be times between -1 and 2, such as",
-    "--times 0,1 -n 3": "--times sets the frames itself",
-    "--times 0,1 -o x.gif": "--times is for a folder of frames, a contact sheet or layers",
-    "c.svg --times 0,1": "--times applies to two files; 3 given",
-    "--specks -1": "--specks must be a length such as 2.5, or a share of the drawing such as 1%",
-    "--specks 200%": "--specks must be a length",
-}
-
-
-@pytest.mark.parametrize("options", REFUSED)
-def test_what_makes_no_frames_is_refused(here, capsys, options):
-    write(a=svg(BAR), b=svg(LEAF), c=svg(BAR))
-    assert_refused(capsys, ["a.svg", "b.svg", *options.split()], REFUSED[options])
-
-
 def test_a_drawing_of_specks_alone_is_refused(here, capsys):
     write(a=svg(SPECK), b=svg(LEAF))
     assert run("a.svg b.svg --specks 1".split()) == 1
@@ -119,16 +102,3 @@ def test_without_ffmpeg_a_line_says_what_to_install(here, capsys, monkeypatch):
         )
         assert error.count("\n") == 1
     assert made() == []
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ("-o x.mp4 --background transparent", "an MP4 cannot be transparent; .webm"),
-        ("-o x.webm --repeat 101", "a video has 100 runs at most"),
-        ("-o x.mp4 --duration 3600", "pictures are more than 20000"),
-    ],
-)
-def test_videos_that_cannot_be_are_refused(here, capsys, options, message):
-    write(a=svg(BAR), b=svg(LEAF))
-    assert_refused(capsys, ["a.svg", "b.svg", *options.split()], message)

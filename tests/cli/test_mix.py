@@ -8,7 +8,7 @@ import pytest
 
 import shapeblend_cli as sb
 from shapeblend_cli.cli import run
-from tests.support.commands import assert_refused, points, write
+from tests.support.commands import points, write
 from tests.support.drawings import BAR, EIGHT, EYED, I_DOT, J_DOT, LEAF, RING, SQUARES, B, svg
 from tests.support.pictures import pixels
 
@@ -111,25 +111,6 @@ def test_names_stay_in_mixtures(here):
     (text,) = mixed(["a.svg", "b.svg", "c.svg"], "1,1,1")
     assert 'id="bar"' in text
     assert 'id="g"' in text
-
-
-REFUSED = {
-    "--mix .5,.5": "--mix 0.5,0.5 has 2 shares; 3 files given",
-    "--mix 1,-1,1": "--mix must be shares of two files or more, 0 or more and not all 0",
-    "--mix 0,0,0": "not all 0",
-    "--mix a,b,c": "--mix must be shares",
-    "--mix 1,1,1 -n 4": "--mix sets the frames itself",
-    "--mix 1,1,1 --ends": "--mix sets the frames itself",
-    "--mix 1,1,1 --mix 1,0,0 -o x.svg": "takes one mixture, which stands still; a folder takes several",
-    "--mix 1,1,1 -o x.gif": "--mix is for a folder, or for a name ending in .svg or .png",
-    "--mix 1,1,1 --emit layers": "--mix is for a folder",
-    "--mix 1,1,1 --report r.json": "--mix makes mixtures",
-}
-
-
-@pytest.mark.parametrize("options", REFUSED)
-def test_what_cannot_be_mixed_is_refused(here, capsys, options):
-    assert_refused(capsys, [*letters(B, EIGHT, RING), *options.split()], REFUSED[options])
 
 
 def test_mixtures_in_python(here):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
-from tests.support.commands import contents, contours, points, report, viewbox, write
+from tests.support.commands import contours, points, viewbox, write
 from tests.support.drawings import BAR, LEAF, SQUARES, svg
 
 L = "M3 3H9V17H19V21H3Z"
@@ -35,12 +35,6 @@ def test_the_report_says_how_each_contour_moves_and_why(here):
         assert (contour["motion"], contour["motion_because"]) == (motion, "asked for")
 
 
-@pytest.mark.parametrize("motion", ["auto", "linear", "rigid", "intrinsic"])
-def test_the_report_has_the_setting(here, motion):
-    assert report("l.svg", "turned.svg", "-n", "0", "--motion", motion)["settings"]["motion"] == motion
-    assert report("l.svg", "turned.svg", "-n", "0")["settings"]["motion"] == "auto"
-
-
 def test_verbose_says_the_motion_and_why_of_each_shape(here, capsys):
     assert run(["l.svg", "turned.svg", "-v"]) == 0
     assert "shapeblend: motion rigid: B is A turned by 90 degrees\n" in capsys.readouterr().err
@@ -51,27 +45,6 @@ def test_verbose_says_the_motion_and_why_of_each_shape(here, capsys):
     said = capsys.readouterr().err
     for number in (1, 2):
         assert f"shapeblend: shape {number}: motion linear: straight paths look right\n" in said
-
-
-@pytest.mark.parametrize(
-    "options",
-    [
-        "-o out",
-        *(f"-o out/x.svg --animate {method}" for method in ("smil", "css", "frames")),
-        "-o out/x.json --emit lottie",
-        "-o out/x.xml --emit avd",
-        "-o out --polygons --ends",
-    ],
-)
-@pytest.mark.parametrize("names", [("bar", "leaf"), ("squares", "bar")], ids=" ".join)
-def test_without_a_fault_files_are_those_of_straight_paths(here, names, options):
-    files = [f"{name}.svg" for name in names]
-    if any(contour["motion"] != "linear" for contour in contours(*files, "-n", "5")):
-        pytest.fail("these have to be without a fault")
-    assert run([*files, *options.split()]) == 0
-    auto = contents("out")
-    assert run([*files, *options.split(), "--motion", "linear", "-f"]) == 0
-    assert contents("out") == auto
 
 
 def test_frames_turn_and_straight_ones_do_not(here):
@@ -92,23 +65,20 @@ def test_the_ends_are_the_drawings_whatever_the_motion(here, kind):
             assert abs(points((here / f"blend/frame-{frame}.svg").read_text()) - vertices).min() < 1e-3
 
 
-def test_no_frames(here):
-    found = report("l.svg", "turned.svg", "-n", "0")
-    assert found["frames"] == []
-    assert found["pairs"][0]["contours"][0]["motion"] == "rigid"
-    assert list((here / "blend").glob("*.svg")) == [] if (here / "blend").exists() else True
-
-
-@pytest.mark.parametrize("method", ["smil", "css", "frames"])
-def test_three_files_move_each_pair_in_its_way(here, method):
+def test_three_files_move_each_pair_in_its_way(here):
     files = ["l.svg", "turned.svg", "turned.svg"]
     assert [c["motion"] for c in contours(*files)] == ["rigid", "linear"]
-    assert run([*files, "-o", "x.svg", "--animate", method]) == 0
-    text = (here / "x.svg").read_text()
-    if method == "smil":
-        values = re.findall(r'attributeName="d"[^>]*values="([^"]*)"|values="(M[^"]*)"', text)
-        (steps,) = [(a or b).split(";") for a, b in values]
-        assert len(steps) > 4  # the turn is made of several, what is straight of one
+    assert run([*files, "-o", "x.svg"]) == 0
+    (values,) = re.findall(r'values="(M[^"]*)"', (here / "x.svg").read_text())
+    assert len(values.split(";")) > 4  # the turn is made of several, what is straight of one
+
+
+def test_transitions_go_straight_and_say_so_if_that_was_not_asked_for(here, capsys):
+    write(a=svg("M2 10H22V14H2Z"), b=svg("M10 2H14V22H10Z"))
+    assert run("a.svg b.svg --trigger hover --animate css -o x.svg".split()) == 0
+    assert capsys.readouterr().err == ""
+    assert run("a.svg b.svg --trigger hover --animate css -o y.svg --motion rigid".split()) == 0
+    assert "moves on curved paths, which CSS transitions cannot show" in capsys.readouterr().err
 
 
 def test_a_pair_goes_straight_unless_asked(here, capsys):

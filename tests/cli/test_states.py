@@ -3,10 +3,8 @@
 from pathlib import Path
 from xml.etree import ElementTree
 
-import pytest
-
 from shapeblend_cli.cli import run
-from tests.support.commands import assert_refused, write
+from tests.support.commands import write
 from tests.support.drawings import BAR, EIGHT, LEAF, RING, B, svg
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -69,19 +67,6 @@ def test_gradients_are_plain_colours_and_that_is_said(here, capsys):
     write(a=svg(shaded), b=svg(LEAF))
     assert run("states a.svg b.svg -o s.svg".split()) == 0
     assert "gradients become plain colours in states" in capsys.readouterr().err
-
-
-REFUSED = {
-    "-o x.png": "must be a file name ending in .svg or .js or -",
-    "-o x.js --element icon": "--element must be the name of a custom element",
-    "-o 1-2.js": "elements begin with a letter",
-    "--trigger load": "--trigger must be none, click or hover",
-}
-
-
-@pytest.mark.parametrize("options", REFUSED)
-def test_what_is_no_drawing_of_states_is_refused(here, capsys, options):
-    assert_refused(capsys, ["states", *three(), *options.split()], REFUSED[options])
 
 
 def test_one_file_has_no_states_and_existing_files_stay(here, capsys):

@@ -14,6 +14,7 @@ from tests.outputs.blends import AB, BLENDS, each_blend, emitted
 from tests.support.commands import points as read_points
 from tests.support.commands import write
 from tests.support.drawings import BAR, LEAF, svg
+from tests.support.ends import ENDS, emitted_ends, seen
 from tests.support.motions import rotated_move
 from tests.support.pictures import difference, pixels
 
@@ -67,6 +68,14 @@ def test_going_evenly_from_number_to_number_gives_the_frames(here, blend):
     for k, t in enumerate((0.25, 0.5, 0.75), 1):
         frame = Path(f"frames/frame-{k}.svg").read_text(encoding="utf-8")
         assert difference(pixels(mixed(a, b, t)), pixels(frame)) < 1e-3
+
+
+@pytest.mark.parametrize("name", ENDS)
+def test_the_order_of_paint_is_that_of_each_drawing(here, name):
+    a = emitted_ends(name, "blend/a.svg", "--emit", "pair", "--place", "asis")
+    b = Path("blend/b.svg").read_text(encoding="utf-8")
+    for text, shown in zip((a, b), ENDS[name], strict=False):
+        assert difference(seen(text, shown), pixels(shown)) < 2e-3
 
 
 def test_a_contour_without_a_partner_is_a_point_in_the_other_file(here):

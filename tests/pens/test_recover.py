@@ -106,11 +106,10 @@ def test_icons_drawn_with_a_pen_come_back_as_lines_that_paint_the_same(path):
 
 
 def test_strokes_of_a_file_are_lines_as_they_are():
-    stroke = (
-        '<path d="M2 2C8 2 12 6 12 12" fill="none" stroke="#c00" stroke-width="1.5" stroke-dasharray="2 1"/>'
-    )
+    stroke = '<path d="M2 2C8 2 12 6 12 12" fill="none" stroke="#c00" stroke-width="1.5"/>'
     (line,) = lines_of(stroke).lines
-    assert (line.width, line.style.stroke_dasharray) == (1.5, (2.0, 1.0))
+    assert line.width == 1.5
+    assert lines_of(stroke.replace("/>", ' stroke-dasharray="2 1"/>')).lines == []
     assert away(line, [2 + 2j, 12 + 12j]).max() < 1e-12
 
 

@@ -50,7 +50,7 @@ def test_the_curve_that_is_drawn_goes_through_theta(subject_of):
     theta = angle.angle_of(subject).theta
     text = angle.draw(subject)
     line = np.array(points(pieces(text, "q")[1].get("d")))
-    values = np.degrees(np.concatenate([piece.angles for piece in theta.pieces]))
+    values = np.degrees(theta.angles)
     levels = [float(w.rstrip("°")) for w in words(text) if w.endswith("°") and w.rstrip("°").isdigit()]
     places = [float(e.get("y")) - 4.0 for e in pieces(text, "tick-y")]
     slope, offset = np.polyfit(places, levels, 1)

@@ -45,13 +45,12 @@ def test_it_is_the_angle_of_the_polygon_at_that_time(subject_of, names):
     p, q = (np.roll(end, 1)[dots[:, axis]] for axis, end in enumerate(ends))
     for place, (dot, kind) in enumerate(zip(at.tolist(), kinds.tolist(), strict=True)):
         theta = theta_of(wire, tuple(dot), kind)
-        for piece in theta.pieces:
-            inside = (piece.times > 1e-3) & (piece.times < 1.0 - 1e-3)
-            t = piece.times[inside]
-            back, here, fwd = ((1.0 - t) * p[k] + t * q[k] for k in (place - 1, place, (place + 1) % len(p)))
-            angle = np.angle((fwd - here).conj() * (back - here))
-            away = np.angle(np.exp(1j * (piece.angles[inside] - angle)))
-            assert abs(away).max(initial=0.0) < 1e-6
+        inside = (theta.times > 1e-3) & (theta.times < 1.0 - 1e-3)
+        t = theta.times[inside]
+        back, here, fwd = ((1.0 - t) * p[k] + t * q[k] for k in (place - 1, place, (place + 1) % len(p)))
+        angle = np.angle((fwd - here).conj() * (back - here))
+        away = np.angle(np.exp(1j * (theta.angles[inside] - angle)))
+        assert abs(away).max(initial=0.0) < 1e-6
 
 
 def test_figure_17_turns_further_than_half_a_turn():
@@ -60,6 +59,5 @@ def test_figure_17_turns_further_than_half_a_turn():
     after = np.array([-1, 0, np.exp(1j * np.radians(190.0))])
     theta = theta_of(Wires(before, after, True, WorkConstants()), (1, 1), DD)
     assert math.degrees(theta.first) == pytest.approx(10.0)
-    assert math.degrees(theta.delta) == pytest.approx(340.0)
-    assert theta.delta_star == 0.0
-    assert not theta.reaches_zero
+    assert math.degrees(theta.last) == pytest.approx(350.0)
+    assert theta.change == (pytest.approx(math.radians(340.0)), 0.0, False)

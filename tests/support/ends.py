@@ -6,6 +6,7 @@ from pathlib import Path
 from shapeblend_cli.cli import run
 from tests.support.commands import write
 from tests.support.drawings import svg
+from tests.support.pictures import pixels
 
 
 def disc(x, y, r, attributes):
@@ -139,3 +140,8 @@ def emitted_ends(name, file, *options):
 def viewbox_of(text):
     """The attribute that says what a document shows."""
     return re.search(r'viewBox="[^"]*"', text).group()
+
+
+def seen(text, like):
+    """A document as pixels, of the part of the plane that another one shows."""
+    return pixels(text.replace(viewbox_of(text), viewbox_of(like), 1))

@@ -1,4 +1,4 @@
-"""Cubics into contours: chained, closed, without what has no length; and lines, quadratics and arcs into cubics."""
+"""Cubics into contours: chained, closed, without pieces of no length; and lines, quadratics and arcs into cubics."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ def contours_of(
 ) -> list[Contour]:
     """Return the contours of an element whose tag is one of `xmltree.SHAPES`; none when it has no extent.
 
-    What is `declared` for it counts because in SVG 2 sizes are properties too. Path data and points that break the
+    Its `declared` properties count, because in SVG 2 sizes are properties too. Path data and points that break the
     grammar raise a Problem, or if `lenient` are read up to the error and noted.
     """
     if node.tag == "path":

@@ -41,8 +41,8 @@ class Painter:
     def style(self, inherited: Inherited, opacity: float, scale: float, lengths: Lengths) -> Style:
         """Return the style of a shape, with plain colours in place of gradients and patterns.
 
-        The `opacity` is that of the shape times that of all groups around it; `scale` is the factor by which its
-        transforms multiply the width of its stroke.
+        The `opacity` is the product over the shape and all groups around it; `scale` is the factor of its transforms
+        for the width of its stroke.
         """
         fill, fill_alpha = self._colour(inherited.fill, inherited)
         stroke, stroke_alpha = self._colour(inherited.stroke, inherited)
@@ -143,8 +143,8 @@ def _chain(link: str, ids: Mapping[str, Node]) -> list[Node]:
 def _read_stops(links: list[Node], cascade: Cascade, inherited: Inherited) -> tuple[Stop, ...]:
     """Return the stops of the first gradient in a chain that has any, their offsets in order.
 
-    The custom properties and the colour in force for the shape are taken for those of the gradient. They are the same
-    where they are set on the root.
+    The custom properties and the colour in force for the shape are taken for those of the gradient. They agree
+    if they are set on the root.
     """
     stop_nodes = ([child for child in node.children if child.tag == "stop"] for node in links)
     stops: list[Stop] = []
@@ -211,7 +211,7 @@ def _resolve(
 class _Attributes:
     """The attributes of a chain of gradients: each is that of the first gradient that has it.
 
-    Those of the geometry are handed on between gradients of one kind only.
+    Attributes of the geometry are handed on between gradients of one kind only.
     """
 
     def __init__(self, links: list[Node], lengths: Lengths) -> None:

@@ -42,7 +42,7 @@ Arc = tuple[tuple[float, float], float, bool, bool]  # radii, rotation, and the 
 
 
 class TooManySegments(ValueError):
-    """Path data longer than what is read, whether it keeps to the grammar or not."""
+    """Path data beyond the limit, whether it keeps to the grammar or not."""
 
     def __init__(self) -> None:
         super().__init__(f"more than {MAX_SEGMENTS} segments, the limit")
@@ -67,8 +67,8 @@ class Subpath:
 def scan(data: str) -> tuple[list[Subpath], GrammarError | None]:
     """Cut path data into subpaths, up to the first error; raise TooManySegments.
 
-    https://www.w3.org/TR/SVG2/paths.html#GrammarErrorHandling: browsers draw all segments before it, those of the
-    command with the error among them.
+    https://www.w3.org/TR/SVG2/paths.html#GrammarErrorHandling: browsers draw all segments before it, even
+    segments of the same command.
     """
     subpaths: list[Subpath] = []
     if data.strip() in ("", "none"):
@@ -120,7 +120,7 @@ def _append(subpaths: list[Subpath], match: re.Match[str]) -> tuple[int, Grammar
 
 
 def _unexpected(match: re.Match[str], end: int, most: int, expected: str) -> GrammarError:
-    """Return the error of what follows `end` in a command's arguments."""
+    """Return the error at `end` in a command's arguments."""
     start = _skip_blanks(match[2], end)
     found = printable(match[2][start : start + most])
     return GrammarError(match.start(2) + start, f"found '{found}' where {expected}")

@@ -1,4 +1,4 @@
-"""An SVG file into a `Drawing`: what it paints, in the root's user units."""
+"""From an SVG file to a `Drawing`: the shapes that it paints, in the root's user units."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ STANDARD_INPUT = "-"
 
 
 def title_of(file: str) -> str:
-    """What a file is called in titles: its name without its folder."""
+    """Return the name of a file in titles, which is its name without the folder."""
     return "standard input" if file == STANDARD_INPUT else file.replace("\\", "/").rpartition("/")[2]
 
 
@@ -27,12 +27,12 @@ def read(
     select: str | None = None,
     is_to_blend: bool = False,
 ) -> Drawing:
-    """Return what an SVG file paints; without its contents as `data`, the file is opened.
+    """Return the drawing in an SVG file; without its contents as `data`, the file is opened.
 
     The file ``-`` is standard input, called ``<stdin>`` in the drawing and in messages. If `lenient`, path data and
     points that break the grammar are drawn up to the error. To `select`, by ``#id`` or a CSS selector, is to return
     only the shapes it matches, those in groups it matches, and those drawn through a ``use`` it matches; `Shape.index`
-    still counts all the file paints. What `is_to_blend` is refused early if it is too much for that.
+    still counts all the file paints. A drawing that `is_to_blend` is refused early if it is too large for that.
 
     Raises
     ------

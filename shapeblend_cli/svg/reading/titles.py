@@ -1,4 +1,4 @@
-"""What elements are called: ids, the labels of Inkscape, titles and descriptions."""
+"""The names of elements: ids, the labels of Inkscape, titles and descriptions."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _MAX_TEXT = 10_000
 
 
 def name_of(node: Node) -> Name:
-    """Return what an element is called."""
+    """Return the names of an element."""
     title, description = (
         next((child.text for child in node.children if child.tag == tag), None) for tag in ("title", "desc")
     )

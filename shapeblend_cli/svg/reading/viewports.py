@@ -41,7 +41,7 @@ def root_box(root: Node, notes: Notes) -> Box | None:
 
 
 def root_page(root: Node, box: Box | None) -> Page:
-    """Return the size that the root has as it is written, for the box that it shows, and what it is called."""
+    """Return the size of the root as it is written, the box that it shows, and its names."""
     width, height = (_written(root.get(name) or "") for name in ("width", "height"))
     return Page(width if box else None, height if box else None, box, name_of(root))
 
@@ -64,7 +64,7 @@ def _written(text: str) -> Length | None:
 
 
 def root_lengths(box: Box | None) -> Lengths:
-    """Return what percentages refer to in the root's coordinates; without a size, browsers give it 300 by 150."""
+    """Return the lengths for percentages in the root's coordinates; without a size, browsers give it 300 by 150."""
     return Lengths(box.width, box.height) if box else Lengths(300.0, 150.0)
 
 

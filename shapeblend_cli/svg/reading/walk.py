@@ -39,7 +39,7 @@ _MAX_NAMES = 3
 
 
 class _Visit(NamedTuple):
-    """An element, and what the elements around it hand on to it.
+    """An element, and the values that the elements around it hand on to it.
 
     `used` are the elements that the open ``use`` elements refer to, `use_id` is the id of the innermost; `given` is the
     size that a ``use`` gives to the viewport it refers to. `chosen` tells whether it or one around it is selected.
@@ -69,8 +69,8 @@ class _Visit(NamedTuple):
 class Walk:
     """One walk from an ``svg`` element, with an explicit stack: a hostile file must not reach the recursion limit.
 
-    `lenient` draws broken path data and points up to the error; `notes` takes phrases on what is left out; if it
-    `is_to_blend`, what is too much for that is refused.
+    `lenient` draws broken path data and points up to the error; `notes` takes phrases on elements that are left
+    out; a drawing that `is_to_blend` is refused if it is too large for that.
     """
 
     def __init__(self, root: Node, notes: Notes, lenient: bool = False, is_to_blend: bool = False) -> None:
@@ -157,7 +157,7 @@ class Walk:
             self._skip(visit, reason)
 
     def _apply(self, declared: Declarations, visit: _Visit) -> tuple[Declarations, _Visit]:
-        """Return what is declared with variables substituted, and the visit with the element's style and transform."""
+        """Return the declarations with variables substituted, and the visit with the element's style and transform."""
         inherited = visit.inherited
         own = {name: value for name, value in declared.items() if name.startswith("--")}
         if own:
@@ -240,7 +240,7 @@ class Walk:
         return visit if clip is None else visit._replace(clips=(*visit.clips, clip))
 
     def _grouped(self, visit: _Visit) -> _Visit:
-        """Return the visit with its element around what comes next."""
+        """Return the visit with its element as a group around the next ones."""
         if visit.node is self._root or len(visit.groups) >= MAX_GROUPS:
             return visit
         self._groups += 1
@@ -289,7 +289,7 @@ class Walk:
         return None
 
     def _check_limits(self, placed: Sequence[Contour]) -> None:
-        """Refuse what is too much to blend as soon as it shows."""
+        """Refuse a drawing that is too large to blend as soon as it shows."""
         self._drawn += len(placed)
         if self._drawn > MOST_CONTOURS:
             raise Problem(

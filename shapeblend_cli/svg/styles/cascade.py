@@ -1,4 +1,4 @@
-"""The cascade: what style sheets, attributes and inheritance give an element."""
+"""The cascade: from style sheets, attributes and inheritance to the properties of an element."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ class Colour(NamedTuple):
 class Paint(NamedTuple):
     """The value of fill or stroke, of kind ``none``, ``colour``, ``current`` or ``server``.
 
-    The `link` of a paint server is what its ``url()`` refers to, the `fallback` is what follows that.
+    The `link` of a paint server is the address in its ``url()``, the `fallback` is the paint after that.
     """
 
     kind: str

@@ -24,7 +24,7 @@ _WORD = re.compile(r"[#.]?[\w-]++")
 
 
 class SelectorError(ValueError):
-    """What is wrong with a text that is no selector, and what would work."""
+    """A text that is no selector; the message says what would work."""
 
 
 def check_selector(text: str) -> None:
@@ -124,7 +124,7 @@ def paints_nothing(
 ) -> Problem:
     """Return the problem of a selector that matches `nodes` which paint nothing.
 
-    The `reason` is that of the first shape among them, if the walk reached it; the ids of what is `painted` would work.
+    The `reason` belongs to the first shape among them, if the walk reached it; the ids of `painted` shapes would work.
     """
     others = f" and {len(nodes) - 1} more" if len(nodes) > 1 else ""
     why = f"it is {reason}" if reason else _why(root, nodes[0])
@@ -164,7 +164,7 @@ def _suggestion(root: Node, text: str) -> str:
 
 
 def _names(root: Node) -> list[str]:
-    """Return the ids, the classes and the types of what can be drawn, those of shapes before those of groups."""
+    """Return the ids, the classes and the types of elements that can be drawn, shapes before groups."""
     nodes = [node for node in root.walk() if node.tag in SHAPES or node.tag in GROUPS or node.tag == "symbol"]
     ids = [f"#{node.attrib['id']}" for node in nodes if node.get("id")]
     classes = [f".{word}" for node in nodes for word in (node.get("class") or "")[:_MAX_WORD].split()]

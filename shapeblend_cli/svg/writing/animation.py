@@ -1,4 +1,4 @@
-"""What SMIL and CSS animations share: the values of an attribute over time.
+"""The values of an attribute over time, for SMIL and CSS animations.
 
 A vertex on a straight path needs one keyframe a drawing: in between, browsers interpolate every number linearly, which
 is eq (2). Curved motion and colours get further keyframes at waypoints. All keyframes of a path have the same commands

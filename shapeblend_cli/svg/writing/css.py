@@ -105,5 +105,5 @@ def _declarations(name: str, timed: Sequence[Moment], last: int) -> dict[float, 
 
 
 def declaration(name: str, value: str) -> str:
-    """Return what a style sheet says of an attribute."""
+    """Return the declaration of an attribute in a style sheet."""
     return f'd:path("{value}")' if name == "d" else f"{name.replace('_', '-')}:{value}"

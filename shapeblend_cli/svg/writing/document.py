@@ -42,7 +42,7 @@ def empty_and_called(viewbox: Box, decimals: int, page: Page) -> Any:
 
 
 def fingerprint(shapes: Iterable[KeyframedShape], *others: object) -> str:
-    """Return a word of its own for shapes, and what else there is, so that several drawings can stand in one page."""
+    """Return a hash of shapes and other values, for names that are unique among the drawings of a page."""
     drawn = [
         [([path.segments.tolist() for path in key.paths], key.style) for key in shape.keys]
         for shape in shapes
@@ -60,7 +60,7 @@ def _add_texts(element: Any, name: Name) -> None:
 
 
 def ids_of(drawing: Any, shapes: Iterable[PaintedShape | KeyframedShape]) -> Ids:
-    """Return the ids of a drawing of some shapes, of which it has its own so far."""
+    """Return the ids of a drawing of some shapes; only its own id is taken so far."""
     ids = Ids.of(shapes)
     ids.take(drawing.attribs.get("id"))
     return ids
@@ -141,7 +141,7 @@ def box_text(box: Box, decimals: int) -> str:
 def text(drawing: Any, style: str | None = None, definitions: Sequence[ElementTree.Element] = ()) -> str:
     """Return the text of a drawing, with a style sheet and definitions if there are any.
 
-    What svgwrite adds unasked is removed: a size of 100 %, a profile, unused namespaces.
+    Additions of svgwrite are removed: a size of 100 %, a profile, unused namespaces.
     """
     root = drawing.get_xml()
     for name in ("width", "height"):
@@ -167,7 +167,7 @@ def text(drawing: Any, style: str | None = None, definitions: Sequence[ElementTr
 
 
 def frame_svg(frame: Frame, decimals: int) -> str:
-    """Return a frame as an SVG document, its coordinates rounded to so many decimals."""
+    """Return a frame as an SVG document, with its coordinates rounded to a number of decimals."""
     drawing = empty(frame.view, decimals, frame.page)
     tree = Tree.of(drawing, frame.shapes)
     gradients = Gradients(decimals, tree.ids)
@@ -176,9 +176,9 @@ def frame_svg(frame: Frame, decimals: int) -> str:
 
 
 def layers_svg(frames: Sequence[Frame], decimals: int, page: Page) -> str:
-    """Return frames as one SVG document, each in a layer of Inkscape that is called by its time.
+    """Return frames as one SVG document, each in a layer of Inkscape that is named after its time.
 
-    It shows what any of them shows. An id is there once, in the first frame that has it; elsewhere it is a label.
+    Its view holds the views of all frames. An id is there once, in the first frame that has it, and elsewhere a label.
     """
     view = Box.union([frame.view for frame in frames])
     drawing = empty(view, decimals, page_for(page, view))
@@ -196,9 +196,9 @@ def layers_svg(frames: Sequence[Frame], decimals: int, page: Page) -> str:
 def frames_in_groups(
     frames: Sequence[Frame], decimals: int, ids: Ids, place: tuple[str, str], *, as_layers: bool
 ) -> str:
-    """Return frames as elements to be put into a document that has ids already.
+    """Return frames as elements for a document that has ids already: groups in a group, or layers.
 
-    The place is what they are called together, and a transform of all. They are groups in a group, or layers.
+    The place is the name of all together, and their transform.
     """
     title, transform = place
     drawing = empty(frames[0].view, decimals)

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class Ids:
-    """The ids of a document, none of which it may have twice; some are `reserved` for what takes them by name."""
+    """The ids of a document, each used once; `reserved` ids are kept for elements that take them by name."""
 
     def __init__(self, reserved: Iterable[str | None] = (), taken: Iterable[str] = ()) -> None:
         self._reserved = set(reserved)

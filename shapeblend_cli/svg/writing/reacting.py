@@ -1,4 +1,4 @@
-"""SVG documents that wait for a trigger, move, and come back: by SMIL, or by CSS transitions.
+"""SVG documents that wait for a trigger, move, and move back: by SMIL, or by CSS transitions.
 
 No script is needed to point at them, to click them or to reach them by keyboard. Only Enter and Space on what moves by
 SMIL take a line of script in an attribute, and events of other elements that no other event undoes.
@@ -47,7 +47,7 @@ EACH = 'n.addEventListener(%s,function(){s("forth")});n.addEventListener(%s,func
 
 
 class Reaction(NamedTuple):
-    """What moves, the view of each drawing, the page, and what sets it off."""
+    """Moving shapes, the view of each drawing, the page, and the trigger."""
 
     shapes: Sequence[KeyframedShape]
     views: Sequence[Box]
@@ -122,7 +122,7 @@ def _area(box: Box, decimals: int) -> dict[str, str]:
 
 
 def _role(trigger: Trigger, title: str) -> dict[str, str]:
-    """Return what tells people who do not see or do not point what they have before them."""
+    """Return attributes for screen readers and keyboards."""
     if trigger.kind == CLICK:
         keys = {"onkeydown": PRESS, "onclick": PRESSED}
         return {"role": "button", "tabindex": "0", "aria-pressed": "false", "aria-label": title, **keys}
@@ -177,7 +177,7 @@ class _ThereAndBack(Timeline):
         super().animate(element, name, values)
 
     def switch(self, display: str, kind: str) -> Any:
-        """Return what shows or hides an element at once."""
+        """Return the animation that shows or hides an element at once."""
         run = {"attributeName": "display", "to": display, "begin": self._begins[kind], "fill": "freeze"}
         return written("set", run)
 
@@ -256,7 +256,7 @@ def _check_box(reaction: Reaction, decimals: int) -> Element:
 
 
 def _transitions(shape: KeyframedShape, changing: Sequence[str], timing: Timing, *, is_back: bool) -> str:
-    """Return the transitions of attributes, on the way there or back; what has nothing in between changes half way."""
+    """Return the transitions of attributes, forth or back; attributes without values in between change half way."""
     ease = timing.ease.mirrored() if is_back else timing.ease
     fading = shape.fading[0] if shape.fading else ()
     parts = []

@@ -20,7 +20,7 @@ def decimals_for(boxes: Sequence[Box]) -> int:
 
 
 def number(value: float, decimals: int) -> str:
-    """Return a finite number in its shortest form with at most so many decimals."""
+    """Return a finite number in its shortest form, with at most `decimals` decimals."""
     if not math.isfinite(value):
         raise ValueError(f"{value} cannot be written to an SVG file")
     text = f"{value:.{decimals}f}"

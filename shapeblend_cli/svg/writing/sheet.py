@@ -24,14 +24,14 @@ STYLE = """\
 
 
 class Row(NamedTuple):
-    """SVG documents in a row, and what is said of them."""
+    """SVG documents in a row, and the line of words above them."""
 
     words: str
     pictures: Sequence[str]
 
 
 def sheet(rows: Sequence[Row], width: float, height: float) -> str:
-    """Return rows of documents, each drawn so wide and high, as one document that needs no other file.
+    """Return rows of documents, each of the same width and height, as one document that needs no other file.
 
     Each document is an image in it, so that their ids and gradients do not meet.
     """

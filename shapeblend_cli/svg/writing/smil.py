@@ -171,7 +171,7 @@ def _animated_gradient(
 
 
 class _Holder:
-    """Takes animations of what is no element of a drawing yet."""
+    """A holder of animations, for an element that is not in a drawing yet."""
 
     def __init__(self) -> None:
         self.elements: list[Element] = []

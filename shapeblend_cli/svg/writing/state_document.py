@@ -28,7 +28,7 @@ _TO = "this.dataset.state=%s"
 
 
 class States(NamedTuple):
-    """What is drawn in each state, and how it goes from one to another."""
+    """The shapes of each state, and the timing from state to state."""
 
     shapes: Sequence[KeyframedShape]  # a key for each state
     names: Sequence[str]

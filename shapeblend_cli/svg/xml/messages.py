@@ -1,4 +1,4 @@
-"""What the reader has to say: problems, and notes on what it reads otherwise than browsers do."""
+"""Messages of the reader: problems, and notes on differences from browsers."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ _MAX_PHRASES = 20
 
 
 class Problem(Exception):
-    """What is wrong with a file and what would work; `read` adds the file's name."""
+    """A fault of a file, and a remedy; `read` adds the name of the file."""
 
 
 def check_limit(count: int, most: int, things: str) -> None:

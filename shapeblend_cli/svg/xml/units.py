@@ -50,7 +50,7 @@ _END = re.compile(rf"{BLANK}*+,?{BLANK}*+")
 
 
 class GrammarError(ValueError):
-    """What was found at an offset from 0 instead of what belongs there; in a list, the numbers that stand before it."""
+    """A fault at an offset from 0; in a list, `before` has the numbers in front of it."""
 
     def __init__(self, offset: int, message: str, before: list[float] | None = None) -> None:
         super().__init__(message)
@@ -63,7 +63,7 @@ class GrammarError(ValueError):
 
 
 class Lengths(NamedTuple):
-    """What percentages and font units refer to: the viewport's size in user units, and the font size."""
+    """The lengths for percentages and font units: the viewport's size in user units, and the font size."""
 
     width: float
     height: float
@@ -133,7 +133,7 @@ def is_end(text: str, start: int) -> bool:
 def numbers(text: str, expected: str = "a number") -> list[float]:
     """Read numbers separated by blanks, single commas, or nothing where that is clear.
 
-    Anything else, or a number beyond the limit, raises a GrammarError that says what was `expected`.
+    Anything else, or a number beyond the limit, raises a GrammarError with the `expected` text.
     """
     if not _NUMBERS.fullmatch(text):
         raise _error(text, expected)
