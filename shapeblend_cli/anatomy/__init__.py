@@ -1,4 +1,4 @@
-"""What a drawing is made of: contours and their roles, nesting, structure, twins.
+"""The parts of a drawing: contours and their roles, nesting, structure, twins.
 
 It may import geometry, model, errors.
 """

@@ -101,14 +101,14 @@ def decompose(
 ) -> tuple[list[PlacedContour], list[str]]:
     """Flatten the contours of a drawing laid over A, find their roles, and orient exteriors alike.
 
-    Each gets so many vertices, about. By default exteriors are oriented as the largest closed contour.
+    Each gets about the wanted number of vertices. By default exteriors are oriented as the largest closed contour.
 
     Returns
     -------
     contours : list of PlacedContour
         By number, without those that have no extent.
     notes : list of str
-        What was left out.
+        About contours that were left out.
 
     Raises
     ------
@@ -181,10 +181,10 @@ def _flatten_shapes(
 
 
 def _vertex_counts(drawing: Drawing, vertices: int) -> list[int]:
-    """Return how many vertices each contour gets: so many if it is `LARGE`, and the smaller the fewer.
+    """Return the number of vertices of each contour: the wanted number if it is `LARGE`, and the smaller the fewer.
 
     A crowd gets fewer still: all together have about as many as `CROWD` contours, but none less than `LEAST_SHARE` of
-    what is wanted.
+    the wanted number.
     """
     boxes = [cubics.bounds(c.segments) for shape in drawing.shapes for c in shape.contours]
     size = Box.union(boxes).diagonal or 1.0
@@ -234,7 +234,7 @@ def _with_roles(contours: Sequence[PlacedContour], exterior_orientation: int) ->
 
 
 def without_specks(drawing: Drawing, least: float | str) -> tuple[Drawing, list[str]]:
-    """Return a drawing without contours whose larger side is below a length, and phrases on what was left out.
+    """Return a drawing without contours whose larger side is below a length, and phrases about the others.
 
     The length is in the drawing's own units, or a share of its larger side such as ``1%``. Raises InputError if nothing
     is left.

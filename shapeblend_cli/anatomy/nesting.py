@@ -1,4 +1,4 @@
-"""Exteriors and their holes, told apart by what the fill rule paints and not by how they were drawn."""
+"""Exteriors and their holes, told apart by the painted areas and not by directions."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ def _both_sides(polygon: Polygon, box: Box, sign: int) -> tuple[ComplexArray, Co
 
 
 def _windings(points: ComplexArray, polygons: Sequence[Polygon], boxes: Sequence[Box]) -> IntArray:
-    """Return how often each polygon winds round each point, (polygons, points) int."""
+    """Return the winding number of each polygon around each point, (polygons, points) int."""
     numbers = np.zeros((len(polygons), len(points)), np.intp)
     x, y, width, height = np.array(boxes).T[:, :, None]
     near = (np.abs(points.real - x - width / 2) <= width / 2) & (

@@ -1,4 +1,4 @@
-"""What lies in what over a whole drawing, whatever the shape and the paint."""
+"""The nesting of all contours of a drawing, whatever their shapes and paint."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray, Polygon
 
 SAMPLES = 16
-"""Number of points of a contour, most of which lie inside what contains it."""
+"""Number of points of a contour, most of which lie inside a contour that contains it."""
 
 WOUND = 100
-"""Maximum number of vertices of a contour by which its inside is told."""
+"""Maximum number of vertices of a contour for the test of points inside."""
 
 LARGER = 1.03
-"""Minimum area of a contour around another one, as a multiple of the other one's area."""
+"""Minimum area of a contour around another contour, as a multiple of the inner area."""
 
 ALIKE = 0.02
 """Maximum difference of the boxes of one outline that is drawn twice, as a share of its size."""
@@ -41,7 +41,7 @@ class Structure(NamedTuple):
     within: FloatArray  # [i, j], how much of contour j is in contour i; 1 in all that it lies in
 
     def ancestors(self, k: int) -> list[int]:
-        """Return what a contour lies in, the innermost first."""
+        """Return the contours around a contour, the innermost first."""
         found = []
         at = self.parent[k]
         while at is not None:
@@ -80,7 +80,7 @@ def corners(polygons: Sequence[Polygon]) -> tuple[ComplexArray, ComplexArray]:
 
 
 def along(polygon: Polygon, count: int) -> ComplexArray:
-    """Return so many points evenly spread along a polygon; of an open one without its ends."""
+    """Return points evenly spread along a polygon, (count,) complex; of an open polygon without its ends."""
     points = from_end_to_end(polygon.vertices, polygon.closed)
     lengths = cumulative_lengths(points)
     return points_at((np.arange(count) + 0.5) / count * lengths[-1], points, lengths)
@@ -109,7 +109,7 @@ def _inside(
     boxes: tuple[ComplexArray, ComplexArray],
     areas: FloatArray,
 ) -> FloatArray:
-    """Return how much of contour j is in contour i, (i, j); 0 in what is no larger."""
+    """Return the share of contour j that is in contour i, (i, j) float; 0 in contours that are no larger."""
     lows, highs = boxes
     sampled = np.array(points)
     inside = np.zeros((len(contours), len(contours)))

@@ -41,7 +41,7 @@ class Mirror(NamedTuple):
     twin: list[int | None]
 
     def twins(self, contours: Sequence[PlacedContour]) -> list[tuple[int, int]]:
-        """Return those that mirror each other, the left one first."""
+        """Return the pairs that mirror each other, the left contour first."""
         pairs = [(i, j) for i, j in enumerate(self.twin) if j is not None and i < j]
         return [(i, j) if contours[i].centre.real <= contours[j].centre.real else (j, i) for i, j in pairs]
 
@@ -87,7 +87,7 @@ def _axes(lows: ComplexArray, highs: ComplexArray, sizes: FloatArray, tolerance:
 
 
 def _mirrored_boxes(lows: ComplexArray, highs: ComplexArray, x: float) -> FloatArray:
-    """Return how far the mirror image of box i is from box j, (i, j)."""
+    """Return the distance of the mirror image of box i from box j, (i, j) float."""
     left, right = 2 * x - highs.real, 2 * x - lows.real
     away = np.abs(left[:, None] - lows.real)
     for side in (

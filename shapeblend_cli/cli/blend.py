@@ -37,7 +37,7 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
     printed = TerminalOptions.of(given)
     if printed.quiet and printed.verbose:
         raise click.UsageError("--quiet and --verbose contradict each other")
-    files, given = opened(files, given)
+    files, given = opened(files, given, stays_inside=True)
     job = job_of(files, given, ("shapeblend", *context.meta[TYPED]))
     stop_after(RunOptions.of(given).timeout)
 
@@ -50,8 +50,13 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
                 terminal.note(line)
 
 
-def opened(files: tuple[str, ...], given: dict[str, Any]) -> tuple[tuple[str, ...], dict[str, Any]]:
-    """Return files and options; if a project is given, its drawings and options."""
+def opened(
+    files: tuple[str, ...], given: dict[str, Any], *, stays_inside: bool = False
+) -> tuple[tuple[str, ...], dict[str, Any]]:
+    """Return the drawings and the options of a project if one is given, and else what is given.
+
+    A project that `stays_inside` must not write outside its folder; the studio asks instead.
+    """
     from shapeblend_cli.batch.project import check_outputs, is_project, read_project
 
     projects = [file for file in files if is_project(file)]
@@ -60,6 +65,7 @@ def opened(files: tuple[str, ...], given: dict[str, Any]) -> tuple[tuple[str, ..
     if len(files) > 1:
         raise click.UsageError(f"{projects[0]}: a project names its own drawings, and is given alone")
     project = read_project(projects[0])
-    check_outputs(project, projects[0], given)
+    if stays_inside:
+        check_outputs(project, projects[0], given)
     project = project.with_given(given)
     return project.files, dict(project.given)

@@ -1,5 +1,5 @@
 # cython: boundscheck=False, wraparound=False, cdivision=True, initializedcheck=False
-"""How often polygons and cubic paths cross themselves and each other. Compiled by Cython; runs uncompiled as well.
+"""Crossings of polygons and cubic paths with themselves and each other. Compiled by Cython; runs uncompiled as well.
 
 Curves are cut into chords, so that all are chains of straight edges; a chain is closed if it ends where it began.
 Points nearer to each other than `noise` cannot be told apart, and the plain test of two edges only counts where all
@@ -196,7 +196,7 @@ def _cut_into_chords(
     places: cython.Py_ssize_t[::1],
     points: cython.double[::1],
 ) -> None:
-    """Cut cubics into pieces of equal parameter, so many of each, and write where they start, from a place on.
+    """Cut each cubic into a number of pieces of equal parameter, and write their starts into `points` from a place on.
 
     All points are x and y in turn.
     """
@@ -215,7 +215,7 @@ def _cut_into_chords(
 def _cut_into_blocks(
     chains: _Chains, blocks: cython.Py_ssize_t[:, ::1], boxes: cython.double[:, ::1]
 ) -> cython.Py_ssize_t:
-    """Find the blocks of chains and their boxes; return how many they are, at most as many as points."""
+    """Find the blocks of chains and their boxes; return their number, at most that of the points."""
     points: cython.doublecomplex[::1] = chains.points
     count: cython.Py_ssize_t = 0
     run: cython.Py_ssize_t = -1

@@ -20,7 +20,7 @@ MOST_CUTS = 32
 """Maximum number of rounds of cutting; a few are enough for any curve, cusps included."""
 
 MOST_GROWTH = 3
-"""Maximum number of even pieces of a segment, as a multiple of those that it gets by its length."""
+"""Maximum number of even pieces of a segment, as a multiple of the number for its length."""
 
 COINCIDENT = 1e-9
 """Maximum distance of vertices that are one, as a share of the larger side of the box."""

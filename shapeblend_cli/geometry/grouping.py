@@ -13,12 +13,12 @@ if TYPE_CHECKING:
 
 
 def grouped(together: BoolArray) -> list[list[int]]:
-    """Return groups of numbers: two that are together are in one, and so is what is together with either.
+    """Return groups of numbers, such that all that are together, directly or through others, are in one group.
 
     Parameters
     ----------
     together : (n, n) bool
-        Which of n things are together; only what is below the diagonal counts.
+        Which of n things are together; only the part below the diagonal counts.
     """
     groups: list[list[int]] = []
     for k, row in enumerate(together):

@@ -67,7 +67,7 @@ def reverse_contour(contour: Contour) -> Contour:
 
 
 def reverse_polygon(polygon: Polygon, segments: int) -> Polygon:
-    """Return the polygon of a reversed contour of so many segments; a closed one keeps its first vertex."""
+    """Return the polygon of a reversed contour with this number of segments; a closed one keeps its first vertex."""
     order = np.arange(len(polygon.vertices))[::-1]
     if polygon.closed:
         order = np.roll(order, 1)
@@ -83,7 +83,7 @@ def reverse_polygon(polygon: Polygon, segments: int) -> Polygon:
 
 
 def winding_numbers(points: ComplexArray, vertices: ComplexArray) -> IntArray:
-    """Return how often a closed polygon winds round each point, positive from x towards y.
+    """Return the winding number of a closed polygon around each point, positive from x towards y.
 
     These are the edges that cross the ray from a point along +x, upwards counted against downwards. Points on the
     polygon itself count to either side.
@@ -115,7 +115,7 @@ def mean_value_weights(point: complex, vertices: ComplexArray) -> FloatArray:
     Parameters
     ----------
     point : complex
-        Not on the polygon; on it, the weights are those of the nearest vertex.
+        Not on the polygon; on it, the nearest vertex has all the weight.
     vertices : (k,) complex
         Neighbours may coincide.
 

@@ -42,12 +42,12 @@ def distinct(points: ComplexArray, closed: bool, distance: float) -> IntArray:
 
 
 def thin(points: ComplexArray, most: int) -> ComplexArray:
-    """Return every k-th point, at most so many."""
+    """Return every k-th point, with the smallest k for at most `most` points."""
     return points[:: -(-len(points) // most)]
 
 
 def nearest_places(points: ComplexArray, line: ComplexArray) -> tuple[FloatArray, FloatArray]:
-    """Return how far each point is from a polyline, and where the nearest place is: edge number plus share of it.
+    """Return the distance of each point from a polyline, and the nearest place: edge number plus share of the edge.
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
 # cython: boundscheck=False, wraparound=False, cdivision=True, initializedcheck=False
-"""Winding numbers on a grid of points: which of them polygons fill, and how often.
+"""Winding numbers of polygons on a grid of points.
 
 This file is compiled by Cython and runs uncompiled as well.
 """
@@ -29,7 +29,7 @@ COMPILED = cython.compiled
 def winding_grid(
     starts: ComplexArray, ends: ComplexArray, corner: complex, step: float, side: int
 ) -> IntArray:
-    """Return how often closed polygons, taken together, wind round each point of a square grid.
+    """Return the winding numbers of closed polygons, taken together, around the points of a square grid.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def _add_crossings(
     y1: cython.double[::1],
     changes: cython.int[:, ::1],
 ) -> None:
-    """Add what crossing each edge changes, in steps of the grid; rows and columns lie on whole numbers."""
+    """Add the changes at crossings of each edge, in steps of the grid; rows and columns lie on whole numbers."""
     side: cython.Py_ssize_t = changes.shape[0]
     k: cython.Py_ssize_t
     row: cython.Py_ssize_t

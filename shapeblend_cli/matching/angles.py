@@ -1,6 +1,6 @@
 # cython: boundscheck=False, wraparound=False, cdivision=True, initializedcheck=False
 # mypy: disable-error-code="attr-defined"
-"""How an angle moves during a blend, and what bending it costs.
+"""The motion of an angle during a blend, and the work of bending it.
 
 Sections 2.1, 2.2 and 3.2 of Sederberg and Greenwood, "A Physically Based Approach to 2-D Shape Blending", Computer
 Graphics 26(2), 1992 (SIGGRAPH '92). This file is compiled by Cython and runs uncompiled as well.
@@ -215,8 +215,8 @@ def _curve(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -
 def _curve_in_run(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> Curve:
     """Return a straight curve from Q0 to Q1 where q rests on the way in and on the way out.
 
-    F1 := base, B1 := minus base, so both products of Q1 are of one order: Q1 = conj(d) B0 - conj(F0) d. From there the
-    angle only goes on to that of Q2, pi.
+    F1 := base, B1 := minus base, so both products of Q1 are of one order: Q1 = conj(d) B0 - conj(F0) d. From
+    there the angle only goes on to pi, the angle of Q2.
     """
     d, b0, f0 = q.base[j], p.back[i], p.fwd[i]
     x0, y0 = _dot(f0, b0), _cross(f0, b0)
@@ -266,7 +266,7 @@ def _meets_zero(q: Curve, is_straight: cython.bint) -> cython.int:
 @cython.cfunc
 @cython.exceptval(check=False)
 def _into_run(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> Turns:
-    """Return how theta moves where q moves on the way in and rests on the way out; p moves on both.
+    """Return the turns where q moves on the way in and rests on the way out; p moves on both.
 
     F1 := base of q, so Q1 is conj(F0) B1 to leading order. From Q0 to Q1 only B turns, then only F.
     """
@@ -276,7 +276,7 @@ def _into_run(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t
 @cython.cfunc
 @cython.exceptval(check=False)
 def _out_of_run(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> Turns:
-    """Return how theta moves where q rests on the way in and moves on the way out; p moves on both.
+    """Return the turns where q rests on the way in and moves on the way out; p moves on both.
 
     B1 := minus the base of q, so Q1 is conj(F1) B0 to leading order. First only F turns, then only B.
     """
@@ -289,11 +289,11 @@ def _out_of_run(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize
 @cython.final
 @cython.cclass
 class Bending:
-    """What an angle costs: by turning, or along straight vertex paths, eq (17).
+    """The work of bending: by turning, or along straight vertex paths, eq (17).
 
-    By turning, which is not in the paper, it costs k_b |turn of p - turn of q|^e_b, and p_b where straight vertex paths
-    take the angle through zero. Each end of a run of coincident vertices has half of the turn that the run's vertex
-    has, as in section 2.2, and its inside has none.
+    By turning, which is not in the paper, an angle costs k_b |turn of p - turn of q|^e_b, and p_b where straight vertex
+    paths take the angle through zero. Each end of a run of coincident vertices has half of the turn that the run's
+    vertex has, as in section 2.2, and its inside has none.
     """
 
     by_turning: cython.bint
@@ -453,7 +453,7 @@ def fill_bends(
         Of the first wire and the second.
     bending : Bending
     columns : (columns,) int
-        The vertex of the first wire that each column is; rows are those of the second, modulo n.
+        Vertices of the first wire, one for each column; rows are vertices of the second, modulo n.
     weight : (columns,) float
         Multiplies k_b there.
     window : Window

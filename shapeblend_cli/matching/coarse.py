@@ -107,7 +107,7 @@ def solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[
 
 
 def is_small(m: int, n: int, exact_dots: float) -> bool:
-    """Return whether graphs of so many vertices are solved as they are."""
+    """Return whether graphs of m and n vertices are solved as they are."""
     return m * n <= exact_dots or max(m, n) <= LEAST_VERTICES
 
 
@@ -263,7 +263,7 @@ def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> FloatArray:
 def corridor(
     columns: IntArray, rows: IntArray, pad: IntArray, period: Dot | None, walls: Window | None
 ) -> Window:
-    """Return the dots around those that coarse paths reach.
+    """Return the dots that coarse paths reach, with a margin.
 
     Parameters
     ----------
@@ -285,7 +285,7 @@ def corridor(
         low = np.concatenate([low[:-1] - n, low, low[1:] + n])
         high = np.concatenate([high[:-1] - n, high, high[1:] + n])
     column = np.arange(len(pad))
-    # Between two such columns a path may run anywhere from the rows of one to those of the other.
+    # Between two such columns a path may run anywhere between their rows.
     before = np.clip(np.searchsorted(columns, column - pad, "right") - 1, 0, None)
     after = np.clip(np.searchsorted(columns, column + pad, "left"), None, len(columns) - 1)
     low, high = low[before], high[after]
@@ -318,7 +318,7 @@ def _touching(path: IntArray, region: Window, walls: Window | None) -> BoolArray
 
 
 def _fine_rows(rows: IntArray, kept: IntArray, period: int) -> IntArray:
-    """Return vertices of the full polygon nearest to those of the thinned one, both counted on beyond their number."""
+    """Return the nearest vertices of the full polygon for those of the thinned one; both count on, round by round."""
     return kept[rows % len(kept)] + period * (rows // len(kept))
 
 

@@ -56,7 +56,7 @@ class Starts(NamedTuple):
     steps: tuple[int, ...]
 
     def terminals(self, below: int = 0) -> Terminals:
-        """Return these states, or those so many rows below."""
+        """Return these states, or the same ones a number of rows below."""
         work = np.full(3, np.inf)
         work[list(self.steps)] = 0.0
         return Terminals(self.first_row + below, self.last_row + below, work)

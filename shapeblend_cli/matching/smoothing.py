@@ -89,7 +89,7 @@ def _add_moves(
     sigma: cython.double,
     moves: cython.doublecomplex[::1],
 ) -> None:
-    """Add up, for vertices at rising places, how far the corners within reach move them, in standard deviations."""
+    """Add up the moves of vertices, at rising places, by the corners within reach, in standard deviations."""
     first: cython.Py_ssize_t = 0
     corner: cython.Py_ssize_t
     vertex: cython.Py_ssize_t
@@ -109,5 +109,5 @@ def _add_moves(
 @cython.inline
 @cython.exceptval(check=False)
 def _above_ramp(x: cython.double) -> cython.double:
-    """Return by how much the ramp max(x, 0), smoothed by the standard Gaussian, lies above itself at x or -x >= 0."""
+    """Return the height of the ramp max(x, 0), smoothed by the standard Gaussian, above itself at x or -x >= 0."""
     return exp(-0.5 * x * x) / ROOT_TWO_PI - 0.5 * x * erfc(x * ROOT_HALF)

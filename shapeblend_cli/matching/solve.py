@@ -39,7 +39,7 @@ class Search(NamedTuple):
         Largest diagonal deviation, eq (30), of the path, measured from `start`, else from the first pin, else
         from where the path enters vertex 0 of the first polygon (section 5.2).
     solver : {'exact', 'simplified'}
-        The rigorous algorithm, or that of section 4.1.
+        The rigorous algorithm, or the one of section 4.1.
     effort : {'auto', 'exact', 'fast'}
         `exact` proves the result however long it takes, `auto` where that is quick. Otherwise a coarser problem is
         solved exactly and refined.
@@ -146,7 +146,7 @@ def _correspondence(
 
 
 def is_proven(m: int, n: int, effort: str) -> bool:
-    """Return whether the least path of so many vertices is searched everywhere, by effort."""
+    """Return whether the least path of m and n vertices is searched everywhere, by effort."""
     return coarse.is_small(m, n, EXACT_DOTS[effort])
 
 
@@ -161,7 +161,7 @@ def priced(wires: Wires, dots: IntArray, sweeps: int = 0) -> Correspondence:
 
 
 def diagonal_deviation(dots: IntArray, m: int, n: int, closed: bool) -> float:
-    """Return how far a path deviates from the diagonal through its first dot, eqs (29) and (30).
+    """Return the deviation of a path from the diagonal through its first dot, eqs (29) and (30).
 
     The m and n of the equations count edges: an open polygon has one less than vertices.
     """

@@ -43,7 +43,7 @@ def least_from(graph: Graph) -> Path | None:
 
 
 def least_of_all(graph: Graph, known: float = np.inf) -> Path | None:
-    """Find the least closed path over all starts in the region's column 0, where one is known to take so much work."""
+    """Find the least closed path over all starts in the region's column 0; the work of some path may be known."""
     first = int(graph.region.low[0])
     bounds = graph.bound_starts()
     if bounds is None:

@@ -42,7 +42,7 @@ class Window(NamedTuple):
         return int(self.column_offset[-1] + self.high[-1] - self.low[-1]) + 1
 
     def blocks(self, dots: int) -> Iterator[slice]:
-        """Yield runs of columns with about so many dots."""
+        """Yield runs of columns with about this number of dots."""
         ends = np.append(self.column_offset[1:], self.dots)
         first = 0
         while first < len(ends):
@@ -102,7 +102,7 @@ class Bounds(NamedTuple):
 
 
 class Progress:
-    """How far a sweep through a window is, and what it has found.
+    """The progress of a sweep through a window, and its findings.
 
     Attributes
     ----------
@@ -111,7 +111,7 @@ class Progress:
     live_rows : (int, int)
         First and last row of the previous column that paths can leave.
     leaving : (4, rows) float
-        Work of leaving each dot by East, and by Southeast: those of the previous column from row `current` on.
+        Work of leaving each dot by East, and by Southeast; rows of the previous column begin at `current`.
     parents : (dots,) uint8
         For each step out of a dot, the step in that costs least: two bits each, East lowest.
     visited : (columns, 2) int

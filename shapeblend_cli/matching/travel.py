@@ -1,5 +1,5 @@
 # cython: boundscheck=False, wraparound=False, cdivision=True, initializedcheck=False
-"""What it costs that points of a wire travel. Not in the paper. This file is compiled by Cython and runs uncompiled.
+"""The work of travel of a wire's points. Not in the paper. This file is compiled by Cython and runs uncompiled.
 
 Nothing in the paper's work knows where a point is: a wire alone in space may rotate for nothing. Here the boxes of
 both wires are made the unit square, axis by axis, and a dot whose points are at distance d there costs
@@ -76,7 +76,7 @@ def add_travel(
         Of the first wire and the second.
     k_t : float
     columns : (columns,) int
-        The vertex of the first wire that each column is; rows are those of the second, modulo n.
+        Vertices of the first wire, one for each column; rows are vertices of the second, modulo n.
     window : Window
     bends : (dots, 7) float
     """

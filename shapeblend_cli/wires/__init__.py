@@ -1,4 +1,4 @@
-"""How two contours correspond: direction, common cuts, same segments, shared stretches, symmetry.
+"""The match of two contours: direction, common cuts, same segments, shared stretches, symmetry.
 
 It may import matching, anatomy, options, geometry, model, errors.
 """

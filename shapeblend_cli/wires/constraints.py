@@ -30,7 +30,7 @@ class Constraints(NamedTuple):
         return Constraints(None, [pin for pin in self.pins if not has_numbers(pin)])
 
     def rotated_back(self, rotation: float) -> Constraints:
-        """Return the constraints for B rotated back by an angle; vertex numbers stay what they are."""
+        """Return the constraints for B rotated back by an angle; vertex numbers do not change."""
         if not rotation:
             return self
         back = Similarity.rotation(-rotation)

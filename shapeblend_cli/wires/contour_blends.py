@@ -79,7 +79,7 @@ def keep_still(contour: PlacedContour, numbers: tuple[int, int]) -> ContourBlend
 def _without_partner(
     own: FlatContour, other: FlatContour, number: int, dots: IntArray, *, of_b: bool
 ) -> ContourBlend:
-    """Return a blend of a contour of A, or of B, and what the other drawing has for it."""
+    """Return a blend of a contour of A, or of B, and its image in the other drawing."""
     size = own.polygon.box.larger_side
     found = Correspondence.without_work(dots[:, ::-1] if of_b else dots, own.polygon.closed)
     if of_b:

@@ -27,7 +27,7 @@ NOISE = 1e-12
 
 
 class Solved(NamedTuple):
-    """Two contours, with all nodes of those that were given but perhaps other vertices, and how they correspond."""
+    """Two contours, with all their nodes but perhaps other vertices than before, and their correspondence."""
 
     a: FlatContour
     b: FlatContour
@@ -36,7 +36,7 @@ class Solved(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class ContourMatch:
-    """Two contours in the same direction, and what their match has to keep to.
+    """Two contours in the same direction, and the requirements on their match.
 
     Attributes
     ----------
@@ -79,15 +79,15 @@ class ContourMatch:
         )
 
     def unless_far_more(self, solved: Solved, most: float | None, known: float = np.inf) -> Solved | None:
-        """Return a correspondence with the lower bound of all; None if it takes too many times the least work.
+        """Return a correspondence with the lower bound of all matches; None if it takes too many times the least work.
 
         Parameters
         ----------
         solved : Solved
         most : float or None
-            How many times the least work it may take; None is any number.
+            Maximum work as a multiple of the least work; None is any.
         known : float
-            The work of some correspondence.
+            The work of some match.
         """
         a, b, found = solved
         least = self.solve(a, b, None, found.work).correspondence

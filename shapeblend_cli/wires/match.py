@@ -1,4 +1,4 @@
-"""The match of two contours: in which direction, by which way, and the blend that it gives."""
+"""The match of two contours: its direction, the way to solve it, and the blend along it."""
 
 from __future__ import annotations
 
@@ -49,8 +49,7 @@ def match_contours(
     is called with the share of the first search that is done, from 0 to 1. Constraints that cannot be met raise a
     MatchError.
 
-    Vertex numbers are those of the match without them: where both contours are cut for it, the start and the pins with
-    numbers are for the polygons that were cut.
+    Where a match cuts both contours, vertex numbers in the start and in pins are those of the cut polygons.
     """
     if (a.role == LINE) != (b.role == LINE):
         a, b = (a, _open_for(a, b, settings)) if a.role == LINE else (_open_for(b, a, settings), b)

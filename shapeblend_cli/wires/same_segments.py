@@ -219,7 +219,7 @@ def solve_with_same_segments(match: ContourMatch) -> Solved | None:
 def _drawn_alike(a: FlatContour, b: FlatContour) -> Iterator[tuple[Curves, Curves]]:
     """Yield both contours as equally many curves: with as few cuts left out as may be, and with as many as are sure.
 
-    Where one has more curves it loses what is most like a cut.
+    The contour with more curves loses the nodes that are most like cuts.
     """
     contours = a, b
     shares, away = zip(*map(_cuts, contours), strict=True)
@@ -236,10 +236,10 @@ def _drawn_alike(a: FlatContour, b: FlatContour) -> Iterator[tuple[Curves, Curve
 
 
 def _cuts(flat: FlatContour) -> tuple[FloatArray, FloatArray]:
-    """Return for the beginning of each segment the parameter of a cut there, and how far off the curve through it is.
+    """Return for the beginning of each segment the parameter of a cut there, and the error of the curve through it.
 
-    That is the curve whose parts, cut there, would have the outer control points of the two segments. Off by a share of
-    the contour's size; infinite where there can be no cut, and at one node of a closed contour at least.
+    Parts of that curve, cut there, have the outer control points of the two segments. The error is a share of the
+    contour's size; infinite where there can be no cut, and at one node of a closed contour at least.
     """
     segments, straight = flat.contour.segments, flat.contour.straight
     before, after = np.roll(segments, 1, axis=0), segments
@@ -273,7 +273,7 @@ def _start(a: Curves, b: Curves, dots: IntArray) -> int | None:
 
 
 def _matched(a: Curves, b: Curves, start: int, match: ContourMatch) -> Solved | None:
-    """Return both contours with vertices at the same positions, those of B counted from curve `start`, and the match.
+    """Return both contours with vertices at the same positions, B's counted from curve `start`, and the match.
 
     None where each has a segment without extent beside one of the other: no path stands still twice in a row.
     """
@@ -302,7 +302,7 @@ def _matched(a: Curves, b: Curves, start: int, match: ContourMatch) -> Solved | 
 
 
 def _keeps_axes(matched: Solved, match: ContourMatch) -> bool:
-    """Return whether what lies half way between two outlines has the axes that both have."""
+    """Return whether the outline half way between two outlines has the axes that both have."""
     a, b, dots = matched.a.polygon, match.rotated_back(matched.b.polygon), matched.correspondence.dots
     axes = common_axes(a, b)
     if not axes:

