@@ -36,7 +36,7 @@ ROOM = 0.05
 def with_clips(pair: Pair, settings: Settings) -> Pair:
     """Return a pair whose shapes have the clips of both drawings, outermost with outermost.
 
-    Where one side has none it is a box around the shape there; what cannot be blended clips nothing on the way.
+    A box around the shape stands for a missing clip. Clips that cannot be blended clip nothing on the way.
     """
     settings = settings.replace(**dict.fromkeys(("match", "pins", "start", "stiff", "mix", "specks")))
     view = Box.union(list(pair.views))
@@ -57,7 +57,7 @@ def with_clips(pair: Pair, settings: Settings) -> Pair:
             () if k is None else drawn[k].clips for k, drawn in zip(shape.sources, pair.drawn, strict=True)
         ]
         count = max(map(len, sides))
-        if None in shape.sources:  # what comes or goes alone keeps its own
+        if None in shape.sources:  # a shape in one drawing only keeps its clips
             sides = [max(sides, key=len)] * 2
         a, b = ([*side, *[None] * (count - len(side))] for side in sides)
         clips = (blended(one, other, shape) for one, other in zip(a, b, strict=True))

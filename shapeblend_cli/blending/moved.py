@@ -1,4 +1,4 @@
-"""How the matched shapes of two drawings move; shapes that turn are matched again for it."""
+"""The motions of the matched shapes of two drawings; shapes that turn are matched again."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.model import Box
-from shapeblend_cli.motion.alignment import Alignment, align, point_pairs, shared_alignments
+from shapeblend_cli.motion.alignment import Alignment, align_contours, shared_alignments
 from shapeblend_cli.motion.choose import (
     AFFORDABLE_SEGMENTS,
     JUDGED,
@@ -64,7 +64,7 @@ def _judged(shape: ShapeBlend, view: Box, rotate: Callable[[], RotatedShape]) ->
 def _shared(paired: PairedDrawings, shapes: Sequence[ShapeBlend]) -> Sequence[Alignment | None]:
     """Return for each shape the similarity that it has in common with others, if any."""
     if paired.rotation:
-        whole = align(point_pairs([contour for shape in shapes for contour in shape.contours]))
+        whole = align_contours([contour for shape in shapes for contour in shape.contours])
         return [whole] * len(shapes)
     if paired.settings.motion == "linear" or len(shapes) < 2:
         return [None] * len(shapes)
@@ -74,18 +74,18 @@ def _shared(paired: PairedDrawings, shapes: Sequence[ShapeBlend]) -> Sequence[Al
 def _rotated(
     paired: PairedDrawings, matched: ShapeBlend, shape: ShapeBlend, common: Alignment | None
 ) -> RotatedShape:
-    """Return a shape with B rotated back, if its largest contour is A's rotated, and what its motion separates.
+    """Return a shape, matched with B rotated back if its largest contour is A's rotated, for motions that turn.
 
     The first match does not show the rotation, since points that travel cost work; so the shape is matched again.
     """
     if paired.rotation:
-        assert common is not None, "what is rotated is aligned"
+        assert common is not None, "rotated drawings are aligned"
         return RotatedShape(shape, common)
     rotation = _rotation_of(matched)
     if rotation is not None:
         matched, common = paired.match_again(matched, rotation), None
         shape = paired.curved(matched)
-    alignment = common or align(point_pairs(matched.contours))
+    alignment = common or align_contours(matched.contours)
     if rotation is not None and is_rotated_copy(matched.contours):
         return RotatedShape(shape, alignment)
     return RotatedShape(shape, alignment, _turn_parts(paired, matched, alignment))

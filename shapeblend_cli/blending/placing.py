@@ -1,4 +1,4 @@
-"""How further drawings are laid over the first, and the part of the plane that is shown of each."""
+"""Further drawings laid over the first, with their views and pages."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is drawn of a blend at a time: frames and their times, views, fades, stagger.
+"""Frames of a blend: their times, shapes and views; fades and stagger.
 
 It may import interpolate, options, geometry, paint, model.
 """

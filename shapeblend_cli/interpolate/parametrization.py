@@ -22,7 +22,7 @@ CORNER = 0.1
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ContourParameter:
-    """The parameter by which positions on a contour are given.
+    """The parameter of positions on a contour.
 
     A position is a vertex number of the flattened polygon, or a number between two: 3.5 is halfway, in the curve's
     parameter, from vertex 3 to vertex 4. Vertices are whole numbers, so that the drawing's nodes stay exact under

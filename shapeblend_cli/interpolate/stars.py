@@ -6,7 +6,7 @@ point in all other drawings.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,61 +23,44 @@ from shapeblend_cli.paint.styles import blend_styles
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend
+    from shapeblend_cli.model import ContourBlend
 
-
-class _Place(NamedTuple):
-    """A shape of a pair, by their numbers."""
-
-    pair: int
-    shape: int
-
-
-class _Outline(NamedTuple):
-    """A contour in all drawings."""
-
-    stations: tuple[ComplexArray, ...]
-    straight: BoolArray
-    closed: bool
-
-
-class _Group(NamedTuple):
-    """Contours that are painted together, by the shape of each pair."""
-
-    places: tuple[_Place, ...]
-    is_alone: bool = False  # without a partner, in one pair only
+    Place = tuple[int, int]  # numbers of a pair and of a shape in it
+    Places = tuple[Place, ...]  # of shapes that are painted together
+    Outline = list[CubicPath]  # of a contour in all drawings
 
 
 def star_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
     """Return shapes with a key for each drawing, given the pairs of the first drawing with each other one."""
     count = len(pairs) + 1
-    of_first: dict[int, dict[int, tuple[_Place, ContourBlend]]] = {}
-    alone: list[tuple[_Place, ContourBlend]] = []
+    of_first: dict[int, dict[int, tuple[Place, ContourBlend]]] = {}
+    alone: list[tuple[Place, ContourBlend]] = []
     for k, pair in enumerate(pairs):
         for s, shape in enumerate(pair.shapes):
             for contour in () if shape.is_twin else shape.contours:
                 if contour.a is None:
-                    alone.append((_Place(k, s), contour))
+                    alone.append(((k, s), contour))
                 else:
-                    of_first.setdefault(contour.a, {})[k] = _Place(k, s), contour
-    groups: dict[_Group, list[_Outline]] = {}
-    hosts: dict[_Place, tuple[float, _Group]] = {}
+                    of_first.setdefault(contour.a, {})[k] = (k, s), contour
+    groups: dict[Places, list[Outline]] = {}
+    hosts: dict[
+        Place, tuple[float, Places]
+    ] = {}  # of each place the largest contour, and the group that it is in
     for found in of_first.values():
-        group = _Group(tuple(place for place, _ in found.values()))
+        group = tuple(place for place, _ in found.values())
         groups.setdefault(group, []).append(_through_all({k: c for k, (_, c) in found.items()}, count))
         for place, contour in found.values():
             size = max(contour.scale_a, contour.scale_b)
             hosts[place] = max(hosts.get(place, (0.0, group)), (size, group), key=lambda host: host[0])
     for place, contour in alone:
-        group = hosts[place][1] if place in hosts else _Group((place,), is_alone=True)
-        stations = [contour.start.segments] * count
-        stations[place.pair + 1] = contour.end.segments
-        outline = _Outline(tuple(stations), contour.start.straight, contour.start.closed)
-        groups.setdefault(group, []).append(outline)
+        group = hosts[place][1] if place in hosts else (place,)
+        paths = [contour.start] * count
+        paths[place[0] + 1] = contour.end
+        groups.setdefault(group, []).append(paths)
     return [_shape(group, groups[group], pairs) for group in _in_order(list(groups), pairs)]
 
 
-def _through_all(blends: dict[int, ContourBlend], count: int) -> _Outline:
+def _through_all(blends: dict[int, ContourBlend], count: int) -> Outline:
     """Return a contour of the first drawing in all drawings; in drawings without a partner it is as in the first."""
     (first, blend), *others = blends.items()
     chain = reversed_in_time(ContourChain.of(blend))
@@ -89,10 +72,9 @@ def _through_all(blends: dict[int, ContourBlend], count: int) -> _Outline:
         if is_continued(chain, after):
             chain = joined_at_end(chain, after)
             numbers.append(k)
-    *stations, here = chain.stations
-    by_number = dict(zip(numbers, stations, strict=True))
-    every = (here, *(by_number.get(k, here) for k in range(count - 1)))
-    return _Outline(every, chain.straight, chain.closed)
+    *paths, here = (CubicPath(station, chain.straight, chain.closed) for station in chain.stations)
+    by_number = dict(zip(numbers, paths, strict=True))
+    return [here, *(by_number.get(k, here) for k in range(count - 1))]
 
 
 def reversed_in_time(chain: ContourChain) -> ContourChain:
@@ -100,14 +82,14 @@ def reversed_in_time(chain: ContourChain) -> ContourChain:
     return chain._replace(stations=chain.stations[::-1], start=chain.end, end=chain.start)
 
 
-def _in_order(groups: Sequence[_Group], pairs: Sequence[Pair]) -> list[_Group]:
+def _in_order(groups: Sequence[Places], pairs: Sequence[Pair]) -> list[Places]:
     """Return groups in paint order: the first drawing's in its order, others directly above the group below them."""
-    by_place = {place: group for group in groups for place in group.places}
-    ordered: list[_Group] = []
+    by_place = {place: group for group in groups for place in group}
+    ordered: list[Places] = []
     for k, pair in enumerate(pairs):
         below = -1
         for s in range(len(pair.shapes)):
-            group = by_place.get(_Place(k, s))
+            group = by_place.get((k, s))
             if group is None:
                 continue
             if group not in ordered:
@@ -116,15 +98,14 @@ def _in_order(groups: Sequence[_Group], pairs: Sequence[Pair]) -> list[_Group]:
     return ordered
 
 
-def _shape(group: _Group, outlines: Sequence[_Outline], pairs: Sequence[Pair]) -> KeyframedShape:
-    blends = {place.pair: pairs[place.pair].shapes[place.shape] for place in group.places}
+def _shape(group: Places, outlines: Sequence[Outline], pairs: Sequence[Pair]) -> KeyframedShape:
+    blends = {k: pairs[k].shapes[s] for k, s in group}
     first = next(iter(blends.values()))
     keys = []
     for number in range(len(pairs) + 1):
         blend = blends.get(number - 1)
         style = _style(first, 0) if blend is None else _style(blend, 1)
-        paths = tuple(CubicPath(o.stations[number], o.straight, o.closed) for o in outlines)
-        keys.append(PaintedShape(paths, style))
+        keys.append(PaintedShape(tuple(outline[number] for outline in outlines), style))
     groups = first.groups
     for blend in blends.values():
         groups = common_groups(groups, blend.groups)

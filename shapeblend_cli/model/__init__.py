@@ -197,7 +197,7 @@ class ContourBlend(NamedTuple):
 
 
 class Motion(Protocol):
-    """How contours that are painted together move from start to end."""
+    """The motion of contours that are painted together, from start to end."""
 
     @property
     def name(self) -> str:

@@ -118,7 +118,7 @@ class Shape:
     """One painted element of a file, in the root's user units."""
 
     index: int
-    id: str | None  # its own, or else that of a `use` through which it is drawn
+    id: str | None  # its own, or else the id of a `use` through which it is drawn
     element: str
     contours: tuple[Contour, ...]
     style: Style

@@ -1,4 +1,4 @@
-"""How matched shapes move: the motions, the judge, and the choice between them.
+"""Motions of matched shapes, the judge, and the choice between them.
 
 It may import interpolate, geometry, model.
 """

@@ -21,7 +21,7 @@ REWEIGHTINGS = 20
 """Maximum number of times that points are weighted anew."""
 
 SETTLED = 1e-3
-"""Minimum gain of a reweighting to be followed by another, as a share of what still moves."""
+"""Minimum gain of a reweighting to be followed by another, as a share of the movement that is left."""
 
 NEAR = 0.02
 """Distance by which a point moves that counts as half at rest, as a share of the size."""
@@ -86,6 +86,11 @@ def point_pairs(contours: Sequence[ContourBlend]) -> PointPairs:
             pairs.append((a, b, _adjacent_length(a, closed) + _adjacent_length(b, closed)))
     a, b, weight = (np.concatenate(side) for side in zip(*pairs, strict=True))
     return PointPairs(a, b, weight / weight.sum())
+
+
+def align_contours(contours: Sequence[ContourBlend]) -> Alignment:
+    """Return the similarity of matched contours; see `align`."""
+    return align(point_pairs(contours))
 
 
 def _adjacent_length(z: ComplexArray, closed: bool) -> FloatArray:
@@ -192,17 +197,13 @@ def shared_alignments(shapes: Sequence[ShapeBlend]) -> list[Alignment | None]:
     if not groups:
         return found
     points = [point_pairs([contour for k in group for contour in shapes[k].contours]) for group in groups]
-    common = align(point_pairs([contour for shape in shapes for contour in shape.contours]))
+    common = align_contours([contour for shape in shapes for contour in shape.contours])
     for group, pairs in zip(groups, points, strict=True):
         own = align(pairs) if len(groups) > 1 else common
+        suits = _moving_length(pairs, common) <= _moving_length(pairs, own) + SUITED
         for k in group:
-            found[k] = common if _suits(pairs, common, own) else own
+            found[k] = common if suits else own
     return found
-
-
-def _suits(points: PointPairs, common: Alignment, own: Alignment) -> bool:
-    """Return whether a common similarity leaves hardly more movement than a shape's own."""
-    return _moving_length(points, common) <= _moving_length(points, own) + SUITED
 
 
 def _together(shapes: Sequence[ShapeBlend]) -> list[list[int]]:

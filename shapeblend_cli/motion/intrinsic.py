@@ -59,7 +59,7 @@ class ControlPolygons(NamedTuple):
 
 
 class MovingPolygon(NamedTuple):
-    """A control polygon that moves: its end, with the similarity undone, and what closes and places it."""
+    """A control polygon that moves, with the similarity undone."""
 
     polygons: ControlPolygons
     end: FloatArray
@@ -137,7 +137,7 @@ def intrinsic(contours: Sequence[ContourBlend], alignment: Alignment) -> Intrins
     * Lengths change by a factor, ``L_i exp(σ_i (λ_1 cos α_i + λ_2 sin α_i))``, which differs from the paper's in the
       second order and never makes a length negative, which would reverse its edge. See `closing_lengths`.
     * Edges that are a point in one of the drawings, cusps and sums of turns: see `turning.directions`.
-    * Directions of B are those of A plus a change, and a whole number of rounds is free. The mean change, weighted by
+    * B's directions are A's plus a change, in which a whole number of rounds is free. The mean change, weighted by
       length, is the nearest possible to the similarity's rotation.
     * The paper puts the first vertex on a straight path. Here a weighted mean of the control points is where rigid
       motion would put it. Edges weigh by their lengths, and by how much their ends rest once the similarity is undone;

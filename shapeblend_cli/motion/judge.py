@@ -343,7 +343,7 @@ def _widths_off(points: ComplexArray, place: FloatArray, lengths: FloatArray, cl
 
 
 def _outside(outlines: Outlines, lengths: FloatArray, view: Box | None) -> float:
-    """Return the length of outline outside a view on average, beyond that of the ends."""
+    """Return the length of outline outside a view on average, beyond the same at the ends."""
     if view is None:
         return 0.0
     length = (lengths * ~view.holds(outlines.points)).sum(axis=1)

@@ -1,4 +1,4 @@
-"""Styles, colours and gradients between two drawings, and the names of what is painted.
+"""Styles, colours, gradients and names between two drawings.
 
 It may import model.
 """

@@ -75,10 +75,14 @@ def faded_coats(shape: ShapeBlend) -> tuple[tuple[float, ...], list[list[Style]]
     A browser can interpolate from each style to the next. The lowest coat comes first.
     """
     times = shape.fade.times if shape.fade is not None else ()
-    samples = [shape_styles(shape, shape.time_of(t)) for t in (0.0, *times, 1.0)]
-    below = [under for _, under in samples if under is not None]
-    coats = [[above for above, _ in samples]]
-    return times, [below, *coats] if len(below) == len(samples) else coats
+    return times, _coats([shape_styles(shape, shape.time_of(t)) for t in (0.0, *times, 1.0)])
+
+
+def _coats(samples: Sequence[tuple[Style, Style | None]]) -> list[list[Style]]:
+    """Return the styles of each coat of paint, the lowest first, given styles above and below."""
+    above = [style for style, _ in samples]
+    below = [style for _, style in samples if style is not None]
+    return [below, above] if len(below) == len(samples) else [above]
 
 
 def _with_stroke_of(style: Style, other: Style) -> Style:
@@ -183,10 +187,7 @@ def keyed_styles(styles: Sequence[Style]) -> list[list[Style]] | None:
     None if more than two keys have no common form, because of gradients or different dashes.
     """
     if len(styles) == 2:
-        ends = [blend_styles(styles[0], styles[1], t) for t in (0.0, 1.0)]
-        coats = [[above for above, _ in ends]]
-        below = [under for _, under in ends if under is not None]
-        return [below, *coats] if len(below) == 2 else coats
+        return _coats([blend_styles(styles[0], styles[1], t) for t in (0.0, 1.0)])
     if any(style.fill_gradient or style.stroke_gradient for style in styles):
         return None
     filled = [k for k, style in enumerate(styles) if style.fill is not None]

@@ -1,4 +1,4 @@
-"""Which contours become which, and what those without a partner do.
+"""Pairs of contours, contours without a partner, and the shapes that they make up.
 
-It may import wires and what is below it.
+It may import wires, motion and all below them.
 """

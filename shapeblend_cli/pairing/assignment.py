@@ -61,7 +61,7 @@ BESIDE = 0.15
 """Minimum distance from the axis of a contour beside it, as a share of half the drawing's width."""
 
 LONELY_COST = 0.3
-"""Cost of a twin whose partner is a twin, but whose twin is not paired with that one's."""
+"""Cost of pairing a twin with a twin while their siblings are not paired."""
 
 NEVER = 1e6
 """Cost of a pair that cannot be: more than the cost of any number of others."""

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import heapq
+from collections import Counter
+from itertools import product
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -58,12 +60,11 @@ def _in_two_places(
 ) -> set[int]:
     """Return the groups that need a place for each drawing, found one by one."""
     found = [
-        np.array([(low, high, side) for low, high in _between_groups(groups, pairs, side)], np.intp).reshape(
-            -1, 3
-        )
+        (low, high, side)
         for side, pairs in enumerate(below)
+        for low, high in _between_groups(groups, pairs, side)
     ]
-    edges, count = np.concatenate(found), len(groups)
+    edges, count = np.array(found, np.intp).reshape(-1, 3), len(groups)
     twice: list[int] = []
     while len(core := _core(_split(edges, twice, count), count)):
         # Two places for a group cut each path that leads to it by one drawing and away from it by the other.
@@ -103,15 +104,11 @@ def _between_groups(
     groups: Sequence[Shapes], pairs: Sequence[tuple[int, int]], side: int
 ) -> Iterator[tuple[int, int]]:
     """Yield pairs of groups, the lower first, given such pairs of shapes of one drawing."""
-    members: dict[int, list[int]] = {}
+    members: dict[int | None, list[int]] = {}
     for k, group in enumerate(groups):
-        shape = group[side]
-        if shape is not None:
-            members.setdefault(shape, []).append(k)
+        members.setdefault(group[side], []).append(k)
     for low, high in pairs:
-        for k in members.get(low, ()):
-            for other in members.get(high, ()):
-                yield k, other
+        yield from product(members.get(low, ()), members.get(high, ()))
 
 
 def paint_order(
@@ -122,16 +119,12 @@ def paint_order(
     The order is as near as possible to the order in both files. A group belongs to a shape of A and a shape of B; `a`
     and `b` are pairs of shapes, the lower first, that are visibly on each other.
     """
-    below: list[set[int]] = [set() for _ in groups]
+    above: list[set[int]] = [set() for _ in groups]
     for side, pairs in enumerate((a, b)):
         for low, high in _between_groups(groups, pairs, side):
-            below[high].add(low)
-    above: list[list[int]] = [[] for _ in groups]
-    for k, lower in enumerate(below):
-        for other in lower:
-            above[other].append(k)
-    waiting = [len(lower) for lower in below]
-    ready = [(_file_order(groups[k]), k) for k in range(len(groups)) if not waiting[k]]
+            above[low].add(high)
+    waiting = Counter(k for higher in above for k in higher)
+    ready = [(_file_order(group), k) for k, group in enumerate(groups) if not waiting[k]]
     heapq.heapify(ready)
     ordered = []
     while ready:

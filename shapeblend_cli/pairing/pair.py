@@ -44,7 +44,7 @@ def pair_contours(
     Raises
     ------
     MatchError
-        Required pairs that name no contour, name one twice, or connect what cannot be paired.
+        Required pairs that name no contour, name a contour twice, or connect contours that cannot be paired.
     """
     fixed = _required_partners(a, b, required)
     if len(a) == len(b) == 1 and frames is None:

@@ -1,4 +1,4 @@
-"""Reasons for the pairs of contours, for the report: all of them but those of shapes that change in place."""
+"""Reasons for pairs of contours, for the report; `changes` has the reasons for shapes that change in place."""
 
 from __future__ import annotations
 
