@@ -167,6 +167,8 @@ def with_reasons(shapes: Sequence[ShapeBlend], paired: PairedDrawings) -> tuple[
     """Give each contour the reason for its partner, or for the lack of one, and the contours around it."""
     pairs = [pair for pair, _ in paired.pairs.values()]
     a, b = paired.a.contours, paired.b.contours
+    if not (a and b):  # all that one drawing has are pen lines
+        return tuple(shapes)
     if paired.rotation:
         b = rotated_back(a, b, paired.rotation)
     reasons = reasons_for(a, b, pairs, paired.required, paired.riders)

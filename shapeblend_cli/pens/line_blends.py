@@ -78,12 +78,19 @@ def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Bo
         return LineBlend(tuple(move.shape(scale, settings.constants) for move in whole), ([], []))
     moves, kept, loose = _moves(one.lines, other.lines)
     is_recovered = one.is_recovered or other.is_recovered
+    if is_recovered and not is_asked and _segment_counts(a) == _segment_counts(b):
+        return None  # made from each other, as letters of a family, and matched so: segment by segment
     suits_strokes = loose <= LOOSE and not _is_whole(moves)
     is_alike = kept >= KEPT or (min(one.share, other.share) >= ALL and (is_recovered or suits_strokes))
     if not (is_alike or is_asked):
         return None
     shapes = tuple(move.shape(scale, settings.constants) for move in moves)
     return LineBlend(shapes, (one.bodies, other.bodies))
+
+
+def _segment_counts(drawing: PlacedDrawing) -> list[tuple[int, int]]:
+    """Return the shape of each contour and the number of its segments."""
+    return [(contour.shape, len(contour.contour.segments)) for contour in drawing.contours]
 
 
 def _is_whole(moves: Sequence[Move]) -> bool:
