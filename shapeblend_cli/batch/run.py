@@ -18,7 +18,6 @@ from shapeblend_cli.batch.supervisor import Ended, Stopped
 from shapeblend_cli.batch.worker import DONE, FAILED, Answer, Order, job_for, write_answers
 from shapeblend_cli.job.job import all_targets
 from shapeblend_cli.system.interrupts import told
-from shapeblend_cli.system.staging import clear
 
 CURRENT = "current"
 
@@ -56,12 +55,7 @@ class Outcome(NamedTuple):
 
 
 def states(tasks: Sequence[Task]) -> Iterator[State]:
-    """Say of each task whether it is up to date, after clearing up after batches that were killed."""
-    for folder in sorted(
-        {parent for task in tasks for t in task.targets for parent in (t.parent, t.parent.parent)}
-    ):
-        if folder.is_dir():
-            clear(folder)
+    """Say of each task whether it is up to date."""
     hash_of = HashOf()
     for task in tasks:
         yield Record(task.job, task.targets).state(hash_of, bool(task.given.get("force")))

@@ -1,23 +1,21 @@
 """Stages: folders of our own in which files are written in full, and from which they are moved into place.
 
-    HOME/.shapeblend-0123456789ab/stage       says what the folder is
-    HOME/.shapeblend-0123456789ab/new/NAME    is to become HOME/NAME: a file, or a folder with all that is in it
-    HOME/.shapeblend-0123456789ab/old/NAME    the file or folder before, until the run is done
-    HOME/.shapeblend-0123456789ab/moved.json  the files that are being moved, if there are several
+    HOME/.shapeblend-KEY/names       the names of the files that the stage is for
+    HOME/.shapeblend-KEY/new/NAME    is to become HOME/NAME: a file, or a folder with all that is in it
+    HOME/.shapeblend-KEY/old/NAME    the file or folder before, until the run is done
+    HOME/.shapeblend-KEY/moved.json  the files that are being moved, if there are several
 
-Who has a stage in a folder holds the system's lock on that folder for as long as the stage is there. The system takes
-the lock from a process that ends, however it ends. So a stage that is found by who holds the lock was left by a run
-that was killed, whatever the number of its process. The next run that writes into the folder takes it away. Folders
-that only have such a name, or anything else in them, are their owners' own, and stay.
+A process holds the system's lock on its stage. The system takes the lock from a process that ends, however it ends. So
+a stage without a lock was left by a run that was killed, whatever the number of its process. The next run that writes
+into the same folder takes it away, unless it has anything in it that is not on its list.
 """
 
 from __future__ import annotations
 
 import errno
 import os
-import re
-import shutil
 import time
+from binascii import crc32
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -28,12 +26,10 @@ except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
 PREFIX = ".shapeblend-"
-STAGE_NAME = re.compile(re.escape(PREFIX) + "[0-9a-f]{12}")
-MARK, NEW, OLD, MOVED = "stage", "new", "old", "moved.json"
-MARK_TEXT = b"shapeblend keeps files here while it writes them. The next run that writes here removes it.\n"
+NEW, OLD, NAMES, MOVED = "new", "old", "names", "moved.json"
 
 PATIENCE = 30.0
 """Maximum wait for a lock, in seconds. A script that runs the command may hold it, as `flock FOLDER command` does."""
@@ -44,18 +40,26 @@ class CannotSwap(Exception):
 
 
 class Stage:
-    """A stage in the folder `home`, of which its owner holds the lock."""
+    """A stage in the folder `home`, for files with names relative to that folder."""
 
-    def __init__(self, home: Path) -> None:
+    def __init__(self, home: Path, names: Iterable[str]) -> None:
         self.home = home
-        self.path = home / f"{PREFIX}{os.urandom(6).hex()}"
-        self.path.mkdir(mode=0o700)
-        (self.path / MARK).write_bytes(MARK_TEXT)
+        self.names = frozenset(names)
+        self.path = home / _name(os.urandom(6).hex())
         self.new, self.old = self.path / NEW, self.path / OLD
+        self.is_kept = False  # for a later run to put back
+        self._handle: int | None = None
+        self._moved: list[str] = []
+
+    def make(self) -> None:
+        """Make the folders of the stage; after any error, call `remove`."""
+        self.path.mkdir(mode=0o700)
+        with suppress(OSError):  # Windows opens no folders
+            self._handle = os.open(self.path, os.O_RDONLY)
+            _lock(self._handle, 0.0)
+        write_synced(self.path / NAMES, b"\0".join(map(os.fsencode, sorted(self.names))))
         self.new.mkdir()
         self.old.mkdir()
-        self.is_kept = False  # for a later run to put back
-        self._moved: list[str] = []
 
     def move(self, force: bool) -> None:
         """Move everything into place. Each name takes one step, in which what was there goes.
@@ -108,14 +112,17 @@ class Stage:
     def put_back(self) -> None:
         """Move what was moved out of place again, and back what was there before."""
         while self._moved:
-            target, before = self.home / self._moved[-1], self._before(self._moved[-1])
+            name = self._moved[-1]
+            target, before = self.home / name, self._before(name)
             if not os.path.lexists(before):
                 os.rename(target, before)
-            elif target.is_dir():
-                os.rename(target, self.path / target.name)
-                os.rename(before, target)
-            else:
+            elif not target.is_dir():
                 os.replace(before, target)
+            elif before.parent == self.new:
+                exchange(before, target)
+            else:
+                os.rename(target, self.new / name)
+                os.rename(before, target)
             self._moved.pop()
 
     def settle(self) -> None:
@@ -130,41 +137,43 @@ class Stage:
 
     def remove(self) -> None:
         """Take the stage away, unless it is kept."""
-        if self.is_kept:
-            return
-        shutil.rmtree(self.path, ignore_errors=True)
+        if not self.is_kept:
+            _remove(self.path, self.names)
+        if self._handle is not None:
+            os.close(self._handle)
+            self._handle = None
 
 
 @contextmanager
-def locked(folder: Path) -> Iterator[bool]:
-    """Hold the lock of a folder, for which this waits; give whether the folder is still the one that was locked.
+def locked(folder: Path) -> Iterator[bool | None]:
+    """Hold the lock of a folder, for which this waits; give whether it is held, or None if the folder was replaced.
 
     Where the system has no such locks, as on some network drives, and where the wait is too long, nothing is held.
     """
     try:
         handle = os.open(folder, os.O_RDONLY)
     except OSError:  # Windows opens no folders, and nobody those that may not be read
-        yield True
+        yield False
         return
     try:
-        _lock(handle)
+        is_held = _lock(handle, PATIENCE)
         try:
             is_same = os.path.samestat(os.fstat(handle), os.stat(folder))
         except OSError:
             is_same = False
-        yield is_same
+        yield is_held if is_same else None
     finally:
         os.close(handle)
 
 
-def _lock(handle: int) -> bool:
-    """Lock an open folder until it is closed, and return whether that was possible."""
-    last = time.monotonic() + PATIENCE
+def _lock(handle: int, seconds: float) -> bool:
+    """Lock an open folder until it is closed, and return whether that was possible within this time."""
+    last = time.monotonic() + seconds
     while fcntl is not None:
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            if time.monotonic() > last:
+            if time.monotonic() >= last:
                 return False
             time.sleep(0.01)
         except OSError:
@@ -174,64 +183,111 @@ def _lock(handle: int) -> bool:
     return False
 
 
-def clear(folder: Path) -> None:
-    """Take away stages that killed runs have left in a folder, and put back what those were moving."""
-    if fcntl is None or not _stages(folder):
-        return
-    with suppress(OSError):
-        handle = os.open(folder, os.O_RDONLY)
-        try:
-            for stage in _stages(folder) if _lock(handle) else ():  # without the lock they may be in use
-                _undo(stage)
-                shutil.rmtree(stage, ignore_errors=True)
-        finally:
-            os.close(handle)
+def clear(home: Path) -> None:
+    """Take away stages that killed runs have left in a folder, and put back what those were moving.
+
+    The caller holds the lock of the folder. A stage with anything in it that is not on its list stays as it is.
+    """
+    for stage in _stages(home):
+        with suppress(OSError):
+            handle = os.open(stage, os.O_RDONLY | os.O_NOFOLLOW)
+            try:
+                if not _lock(handle, 0.0):
+                    continue  # its maker lives
+                names = _names(stage)
+                own = _own(names)
+                if all(own.get(inside) is is_folder for inside, is_folder in _all_in(stage)):
+                    _undo(stage)
+                    _remove(stage, names)
+            finally:
+                os.close(handle)
 
 
-def _stages(folder: Path) -> list[Path]:
+def _name(key: str) -> str:
+    """Return the name of a stage, with a checksum, so that no other folder has such a name by chance."""
+    return f"{PREFIX}{key}{crc32(key.encode()):08x}"
+
+
+def _stages(folder: Path) -> list[str]:
     """Return the stages in a folder that are our own and not those of another user."""
-    with suppress(OSError), os.scandir(folder) as entries:
+    if fcntl is None:  # nobody knows whether their makers live
+        return []
+    with suppress(OSError, ValueError), os.scandir(folder) as entries:
         return [
-            Path(entry.path)
+            entry.path
             for entry in entries
-            if STAGE_NAME.fullmatch(entry.name)
+            if entry.name.startswith(PREFIX)
+            and entry.name == _name(entry.name[len(PREFIX) : -8])
             and entry.is_dir(follow_symlinks=False)
             and entry.stat(follow_symlinks=False).st_uid == os.geteuid()
-            and _is_marked(Path(entry.path))
         ]
     return []
 
 
-def _is_marked(path: Path) -> bool:
-    """Return whether a folder is a stage: it says so, and has nothing in it that a stage has not."""
-    try:
-        is_ours = (path / MARK).read_bytes() == MARK_TEXT
-        return is_ours and {MARK, NEW, OLD, MOVED}.issuperset(os.listdir(path))
-    except OSError:
-        return False
+def _names(stage: str) -> frozenset[str]:
+    """Return the names that a stage is for; none if its maker was killed before they were written."""
+    with suppress(FileNotFoundError), open(os.path.join(stage, NAMES), "rb") as file:
+        return frozenset(map(os.fsdecode, file.read().split(b"\0")))
+    return frozenset()
 
 
-def _undo(stage: Path) -> None:
+def _own(names: Iterable[str]) -> dict[str, bool]:
+    """Return all paths that a stage for some names may have in it, and whether each is a folder."""
+    own = {NAMES: False, MOVED: False, NEW: True, OLD: True}
+    for name in names:
+        for part in (NEW, OLD):
+            path = os.path.join(part, name)
+            own[path] = False
+            while (path := os.path.dirname(path)) not in own:
+                own[path] = True
+    return own
+
+
+def _all_in(folder: str, inside: str = "") -> Iterator[tuple[str, bool]]:
+    """Yield all paths in a folder, innermost first, and whether each is a folder.
+
+    The list of a stage comes after the files on it, so that a run that is killed on the way leaves a stage.
+    """
+    for name in sorted(os.listdir(os.path.join(folder, inside)), reverse=True):
+        path = os.path.join(inside, name)
+        full = os.path.join(folder, path)
+        is_folder = os.path.isdir(full) and not os.path.islink(full)
+        if is_folder:
+            yield from _all_in(folder, path)
+        yield path, is_folder
+
+
+def _remove(stage: str | Path, names: Iterable[str]) -> None:
+    """Take a stage away, except for files that are not on its list."""
+    own = _own(names)
+    with suppress(OSError):
+        for inside, is_folder in _all_in(str(stage)):
+            if own.get(inside) is is_folder:
+                with suppress(OSError):
+                    (os.rmdir if is_folder else os.unlink)(os.path.join(stage, inside))
+        os.rmdir(stage)
+
+
+def _undo(stage: str) -> None:
     """Put back what a killed run was moving, but nothing that has changed since."""
-    import json
+    stamps: dict[str, list[int]] = {}
+    with suppress(OSError, ValueError, TypeError), open(os.path.join(stage, MOVED), "rb") as file:
+        import json
 
-    home = stage.parent
-    try:
-        stamps = json.loads((stage / MOVED).read_bytes())
-    except (OSError, ValueError):
-        stamps = {}
-    for name, stamp in stamps.items():
-        target, old = home / name, stage / OLD / name
-        if os.path.lexists(target) and _stamp(target) == stamp:
-            os.replace(old, target) if os.path.lexists(old) else target.unlink()
-    for name in os.listdir(stage / OLD) if (stage / OLD).is_dir() else ():
-        if not os.path.lexists(home / name) and (stage / OLD / name).is_dir():
-            os.rename(stage / OLD / name, home / name)
+        stamps = dict(json.load(file))
+    home, olds = os.path.dirname(stage), os.path.join(stage, OLD)
+    for name in os.listdir(olds) if os.path.isdir(olds) else ():
+        old, target = os.path.join(olds, name), os.path.join(home, name)
+        if os.path.isdir(old):
+            if not os.path.lexists(target):
+                os.rename(old, target)
+        elif os.path.lexists(target) and _stamp(target) == stamps.get(name):
+            os.replace(old, target)
 
 
-def _stamp(path: Path) -> list[int]:
+def _stamp(path: str | Path) -> list[int]:
     """Return what tells a file from another one that has its name, and from itself once it is edited."""
-    found = path.lstat()
+    found = os.lstat(path)
     return [found.st_ino, found.st_mtime_ns, found.st_size]
 
 
@@ -254,6 +310,8 @@ def _link_or_copy(source: Path, target: Path) -> None:
     try:
         os.link(source, target)
     except OSError:  # no links on this drive, or none of a file of somebody else's
+        import shutil  # hardly ever
+
         shutil.copy2(source, target)
 
 

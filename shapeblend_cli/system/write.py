@@ -11,6 +11,7 @@ import os
 import stat
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
+from os.path import join
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -32,7 +33,7 @@ def check_targets(targets: Iterable[Path], inputs: Iterable[Path], force: bool) 
     """Refuse targets that must not be written, before any work is done.
 
     OutputError is raised for a target that is an input or a folder, that exists without `force`, or whose folder cannot
-    be made. A target that is there only because a run was killed while it moved files is put back, and is none.
+    be made.
     """
     sources = list(map(real_path, inputs))
     for target in targets:
@@ -44,11 +45,10 @@ def check_targets(targets: Iterable[Path], inputs: Iterable[Path], force: bool) 
                 raise OutputError(str(target), "is a folder; the name of a file would work")
             if is_stream(target):
                 continue
-            home = _home(Path(os.path.realpath(target)))
             if not force and os.path.lexists(target):
-                clear(home)
-                if os.path.lexists(target):
-                    raise _exists(target)
+                raise _exists(target)
+            parents = Path(os.path.realpath(target)).parents
+            home = next(parent for parent in parents if os.path.lexists(parent))
             if not home.is_dir():
                 raise OutputError(_as_typed(home, target), "is a file, and a folder of that name is needed")
             if not os.access(home, os.W_OK):
@@ -96,48 +96,34 @@ class _File(NamedTuple):
 
 class _Plan(NamedTuple):
     files: list[_File]
-    folders: list[Path]  # those that are replaced as a whole
+    folders: list[Path]  # those that are made or replaced as a whole
 
     @property
-    def homes(self) -> set[Path]:
-        return {file.home for file in self.files}
+    def homes(self) -> dict[Path, Path]:
+        """The folders that get stages, in order, and a target in each."""
+        return dict(sorted((file.home, file.target) for file in self.files))
 
 
 def _plan(contents: Contents, swap: bool) -> _Plan:
     """Say where files are staged, as things are now."""
-    files: list[_File] = []
+    named: list[tuple[Path, Content]] = []
     folders: list[Path] = []
     for target, content in contents.items():
         if not isinstance(content, Mapping):
-            files.append(_file(target, content))
+            named.append((target, content))
             continue
+        named += [(target / name, text) for name, text in content.items()]
         folder = Path(os.path.realpath(target))
-        as_a_whole = swap and _can_be_replaced(folder, content)
-        if as_a_whole:
+        if not os.path.lexists(folder) or (swap and _can_be_replaced(folder, content)):
             folders.append(folder)
-        for name, text in content.items():
-            file = _file(target / name, text)
-            if as_a_whole:
-                file = file._replace(home=folder.parent, inside=Path(folder.name, name))
-            files.append(file)
-    # What else goes into such a folder is part of the whole.
-    return _Plan(
-        [
-            file._replace(home=file.home.parent, inside=file.home.name / file.inside)
-            if file.home in folders
-            else file
-            for file in files
-        ],
-        folders,
-    )
+    return _Plan([_file(target, content, folders) for target, content in named], folders)
 
 
-def _file(target: Path, content: Content) -> _File:
+def _file(target: Path, content: Content, folders: Iterable[Path]) -> _File:
     real = Path(os.path.realpath(target))
-    home = _home(real)
-    return _File(
-        target, home, real.relative_to(home), _encoded(content), real if os.path.lexists(real) else None
-    )
+    home = next((folder for folder in folders if real.is_relative_to(folder)), real).parent
+    replaces = real if os.path.lexists(real) else None
+    return _File(target, home, real.relative_to(home), _encoded(content), replaces)
 
 
 def real_path(path: Path) -> str:
@@ -146,11 +132,6 @@ def real_path(path: Path) -> str:
         return os.path.realpath(path)
     except (OSError, ValueError):
         return str(path)
-
-
-def _home(path: Path) -> Path:
-    """Return the innermost folder that is there on the way to a path."""
-    return next(parent for parent in path.parents if os.path.lexists(parent))
 
 
 def _can_be_replaced(folder: Path, names: Iterable[str]) -> bool:
@@ -173,33 +154,30 @@ def _can_be_replaced(folder: Path, names: Iterable[str]) -> bool:
 
 def _write_all(contents: Contents, force: bool, swap: bool) -> None:
     """Write all files or none; `CannotSwap` is raised where a folder turns out not to be movable."""
-    current = next(iter(contents))
-    cleared: set[Path] = set()
-    while (
-        homes := _plan(contents, swap).homes - cleared
-    ):  # without a stage in it a folder may be replaced as a whole
-        cleared |= homes
-        for home in homes:
-            clear(home)
+    current = str(next(iter(contents)))
     try:
         with _locked_plan(contents, swap) as plan, ExitStack() as ends:
+            others = {folder: _others(folder, plan.files) for folder in plan.folders}
             stages: dict[Path, Stage] = {}
-            for home in sorted(plan.homes):
-                current = next(file.target for file in plan.files if file.home == home)
+            for home, target in plan.homes.items():
+                current = _as_typed(home, target)
+                names = [str(file.inside) for file in plan.files if file.home == home]
+                names += [join(f.name, name) for f in others if f.parent == home for name in others[f]]
                 with uninterrupted():
-                    stages[home] = Stage(home)
+                    stages[home] = Stage(home, names)
                     ends.callback(stages[home].remove)
+                    stages[home].make()
             for folder in plan.folders:
-                _link_others(folder, stages[folder.parent].new / folder.name, plan.files)
+                _link_others(folder, stages[folder.parent].new / folder.name, others[folder])
             staged = [stages[file.home].new / file.inside for file in plan.files]
             for file, path in zip(plan.files, staged, strict=True):
-                current = file.target
+                current = str(file.target)
                 if file.replaces and not force:
-                    raise _exists(current)
+                    raise _exists(file.target)
                 path.parent.mkdir(parents=True, exist_ok=True)
             with several(_stage, plan.files, staged) as each:
                 for file in plan.files:
-                    current = file.target
+                    current = str(file.target)
                     next(each)
             ends.enter_context(uninterrupted())
             _move_all(stages.values(), force)
@@ -208,10 +186,9 @@ def _write_all(contents: Contents, force: bool, swap: bool) -> None:
         if isinstance(error, OutputError):
             raise
         if isinstance(error, FileExistsError) and not force:
-            raise _exists(
-                next((f.target for f in plan.files if os.path.lexists(f.target)), current)
-            ) from error
-        raise OutputError(str(current), f"cannot be written ({_reason(error)}); {NOTHING_CHANGED}") from error
+            there = (file.target for file in plan.files if os.path.lexists(file.target))
+            raise _exists(next(there, Path(current))) from error
+        raise _failed(current, "written", error) from error
 
 
 def _stage(file: _File, path: Path) -> None:
@@ -238,32 +215,64 @@ def several(act: Callable[..., None], *values: Sequence[Any]) -> Iterator[Iterat
 
 @contextmanager
 def _locked_plan(contents: Contents, swap: bool) -> Iterator[_Plan]:
-    """Hold the locks of all folders that a plan is about, and give the plan.
+    """Hold the locks of all folders that a plan is about, which are made if they are missing, and give the plan.
 
-    Other runs may have made or replaced some of them while this one waited; then the plan is made anew.
+    First, what killed runs have left in the folders that get stages is cleared up. That, and other runs that this one
+    waited for, may change where files are staged; then the plan is made anew.
     """
-    while True:
-        plan = _plan(contents, swap)
-        with ExitStack() as locks:
-            # All runs take them in one order, so that no two wait for each other.
-            are_same = [locks.enter_context(locked(f)) for f in sorted(plan.homes.union(plan.folders))]
-            if all(are_same) and _plan(contents, swap) == plan:
-                yield plan
-                return
+    with ExitStack() as ends:
+        while True:
+            plan = _plan(contents, swap)
+            for home, target in plan.homes.items():
+                _make(home, target, ends)
+            with ExitStack() as locks:
+                # All runs take them in one order, so that no two wait for each other.
+                held = {f: locks.enter_context(locked(f)) for f in sorted({*plan.homes, *plan.folders})}
+                if None in held.values():
+                    continue
+                for home in plan.homes:
+                    if held[home]:
+                        clear(home)
+                if _plan(contents, swap) == plan:
+                    yield plan
+                    return
 
 
-def _link_others(folder: Path, copy: Path, files: Iterable[_File]) -> None:
-    """Make a folder like another one, with links to those of its files that are not to be replaced."""
-    copy.mkdir()
+def _make(folder: Path, target: Path, ends: ExitStack) -> None:
+    """Make a folder and those that it is in; in the end they go again, unless there is anything in them."""
+    for each in (*reversed(folder.parents), folder):
+        if not os.path.lexists(each):
+            try:
+                with uninterrupted():
+                    os.mkdir(each)
+                    ends.callback(_remove_if_empty, each)
+            except FileExistsError:
+                pass  # another run was faster
+            except OSError as error:
+                raise _failed(_as_typed(each, target), "made", error) from error
+
+
+def _remove_if_empty(folder: Path) -> None:
+    with suppress(OSError):
+        os.rmdir(folder)
+
+
+def _others(folder: Path, files: Iterable[_File]) -> list[str]:
+    """Return the names in a folder that are not replaced; none if there is no such folder yet."""
     replaced = {file.replaces for file in files}
-    with os.scandir(folder) as entries:
-        for entry in entries:
-            if Path(entry.path) not in replaced:
-                try:
-                    os.link(entry.path, copy / entry.name, follow_symlinks=False)
-                except OSError as error:  # no links on this drive, or none of a file of somebody else's
-                    raise CannotSwap from error
-    _take_after(copy, folder)
+    return [name for name in os.listdir(folder) if folder / name not in replaced] if folder.is_dir() else []
+
+
+def _link_others(folder: Path, copy: Path, names: Iterable[str]) -> None:
+    """Make a folder like another one, if there is one, with links to some of its files."""
+    copy.mkdir()
+    for name in names:
+        try:
+            os.link(folder / name, copy / name, follow_symlinks=False)
+        except OSError as error:  # no links on this drive, or none of a file of somebody else's
+            raise CannotSwap from error
+    if folder.is_dir():
+        _take_after(copy, folder)
 
 
 def _move_all(stages: Iterable[Stage], force: bool) -> None:
@@ -327,6 +336,10 @@ def _refusing(target: Path) -> Iterator[None]:
 
 def _exists(target: Path) -> OutputError:
     return OutputError(str(target), "exists; --force replaces it")
+
+
+def _failed(path: str, what: str, error: OSError) -> OutputError:
+    return OutputError(path, f"cannot be {what} ({_reason(error)}); {NOTHING_CHANGED}")
 
 
 def _reason(error: OSError | ValueError) -> str:

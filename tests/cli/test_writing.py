@@ -18,6 +18,7 @@ from shapeblend_cli.system import staging
 from shapeblend_cli.system.write import is_inside
 from tests.support.commands import contents, made, names
 from tools.faults import runs
+from tools.faults.aimed import strike_at
 
 AB = ["a.svg", "b.svg", "--vertices", "12"]
 BA = ["b.svg", "a.svg", "--vertices", "12"]
@@ -103,107 +104,140 @@ def test_the_folder_of_a_shell_stays_the_same_folder(here):
     assert os.stat("../blend").st_ino == before
 
 
-def left_by_a_killed_run(folder):
-    stage = staging.Stage(Path(folder))
-    (stage.new / "frame-1.svg").write_text("half")
-    return stage.path
+def killed(make):
+    """Have a stage made in the working folder by a process that ends then, or before; return the stage."""
+    if (child := os.fork()) == 0:
+        make()
+        os._exit(0)
+    os.waitpid(child, 0)
+    return next(Path().glob(f"{staging.PREFIX}*"), None)
 
 
-def test_stages_that_killed_runs_have_left_in_the_folder_are_removed(here):
-    assert run([*AB]) == 0
-    for _ in range(2):
-        left_by_a_killed_run("blend")
-        left_by_a_killed_run(".")
-    assert run([*AB, "-f"]) == 0
-    assert made() == ["blend", *(f"blend/frame-{k}.svg" for k in range(1, 6))]
+def half_written():
+    stage = staging.Stage(Path(), ["x.svg"])
+    stage.make()
+    (stage.new / "x.svg").write_text("half")
+
+
+def test_a_run_removes_what_a_killed_one_has_left_in_the_folder_that_it_writes_to(here):
+    stage = killed(half_written)
+    before = contents()
+    assert run([*AB, "-o", "deep/x.svg"]) == 0
+    assert {path: data for path, data in contents().items() if path.parts[0] != "deep"} == before
+    assert run([*AB, "-o", "x.svg"]) == 0
+    assert not stage.exists()
+
+
+@pytest.mark.parametrize("moment", range(1, 6))
+def test_a_maker_that_is_killed_early_leaves_nothing_for_long(here, moment):
+    killed(lambda: (strike_at(moment, "SIGKILL"), half_written()))
+    assert run([*AB, "-o", "x.svg"]) == 0
+    assert made() == ["x.svg"]
 
 
 FOREIGN = {
-    "another name": (".shapeblend-cache", {"db": b"x"}),
-    "a stage's name": (".shapeblend-0123456789ab", {"db": b"x"}),
-    "empty": (".shapeblend-0123456789ab", {}),
-    "a mark of its own": (".shapeblend-0123456789ab", {"stage": b"mine"}),
-    "something else in a stage": (".shapeblend-0123456789ab", {"stage": staging.MARK_TEXT, "db": b"x"}),
+    "another name": lambda stage: stage.rename(".shapeblend-0123456789ab"),
+    "a file beside": lambda stage: (stage / "db").write_text("mine"),
+    "a file inside": lambda stage: (stage / "new" / "mine.txt").write_text("mine"),
+    "a folder inside": lambda stage: (stage / "old" / "mine").mkdir(),
+    "a folder for a file": lambda stage: (stage / "old" / "x.svg").mkdir(),
+    "a link for a folder": lambda stage: ((stage / "old").rmdir(), (stage / "old").symlink_to("../../mine")),
+    "a link": lambda stage: stage.rename("mine").parent.joinpath(stage).symlink_to("mine"),
+    "no list": lambda stage: (stage / "names").unlink(),
 }
 
 
-@pytest.mark.parametrize("kind", FOREIGN)
-@pytest.mark.parametrize("arguments", ["-o one/deep/x.svg", "-o x.svg", "-o one/deep", "--force -o ."])
-def test_folders_that_are_not_ours_stay_wherever_they_are(here, kind, arguments):
-    name, files = FOREIGN[kind]
-    Path("one/deep").mkdir(parents=True)
-    for folder in (".", "one", "one/deep"):
-        Path(folder, name).mkdir()
-        for file, content in files.items():
-            Path(folder, name, file).write_bytes(content)
-    if kind == "empty" and os.geteuid():
-        Path(name).chmod(0)
-    before = {path: path.is_file() and path.read_bytes() for path in Path().rglob(f"{name}*/**")}
-    assert run([*AB, *arguments.split(), "-n", "1", "-f"]) == 0
-    assert {path: path.is_file() and path.read_bytes() for path in before} == before
+@pytest.mark.parametrize("change", FOREIGN.values(), ids=FOREIGN)
+def test_a_folder_that_is_not_wholly_a_stage_stays(here, change):
+    change(killed(half_written))
+    before = contents()
+    assert run([*AB, "-o", "y.svg", "--report", "r.json"]) == run([*BA, "-o", "y.svg", "-f"]) == 0
+    assert [path for path, data in before.items() if contents().get(path) != data] == []
 
 
 @pytest.mark.parametrize(
-    "arguments", ["nowhere.svg b.svg -o x.svg -f", "a.svg b.svg -o one/x.svg", "a.svg -o x.svg"]
+    "line",
+    [
+        "nowhere.svg b.svg -o x.svg",
+        "a.svg b.svg -o y.svg",
+        "a.svg b.svg -o y.svg/x.svg",
+        "a.svg -o x.svg",
+        "batch --chain . -o o/{a}.svg --dry-run",
+    ],
 )
-def test_a_run_that_writes_nothing_removes_nothing(here, arguments):
-    stage = left_by_a_killed_run(".")
-    Path("one").write_text("a file")
-    assert run(arguments.split()) != 0
-    assert (stage / "new/frame-1.svg").read_text() == "half"
+def test_a_run_that_writes_nothing_removes_nothing(here, line):
+    killed(half_written)
+    Path("y.svg").write_text("there")
+    before = contents()
+    run(line.split())
+    assert contents() == before
+
+
+def test_the_stage_of_a_run_that_lives_stays_even_without_the_lock_of_its_folder(here):
+    stage = staging.Stage(Path(), ["x.svg"])
+    stage.make()
+    assert run([*AB, "-o", "x.svg"]) == 0
+    assert stage.new.is_dir()
+    stage.remove()
+    assert made() == ["x.svg"]
+
+
+def test_a_file_of_others_in_a_stage_outlives_it(here):
+    stage = staging.Stage(Path(), ["x.svg"])
+    stage.make()
+    for name in ("x.svg", "mine.txt"):
+        (stage.new / name).write_text(name)
+    stage.remove()
+    assert [path.name for path in contents(stage.path) if path.is_file()] == ["mine.txt"]
 
 
 def test_who_holds_the_lock_of_a_folder_for_long_stops_nobody(here, monkeypatch):
-    # As `flock FOLDER shapeblend ...` does; and a stage may be in use as long as the lock is held.
+    # As `flock FOLDER shapeblend ...` does; then nobody knows whether the folder is being written to.
     fcntl = pytest.importorskip("fcntl")
     monkeypatch.setattr(staging, "PATIENCE", 0.05)
-    in_use = str(left_by_a_killed_run("."))
+    stage = killed(half_written)
     handle = os.open(here, os.O_RDONLY)
     fcntl.flock(handle, fcntl.LOCK_EX)
     assert run([*AB, "-o", "x.svg"]) == 0
     os.close(handle)
-    assert [name for name in made() if "/" not in name] == [in_use, "x.svg"]
+    assert stage.is_dir()
     assert run([*AB, "-o", "x.svg", "-f"]) == 0
     assert made() == ["x.svg"]
 
 
-class Killed(BaseException):
-    """The end of a process, after which it does nothing any more."""
-
-
 @pytest.fixture
-def half_moved(here, monkeypatch):
+def half_moved(here):
     """The folder as it was, after a run was killed that was moving a second frame of three into it."""
-    for k in (1, 2, 3):
+    for k in (1, 2):
         Path(f"frame-{k}.svg").write_text(f"old {k}")
     before = contents()
-    stage = staging.Stage(here)
-    for k in (1, 2, 3):
-        (stage.new / f"frame-{k}.svg").write_text(f"new {k}")
-    replace, calls = os.replace, []
 
-    def killed_at_the_second(source, target):
-        calls.append(target)
-        if len(calls) == 2:
-            raise Killed
-        replace(source, target)
+    def move():
+        names = [f"frame-{k}.svg" for k in (0, 1, 2)]
+        stage = staging.Stage(here, names)
+        stage.make()
+        for name in names:
+            (stage.new / name).write_text("new")
+        replace, calls = os.replace, []
+        os.replace = lambda *paths: os._exit(0) if calls else calls.append(replace(*paths))
+        stage.move(force=True)
 
-    with monkeypatch.context() as context:
-        context.setattr(os, "replace", killed_at_the_second)
-        with pytest.raises(Killed):
-            stage.move(force=True)
-    assert Path("frame-1.svg").read_text() == "new 1"
+    killed(move)
+    assert Path("frame-0.svg").read_text() == Path("frame-1.svg").read_text() == "new"
     return before
 
 
-def test_the_next_run_puts_back_what_a_killed_one_was_moving(half_moved, refused):
+def test_the_next_run_that_writes_there_puts_old_files_back_and_deletes_none(half_moved):
     assert run([*AB, "-n", "3", "-o", "."]) == 1
-    assert contents() == half_moved
+    assert Path("frame-1.svg").read_text() == "new"
+    assert run([*AB, "-o", "x.svg"]) == 0
+    Path("x.svg").unlink()
+    assert contents() == half_moved | {Path("frame-0.svg"): b"new"}
 
 
-def test_what_has_changed_since_is_not_put_back(half_moved):
+def test_a_file_that_has_changed_since_is_not_put_back(half_moved):
     Path("frame-1.svg").write_text("edited")
-    assert run([*AB, "-n", "3", "-o", "."]) == 1
+    assert run([*AB, "-o", "x.svg"]) == 0
     assert Path("frame-1.svg").read_text() == "edited"
     assert not list(Path().glob(".shapeblend*"))
 
@@ -478,12 +512,12 @@ def test_streams_that_are_closed_or_full(here, line, expected):
 
 
 def test_the_fresh_folder_is_one_step(here, monkeypatch):
-    # Whoever looks sees no folder, or all of it.
+    # Whoever looks sees no folder of frames, or all of it.
     seen = []
     rename = os.rename
     monkeypatch.setattr(os, "rename", lambda *given: (seen.append(made()), rename(*given)))
     assert run([*AB, "-o", "deep/er"]) == 0
-    assert [name for name in seen[0] if not name.startswith(staging.PREFIX)] == []
+    assert [name for name in seen[0] if staging.PREFIX not in name] == ["deep"]
 
 
 def test_a_path_lies_in_a_folder_where_links_lead(here):
