@@ -8,11 +8,8 @@ blend.save("moving.svg", duration=2.0)      # any format that the command has
 match = sb.match(p0, p1)                    # polygons alone, as arrays
 """
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING, Any
-
-from shapeblend_cli.version import __version__
+# Nothing is imported here: a signal that came meanwhile would end the command with a traceback (see `__main__`).
+TYPE_CHECKING = False
 
 if TYPE_CHECKING:
     from shapeblend_cli.api import Blend, Picture, blend, match, read
@@ -20,6 +17,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Correspondence, Drawing
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.outputs.options import OutputOptions
+    from shapeblend_cli.version import __version__
 
 _MODULES = {
     "Blend": "api",
@@ -29,6 +27,7 @@ _MODULES = {
     "Picture": "api",
     "Settings": "options.settings",
     "ShapeblendError": "errors",
+    "__version__": "version",
     "blend": "api",
     "match": "api",
     "read": "api",
@@ -49,7 +48,7 @@ __all__ = [
 ]
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     """Import a public name when it is first used: `shapeblend --help` needs none of them."""
     if name not in _MODULES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,21 +1,8 @@
 """``python -m shapeblend_cli`` and the ``shapeblend`` command."""
 
-from __future__ import annotations
-
-import gc
+import _signal  # type: ignore[import-not-found]  # `signal` loads other modules first
 import os
-import signal
 import sys
-import time
-
-# When the process was started, by the clock of the stages: until now it was at work all the time.
-BEGAN = time.perf_counter() - time.process_time()
-
-# Starting threads for large matrices, of which there are none, costs a sixth of the start; and with one thread, sums do
-# not depend on the number of processors.
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-
-gc.disable()  # one short run; looking for garbage while modules load costs a tenth of the start
 
 
 def _stop(number: int, _: object) -> None:
@@ -25,9 +12,22 @@ def _stop(number: int, _: object) -> None:
 
 
 if __name__ == "__main__" or os.path.basename(sys.argv[0]).startswith("shapeblend"):
-    for each in (signal.SIGINT, signal.SIGTERM):
-        if signal.getsignal(each) is not signal.SIG_IGN:
-            signal.signal(each, _stop)
+    for each in ("SIGINT", "SIGTERM", "SIGHUP"):
+        number = getattr(_signal, each, None)  # Windows has no SIGHUP
+        if number is not None and _signal.getsignal(number) is not _signal.SIG_IGN:
+            _signal.signal(number, _stop)
+
+import gc  # noqa: E402
+import time  # noqa: E402
+
+# When the process was started, by the clock of the stages: until now it was at work all the time.
+BEGAN = time.perf_counter() - time.process_time()
+
+# Starting threads for large matrices, of which there are none, costs a sixth of the start; and with one thread, sums do
+# not depend on the number of processors.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+gc.disable()  # one short run; looking for garbage while modules load costs a tenth of the start
 
 from shapeblend_cli.cli import run_safely  # noqa: E402
 

@@ -86,10 +86,19 @@ def run_safely(arguments: Sequence[str], began: float | None = None) -> int:
     if not sys.warnoptions:
         warnings.simplefilter("ignore")  # what numpy says of numbers is nothing that a user can put right
     try:
-        return run(arguments, began)
-    except Exception as error:
-        say(in_words(error))
-        return FAILED
+        with listening():  # also while an error is said
+            try:
+                return run(arguments, began)
+            except Exception as error:
+                if isinstance(
+                    error.__cause__, Interrupted
+                ):  # Python wraps errors raised while a class is made
+                    raise error.__cause__ from None
+                say(in_words(error))
+                return FAILED
+    except Interrupted as error:
+        say(str(error))
+        return status_of(error)
 
 
 def _occupy_streams() -> None:

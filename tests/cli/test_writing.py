@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from shapeblend_cli.cli import run
+from shapeblend_cli.cli import run, run_safely
 from shapeblend_cli.job import make as files
 from shapeblend_cli.system import staging
 from shapeblend_cli.system.write import is_inside
@@ -319,12 +319,12 @@ def test_a_signal_while_files_are_moved_waits(here, capsys, monkeypatch):
     assert made() == ["frame-1.svg", "frame-2.svg", "frame-3.svg"]
 
 
-@pytest.mark.parametrize("module", ["click", "numpy", "svgpathtools"])
-@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
+@pytest.mark.parametrize("module", ["shapeblend_cli.version", "typing", "click", "numpy", "svgpathtools"])
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
 def test_a_signal_while_modules_load_is_one_line(here, module, name):
     code = (
         "import os, signal, sys\n"
-        "for name in ('SIGINT', 'SIGTERM'): signal.signal(getattr(signal, name), signal.SIG_DFL)\n"
+        "for name in ('SIGTERM', 'SIGHUP'): signal.signal(getattr(signal, name), signal.SIG_DFL)\n"
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "def watch(event, given):\n"
         f"    if event == 'import' and given[0] == '{module}': os.kill(os.getpid(), signal.{name})\n"
@@ -335,6 +335,19 @@ def test_a_signal_while_modules_load_is_one_line(here, module, name):
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     status = 128 + getattr(signal, name)
     assert (done.returncode, done.stderr) == (status, "shapeblend: interrupted; nothing was written\n")
+
+
+def test_a_signal_while_a_class_is_made_or_an_error_is_said_is_one_line(here, capsys, monkeypatch):
+    class Wraps:
+        def __set_name__(self, *_):
+            signal.raise_signal(signal.SIGTERM)
+
+    monkeypatch.setattr(files, "contents_of", lambda _: type("Class", (), {"field": Wraps()}))
+    assert run_safely(AB) == 143
+    monkeypatch.setattr("shapeblend_cli.cli.in_words", lambda _: signal.raise_signal(signal.SIGTERM))
+    monkeypatch.setattr(files, "contents_of", lambda _: 1 / 0)
+    assert run_safely(AB) == 143
+    assert capsys.readouterr().err == 2 * "shapeblend: interrupted; nothing was written\n"
 
 
 def test_a_timeout_ends_a_run_with_nothing_written(here, refused):
