@@ -8,12 +8,13 @@ files too; where that cannot be, its files are moved one by one.
 from __future__ import annotations
 
 import os
+import re
 import stat
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from os.path import join
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import IO, Any, NamedTuple
 
 from shapeblend_cli.errors import OutputError
 from shapeblend_cli.system.interrupts import has_written, uninterrupted
@@ -72,8 +73,10 @@ def write_files(contents: Contents, force: bool) -> None:
         if target in files or not content or isinstance(content, Mapping):
             continue
         try:
-            with open(target, "wb") as stream:
+            with _open_stream(target) as stream:
                 stream.write(_encoded(content))
+        except BrokenPipeError:
+            raise  # as of standard output
         except OSError as error:
             stands = "; the other files were written" if files else ""
             raise OutputError(str(target), f"cannot be written ({_reason(error)}){stands}") from error
@@ -319,6 +322,13 @@ def is_stream(target: Path) -> bool:
     except (OSError, ValueError):
         return False
     return not (stat.S_ISREG(mode) or stat.S_ISDIR(mode))
+
+
+def _open_stream(target: Path) -> IO[bytes]:
+    """Open a device or the like; a stream that this process has already is written to where it stands."""
+    number = re.fullmatch(r"/(?:dev|proc/self)/fd/(\d{1,9})", str(target))
+    handle = int(number[1]) if number else {"/dev/stdout": 1, "/dev/stderr": 2}.get(str(target))
+    return open(target if handle is None else os.dup(handle), "wb")
 
 
 @contextmanager

@@ -390,6 +390,20 @@ def test_a_pipe_with_a_name_is_written_to_and_stays(here):
     assert stat.S_ISFIFO(os.stat("pipe.svg").st_mode)
 
 
+@pytest.mark.parametrize("name", ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"])
+def test_a_stream_of_the_process_is_written_to_where_it_stands(here, name):
+    Path("x.svg").write_text("first\n")
+    command = [sys.executable, "-m", "shapeblend_cli", *AB, "-o", name]
+    with open("x.svg", "ab") as stream:
+        subprocess.run(command, stdout=stream, check=True)
+    assert Path("x.svg").read_text().startswith("first\n<svg")
+    reader, writer = os.pipe()
+    os.close(reader)
+    with open(writer, "wb") as closed:
+        done = subprocess.run(command, stdout=closed, stderr=subprocess.PIPE, check=False)
+    assert (done.returncode, done.stderr) == (1, b"")
+
+
 def test_a_link_stays_and_the_file_it_names_is_replaced(here, refused):
     Path("real").mkdir()
     Path("real/x.svg").write_text("old")
