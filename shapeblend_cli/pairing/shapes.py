@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
+from shapeblend_cli.anatomy.structure import along
 from shapeblend_cli.geometry.polygons import centroid, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places, thin
 from shapeblend_cli.model import Box, ContourBlend, Fade, ShapeBlend, Style
@@ -32,6 +33,9 @@ T = TypeVar("T")
 
 TOUCHING = 0.02
 """Maximum distance of contours that touch, as a share of the drawing's diagonal."""
+
+CONTACTS = 48
+"""Number of points of a contour that may touch another one."""
 
 LEAST_HOST = 0.5
 """Minimum area of a contour that carries another along, as a share of the other one's area."""
@@ -205,20 +209,20 @@ def _growth_points(
 ) -> dict[int, complex]:
     """Return the points from which exteriors and lines without a partner grow, by their numbers.
 
-    A contour inside another one without a partner grows from the same point, as a part of it. Other contours grow from
-    their middle, which is carried along by the paired contour around it, or else by a paired contour that they touch.
+    A contour inside another one without a partner grows from the same point, as a part of it. A contour whose middle
+    lies in a paired contour grows from there, carried along. Others stay in touch: see `_points_of_contact`.
     """
     paired = {match.pair[here].number: match for match in matches}
     hosts = [c for c in contours if c.polygon.closed and (c.number in paired or c.role != HOLE)]
     touching = TOUCHING * Box.union([contour.box for contour in contours]).diagonal
     areas = {contour.number: contour.area for contour in contours}
     bounds = np.array([contour.box.bounds for contour in hosts]).reshape(-1, 4)
-    outer = [match.points(here) for match in matches if match.pair[here].role != HOLE]
     spots: dict[int, complex] = {}
+    beside: dict[int, PlacedContour] = {}
+    within: dict[int, int] = {}
     # The largest come first, so that each comes after the contours around it.
     for contour in sorted(loose, key=lambda contour: (-areas[contour.number], contour.number)):
-        vertices = contour.polygon.vertices
-        middle = centroid(vertices) if contour.polygon.closed else _middle_of_line(vertices)
+        middle = _middle(contour)
         left, top, right, bottom = bounds.T
         inside = (
             (left <= middle.real) & (middle.real <= right) & (top <= middle.imag) & (middle.imag <= bottom)
@@ -227,8 +231,8 @@ def _growth_points(
         for host in near:
             match = paired.get(host.number)
             if match is None:
-                if host.number in spots and _lies_in(contour, host, touching):
-                    spots[contour.number] = spots[host.number]
+                if host.number in {*spots, *beside, *within} and _lies_in(contour, host, touching):
+                    within[contour.number] = host.number
                     break
             elif (
                 areas[host.number] > LEAST_HOST * areas[contour.number]
@@ -237,10 +241,56 @@ def _growth_points(
                 spots[contour.number] = carried(middle, match.points(here), inside=True)
                 break
         else:
-            k, distance = nearest_paired(vertices, outer) if outer else (0, touching)
-            touches = distance < touching
-            spots[contour.number] = carried(middle, outer[k], inside=False) if touches else middle
+            beside[contour.number] = contour
+    spots |= _points_of_contact(list(beside.values()), matches, here, touching)
+    for number, host_number in within.items():
+        spots[number] = spots[host_number]
     return spots
+
+
+def _points_of_contact(
+    beside: Sequence[PlacedContour], matches: Sequence[Match], here: int, touching: float
+) -> dict[int, complex]:
+    """Return the points from which contours without a partner grow that lie in no other, by their numbers.
+
+    A contour that touches paired ones grows from the middle of the places where it does, carried along by the one that
+    it touches most, and so stays in touch. A contour that touches such a contour grows with it, from the same point,
+    and so on. All others grow from their middle.
+    """
+    outer = [match for match in matches if match.pair[here].role != HOLE]
+    sides = [match.pair[here] for match in outer]
+    samples = [along(contour.polygon, CONTACTS) for contour in beside]
+    spots: dict[int, complex] = {}
+    for contour, points, near in zip(beside, samples, _near(beside, sides, touching), strict=True):
+        found = {k: _contacts(points, sides[k], touching) for k in near}
+        most = max(found, key=lambda k: len(found[k]), default=None)
+        if most is not None and len(found[most]):
+            middle = complex(np.concatenate(list(found.values())).mean())
+            spots[contour.number] = carried(middle, outer[most].points(here), inside=False)
+    neighbours = _near(beside, beside, touching)
+    leaders = [k for k, contour in enumerate(beside) if contour.number in spots]
+    while leaders:
+        leader = leaders.pop(0)
+        for k in neighbours[leader]:
+            if beside[k].number not in spots and len(_contacts(samples[k], beside[leader], touching)):
+                spots[beside[k].number] = spots[beside[leader].number]
+                leaders.append(k)
+    return {contour.number: spots.get(contour.number, _middle(contour)) for contour in beside}
+
+
+def _near(some: Sequence[PlacedContour], others: Sequence[PlacedContour], distance: float) -> list[list[int]]:
+    """Return for each contour the places of others whose boxes are within a distance of its own."""
+    p, q = (np.array([contour.box.bounds for contour in side]).reshape(-1, 4) for side in (some, others))
+    apart = np.maximum(q[:, :2] - p[:, None, 2:], p[:, None, :2] - q[:, 2:]).max(axis=2)
+    return [np.flatnonzero(row <= distance).tolist() for row in apart]
+
+
+def _contacts(points: ComplexArray, other: PlacedContour, touching: float) -> ComplexArray:
+    """Return the points of a contour that lie in another one, or within a distance of it."""
+    near = nearest_places(points, other.polygon.line)[0] <= touching
+    if other.polygon.closed and other.style.fill is not None:
+        near |= winding_numbers(points, other.polygon.vertices) != 0
+    return points[near]
 
 
 def _lies_in(contour: PlacedContour, host: PlacedContour, distance: float) -> bool:
@@ -251,8 +301,11 @@ def _lies_in(contour: PlacedContour, host: PlacedContour, distance: float) -> bo
     return float((inside | near).mean()) >= NEARLY_ALL
 
 
-def _middle_of_line(vertices: ComplexArray) -> complex:
-    """Return the mean of a line's points."""
+def _middle(contour: PlacedContour) -> complex:
+    """Return the centroid of a closed contour, or the mean of a line's points."""
+    vertices = contour.polygon.vertices
+    if contour.polygon.closed:
+        return centroid(vertices)
     lengths = np.abs(np.diff(vertices))
     return complex((lengths * (vertices[1:] + vertices[:-1])).sum() / (2.0 * lengths.sum()))
 

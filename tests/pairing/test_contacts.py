@@ -1,0 +1,52 @@
+"""Shapes without a partner stay in touch with what they touch, while they grow and shrink."""
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.geometry.polyline import nearest_places
+from shapeblend_cli.interpolate.paths import paths_at
+from tests.support.drawings import drawing
+from tests.support.motions import pair_of
+
+BODY, NARROW = "M10 30H60V80H10Z", "M20 40H50V80H20Z"
+LEAF = "M50 30L75 5L80 25Z"
+DROP = "M78 20L96 12L94 24Z"
+TIMES = np.arange(1, 20) / 20
+
+
+def outlines_at(pair, numbers, t):
+    """Return the outline at a time of each contour of A with one of the numbers."""
+    found = {}
+    for shape in pair.shapes:
+        for contour, path in zip(shape.contours, paths_at(shape, t), strict=True):
+            found[contour.a] = path.segments.ravel()
+    return [found[number] for number in numbers]
+
+
+def gap(one, other):
+    return min(nearest_places(p, np.append(q, q[0]))[0].min() for p, q in ((one, other), (other, one)))
+
+
+@pytest.fixture(scope="module")
+def pair():
+    return pair_of(drawing(BODY, LEAF, DROP), drawing(NARROW), motion="linear")
+
+
+def test_a_shape_that_shrinks_beside_a_paired_one_keeps_touching_it(pair):
+    for t in TIMES:
+        body, leaf = outlines_at(pair, (0, 1), t)
+        assert gap(body, leaf) < 2.0
+
+
+def test_a_shape_that_touches_it_goes_with_it(pair):
+    for t in TIMES:
+        leaf, drop = outlines_at(pair, (1, 2), t)
+        assert gap(leaf, drop) < 2.0 * (1.0 - t)
+
+
+def test_a_shape_that_touches_nothing_shrinks_in_its_place():
+    far = "M80 2H96V10H80Z"
+    pair = pair_of(drawing(BODY, far), drawing(NARROW), motion="linear")
+    for t in TIMES:
+        (outline,) = outlines_at(pair, (1,), t)
+        assert outline.mean() == pytest.approx(88 + 6j)
