@@ -60,6 +60,12 @@ a mouth instead of its teeth."""
 BESIDE = 0.15
 """Minimum distance from the axis of a contour beside it, as a share of half the drawing's width."""
 
+KIN_GAIN = 0.3
+"""Gain of a pair whose contours are like those of another pair: a wheel rather becomes a wheel if others do."""
+
+KIN_SIZE = 1.5
+"""Maximum ratio of the sizes of contours that are alike."""
+
 LONELY_COST = 0.3
 """Cost of pairing a twin with a twin while their siblings are not paired."""
 
@@ -152,6 +158,16 @@ class _Side:
                 return part, depth
         return -1, len(ancestors)
 
+    def alike(self, some: Sequence[int], others: Sequence[int]) -> tuple[BoolArray, BoolArray]:
+        """Return which contours are of one size, role and kind of paint in one contour, and which of one paint."""
+        described, parent = self.described, self.structure.parent
+        kinds = [(c.role, c.style.fill is None, c.style.stroke is None) for c in described.contours]
+        sizes = np.log([np.abs(described.boxes.halves) + 1e-300, np.sqrt(described.areas) + 1e-300])
+        apart = np.abs(sizes[:, some, None] - sizes[:, None, others]).max(axis=0)
+        same = [[(kinds[i], parent[i]) == (kinds[j], parent[j]) for j in others] for i in some]
+        alike = np.array(same, np.bool_).reshape(len(some), len(others)) & (apart <= np.log(KIN_SIZE))
+        return alike, (described.paint[some][:, None] == described.paint[others]).all(axis=(2, 3))
+
     def boxes_of(self, parts: Sequence[int]) -> Boxes:
         """Return the boxes of parts; for -1 the box of the drawing."""
         boxes = self.described.boxes
@@ -176,6 +192,7 @@ class Pairing:
         self.a, self.b = _Side(a, frame_a), _Side(b, frame_b)
         self.partner: dict[int, int] = {}
         self._is_rest = frames is not None
+        self._kin_gain = 0.0
         self._works = Works(self.a.described, self.b.described)
         self._paint = paint_costs(self.a.described, self.b.described)
         roles = np.array([contour.role for contour in a]), np.array([contour.role for contour in b])
@@ -192,7 +209,15 @@ class Pairing:
             self._decide(in_a[i], in_b[j])
 
     def from_outermost_in(self) -> None:
-        """Decide all pairs: first of contours that lie in no other, then of contours that lie in decided ones."""
+        """Decide all pairs: first of contours that lie in no other, then of contours that lie in decided ones.
+
+        What is left is paired once more, now that kinds of contours have partners.
+        """
+        self._decide_all()
+        self._kin_gain = KIN_GAIN
+        self._decide_all()
+
+    def _decide_all(self) -> None:
         while True:
             found = self._cheapest()
             now_open = [{k for k in side.undecided() if side.is_open(k)} for side in (self.a, self.b)]
@@ -202,7 +227,7 @@ class Pairing:
             fresh = [some - side.passed for side, some in zip((self.a, self.b), now_open, strict=True)]
             for side, some in zip((self.a, self.b), fresh, strict=True):
                 side.passed |= some
-            if not any(fresh):
+            if not any(fresh) and not (found and self._kin_gain):
                 break
 
     def overlap(self, i: int, j: int) -> float:
@@ -241,7 +266,7 @@ class Pairing:
         wanted = np.zeros(everywhere.shape, np.bool_)
         wanted[some] = fit & (cheap < alone)
         costs = cheap + self._works.costs(wanted, everywhere)[some]
-        costs += self._axis_costs(rows, columns)
+        costs += self._axis_costs(rows, columns) - self._kin_gain * self._kin(rows, columns)
         excess = np.where(fit, costs - alone, NEVER)
         twins = [side.twins_among(some) for side, some in ((self.a, rows), (self.b, columns))]
         found = _twins_with_twins(excess, focus, *twins)
@@ -258,6 +283,15 @@ class Pairing:
             best = int(np.where(fit, costs - alone, np.inf).argmin())
             found = [divmod(best, len(columns))]
         return [(rows[i], columns[j]) for i, j in found]
+
+    def _kin(self, rows: Sequence[int], columns: Sequence[int]) -> BoolArray:
+        """Return the contours that are both like those of one pair, and both of its colours or both of others."""
+        pairs = list(self.partner.items())
+        (kin_a, same_a), (kin_b, same_b) = (
+            side.alike(some, [pair[k] for pair in pairs])
+            for k, (side, some) in enumerate(((self.a, rows), (self.b, columns)))
+        )
+        return np.array((kin_a[:, None] & kin_b & (same_a[:, None] == same_b)).any(axis=2))
 
     def _inside_partners(self, rows: Sequence[int], columns: Sequence[int]) -> BoolArray:
         """Return which contours may be partners: not holes in exteriors that have other partners."""

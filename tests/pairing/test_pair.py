@@ -255,3 +255,20 @@ def test_eyes_become_eyeballs_and_a_mouth_a_mouth_rather_than_what_lies_in_these
     teeth += '<rect x="34" y="72" width="32" height="8" fill="#fff"/>'
     b = DISC, balls, teeth
     assert pairs(a, b) == [(0, 0), (1, 1), (2, 2), (3, 5)]
+
+
+def test_the_rest_of_a_kind_has_partners_too():
+    arcs = {
+        "M3 33A50 50 0 0 1 88 18L69 34A25 25 0 0 0 27 41Z": "#e43",
+        "M88 18A50 50 0 0 1 82 88L66 69A25 25 0 0 0 69 34Z": "#48f",
+        "M82 88A50 50 0 0 1 12 82L31 66A25 25 0 0 0 66 69Z": "#3a5",
+        "M12 82A50 50 0 0 1 3 33L27 41A25 25 0 0 0 31 66Z": "#fb0",
+    }
+    ring = [f'<path d="{d}" fill="{fill}"/>' for d, fill in arcs.items()]
+    tiles = [
+        square(0, 0, "#f51", 47),
+        square(53, 0, "#8c2", 47),
+        square(0, 53, "#0ae", 47),
+        square(53, 53, "#fb0", 47),
+    ]
+    assert len(pairs(ring, tiles)) == 4
