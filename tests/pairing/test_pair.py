@@ -265,10 +265,6 @@ def test_the_rest_of_a_kind_has_partners_too():
         "M12 82A50 50 0 0 1 3 33L27 41A25 25 0 0 0 31 66Z": "#fb0",
     }
     ring = [f'<path d="{d}" fill="{fill}"/>' for d, fill in arcs.items()]
-    tiles = [
-        square(0, 0, "#f51", 47),
-        square(53, 0, "#8c2", 47),
-        square(0, 53, "#0ae", 47),
-        square(53, 53, "#fb0", 47),
-    ]
+    places = {"#f1511b": (0, 0), "#80cc28": (53, 0), "#00adef": (0, 53), "#fbbc09": (53, 53)}
+    tiles = [square(x, y, colour, 47) for colour, (x, y) in places.items()]
     assert len(pairs(ring, tiles)) == 4
