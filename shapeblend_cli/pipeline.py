@@ -62,8 +62,6 @@ def match_all(
     drawings, specks = _without_specks(drawings, settings)
     if settings.mix:
         drawings, settings = _mixed(drawings, settings)
-    if len(drawings) > 2:  # a line that is cut for one pair is not the line that the next pair begins with
-        settings = settings.replace(strokes="keep")
     laid, notes = lay(drawings, settings, kept)
     check_stiff([contour.polygon for contour in laid[0].placed.contours], settings)
     clock.lap("flatten")

@@ -256,8 +256,6 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         """Raise OptionError if some of the settings do not go with this number of drawings."""
         if count > 2 and any(getattr(self, name) for name in ABOUT_TWO_DRAWINGS):
             raise OptionError(f"--start, --pin, --match and --stiff apply to two files; {count} given")
-        if count > 2 and self.strokes == "recover":
-            raise OptionError(f"--strokes recover applies to two files; {count} given")
         for weights in self.mix:
             if len(weights) != count:
                 shown = ",".join(f"{weight:g}" for weight in weights)

@@ -18,6 +18,10 @@ UNITS = 24.0
 """Size of a drawing, in units."""
 
 
+LEAST_TURN = 20.0
+"""Minimum turn of a corner whose join is seen, in degrees."""
+
+
 class PenLine(NamedTuple):
     """The centre line of a stroke.
 
@@ -55,6 +59,15 @@ class PenLine(NamedTuple):
     def length(self) -> float:
         """Its length, in units."""
         return length(self.outline)
+
+    def style_beside(self, partner: PenLine) -> Style:
+        """Return its style, with its partner's caps if it has no ends, and its joins if it has no corners."""
+        style = self.style
+        if self.closed and not partner.closed:
+            style = style._replace(stroke_linecap=partner.style.stroke_linecap)
+        if style.stroke_linejoin != partner.style.stroke_linejoin and not corners(self.outline, LEAST_TURN):
+            style = style._replace(stroke_linejoin=partner.style.stroke_linejoin)
+        return style
 
     def part(self, begin: float, end: float) -> ComplexArray:
         """Return the polyline between two lengths along the line; of a closed line also through its beginning."""

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.model import Box
+from shapeblend_cli.model import WHOLE, Box
 from shapeblend_cli.motion.pen import Pen, Whole
 from shapeblend_cli.pens.drawings import pen_drawing
 from shapeblend_cli.pens.line import UNITS, evenly, foot_points
-from shapeblend_cli.pens.moves import Move, alone, becoming, staying
+from shapeblend_cli.pens.moves import COMES, GOES, Move, alone, becoming, staying
 from shapeblend_cli.pens.partners import least_work, partner_cost, travelling
 from shapeblend_cli.pens.stays import common_runs, stayed
 
@@ -45,6 +45,9 @@ LEAST_TURNED = 0.5
 SAME_PLACE = 0.35
 """Maximum distance of lines that are in one place, in widths."""
 
+UNHIDDEN = 0.1
+"""Maximum part of a dot that sticks out of a line that hides it, as a share of its width."""
+
 TURNED, FLIPPED = "the drawing is turned as a whole", "the drawing is flipped as a whole"
 COPY = "a pen line that splits, or joins another like it"
 
@@ -59,8 +62,8 @@ class LineBlend(NamedTuple):
 def wants_lines(settings: Settings) -> bool:
     """Return whether settings leave it open how lines are matched."""
     named = settings.match or settings.pins or settings.start or settings.stiff or settings.mix
-    free = not named and settings.motion == "auto" and settings.unmatched == "auto" and settings.curves
-    return free and settings.strokes != "keep"
+    free = not named and settings.motion in ("auto", "linear") and settings.unmatched == "auto"
+    return free and settings.curves and settings.bending != "paper" and settings.strokes != "keep"
 
 
 def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box) -> LineBlend | None:
@@ -73,9 +76,11 @@ def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Bo
         return None
     if min(one.share, other.share) < least:
         return None
-    whole = _as_whole(one.lines, other.lines) if not (one.bodies or other.bodies) else None
+    is_straight = settings.motion == "linear"
+    can_turn = not (one.bodies or other.bodies or is_straight)
+    whole = _as_whole(one.lines, other.lines) if can_turn else None
     if whole is not None:
-        return LineBlend(tuple(move.shape(scale, settings.constants) for move in whole), ([], []))
+        return LineBlend(_shapes(whole, scale, settings), ([], []))
     moves, kept, loose = _moves(one.lines, other.lines)
     is_recovered = one.is_recovered or other.is_recovered
     if is_recovered and not is_asked and _segment_counts(a) == _segment_counts(b):
@@ -84,8 +89,46 @@ def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Bo
     is_alike = kept >= KEPT or (min(one.share, other.share) >= ALL and (is_recovered or suits_strokes))
     if not (is_alike or is_asked):
         return None
-    shapes = tuple(move.shape(scale, settings.constants) for move in moves)
-    return LineBlend(shapes, (one.bodies, other.bodies))
+    return LineBlend(_shapes(moves, scale, settings), (one.bodies, other.bodies))
+
+
+def _shapes(moves: Sequence[Move], scale: float, settings: Settings) -> tuple[ShapeBlend, ...]:
+    """Return the shapes of moves; those that come of a point, or go to one, leave no dot there."""
+    shapes = [move.shape(scale, settings.constants) for move in moves]
+    is_straight = settings.motion == "linear"
+    if is_straight:  # as between two files: from vertex to vertex, all of the time
+        shapes = [shape._replace(motion=None, span=WHOLE, fade=None) for shape in shapes]
+    return tuple(_without_dots(shape, shapes, is_straight) for shape in shapes)
+
+
+def _without_dots(shape: ShapeBlend, shapes: Sequence[ShapeBlend], is_straight: bool) -> ShapeBlend:
+    """Return a line that fades, or thins if it moves straight, where it is a dot that no other line hides."""
+    (contour,) = shape.contours
+    for end, style, fade in ((0, shape.style_a, COMES), (1, shape.style_b, GOES)):
+        path = (contour.start, contour.end)[end]
+        if not path.is_point or (contour.a, contour.b)[end] is not None or shape.fade is not None:
+            continue
+        if style.stroke_linecap == "butt" or style.stroke_width == 0.0:
+            continue
+        if any(_hides(other, end, path.segments[0, 0], style.stroke_width) for other in shapes):
+            continue
+        if is_straight:
+            thin = style._replace(stroke_width=0.0)
+            shape = shape._replace(style_b=thin) if end else shape._replace(style_a=thin)
+        else:
+            shape = shape._replace(fade=fade)
+    return shape
+
+
+def _hides(line: ShapeBlend, end: int, dot: complex, width: float) -> bool:
+    """Return whether a line hides a dot of some width at an end."""
+    (contour,) = line.contours
+    path, style = ((contour.start, line.style_a), (contour.end, line.style_b))[end]
+    if path.is_point:
+        return False
+    points = np.append(path.segments[:, 0], path.segments[-1, 3])
+    away = float(foot_points(np.array([dot]), points)[0][0])
+    return away < (style.stroke_width - width) / 2.0 + UNHIDDEN * width
 
 
 def _segment_counts(drawing: PlacedDrawing) -> list[tuple[int, int]]:

@@ -80,7 +80,8 @@ class Move(NamedTuple):
         line_a, line_b = self.a or self.b, self.b or self.a
         assert line_a is not None
         assert line_b is not None
-        style_a, style_b = line_a.style, line_b.style
+        style_a = line_a.style_beside(line_b)
+        style_b = line_b.style_beside(line_a._replace(style=style_a))
         fade = None
         if self.shrinks:
             style_a = style_a if self.a else style_a._replace(stroke_width=0.0)

@@ -138,18 +138,60 @@ def test_solid_shapes_and_strokes_with_fills_are_outlines():
 
 @pytest.mark.parametrize(
     "settings",
-    [{"strokes": "keep"}, {"motion": "linear"}, {"match": (("0", "0"),)}, {"pins": ((0, 0),)}],
+    [
+        {"strokes": "keep"},
+        {"motion": "rigid"},
+        {"preset": "paper"},
+        {"match": (("0", "0"),)},
+        {"pins": ((0, 0),)},
+    ],
     ids=str,
 )
 def test_files_are_taken_as_they_are_where_users_say_how(settings):
     assert not {BECOMES, STAYS} & set(reasons(blend("lucide-menu", "lucide-x", **settings)))
 
 
-def test_three_drawings_are_blended_as_they_are(here, capsys):
-    icons = [str(ICONS / f"lucide-{name}.svg") for name in ("menu", "x", "eye")]
-    assert run([*icons, "-n", "1"]) == 0
-    assert run([*icons, "--strokes", "recover", "-f"]) == 2
-    assert "--strokes recover applies to two files; 3 given" in capsys.readouterr().err
+def test_lines_go_on_through_several_drawings(here):
+    icons = [str(ICONS / f"ph-{name}.svg") for name in ("list", "x", "check")]
+    pairs, _ = match_all([read(icon) for icon in icons], Settings())
+    assert {reason for pair in pairs for reason in reasons(pair)} <= {BECOMES, STAYS, DRAWN_BACK, DRAWN_ON}
+    assert run([*icons, "-o", "moving.svg"]) == 0
+    moving = Path("moving.svg").read_text("utf-8")
+    assert moving.count("<path") == sum(len(pair.shapes) for pair in pairs)
+    assert 'fill="none"' in moving
+
+
+def test_between_two_files_lines_move_straight_and_leave_no_dots():
+    pair = blend("ph-plus", "ph-check", motion="linear")
+    assert all(shape.motion is None and shape.fade is None for shape in pair.shapes)
+    (gone,) = [shape for shape in pair.shapes if shape.reason == DRAWN_BACK]
+    assert gone.style_b.stroke_width == 0.0 < gone.style_a.stroke_width
+    hidden = blend("ph-list", "ph-x", motion="linear")
+    (middle,) = [shape for shape in hidden.shapes if shape.reason == DRAWN_BACK]
+    assert middle.style_b.stroke_width > 0.0  # the close sign is drawn over it
+
+
+def test_a_line_that_ends_where_no_other_is_fades_there():
+    for names in (("ph-plus", "ph-check"), ("ph-magnifying-glass", "ph-x")):
+        for shape in blend(*names).shapes:
+            assert (
+                shape.reason not in (DRAWN_BACK, DRAWN_ON)
+                or shape.fade
+                or 0.0
+                in (
+                    shape.style_a.stroke_width,
+                    shape.style_b.stroke_width,
+                )
+            )
+
+
+def test_a_ring_has_its_partners_caps():
+    ring, arc = "M12 4A8 8 0 1 0 12 20A8 8 0 1 0 12 4Z", "M12 4A8 8 0 1 0 20 12"
+    round_arc = drawing(
+        f'<path d="{arc}" fill="none" stroke="#000" stroke-width="2" stroke-linecap="round"/>'
+    )
+    pair = blend(strokes(ring), round_arc, strokes="recover")
+    assert {shape.style_a.stroke_linecap for shape in pair.shapes} == {"round"}
 
 
 @pytest.mark.parametrize(
