@@ -21,17 +21,26 @@ def channels(colour):
     return list(bytes.fromhex(colour[1:]))
 
 
+def less_dull(a, b, t):
+    """What coloraide mixes in OKLab, and a third of the way from there to what it mixes in OKLCh."""
+    chroma = sorted(Color(colour).convert("oklch")["chroma"] for colour in (a, b))
+    share = min(1.0, 2.0 * chroma[0] / chroma[1]) / 3.0 if chroma[0] > 1e-4 else 0.0
+    dull, vivid = (Color(a).mix(b, t, space=space).convert("oklab") for space in ("oklab", "oklch"))
+    return dull.mix(vivid, share, space="oklab").convert("srgb").clip()
+
+
 def test_halfway_between_red_and_blue():
-    # What CSS's color-mix(in oklab, red, blue) is: https://facelessuser.github.io/coloraide/interpolation/
-    assert blend_colours("#ff0000", "#0000ff", 0.5) == "#8c53a2"
+    # CSS's color-mix(in oklab, red, blue) is #8c53a2: https://facelessuser.github.io/coloraide/interpolation/
+    assert blend_colours("#ff0000", "#0000ff", 0.5) == "#9d40ad"
     assert blend_in_srgb("#ff0000", "#0000ff", 0.5) == "#800080"
 
 
 @given(colours, colours, times)
-def test_it_is_what_coloraide_mixes(a, b, t):
-    mixed = Color(a).mix(b, t, space="oklab", out_space="srgb").clip()
-    expected = [255 * value for value in mixed.coords()]
-    assert channels(blend_colours(a, b, t)) == pytest.approx(expected, abs=0.501)
+def test_it_is_between_what_coloraide_mixes_in_oklab_and_in_oklch(a, b, t):
+    expected = [255 * value for value in less_dull(a, b, t).coords()]
+    hues = [Color(colour).convert("oklch")["hue"] for colour in (a, b)]
+    if abs(abs(hues[0] - hues[1]) - 180) > 0.1:  # else the hue may turn either way
+        assert channels(blend_colours(a, b, t)) == pytest.approx(expected, abs=0.6)
     assert (blend_colours(a, b, 0.0), blend_colours(a, b, 1.0)) == (a, b)
 
 
@@ -52,7 +61,7 @@ def test_what_is_less_opaque_has_less_say():
     for t in (0.0, 0.5, 1.0):
         assert blend_colours("#ff0000", "#0000ff", t, 0.0, 1.0) == "#0000ff"
         assert blend_colours("#ff0000", "#0000ff", t, 0.3, 0.0) == "#ff0000"
-    assert blend_colours("#ff0000", "#0000ff", 0.5, 0.0, 0.0) == "#8c53a2"
+    assert blend_colours("#ff0000", "#0000ff", 0.5, 0.0, 0.0) == blend_colours("#ff0000", "#0000ff", 0.5)
 
 
 @given(colours, colours, opacities, opacities)
@@ -78,7 +87,7 @@ def test_straight_from_stop_to_stop_nobody_sees_the_difference(a, b, opacity_a, 
     [
         ("#123456", "#123456", 2),
         ("#102030", "#405060", 2),
-        ("#ff0000", "#0000ff", 7),
+        ("#ff0000", "#0000ff", 6),
         ("#000000", "#ffffff", 9),
     ],
 )
