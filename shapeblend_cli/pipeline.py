@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.anatomy.decompose import without_specks
-from shapeblend_cli.blending.blended import blend_shapes
+from shapeblend_cli.blending.blended import blend_shapes, with_lines_in_common
 from shapeblend_cli.blending.clipping import has_clips, with_clips
 from shapeblend_cli.blending.matched import Progress
 from shapeblend_cli.blending.placing import lay
@@ -66,10 +66,19 @@ def match_all(
     check_stiff([contour.polygon for contour in laid[0].placed.contours], settings)
     clock.lap("flatten")
     is_star = len(laid) > 2 and bool(settings.mix)
-    pairs = []
-    for k in range(1, len(laid)):
-        progress = Progress(clock, kept.steps, watch_part(watch, k - 1, len(laid) - 1))
-        pairs.append(_pair(laid, 0 if is_star else k - 1, k, settings, progress))
+
+    def matched(settings: Settings) -> list[Pair]:
+        count = len(laid) - 1
+        parts = [Progress(clock, kept.steps, watch_part(watch, k, count)) for k in range(count)]
+        return [_pair(laid, 0 if is_star else k, k + 1, settings, part) for k, part in enumerate(parts)]
+
+    pairs = matched(settings)
+    if settings.mix and settings.motion == "linear" and settings.strokes != "keep":
+        # Lines have to be found in all pairs or in none.
+        found = with_lines_in_common(pairs, laid[0].placed)
+        if found is None:
+            found = with_lines_in_common(matched(settings.replace(strokes="recover")), laid[0].placed)
+        pairs = matched(settings.replace(strokes="keep")) if found is None else found
     pairs = with_room(pairs, settings.viewbox)
     if not is_star:
         pairs = [with_clips(pair, settings) if has_clips(pair) else pair for pair in pairs]

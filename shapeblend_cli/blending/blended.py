@@ -7,13 +7,19 @@ from typing import TYPE_CHECKING
 from shapeblend_cli.blending.matched import match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.frames.fades import in_paint_order
+from shapeblend_cli.model import Box
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
+from shapeblend_cli.pens.drawings import pen_drawing
+from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.line_blends import blend_lines, wants_lines
+from shapeblend_cli.pens.several import with_common_lines
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from shapeblend_cli.anatomy.decompose import PlacedDrawing
     from shapeblend_cli.blending.matched import PairedDrawings, Progress
-    from shapeblend_cli.model import Box, Place, ShapeBlend
+    from shapeblend_cli.model import Pair, Place, ShapeBlend
     from shapeblend_cli.options.settings import Settings
 
     Shapes = tuple[ShapeBlend, ...]
@@ -44,6 +50,13 @@ def blend_shapes(
     paired = pair_drawings(a, b, settings, 0.0, progress)
     outlines = _moved(paired, *match_pairs(paired), view)
     return (*outlines, *lines.shapes) if lines else outlines
+
+
+def with_lines_in_common(pairs: Sequence[Pair], a: PlacedDrawing) -> list[Pair] | None:
+    """Give all pairs of a drawing with others the same paths for its pen lines; None if that cannot be."""
+    scale = UNITS / Box.union(list(pairs[0].views)).larger_side
+    free = 1 + max(contour.number for contour in a.contours)
+    return with_common_lines(pairs, pen_drawing(a, scale).lines, scale, free)
 
 
 def _moved(paired: PairedDrawings, shapes: Shapes, places: list[Place], view: Box) -> Shapes:

@@ -169,6 +169,7 @@ class ContourBlend(NamedTuple):
         None,
         None,
     )  # numbers of the contours around each; None outside of all
+    lines: tuple[str | None, str | None] = (None, None)  # names of the pen lines of which these are parts
 
     @property
     def grows(self) -> bool:

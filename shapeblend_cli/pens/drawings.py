@@ -94,7 +94,10 @@ def _stroke(contour: PlacedContour, scale: float) -> PenLine:
     if closed and len(points) > 1 and abs(points[0] - points[-1]) < 1e-6:
         points = points[:-1]
     style = contour.style
-    return PenLine(points, closed, style, style.stroke_width * scale, contour.number, contour.shape)
+    name = str(contour.number)
+    return PenLine(
+        points, closed, style, style.stroke_width * scale, contour.number, contour.shape, name=name
+    )
 
 
 def _flat(path: CubicPath) -> ComplexArray:
@@ -138,6 +141,7 @@ def _recovered(members: Sequence[PlacedContour], scale: float) -> list[PenLine] 
             line.width,
             first.number,
             first.shape,
+            name=f"{first.number}.{k}" if len(found) > 1 else str(first.number),
         )
-        for line in found
+        for k, line in enumerate(found, 1)
     ]

@@ -40,6 +40,8 @@ class PenLine(NamedTuple):
         The index of its shape.
     is_piece : bool
         Whether it is a piece of a line that was cut at its corners.
+    name : str
+        The number of its contour, and of several lines of a contour a number of its own: 3.1, 3.2.
     """
 
     points: ComplexArray
@@ -49,6 +51,7 @@ class PenLine(NamedTuple):
     contour: int
     shape: int
     is_piece: bool = False
+    name: str = ""
 
     @property
     def outline(self) -> ComplexArray:

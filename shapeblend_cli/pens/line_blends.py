@@ -61,8 +61,9 @@ class LineBlend(NamedTuple):
 
 def wants_lines(settings: Settings) -> bool:
     """Return whether settings leave it open how lines are matched."""
-    named = settings.match or settings.pins or settings.start or settings.stiff or settings.mix
-    free = not named and settings.motion in ("auto", "linear") and settings.unmatched == "auto"
+    named = settings.match or settings.pins or settings.start or settings.stiff
+    free = not named and settings.motion in ("auto", "linear")
+    free = free and (settings.unmatched == "auto" or bool(settings.mix))
     return free and settings.curves and settings.bending != "paper" and settings.strokes != "keep"
 
 

@@ -89,7 +89,9 @@ class Move(NamedTuple):
         elif not self.is_joined:
             fade = GOES if self.a else COMES
         numbers = self.a and self.a.contour, self.b and self.b.contour
-        contour = _contour_blend(numbers, ends, motion.closed, constants)._replace(reason=self.reason)
+        contour = _contour_blend(numbers, ends, motion.closed, constants)
+        names = self.a and self.a.name, self.b and self.b.name
+        contour = contour._replace(reason=self.reason, lines=(names[0], names[1]))
         sources = self.a and self.a.shape, self.b and self.b.shape
         is_straight = all(isinstance(piece, Straight) for piece in motion.pieces) and motion.tails == (
             None,
