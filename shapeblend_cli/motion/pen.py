@@ -74,16 +74,18 @@ class Drawing(NamedTuple):
     """A polyline that is drawn on from its first point, or back towards it.
 
     `begin` and `until` are shares of the length that are drawn at the start and at the end; both ends of the line are
-    drawn back if it is drawn `from_middle`.
+    drawn back if it is drawn `from_middle`. It is drawn in a `span` of the time.
     """
 
     line: ComplexArray
     begin: float
     until: float
     from_middle: bool = False
+    span: tuple[float, float] = (0.0, 1.0)
 
     def points(self, t: float) -> ComplexArray:
         """Return the points at a time; those that are not drawn lie at the end of those that are."""
+        t = min(max((t - self.span[0]) / (self.span[1] - self.span[0]), 0.0), 1.0)
         share = (1.0 - t) * self.begin + t * self.until
         along = cumulative_lengths(self.line)
         whole = along[-1]
@@ -141,6 +143,33 @@ class Whole(NamedTuple):
         return self._replace(a=self.a * by, centre=self.centre * by, target=self.target * by)
 
 
+class Riding(NamedTuple):
+    """A polyline that is carried along by a place of another line, on whose edge it lies at a time.
+
+    `span` is the time of its own start and end in that of the carrier.
+    """
+
+    own: Moving
+    carrier: Moving
+    edge: int
+    share: float
+    home: float
+    span: tuple[float, float] = (0.0, 1.0)
+
+    def _place(self, t: float) -> complex:
+        points = self.carrier.points(t)
+        return complex((1.0 - self.share) * points[self.edge] + self.share * points[self.edge + 1])
+
+    def points(self, t: float) -> ComplexArray:
+        """Return the points at a time."""
+        time = (1.0 - t) * self.span[0] + t * self.span[1]
+        return self.own.points(t) + (self._place(time) - self._place(self.home))
+
+    def scaled(self, by: float) -> Riding:
+        """Return the same, so many times as large."""
+        return self._replace(own=self.own.scaled(by), carrier=self.carrier.scaled(by))
+
+
 def between(a: ComplexArray, b: ComplexArray, *, closed: bool = False) -> Moving:
     """Return how a polyline becomes another with as many points: straight, unless that would shrink it."""
     sizes = [float(np.abs(np.diff(each)).sum()) for each in (a, b, (a + b) / 2.0)]
@@ -148,9 +177,14 @@ def between(a: ComplexArray, b: ComplexArray, *, closed: bool = False) -> Moving
         return Straight(a, b)
     edges_a, edges_b = np.diff(a), np.diff(b)
     seen = (np.abs(edges_a) > 1e-9) & (np.abs(edges_b) > 1e-9)
-    turns = np.zeros(len(edges_a))
-    turns[seen] = np.unwrap(np.angle(edges_b[seen] / edges_a[seen]))
+    if not seen.any():
+        return Straight(a, b)
     lengths = np.abs(edges_a), np.abs(edges_b)
+    # Each corner opens or closes on its own side: none folds up to pass through its own back.
+    first, last = edges_a[seen], edges_b[seen]
+    bends = np.angle(last[1:] / last[:-1]) - np.angle(first[1:] / first[:-1])
+    own = np.angle(last[0] / first[0]) + np.append(0.0, np.cumsum(bends))
+    turns = np.interp(np.arange(len(edges_a)), np.flatnonzero(seen), own)
     turns -= 2.0 * np.pi * np.round(np.average(turns, weights=lengths[0] + lengths[1]) / (2.0 * np.pi))
     angles = np.where(np.abs(edges_a) > 1e-9, np.angle(edges_a), np.angle(edges_b))
     return Turning(a, b, lengths, (angles, turns))

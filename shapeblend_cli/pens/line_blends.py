@@ -9,9 +9,11 @@ import numpy as np
 from shapeblend_cli.model import WHOLE, Box
 from shapeblend_cli.motion.pen import Pen, Whole
 from shapeblend_cli.pens.drawings import pen_drawing
+from shapeblend_cli.pens.joints import joined
 from shapeblend_cli.pens.line import UNITS, evenly, foot_points
-from shapeblend_cli.pens.moves import COMES, GOES, Move, alone, becoming, staying
-from shapeblend_cli.pens.partners import least_work, partner_cost, travelling
+from shapeblend_cli.pens.moves import COMES, GOES, Move, alone, becoming, crossing_out, slash_among, staying
+from shapeblend_cli.pens.partners import least_work, travelling
+from shapeblend_cli.pens.splits import split_moves
 from shapeblend_cli.pens.stays import common_runs, stayed
 
 if TYPE_CHECKING:
@@ -21,7 +23,6 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, ShapeBlend
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.pens.line import PenLine
-    from shapeblend_cli.pens.partners import Assignment
 
 LEAST_INK = 0.45
 """Minimum share of the ink of a drawing in its lines."""
@@ -31,10 +32,6 @@ KEPT = 0.3
 
 ALL = 0.9
 """Minimum share of the ink in lines for drawings to be matched by these though less stays."""
-
-LOOSE = 0.45
-"""Maximum share of the length of lines without a partner for strokes of which little stays. Where more would come and
-go, whole strokes are matched as they are."""
 
 MOST_LINES = 60
 """Maximum number of lines of a drawing: more are an illustration."""
@@ -49,7 +46,6 @@ UNHIDDEN = 0.1
 """Maximum part of a dot that sticks out of a line that hides it, as a share of its width."""
 
 TURNED, FLIPPED = "the drawing is turned as a whole", "the drawing is flipped as a whole"
-COPY = "a pen line that splits, or joins another like it"
 
 
 class LineBlend(NamedTuple):
@@ -71,7 +67,9 @@ def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Bo
     """Match two drawings by their pen lines, if both are mostly drawn with a pen, or if that is asked for."""
     scale = UNITS / view.larger_side
     is_asked = settings.strokes == "recover"
-    one, other = pen_drawing(a, scale), pen_drawing(b, scale)
+    one, other = (
+        each._replace(lines=joined(each.lines)) for each in (pen_drawing(a, scale), pen_drawing(b, scale))
+    )
     least = 0.0 if is_asked else LEAST_INK
     if not (one.lines and other.lines) or max(len(one.lines), len(other.lines)) > MOST_LINES:
         return None
@@ -82,12 +80,10 @@ def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Bo
     whole = _as_whole(one.lines, other.lines) if can_turn else None
     if whole is not None:
         return LineBlend(_shapes(whole, scale, settings), ([], []))
-    moves, kept, loose = _moves(one.lines, other.lines)
-    is_recovered = one.is_recovered or other.is_recovered
-    if is_recovered and not is_asked and _segment_counts(a) == _segment_counts(b):
-        return None  # made from each other, as letters of a family, and matched so: segment by segment
-    suits_strokes = loose <= LOOSE and not _is_whole(moves)
-    is_alike = kept >= KEPT or (min(one.share, other.share) >= ALL and (is_recovered or suits_strokes))
+    moves, kept = _moves(one.lines, other.lines)
+    # A stroke of each file leaves nothing to choose between.
+    is_plain = len(one.lines) == len(other.lines) == 1 and not (one.is_recovered or other.is_recovered)
+    is_alike = kept >= KEPT or (min(one.share, other.share) >= ALL and not is_plain)
     if not (is_alike or is_asked):
         return None
     return LineBlend(_shapes(moves, scale, settings), (one.bodies, other.bodies))
@@ -132,22 +128,8 @@ def _hides(line: ShapeBlend, end: int, dot: complex, width: float) -> bool:
     return away < (style.stroke_width - width) / 2.0 + UNHIDDEN * width
 
 
-def _segment_counts(drawing: PlacedDrawing) -> list[tuple[int, int]]:
-    """Return the shape of each contour and the number of its segments."""
-    return [(contour.shape, len(contour.contour.segments)) for contour in drawing.contours]
-
-
-def _is_whole(moves: Sequence[Move]) -> bool:
-    """Return whether each line becomes another as a whole; strokes are matched so by their outlines, and better."""
-    pairs = [(move.a, move.b) for move in moves]
-    return all(p is not None and q is not None and not (p.is_piece or q.is_piece) for p, q in pairs)
-
-
-def _moves(a: Sequence[PenLine], b: Sequence[PenLine]) -> tuple[list[Move], float, float]:
-    """Return how the lines of one drawing become those of the other.
-
-    Also the share of their length that stays, and the largest share that has no partner in either drawing.
-    """
+def _moves(a: Sequence[PenLine], b: Sequence[PenLine]) -> tuple[list[Move], float]:
+    """Return how the lines of one drawing become those of the other, and the share of their length that stays."""
     centres = _centre(a), _centre(b)
     runs = common_runs(a, b)
     resting = (
@@ -168,21 +150,19 @@ def _moves(a: Sequence[PenLine], b: Sequence[PenLine]) -> tuple[list[Move], floa
         [line for k, line in enumerate(lines) if k not in done]
         for lines, done in zip((a, b), used, strict=True)
     ]
+    slash = slash_among(free[0], free[1], kept)
+    crossing = free[slash[0]].pop(slash[1]) if slash else None
     found = least_work(free[0], free[1], centres)
-    moves += [becoming(found.a[p.a], found.b[p.b], p.points_a, p.points_b) for p in found.pairs]
-    copies = _copies(found, moves)
-    moves += copies
-    loose = 0.0
+    others, *copied = split_moves(found, moves)
+    moves += others
     for side, lines in enumerate((found.a, found.b)):
-        paired = {(pair.a, pair.b)[side] for pair in found.pairs}
-        others = [line for k, line in enumerate((a, b)[side]) if k in used[side]]
-        others += [line for k, line in enumerate(lines) if k in paired]
-        copied = {id((move.a, move.b)[side]) for move in copies}
-        left = [line for k, line in enumerate(lines) if k not in paired and id(line) not in copied]
-        moves += [alone(line, others, is_new=bool(side)) for line in left]
-        whole = sum(line.length for line in (a, b)[side])
-        loose = max(loose, sum(line.length for line in left) / max(whole, 1e-9))
-    return moves, kept, loose
+        paired = {(pair.a, pair.b)[side] for pair in found.pairs} | copied[side]
+        carriers = [move for move in moves if (move.a, move.b)[side] is not None]
+        left = [line for k, line in enumerate(lines) if k not in paired]
+        moves += [alone(line, carriers, is_new=bool(side)) for line in left]
+    if slash is not None and crossing is not None:
+        moves = crossing_out(crossing, moves, is_new=bool(slash[0]))
+    return moves, kept
 
 
 def _as_whole(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None:
@@ -232,41 +212,3 @@ def _covers(a: Sequence[PenLine], b: Sequence[PenLine], moved: Sequence[ComplexA
 
 def _centre(lines: Sequence[PenLine]) -> complex:
     return Box.around(np.concatenate([line.points for line in lines])).centre
-
-
-def _copies(found: Assignment, moves: Sequence[Move]) -> list[Move]:
-    """Let a closed line without a partner come out of, or go into, the partner of one that is like it."""
-    copies = []
-    for side, lines in enumerate((found.a, found.b)):
-        paired = {(pair.a, pair.b)[side] for pair in found.pairs}
-        for k, line in enumerate(lines):
-            if k in paired or not line.closed:
-                continue
-            like = [
-                (own, other)
-                for move in moves
-                for own, other in [(move.a, move.b) if side == 0 else (move.b, move.a)]
-                if own is not None
-                and other is not None
-                and own.closed
-                and other.closed
-                and _is_like(own, line)
-                and _is_like(other, line)
-            ]
-            if like:
-                _, other = min(like, key=lambda each: abs(_centre([each[0]]) - _centre([line])))
-                ends = (line, other) if side == 0 else (other, line)
-                _, a, b = partner_cost(*ends)
-                copies.append(becoming(*ends, a, b)._replace(reason=COPY))
-    return copies
-
-
-def _is_like(p: PenLine, q: PenLine) -> bool:
-    """Return whether two closed lines have about the same size."""
-    boxes = [Box.around(line.points) for line in (p, q)]
-    size = max(box.larger_side for box in boxes)
-    return (
-        abs(p.length - q.length) < 0.15 * p.length
-        and abs(boxes[0].width - boxes[1].width) < 0.15 * size
-        and abs(boxes[0].height - boxes[1].height) < 0.15 * size
-    )

@@ -9,6 +9,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.cubics import lines as straight_lines
 from shapeblend_cli.geometry.placement import to_unit_box
+from shapeblend_cli.geometry.polyline import nearest_places
 from shapeblend_cli.matching.solve import priced
 from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.model import (
@@ -21,8 +22,8 @@ from shapeblend_cli.model import (
     Polygon,
     ShapeBlend,
 )
-from shapeblend_cli.motion.pen import Drawing, Exchange, Pen, Straight, between
-from shapeblend_cli.pens.line import at, corners, foot_points, length, needed
+from shapeblend_cli.motion.pen import Drawing, Exchange, Pen, Riding, Straight, between
+from shapeblend_cli.pens.line import at, corners, evenly, foot_points, length, needed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -50,8 +51,20 @@ SMOOTH = 0.03
 SHORT = 1.5
 """Maximum length of a line that comes or goes as a dot, in widths."""
 
-LEAST_SLASH = 14.0
+LEAST_SLASH = 11.0
 """Minimum length of a slash, in units."""
+
+STRAIGHT = 0.99
+"""Minimum distance of a slash's ends, as a share of its length."""
+
+LEAST_KEPT = 0.4
+"""Minimum share of a drawing that stays for a line to cross it out."""
+
+GAP_REACH = 2.5
+"""Maximum distance of the gap along a slash from it, in widths."""
+
+LEAST_TIME = 0.2
+"""Minimum time in which a line is drawn back from a slash, or on to it, as a share."""
 
 
 class Move(NamedTuple):
@@ -65,7 +78,6 @@ class Move(NamedTuple):
     motion: Pen
     reason: str
     is_joined: bool = True  # whether what comes or goes ends at another line
-    shrinks: bool = False  # whether its width goes with it
     is_early: bool = False  # whether it goes before the others have moved, or comes after
 
     def _span(self) -> tuple[float, float]:
@@ -83,10 +95,7 @@ class Move(NamedTuple):
         style_a = line_a.style_beside(line_b)
         style_b = line_b.style_beside(line_a._replace(style=style_a))
         fade = None
-        if self.shrinks:
-            style_a = style_a if self.a else style_a._replace(stroke_width=0.0)
-            style_b = style_b if self.b else style_b._replace(stroke_width=0.0)
-        elif not self.is_joined:
+        if not self.is_joined:
             fade = GOES if self.a else COMES
         numbers = self.a and self.a.contour, self.b and self.b.contour
         contour = _contour_blend(numbers, ends, motion.closed, constants)
@@ -152,6 +161,8 @@ def _contour_blend(
 def _priced(a: Polygon, b: Polygon, dots: IntArray, constants: WorkConstants) -> Correspondence:
     """Return a correspondence with the work that it takes; without, where one of the polygons is a point."""
     least = 3 if a.closed else 2
+    if a.closed and any(abs(each.vertices[0] - each.vertices[-1]) < 1e-12 for each in (a, b)):
+        return Correspondence.without_work(dots, closed=True)  # pressed flat, there and back
     if min(len(a.vertices), len(b.vertices)) >= least:
         with suppress(ValueError):  # a turn of 90 degrees, which section 4 forbids, has no price
             return priced(Wires(to_unit_box(a), to_unit_box(b), a.closed, constants), dots)
@@ -160,7 +171,7 @@ def _priced(a: Polygon, b: Polygon, dots: IntArray, constants: WorkConstants) ->
 
 def staying(each: Stayed, a: Sequence[PenLine], b: Sequence[PenLine]) -> Move:
     """Return how a line that stays moves: its pieces little, and its tails back and on."""
-    pieces = tuple(between(*_alike(*part), closed=True) for part in each.parts)
+    pieces = tuple(between(*alike(*part), closed=True) for part in each.parts)
     tails = [_tail(tail) for tail in each.tails]
     motion = Pen(pieces, (tails[0], tails[1]), each.closed)
     return Move(a[each.lines[0]], b[each.lines[1]], motion, STAYS)
@@ -172,26 +183,33 @@ def _tail(tail: Tail) -> Moving | None:
     if max(sizes) < 0.05:
         return None
     if sizes[0] < 0.05:
-        return Drawing(_smooth(tail.b), 0.0, 1.0)
+        return Drawing(smooth(tail.b), 0.0, 1.0)
     if sizes[1] < 0.05:
-        return Drawing(_smooth(tail.a), 1.0, 0.0)
+        return Drawing(smooth(tail.a), 1.0, 0.0)
     ways = [at(points, [min(1.0, size)])[0] - points[0] for points, size in zip(tail, sizes, strict=True)]
     if abs(np.angle(ways[1] / ways[0])) < TURNS_OFF:
-        return between(*_alike(tail.a, tail.b))
-    return Exchange(_smooth(tail.a), _smooth(tail.b))
+        return between(*alike(tail.a, tail.b))
+    return Exchange(smooth(tail.a), smooth(tail.b))
 
 
-def _smooth(points: ComplexArray) -> ComplexArray:
+def smooth(points: ComplexArray) -> ComplexArray:
+    """Return a polyline with fewer vertices, to be drawn on or back."""
     return points[needed(points, SMOOTH)]
 
 
 def becoming(p: PenLine, q: PenLine, a: ComplexArray, b: ComplexArray) -> Move:
     """Return how a line becomes another, from one polyline to the other."""
-    closed = p.closed and q.closed
-    return Move(p, q, Pen((between(*_alike(a, b), closed=closed),), closed=closed), BECOMES)
+    if p.closed == q.closed or not all(abs(each[0] - each[-1]) < 1e-9 for each in (a, b)):
+        closed = p.closed and q.closed
+        return Move(p, q, Pen((between(*alike(a, b), closed=closed),), closed=closed), BECOMES)
+    # Pressed flat, vertex by vertex: where the open line ends both sides would make a spike.
+    flat = (q if p.closed else p).style
+    flat = flat._replace(stroke_linejoin="round" if flat.stroke_linecap == "round" else "bevel")
+    p, q = (p, q._replace(style=flat)) if p.closed else (p._replace(style=flat), q)
+    return Move(p, q, Pen((Straight(a, b),), closed=True), BECOMES)
 
 
-def _alike(a: ComplexArray, b: ComplexArray) -> tuple[ComplexArray, ComplexArray]:
+def alike(a: ComplexArray, b: ComplexArray) -> tuple[ComplexArray, ComplexArray]:
     """Return two polylines with as many vertices: corners go to corners, else even lengths to even lengths."""
     a, b = (np.repeat(each, 2) if len(each) == 1 else each for each in (a, b))
     sizes = length(a), length(b)
@@ -240,42 +258,93 @@ def _matched_corners(a: Sequence[float], b: Sequence[float]) -> tuple[list[float
     return both if len(a) <= len(b) else both[::-1]
 
 
-def alone(line: PenLine, others: Sequence[PenLine], *, is_new: bool) -> Move:
-    """Draw a line back to where it touches another one, or on from there; a slash from its first end."""
+def alone(line: PenLine, carriers: Sequence[Move], *, is_new: bool) -> Move:
+    """Draw a line back to where it touches another one, which carries it along, or on from there."""
     points = line.outline if len(line.points) > 1 else np.repeat(line.points, 2)
     reason = DRAWN_ON if is_new else DRAWN_BACK
     before, after = (None, line) if is_new else (line, None)
+    outlines = [(carrier, carrier.motion.points(float(is_new))) for carrier in carriers]
+    outlines = [
+        (carrier, np.append(own, own[0]) if carrier.motion.closed else own) for carrier, own in outlines
+    ]
 
-    def touches(place: complex) -> bool:
-        return any(
-            len(other.outline) > 1
-            and foot_points(np.array([place]), other.outline)[0][0] < 0.6 * other.width + 0.2
-            for other in others
-        )
+    def touched(place: complex) -> tuple[Move, ComplexArray] | None:
+        for carrier, own in outlines:
+            if foot_points(np.array([place]), own)[0][0] < 0.6 * line.width + 0.2:
+                return carrier, own
+        return None
 
     shares = (0.0, 1.0) if is_new else (1.0, 0.0)
+    places = [complex(points[0]), complex(at(points, [length(points) / 2.0])[0]), complex(points[-1])]
+    first, middle, last = (touched(place) for place in places)
     if line.closed or line.length < SHORT * line.width:
         point = np.full(len(points), Box.around(points).centre)
         pair = (point, points) if is_new else (points, point)
-        motion = Pen((Straight(*pair),), closed=line.closed)
-        return Move(before, after, motion, reason, shrinks=True, is_early=not line.closed)
-    first, middle, last = (
-        touches(place) for place in (points[0], at(points, [line.length / 2.0])[0], points[-1])
-    )
+        return Move(before, after, Pen((Straight(*pair),), closed=line.closed), reason, False, is_early=True)
     if last and not first:
-        points = points[::-1]
-    if first or last:
-        return Move(before, after, Pen((Drawing(points, *shares),)), reason)
-    if middle or not (_is_slash(points) or corners(points)):
-        motion = Pen((Drawing(points, *shares, from_middle=True),))
-        return Move(before, after, motion, reason, is_joined=middle, is_early=not middle)
+        points, first = points[::-1], last
+        places = places[::-1]
+    if first:
+        drawing = Drawing(points, *shares)
+        return _carried(Move(before, after, Pen((drawing,)), reason), first, places[0])
+    if middle or not corners(points):
+        drawing = Drawing(points, *shares, from_middle=True)
+        move = Move(before, after, Pen((drawing,)), reason, bool(middle), is_early=not middle)
+        return _carried(move, middle, places[1]) if middle else move
     if points[0].real > points[-1].real:  # as one writes
         points = points[::-1]
     return Move(before, after, Pen((Drawing(points, *shares),)), reason, is_joined=False)
 
 
-def _is_slash(points: ComplexArray) -> bool:
-    """Return whether a line crosses much of the drawing, slanting."""
-    chord = points[-1] - points[0]
+def _carried(move: Move, carrier: tuple[Move, ComplexArray], place: complex) -> Move:
+    """Let a line that comes or goes be carried along by the line that it touches."""
+    by, points = carrier
+    home = 0.0 if move.b is None else 1.0
+    _, (where,) = nearest_places(np.array([place]), points)
+    edge = min(int(where), len(points) - 2)
+    motion = by.motion._replace(closed=False) if by.motion.closed else by.motion
+    riding = Riding(move.motion.pieces[0], motion, edge, float(where) - edge, home)
+    return move._replace(motion=Pen((riding,)))
+
+
+def is_slash(line: PenLine) -> bool:
+    """Return whether a line is straight, crosses much of the drawing, and slants."""
+    chord = complex(line.points[-1] - line.points[0])
     slope = abs(chord.real) / max(abs(chord.imag), 1e-9)
-    return length(points) > LEAST_SLASH and 0.3 < slope < 3.3
+    return line.length > LEAST_SLASH and abs(chord) > STRAIGHT * line.length and 0.3 < slope < 3.3
+
+
+def slash_among(a: Sequence[PenLine], b: Sequence[PenLine], kept: float) -> tuple[int, int] | None:
+    """Return the drawing and the index of the one slash among lines that do not stay, where much else stays."""
+    found = [(side, k) for side, lines in enumerate((a, b)) for k, line in enumerate(lines) if is_slash(line)]
+    return found[0] if len(found) == 1 and kept >= LEAST_KEPT else None
+
+
+def crossing_out(slash: PenLine, moves: Sequence[Move], *, is_new: bool) -> list[Move]:
+    """Draw a slash on, or back, and the ends of other lines where it goes, as its tip comes by."""
+    points = slash.outline
+    if points[0].real > points[-1].real:  # as one writes
+        points = points[::-1]
+    drawing = Drawing(points, *((0.0, 1.0) if is_new else (1.0, 0.0)))
+    reason = DRAWN_ON if is_new else DRAWN_BACK
+    own = Move(None if is_new else slash, slash if is_new else None, Pen((drawing,)), reason, is_joined=False)
+    paced = []
+    for move in moves:
+        tails = [tail and _paced(tail, points, slash.width, is_new=is_new) for tail in move.motion.tails]
+        paced.append(move._replace(motion=move.motion._replace(tails=(tails[0], tails[1]))))
+    return [*paced, own]
+
+
+def _paced(tail: Moving, slash: ComplexArray, width: float, *, is_new: bool) -> Moving:
+    """Draw a tail back as the tip of a new slash comes by, or on as that of an old one leaves."""
+    goes = isinstance(tail, Drawing) and tail.until < tail.begin
+    if not isinstance(tail, Drawing) or goes != is_new:
+        return tail
+    sampled = evenly(tail.line, 0.2)
+    away, along, _ = foot_points(sampled, slash)
+    if away.min() > GAP_REACH * width:
+        return tail
+    whole = length(slash)
+    time = min(max(LEAST_TIME, length(tail.line) / whole), 1.0)
+    begin = min(float(along[int(away.argmin())]) / whole, 1.0 - time)
+    return tail._replace(span=(begin, begin + time) if is_new else (1.0 - begin - time, 1.0 - begin))

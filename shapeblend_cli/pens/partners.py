@@ -9,33 +9,13 @@ import numpy as np
 
 from shapeblend_cli.pairing.assignment import assign
 from shapeblend_cli.pens.line import at, corners, evenly, foot_points, length
+from shapeblend_cli.pens.line_costs import LONELY_COST, alone_cost, best_halves, partner_cost, ways_between
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from shapeblend_cli.model import ComplexArray, FloatArray
     from shapeblend_cli.pens.line import PenLine
-
-REACH = 8.0
-"""Distance that costs as much as a line's length, in units."""
-
-SHIFT = 0.6
-"""Weight of the common shift of all points of a line, against distances that differ along it."""
-
-BEND_COST = 0.5
-"""Cost of turning every part of a line round by half a turn, as a share of its length."""
-
-STRETCH_COST = 0.3
-"""Cost of a change of length, as a share of it."""
-
-CLOSING_COST = 0.25
-"""Cost of opening or closing a line, as a share of its length."""
-
-LONELY_COST = 0.6
-"""Cost of a line without a partner, as a share of its length and width."""
-
-LEFTOVER_COST = 1.2
-"""Cost of a piece of a cut line without a partner, as a share of its length and width: pieces that float look torn."""
 
 CUT_COST = 0.15
 """Cost of cutting lines at their corners, as a share of their length."""
@@ -43,17 +23,11 @@ CUT_COST = 0.15
 MOST_CORNERS = 3
 """Maximum number of corners of a line that is cut at them."""
 
-MERGE_COST = 0.3
-"""Cost of two twins that become one line, as a share of its length."""
-
-SPLIT_COST = 1.0
-"""Cost of one line that becomes two, as a share of its length."""
+SPLIT_COST = 0.3
+"""Cost of one line that becomes two twins, or of these that become one, as a share of its length."""
 
 SYMMETRY_BONUS = 1.6
 """Maximum work of an assignment that keeps a symmetry of both drawings, as a multiple of the least."""
-
-STARTS = 24
-"""Starts of a closed line that are compared."""
 
 TWIN_DISTANCE = 0.6
 """Maximum distance of a line's mirror image from its twin, in units."""
@@ -86,7 +60,7 @@ def travelling(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Partners]:
     for (i, p), (j, q) in product(enumerate(a), enumerate(b)):
         if abs(p.length - q.length) > 0.02 * p.length + 0.1 or p.closed != q.closed or len(p.points) < 2:
             continue
-        for one, image in _ways(p, q):
+        for one, image in ways_between(p, q):
             shifts = at(image, shares * length(image)) - at(one, shares * length(one))
             mean = complex(shifts.mean())
             if np.abs(shifts - mean).max() < 0.15 and 0.4 < abs(mean) < 12.0:
@@ -135,40 +109,6 @@ def _cut(lines: Sequence[PenLine]) -> list[PenLine]:
     return found
 
 
-def _ways(p: PenLine, q: PenLine) -> Iterator[tuple[ComplexArray, ComplexArray]]:
-    """Yield the polylines as which two lines may be matched: both directions, and the starts of a closed one."""
-    one, other = p.outline, q.outline
-    if q.closed:
-        for start in np.arange(STARTS) * q.length / STARTS:
-            rolled = q.part(start, start)
-            yield one, rolled
-            yield one, rolled[::-1]
-    elif p.closed:
-        yield from ((rolled, other) for other, rolled in _ways(q, p))
-    else:
-        yield one, other
-        yield one, other[::-1]
-
-
-def partner_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexArray]:
-    """Return what it costs that a line becomes another, and their polylines then."""
-    mean = (p.length + q.length) / 2.0
-    ways = list(_ways(p, q))
-    shares = np.linspace(0.0, 1.0, 17)
-    costs = []
-    for one, other in ways:
-        points, images = at(one, shares * length(one)), at(other, shares * length(other))
-        distance = float(np.mean(np.abs(points - images) ** 2))
-        distance -= (1.0 - SHIFT) * abs(complex(np.mean(points - images))) ** 2
-        turns = np.angle((np.diff(images) + 1e-9) / (np.diff(points) + 1e-9))
-        turns -= np.angle(np.exp(1j * turns).mean())
-        bend = float(np.abs(np.angle(np.exp(1j * turns))).mean())
-        costs.append(mean * (distance / REACH**2 + BEND_COST * bend / np.pi))
-    best = int(np.argmin(costs))
-    cost = costs[best] + STRETCH_COST * abs(p.length - q.length)
-    return cost + (CLOSING_COST * mean if p.closed != q.closed else 0.0), *ways[best]
-
-
 def _assigned(
     a: Sequence[PenLine], b: Sequence[PenLine], centres: tuple[complex, complex]
 ) -> tuple[float, list[Partners]]:
@@ -210,26 +150,22 @@ def _of_orbits(
     how: dict[tuple[int, int], list[tuple[int, int]]] = {}
     for (i, p), (j, q) in product(enumerate(orbits_a), enumerate(orbits_b)):
         if len(p) == len(q):
-            options = [(0.0, [*zip(p, q, strict=True)]), (0.0, [*zip(p, q[::-1], strict=True)])]
-        elif len(p) == 2:
-            options = [(MERGE_COST * b[q[0]].length, [(p[0], q[0]), (p[1], q[0])])]
+            options = [[*zip(p, q, strict=True)], [*zip(p, q[::-1], strict=True)]]
         else:
-            options = [(SPLIT_COST * a[p[0]].length, [(p[0], q[0]), (p[0], q[1])])]
-        priced = [(extra + sum(costs[pair] for pair in pairs), pairs) for extra, pairs in options]
+            one, twins = (a[p[0]], [b[k] for k in q]) if len(q) == 2 else (b[q[0]], [a[k] for k in p])
+            work = SPLIT_COST * one.length + sum(half.cost for half in best_halves(one, twins))
+            table[i, j], how[i, j] = work, [*product(p, q)]
+            continue
+        priced = [(sum(costs[pair] for pair in pairs), pairs) for pairs in options]
         table[i, j], how[i, j] = min(priced, key=lambda option: option[0])
     for i, p in enumerate(orbits_a):
-        table[i, n + i] = sum(_alone_cost(a[k]) for k in p)
+        table[i, n + i] = sum(alone_cost(a[k]) for k in p)
     for j, q in enumerate(orbits_b):
-        table[m + j, j] = sum(_alone_cost(b[k]) for k in q)
+        table[m + j, j] = sum(alone_cost(b[k]) for k in q)
     table[m:, n:] = 0.0
     chosen = assign(table)
     work = float(sum(table[i, j] for i, j in chosen))
     return work, [pair for i, j in chosen for pair in how.get((i, j), ())]
-
-
-def _alone_cost(line: PenLine) -> float:
-    """Return what it costs that a line has no partner."""
-    return (LEFTOVER_COST if line.is_piece else LONELY_COST) * (line.length + line.width)
 
 
 def _twins(lines: Sequence[PenLine], centre: complex, axis: complex) -> list[int | None]:

@@ -1,0 +1,195 @@
+"""What it costs that a line becomes another, or two, or has no partner."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.geometry.polyline import cumulative_lengths
+from shapeblend_cli.model import Box
+from shapeblend_cli.pens.line import at, corners, evenly, length
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from shapeblend_cli.model import ComplexArray
+    from shapeblend_cli.pens.line import PenLine
+
+REACH = 8.0
+"""Distance that costs as much as a line's length, in units."""
+
+SHIFT = 0.6
+"""Weight of the common shift of all points of a line, against distances that differ along it."""
+
+BEND_COST = 0.5
+"""Cost of turning every part of a line round by half a turn, as a share of its length."""
+
+STRETCH_COST = 0.3
+"""Cost of a change of length, as a share of it."""
+
+CLOSING_COST = 0.25
+"""Cost of opening or closing a line, as a share of its length."""
+
+STARTS = 24
+"""Starts of a closed line that are compared."""
+
+PRESSED_STEP = 0.3
+"""Distance of the points of a closed line that is pressed flat, in units."""
+
+LONELY_COST = 0.6
+"""Cost of a line without a partner, as a share of its length and width."""
+
+LEFTOVER_COST = 1.2
+"""Cost of a piece of a cut line without a partner, as a share of its length and width: pieces that float look torn."""
+
+MOST_CORNERS = 8
+"""Maximum number of corners of a closed line that may be cut at two of them."""
+
+
+def ways_between(p: PenLine, q: PenLine) -> Iterator[tuple[ComplexArray, ComplexArray]]:
+    """Yield the polylines as which two lines may be matched: both directions, and the starts of a closed one."""
+    one, other = p.outline, q.outline
+    if q.closed:
+        for start in np.arange(STARTS) * q.length / STARTS:
+            rolled = q.part(start, start)
+            yield one, rolled
+            yield one, rolled[::-1]
+    elif p.closed:
+        yield from ((rolled, other) for other, rolled in ways_between(q, p))
+    else:
+        yield one, other
+        yield one, other[::-1]
+
+
+def _pressed(ring: PenLine, line: PenLine) -> tuple[ComplexArray, ComplexArray]:
+    """Return a closed line, and each of its points on an open one to which it is pressed flat."""
+    points = evenly(ring.outline, PRESSED_STEP)
+    other = line.outline if len(line.points) > 1 else np.repeat(line.points, 2)
+    chord = complex(other[-1] - other[0])
+    along = (points * (chord.conjugate() if chord else 1.0)).real
+    shares = (along - along.min()) / max(float(np.ptp(along)), 1e-12)
+    return points, at(other, shares * length(other))
+
+
+def work_between(points: ComplexArray, images: ComplexArray) -> float:
+    """Return what it costs to move points, which follow each other along a line, to others; for a line of length 1."""
+    distance = float(np.mean(np.abs(points - images) ** 2))
+    distance -= (1.0 - SHIFT) * abs(complex(np.mean(points - images))) ** 2
+    turns = np.angle((np.diff(images) + 1e-9) / (np.diff(points) + 1e-9))
+    turns -= np.angle(np.exp(1j * turns).mean())
+    bend = float(np.abs(np.angle(np.exp(1j * turns))).mean())
+    return distance / REACH**2 + BEND_COST * bend / np.pi
+
+
+def partner_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexArray]:
+    """Return what it costs that a line becomes another, and their polylines then.
+
+    A closed line opens to become an open one, or is pressed flat.
+    """
+    mean = (p.length + q.length) / 2.0
+    ways = list(ways_between(p, q))
+    shares = np.linspace(0.0, 1.0, 17)
+    stretch = STRETCH_COST * abs(p.length - q.length)
+    closing = CLOSING_COST * mean if p.closed != q.closed else 0.0
+    costs = [
+        mean * work_between(at(one, shares * length(one)), at(other, shares * length(other)))
+        + stretch
+        + closing
+        for one, other in ways
+    ]
+    if p.closed != q.closed:
+        pressed = _pressed(p, q) if p.closed else _pressed(q, p)[::-1]
+        ways.append(pressed)
+        ring, line = (p, q) if p.closed else (q, p)
+        steps = np.linspace(0, len(pressed[0]) - 1, len(shares)).round().astype(np.intp)
+        work = mean * work_between(pressed[0][steps], pressed[1][steps])
+        costs.append(work + STRETCH_COST * abs(ring.length - 2.0 * line.length) + closing)
+    best = int(np.argmin(costs))
+    return costs[best], *ways[best]
+
+
+def alone_cost(line: PenLine) -> float:
+    """Return what it costs that a line has no partner."""
+    return (LEFTOVER_COST if line.is_piece else LONELY_COST) * (line.length + line.width)
+
+
+class Half(NamedTuple):
+    """A piece of a line and what it becomes, with the tails that close it."""
+
+    cost: float
+    piece: ComplexArray  # of the line
+    ends: ComplexArray  # the same, as it becomes the target
+    target: ComplexArray
+    tails: tuple[ComplexArray, ComplexArray] | None = None
+
+
+def best_halves(line: PenLine, targets: Sequence[PenLine]) -> list[Half]:
+    """Cut a line in two so that its pieces become two others with the least work."""
+    tries = []
+    for halves in _halves(line, targets):
+        for order in (halves, halves[::-1]):
+            tries.append([_half(line, piece, q) for piece, q in zip(order, targets, strict=True)])
+    return min(tries, key=lambda each: sum(half.cost for half in each))
+
+
+def _halves(line: PenLine, targets: Sequence[PenLine]) -> Iterator[tuple[ComplexArray, ComplexArray]]:
+    """Yield the ways of cutting a line: an open one in its middle, a closed one across or at two corners."""
+    whole = line.length
+    if not line.closed:
+        yield line.part(0.0, whole / 2.0), line.part(whole / 2.0, whole)
+        return
+    points = line.outline
+    way = _centre(targets[1]) - _centre(targets[0])
+    ahead = ((points - _centre(line)) * way.conjugate()).real
+    before = np.flatnonzero((ahead[:-1] > 0.0) != (ahead[1:] > 0.0))
+    along = cumulative_lengths(points)
+    shares = ahead[before] / (ahead[before] - ahead[before + 1])
+    places = along[before] + shares * (along[before + 1] - along[before])
+    if len(places) != 2:
+        places = np.array([0.0, whole / 2.0])
+    cuts = [(float(places[0]), float(places[1]))]
+    if not all(target.closed for target in targets):
+        turned = (line.part(start, start) for start in (0.0, whole / 3.0))
+        bends = {
+            round((share * whole + start) % whole, 2)
+            for each, start in zip(turned, (0.0, whole / 3.0), strict=True)
+            for share in corners(each)
+        }
+        if len(bends) <= MOST_CORNERS:
+            cuts += list(combinations(sorted(bends), 2))
+    for low, high in cuts:
+        yield line.part(low, high), line.part(high, low)
+
+
+def _half(line: PenLine, piece: ComplexArray, target: PenLine) -> Half:
+    """Return what it costs that a piece of a line becomes another, and how."""
+    if not (line.closed and target.closed):
+        cost, one, other = partner_cost(line._replace(points=piece, closed=False), target)
+        return Half(cost, piece, one, other)
+    whole, chord = target.length, abs(piece[-1] - piece[0])
+    share = min(max(chord / (length(piece) + chord), 0.1), 0.5)
+    way = (piece[0] + piece[-1]) / 2.0 - piece.mean()
+    ring = target.part(0.0, 0.0)
+    # Of a straight side that faces the cut, the middle.
+    facing = np.linspace(0.0, whole, 65)[:-1]
+    reach = ((at(ring, facing) - _centre(target)) * way.conjugate()).real
+    far = facing[reach > reach.max() - 0.02 * np.ptp(reach)]
+    middle = float(np.angle(np.exp(2j * np.pi * far / whole).mean()) / (2.0 * np.pi) * whole) % whole
+    low, high = (middle - share * whole / 2.0) % whole, (middle + share * whole / 2.0) % whole
+    rest = target.part(high, low)
+    tails = target.part(middle, high)[::-1], target.part(low, middle)
+    shares = np.linspace(0.0, 1.0, 17)
+    own = at(piece, shares * length(piece))
+    tries = [
+        (work_between(own, at(each, shares * length(each))), each, closing)
+        for each, closing in ((rest, tails), (rest[::-1], tails[::-1]))
+    ]
+    work, rest, tails = min(tries, key=lambda each: each[0])
+    mean = (length(piece) + whole) / 2.0
+    return Half(mean * work + 0.3 * abs(length(piece) - length(rest)), piece, piece, rest, tails)
+
+
+def _centre(line: PenLine) -> complex:
+    return Box.around(line.points).centre

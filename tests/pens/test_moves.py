@@ -1,0 +1,111 @@
+"""How lines join up, split, are pressed flat and crossed out."""
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.interpolate.paths import paths_at
+from shapeblend_cli.motion.pen import Turning, between
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.pens.drawings import file_lines
+from shapeblend_cli.pens.joints import joined
+from shapeblend_cli.pens.moves import BECOMES, DRAWN_BACK, DRAWN_ON, STAYS
+from shapeblend_cli.pens.splits import COPY
+from shapeblend_cli.pipeline import match_all
+from tests.support.drawings import drawing
+
+TIMES = [k / 10 for k in range(11)]
+PLAY, PAUSE = "M6 3L20 12L6 21Z", "M5 4H9V20H5ZM15 4H19V20H15Z"
+EYE = "M2 12C6 4 18 4 22 12C18 20 6 20 2 12Z"
+
+
+def pen(*paths, cap="round"):
+    style = f'fill="none" stroke="#000" stroke-width="2" stroke-linecap="{cap}" stroke-linejoin="round"'
+    return drawing(*[f'<path d="{path}" {style}/>' for path in paths])
+
+
+def shapes_of(a, b):
+    (pair,), _ = match_all([a, b], Settings())
+    return pair.shapes
+
+
+def line_at(shape, t):
+    (path,) = paths_at(shape, t)
+    return np.append(path.segments[:, 0], path.segments[-1, 3])
+
+
+@pytest.mark.parametrize(
+    ("paths", "ends"),
+    [
+        (["M3 3L6 6", "M6 6L12 12", "M12 12L21 21"], [{3 + 3j, 21 + 21j}]),
+        (["M3 3L9 9M9 9A3 3 0 0 1 15 9", "M9 9L15 15"], [{3 + 3j, 15 + 15j}, {9 + 9j, 15 + 9j}]),
+        (["M3 12H21L16 7", "M21 12L16 17"], [{3 + 12j, 21 + 12j}, {16 + 7j, 16 + 17j}]),  # shaft and head
+    ],
+    ids=["a slash in pieces", "an arc beside it", "an arrow"],
+)
+def test_pieces_that_go_on_from_each_other_are_one_line(paths, ends):
+    lines = joined(file_lines(pen(*paths)))
+    assert [{*np.round(line.points[[0, -1]], 3)} for line in lines] == ends
+
+
+def test_pieces_of_a_ring_are_a_ring_and_flat_ends_make_no_corner():
+    (ring,) = joined(file_lines(pen("M4 4H20V20", "M20 20H4V4")))
+    assert ring.closed
+    assert len(joined(file_lines(pen("M4 4H20", "M20 4V20", cap="butt")))) == 2
+
+
+def test_a_closed_line_splits_into_two_that_close_again():
+    shapes = shapes_of(pen(PLAY), pen(PAUSE))
+    assert [shape.reason for shape in shapes] == [COPY, COPY]
+    drawn = [sum(float(np.abs(np.diff(line_at(shape, t))).sum()) for shape in shapes) for t in TIMES]
+    ends = [
+        sum(np.abs(np.diff([*line.points, line.points[0]])).sum() for line in file_lines(pen(path)))
+        for path in (PLAY, PAUSE)
+    ]
+    assert (drawn[0], drawn[-1]) == (pytest.approx(ends[0]), pytest.approx(ends[1], rel=1e-3))
+    assert (np.diff(drawn) > 0.0).all()
+
+
+def test_bars_split_and_open_to_boxes_while_the_middle_one_goes():
+    boxes = "M4 4H10V10H4ZM14 4H20V10H14ZM4 14H10V20H4ZM14 14H20V20H14Z"
+    shapes = shapes_of(pen("M4 6H20", "M4 12H20", "M4 18H20"), pen(boxes))
+    assert sorted(shape.reason for shape in shapes) == sorted([COPY] * 4 + [DRAWN_BACK])
+
+
+def test_a_ring_is_pressed_flat_to_a_line_without_a_spike():
+    shapes = shapes_of(
+        pen("M10 4A6 6 0 1 0 10 16A6 6 0 1 0 10 4Z", "M14.3 14.3L20 20"), pen("M4 4L20 20", "M20 4L4 20")
+    )
+    (ring,) = [shape for shape in shapes if shape.contours[0].start.closed]
+    assert ring.reason == BECOMES
+    width = [np.ptp((line_at(ring, t) * np.exp(-0.25j * np.pi)).real) for t in TIMES]
+    assert (np.diff(width) < 0.0).all()
+    assert width[-1] < 0.05
+
+
+def test_the_gap_opens_where_the_tip_of_a_slash_comes_by():
+    off = [
+        "M2 12C3 10 4.4 8.6 6 7.6",
+        "M10 6.1C15 5.4 20 8 22 12C21.4 13.3 20.6 14.3 19.6 15.2",
+        "M16 17C11 19 4.5 17 2 12",
+    ]
+    shapes = shapes_of(pen(EYE), pen(*off, "M3 3L21 21"))
+    assert {shape.reason for shape in shapes} == {STAYS, DRAWN_ON}
+    tails = [tail for shape in shapes for tail in getattr(shape.motion, "tails", ()) if tail is not None]
+    assert tails
+    assert all(tail.span != (0.0, 1.0) for tail in tails)
+
+
+def test_a_corner_that_turns_over_opens_and_does_not_fold_up():
+    head, other = np.array([0, 4 + 4j, 8j]), np.array([4, 4j, 4 + 8j])
+    motion = between(head, other)
+    assert isinstance(motion, Turning)
+    half = motion.points(0.5)
+    assert abs(half[2] - half[0]) == pytest.approx(np.abs(np.diff(half)).sum())
+
+
+def test_what_has_no_partner_is_carried_along_by_the_line_that_it_touches():
+    shapes = shapes_of(pen("M2 6H14", "M8 6V2"), pen("M6 14H18"))
+    (gone,) = [shape for shape in shapes if shape.reason == DRAWN_BACK]
+    (bar,) = [shape for shape in shapes if shape.reason == BECOMES]
+    for t in (0.2, 0.5, 0.8):
+        assert np.abs(line_at(gone, t).imag - line_at(bar, t).imag.mean()).min() < 0.01
