@@ -10,6 +10,7 @@ from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pens.drawings import pen_drawing
+from shapeblend_cli.pens.joints import joined
 from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.line_blends import blend_lines, wants_lines
 from shapeblend_cli.pens.several import with_common_lines
@@ -56,7 +57,7 @@ def with_lines_in_common(pairs: Sequence[Pair], a: PlacedDrawing) -> list[Pair] 
     """Give all pairs of a drawing with others the same paths for its pen lines; None if that cannot be."""
     scale = UNITS / Box.union(list(pairs[0].views)).larger_side
     free = 1 + max(contour.number for contour in a.contours)
-    return with_common_lines(pairs, pen_drawing(a, scale).lines, scale, free)
+    return with_common_lines(pairs, joined(pen_drawing(a, scale).lines), scale, free)
 
 
 def _moved(paired: PairedDrawings, shapes: Shapes, places: list[Place], view: Box) -> Shapes:

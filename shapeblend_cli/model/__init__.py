@@ -226,6 +226,16 @@ class Fade(NamedTuple):
         return come if self.comes else 1.0 - come
 
 
+class Trim(NamedTuple):
+    """A line of which a part is seen: between two shares of its length, which change evenly."""
+
+    start: CubicPath
+    end: CubicPath
+    parts: tuple[
+        tuple[float, tuple[float, float]], ...
+    ]  # what is seen at times, the start and the end among them
+
+
 class Candidate(NamedTuple):
     """A motion of a shape that was judged."""
 
@@ -255,6 +265,7 @@ class ShapeBlend(NamedTuple):
     groups: tuple[Group, ...] = ()
     clips: tuple[ClipBlend, ...] = ()
     span: tuple[float, float] = WHOLE  # the times of its start and its end
+    trim: Trim | None = None  # its motion, for formats that trim paths
 
     def own_time(self, t: float) -> float:
         """Return the time within the shape's own span: 0 before it, 1 after it."""

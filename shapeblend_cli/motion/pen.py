@@ -85,12 +85,16 @@ class Drawing(NamedTuple):
 
     def points(self, t: float) -> ComplexArray:
         """Return the points at a time; those that are not drawn lie at the end of those that are."""
-        t = min(max((t - self.span[0]) / (self.span[1] - self.span[0]), 0.0), 1.0)
-        share = (1.0 - t) * self.begin + t * self.until
         along = cumulative_lengths(self.line)
         whole = along[-1]
-        low, high = (0.5 - share / 2.0, 0.5 + share / 2.0) if self.from_middle else (0.0, share)
+        low, high = self.part(t)
         return points_at(np.clip(along, low * whole, high * whole), self.line, along)
+
+    def part(self, t: float) -> tuple[float, float]:
+        """Return the shares of the length between which the line is drawn at a time."""
+        t = min(max((t - self.span[0]) / (self.span[1] - self.span[0]), 0.0), 1.0)
+        share = (1.0 - t) * self.begin + t * self.until
+        return (0.5 - share / 2.0, 0.5 + share / 2.0) if self.from_middle else (0.0, share)
 
     def scaled(self, by: float) -> Drawing:
         """Return the same, so many times as large."""

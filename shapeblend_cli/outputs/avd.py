@@ -40,8 +40,13 @@ DEFAULTS = {
     "strokeLineCap": "butt",
     "strokeLineJoin": "miter",
     "strokeMiterLimit": "4",
+    "trimPathStart": "0",
+    "trimPathEnd": "1",
 }
 """Android's defaults of attributes."""
+
+TRIMS = ("trimPathStart", "trimPathEnd")
+"""Properties of the part of a path that is seen, as shares of its length."""
 
 LONGEST = 32_767
 """Maximum length of a path in Android's build tools, in characters."""
@@ -70,6 +75,8 @@ def animated_vector(move: Move, timing: Timing, decimals: int) -> str:
     duration = max(1, round(1000 * timing.seconds))
     for shape in move.shapes:
         start, end = (_attributes(painted, decimals) for painted in (shape.start, shape.end))
+        for side, key in enumerate(TRIMS if shape.trims else ()):
+            start[key], end[key] = (number(shape.trims[k][1][side], 4) for k in (0, -1))
         shown = {key: value for key, value in start.items() if DEFAULTS.get(key) != value}
         _add(parent, "path", {"name": shape.name, **shown})
         changing = [key for key in start if key not in FIXED and start[key] != end[key]]
@@ -81,13 +88,20 @@ def animated_vector(move: Move, timing: Timing, decimals: int) -> str:
                 (path_data(a, decimals), path_data(b, decimals), round(until - begin), ease)
                 for a, b, (begin, until), ease in shape.sections(duration, timing.ease, 0)
             ]
-        for key in ("fillAlpha", "strokeAlpha"):
-            if shape.fading and key in moving:
-                sections = shape.opacities(key.removesuffix("Alpha"), duration, timing.ease, 0)
-                moving[key] = [
-                    (number(a, 4), number(b, 4), round(until - begin), ease)
-                    for a, b, (begin, until), ease in sections
-                ]
+        numbers = {}
+        if shape.fading:
+            for paint in ("fill", "stroke"):
+                numbers[f"{paint}Alpha"] = shape.opacities(paint, duration, timing.ease, 0)
+        for side, key in enumerate(TRIMS if shape.trims else ()):
+            numbers[key] = shape.trimmed(side, duration, timing.ease, 0)
+        moving |= {
+            key: [
+                (number(a, 4), number(b, 4), round(until - begin), ease)
+                for a, b, (begin, until), ease in sections
+            ]
+            for key, sections in numbers.items()
+            if key in moving
+        }
         if moving:
             animators = _inline(_add(root, "target", {"name": shape.name}), "animation")
             if len(moving) > 1:
@@ -101,7 +115,7 @@ def animated_vector(move: Move, timing: Timing, decimals: int) -> str:
 def too_long(move: Move, decimals: int) -> list[str]:
     """Return a phrase for each shape whose path is longer than Android's build tools accept."""
     notes = []
-    for name, start, end, waypoints, _ in move.shapes:
+    for name, start, end, waypoints, *_ in move.shapes:
         drawn = (start.paths, *(waypoint.paths for waypoint in waypoints), end.paths)
         length = max(len(path_data(paths, decimals)) for paths in drawn)
         if length > LONGEST:
@@ -162,7 +176,7 @@ def _add(parent: Element, tag: str, attributes: dict[str, str] | None = None) ->
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     from shapeblend_cli.outputs.move import clips_left_out, moves_of
 
-    (move,), decimals = moves_of(pairs), spec.decimals(pairs)
+    (move,), decimals = moves_of(pairs, trims=True), spec.decimals(pairs)
     dashed = [
         f"{shape.name}: Android draws no dashes; its stroke is solid"
         for shape in move.shapes

@@ -113,6 +113,12 @@ class _Keyframes(NamedTuple):
         paths = [paths[contour] for paths in (*(s.start for s in sections), sections[-1].end)]
         return self._property(sections, [_bezier(path, self.decimals) for path in paths], lambda value: value)
 
+    def trim(self, shape: MovedShape, side: int) -> dict[str, Any]:
+        """Return the property of an end of the part of a path that is seen."""
+        sections = shape.trimmed(side, self.end - self.start, self.ease, TIME_DIGITS)
+        values = [_percent(share) for share in (*(s.start for s in sections), sections[-1].end)]
+        return self._property(sections, values, lambda value: [value])
+
     def _property(
         self, sections: Sequence[Section[Any]], values: Sequence[Any], speed: Callable[[float], Any]
     ) -> dict[str, Any]:
@@ -152,6 +158,9 @@ def _group(shape: MovedShape, keys: _Keyframes) -> dict[str, Any]:
         {"ty": "sh", "nm": f"contour-{k + 1}", "ks": keys.path(sections, k)}
         for k in range(len(shape.start.paths))
     ]
+    if shape.trims:
+        trim = {"s": keys.trim(shape, 0), "e": keys.trim(shape, 1), "o": {"a": 0, "k": 0}, "m": 1}
+        items.append({"ty": "tm", "nm": "trim", **trim})
     s, e = shape.start.style, shape.end.style
     if s.stroke is not None and e.stroke is not None:
         kind, shade = _paint(shape, "stroke", keys)
@@ -366,7 +375,7 @@ def _rounded(value: float, decimals: int) -> float:
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     from shapeblend_cli.outputs.move import clips_left_out, moves_of
 
-    moves = moves_of(pairs)
+    moves = moves_of(pairs, trims=True)
     text = lottie(moves, spec.timing, spec.decimals(pairs))
     notes = []
     for move in moves:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
 from shapeblend_cli.frames.frames import fading_styles, shapes_at
 from shapeblend_cli.interpolate.paths import waypoints
-from shapeblend_cli.model import Box, CubicPath, PaintedShape, Pair, Style, Waypoint
+from shapeblend_cli.model import Box, CubicPath, PaintedShape, Pair, ShapeBlend, Style, Waypoint
 from shapeblend_cli.svg.writing.ids import Ids
 
 if TYPE_CHECKING:
@@ -42,6 +42,9 @@ class MovedShape(NamedTuple):
     end: PaintedShape
     waypoints: tuple[Waypoint, ...]
     fading: tuple[tuple[float, Style], ...] = ()  # styles at times between which its opacities change evenly
+    trims: tuple[
+        tuple[float, tuple[float, float]], ...
+    ] = ()  # the part of the path that is seen at times, as shares
 
     def sections(self, length: float, ease: Ease, decimals: int) -> list[Section[tuple[CubicPath, ...]]]:
         """Return the sections of a motion from waypoint to waypoint, given the length in time and the easing of all.
@@ -64,6 +67,10 @@ class MovedShape(NamedTuple):
         styles = [(0.0, self.start.style), *self.fading, (1.0, self.end.style)]
         values = [(t, float(getattr(style, f"{paint}_opacity"))) for t, style in styles]
         return _sections(values, length, ease, decimals)
+
+    def trimmed(self, side: int, length: float, ease: Ease, decimals: int) -> list[Section[float]]:
+        """Return the sections in which an end of the part that is seen, 0 or 1, moves evenly; see `sections`."""
+        return _sections([(t, part[side]) for t, part in self.trims], length, ease, decimals)
 
 
 class Move(NamedTuple):
@@ -124,10 +131,13 @@ def _sections(stops: Sequence[tuple[float, T]], length: float, ease: Ease, decim
     ]
 
 
-def moves_of(pairs: Sequence[Pair]) -> list[Move]:
-    """Return the move from each drawing to the next."""
+def moves_of(pairs: Sequence[Pair], *, trims: bool = False) -> list[Move]:
+    """Return the move from each drawing to the next; lines that are drawn on or back as `trims` or as paths."""
     moves = []
     for pair in pairs:
+        trimmed = [_trims(shape) if trims else () for shape in pair.shapes]
+        if trims:
+            pair = pair._replace(shapes=tuple(map(_whole, pair.shapes)))
         shapes = zip(shapes_at(pair, 0.0), shapes_at(pair, 1.0), map(waypoints, pair.shapes), strict=True)
         ids = Ids.of(pair.shapes)
         names = [
@@ -135,9 +145,28 @@ def moves_of(pairs: Sequence[Pair]) -> list[Move]:
             for number, shape in enumerate(pair.shapes, 1)
         ]
         moved = [moved_shape(name, *shape) for name, shape in zip(names, shapes, strict=True)]
-        fading = zip(moved, map(fading_styles, pair.shapes), strict=True)
-        moves.append(Move(tuple(shape._replace(fading=styles) for shape, styles in fading), pair.views))
+        more = zip(moved, map(fading_styles, pair.shapes), trimmed, strict=True)
+        shown = [shape._replace(fading=styles, trims=parts) for shape, styles, parts in more]
+        moves.append(Move(tuple(shown), pair.views))
     return moves
+
+
+def _trims(shape: ShapeBlend) -> tuple[tuple[float, tuple[float, float]], ...]:
+    """Return which part of a shape's path is seen, at all times between which it changes evenly."""
+    if shape.trim is None:
+        return ()
+    parts = [(shape.time_of(t), part) for t, part in shape.trim.parts]
+    inner = [(t, part) for t, part in parts if 0.0 < t < 1.0]
+    return ((0.0, parts[0][1]), *inner, (1.0, parts[-1][1]))
+
+
+def _whole(shape: ShapeBlend) -> ShapeBlend:
+    """Return a shape with the whole of a line of which a part is seen."""
+    if shape.trim is None:
+        return shape
+    (contour,) = shape.contours
+    whole = contour._replace(start=shape.trim.start, end=shape.trim.end)
+    return shape._replace(contours=(whole,), motion=None)
 
 
 def clips_left_out(pairs: Sequence[Pair], where: str) -> list[str]:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import ComplexArray, CubicPath, Drawing
+    from shapeblend_cli.pens.region import Recovered
 
 CURVE_POINTS = 12
 """Points on each curved segment of a stroke."""
@@ -28,7 +29,10 @@ LONGEST = 800.0
 """Maximum length of a line, in units: what goes far beyond its viewBox is no icon, and would take gigabytes."""
 
 MITER_LIMIT = 10.0
-"""Miter limit of recovered lines: their corners are as sharp as the region's."""
+"""Maximum miter limit of recovered lines, in widths: their corners are as sharp as the region's."""
+
+MITER_ROOM = 1.02
+"""Miter limit, as a multiple of what the sharpest corner needs: with more, kinks on the way would grow spikes."""
 
 
 class PenDrawing(NamedTuple):
@@ -110,6 +114,13 @@ def _flat(path: CubicPath) -> ComplexArray:
     return points[np.append(True, np.abs(np.diff(points)) > 1e-9)]
 
 
+def _miter_limit(line: Recovered) -> float:
+    """Return the miter limit that the sharpest corner of a line needs."""
+    edges = np.diff(np.append(line.points, line.points[:2]) if line.closed else line.points)
+    turns = np.abs(np.angle(edges[1:] / edges[:-1]))
+    return round(min(MITER_ROOM / max(np.cos(turns.max(initial=0.0) / 2.0), 1e-9), MITER_LIMIT), 3)
+
+
 def _recovered(members: Sequence[PlacedContour], scale: float) -> list[PenLine] | None:
     """Return the lines of an exterior with its holes, if it is the stroke of some."""
     if not all(contour.contour.closed for contour in members):
@@ -136,7 +147,7 @@ def _recovered(members: Sequence[PlacedContour], scale: float) -> list[PenLine] 
                 stroke_width=line.width / scale,
                 stroke_linecap=line.cap,
                 stroke_linejoin=line.join,
-                stroke_miterlimit=MITER_LIMIT,
+                stroke_miterlimit=_miter_limit(line) if line.join == "miter" else style.stroke_miterlimit,
             ),
             line.width,
             first.number,

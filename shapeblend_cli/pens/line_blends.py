@@ -94,7 +94,7 @@ def _shapes(moves: Sequence[Move], scale: float, settings: Settings) -> tuple[Sh
     shapes = [move.shape(scale, settings.constants) for move in moves]
     is_straight = settings.motion == "linear"
     if is_straight:  # as between two files: from vertex to vertex, all of the time
-        shapes = [shape._replace(motion=None, span=WHOLE, fade=None) for shape in shapes]
+        shapes = [shape._replace(motion=None, span=WHOLE, fade=None, trim=None) for shape in shapes]
     return tuple(_without_dots(shape, shapes, is_straight) for shape in shapes)
 
 

@@ -24,6 +24,7 @@ from shapeblend_cli.model import (
 )
 from shapeblend_cli.motion.pen import Drawing, Exchange, Pen, Riding, Straight, between
 from shapeblend_cli.pens.line import at, corners, evenly, foot_points, length, needed
+from shapeblend_cli.pens.trims import trim_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -114,6 +115,7 @@ class Move(NamedTuple):
             reason=self.reason,
             fade=fade,
             span=self._span(),
+            trim=trim_of(motion),
             sources=(sources[0], sources[1]),
         )
 

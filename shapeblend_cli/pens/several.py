@@ -164,15 +164,15 @@ def _polyline(path: CubicPath) -> ComplexArray:
 
 
 def _tracks(line: PenLine, pair: Pair, scale: float) -> list[Track]:
-    """Return what the pieces of a line become in a pair, the longest first; nothing if one of them is not on it."""
+    """Return what the pieces of a line become in a pair, the longest first."""
     found = []
     for shape in pair.shapes:
         (contour,) = shape.contours if _is_line(shape) else (None,)
         if contour is None or contour.lines[0] != line.name:
             continue
         lengths = _lengths_along(line, _polyline(contour.start) * scale)
-        if lengths is None:
-            return []
+        if lengths is None:  # it is a piece of another line of this name
+            continue
         way = -1 if lengths[-1] < lengths[0] else 1
         found.append(Track(lengths[::way] / scale, _polyline(contour.end)[::way], shape))
     return sorted(found, key=lambda track: -track.span)

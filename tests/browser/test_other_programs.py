@@ -22,6 +22,8 @@ from tests.support.equipment import LOTTIE_WEB, require
 from tests.support.motions import rotated_move
 from tests.support.pictures import difference
 
+ICONS = Path(__file__).parents[1] / "pens" / "icons"
+
 SIZE = 160
 FINER = 4
 TIMES = (0.0, 0.25, 0.5, 0.75, 1.0)
@@ -108,6 +110,15 @@ def test_lottie_web_plays_curved_paths(played, ease):
     straight = move._replace(shapes=tuple(shape._replace(waypoints=()) for shape in move.shapes))
     (shown, frame), *_ = played(lottie([straight], timing, 3), frames[2:3], times[2:3])
     assert difference(shown, frame) > 0.02
+
+
+@pytest.mark.parametrize("names", [("ph-eye", "ph-eye-slash"), ("ph-check", "ph-plus")])
+def test_lottie_web_draws_lines_on_and_back(here, played, names):
+    files = [str(ICONS / f"{name}.svg") for name in names]
+    assert run([*files, "--emit", "lottie", "-o", "x.json", "--duration", str(SECONDS), "-q"]) == 0
+    assert run([*files, "-n", str(len(TIMES) - 2), "--ends", "-o", "frames", "-q"]) == 0
+    frames = [Path(f"frames/frame-{k + 1}.svg").read_text("utf-8") for k in range(len(TIMES))]
+    assert_shown(played(Path("x.json").read_text("utf-8"), frames, TIMES), 1e-2)
 
 
 @pytest.mark.parametrize("blend", SMOOTH)
