@@ -37,8 +37,9 @@ TO_SVG = {
     **{"pathData": "d", "fillColor": "fill", "fillAlpha": "fill-opacity", "fillType": "fill-rule"},
     **{"strokeColor": "stroke", "strokeAlpha": "stroke-opacity", "strokeWidth": "stroke-width"},
     **{"strokeLineCap": "stroke-linecap", "strokeLineJoin": "stroke-linejoin"},
+    "strokeMiterLimit": "stroke-miterlimit",
 }
-PATH = {"name", "strokeMiterLimit", *TO_SVG}
+PATH = {"name", *TO_SVG}
 
 
 def emit_avd(blend):
