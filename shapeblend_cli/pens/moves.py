@@ -23,8 +23,8 @@ from shapeblend_cli.model import (
     ShapeBlend,
 )
 from shapeblend_cli.motion.pen import Drawing, Exchange, Pen, Riding, Straight, between
+from shapeblend_cli.motion.trims import trim_of
 from shapeblend_cli.pens.line import at, corners, evenly, foot_points, length, needed
-from shapeblend_cli.pens.trims import trim_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

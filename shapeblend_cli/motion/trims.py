@@ -10,7 +10,6 @@ import numpy as np
 from shapeblend_cli.geometry.cubics import lines as straight_lines
 from shapeblend_cli.model import CubicPath, Trim
 from shapeblend_cli.motion.pen import Drawing, Riding
-from shapeblend_cli.pens.line import length
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray
@@ -30,12 +29,12 @@ def trim_of(motion: Pen) -> Trim | None:
         return None
     stops = [(t, _seen(motion, t)) for t in (0.0, *sorted(inner), 1.0)]
     (start, _), (end, _) = stops[0][1], stops[-1][1]
-    if min(length(start), length(end)) == 0.0:
+    if min(_length(start), _length(end)) == 0.0:
         return None
     for (before, (_, part)), (after, (_, next_part)) in pairwise(stops):
         t = (before + after) / 2.0
         points, shares = _seen(motion, t)
-        off = np.abs(points - (1.0 - t) * start - t * end).max() / length(points)
+        off = np.abs(points - (1.0 - t) * start - t * end).max() / _length(points)
         if max(off, np.abs(np.array(shares) - (np.array(part) + next_part) / 2.0).max()) > OFF:
             return None
     paths = [CubicPath(straight_lines(p, False), np.ones(len(p) - 1, bool), False) for p in (start, end)]
@@ -63,7 +62,7 @@ def _seen(motion: Pen, t: float) -> Seen:
     hidden = [0.0, 0.0]
     if drawing is not None:
         low, high = drawing.part(t)
-        hidden = [low * length(points), (1.0 - high) * length(points)]
+        hidden = [low * _length(points), (1.0 - high) * _length(points)]
     for side, tail in enumerate(motion.tails):
         if tail is None:
             continue
@@ -72,6 +71,10 @@ def _seen(motion: Pen, t: float) -> Seen:
         points = np.concatenate([points, joined] if side else [joined[::-1], points])
         drawing = _drawing(tail)
         if drawing is not None:
-            hidden[side] = length(own) * (1.0 - drawing.part(t)[1])
-    whole = max(length(points), 1e-12)
+            hidden[side] = _length(own) * (1.0 - drawing.part(t)[1])
+    whole = max(_length(points), 1e-12)
     return points, (hidden[0] / whole, 1.0 - hidden[1] / whole)
+
+
+def _length(points: ComplexArray) -> float:
+    return float(np.abs(np.diff(points)).sum())
