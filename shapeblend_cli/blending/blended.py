@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.blending.matched import match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
+from shapeblend_cli.blending.several import with_common_lines
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
@@ -13,7 +14,6 @@ from shapeblend_cli.pens.drawings import pen_drawing
 from shapeblend_cli.pens.joints import joined
 from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.line_blends import blend_lines, wants_lines
-from shapeblend_cli.pens.several import with_common_lines
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

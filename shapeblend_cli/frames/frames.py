@@ -86,9 +86,8 @@ def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
 
 def fading_styles(shape: ShapeBlend) -> tuple[tuple[float, Style], ...]:
     """Return times within (0, 1) between which the opacities of a shape change evenly, with its upper styles."""
-    times = shape.fade.times if shape.fade is not None else ()
-    times = tuple(map(shape.time_of, times))
-    return tuple((t, shape_styles(shape, t)[0]) for t in times)
+    times = [] if shape.fade is None else [shape.time_of(t) for t in (shape.fade.begin, shape.fade.until)]
+    return tuple((t, shape_styles(shape, t)[0]) for t in times if 0.0 < t < 1.0)
 
 
 def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:

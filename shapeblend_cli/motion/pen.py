@@ -12,7 +12,7 @@ from shapeblend_cli.geometry.polyline import cumulative_lengths, points_at
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, ContourBlend
+    from shapeblend_cli.model import ComplexArray, ContourBlend, Motion
 
 BENDS = 0.8
 """Minimum length of a piece half way on straight paths, as a share of its shorter end; else it turns as it goes."""
@@ -226,3 +226,24 @@ class Pen(NamedTuple):
         """Return the same, so many times as large."""
         tails = [None if tail is None else tail.scaled(by) for tail in self.tails]
         return Pen(tuple(piece.scaled(by) for piece in self.pieces), (tails[0], tails[1]), self.closed)
+
+
+class Together(NamedTuple):
+    """Several lines that are painted together, so that a transparent pen does not show where they cross."""
+
+    pens: tuple[Motion | None, ...]  # None for a line that moves straight
+    spans: tuple[tuple[float, float], ...]  # the times of the start and the end of each
+
+    @property
+    def name(self) -> str:
+        """No motion that can be asked for."""
+        return "pen"
+
+    def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
+        """Return the control points of each contour at time t."""
+        found = []
+        for contour, pen, (begin, until) in zip(contours, self.pens, self.spans, strict=True):
+            own = min(max((t - begin) / (until - begin), 0.0), 1.0)
+            straight = (1.0 - own) * contour.start.segments + own * contour.end.segments
+            found += [straight] if pen is None else pen.segments([contour], own)
+        return found

@@ -71,12 +71,11 @@ def pen_drawing(drawing: PlacedDrawing, scale: float) -> PenDrawing:
         style = members[0].style
         clipped = bool(drawing.drawing.shapes[members[0].shape].clips)
         found: list[PenLine] | None = None
-        # Dashes begin where a path does, which a match by lines would move.
-        if style.fill is None and style.stroke is not None and not (clipped or style.stroke_dasharray):
+        if style.fill is None and style.stroke is not None and not clipped:
             found = [_stroke(contour, scale) for contour in members]
             if max(line.length for line in found) > LONGEST:
                 found = None
-        elif style.stroke is None and style.fill is not None and style.fill_gradient is None and not clipped:
+        elif style.stroke is None and style.fill is not None and not clipped:
             found = _recovered(members, scale)
             is_recovered = is_recovered or found is not None
         if found is None:
@@ -142,7 +141,9 @@ def _recovered(members: Sequence[PlacedContour], scale: float) -> list[PenLine] 
             line.closed,
             style._replace(
                 fill=None,
+                fill_gradient=None,
                 stroke=style.fill,
+                stroke_gradient=style.fill_gradient,
                 stroke_opacity=style.fill_opacity,
                 stroke_width=line.width / scale,
                 stroke_linecap=line.cap,

@@ -48,6 +48,7 @@ def joined(lines: Sequence[PenLine]) -> list[PenLine]:
         _End(k, side, *_ending(line.points if side else line.points[::-1]))
         for k, line in enumerate(pieces)
         if not line.closed and line.length > REACH and line.style.stroke_opacity == 1.0
+        if not line.style.stroke_dasharray
         for side in (0, 1)
     ]
     turns = []

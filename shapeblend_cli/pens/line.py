@@ -22,6 +22,13 @@ LEAST_TURN = 20.0
 """Minimum turn of a corner whose join is seen, in degrees."""
 
 
+OFF = 0.02
+"""Maximum distance of a piece from its line, as a share of the length of both."""
+
+DRIFT = 0.03
+"""Maximum length that a piece with fewer vertices has lost, as a share of it."""
+
+
 class PenLine(NamedTuple):
     """The centre line of a stroke.
 
@@ -122,6 +129,26 @@ def foot_points(points: ComplexArray, line: ComplexArray) -> tuple[FloatArray, F
     edges = np.diff(line)
     along = cumulative_lengths(line)[edge] + (place - edge) * np.abs(edges[edge])
     return distance, along, np.angle(edges[edge])
+
+
+def lengths_along(line: PenLine, points: ComplexArray) -> FloatArray | None:
+    """Return the length along a line of each vertex of a piece, rising or falling; None if it is no piece of it."""
+    outline, whole = line.outline, line.length
+    if len(outline) < 2:
+        return np.zeros(len(points))
+    along, own = cumulative_lengths(outline), cumulative_lengths(points)
+    first = float(foot_points(points[:1], outline)[1][0])
+    best: tuple[float, FloatArray] | None = None
+    for way in (1.0, -1.0):
+        # Vertices that were left out have made the piece shorter.
+        stretched = first + way * own * (1.0 + np.linspace(0.0, DRIFT, 61))[:, None]
+        stretched = stretched if line.closed else np.clip(stretched, 0.0, whole)
+        away = np.abs(points_at(stretched % whole if line.closed else stretched, outline, along) - points)
+        k = int(away.max(axis=1).argmin())
+        if best is None or away[k].max() < best[0]:
+            best = float(away[k].max()), stretched[k]
+    assert best is not None
+    return best[1] if best[0] < OFF * (whole + 1.0) else None
 
 
 def needed(points: ComplexArray, tolerance: float) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.model import WHOLE, Box
-from shapeblend_cli.motion.pen import Pen, Whole
+from shapeblend_cli.motion.pen import Pen, Together, Whole
 from shapeblend_cli.pens.drawings import pen_drawing
 from shapeblend_cli.pens.joints import joined
 from shapeblend_cli.pens.line import UNITS, evenly, foot_points
@@ -95,7 +95,31 @@ def _shapes(moves: Sequence[Move], scale: float, settings: Settings) -> tuple[Sh
     is_straight = settings.motion == "linear"
     if is_straight:  # as between two files: from vertex to vertex, all of the time
         shapes = [shape._replace(motion=None, span=WHOLE, fade=None, trim=None) for shape in shapes]
-    return tuple(_without_dots(shape, shapes, is_straight) for shape in shapes)
+    shapes = [_without_dots(shape, shapes, is_straight) for shape in shapes]
+    return tuple(shapes if settings.mix else _together(shapes))
+
+
+def _together(shapes: Sequence[ShapeBlend]) -> list[ShapeBlend]:
+    """Paint transparent lines of one style as one shape, which does not show where they cross."""
+    groups: dict[object, list[ShapeBlend]] = {}
+    for k, shape in enumerate(shapes):
+        styles = shape.style_a, shape.style_b
+        is_clear = any(style.stroke_opacity < 1.0 for style in styles) and not shape.fade
+        groups.setdefault(styles if is_clear else k, []).append(shape)
+    found = []
+    for first, *others in groups.values():
+        every = [first, *others]
+        if others:
+            motion = Together(tuple(shape.motion for shape in every), tuple(shape.span for shape in every))
+            is_straight = all(shape.motion is None and shape.span == WHOLE for shape in every)
+            first = first._replace(
+                contours=tuple(contour for shape in every for contour in shape.contours),
+                motion=None if is_straight else motion,
+                span=WHOLE,
+                trim=None,
+            )
+        found.append(first)
+    return found
 
 
 def _without_dots(shape: ShapeBlend, shapes: Sequence[ShapeBlend], is_straight: bool) -> ShapeBlend:

@@ -24,6 +24,7 @@ from shapeblend_cli.model import (
 )
 from shapeblend_cli.motion.pen import Drawing, Exchange, Pen, Riding, Straight, between
 from shapeblend_cli.motion.trims import trim_of
+from shapeblend_cli.pens.dashes import with_dashes
 from shapeblend_cli.pens.line import at, corners, evenly, foot_points, length, needed
 
 if TYPE_CHECKING:
@@ -95,6 +96,8 @@ class Move(NamedTuple):
         assert line_b is not None
         style_a = line_a.style_beside(line_b)
         style_b = line_b.style_beside(line_a._replace(style=style_a))
+        points = [self.motion.points(t) for t in (0.0, 1.0)]
+        style_a, style_b = with_dashes((style_a, style_b), (line_a, line_b), points, scale)
         fade = None
         if not self.is_joined:
             fade = GOES if self.a else COMES

@@ -13,7 +13,7 @@ from shapeblend_cli.svg.writing.document import frame_svg
 from tests.support.drawings import drawing
 from tests.support.pictures import difference, pixels
 
-ICONS = Path(__file__).parent / "icons"
+ICONS = Path(__file__).parents[1] / "pens" / "icons"
 
 
 def star(*drawings):

@@ -14,7 +14,7 @@ import numpy as np
 from shapeblend_cli.geometry.cubics import lines as straight_lines
 from shapeblend_cli.geometry.polyline import cumulative_lengths, points_at
 from shapeblend_cli.model import Contour, CubicPath, Polygon
-from shapeblend_cli.pens.line import foot_points, length
+from shapeblend_cli.pens.line import length, lengths_along
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -24,14 +24,8 @@ if TYPE_CHECKING:
 
     Stretch = tuple[tuple[float, float], list["Track"]]
 
-OFF = 0.02
-"""Maximum distance of a piece from its line, as a share of the length of both."""
-
 OVERLAP = 0.1
 """Length by which neighbouring pieces overlap, in widths, so that no hair of the ground is seen between them."""
-
-DRIFT = 0.03
-"""Maximum length that a piece with fewer vertices has lost, as a share of it."""
 
 
 class Track(NamedTuple):
@@ -92,6 +86,8 @@ def with_common_lines(
     shapes: list[list[ShapeBlend]] = [[s for s in pair.shapes if not _is_line(s)] for pair in pairs]
     if all(len(own) == len(pair.shapes) for own, pair in zip(shapes, pairs, strict=True)):
         return [*pairs]
+    if any(line.style.stroke_opacity < 1.0 or line.style.stroke_dasharray for line in lines):
+        return None  # pieces would show where they overlap, or break dashes
     for line in lines:
         every = [_tracks(line, pair, scale) for pair in pairs]
         if not all(every):
@@ -102,8 +98,6 @@ def with_common_lines(
             every = [_from_seam(own, seam, line.length / scale) for own in every]
         outline = (line.part(seam * scale, seam * scale) if seam else line.outline) / scale
         stretches = _stretches(every, length(outline), OVERLAP * line.width / scale)
-        if len(stretches) > 1 and line.style.stroke_opacity < 1.0:
-            return None
         for ends, tracks in stretches:
             for own, track in zip(shapes, tracks, strict=True):
                 own.append(_shape(track, ends, outline, number, closed=line.closed and not opened))
@@ -170,32 +164,12 @@ def _tracks(line: PenLine, pair: Pair, scale: float) -> list[Track]:
         (contour,) = shape.contours if _is_line(shape) else (None,)
         if contour is None or contour.lines[0] != line.name:
             continue
-        lengths = _lengths_along(line, _polyline(contour.start) * scale)
+        lengths = lengths_along(line, _polyline(contour.start) * scale)
         if lengths is None:  # it is a piece of another line of this name
             continue
         way = -1 if lengths[-1] < lengths[0] else 1
         found.append(Track(lengths[::way] / scale, _polyline(contour.end)[::way], shape))
     return sorted(found, key=lambda track: -track.span)
-
-
-def _lengths_along(line: PenLine, points: ComplexArray) -> FloatArray | None:
-    """Return the length along a line of each vertex of a piece, rising or falling; None if it is no piece of it."""
-    outline, whole = line.outline, line.length
-    if len(outline) < 2:
-        return np.zeros(len(points))
-    along, own = cumulative_lengths(outline), cumulative_lengths(points)
-    first = float(foot_points(points[:1], outline)[1][0])
-    best: tuple[float, FloatArray] | None = None
-    for way in (1.0, -1.0):
-        # Vertices that were left out have made the piece shorter.
-        stretched = first + way * own * (1.0 + np.linspace(0.0, DRIFT, 61))[:, None]
-        stretched = stretched if line.closed else np.clip(stretched, 0.0, whole)
-        away = np.abs(points_at(stretched % whole if line.closed else stretched, outline, along) - points)
-        k = int(away.max(axis=1).argmin())
-        if best is None or away[k].max() < best[0]:
-            best = float(away[k].max()), stretched[k]
-    assert best is not None
-    return best[1] if best[0] < OFF * (whole + 1.0) else None
 
 
 def _from_seam(tracks: Sequence[Track], seam: float, whole: float) -> list[Track]:
