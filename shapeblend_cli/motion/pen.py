@@ -18,6 +18,13 @@ BENDS = 0.8
 """Minimum length of a piece half way on straight paths, as a share of its shorter end; else it turns as it goes."""
 
 
+TURNS_OVER = np.radians(30.0)
+"""Maximum turn of a line as a whole that turns over, in radians, as from ] to [."""
+
+FLATTENS = 0.3
+"""Minimum length half way of a line that turns over, as a share of its shorter end."""
+
+
 class Moving(Protocol):
     """Points that move."""
 
@@ -124,7 +131,7 @@ class Whole(NamedTuple):
     """A polyline of a drawing that is turned or flipped as a whole.
 
     It turns by `angle`, in radians, about `centre`, which moves on to `target`; or it is flipped across the direction
-    `axis`, a unit vector, about these.
+    `axis`, a unit vector, about these. What is then `left` of the way to the other drawing is gone evenly.
     """
 
     a: ComplexArray
@@ -132,6 +139,7 @@ class Whole(NamedTuple):
     target: complex
     angle: float = 0.0
     axis: complex = 0j
+    left: ComplexArray | float = 0.0
 
     def points(self, t: float) -> ComplexArray:
         """Return the points at a time."""
@@ -140,11 +148,12 @@ class Whole(NamedTuple):
             across = offsets * self.axis.conjugate()
             offsets = (across.real + 1j * np.cos(np.pi * t) * across.imag) * self.axis
         middle = (1.0 - t) * self.centre + t * self.target
-        return middle + offsets * np.exp(1j * self.angle * t)
+        return middle + offsets * np.exp(1j * self.angle * t) + t * self.left
 
     def scaled(self, by: float) -> Whole:
         """Return the same, so many times as large."""
-        return self._replace(a=self.a * by, centre=self.centre * by, target=self.target * by)
+        centre, target = self.centre * by, self.target * by
+        return self._replace(a=self.a * by, centre=centre, target=target, left=self.left * by)
 
 
 class Riding(NamedTuple):
@@ -189,7 +198,11 @@ def between(a: ComplexArray, b: ComplexArray, *, closed: bool = False) -> Moving
     bends = np.angle(last[1:] / last[:-1]) - np.angle(first[1:] / first[:-1])
     own = np.angle(last[0] / first[0]) + np.append(0.0, np.cumsum(bends))
     turns = np.interp(np.arange(len(edges_a)), np.flatnonzero(seen), own)
-    turns -= 2.0 * np.pi * np.round(np.average(turns, weights=lengths[0] + lengths[1]) / (2.0 * np.pi))
+    whole = float(np.average(turns, weights=lengths[0] + lengths[1]))
+    turns -= 2.0 * np.pi * np.round(whole / (2.0 * np.pi))
+    whole = (whole + np.pi) % (2.0 * np.pi) - np.pi
+    if abs(whole) < TURNS_OVER and sizes[2] >= FLATTENS * min(sizes[:2]):
+        return Straight(a, b)  # it turns over in place, through a straight line
     angles = np.where(np.abs(edges_a) > 1e-9, np.angle(edges_a), np.angle(edges_b))
     return Turning(a, b, lengths, (angles, turns))
 

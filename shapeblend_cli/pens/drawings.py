@@ -12,6 +12,7 @@ from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.model import Box
+from shapeblend_cli.pens.joints import joined
 from shapeblend_cli.pens.line import UNITS, PenLine, length
 from shapeblend_cli.pens.recover import recover
 
@@ -63,6 +64,7 @@ def pen_drawing(drawing: PlacedDrawing, scale: float) -> PenDrawing:
     for contour in drawing.contours:
         exterior = contour.exterior if contour.exterior is not None else contour.number
         groups[contour.shape, exterior].append(contour)
+    strokes: list[PenLine] = []
     lines: list[PenLine] = []
     bodies: list[PlacedContour] = []
     ink = rest = 0.0
@@ -85,9 +87,12 @@ def pen_drawing(drawing: PlacedDrawing, scale: float) -> PenDrawing:
             rest += area if style.fill is not None else 0.0
             rest += stroke * style.stroke_width * scale if style.stroke is not None else 0.0
         else:
-            lines += found
+            (strokes if style.fill is None else lines).extend(found)
             ink += sum(max(line.length, line.width) * line.width for line in found)
-    return PenDrawing(lines, bodies, ink / (ink + rest) if ink > 0.0 else 0.0, is_recovered)
+    # Recovered lines are joined by the region that they paint.
+    return PenDrawing(
+        [*joined(strokes), *lines], bodies, ink / (ink + rest) if ink > 0.0 else 0.0, is_recovered
+    )
 
 
 def _stroke(contour: PlacedContour, scale: float) -> PenLine:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -25,9 +26,6 @@ GOES_ON = np.radians(25.0)
 MOST_TURN = np.radians(110.0)
 """Maximum turn of a corner that two lines make, in radians, where caps and joins look alike."""
 
-SHARP = np.radians(100.0)
-"""Minimum turn of a corner at which a line is cut where others end, in radians: an arrow's shaft and half its head."""
-
 REACH = 0.4
 """Length at the end of a line that gives its direction, in units."""
 
@@ -43,7 +41,9 @@ class _End(NamedTuple):
 
 def joined(lines: Sequence[PenLine]) -> list[PenLine]:
     """Join the ends of lines that go on from each other: the least turn first."""
-    pieces = [piece for line in lines for piece in _cut_at_tips(line, lines)]
+    cut = [_cut_at_tips(line, lines) for line in lines]
+    pieces = [piece for every in cut for piece in every]
+    origin = [k for k, every in enumerate(cut) for _ in every]
     ends = [
         _End(k, side, *_ending(line.points if side else line.points[::-1]))
         for k, line in enumerate(pieces)
@@ -61,6 +61,8 @@ def joined(lines: Sequence[PenLine]) -> list[PenLine]:
             turn = abs(float(np.angle(-b.direction / a.direction)))
             if turn <= (MOST_TURN if _is_round(p) else GOES_ON):
                 turns.append((turn, i, j))
+            elif origin[a.line] == origin[b.line] and len(cut[origin[a.line]]) > 1:
+                turns.append((turn + np.pi, i, j))  # as they were, if nothing else goes on from there
     partner: dict[int, int] = {}
     for _, i, j in sorted(turns):
         if i not in partner and j not in partner:
@@ -85,20 +87,24 @@ def _ending(points: ComplexArray) -> tuple[complex, complex]:
 
 
 def _cut_at_tips(line: PenLine, lines: Sequence[PenLine]) -> list[PenLine]:
-    """Cut a line at sharp corners where others end."""
-    if line.closed or not _is_round(line) or len(line.points) < 3:
+    """Cut a line at corners where others end: an arrow's shaft and half its head are no line of their own."""
+    if not _is_round(line) or len(line.points) < 3:
         return [line]
-    edges = np.diff(line.points)
-    turns = np.abs(np.angle(edges[1:] / edges[:-1]))
+    points = line.outline
+    edges = np.diff(points)
+    turns = np.abs(np.angle(np.roll(edges, -1) / edges))
     others = [other for other in lines if other is not line and not other.closed and _is_alike(other, line)]
-    tips = [end for other in others for end in other.points[[0, -1]]]
-    cuts = [
-        k
-        for k in (np.flatnonzero(turns > SHARP) + 1).tolist()
-        if any(abs(tip - line.points[k]) < TOUCHES * line.width for tip in tips)
-    ]
-    places = [0, *cuts, len(line.points) - 1]
-    return [line._replace(points=line.points[i : j + 1]) for i, j in pairwise(places)]
+    tips = np.array([end for other in others for end in other.points[[0, -1]]])
+    vertices = (np.flatnonzero(turns[: None if line.closed else -1] > GOES_ON) + 1).tolist()
+    cuts = [k for k in vertices if len(tips) and np.abs(tips - points[k]).min() < TOUCHES * line.width]
+    if not cuts:
+        return [line]
+    if line.closed:
+        points = np.concatenate([points[cuts[0] : -1], points[: cuts[0] + 1]])
+        cuts = [k - cuts[0] for k in cuts[1:]]
+    places = [0, *cuts, len(points) - 1]
+    pieces = [line._replace(points=points[i : j + 1], closed=False) for i, j in pairwise(places)]
+    return [piece for piece in pieces if piece.length > TOUCHES * line.width]
 
 
 def _strung(pieces: Sequence[PenLine], ends: Sequence[_End], partner: dict[int, int]) -> list[PenLine]:
@@ -109,13 +115,13 @@ def _strung(pieces: Sequence[PenLine], ends: Sequence[_End], partner: dict[int, 
     for k, piece in enumerate(pieces):
         if k in done:
             continue
-        here, side, seen = k, 0, {k}
+        here, side, known = k, 0, {k}
         while (end := number.get((here, side))) in partner:  # back to where the line begins
             other = ends[partner[end]]
-            if other.line in seen:
+            if other.line in known:
                 break
             here, side = other.line, 1 - other.side
-            seen.add(here)
+            known.add(here)
         first, points, longest, closed = here, [], piece, False
         while True:
             done.add(here)
@@ -137,4 +143,9 @@ def _strung(pieces: Sequence[PenLine], ends: Sequence[_End], partner: dict[int, 
         if closed:
             every = every[:-1] if abs(every[-1] - every[0]) < 0.02 else every
         lines.append(longest._replace(points=every, closed=closed or piece.closed))
+    seen: Counter[str] = Counter()
+    for k, line in enumerate(lines):  # of a line that was cut, the pieces have names of their own
+        seen[line.name] += 1
+        if seen[line.name] > 1:
+            lines[k] = line._replace(name=f"{line.name}.{seen[line.name]}")
     return lines

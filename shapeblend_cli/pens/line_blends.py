@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import WHOLE, Box
 from shapeblend_cli.motion.pen import Pen, Together, Whole
 from shapeblend_cli.pens.drawings import pen_drawing
-from shapeblend_cli.pens.joints import joined
-from shapeblend_cli.pens.line import UNITS, evenly, foot_points
+from shapeblend_cli.pens.line import UNITS, at, evenly, foot_points, length
 from shapeblend_cli.pens.moves import COMES, GOES, Move, alone, becoming, crossing_out, slash_among, staying
 from shapeblend_cli.pens.partners import least_work, travelling
 from shapeblend_cli.pens.splits import split_moves
@@ -45,6 +45,12 @@ SAME_PLACE = 0.35
 UNHIDDEN = 0.1
 """Maximum part of a dot that sticks out of a line that hides it, as a share of its width."""
 
+LEAST_COPIED = 0.9
+"""Minimum share of lines that a turn or flip brings to their place for the drawing to be turned or flipped."""
+
+EXACT = 0.01
+"""Maximum distance of lines that are the same, in units."""
+
 TURNED, FLIPPED = "the drawing is turned as a whole", "the drawing is flipped as a whole"
 
 
@@ -67,9 +73,7 @@ def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Bo
     """Match two drawings by their pen lines, if both are mostly drawn with a pen, or if that is asked for."""
     scale = UNITS / view.larger_side
     is_asked = settings.strokes == "recover"
-    one, other = (
-        each._replace(lines=joined(each.lines)) for each in (pen_drawing(a, scale), pen_drawing(b, scale))
-    )
+    one, other = pen_drawing(a, scale), pen_drawing(b, scale)
     least = 0.0 if is_asked else LEAST_INK
     if not (one.lines and other.lines) or max(len(one.lines), len(other.lines)) > MOST_LINES:
         return None
@@ -198,15 +202,30 @@ def _as_whole(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None:
     ways += [{"axis": 1.0 + 0j}, {"axis": 1j}]
     for way in ways:
         moving = [Whole(points, centre, target, **way) for points in _outlines(a)]  # type: ignore[arg-type]
-        if not _covers(a, b, [each.points(1.0) for each in moving], 1.0):
+        if not _covers(a, b, [each.points(1.0) for each in moving], LEAST_COPIED):
             continue
         reason = FLIPPED if "axis" in way else TURNED
         nearest = _partners_of(moving, b)
         return [
-            Move(line, b[other], Pen((each,), closed=line.closed), reason)
+            Move(line, b[other], Pen((_onto(each, b),), closed=line.closed), reason)
             for line, each, other in zip(a, moving, nearest, strict=True)
         ]
     return None
+
+
+def _onto(moving: Whole, b: Sequence[PenLine]) -> Whole:
+    """Let a line that is turned or flipped end exactly on the lines of B."""
+    ends = moving.points(1.0)
+    if max(np.min([foot_points(ends, line)[0] for line in _outlines(b)], axis=0)) < EXACT:
+        return moving
+    known = np.concatenate(
+        [np.linspace(0.0, length(moving.a), len(evenly(moving.a, 0.2))), cumulative_lengths(moving.a)]
+    )
+    moving = moving._replace(a=at(moving.a, np.unique(np.round(known, 6))))
+    ends = moving.points(1.0)
+    feet = [(foot[0], at(line, foot[1])) for line in _outlines(b) for foot in [foot_points(ends, line)]]
+    nearest = np.argmin([away for away, _ in feet], axis=0)
+    return moving._replace(left=np.choose(nearest, [places for _, places in feet]) - ends)
 
 
 def _outlines(lines: Sequence[PenLine]) -> list[ComplexArray]:
@@ -229,7 +248,7 @@ def _covers(a: Sequence[PenLine], b: Sequence[PenLine], moved: Sequence[ComplexA
     for lines, others in ((moved, there), (there, moved)):
         points = np.concatenate([evenly(line, 0.3) for line in lines])
         away = np.min([foot_points(points, other)[0] for other in others], axis=0)
-        if np.mean(away < SAME_PLACE * width) < least:
+        if np.mean(away < SAME_PLACE * width) < least or (least > LEAST_TURNED and away.max() > width):
             return False
     return True
 

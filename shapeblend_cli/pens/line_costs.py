@@ -20,14 +20,26 @@ if TYPE_CHECKING:
 REACH = 8.0
 """Distance that costs as much as a line's length, in units."""
 
+FARTHEST = 1.5
+"""Cost of the farthest way, as a share of a line's length: what moves at all may as well move far."""
+
 SHIFT = 0.6
 """Weight of the common shift of all points of a line, against distances that differ along it."""
 
 BEND_COST = 0.5
 """Cost of turning every part of a line round by half a turn, as a share of its length."""
 
+TURN_COST = 0.4
+"""Cost of turning a line as a whole by half a turn, as a share of its length: a corner rather opens and turns over."""
+
 STRETCH_COST = 0.3
 """Cost of a change of length, as a share of it."""
+
+CRUMPLES = 2.5
+"""Minimum ratio of the lengths of two lines of which the longer one crumples up."""
+
+CRUMPLE_COST = 0.6
+"""Cost of the length that crumples, as a share of it."""
 
 CLOSING_COST = 0.25
 """Cost of opening or closing a line, as a share of its length."""
@@ -40,6 +52,9 @@ PRESSED_STEP = 0.3
 
 LONELY_COST = 0.6
 """Cost of a line without a partner, as a share of its length and width."""
+
+LONG = 100.0
+"""Length of a line that costs twice as much per unit as a short one if it has no partner, in units."""
 
 LEFTOVER_COST = 1.2
 """Cost of a piece of a cut line without a partner, as a share of its length and width: pieces that float look torn."""
@@ -78,9 +93,11 @@ def work_between(points: ComplexArray, images: ComplexArray) -> float:
     distance = float(np.mean(np.abs(points - images) ** 2))
     distance -= (1.0 - SHIFT) * abs(complex(np.mean(points - images))) ** 2
     turns = np.angle((np.diff(images) + 1e-9) / (np.diff(points) + 1e-9))
-    turns -= np.angle(np.exp(1j * turns).mean())
-    bend = float(np.abs(np.angle(np.exp(1j * turns))).mean())
-    return distance / REACH**2 + BEND_COST * bend / np.pi
+    whole = float(np.angle(np.exp(1j * turns).mean()))
+    bends = BEND_COST * np.abs(turns).mean()
+    turned = BEND_COST * np.abs(np.angle(np.exp(1j * (turns - whole)))).mean() + TURN_COST * abs(whole)
+    distance /= REACH**2
+    return distance / (1.0 + distance / FARTHEST) + min(float(bends), float(turned)) / np.pi
 
 
 def partner_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexArray]:
@@ -91,7 +108,10 @@ def partner_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexAr
     mean = (p.length + q.length) / 2.0
     ways = list(ways_between(p, q))
     shares = np.linspace(0.0, 1.0, 17)
-    stretch = STRETCH_COST * abs(p.length - q.length)
+    short, long = sorted((p.length, q.length))
+    stretch = STRETCH_COST * (long - short)
+    if short > p.width:
+        stretch += CRUMPLE_COST * max(0.0, long - CRUMPLES * short)
     closing = CLOSING_COST * mean if p.closed != q.closed else 0.0
     costs = [
         mean * work_between(at(one, shares * length(one)), at(other, shares * length(other)))
@@ -112,7 +132,8 @@ def partner_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexAr
 
 def alone_cost(line: PenLine) -> float:
     """Return what it costs that a line has no partner."""
-    return (LEFTOVER_COST if line.is_piece else LONELY_COST) * (line.length + line.width)
+    cost = LEFTOVER_COST if line.is_piece else LONELY_COST
+    return cost * (line.length + line.width) * (1.0 + line.length / LONG)
 
 
 class Half(NamedTuple):

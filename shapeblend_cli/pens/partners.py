@@ -9,7 +9,7 @@ import numpy as np
 
 from shapeblend_cli.pairing.assignment import assign
 from shapeblend_cli.pens.line import at, corners, evenly, foot_points, length
-from shapeblend_cli.pens.line_costs import LONELY_COST, alone_cost, best_halves, partner_cost, ways_between
+from shapeblend_cli.pens.line_costs import alone_cost, best_halves, partner_cost, ways_between
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray
     from shapeblend_cli.pens.line import PenLine
 
-CUT_COST = 0.15
+CUT_COST = 0.25
 """Cost of cutting lines at their corners, as a share of their length."""
 
 MOST_CORNERS = 3
@@ -26,14 +26,20 @@ MOST_CORNERS = 3
 SPLIT_COST = 0.3
 """Cost of one line that becomes two twins, or of these that become one, as a share of its length."""
 
+SHORTEST = 4.0
+"""Minimum length of a line that splits into two twins, in widths."""
+
 SYMMETRY_BONUS = 1.6
 """Maximum work of an assignment that keeps a symmetry of both drawings, as a multiple of the least."""
 
 TWIN_DISTANCE = 0.6
 """Maximum distance of a line's mirror image from its twin, in units."""
 
-SAME_SHIFT = 0.25
-"""Tolerance of the shifts of lines that travel together, in units."""
+SAME_SHIFT = 0.45
+"""Tolerance of the shifts of lines that travel together, and of their points, in units."""
+
+SAME_LENGTH = 0.08
+"""Tolerance of the lengths of lines that only travel, as a share."""
 
 
 class Partners(NamedTuple):
@@ -58,12 +64,16 @@ def travelling(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Partners]:
     votes: list[tuple[complex, Partners]] = []
     shares = np.linspace(0.0, 1.0, 17)
     for (i, p), (j, q) in product(enumerate(a), enumerate(b)):
-        if abs(p.length - q.length) > 0.02 * p.length + 0.1 or p.closed != q.closed or len(p.points) < 2:
+        if (
+            abs(p.length - q.length) > SAME_LENGTH * p.length + 0.1
+            or p.closed != q.closed
+            or len(p.points) < 2
+        ):
             continue
         for one, image in ways_between(p, q):
             shifts = at(image, shares * length(image)) - at(one, shares * length(one))
             mean = complex(shifts.mean())
-            if np.abs(shifts - mean).max() < 0.15 and 0.4 < abs(mean) < 12.0:
+            if np.abs(shifts - mean).max() < SAME_SHIFT and 0.4 < abs(mean) < 12.0:
                 votes.append((mean, Partners(i, j, one, image)))
                 break
     best: dict[int, Partners] = {}
@@ -114,7 +124,7 @@ def _assigned(
 ) -> tuple[float, list[Partners]]:
     """Return the work of the best assignment of lines, and its pairs."""
     if not a or not b:
-        return LONELY_COST * sum(line.length for line in (*a, *b)), []
+        return sum(map(alone_cost, (*a, *b))), []
     ways = [[partner_cost(p, q) for q in b] for p in a]
     costs = np.array([[way[0] for way in row] for row in ways])
     work, pairs = _of_orbits([(i,) for i in range(len(a))], [(j,) for j in range(len(b))], a, b, costs)
@@ -153,6 +163,8 @@ def _of_orbits(
             options = [[*zip(p, q, strict=True)], [*zip(p, q[::-1], strict=True)]]
         else:
             one, twins = (a[p[0]], [b[k] for k in q]) if len(q) == 2 else (b[q[0]], [a[k] for k in p])
+            if one.length < SHORTEST * one.width:
+                continue
             work = SPLIT_COST * one.length + sum(half.cost for half in best_halves(one, twins))
             table[i, j], how[i, j] = work, [*product(p, q)]
             continue
@@ -176,8 +188,9 @@ def _twins(lines: Sequence[PenLine], centre: complex, axis: complex) -> list[int
         images = centre + axis * axis * (points - centre).conj()
         twin = None
         for k, other in enumerate(lines):
-            if abs(other.length - line.length) < 0.08 * line.length + 0.3 and len(other.outline) > 1:
-                if foot_points(images, other.outline)[0].max() < TWIN_DISTANCE:
+            if abs(other.length - line.length) < 0.08 * line.length + 0.3:
+                outline = other.outline if len(other.points) > 1 else np.repeat(other.points, 2)
+                if foot_points(images, outline)[0].max() < TWIN_DISTANCE:
                     twin = k
         found.append(twin)
     return found

@@ -67,7 +67,12 @@ def _source(
     own, others = (found.a, found.b) if side == 0 else (found.b, found.a)
     best: tuple[float, tuple[int, int] | None] = 0.0, None
     for (other_side, k), partners in twice.items():
-        if other_side == side or len(partners) != 1 or len(twice[side, partners[0]]) != 1:
+        if (
+            other_side == side
+            or not others[k].closed
+            or len(partners) != 1
+            or len(twice[side, partners[0]]) != 1
+        ):
             continue
         like = own[partners[0]]
         if not is_like(like, line, SAME_SIZE) or is_like(others[k], line, SAME_SIZE):

@@ -7,7 +7,6 @@ from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.motion.pen import Turning, between
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pens.drawings import file_lines
-from shapeblend_cli.pens.joints import joined
 from shapeblend_cli.pens.moves import BECOMES, DRAWN_BACK, DRAWN_ON, STAYS
 from shapeblend_cli.pens.splits import COPY
 from shapeblend_cli.pipeline import match_all
@@ -43,14 +42,14 @@ def line_at(shape, t):
     ids=["a slash in pieces", "an arc beside it", "an arrow"],
 )
 def test_pieces_that_go_on_from_each_other_are_one_line(paths, ends):
-    lines = joined(file_lines(pen(*paths)))
+    lines = file_lines(pen(*paths))
     assert [{*np.round(line.points[[0, -1]], 3)} for line in lines] == ends
 
 
 def test_pieces_of_a_ring_are_a_ring_and_flat_ends_make_no_corner():
-    (ring,) = joined(file_lines(pen("M4 4H20V20", "M20 20H4V4")))
+    (ring,) = file_lines(pen("M4 4H20V20", "M20 20H4V4"))
     assert ring.closed
-    assert len(joined(file_lines(pen("M4 4H20", "M20 4V20", cap="butt")))) == 2
+    assert len(file_lines(pen("M4 4H20", "M20 4V20", cap="butt"))) == 2
 
 
 def test_a_closed_line_splits_into_two_that_close_again():
@@ -97,10 +96,11 @@ def test_the_gap_opens_where_the_tip_of_a_slash_comes_by():
 
 def test_a_corner_that_turns_over_opens_and_does_not_fold_up():
     head, other = np.array([0, 4 + 4j, 8j]), np.array([4, 4j, 4 + 8j])
-    motion = between(head, other)
-    assert isinstance(motion, Turning)
-    half = motion.points(0.5)
+    half = between(head, other).points(0.5)
     assert abs(half[2] - half[0]) == pytest.approx(np.abs(np.diff(half)).sum())
+    turned = between(head, 1j * other)
+    assert isinstance(turned, Turning)
+    assert np.abs(np.diff(turned.points(0.5))) == pytest.approx(np.abs(np.diff(head)))
 
 
 def test_what_has_no_partner_is_carried_along_by_the_line_that_it_touches():
