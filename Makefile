@@ -28,7 +28,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz mutants bench bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge pictures studio options api install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz mutants bench bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge judge-weights pictures studio options api install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -137,6 +137,10 @@ bench-morphs: install npm ## measure by limbs and morphs whose in-betweens are k
 
 bench-faces: install npm ## count the eyes that become eyes on the same side, and the mouths that become mouths
 	$(BIN)/python -m tools.quality faces --print
+
+judge-weights: install ## fit the weights of `shapeblend judge` to graded strips, and write docs/judge.md
+	$(BIN)/python -m tools.grading
+	$(BIN)/ruff format -q shapeblend_cli/grading/weights.py
 
 bench-judge: install npm ## count the pairs for which the judge chooses the blend that was graded best by eye
 	$(BIN)/python -m tools.quality judge --print

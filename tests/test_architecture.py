@@ -28,7 +28,7 @@ ROOMS = {
     "batch": "job outputs svg.writing motion options svg.reading system errors model version",
     "plot": "job wires matching svg.writing options svg.reading geometry system errors model",
     "inkscape": "pipeline outputs frames svg.writing options svg.reading geometry svg.xml system errors model",
-    "job": "pipeline blending pens preview outputs frames matching svg.writing motion options svg.reading "
+    "job": "pipeline blending grading pens preview outputs frames matching svg.writing motion options svg.reading "
     "interpolate geometry paint system errors model version",
     "pipeline": "blending wires frames options anatomy interpolate paint system model",
     "blending": "pens pairing wires frames motion options anatomy interpolate geometry paint system errors model",
@@ -41,6 +41,7 @@ ROOMS = {
     "matching": "options _cython errors model",
     "svg.writing": "options paint model svg.libraries",
     "motion": "interpolate geometry model",
+    "grading": "geometry model",
     "options": "svg.styles errors",
     "svg.reading": "svg.styles geometry svg.xml errors model svg.libraries",
     "anatomy": "geometry errors model",

@@ -18,6 +18,7 @@ from shapeblend_cli.cli.completion import completion
 from shapeblend_cli.cli.group import DefaultGroup
 from shapeblend_cli.cli.inkscape import inkscape
 from shapeblend_cli.cli.inspect import inspect
+from shapeblend_cli.cli.judge import judge
 from shapeblend_cli.cli.plot import plot
 from shapeblend_cli.cli.rank import rank
 from shapeblend_cli.cli.states import states
@@ -32,7 +33,7 @@ FAILED, USAGE = 1, 2
 
 @click.group(
     cls=DefaultGroup,
-    commands=[blend, studio, batch, inspect, plot, rank, states, inkscape, completion],
+    commands=[blend, studio, batch, inspect, judge, plot, rank, states, inkscape, completion],
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 @click.version_option(__version__, prog_name="shapeblend", message="%(prog)s %(version)s")

@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model.arrays import ComplexArray as ComplexArray
     from shapeblend_cli.model.arrays import FloatArray as FloatArray
     from shapeblend_cli.model.arrays import IntArray as IntArray
+    from shapeblend_cli.model.arrays import PictureArray as PictureArray
     from shapeblend_cli.model.arrays import UIntArray as UIntArray
 
 

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 
     ComplexArray = NDArray[np.complex128]
     FloatArray = NDArray[np.float64]
+    PictureArray = NDArray[np.float32]
     IntArray = NDArray[np.intp]
     BoolArray = NDArray[np.bool_]
     UIntArray = NDArray[np.uint8]

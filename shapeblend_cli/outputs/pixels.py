@@ -6,14 +6,14 @@ import io
 from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.errors import PictureError, with_extra
+from shapeblend_cli.errors import InputError, PictureError, with_extra
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from PIL import Image
 
-    from shapeblend_cli.model import Box, Pair
+    from shapeblend_cli.model import Box, Pair, PictureArray
 
 MOST_SIDE = 16_383
 """Maximum side of a picture, in pixels: that of WebP."""
@@ -100,3 +100,45 @@ def read_png(png: bytes) -> Image.Image:
     from PIL import Image
 
     return Image.open(io.BytesIO(png)).convert("RGBA")
+
+
+def pictures_in(file: str, side: int) -> list[PictureArray]:
+    """Return the pictures in a PNG or GIF file, (4, side, side) each: red, green and blue times opacity, and opacity.
+
+    Raises
+    ------
+    PictureError
+        Pillow is not installed.
+    InputError
+        The file cannot be read, or has more than `MOST_PIXELS`.
+    """
+    check_libraries()
+    from PIL import Image, ImageSequence
+
+    try:
+        with Image.open(file, formats=("PNG", "GIF")) as image:
+            count = getattr(image, "n_frames", 1)
+            if count * image.width * image.height > MOST_PIXELS:
+                size = f"{count} pictures of {image.width} x {image.height} pixels"
+                raise InputError(file, f"{size}; up to {MOST_PIXELS // 1_000_000} million pixels would work")
+            return [_fitted(frame.convert("RGBA"), side) for frame in ImageSequence.Iterator(image)]
+    except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(file, "no PNG or GIF picture that Pillow can read") from error
+
+
+def _fitted(image: Image.Image, side: int) -> PictureArray:
+    """Return a picture as large as a square allows, in its middle."""
+    import numpy as np
+
+    scale = side / max(image.size)
+    size = [max(1, round(scale * length)) for length in image.size]
+    small = (
+        np.asarray(image.resize((size[0], size[1]), 4), np.float32) / 255.0
+    )  # 4: the mean of each pixel's area
+    small[..., :3] *= small[..., 3:]
+    fitted = np.zeros((4, side, side), np.float32)
+    left, top = (side - size[0]) // 2, (side - size[1]) // 2
+    fitted[:, top : top + size[1], left : left + size[0]] = small.transpose(2, 0, 1)
+    return fitted

@@ -148,6 +148,10 @@ def furnish() -> None:
     for name, text in SEVERAL.items():
         Path(f"{name}.svg").write_text(text, "utf-8")
     Path("samples").symlink_to(ROOT / "samples")
+    for folder in ("before", "after"):
+        Path(folder).mkdir()
+        for number, sample in enumerate(("e", "f", "f")):
+            shutil.copy(ROOT / "samples" / f"{sample}.svg", f"{folder}/frame-{number}.svg")
     for name, words in (("jobs.csv", "a,b,o,"), ("jobs.jsonl", '"frames": 9')):
         Path(name).write_text(block("docs/batch.md", words), "utf-8")
     Path("blend.json").write_text(block("docs/studio.md", '"files"'), "utf-8")

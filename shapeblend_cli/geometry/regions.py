@@ -1,0 +1,88 @@
+# cython: boundscheck=False, wraparound=False, cdivision=True, initializedcheck=False
+"""Connected regions of equal numbers in pictures.
+
+This file is compiled by Cython and runs uncompiled as well.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+try:
+    import cython
+except ImportError:  # Cython is needed to build, not to run
+    from shapeblend_cli import _cython as cython
+
+if TYPE_CHECKING:
+    from shapeblend_cli.model import IntArray
+
+COMPILED = cython.compiled
+
+
+def count_regions(picture: IntArray, least: int) -> tuple[int, int]:
+    """Count the regions of pixels that have one number and share sides.
+
+    Parameters
+    ----------
+    picture : (rows, columns) int
+        0 is the ground.
+    least : int
+        Minimum number of pixels of a region that counts.
+
+    Returns
+    -------
+    painted : int
+        Regions of numbers but 0.
+    holes : int
+        Regions of the ground that do not reach the border.
+    """
+    rows, columns = picture.shape
+    numbers = np.ascontiguousarray(picture, dtype=np.intc)
+    parents = np.arange(rows * columns, dtype=np.intc)
+    _join(numbers, parents)
+    sizes = np.bincount(parents, minlength=rows * columns)
+    border = np.zeros(rows * columns, np.bool_)
+    framed = parents.reshape(rows, columns)
+    for edge in (framed[0], framed[rows - 1], framed[:, 0], framed[:, columns - 1]):
+        border[edge] = True
+    roots = np.flatnonzero(sizes >= least)
+    ground = numbers.ravel()[roots] == 0
+    return int((~ground).sum()), int((ground & ~border[roots]).sum())
+
+
+def _join(numbers: cython.int[:, ::1], parents: cython.int[::1]) -> None:
+    """Give each pixel the first pixel of its region."""
+    rows: cython.Py_ssize_t = numbers.shape[0]
+    columns: cython.Py_ssize_t = numbers.shape[1]
+    row: cython.Py_ssize_t
+    column: cython.Py_ssize_t
+    for row in range(rows):
+        for column in range(columns):
+            at: cython.int = cython.cast(cython.int, row * columns + column)
+            if column > 0 and numbers[row, column] == numbers[row, column - 1]:
+                _unite(parents, at, at - 1)
+            if row > 0 and numbers[row, column] == numbers[row - 1, column]:
+                _unite(parents, at, at - cython.cast(cython.int, columns))
+    k: cython.Py_ssize_t
+    for k in range(parents.shape[0]):
+        parents[k] = _root(parents, cython.cast(cython.int, k))
+
+
+@cython.cfunc
+def _root(parents: cython.int[::1], k: cython.int) -> cython.int:
+    while parents[k] != k:
+        parents[k] = parents[parents[k]]
+        k = parents[k]
+    return k
+
+
+@cython.cfunc
+def _unite(parents: cython.int[::1], i: cython.int, j: cython.int) -> None:
+    i = _root(parents, i)
+    j = _root(parents, j)
+    if i < j:
+        parents[j] = i
+    else:
+        parents[i] = j

@@ -1,0 +1,83 @@
+"""Grades of strips, from 0, as a designer would have drawn it by hand, to 3, unusable."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.grading.features import Features, features
+from shapeblend_cli.grading.weights import BASE, GOOD, WEIGHTS
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import PictureArray
+
+FRAMES = 7
+"""Number of frames of the strips that people graded: longer ones are thinned."""
+
+WORST = 3.0
+"""Grade of what is unusable."""
+
+NAMES = ("as drawn by hand", "good, with a small flaw", "flawed", "unusable")
+
+TOLD = 0.15
+"""Minimum part of a grade that is told as its reason."""
+
+PHRASES = {
+    "edges_lost": "lines and detail melt away",
+    "edges_off": "lines and detail come or go on the way",
+    "ink_lost": "area is lost on the way",
+    "ink_off": "area swells or is lost on the way",
+    "swollen": "something swells to a lump",
+    "thickness_off": "lines or limbs get too thin or too fat",
+    "patches": "parts or colours are there twice, or break up",
+    "pieces": "loose pieces float about",
+    "holes": "holes open that neither end has",
+    "detail": "there are many parts",
+    "detour": "parts go a long way round",
+    "pop": "something changes suddenly",
+    "common_lost": "places that both ends cover are bare on the way",
+    "outside": "something swings out beyond both ends",
+    "lopsided": "a symmetry of both ends is lost",
+    "grey": "colours turn grey",
+}
+"""The features as people see them."""
+
+
+class Grade(NamedTuple):
+    """A grade, from 0 to 3, and its main reason, if it has one."""
+
+    number: float
+    why: str | None
+
+    @property
+    def name(self) -> str:
+        """The grade in words."""
+        return NAMES[round(self.number)]
+
+
+def grade(strip: Sequence[PictureArray]) -> Grade:
+    """Grade a strip of three pictures or more, each (4, n, n); see `features.features`.
+
+    If all corners of the first picture have one opaque colour, this is taken for the ground.
+    """
+    places = np.unique(np.rint(np.linspace(0, len(strip) - 1, min(len(strip), FRAMES))).astype(int))
+    found = features(_without_ground([strip[k] for k in places.tolist()]))
+    # By square roots: the first fault is seen more than any that follow.
+    roots = np.sqrt(np.maximum(found, 0.0))
+    number = BASE + float(roots @ np.array(WEIGHTS))
+    parts = (roots - np.array(GOOD)) * np.array(WEIGHTS)
+    worst = int(parts.argmax())
+    why = PHRASES[Features._fields[worst]] if parts[worst] >= TOLD else None
+    return Grade(min(max(number, 0.0), WORST), why)
+
+
+def _without_ground(strip: list[PictureArray]) -> list[PictureArray]:
+    """Return pictures whose ground is transparent."""
+    corners = strip[0][:, [0, 0, -1, -1], [0, -1, 0, -1]]
+    if corners[3].min() < 0.99 or np.ptp(corners, axis=1).max() > 0.02:
+        return strip
+    ground = corners[:, 0, None, None]
+    return [np.where(np.abs(picture - ground).max(axis=0) > 0.06, picture, 0.0) for picture in strip]

@@ -1,0 +1,33 @@
+from tools.grading.fit import (
+    PAGE,
+    WEIGHTS,
+    graded,
+    page,
+    predicted,
+    rank_correlation,
+    right_orders,
+    weights_file,
+)
+
+
+def test_weights_and_their_page_are_those_that_the_grades_give():
+    rows = graded()
+    written = WEIGHTS.read_text()
+    assert [line.strip() for line in weights_file(rows).splitlines() if "=" in line] == [
+        line.strip() for line in written.splitlines() if "=" in line
+    ]
+    assert PAGE.read_text() == page(rows)
+
+
+def test_grades_of_other_drawings_are_predicted():
+    rows = graded()
+    grades = predicted(rows)
+    some = rows.by_designers
+    assert rank_correlation(grades[some], rows.grades[some]) > 0.68
+    right, total = right_orders(rows, grades)
+    assert right > 0.75 * total > 200
+
+
+def test_equal_values_share_their_rank():
+    assert rank_correlation([1, 2, 2, 3], [10, 20, 20, 30]) > 0.999
+    assert rank_correlation([1, 2, 3], [3, 2, 1]) < -0.999
