@@ -10,7 +10,7 @@ from shapeblend_cli.blending.placing import as_drawn
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.grading.grade import Grade, grade
-from shapeblend_cli.grading.pictures import SIDE, picture
+from shapeblend_cli.grading.painting import SIDE, picture
 from shapeblend_cli.model import Box
 from shapeblend_cli.outputs.pixels import pictures_in
 from shapeblend_cli.svg.reading.read import read

@@ -5,7 +5,7 @@ import pytest
 
 from shapeblend_cli.blending.placing import as_drawn
 from shapeblend_cli.grading.features import features
-from shapeblend_cli.grading.pictures import SIDE, picture
+from shapeblend_cli.grading.painting import SIDE, picture
 from shapeblend_cli.model import Box
 from tests.support.drawings import drawing
 
