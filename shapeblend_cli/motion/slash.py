@@ -34,6 +34,9 @@ SAME_AXIS = np.radians(2.0)
 LEAST_EDGE = 0.06
 """Minimum length of edges along a slash, as a share of the raster's side."""
 
+EDGES = 1.15
+"""Minimum length of the edges along a slash and its gap, as a share of its length: an outline's corner has one edge."""
+
 LEAST_SLASH = 0.6
 """Minimum length of a slash, as a share of the larger side of the drawing that it crosses out."""
 
@@ -61,6 +64,9 @@ LEAST_LEFT = 0.2
 LEAST_CHANGE = 0.5
 """Minimum area that changes along a slash, as a share of the slash's: less is a corner cut off."""
 
+LEAST_SIDE = 0.04
+"""Minimum share of the drawing on each side of the slash and its gap."""
+
 MOST_WRONG = 0.42
 """Maximum share of a slash's length along which the drawing touches it on both sides, plus what else is added and
 removed. Of 180 icons crossed out the worst has 0.40; of 1,600 other pairs those that pass are better for it."""
@@ -76,9 +82,10 @@ def slash_axis(plain: Sequence[Contour], crossed: Sequence[Contour]) -> complex 
     """Return the direction of the slash that crosses out a drawing; None if that is not how the drawings differ."""
     edges, centre, side = _framed(plain, crossed)
     size = max(float(np.ptp(edges[0][0].real)), float(np.ptp(edges[0][0].imag)))
-    for axis in _axes(crossed, side):
+    for axis, along in _axes(crossed, side):
         before, after = _rasters(edges, centre, side, axis)
-        if _is_crossed_out(before, after, LEAST_SLASH * size * GRID / side):
+        least, most = (size * GRID / side for size in (LEAST_SLASH * size, along / EDGES))
+        if _is_crossed_out(before, after, least, most):
             return axis
     return None
 
@@ -116,30 +123,32 @@ def _edges(contours: Sequence[Contour]) -> tuple[ComplexArray, ComplexArray]:
     return np.concatenate(rings), np.concatenate([np.roll(ring, -1) for ring in rings])
 
 
-def _axes(contours: Sequence[Contour], side: float) -> list[complex]:
-    """Return the directions in which most straight edges run, slanting ones only."""
+def _axes(contours: Sequence[Contour], side: float) -> list[tuple[complex, float]]:
+    """Return the directions in which most straight edges run, slanting ones only, with the length of these."""
     parts = [each.segments[each.straight][:, [0, 3]] for each in contours]
     chords = np.concatenate([part[:, 1] - part[:, 0] for part in parts])
     chords = chords[np.abs(chords) > LEAST_EDGE * side]
     angles = np.angle(chords) % np.pi
     slanted = np.abs((angles + np.pi / 4.0) % (np.pi / 2.0) - np.pi / 4.0) >= LEAST_SLANT
     angles, sizes = angles[slanted], np.abs(chords[slanted])
-    found: list[complex] = []
+    found: list[tuple[complex, float]] = []
     while len(angles) and len(found) < MOST_AXES:
         near = np.abs((angles[:, None] - angles + np.pi / 2.0) % np.pi - np.pi / 2.0) < SAME_AXIS
         best = int((near @ sizes).argmax())
         doubled = complex((sizes[near[best]] * np.exp(2j * angles[near[best]])).sum())
-        found.append(rightwards(cmath.rect(1.0, 0.5 * cmath.phase(doubled))))
+        axis = rightwards(cmath.rect(1.0, 0.5 * cmath.phase(doubled)))
+        found.append((axis, float(sizes[near[best]].sum())))
         angles, sizes = angles[~near[best]], sizes[~near[best]]
     return found
 
 
-def _is_crossed_out(before: BoolArray, after: BoolArray, least: float) -> bool:
+def _is_crossed_out(before: BoolArray, after: BoolArray, least: float, most: float) -> bool:
     """Return whether a raster is another one with a bar along its rows, and what is beside it cut away.
 
-    `least` is the least length of the bar.
+    `least` and `most` limit the length of the bar.
     """
     is_bar, firsts, beyonds = _bars(before, after, least)
+    is_bar &= beyonds - firsts <= most
     borders = np.flatnonzero(np.diff(np.concatenate([[False], is_bar, [False]]).astype(np.int8)))
     for top, bottom in borders.reshape(-1, 2).tolist():
         ends = np.stack([firsts[top:bottom], beyonds[top:bottom]])
@@ -159,8 +168,9 @@ def _is_crossed_out(before: BoolArray, after: BoolArray, least: float) -> bool:
         if (added & slash).sum() + (removed & near).sum() < LEAST_CHANGE * thickness * (last - first):
             continue
         stray = (added & ~slash).sum() + (removed & ~near).sum()
-        is_left = (before & ~near).sum() > LEAST_LEFT * whole
-        if is_left and touched + STRAY_WEIGHT * stray / whole < MOST_WRONG:
+        left = before[: max(0, top - reach)].sum(), before[bottom + reach :].sum()
+        is_across = min(left) > LEAST_SIDE * whole and sum(left) > LEAST_LEFT * whole
+        if is_across and touched + STRAY_WEIGHT * stray / whole < MOST_WRONG:
             return True
     return False
 
