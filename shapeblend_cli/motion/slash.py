@@ -43,8 +43,11 @@ LEAST_SLASH = 0.6
 LEAST_SLANT = np.radians(15.0)
 """Minimum angle of a slash with the horizontal and the vertical, in radians: bars along these belong to the drawing."""
 
-THINNEST, THICKEST = 0.04, 0.15
-"""Minimum and maximum thickness of a slash, as a share of its length."""
+THINNEST = 0.04
+"""Minimum thickness of a slash, as a share of its length."""
+
+THICKEST = 0.15
+"""Maximum thickness of a slash, as a share of its length."""
 
 COVERED = 0.85
 """Minimum share of a slash's length that is painted: what it crosses may cut it into pieces."""
