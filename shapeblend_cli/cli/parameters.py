@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 NAME = click.Path(readable=False)
 """Name of a file to read. It is checked when it is read, so that every error has the same form."""
 
+ABOUT_FRAMES = ("frames", "ends", "times", "mix", "curves", "ease", "stagger", "stagger_by")
+"""Settings that change no correspondence, for commands that draw no frames."""
+
 
 class FieldText(click.ParamType):  # type: ignore[type-arg]  # generic only in newer releases
     """Text that stands for the value of a field."""

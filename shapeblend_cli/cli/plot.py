@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.cli.parameters import NAME, options_of
+from shapeblend_cli.cli.parameters import ABOUT_FRAMES, NAME, options_of
 from shapeblend_cli.cli.terminal import Terminal, TerminalOptions
 from shapeblend_cli.job.job import check_files
 from shapeblend_cli.job.options import RunOptions
@@ -26,7 +26,7 @@ KINDS = ("graph", "angle")  # each is a module of that name in `plot`
         Settings,
         RunOptions,
         TerminalOptions,
-        without=("frames", "ends", "style", "curves", "ease", "verbose"),
+        without=(*ABOUT_FRAMES, "style", "viewbox", "verbose"),
     ),
 )
 @click.argument("kind", type=click.Choice(KINDS), metavar="KIND")

@@ -9,10 +9,10 @@ import click
 from shapeblend_cli.batch.options import RankOptions
 from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.inspect import aligned
-from shapeblend_cli.cli.parameters import NAME, options_of
+from shapeblend_cli.cli.parameters import ABOUT_FRAMES, NAME, options_of
 from shapeblend_cli.cli.terminal import BatchTerminal, TerminalOptions, say
 from shapeblend_cli.job.options import RunOptions
-from shapeblend_cli.options.settings import ReadOptions, Settings
+from shapeblend_cli.options.settings import ABOUT_TWO_DRAWINGS, ReadOptions, Settings
 from shapeblend_cli.system.interrupts import Interrupted
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ CHANGED = {
 
 
 def _params() -> list[click.Parameter]:
-    without = "frames ends curves precision ease verbose start pins match stiff".split()
+    without = (*ABOUT_FRAMES, *ABOUT_TWO_DRAWINGS, "verbose")
     params = options_of(RankOptions, ReadOptions, Settings, RunOptions, TerminalOptions, without=without)
     for param in params:
         if param.name in CHANGED:
