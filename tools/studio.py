@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from PIL import Image
 
-from shapeblend_cli.batch.project import Project
+from shapeblend_cli.rows.project import Project
 from shapeblend_cli.studio.server import Studio
 from shapeblend_cli.studio.session import Session
 from tools.pictures import DOCS, beside

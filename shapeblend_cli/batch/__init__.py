@@ -1,4 +1,4 @@
-"""Many blends: manifests and projects, records, processes and clusters, and rankings.
+"""Many blends: their plan, records and cache, the processes and clusters that make them, and rankings.
 
-It may import job and what is below it.
+It may import rows, job and what is below that.
 """

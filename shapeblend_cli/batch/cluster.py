@@ -2,6 +2,10 @@
 
 The scheduler sees to it that each job is done by one worker, and by another one if that is gone. What is here keeps it
 supplied, a few jobs for each worker at a time; writes what comes back; and keeps away from workers of other versions.
+
+A worker has jobs done by processes of its own (`compute`), one for each that it does at a time: a job that ends its
+process, takes too long or fills the memory does that to such a process and not to the worker, and a worker with several
+threads keeps several processors busy.
 """
 
 from __future__ import annotations
@@ -17,12 +21,13 @@ from contextlib import contextmanager, suppress
 from queue import Empty, SimpleQueue
 from typing import Any, NamedTuple, cast
 
-from shapeblend_cli.batch.remote import Identity, compute, identity
-from shapeblend_cli.batch.supervisor import DIED, Ended, Stopped, died
+from shapeblend_cli.batch.records import method
+from shapeblend_cli.batch.supervisor import DIED, CannotStart, Ended, Stopped, Worker, died
 from shapeblend_cli.batch.worker import DONE, FAILED, Answer, Order, made_of, write_answer
 from shapeblend_cli.errors import InputError, ShapeblendError, with_extra
 from shapeblend_cli.job.job import job_of
 from shapeblend_cli.system.interrupts import told
+from shapeblend_cli.version import __version__
 
 PATIENCE = 8.0
 """Maximum wait for an answer of the scheduler, and for a worker, in seconds."""
@@ -38,6 +43,12 @@ LEAST = 8
 
 ATTEMPTS = 3
 """Maximum number of times that a job is sent, if sending fails or a worker does not understand it."""
+
+LONGEST_REST = 60.0
+"""Maximum idle time of a worker's process, in seconds."""
+
+Identity = tuple[str, str]
+"""The version of a program, and a hash of it."""
 
 
 class ClusterError(ShapeblendError):
@@ -299,3 +310,51 @@ class _Batch:
             return None
         problem = f"{' and '.join(sent.order.files)}: no worker of the cluster can do it"
         return Ended(number, Answer(FAILED, f"{problem} ({' '.join(str(found).split())})"), ATTEMPTS)
+
+
+class _Idle(NamedTuple):
+    worker: Worker
+    since: float
+
+
+_idle: list[_Idle] = []
+_lock = threading.Lock()
+
+
+def identity() -> Identity:
+    """Return what is the same where the same outputs are made."""
+    return __version__, method()
+
+
+def compute(expected: Identity, order: bytes) -> bytes | None:
+    """Do a job whose order has the data, and return its answer and the attempts; None if this is another program."""
+    if identity() != expected:
+        return None
+    return pickle.dumps(_done(pickle.loads(order)))
+
+
+def _done(order: Order) -> tuple[Answer, int]:
+    with _lock:
+        worker = _idle.pop().worker if _idle else Worker()
+    try:
+        done = worker.do(order)
+        assert done is not None, "nobody stops it"
+        return done
+    except CannotStart as error:
+        return Answer(FAILED, str(error)), 1
+    finally:
+        with _lock:
+            _idle.append(_Idle(worker, time.monotonic()))
+        timer = threading.Timer(LONGEST_REST, _end_idle)
+        timer.daemon = True
+        timer.start()
+
+
+def _end_idle() -> None:
+    """End the processes that have had nothing to do for long."""
+    last = time.monotonic() - LONGEST_REST
+    with _lock:
+        old = [each for each in _idle if each.since <= last]
+        _idle[:] = [each for each in _idle if each.since > last]
+    for each in old:
+        each.worker.end()

@@ -10,11 +10,11 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from shapeblend_cli.batch.records import SUFFIX, place_of
-from shapeblend_cli.batch.rows import LETTERS, Name, Row
 from shapeblend_cli.errors import OptionError, ShapeblendError
 from shapeblend_cli.job.job import RECORDS, Job, all_targets, job_of
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.outputs.registry import EMITS, FORMATS
+from shapeblend_cli.rows.row import LETTERS, Name, Row
 
 _FIELD = re.compile(r"\{\{|\}\}|\{([^{}]*)\}")
 

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.batch.options import RankOptions
 from shapeblend_cli.batch.run import processors
-from shapeblend_cli.batch.sources import drawings
 from shapeblend_cli.batch.supervisor import run_all
 from shapeblend_cli.batch.worker import DONE, Order, watch_time
 from shapeblend_cli.batch.worker import main as answer_orders
 from shapeblend_cli.errors import InputError, OptionError
 from shapeblend_cli.options.settings import ReadOptions, Settings
+from shapeblend_cli.rows.sources import drawings
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, contents_of, read
 from shapeblend_cli.svg.writing.sheet import Row, sheet
 from shapeblend_cli.system.kept import Kept

@@ -14,9 +14,9 @@ from typing import Any, NamedTuple
 
 from shapeblend_cli.batch.cache import Found, keep
 from shapeblend_cli.batch.records import Record
-from shapeblend_cli.batch.rows import command_of
 from shapeblend_cli.errors import in_words
 from shapeblend_cli.job.job import Job, all_targets, job_of
+from shapeblend_cli.rows.row import command_of
 from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.interrupts import Interrupted, listening, stop_after
 from shapeblend_cli.system.kept import Kept

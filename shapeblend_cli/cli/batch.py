@@ -20,9 +20,9 @@ if TYPE_CHECKING:
     from shapeblend_cli.batch.aside import Aside
     from shapeblend_cli.batch.plan import Task
     from shapeblend_cli.batch.records import State
-    from shapeblend_cli.batch.rows import Row
     from shapeblend_cli.batch.run import Outcome, Run
-    from shapeblend_cli.batch.sources import Found
+    from shapeblend_cli.rows.row import Row
+    from shapeblend_cli.rows.sources import Found
 
 FAILED = 1
 
@@ -106,7 +106,7 @@ def _watch(
 ) -> int:
     """Do a batch, and again what changes, until a signal asks to stop."""
     from shapeblend_cli.batch.aside import Aside
-    from shapeblend_cli.batch.watch import stamps, wait_for_change
+    from shapeblend_cli.system.watch import stamps, wait_for_change
 
     tasks, notes = _tasks(names, options, given)
     aside = Aside(options, " ".join(_source(names, options)))
@@ -218,9 +218,9 @@ def _tasks(
 ) -> tuple[list[Task], list[str]]:
     """Return the tasks of a batch, or of its shard, and notes."""
     from shapeblend_cli.batch.aside import check_aside
-    from shapeblend_cli.batch.manifest import read_manifest
     from shapeblend_cli.batch.plan import plan
-    from shapeblend_cli.batch.rows import named
+    from shapeblend_cli.rows.manifest import read_manifest
+    from shapeblend_cli.rows.row import named
 
     found = _found(names, options)
     rows, defaults = (found.rows, {}) if found else read_manifest(names[0])
@@ -242,7 +242,7 @@ def _tasks(
 
 def _source(names: Sequence[str], options: BatchOptions) -> tuple[str, ...]:
     """Return where the jobs come from: a word and paths."""
-    from shapeblend_cli.batch.sources import root_of
+    from shapeblend_cli.rows.sources import root_of
 
     if options.pairs is not None:
         return "--pairs", *options.pairs
@@ -255,8 +255,8 @@ def _source(names: Sequence[str], options: BatchOptions) -> tuple[str, ...]:
 
 def _found(names: tuple[str, ...], options: BatchOptions) -> Found | None:
     """Return the jobs that options find; None if there is a manifest."""
-    from shapeblend_cli.batch import sources
-    from shapeblend_cli.batch.manifest import is_manifest
+    from shapeblend_cli.rows import sources
+    from shapeblend_cli.rows.manifest import is_manifest
 
     ways = sum(way is not None for way in (options.pairs, options.chain, options.every_two))
     # Without quotes, a shell makes further names of a pattern.

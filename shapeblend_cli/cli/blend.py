@@ -57,7 +57,7 @@ def opened(
 
     A project that `stays_inside` must not write outside its folder; the studio asks instead.
     """
-    from shapeblend_cli.batch.project import check_outputs, is_project, read_project
+    from shapeblend_cli.rows.project import check_outputs, is_project, read_project
 
     projects = [file for file in files if is_project(file)]
     if not projects:

@@ -59,7 +59,7 @@ def studio(files: tuple[str, ...], **given: Any) -> None:
     named = {name for record in RECORDS for name in record.options}
     beside = {name: value for name, value in given.items() if name in named and value not in (None, ())}
 
-    from shapeblend_cli.batch.project import Project, is_project
+    from shapeblend_cli.rows.project import Project, is_project
     from shapeblend_cli.studio.server import Studio
     from shapeblend_cli.studio.session import Session
 

@@ -4,7 +4,6 @@ import { at, copy, counted, made } from "./values.js";
 import { ALONE } from "./parts.js";
 import { ask, give, keep, Latest } from "./asking.js";
 import { Form } from "./form.js";
-import { History } from "./history.js";
 import { Panel } from "./panel.js";
 import { Stage } from "./stage.js";
 import { pointsOf, regionOf, Tools } from "./tools.js";
@@ -16,6 +15,39 @@ const isDark = () => {
   const { theme } = document.documentElement.dataset;
   return theme ? theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
 };
+
+// What was done, to be undone and done again.
+
+class History {
+  constructor(first) {
+    Object.assign(this, { present: first, past: [], future: [] });
+  }
+
+  // Takes what is so now, and in a word what was done.
+  commit(next, what) {
+    if (JSON.stringify(next) === JSON.stringify(this.present)) return false;
+    this.past.push({ state: this.present, what });
+    this.present = next;
+    this.future = [];
+    return true;
+  }
+
+  undo() {
+    return this.go(this.past, this.future);
+  }
+
+  redo() {
+    return this.go(this.future, this.past);
+  }
+
+  go(from, to) {
+    const step = from.pop();
+    if (!step) return null;
+    to.push({ state: this.present, what: step.what });
+    this.present = step.state;
+    return step.what;
+  }
+}
 
 const history = new History({ files: [] });
 const shown = { answer: null, version: 0, attempted: null, at: Infinity };

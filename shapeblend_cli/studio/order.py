@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
-from shapeblend_cli.batch.project import Project
+from shapeblend_cli.rows.project import Project
 from shapeblend_cli.system.write import is_inside, real_path
 
 
@@ -27,7 +27,7 @@ class Consent(NamedTuple):
 class Order(NamedTuple):
     """Something to do with a project, and the drawings that were dropped into the page, by name."""
 
-    what: str  # of `work.ORDERS`
+    what: str  # of `answers.ORDERS`
     project: Project
     sources: Mapping[str, bytes]
     consent: Consent = Consent()

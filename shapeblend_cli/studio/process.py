@@ -101,7 +101,7 @@ class Process:
 def main() -> None:
     """Do orders until there are no more."""
     parent = Parent()
-    from shapeblend_cli.studio.work import do
+    from shapeblend_cli.studio.answers import do
 
     for order in parent.orders():
         try:

@@ -69,20 +69,8 @@ KINDS = {
 }
 
 ASSETS = {
-    **{
-        name: PAGE
-        for name in (
-            "studio.css",
-            "main.js",
-            "asking.js",
-            "history.js",
-            "panel.js",
-            "tools.js",
-            "form.js",
-            "stage.js",
-        )
-    },
-    **{name: SHARED for name in ("base.css", "values.js", "picture.js", "player.js", "parts.js")},
+    **dict.fromkeys("studio.css main.js asking.js panel.js tools.js form.js stage.js".split(), PAGE),
+    **dict.fromkeys("base.css values.js picture.js player.js parts.js".split(), SHARED),
 }
 """Files of the page, and the package of each."""
 
@@ -234,10 +222,10 @@ class _Handler(BaseHTTPRequestHandler):
                 if not self._is_token(token):
                     raise _Refused(HTTPStatus.FORBIDDEN, REFUSED)
                 cookie = f"{self.server.cookie}={self.server.token}; HttpOnly; SameSite=Strict; Path=/"
-                self._send_file(PAGE, "page.html", {"Set-Cookie": cookie})
+                self._send_file(PAGE, "studio.html", {"Set-Cookie": cookie})
                 return
             self._check_sender()
-            self._send_file(PAGE, "page.html")
+            self._send_file(PAGE, "studio.html")
             return
         self._check_sender()
         name = url.path[1:]

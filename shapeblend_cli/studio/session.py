@@ -10,12 +10,12 @@ import zipfile
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from shapeblend_cli.batch.project import Project, parse_project, project_of, project_text, values_of
 from shapeblend_cli.errors import OptionError, ShapeblendError
 from shapeblend_cli.job.job import RECORDS
 from shapeblend_cli.options.fields import Option
 from shapeblend_cli.options.types import FLAG
 from shapeblend_cli.outputs.registry import DEFAULT, FORMATS, FRAME_FORMATS
+from shapeblend_cli.rows.project import Project, parse_project, project_of, project_text, values_of
 from shapeblend_cli.studio.order import Consent, Order
 from shapeblend_cli.studio.process import Process
 from shapeblend_cli.system.write import check_targets, write_files

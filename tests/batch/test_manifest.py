@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from shapeblend_cli.batch.rows import RECORDS, command_of, options_of
 from shapeblend_cli.cli import run
+from shapeblend_cli.rows.row import RECORDS, command_of, options_of
 from tests.support.commands import assert_refused, contents, names
 
 ROWS = [

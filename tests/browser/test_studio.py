@@ -6,8 +6,8 @@ import threading
 
 import pytest
 
-from shapeblend_cli.batch.project import Project, read_project
 from shapeblend_cli.cli import run
+from shapeblend_cli.rows.project import Project, read_project
 from shapeblend_cli.studio.server import Studio
 from shapeblend_cli.studio.session import Session
 from tests.browser.test_preview import CONTRASTS

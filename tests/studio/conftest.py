@@ -7,7 +7,7 @@ from urllib.parse import urlsplit
 
 import pytest
 
-from shapeblend_cli.batch.project import Project
+from shapeblend_cli.rows.project import Project
 from shapeblend_cli.studio.server import Studio
 from shapeblend_cli.studio.session import Session
 from tests.support.drawings import BAR, LEAF, svg

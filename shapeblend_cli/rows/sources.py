@@ -10,8 +10,8 @@ from fnmatch import fnmatch
 from itertools import combinations, pairwise
 from typing import NamedTuple
 
-from shapeblend_cli.batch.rows import Row
 from shapeblend_cli.errors import InputError, OptionError
+from shapeblend_cli.rows.row import Row
 
 DRAWINGS = "*.[sS][vV][gG]"
 

@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from shapeblend_cli.batch.project import project_of
-from shapeblend_cli.studio import work
+from shapeblend_cli.rows.project import project_of
+from shapeblend_cli.studio import answers
 from shapeblend_cli.studio.order import Order
 from shapeblend_cli.system.kept import Kept
 from tests.support.drawings import EIGHT, EYED, RING, SQUARES, B, svg
@@ -33,7 +33,7 @@ CORRECTIONS = (
 
 def looked(values):
     project = project_of({"files": ["a.svg", "b.svg"], **values}, "", "")
-    answer = work.do(Order("blend", project, {}))
+    answer = answers.do(Order("blend", project, {}))
     return json.dumps([answer[name] for name in ("pairs", "drawings", "wrong", "fault", "notes")])
 
 
@@ -41,9 +41,9 @@ def looked(values):
 def test_a_blend_is_the_same_whatever_was_looked_at_before(here, monkeypatch, a, b):
     (here / "a.svg").write_text(DRAWINGS[a])
     (here / "b.svg").write_text(DRAWINGS[b])
-    monkeypatch.setattr(work, "KEPT", Kept(most=64, largest=1_000_000, steps=2000))
+    monkeypatch.setattr(answers, "KEPT", Kept(most=64, largest=1_000_000, steps=2000))
     after_others = [looked(values) for values in CORRECTIONS]
     for values, found in zip(CORRECTIONS, after_others, strict=True):
-        monkeypatch.setattr(work, "KEPT", Kept(0))
+        monkeypatch.setattr(answers, "KEPT", Kept(0))
         assert looked(values) == found
     assert len(set(after_others)) > 5

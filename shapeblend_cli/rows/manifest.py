@@ -8,9 +8,9 @@ import sys
 from collections.abc import Iterator
 from typing import Any
 
-from shapeblend_cli.batch.rows import Row, check_names, options_of, row_of
 from shapeblend_cli.errors import InputError, OptionError
 from shapeblend_cli.job.job import STANDARD_INPUT
+from shapeblend_cli.rows.row import Row, check_names, options_of, row_of
 
 KINDS = (".jsonl", ".ndjson", ".csv", ".toml")
 

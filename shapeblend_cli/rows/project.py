@@ -10,10 +10,10 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from shapeblend_cli.batch.manifest import once
-from shapeblend_cli.batch.rows import Name, command_of, fields_of, row_of, typed
 from shapeblend_cli.errors import InputError, OptionError
 from shapeblend_cli.options.types import FLAG
+from shapeblend_cli.rows.manifest import once
+from shapeblend_cli.rows.row import Name, command_of, fields_of, row_of, typed
 from shapeblend_cli.system.write import is_inside
 
 SUFFIX = ".json"

@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from shapeblend_cli.batch.project import parse_project, project_text
 from shapeblend_cli.cli import run
+from shapeblend_cli.rows.project import parse_project, project_text
 from tests.support.drawings import BAR, EYED, LEAF, svg
 
 OPTIONS = {
