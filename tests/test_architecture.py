@@ -33,7 +33,7 @@ ROOMS = {
     "interpolate geometry paint system errors model version",
     "pipeline": "blending wires frames options anatomy interpolate paint system model",
     "blending": "pens pairing wires frames motion options anatomy interpolate geometry paint system errors model",
-    "pens": "pairing matching motion options anatomy geometry _cython errors model",
+    "pens": "pairing wires matching motion options anatomy geometry _cython errors model",
     "pairing": "wires motion options anatomy geometry errors model",
     "preview": "wires matching svg.writing options svg.reading interpolate geometry paint model",
     "outputs": "frames svg.writing options interpolate paint system errors model",

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
+from shapeblend_cli.blending.matched import match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.several import with_common_lines
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
-from shapeblend_cli.pairing.changes import crossed_out
 from shapeblend_cli.pens.drawings import pen_drawing
-from shapeblend_cli.pens.joints import joined
 from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.line_blends import blend_lines, wants_lines
 
@@ -34,8 +32,10 @@ def blend_shapes(
 
     Drawings that are mostly drawn with a pen are blended by their lines, above the rest.
     """
+    is_named = bool(settings.match or settings.pins or settings.stiff)
+    lines = blend_lines(a, b, settings, view) if is_named and wants_lines(settings) else None
     rotation = 0.0
-    if settings.motion != "linear":
+    if settings.motion != "linear" and lines is None:
         largest = [max(side.contours, key=lambda contour: contour.size) for side in (a, b)]
         rotation = rotation_between(*(contour.polygon for contour in largest)) or 0.0
     if rotation:
@@ -43,14 +43,11 @@ def blend_shapes(
         shapes, places = match_pairs(paired)
         if is_rotated_copy([contour for shape in shapes for contour in shape.contours]):
             return _moved(paired, shapes, places, view)
-    is_free = settings.strokes != "recover" and not is_star(settings)
-    crossed = crossed_out(a, b, settings) if is_free else []
-    if crossed:
-        paired = pair_drawings(a, b, settings, 0.0, progress, crossed)
-        return _moved(paired, *match_pairs(paired), view)
-    lines = blend_lines(a, b, settings, view) if wants_lines(settings) else None
+    if not is_named and wants_lines(settings):
+        lines = blend_lines(a, b, settings, view)
     progress.clock.lap("match")
     if lines is not None:
+        settings = lines.settings
         a, b = (side._replace(contours=rest) for side, rest in zip((a, b), lines.rest, strict=True))
         if not (a.contours or b.contours):
             return lines.shapes
@@ -63,7 +60,7 @@ def with_lines_in_common(pairs: Sequence[Pair], a: PlacedDrawing) -> list[Pair] 
     """Give all pairs of a drawing with others the same paths for its pen lines; None if that cannot be."""
     scale = UNITS / Box.union(list(pairs[0].views)).larger_side
     free = 1 + max(contour.number for contour in a.contours)
-    return with_common_lines(pairs, joined(pen_drawing(a, scale).lines), scale, free)
+    return with_common_lines(pairs, pen_drawing(a, scale).lines, scale, free)
 
 
 def _moved(paired: PairedDrawings, shapes: Shapes, places: list[Place], view: Box) -> Shapes:

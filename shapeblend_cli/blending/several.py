@@ -162,7 +162,7 @@ def _tracks(line: PenLine, pair: Pair, scale: float) -> list[Track]:
     found = []
     for shape in pair.shapes:
         (contour,) = shape.contours if _is_line(shape) else (None,)
-        if contour is None or contour.lines[0] != line.name:
+        if contour is None or contour.lines[0] is None or contour.lines[0].name != line.name:
             continue
         lengths = lengths_along(line, _polyline(contour.start) * scale)
         if lengths is None:  # it is a piece of another line of this name

@@ -114,6 +114,7 @@ def _contour(contour: ContourBlend, shape: ShapeBlend) -> dict[str, Any]:
             {"name": one.name, "wrong": one.wrong, "terms": dict(one.terms)} for one in shape.candidates
         ],
         "pair_because": contour.reason,
+        "lines": [part and part._asdict() for part in contour.lines],
     }
 
 
@@ -125,7 +126,12 @@ def inspection(drawing: Drawing) -> dict[str, Any]:
     """Return the shapes of a drawing, ready for JSON; lengths and boxes ignore the width of strokes."""
     lines: dict[int, list[dict[str, Any]]] = {}
     for line in file_lines(drawing):
-        found = {"width": line.style.stroke_width, "closed": line.closed, "cap": line.style.stroke_linecap}
+        found = {
+            "name": line.name,
+            "width": line.style.stroke_width,
+            "closed": line.closed,
+            "cap": line.style.stroke_linecap,
+        }
         lines.setdefault(line.shape, []).append(found)
     return {
         "file": drawing.file,

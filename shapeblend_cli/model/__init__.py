@@ -141,6 +141,15 @@ def unroll(dots: IntArray, period: tuple[int, int] | None) -> FloatArray:
     return np.concatenate([dots[:1], dots[:1] + np.cumsum(steps, axis=0)]).astype(np.float64)
 
 
+class LinePart(NamedTuple):
+    """A part of a pen line, between two shares of its length; of a closed one also through its beginning."""
+
+    name: str  # as `inspect` prints it
+    begin: float = 0.0
+    end: float = 1.0
+    because: str = ""  # why it was cut, a phrase
+
+
 class ContourBlend(NamedTuple):
     """A contour of A, its partner in B, and the paths between which it moves.
 
@@ -170,7 +179,7 @@ class ContourBlend(NamedTuple):
         None,
         None,
     )  # numbers of the contours around each; None outside of all
-    lines: tuple[str | None, str | None] = (None, None)  # names of the pen lines of which these are parts
+    lines: tuple[LinePart | None, LinePart | None] = (None, None)  # the pen lines of which these are parts
 
     @property
     def grows(self) -> bool:

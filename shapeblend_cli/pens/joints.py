@@ -123,10 +123,12 @@ def _strung(pieces: Sequence[PenLine], ends: Sequence[_End], partner: dict[int, 
             here, side = other.line, 1 - other.side
             known.add(here)
         first, points, longest, closed = here, [], piece, False
+        names: dict[str, None] = {}
         while True:
             done.add(here)
             own = pieces[here]
             longest = max(longest, own, key=lambda each: each.length)
+            names |= dict.fromkeys(own.name.split("+"))
             points.append(own.points[::-1] if side else own.points)
             end = number.get((here, 1 - side))
             if end not in partner:
@@ -142,7 +144,7 @@ def _strung(pieces: Sequence[PenLine], ends: Sequence[_End], partner: dict[int, 
         )
         if closed:
             every = every[:-1] if abs(every[-1] - every[0]) < 0.02 else every
-        lines.append(longest._replace(points=every, closed=closed or piece.closed))
+        lines.append(longest._replace(points=every, closed=closed or piece.closed, name="+".join(names)))
     seen: Counter[str] = Counter()
     for k, line in enumerate(lines):  # of a line that was cut, the pieces have names of their own
         seen[line.name] += 1

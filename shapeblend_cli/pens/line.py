@@ -1,10 +1,11 @@
-"""A pen line, and places along polylines.
+"""A pen line, its dashes, and places along polylines.
 
 Lengths here are in units of the drawing: its larger side is `UNITS` of them, as in the grid of most icons.
 """
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -49,6 +50,8 @@ class PenLine(NamedTuple):
         Whether it is a piece of a line that was cut at its corners.
     name : str
         The number of its contour, and of several lines of a contour a number of its own: 3.1, 3.2.
+    share : (float, float)
+        Of a piece, where it begins and ends, as shares of the length of its line.
     """
 
     points: ComplexArray
@@ -59,6 +62,7 @@ class PenLine(NamedTuple):
     shape: int
     is_piece: bool = False
     name: str = ""
+    share: tuple[float, float] = (0.0, 1.0)
 
     @property
     def outline(self) -> ComplexArray:
@@ -186,3 +190,46 @@ def corners(points: ComplexArray, least: float = 35.0) -> list[float]:
         found.append(float(vertex if abs(vertex - place) < 0.3 else place) / whole)
         turns[np.abs(along - place) < 1.2] = 0.0
     return sorted(found)
+
+
+def with_dashes(
+    styles: tuple[Style, Style], lines: tuple[PenLine, PenLine], ends: list[ComplexArray], scale: float
+) -> tuple[Style, Style]:
+    """Return the paint of a line at both ends, its dashes as the files have them, and at rest where the line rests.
+
+    Parameters
+    ----------
+    styles : (Style, Style)
+    lines : (PenLine, PenLine)
+        What the line is a part of, at the start and at the end.
+    ends : list of (k,) complex
+        Its vertices there, in units, as its path has them.
+    scale : float
+        Units per unit of the drawing.
+    """
+    a, b = (_dashes_along(*each, scale) for each in zip(styles, lines, ends, strict=True))
+    if not (a.stroke_dasharray and b.stroke_dasharray):
+        return a, b
+    # A vertex in the middle: what is before it may be drawn on or back.
+    known = [cumulative_lengths(points) for points in ends]
+    middle = int(np.searchsorted(known[0] + known[1], (known[0][-1] + known[1][-1]) / 2.0))
+    wanted = a.stroke_dashoffset + float(known[0][middle] - known[1][middle]) / scale
+    period = sum(b.stroke_dasharray) * (1 + len(b.stroke_dasharray) % 2)
+    turns = round((wanted - b.stroke_dashoffset) / period)
+    return a, b._replace(stroke_dashoffset=b.stroke_dashoffset + turns * period)
+
+
+def _dashes_along(style: Style, line: PenLine, points: ComplexArray, scale: float) -> Style:
+    """Return a style with its dashes in the direction and from the start of a part of a line."""
+    lengths = lengths_along(line, points) if style.stroke_dasharray else None
+    if lengths is None:
+        return style
+    begin = float(lengths[0]) / scale
+    if all(low <= high for low, high in pairwise(lengths)):
+        return style._replace(stroke_dashoffset=style.stroke_dashoffset + begin)
+    dashes = style.stroke_dasharray * (1 + len(style.stroke_dasharray) % 2)
+    # From the other side: the last dash comes first, and the last gap is what is left before it.
+    turned = (*dashes[-2::-1], dashes[-1])
+    return style._replace(
+        stroke_dasharray=turned, stroke_dashoffset=sum(dashes[:-1]) - style.stroke_dashoffset - begin
+    )

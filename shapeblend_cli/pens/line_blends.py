@@ -8,10 +8,21 @@ import numpy as np
 
 from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import WHOLE, Box
-from shapeblend_cli.motion.pen import Pen, Together, Whole
+from shapeblend_cli.motion.pen import Pen, Together, Whole, between
 from shapeblend_cli.pens.drawings import pen_drawing
 from shapeblend_cli.pens.line import UNITS, at, evenly, foot_points, length
-from shapeblend_cli.pens.moves import COMES, GOES, Move, alone, becoming, crossing_out, slash_among, staying
+from shapeblend_cli.pens.moves import (
+    BECOMES,
+    COMES,
+    GOES,
+    Move,
+    alone,
+    becoming,
+    crossing_out,
+    slash_among,
+    staying,
+)
+from shapeblend_cli.pens.named_lines import along_wires, names_vertices, required_lines
 from shapeblend_cli.pens.partners import least_work, travelling
 from shapeblend_cli.pens.splits import split_moves
 from shapeblend_cli.pens.stays import common_runs, stayed
@@ -23,6 +34,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, ShapeBlend
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.pens.line import PenLine
+    from shapeblend_cli.pens.named_lines import Pins, Required
 
 LEAST_INK = 0.45
 """Minimum share of the ink of a drawing in its lines."""
@@ -51,20 +63,21 @@ LEAST_COPIED = 0.9
 EXACT = 0.01
 """Maximum distance of lines that are the same, in units."""
 
+REQUIRED = "a pen line that becomes another, as required"
 TURNED, FLIPPED = "the drawing is turned as a whole", "the drawing is flipped as a whole"
 
 
 class LineBlend(NamedTuple):
-    """How the lines of two drawings become each other, and what is left of both."""
+    """How the lines of two drawings become each other, and what is left of both, with the settings for that."""
 
     shapes: tuple[ShapeBlend, ...]
     rest: tuple[list[PlacedContour], list[PlacedContour]]
+    settings: Settings
 
 
 def wants_lines(settings: Settings) -> bool:
-    """Return whether settings leave it open how lines are matched."""
-    named = settings.match or settings.pins or settings.start or settings.stiff
-    free = not named and settings.motion in ("auto", "linear")
+    """Return whether settings leave room for lines: not if they ask for what only outlines have."""
+    free = settings.motion in ("auto", "linear") and not names_vertices(settings)
     free = free and (settings.unmatched == "auto" or bool(settings.mix))
     return free and settings.curves and settings.bending != "paper" and settings.strokes != "keep"
 
@@ -79,18 +92,21 @@ def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Bo
         return None
     if min(one.share, other.share) < least:
         return None
-    is_straight = settings.motion == "linear"
-    can_turn = not (one.bodies or other.bodies or is_straight)
-    whole = _as_whole(one.lines, other.lines) if can_turn else None
+    bodies = a._replace(contours=one.bodies), b._replace(contours=other.bodies)
+    required = required_lines(bodies, (one.lines, other.lines), settings, scale)
+    if required is None:
+        return None
+    can_turn = not (one.bodies or other.bodies or required.pairs or settings.stiff)
+    whole = _as_whole(one.lines, other.lines) if can_turn and settings.motion != "linear" else None
     if whole is not None:
-        return LineBlend(_shapes(whole, scale, settings), ([], []))
-    moves, kept = _moves(one.lines, other.lines)
+        return LineBlend(_shapes(whole, scale, settings), ([], []), settings)
+    moves, kept = _moves(one.lines, other.lines, required, settings, scale)
     # A stroke of each file leaves nothing to choose between.
     is_plain = len(one.lines) == len(other.lines) == 1 and not (one.is_recovered or other.is_recovered)
     is_alike = kept >= KEPT or (min(one.share, other.share) >= ALL and not is_plain)
-    if not (is_alike or is_asked):
+    if not (is_alike or is_asked or required.pairs):
         return None
-    return LineBlend(_shapes(moves, scale, settings), (one.bodies, other.bodies))
+    return LineBlend(_shapes(moves, scale, settings), (one.bodies, other.bodies), required.left)
 
 
 def _shapes(moves: Sequence[Move], scale: float, settings: Settings) -> tuple[ShapeBlend, ...]:
@@ -156,9 +172,18 @@ def _hides(line: ShapeBlend, end: int, dot: complex, width: float) -> bool:
     return away < (style.stroke_width - width) / 2.0 + UNHIDDEN * width
 
 
-def _moves(a: Sequence[PenLine], b: Sequence[PenLine]) -> tuple[list[Move], float]:
+def _moves(
+    a: Sequence[PenLine], b: Sequence[PenLine], required: Required, settings: Settings, scale: float
+) -> tuple[list[Move], float]:
     """Return how the lines of one drawing become those of the other, and the share of their length that stays."""
+    moves = [
+        _by_wires((a[i], b[j]), pins, settings, scale, REQUIRED) for (i, j), pins in required.pairs.items()
+    ]
     centres = _centre(a), _centre(b)
+    a, b = (
+        [line for k, line in enumerate(lines) if all(k != pair[side] for pair in required.pairs)]
+        for side, lines in enumerate((a, b))
+    )
     runs = common_runs(a, b)
     resting = (
         {run.a for run in runs if run.length > 0.9 * a[run.a].length},
@@ -169,7 +194,7 @@ def _moves(a: Sequence[PenLine], b: Sequence[PenLine]) -> tuple[list[Move], floa
         together = []
     taken = {pair.a for pair in together}, {pair.b for pair in together}
     runs = [run for run in runs if run.a not in taken[0] and run.b not in taken[1]]
-    moves = [staying(each, a, b) for each in stayed(a, b, runs)]
+    moves += [staying(each, a, b) for each in stayed(a, b, runs)]
     moves += [becoming(a[p.a], b[p.b], p.points_a, p.points_b) for p in together]
     shorter = min(sum(line.length for line in lines) for lines in (a, b))
     kept = sum(run.length for run in runs) / max(shorter, 1e-9)
@@ -190,7 +215,28 @@ def _moves(a: Sequence[PenLine], b: Sequence[PenLine]) -> tuple[list[Move], floa
         moves += [alone(line, carriers, is_new=bool(side)) for line in left]
     if slash is not None and crossing is not None:
         moves = crossing_out(crossing, moves, is_new=bool(slash[0]))
+    if settings.stiff:
+        moves = [
+            _by_wires(own, [], settings, scale, BECOMES) if (own := _whole(move)) else move for move in moves
+        ]
     return moves, kept
+
+
+def _whole(move: Move) -> tuple[PenLine, PenLine] | None:
+    """Return the lines of which one becomes the other, unless one is a piece."""
+    if move.a is None or move.b is None or move.reason != BECOMES or move.a.is_piece or move.b.is_piece:
+        return None
+    return move.a, move.b
+
+
+def _by_wires(
+    lines: tuple[PenLine, PenLine], pins: Pins, settings: Settings, scale: float, reason: str
+) -> Move:
+    """Return how a line becomes another along the correspondence of their wires."""
+    p, q = lines
+    closed = p.closed and q.closed
+    points = along_wires(p, q, pins, settings, scale)
+    return Move(p, q, Pen((between(*points, closed=closed),), closed=closed), reason)
 
 
 def _as_whole(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None:

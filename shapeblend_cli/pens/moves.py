@@ -19,13 +19,22 @@ from shapeblend_cli.model import (
     Correspondence,
     CubicPath,
     Fade,
+    LinePart,
     Polygon,
     ShapeBlend,
 )
 from shapeblend_cli.motion.pen import Drawing, Exchange, Pen, Riding, Straight, between
 from shapeblend_cli.motion.trims import trim_of
-from shapeblend_cli.pens.dashes import with_dashes
-from shapeblend_cli.pens.line import at, corners, evenly, foot_points, length, needed
+from shapeblend_cli.pens.line import (
+    at,
+    corners,
+    evenly,
+    foot_points,
+    length,
+    lengths_along,
+    needed,
+    with_dashes,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -38,6 +47,13 @@ if TYPE_CHECKING:
 
 STAYS, BECOMES = "a pen line that stays", "a pen line that becomes another"
 DRAWN_BACK, DRAWN_ON = "a pen line that is drawn back", "a pen line that is drawn on"
+
+CUT_AT_CORNERS = "it is cut at its corners, as its pieces become lines with less work"
+CUT_WHERE_ALIKE = "it is cut where the other drawing's line is elsewhere or ends"
+CUT_IN_PARTS = "it is cut, as it becomes several lines"
+
+UNCUT = 0.98
+"""Minimum share of the length of a line that is all of it."""
 
 EARLY = 0.4
 """Share of the time by which a line that touches no other goes before the end, or comes after the start."""
@@ -87,6 +103,16 @@ class Move(NamedTuple):
             return 0.0, 1.0
         return (0.0, 1.0 - EARLY) if self.b is None else (EARLY, 1.0)
 
+    def _part(self, line: PenLine, points: ComplexArray) -> LinePart:
+        """Return which part of a line its points at an end are."""
+        if line.is_piece:
+            return LinePart(line.name, *line.share, CUT_AT_CORNERS)
+        along = lengths_along(line, points) if length(points) < UNCUT * line.length else None
+        if along is None:
+            return LinePart(line.name)
+        low, high = sorted((along[[0, -1]] / line.length).tolist())
+        return LinePart(line.name, low, high, CUT_WHERE_ALIKE if self.reason == STAYS else CUT_IN_PARTS)
+
     def shape(self, scale: float, constants: WorkConstants) -> ShapeBlend:
         """Return the shape, in A's coordinates."""
         motion = self.motion.scaled(1.0 / scale)
@@ -103,8 +129,8 @@ class Move(NamedTuple):
             fade = GOES if self.a else COMES
         numbers = self.a and self.a.contour, self.b and self.b.contour
         contour = _contour_blend(numbers, ends, motion.closed, constants)
-        names = self.a and self.a.name, self.b and self.b.name
-        contour = contour._replace(reason=self.reason, lines=(names[0], names[1]))
+        parts = [line and self._part(line, own) for line, own in zip((self.a, self.b), points, strict=True)]
+        contour = contour._replace(reason=self.reason, lines=(parts[0], parts[1]))
         sources = self.a and self.a.shape, self.b and self.b.shape
         is_straight = all(isinstance(piece, Straight) for piece in motion.pieces) and motion.tails == (
             None,

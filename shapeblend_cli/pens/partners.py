@@ -115,7 +115,9 @@ def _cut(lines: Sequence[PenLine]) -> list[PenLine]:
             found.append(line)
             continue
         ends = [0.0, *(place * line.length for place in places), line.length]
-        found += [line._replace(points=line.part(begin, end), is_piece=True) for begin, end in pairwise(ends)]
+        for begin, end in pairwise(ends):
+            share = begin / line.length, end / line.length
+            found.append(line._replace(points=line.part(begin, end), is_piece=True, share=share))
     return found
 
 
