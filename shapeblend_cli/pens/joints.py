@@ -1,4 +1,8 @@
-"""Strokes as a pen would draw them: pieces that go on from each other are one line, however the file cuts them."""
+"""Lines as a pen would draw them, however the file cuts them.
+
+Strokes that go on from each other are one line. A solid shape that lies on a line of the other drawing, as where a
+slash cuts it, is a piece of that line, though its slanting ends are no caps.
+"""
 
 from __future__ import annotations
 
@@ -9,13 +13,14 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry.polyline import cumulative_lengths
-from shapeblend_cli.pens.line import at, length
+from shapeblend_cli.pens.line import PenLine, at, foot_points, length
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import ComplexArray
-    from shapeblend_cli.pens.line import PenLine
+    from shapeblend_cli.pens.drawings import PenDrawing
 
 TOUCHES = 0.06
 """Maximum distance of two ends that meet, in widths."""
@@ -25,6 +30,12 @@ GOES_ON = np.radians(25.0)
 
 MOST_TURN = np.radians(110.0)
 """Maximum turn of a corner that two lines make, in radians, where caps and joins look alike."""
+
+OFF = 0.03
+"""Maximum distance by which a solid shape sticks out of the line that it is a piece of, in widths."""
+
+SLANTED = 0.5
+"""Minimum share of a piece of a line that a solid shape fills: its ends may slant."""
 
 REACH = 0.4
 """Length at the end of a line that gives its direction, in units."""
@@ -151,3 +162,62 @@ def _strung(pieces: Sequence[PenLine], ends: Sequence[_End], partner: dict[int, 
         if seen[line.name] > 1:
             lines[k] = line._replace(name=f"{line.name}.{seen[line.name]}")
     return lines
+
+
+def with_pieces(one: PenDrawing, other: PenDrawing, scale: float) -> PenDrawing:
+    """Return a drawing whose solid shapes are lines where these lie on lines of the other drawing."""
+    ringed = {body.exterior for body in one.bodies if body.exterior is not None}
+    lines, bodies = [], []
+    for body in one.bodies:
+        style = body.style
+        is_plain = style.stroke is None and style.fill_gradient is None and body.exterior is None
+        is_plain = is_plain and style.fill is not None and body.number not in ringed and body.contour.closed
+        found = (_piece(body, line, scale) for line in other.lines) if is_plain else ()
+        piece = next((each for each in found if each is not None), None)
+        if piece is None:
+            bodies.append(body)
+        else:
+            lines.append(piece)
+    if not lines:
+        return one
+    left = sum(body.area for body in bodies) / max(sum(body.area for body in one.bodies), 1e-12)
+    return one._replace(
+        lines=[*one.lines, *lines], bodies=bodies, share=1.0 - (1.0 - one.share) * left, is_recovered=True
+    )
+
+
+def _piece(body: PlacedContour, line: PenLine, scale: float) -> PenLine | None:
+    """Return the piece of a line on which a solid shape lies, if it does."""
+    points, width, whole = body.polygon.vertices * scale, line.width, line.length
+    if len(line.points) < 2:
+        return None
+    away, feet, _ = foot_points(points, line.outline)
+    if away.max() > (0.5 + OFF) * width:
+        return None
+    begin, span = 0.0, float(np.ptp(feet))
+    if line.closed:  # from where no point has its foot
+        rising = np.sort(feet)
+        gaps = np.diff(np.append(rising, rising[0] + whole))
+        begin, span = float(rising[(int(gaps.argmax()) + 1) % len(rising)]), whole - float(gaps.max())
+    else:
+        begin = float(feet.min())
+    area = body.area * scale**2
+    if not SLANTED * width * span < area < width * (span + width):
+        return None
+    # Ends that slant are cut where they leave as much area; those of the line stay.
+    is_round = line.style.stroke_linecap == "round"
+    free = [line.closed or begin > 0.1 * width, line.closed or begin + span < whole - 0.1 * width]
+    cut = (span - (area / width - (np.pi / 4.0 * width if is_round else 0.0))) / max(sum(free), 1)
+    low, high = begin + cut * free[0], begin + span - cut * free[1]
+    if high - low < 0.1 * width:
+        return None
+    style = line.style._replace(stroke=body.style.fill, stroke_opacity=body.style.fill_opacity)
+    return PenLine(
+        line.part(low % whole if line.closed else low, high % whole if line.closed else high),
+        closed=False,
+        style=style,
+        width=width,
+        contour=body.number,
+        shape=body.shape,
+        name=str(body.number),
+    )

@@ -10,6 +10,7 @@ from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import WHOLE, Box
 from shapeblend_cli.motion.pen import Pen, Together, Whole, between
 from shapeblend_cli.pens.drawings import pen_drawing
+from shapeblend_cli.pens.joints import with_pieces
 from shapeblend_cli.pens.line import UNITS, at, evenly, foot_points, length
 from shapeblend_cli.pens.moves import (
     BECOMES,
@@ -86,7 +87,8 @@ def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Bo
     """Match two drawings by their pen lines, if both are mostly drawn with a pen, or if that is asked for."""
     scale = UNITS / view.larger_side
     is_asked = settings.strokes == "recover"
-    one, other = pen_drawing(a, scale), pen_drawing(b, scale)
+    first, last = pen_drawing(a, scale), pen_drawing(b, scale)
+    one, other = with_pieces(first, last, scale), with_pieces(last, first, scale)
     least = 0.0 if is_asked else LEAST_INK
     if not (one.lines and other.lines) or max(len(one.lines), len(other.lines)) > MOST_LINES:
         return None

@@ -60,6 +60,9 @@ EARLY = 0.4
 
 COMES, GOES = Fade(0.0, 0.12, comes=True), Fade(0.88, 1.0, comes=False)
 
+STUB = 0.2
+"""Maximum length of a tail that is no line of its own, in units."""
+
 TURNS_OFF = 0.9
 """Minimum angle between two tails, in radians, for one to be drawn back before the other is drawn on."""
 
@@ -202,20 +205,26 @@ def _priced(a: Polygon, b: Polygon, dots: IntArray, constants: WorkConstants) ->
 
 def staying(each: Stayed, a: Sequence[PenLine], b: Sequence[PenLine]) -> Move:
     """Return how a line that stays moves: its pieces little, and its tails back and on."""
-    pieces = tuple(between(*alike(*part), closed=True) for part in each.parts)
+    parts = [list(part) for part in each.parts]
+    for end, tail in zip((0, -1), each.tails, strict=True):
+        for side, points in enumerate(tail):
+            if length(points) < STUB:  # the end slides on by so little
+                own = parts[end][side]
+                parts[end][side] = np.append(own, points[1:]) if end else np.append(points[:0:-1], own)
     tails = [_tail(tail) for tail in each.tails]
+    pieces = tuple(between(*alike(*part), closed=True) for part in parts)
     motion = Pen(pieces, (tails[0], tails[1]), each.closed)
     return Move(a[each.lines[0]], b[each.lines[1]], motion, STAYS)
 
 
 def _tail(tail: Tail) -> Moving | None:
     """Return how a tail is drawn back, or on, or becomes the other drawing's."""
-    sizes = [length(points) if len(points) > 1 else 0.0 for points in tail]
-    if max(sizes) < 0.05:
+    sizes = [length(points) for points in tail]
+    if max(sizes) < STUB:
         return None
-    if sizes[0] < 0.05:
+    if sizes[0] < STUB:
         return Drawing(smooth(tail.b), 0.0, 1.0)
-    if sizes[1] < 0.05:
+    if sizes[1] < STUB:
         return Drawing(smooth(tail.a), 1.0, 0.0)
     ways = [at(points, [min(1.0, size)])[0] - points[0] for points, size in zip(tail, sizes, strict=True)]
     if abs(np.angle(ways[1] / ways[0])) < TURNS_OFF:

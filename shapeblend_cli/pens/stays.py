@@ -135,6 +135,8 @@ def _runs_of(i: int, p: PenLine, j: int, q: PenLine) -> list[Run]:
     points = at(along_p, places)
     away, foot, slope = foot_points(points, along_q)
     near = away < NEAR * width
+    if not q.closed:  # beyond an end of a line nothing lies along it
+        near &= (away < STEP) | ((foot > 1e-6) & (foot < whole_q - 1e-6))
     if not near.any():
         return []
     angles = np.angle(np.gradient(points)) - slope

@@ -109,3 +109,17 @@ def test_what_has_no_partner_is_carried_along_by_the_line_that_it_touches():
     (bar,) = [shape for shape in shapes if shape.reason == BECOMES]
     for t in (0.2, 0.5, 0.8):
         assert np.abs(line_at(gone, t).imag - line_at(bar, t).imag.mean()).min() < 0.01
+
+
+def test_a_solid_piece_with_slanting_ends_is_a_piece_of_the_line_on_which_it_lies():
+    ring = "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2ZM12 4A8 8 0 1 1 12 20A8 8 0 1 1 12 4Z"
+    corners = [
+        12 + 12j + r * np.exp(1j * np.radians(a)) for r, a in ((10, -110), (10, 30), (8, 20), (8, -95))
+    ]
+    p, q, r, s = (f"{each.real:.3f} {each.imag:.3f}" for each in corners)
+    off = drawing(f"M{p}A10 10 0 0 1 {q}L{r}A8 8 0 0 0 {s}Z", "M2 2.7L2.7 2L22 21.3L21.3 22Z")
+    shapes = shapes_of(drawing(ring), off)
+    (stays,) = [shape for shape in shapes if shape.reason == STAYS]
+    assert (stays.contours[0].a, stays.contours[0].b) == (0, 0)
+    radius = np.abs(line_at(stays, 0.6) - (12 + 12j))
+    assert np.abs(radius - 9.0).max() < 0.1
