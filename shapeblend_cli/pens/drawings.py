@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.model import Box
 from shapeblend_cli.pens.joints import joined
-from shapeblend_cli.pens.line import UNITS, PenLine, length
+from shapeblend_cli.pens.line import UNITS, PenDrawing, PenLine, length
 from shapeblend_cli.pens.recover import recover
 
 if TYPE_CHECKING:
@@ -34,15 +34,6 @@ MITER_LIMIT = 10.0
 
 MITER_ROOM = 1.02
 """Miter limit, as a multiple of what the sharpest corner needs: with more, kinks on the way would grow spikes."""
-
-
-class PenDrawing(NamedTuple):
-    """The lines of a drawing, those of its contours that are no lines, and the share of its ink in lines."""
-
-    lines: list[PenLine]
-    bodies: list[PlacedContour]
-    share: float
-    is_recovered: bool  # whether any line is not a stroke in the file
 
 
 def file_lines(drawing: Drawing) -> list[PenLine]:

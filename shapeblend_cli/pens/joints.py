@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import ComplexArray
-    from shapeblend_cli.pens.drawings import PenDrawing
+    from shapeblend_cli.pens.line import PenDrawing
 
 TOUCHES = 0.06
 """Maximum distance of two ends that meet, in widths."""

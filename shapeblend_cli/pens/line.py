@@ -13,6 +13,7 @@ import numpy as np
 from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_places, points_at
 
 if TYPE_CHECKING:
+    from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import ComplexArray, FloatArray, Style
 
 UNITS = 24.0
@@ -92,6 +93,15 @@ class PenLine(NamedTuple):
         along = cumulative_lengths(points)
         inner = points[(along > begin + 1e-6) & (along < end - 1e-6)]
         return np.concatenate([at(points, [begin]), inner, at(points, [end])])
+
+
+class PenDrawing(NamedTuple):
+    """The lines of a drawing, those of its contours that are no lines, and the share of its ink in lines."""
+
+    lines: list[PenLine]
+    bodies: list[PlacedContour]
+    share: float
+    is_recovered: bool  # whether any line is not a stroke in the file
 
 
 def length(points: ComplexArray) -> float:
