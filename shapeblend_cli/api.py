@@ -130,7 +130,6 @@ class Blend:
         return f"<Blend of {', '.join(names[:-1])} and {names[-1]}>"
 
     def _repr_svg_(self) -> str:
-        """Show the blend half way, in a notebook."""
         return self.frame(0.5 * len(self.pairs)).svg
 
     def frame(self, t: float) -> Picture:

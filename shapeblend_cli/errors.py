@@ -50,7 +50,6 @@ def with_extra(name: str) -> str:
 
 
 def _is_somewhere() -> bool:
-    """Return whether the current folder is still there."""
     try:
         os.getcwd()
     except OSError:
@@ -59,7 +58,7 @@ def _is_somewhere() -> bool:
 
 
 def in_words(error: BaseException) -> str:
-    """Return what a user is told of an error, whatever it is."""
+    """Return the message for users about any error."""
     if isinstance(error, ShapeblendError):
         return str(error)
     if isinstance(error, OSError):

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray, Polygon
 
 SAMPLES = 16
-"""Number of points of a contour, most of which lie inside a contour that contains it."""
+"""Number of points of a contour that are compared with another one; most lie inside a contour that contains it."""
 
 WOUND = 100
 """Maximum number of vertices of a contour for the test of points inside."""

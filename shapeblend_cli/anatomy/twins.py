@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray
 
 SAMPLES = 24
-"""Number of points by which contours are mirrored."""
+"""Number of points of a contour that are mirrored."""
 
 NEAR = 0.03
 """Maximum distance of the boxes of mirrored contours, as a share of the drawing's size."""

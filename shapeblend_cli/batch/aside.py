@@ -89,7 +89,7 @@ class Aside:
         self.message(f"{self._name}: {len(tasks)} jobs")
 
     def ended(self, outcome: Outcome, is_news: bool) -> None:
-        """Take what has become of a task; the results have it if it is news."""
+        """Take the outcome of a task; only news is added to the results."""
         row = outcome.as_json()
         if self._add is not None and is_news:
             self._add(json.dumps(row, allow_nan=False))
@@ -97,7 +97,7 @@ class Aside:
             self._rows[outcome.task.number] = row
 
     def end(self, tasks: Sequence[Task], problem: str | None = None) -> None:
-        """Write what has become of all tasks, and what the batch itself ended with."""
+        """Write the outcomes of all tasks, and the problem that ended the batch."""
         if problem is not None:
             self.message(problem)
         if self._summary is not None:

@@ -49,7 +49,7 @@ def open_cache(folder: str) -> bool:
 
 
 def find(folder: str, job: Job, made_of: dict[str, Any]) -> Found | None:
-    """Return what is kept of a job, by what it is made of; None if that is nothing, or is damaged."""
+    """Return the outputs kept for a job, by the hashes of its inputs; None if there are none, or damaged ones."""
     of = _of(job, made_of)
     path = _path(folder, of)
     try:

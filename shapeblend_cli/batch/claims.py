@@ -78,7 +78,7 @@ class _Claim:
         self._read: dict[tuple[int, int, int], list[bytes]] = {}  # claims of others, by what tells them apart
 
     def stake(self) -> _Other | None:
-        """Make the claim, or return what is in its way."""
+        """Make the claim, or return the claims in its way."""
         # All batches take folders in one order, so that of two that meet one goes on.
         for home in sorted(self._homes, key=os.path.realpath):
             with suppress(OSError):  # where none can be made, jobs fail, too

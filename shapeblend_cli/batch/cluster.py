@@ -197,7 +197,7 @@ class _Workers:
             self.look()
 
     def look(self) -> None:
-        """Look which workers there are, and ask new ones what they are; ClusterError if nobody answers."""
+        """Look for workers, and ask new ones for their identity; ClusterError if the scheduler does not answer."""
         if self._client.status != "running":
             raise gone(self._address)
         try:
@@ -285,7 +285,7 @@ class _Batch:
         self._events.put(_Back(number, future, found))
 
     def take(self, back: _Back, waiting: deque[tuple[int, Order]]) -> Ended | None:
-        """Write what came back, and say what has become of the job; None if it has to be done again."""
+        """Write the answer, and return the outcome of the job; None if it has to be done again."""
         from distributed import KilledWorker
 
         number, found = back.number, back.found
@@ -322,7 +322,7 @@ _lock = threading.Lock()
 
 
 def identity() -> Identity:
-    """Return what is the same where the same outputs are made."""
+    """Return the identity of this program: two programs with the same one make the same outputs."""
     return __version__, method()
 
 

@@ -116,7 +116,7 @@ class BatchOptions(Record, section=BATCH):
 
 
 class RankOptions(Record, section=RANK):
-    """How drawings are ranked, and what is printed and written."""
+    """How drawings are ranked, printed and written."""
 
     by: str = option(
         types.choice("looks", "work"),

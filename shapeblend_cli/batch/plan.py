@@ -112,7 +112,6 @@ def plan(
 
 
 def _check_inside(path: str, folder: str, where: str, leads: Place) -> None:
-    """Raise OptionError for a path that leads out of a folder."""
     around = leads(os.path.join(folder, os.curdir))
     if os.path.commonpath([leads(path), around]) != around:
         raise OptionError(
@@ -126,7 +125,6 @@ def _suffix(emit: str) -> str:
 
 
 def _fields(row: Row, number: int, count: int) -> dict[str, str]:
-    """Return what the fields of names stand for."""
     stems = [os.path.splitext(os.path.basename(file))[0] for file in row.files]
     fields = dict(zip(LETTERS, stems, strict=False))
     return fields | {"a": os.path.splitext(row.name)[0], "n": f"{number:0{len(str(count))}d}"}
@@ -203,7 +201,6 @@ def _check_files(tasks: Sequence[Task]) -> None:
 
 
 def _check_name(path: str, where: str, longest: int) -> None:
-    """Raise OptionError if no file can have a name."""
     try:
         name = os.fsencode(path)
     except UnicodeEncodeError:

@@ -95,7 +95,7 @@ class Ranking:
             yield Rated(self.others[ended.number], found, answer.error, answer.notes)
 
     def in_order(self, rated: Sequence[Rated]) -> list[Rated]:
-        """Return what is listed: the best first, and those that could not be blended last."""
+        """Return the drawings to list: the best first, and drawings that could not be blended last."""
         place = {file: k for k, file in enumerate(self.others)}
         found = sorted(rated, key=lambda one: (*self._key(one), place[one.file]))
         return found[: self._options.top]
@@ -119,7 +119,6 @@ class Ranking:
 
 
 def _words(place: int, file: str, found: Rating) -> str:
-    """Return what a sheet says of a blend."""
     number = "-" if found.wrong is None else f"{found.wrong:.3f}"
     fault = f": {found.fault}" if found.fault else ""
     return f"{place}  {file}  {number}{fault}"

@@ -82,7 +82,7 @@ class Record:
     def write(
         self, made_of: dict[str, Any], contents: Contents, force: bool, batch: Sequence[str] = ()
     ) -> None:
-        """Record what is about to be written; OutputError is raised if that would replace what is not the batch's.
+        """Record the outputs before they are written; OutputError is raised if they would replace files of others.
 
         `batch` is where the job comes from, as `relative` has it.
         """
@@ -229,7 +229,6 @@ def _difference(old: dict[str, Any], new: dict[str, Any], now: Hashes) -> str:
 
 
 def _is_record(found: Any) -> bool:
-    """Return whether what was read has the form of a record."""
     return (
         isinstance(found, dict)
         and found.get("record") == FORM
@@ -241,7 +240,7 @@ def _is_record(found: Any) -> bool:
 
 
 def each_file(contents: Contents) -> Iterator[tuple[Path, bytes]]:
-    """Yield what is written to each file, whether alone or in a folder."""
+    """Yield each file, alone or in a folder, with its contents."""
     for target, content in contents.items():
         files = content if isinstance(content, Mapping) else {"": content}
         for name, text in files.items():

@@ -84,7 +84,7 @@ def begun(tasks: Sequence[Task], options: BatchOptions, note: Callable[[str], No
 
 
 Run = Callable[[Sequence[tuple[int, Order]], int], Iterator[Ended]]
-"""Does numbered orders until so many have failed; see `supervisor.run_all` and `cluster.run_all`."""
+"""Does numbered orders until a number of them have failed; see `supervisor.run_all` and `cluster.run_all`."""
 
 
 def run_tasks(
@@ -135,7 +135,7 @@ def order_of(task: Task, options: BatchOptions) -> Order:
 
 
 def clean(tasks: Sequence[Task], ended: Mapping[int, str]) -> Iterator[str]:
-    """Remove what no job writes any more, and yield what is to be said; see `Outcome.status` for how tasks ended.
+    """Remove files that no job writes any more, and yield messages; see `Outcome.status` for how tasks ended.
 
     Of those that failed, everything stays.
     """

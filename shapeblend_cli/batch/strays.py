@@ -33,7 +33,7 @@ class Strays(NamedTuple):
     edited: list[Path]  # since a batch wrote them; they stay
 
     def remove(self) -> Iterator[str]:
-        """Remove files, and yield what is to be said of each; OutputError is raised if one cannot be removed."""
+        """Remove files, and yield a message for each; OutputError is raised if one cannot be removed."""
         gone = [path_of(self.place)] if self.is_gone and not self.edited else []
         for file in (*self.files, *gone):
             try:

@@ -53,7 +53,7 @@ class CannotStart(ShapeblendError):
 def run_all(
     orders: Iterable[tuple[int, Order]], processes: int, most: int = 0, module: str = BLENDS
 ) -> Iterator[Ended]:
-    """Do numbered jobs in so many processes, and yield each as it ends.
+    """Do numbered jobs in a number of processes, and yield each as it ends.
 
     After `most` failures no further jobs are started; with 0, failures stop nothing.
 
@@ -127,7 +127,7 @@ class Worker:
         self._lock = threading.Lock()
 
     def do(self, order: Order) -> tuple[Answer, int] | None:
-        """Do a job, and return what has become of it, and after how many attempts; None if it was stopped.
+        """Do a job, and return its answer and the number of attempts; None if it was stopped.
 
         Raises
         ------
@@ -193,7 +193,7 @@ class Worker:
         raise CannotStart(f"the processes that do the jobs do not start: {_ending(code)}")
 
     def _asked(self, process: Child, order: Order) -> Answer | None:
-        """Return what has become of a job; None if the process died."""
+        """Return the answer to a job; None if the process died."""
         seconds = order.given.get("timeout")
         is_late = threading.Event()
 
@@ -216,7 +216,7 @@ class Worker:
 
 
 def died(order: Order, attempts: int, how: str) -> str:
-    """Say that the process that did a job died so many times."""
+    """Return the message that the process of a job died, and how often."""
     times = "twice" if attempts == 2 else f"{attempts} times"
     return f"{' and '.join(order.files)}: the process that did it died {times}, {how}"
 

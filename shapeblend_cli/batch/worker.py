@@ -59,7 +59,7 @@ Act = Callable[[Order, Callable[[str], None], Callable[[str], None]], Any]
 
 
 def do(order: Order, act: Act | None = None) -> Answer:
-    """Do a job, which is a blend unless an act is given, and say what has become of it, whatever happens."""
+    """Do a job, a blend unless an act is given, and return its answer, also after errors."""
     began = perf_counter()
     notes: list[str] = []
     warned: list[str] = []
@@ -108,12 +108,12 @@ def _blend(order: Order, note: Callable[[str], None], warn: Callable[[str], None
 
 
 def made_of(job: Job, sources: Mapping[str, bytes]) -> dict[str, Any]:
-    """Return what the record of a job has of what it is made of, which are these drawings."""
+    """Return the inputs of a job, these drawings, in the form of its record."""
     return Record(job, all_targets(job)).made_of(lambda file: hashlib.sha256(sources[str(file)]).hexdigest())
 
 
 def job_for(order: Order) -> Job:
-    """Return the job of an order. It replaces whatever there is: the record knows better what may be replaced."""
+    """Return the job of an order. It replaces all files: its record has decided which ones may be replaced."""
     job = job_of(order.files, order.given, command_of(order.files, order.given))
     return job._replace(write=job.write.replace(force=True))
 
@@ -126,7 +126,7 @@ def _write(
     warn: Callable[[str], None],
     is_new: bool = True,
 ) -> None:
-    """Write what was made, after its record, unless whoever asked for it was killed: another batch may be at it."""
+    """Write the contents after their record, unless the supervisor was killed: another batch may be at it."""
     from shapeblend_cli.job.make import write
 
     if _supervisor not in (None, os.getppid()):
@@ -142,12 +142,11 @@ def _write(
 
 @cache
 def _kept() -> Kept:
-    """Return what this process keeps of drawings."""
     return Kept()
 
 
 def write_answer(order: Order, answer: Answer, made_of: dict[str, Any]) -> Answer:
-    """Write what was made elsewhere, and say what has become of the job then; see `Record.made_of`."""
+    """Write contents made elsewhere, and return the answer with the outcome; see `Record.made_of`."""
     from shapeblend_cli.job.make import check_files_of
 
     warned: list[str] = []

@@ -118,7 +118,7 @@ def _turn_parts(
 
 
 def _rotation_of(shape: ShapeBlend) -> float | None:
-    """Return the angle by which the largest contour of B is A's rotated, None if it is not."""
+    """Return the angle of rotation from A's largest contour to B's; None if B's is no rotated copy."""
     matched = [contour for contour in shape.contours if contour.is_matched]
     if not matched:
         return None

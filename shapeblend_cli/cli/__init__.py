@@ -81,7 +81,7 @@ def status_of(interrupted: Interrupted) -> int:
 
 
 def run_safely(arguments: Sequence[str], began: float | None = None) -> int:
-    """Run a command line as a process of its own, which ends without a traceback whatever happens."""
+    """Run a command line as a process of its own, which never ends with a traceback."""
     _occupy_streams()
     sys.unraisablehook = _end
     if not sys.warnoptions:

@@ -49,7 +49,7 @@ _CHANGED = {
 
 
 def _params() -> list[FieldOption]:
-    """Return the options of a batch, and those of a blend, some of which have another help here."""
+    """Return the options of a batch and of a blend, some with another help here."""
     params = options_of(BatchOptions, *RECORDS, TerminalOptions)
     for param in params:
         if param.name in _CHANGED:
@@ -112,7 +112,7 @@ def _watch(
     aside = Aside(options, " ".join(_source(names, options)))
 
     def look() -> Hashable:
-        """See the drawings that there are now, or those of the last tasks, and the manifest."""
+        """Return the stamps of the drawings at hand, or of the last tasks' drawings, and of the manifest."""
         try:
             found = _found(names, options)
         except (OptionError, click.UsageError) as error:
@@ -148,7 +148,7 @@ def _do(
     printed: TerminalOptions,
     is_first: bool = True,
 ) -> int:
-    """Do what is not up to date of some tasks; if they are not done for the first time, tell only what is new."""
+    """Do the tasks that are not up to date; in later rounds, print only news."""
     from shapeblend_cli.batch.cache import open_cache
     from shapeblend_cli.batch.run import CURRENT, begun, clean, run_tasks
     from shapeblend_cli.batch.supervisor import Stopped
@@ -190,7 +190,6 @@ def _do(
 
 
 def _tell(outcome: Outcome, terminal: BatchTerminal, *, with_notes: bool) -> None:
-    """Say what has become of a task."""
     error = outcome.answer.error
     terminal.ended(error is None, outcome.answer.seconds if outcome.attempts else None)
     for text in outcome.answer.notes if with_notes else ():
@@ -216,7 +215,6 @@ def _way(options: BatchOptions, note: Callable[[str], None]) -> Run:
 def _tasks(
     names: tuple[str, ...], options: BatchOptions, given: Mapping[str, Any]
 ) -> tuple[list[Task], list[str]]:
-    """Return the tasks of a batch, or of its shard, and notes."""
     from shapeblend_cli.batch.aside import check_aside
     from shapeblend_cli.batch.plan import plan
     from shapeblend_cli.rows.manifest import read_manifest
@@ -275,7 +273,6 @@ def _found(names: tuple[str, ...], options: BatchOptions) -> Found | None:
 
 
 def _show(tasks: Sequence[Task], found: Iterable[State], options: BatchOptions) -> None:
-    """Print what would be done, and why."""
     from shapeblend_cli.batch.run import from_cache, order_of
     from shapeblend_cli.batch.strays import strays
 

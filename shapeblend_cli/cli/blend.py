@@ -53,7 +53,7 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
 def opened(
     files: tuple[str, ...], given: dict[str, Any], *, stays_inside: bool = False
 ) -> tuple[tuple[str, ...], dict[str, Any]]:
-    """Return the drawings and the options of a project if one is given, and else what is given.
+    """Return the drawings and options of the command line, or of the project that it names.
 
     A project that `stays_inside` must not write outside its folder; the studio asks instead.
     """

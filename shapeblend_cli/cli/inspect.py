@@ -82,7 +82,6 @@ def inspect(file: str, select: str | None, lenient: bool | None, as_json: bool, 
 
 
 def _show(found: dict[str, Any]) -> None:
-    """Print the result of `report.inspection` on standard output."""
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")  # any id on any terminal
     viewbox = " ".join(f"{v:g}" for v in found["viewbox"]) if found["viewbox"] else "none"
@@ -120,7 +119,6 @@ def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def _width(text: str) -> int:
-    """Return how many columns a text takes."""
     if text.isascii():
         return len(text)
     import unicodedata

@@ -113,7 +113,6 @@ class Terminal:
                 wait = min(passed, SELDOM)
 
     def _state(self) -> str:
-        """Say how far the run is."""
         return f"matching {self._share:.0%}" if self._share < 1.0 else "matched, drawing"
 
     def _clear(self) -> None:

@@ -39,7 +39,6 @@ def end_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
 
 
 def _mixed_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
-    """Draw the mixtures that settings ask for."""
     used = drawings_in(settings.mix)
     rows = [[weights[k] for k in used] for weights in settings.mix]
     if len(used) == 2:

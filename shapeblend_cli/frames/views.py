@@ -90,7 +90,6 @@ def _is_inside(painted: Box, view: Box) -> bool:
 
 
 def _overhang(painted: Box, view: Box) -> float:
-    """Return the overhang of a box beyond a view, as a share of the view's larger side."""
     left, top, right, bottom = view.bounds
     x0, y0, x1, y1 = painted.bounds
     return max(left - x0, top - y0, x1 - right, y1 - bottom, 0.0) / view.larger_side

@@ -209,7 +209,7 @@ def _cut_into_chords(
 def _cut_into_blocks(
     chains: _Chains, blocks: cython.Py_ssize_t[:, ::1], boxes: cython.double[:, ::1]
 ) -> cython.Py_ssize_t:
-    """Find the blocks of chains and their boxes; return their number, at most that of the points."""
+    """Find the blocks of chains and their boxes; return their number, at most the number of points."""
     points: cython.doublecomplex[::1] = chains.points
     count: cython.Py_ssize_t = 0
     run: cython.Py_ssize_t = -1
@@ -432,7 +432,7 @@ def _are_apart(one: _Strand, other: _Strand, distance: cython.double) -> cython.
 
 @cython.cfunc
 def _pass_through(chains: _Chains, v: cython.Py_ssize_t, e: cython.Py_ssize_t) -> cython.bint:
-    """Return whether the strand through a vertex crosses that of an edge there, and that has not been counted."""
+    """Return whether the strand through a vertex crosses the strand of an edge there, uncounted so far."""
     one: _Strand = _strand(chains, v, v - 1, v + 1)
     other: _Strand = _strand(chains, v, e, e + 1)
     while True:

@@ -107,7 +107,6 @@ def animate_objects(
 
 
 def _selected(file: str, ids: Sequence[str], note: Callable[[str], None]) -> Selected:
-    """Read the objects that are selected; dots and lines that are pins are none of them."""
     try:
         data = Path(file).read_bytes()
     except OSError as error:

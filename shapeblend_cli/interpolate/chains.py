@@ -129,7 +129,6 @@ def _numbers(keys: Sequence[Key]) -> frozenset[int | None]:
 
 
 def _start(shape: ShapeBlend, first: int) -> _ShapeChain:
-    """Start a chain with a shape of one pair."""
     points = waypoints(shape)
     contours = [
         ContourChain.of(blend, [point.paths[k].segments for point in points])

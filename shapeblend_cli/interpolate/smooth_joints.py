@@ -122,7 +122,6 @@ def _match_speeds(segments: ComplexArray, others: ComplexArray, lines: BoolArray
 def _scale_handles(
     segments: ComplexArray, lines: BoolArray, outward: FloatArray, inward: FloatArray
 ) -> ComplexArray:
-    """Scale the handles of lines, within bounds."""
     start, end = segments[lines, 0], segments[lines, 3]
     whole = np.where(end == start, 1.0, np.abs(end - start))
     head = np.abs(segments[lines, 1] - start) / whole * outward[lines]
@@ -204,7 +203,7 @@ def slide_cuts(
 
 
 def _bend(a: _Joints, b: _Joints) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return the directions of B and at half time, as angles from those of A, and the bend for each unit of excess."""
+    """Return the directions at half time and of B, as angles from A's, and the bend for each unit of excess."""
     turn = np.angle(b.direction * a.direction.conj())
     ratio = np.sqrt(b.inward * b.outward / (a.inward * a.outward))
     bend = ratio * np.abs(np.sin(turn)) / np.maximum(1.0 + ratio**2 + 2.0 * ratio * np.cos(turn), 1e-2)

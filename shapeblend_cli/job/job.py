@@ -50,7 +50,7 @@ def job_of(files: tuple[str, ...], given: Mapping[str, Any], command: tuple[str,
 
 
 def check_files(files: tuple[str, ...], settings: Settings) -> None:
-    """Raise OptionError if there are too few files, or settings that do not go with so many."""
+    """Raise OptionError if there are too few files, or settings that do not go with their number."""
     if len(files) < 2:
         raise OptionError(f"a blend needs two files or more, A.svg and B.svg; {len(files)} given")
     if files.count(STANDARD_INPUT) > 1:

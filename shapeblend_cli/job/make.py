@@ -64,7 +64,7 @@ def blend_files(
     progress: Callable[[float], None],
     sources: Mapping[str, bytes] = MappingProxyType({}),
 ) -> Run:
-    """Read files, blend each with the next, and write what is asked for, all of it or nothing.
+    """Read files, blend each with the next, and write all outputs or none.
 
     Files among the `sources` have these contents, and are not opened.
     `note` takes what the user should know, a line at a time, and `warn` what even one who wants to read little should;
@@ -108,7 +108,7 @@ def make(
     sources: Mapping[str, bytes] = MappingProxyType({}),
     kept: Kept | None = None,
 ) -> Made:
-    """Read files, blend each with the next, and return what is to be written; see `blend_files` for the parameters.
+    """Read files, blend each with the next, and return the outputs; see `blend_files` for the parameters.
 
     Drawings and steps in `kept` are not made again.
     """
@@ -237,7 +237,7 @@ def match_drawings(
 
 
 def _say_if_poor(job: Job, pairs: Sequence[Pair], note: Callable[[str], None]) -> None:
-    """Say that in-betweens look poor, what is worst and what would help; raise that if it is asked for."""
+    """Warn of poor in-betweens, with their worst fault and a remedy; raise InputError if that is asked for."""
     found = None if job.output.settings.mix else verdict(pairs)
     if found is None or not found.is_poor:
         return
@@ -286,7 +286,7 @@ def _tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> str:
 
 
 def print_text(text: str | bytes, stands: str = "") -> None:
-    """Write to standard output as UTF-8, whatever the locale; an error says what else stands."""
+    """Write to standard output as UTF-8 in every locale; an error names the files that were written."""
     if not text:
         return
     try:

@@ -32,7 +32,7 @@ def write_states(
     note: Callable[[str], None],
     progress: Callable[[float], None],
 ) -> None:
-    """Read files, let all correspond with the first, and write a drawing of which each is a state."""
+    """Read files, match each with the first, and write one drawing with a state for each."""
     if not COMPILED:
         note(SLOW)
     element = element_name(options) if options.output.lower().endswith(".js") else None
@@ -60,7 +60,7 @@ def write_states(
 
 
 def names_of(files: Sequence[str]) -> list[str]:
-    """Return the names of states: those of the files without folder and suffix, and numbers where two are alike.
+    """Return the names of states: names of files without folder and suffix, numbered where two are alike.
 
     Examples
     --------
@@ -79,7 +79,7 @@ def names_of(files: Sequence[str]) -> list[str]:
 
 
 def element_name(options: StatesOptions) -> str:
-    """Return the name of a custom element, by default that of its file; such names have a hyphen."""
+    """Return the name of a custom element, by default its file's; such names have a hyphen."""
     if options.element is not None:
         return options.element
     stem = re.sub(r"[^a-z0-9-]+", "-", PurePath(options.output).stem.lower()).strip("-")

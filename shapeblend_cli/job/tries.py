@@ -44,7 +44,7 @@ SIDE = 48
 """Points along the larger side of the grid on which two blends are compared."""
 
 DIFFERENT = 0.03
-"""Minimum difference of two blends that the eye sees at some moment, as a share of what they paint."""
+"""Minimum visible difference of two blends at some moment, as a share of the painted area."""
 
 LARGER_SIDE = 96.0
 """Larger side of a picture on a sheet, in pixels."""
@@ -101,7 +101,6 @@ def size_on_sheet(view: Box) -> tuple[float, float]:
 
 
 def _as_typed(settings: Settings, changed: dict[str, Any]) -> str:
-    """Return settings as they are given on the command line."""
     flags = {name: settings.options[name].flags[-1] for name in changed}
     return " ".join(
         f"{flags[name]} {value:g}" if isinstance(value, float) else f"{flags[name]} {value}"

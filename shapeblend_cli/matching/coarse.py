@@ -155,7 +155,6 @@ def _region(problem: Problem, pins: list[Dot] | None) -> Window:
 
 
 def _search(problem: Problem, region: Window, pins: list[Dot] | None) -> tuple[Path | None, Graph]:
-    """Search a region exactly."""
     m, n = problem.wires.m, problem.wires.n
     graph = Graph(problem.wires, region, problem.band, problem.watch)
     # A Southeast step past a pin would leave it out: into the row below it, or from the row above it.

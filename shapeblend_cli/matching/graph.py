@@ -153,7 +153,7 @@ class Graph:
         return bounds
 
     def lower_bound(self) -> float:
-        """Bound the work of all paths between the wires, whatever the region, the band and the forbidden dots.
+        """Bound the work of all paths between the wires, in any region and band and through any dots.
 
         One pass backwards, with two columns in memory, unless `bound_starts` knows. 0 where that would take long.
         """

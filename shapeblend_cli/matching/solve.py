@@ -204,7 +204,6 @@ def _placements(pins: list[Dot], first: Dot, wires: Wires) -> Sequence[list[Dot]
 
 
 def _crossing(rolled: list[Dot], pins: list[Dot], closed: bool) -> str:
-    """Name two pins that cross."""
     order = sorted(range(len(pins)), key=lambda k: rolled[k])
     for first, second in pairwise(order):
         if rolled[first][1] > rolled[second][1]:

@@ -95,7 +95,7 @@ class Correspondence:
 
     @classmethod
     def without_work(cls, dots: IntArray, closed: bool) -> Correspondence:
-        """Return a correspondence that nobody solved."""
+        """Return a correspondence that was given, not solved, without its work."""
         return cls(dots, closed, Work(), lower_bound=0.0, zero_angles=0, diagonal_deviation=0.0, sweeps=0)
 
     @property

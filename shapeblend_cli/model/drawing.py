@@ -59,7 +59,7 @@ class Contour(CubicPath):
 
 
 class Clip(NamedTuple):
-    """The region outside of which a shape is not painted."""
+    """The region in which a shape is painted."""
 
     paths: tuple[CubicPath, ...]
     rule: str = "nonzero"

@@ -24,7 +24,7 @@ SETTLED = 1e-3
 """Minimum gain of a reweighting to be followed by another, as a share of the movement that is left."""
 
 NEAR = 0.02
-"""Distance by which a point moves that counts as half at rest, as a share of the size."""
+"""Distance at which a moving point counts as half at rest, as a share of the size."""
 
 IN_PLACE = 0.7
 """Maximum movement that a similarity leaves, as a share of the movement without it; else there is none."""
@@ -94,7 +94,6 @@ def align_contours(contours: Sequence[ContourBlend]) -> Alignment:
 
 
 def _adjacent_length(z: ComplexArray, closed: bool) -> FloatArray:
-    """Return the length of the edges before and after each point."""
     edges = np.abs(np.diff(z, append=z[:1] if closed else z[-1:]))
     before = np.roll(edges, 1)
     if not closed:
@@ -162,7 +161,6 @@ def _moving_length(points: PointPairs, alignment: Alignment) -> float:
 
 
 def _unit(points: PointPairs) -> float:
-    """Return the product of both sizes."""
     a, b, weight = points
     return _size(a - weight @ a, weight) * _size(b - weight @ b, weight)
 
@@ -225,5 +223,4 @@ def residual(points: PointPairs, alignment: Alignment) -> float:
 
 
 def _size(z: ComplexArray, weight: FloatArray) -> float:
-    """Return the root mean square distance from the origin."""
     return math.sqrt(weight @ (z.real**2 + z.imag**2))

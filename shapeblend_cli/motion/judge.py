@@ -99,7 +99,7 @@ WEIGHTS = Judgement(
 
 
 class Judged(NamedTuple):
-    """The faults of a shape, and the area that it paints, as shares of which they are measured."""
+    """The faults of a shape, as shares of the area that it paints, and that area."""
 
     judgement: Judgement
     painted: float  # in square units of the drawing, at the larger end
@@ -288,7 +288,7 @@ class _Regions:
         return float(np.maximum(wrong - max(wrong[0], wrong[-1]), 0.0)[INNER].mean())
 
     def asymmetry(self) -> float:
-        """Return the share of the area by which in-betweens differ from their mirror images more than the ends do."""
+        """Return the asymmetry of in-betweens beyond the asymmetry of the ends, as a share of the area."""
         ends = max(self._mirrored(0), self._mirrored(-1))
         if ends > SYMMETRIC:
             return 0.0

@@ -39,8 +39,6 @@ def parts_of(contours: Sequence[ContourBlend]) -> list[list[int]]:
 
 
 class _Outline(NamedTuple):
-    """A polygon, and the mean length of its edges."""
-
     polygon: Polygon
     spacing: float
 
@@ -69,7 +67,6 @@ def turn_of(part: Sequence[ContourBlend], middle: complex) -> Alignment:
 
 
 def _touch(one: _Outline, other: _Outline) -> bool:
-    """Return whether two contours touch, cross or lie in each other."""
     p, q = one.polygon, other.polygon
     reach = 0.5 * max(one.spacing, other.spacing)
     if not p.box.expanded(reach).overlaps(q.box.expanded(reach)):
@@ -81,5 +78,4 @@ def _touch(one: _Outline, other: _Outline) -> bool:
 
 
 def _is_in(p: Polygon, q: Polygon) -> bool:
-    """Return whether a polygon begins inside another one."""
     return q.closed and bool(winding_numbers(p.vertices[:1], q.vertices)[0])

@@ -33,8 +33,8 @@ END = 0.8
 """Minimum distance of a hinge from the middle of the outline, in root mean square sizes."""
 
 LONG = 0.8
-"""Minimum difference of a long outline's spreads along and across, as a share of their sum: that of a bar three times
-as long as wide."""
+"""Minimum difference of a long outline's spreads along and across, as a share of their sum: a bar three times as long
+as wide has this one."""
 
 LEAST_ROTATION = np.radians(1.0)
 """Minimum angle of a rotation, in radians."""
@@ -44,7 +44,7 @@ MOST_RESIDUAL = 0.03
 
 
 def rotation_between(a: Polygon, b: Polygon) -> float | None:
-    """Return the angle by which one polygon is another rotated, in (-pi, pi]; None if they are not alike.
+    """Return the angle of rotation from one polygon to another, in (-pi, pi]; None if they are not alike.
 
     A cyclic correlation of both outlines has the angle of least squares for every starting point as its argument, and
     their agreement as its absolute value. Of angles that agree as well, the smallest is taken; but first angles that

@@ -93,7 +93,6 @@ class Record:
         self.__dict__.update(self._defaults(values) | values, given=given)
 
     def _defaults(self, given: Mapping[str, Any]) -> dict[str, Any]:
-        """Return all defaults; they may depend on what is given."""
         return {name: option.default for name, option in self.options.items()}
 
     @classmethod
@@ -142,7 +141,6 @@ class Record:
 
 
 def _plain(value: Any) -> Any:
-    """Return a value as JSON has it."""
     if isinstance(value, complex):
         return [value.real, value.imag]
     if isinstance(value, tuple):

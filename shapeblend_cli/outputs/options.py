@@ -25,7 +25,6 @@ SHARED = {
 
 
 def _by_suffix() -> str:
-    """Return the kinds of outputs by the suffixes of their names."""
     suffixes: dict[str, list[str]] = {}
     for format in FORMATS:
         if format.emit == "frames" and format.suffix:
@@ -34,7 +33,6 @@ def _by_suffix() -> str:
 
 
 def _default_text(name: str) -> str:
-    """Return the defaults of an option that formats share."""
     formats: dict[object, list[str]] = {}
     for format in FORMATS:
         if name in format.defaults:
@@ -191,7 +189,6 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
 
 
 def _check_mix(options: OutputOptions, settings: Settings, format: Format, asked: str) -> None:
-    """Raise OptionError if a format cannot show the mixtures."""
     if format.mixtures == "none":
         raise OptionError(f"--mix is for a folder, or for a name ending in .svg or .png, not for {asked}")
     if format.mixtures == "one" and (len(settings.mix) > 1 or not options.trigger.is_load):
@@ -201,7 +198,6 @@ def _check_mix(options: OutputOptions, settings: Settings, format: Format, asked
 def _check_trigger(
     options: OutputOptions, format: Format, drawings: int, asked: str, *, staggered: bool
 ) -> None:
-    """Raise OptionError if an output cannot wait for a trigger."""
     given = f"--trigger {options.trigger}"
     if not format.takes_triggers or options.animate == "frames":
         what = "--animate frames" if format.takes_triggers else asked
@@ -224,7 +220,6 @@ def _check_trigger(
 
 
 def _ways_to(name: str) -> str:
-    """Return how to ask for a format that takes a shared option."""
     takers = [format for format in FORMATS if name in format.defaults]
     folders = [f", or a folder with --format {format.name}" for format in takers if not format.suffix]
     suffixes = [format.suffix for format in takers if format.suffix]

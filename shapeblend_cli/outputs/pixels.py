@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Box, Pair, PictureArray
 
 MOST_SIDE = 16_383
-"""Maximum side of a picture, in pixels: that of WebP."""
+"""Maximum side of a picture, in pixels: WebP has no larger ones."""
 
 WIDEST_STROKE = 1e5
 """Maximum width of a stroke, in sizes of the view. With strokes of some million sizes resvg ends the process."""

@@ -116,7 +116,6 @@ def _share_of_b(t: float, opacity_a: float, opacity_b: float) -> float:
 
 
 def _is_near(a: str, b: str, opacity: float) -> bool:
-    """Return whether two colours look alike."""
     steps = max(abs(p - q) for p, q in zip(bytes.fromhex(a[1:]), bytes.fromhex(b[1:]), strict=True))
     return opacity * steps <= STEPS or opacity * math.dist(_oklab(a), _oklab(b)) <= TOLERANCE
 

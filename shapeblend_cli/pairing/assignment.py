@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     Numbers = tuple[int, int]
 
 LEVEL_COST = 0.2
-"""Cost of each level of nesting by which partners differ, two at most."""
+"""Cost of each level of difference in nesting between partners, two at most."""
 
 STRAY_COST = 0.45
 """Cost of a contour that lies outside of the partner of the part around it; half of it outside costs half."""
@@ -61,7 +61,7 @@ BESIDE = 0.15
 """Minimum distance from the axis of a contour beside it, as a share of half the drawing's width."""
 
 KIN_GAIN = 0.3
-"""Gain of a pair whose contours are like those of another pair: a wheel rather becomes a wheel if others do."""
+"""Gain of a pair whose contours resemble another pair's: a wheel rather becomes a wheel if others do."""
 
 KIN_SIZE = 1.5
 """Maximum ratio of the sizes of contours that are alike."""
@@ -285,7 +285,7 @@ class Pairing:
         return [(rows[i], columns[j]) for i, j in found]
 
     def _kin(self, rows: Sequence[int], columns: Sequence[int]) -> BoolArray:
-        """Return the contours that are both like those of one pair, and both of its colours or both of others."""
+        """Return which pairs resemble a decided pair, with both of its colours or neither."""
         pairs = list(self.partner.items())
         (kin_a, same_a), (kin_b, same_b) = (
             side.alike(some, [pair[k] for pair in pairs])

@@ -33,7 +33,7 @@ TRIES = 40
 """Maximum number of points that are tried."""
 
 FALL = 4
-"""Power of the distance by which the weight of a vertex falls for a point outside."""
+"""Power of the distance with which the weight of a vertex falls for a point outside."""
 
 
 class MatchedPoints(NamedTuple):

@@ -190,7 +190,7 @@ def _meet(p: Sequence[PlacedContour], q: Sequence[PlacedContour]) -> bool:
 def _is_around(
     shape: Sequence[PlacedContour], around: Sequence[ComplexArray], inner: Sequence[ComplexArray]
 ) -> bool:
-    """Return whether any of the inner outlines, none of which a shape crosses, begins inside the shape."""
+    """Return whether an inner outline begins inside a shape, which crosses none of them."""
     if shape[0].style.fill is None:
         return False
     return any(sum(winding_numbers(points[:1], outline)[0] for outline in around) for points in inner)

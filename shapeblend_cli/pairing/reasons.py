@@ -52,7 +52,7 @@ def reasons_for(
     required: Collection[Numbers],
     riders: tuple[Mapping[int, int], Mapping[int, int]],
 ) -> Reasons:
-    """Return the reasons for pairs of contours, some of which users require, and the parents of contours.
+    """Return the reasons for pairs of contours, some required by users, and the parents of contours.
 
     Riders are numbers of strokes, with the numbers of the fills on whose edges they lie.
     """

@@ -214,7 +214,6 @@ def _sections(stroke: PlacedContour, covered: BoolArray) -> list[tuple[int, int]
 
 
 def _piece(stroke: PlacedContour, first: int, last: int) -> PlacedContour:
-    """Return a stroke from one vertex to another."""
     outline = stroke.flat
     count = len(stroke.polygon.vertices)
     start, end = (float(outline.lengths[k % count]) for k in (first, last))

@@ -135,7 +135,6 @@ def shape_blends(
 
 
 def _from_a(own: T, other: T, here: int) -> tuple[T, T]:
-    """Return a value of A, 0, or B, 1, and a value of the other drawing, A's first."""
     return (other, own) if here else (own, other)
 
 

@@ -48,7 +48,7 @@ MOST_PART = 0.57
 """Maximum area of a part's box, as a share of the box around all parts."""
 
 AXES = (1.0 + 0.0j, 1.0j, 1.0 + 1.0j, 1.0 - 1.0j)
-"""Directions by which partners are divided into two halves."""
+"""Directions along which partners are divided into two halves."""
 
 SHARE_WEIGHT = 1.0
 """Cost of the wrong share of the area: 1 for all of it."""

@@ -219,7 +219,6 @@ def _stars(axes: Axes, theta: Theta) -> None:
 
 
 def _span(axes: Axes, t: float, begin: float, end: float) -> None:
-    """Draw a vertical arrow with two heads."""
     top, bottom = axes.at(t, max(begin, end)), axes.at(t, min(begin, end))
     if bottom[1] - top[1] < 4.0:
         return

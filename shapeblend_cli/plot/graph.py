@@ -226,7 +226,6 @@ def _vertex_ticks(first: int, count: int, period: int, side: float) -> tuple[lis
 
 
 def _legend(figure: Figure, left: float, subject: Subject, shading: Shading | None) -> None:
-    """Explain the lines and the shades."""
     top = TOP + 8.0
     for kind, name in (
         ("path", "least-work path"),

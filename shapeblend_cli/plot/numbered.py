@@ -49,10 +49,10 @@ OUTWARDS = (2.0, 3.2, 4.4, 6.0, 8.0)
 """Distances of these places from the contour, in units of `ROOM`."""
 
 VERTICES = 96
-"""Maximum number of points by which an outline is seen."""
+"""Maximum number of points of an outline that numbers keep clear of."""
 
 CURVE = np.linspace(0.0, 1.0, 8, endpoint=False)
-"""Parameters of the points by which a segment is seen."""
+"""Parameters of these points on a segment."""
 
 DECIMALS = 2
 

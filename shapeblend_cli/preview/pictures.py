@@ -100,7 +100,6 @@ def _once(values: list[Any]) -> list[Any]:
 
 
 def _paint(style: Style, decimals: int, *, as_ellipse: bool) -> dict[str, Any]:
-    """Return the attributes of a path and its gradients."""
     attributes = paint_attributes(style._replace(pixel=None), decimals)  # pictures have any size
     attributes.pop("vector_effect", None)
     paint: dict[str, Any] = {"path": hyphened(attributes)}

@@ -23,7 +23,7 @@ MAX_BYTES = 4 * 2**20
 
 
 class Project(NamedTuple):
-    """Drawings to blend, and what is asked of the blend."""
+    """Drawings to blend, and the options of the blend."""
 
     files: tuple[str, ...]
     given: Mapping[str, Any]  # values of options by the names of their fields
@@ -67,7 +67,7 @@ def read_project(file: str) -> Project:
 
 
 def check_outputs(project: Project, file: str, beside: Mapping[str, Any]) -> None:
-    """Raise OptionError for a file that a project would write outside its folder, and that nobody named `beside` it."""
+    """Raise OptionError for a file that a project would write outside its folder, unless `beside` names it."""
     folder = os.path.dirname(file) or os.curdir
     for field, value in fields_of(project.given):
         if field.kind.is_file and value != "-" and beside.get(field.name) in (None, ()):

@@ -43,7 +43,7 @@ class Row(NamedTuple):
 
 
 def row_of(values: Mapping[str, Any], where: str, base: str) -> Row:
-    """Make a row of what a manifest says, whose paths are relative to `base`; None is what is not given.
+    """Make a row of the values in a manifest, with paths relative to `base`; values of None count as missing.
 
     Raises
     ------
@@ -100,7 +100,7 @@ def options_of(values: Mapping[str, Any], where: str, base: str) -> dict[str, An
 
 
 def named(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return those of some values of fields that are about jobs, with names of files relative to the working folder."""
+    """Return the values of fields that jobs have, with names of files relative to the working folder."""
     fields = {name: field for record in RECORDS for name, field in record.options.items() if name in values}
     return {n: Name(values[n]) if field.kind.is_file else values[n] for n, field in fields.items()}
 
@@ -128,7 +128,7 @@ def fields_of(given: Mapping[str, Any]) -> Iterator[tuple[Option, Any]]:
 
 
 def typed(value: Any) -> str:
-    """Return what is typed for a value."""
+    """Return a value as it is typed on the command line."""
     if isinstance(value, complex):
         return f"{value.real!r},{value.imag!r}"
     if not isinstance(value, tuple) or isinstance(value, Ease):

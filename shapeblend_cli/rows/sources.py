@@ -17,7 +17,7 @@ DRAWINGS = "*.[sS][vV][gG]"
 
 
 class Found(NamedTuple):
-    """Rows, notes on what is in none of them, and the pattern of names that they were found by."""
+    """Rows, notes on drawings left out, and the pattern of names that was searched for."""
 
     rows: list[Row]
     notes: list[str]

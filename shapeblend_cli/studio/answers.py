@@ -53,7 +53,7 @@ THUMBNAIL_TIMES = (0.25, 0.5, 0.75)
 
 
 def do(order: Order) -> Any:
-    """Do what is ordered; errors are the command's."""
+    """Do an order; errors are the command's."""
     return ORDERS[order.what](order)
 
 
@@ -173,7 +173,6 @@ def _others(order: Order) -> list[dict[str, Any]]:
 
 
 def _contents(order: Order) -> dict[str, Any]:
-    """Return what the command would write, by the names of files."""
     job = _job(order)
     notes: list[str] = []
     check_libraries(job)

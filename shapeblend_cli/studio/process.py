@@ -63,7 +63,7 @@ class Process:
             return value
 
     def stop(self, why: str) -> None:
-        """End the process at once, whatever it does; the order that it was at fails for this reason."""
+        """End the process at once; its present order fails for this reason."""
         with self._change:
             if self._process is not None:
                 self._why = why

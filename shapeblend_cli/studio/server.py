@@ -31,7 +31,7 @@ MOST_JSON = 4 * 2**20
 """Maximum size of a request, in bytes."""
 
 MOST_DRAWING = 64 * 2**20
-"""Maximum size of a request with a drawing, in bytes: that of a drawing for the reader."""
+"""Maximum size of a request with a drawing, in bytes: the reader takes no larger drawing."""
 
 MOST_CONNECTIONS = 64
 """Maximum number of connections at once. A browser opens six for a page."""
@@ -93,7 +93,7 @@ class Studio(ThreadingHTTPServer):
 
     @property
     def hosts(self) -> tuple[str, ...]:
-        """Names by which the page may be asked for."""
+        """Host names that requests for the page may have."""
         return f"{HOST}:{self.server_port}", f"localhost:{self.server_port}"
 
     @property
@@ -139,7 +139,7 @@ class _Incoming(io.RawIOBase):
         self._end = 0.0
 
     def allow(self, seconds: float) -> None:
-        """Wait for so many seconds from now on."""
+        """Wait for a number of seconds from now on."""
         self._end = time.monotonic() + seconds
 
     def readable(self) -> bool:

@@ -41,7 +41,7 @@ class Download(NamedTuple):
 
 
 class Session:
-    """Drawings, and processes that blend them: one for what is looked at, another for all that may take longer."""
+    """Drawings, and processes that blend them: one for the page's live blend, another for longer work."""
 
     def __init__(self, project: Project, folder: str = "") -> None:
         self.project = project
@@ -153,7 +153,7 @@ class Session:
         return Download(f"{DEFAULT}.json", project_text(project._replace(files=files), "").encode())
 
     def halt(self, _: Mapping[str, Any]) -> dict[str, Any]:
-        """Stop what is being blended."""
+        """Stop the blend that is being made."""
         self._live.stop("stopped")
         self._slow.stop("stopped")
         self.start()

@@ -38,7 +38,7 @@ class _Run:
 
 @contextmanager
 def listening() -> Iterator[None]:
-    """Raise `Interrupted` when a signal asks to stop, unless whoever started the process has it ignored."""
+    """Raise `Interrupted` when a signal asks to stop, unless the process was started with that signal ignored."""
     _Run.has_written, _Run.seconds = False, None
     with _handling(_interrupt):
         try:
@@ -49,7 +49,7 @@ def listening() -> Iterator[None]:
 
 
 def stop_after(seconds: float | None) -> None:
-    """Have the run that is listening interrupted after so many seconds."""
+    """Have the run that is listening interrupted after a number of seconds."""
     if seconds is None:
         return
     if not hasattr(signal, "setitimer"):

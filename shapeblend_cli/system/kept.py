@@ -39,7 +39,7 @@ class Kept:
         return self._values.get(key)
 
     def keep(self, key: Hashable, value: Any, size: int) -> None:
-        """Keep a value that was made of so many bytes, or about."""
+        """Keep a value that was made of about this number of bytes."""
         if size <= self._largest:
             self._values[key] = value
             if len(self._values) > self._most:

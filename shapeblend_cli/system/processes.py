@@ -83,7 +83,7 @@ class Child:
 
 
 class Parent:
-    """Whoever started this process, as it sees them. When they are gone the process ends, whatever it does."""
+    """The parent of this process. When the parent is gone the process ends, even in the middle of an order."""
 
     def __init__(self) -> None:
         warnings.simplefilter("ignore")
@@ -104,7 +104,7 @@ class Parent:
             yield from received
 
     def answer(self, value: Any) -> None:
-        """Send what has become of an order."""
+        """Send the answer to an order."""
         self._is_at_work = False
         pickle.dump(value, self._answers)
         self._answers.flush()

@@ -57,7 +57,7 @@ def check_targets(targets: Iterable[Path], inputs: Iterable[Path], force: bool) 
 
 
 def write_files(contents: Contents, force: bool) -> None:
-    """Write all files or none, texts as UTF-8, and then what is no file, such as a device or a pipe.
+    """Write all files or none, texts as UTF-8, and then to devices and pipes.
 
     What is there is replaced with `force`; it keeps its mode and, where that is allowed, its owner. A symbolic link
     stays, and the file it names is replaced. OutputError is raised if the disk is full, a folder is read-only, and the
@@ -88,8 +88,6 @@ def is_inside(path: Path, folder: str) -> bool:
 
 
 class _File(NamedTuple):
-    """A file to write."""
-
     target: Path  # as the user has it
     home: Path  # the folder that gets the stage
     inside: Path  # its path from there, or in the stage
@@ -195,7 +193,6 @@ def _write_all(contents: Contents, force: bool, swap: bool) -> None:
 
 
 def _stage(file: _File, path: Path) -> None:
-    """Write a file to its stage."""
     write_synced(path, file.data)
     if file.replaces:
         _take_after(path, file.replaces)

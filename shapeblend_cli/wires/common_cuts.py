@@ -42,7 +42,7 @@ SHORTEST_STEP = 1e-15
 
 
 def solve_with_common_cuts(match: ContourMatch) -> Solved:
-    """Solve two contours, both cut where the other one has vertices."""
+    """Solve two contours, each cut where the other has vertices."""
     return refine(match, Solved(match.a, match.b, match.first), match.solve)
 
 

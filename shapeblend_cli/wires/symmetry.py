@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.wires.contour_match import ContourMatch
 
 SAMPLES = 128
-"""Number of points, evenly along an outline, by which an axis is recognised."""
+"""Number of points, evenly along an outline, that are compared to recognise an axis."""
 
 TOLERANCE = 0.02
 """Maximum distance of an outline from its mirror image, as a share of its size; and of a node from the mirror image of

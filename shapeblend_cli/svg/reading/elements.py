@@ -128,7 +128,7 @@ def _rectangle(
 
 
 def _corner_radii(width: float, height: float, rx: float | None, ry: float | None) -> tuple[float, float]:
-    """Return the radii in force: None, ``auto``, is the other one; at most half a side; both zero or none."""
+    """Return the radii in force: None, ``auto``, takes the other's value; half a side at most; both zero or neither."""
     given_x, given_y = (None if r is None or r < 0 else r for r in (rx, ry))
     rx = given_x if given_x is not None else given_y or 0.0
     ry = given_y if given_y is not None else rx

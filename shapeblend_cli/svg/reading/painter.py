@@ -209,7 +209,7 @@ def _resolve(
 
 
 class _Attributes:
-    """The attributes of a chain of gradients: each is that of the first gradient that has it.
+    """The attributes of a chain of gradients: the first gradient that has an attribute sets it.
 
     Attributes of the geometry are handed on between gradients of one kind only.
     """

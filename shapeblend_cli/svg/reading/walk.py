@@ -101,7 +101,7 @@ class Walk:
         self._other_names: dict[str, None] = {}
 
     def shapes(self, box: Box | None, selector: str | None = None) -> tuple[Shape, ...]:
-        """Return the shapes that are painted, of which there has to be one, given the box of the root.
+        """Return the painted shapes, at least one, given the box of the root.
 
         With a selector, only shapes that it matches are returned, those in elements it matches, and those drawn through
         a ``use`` of which one of the two is true. Their numbers are those among all shapes.
@@ -177,7 +177,6 @@ class Walk:
         return declared, visit
 
     def _transform(self, node: Node, declared: Declarations, lengths: Lengths) -> Affine:
-        """Return the element's own transform, the attribute or the CSS properties."""
         text = declared.get("transform", "none")
         # The two have different grammars; a property that wins is not the attribute's string.
         matrix = parse(text, None if text is node.get("transform") else lengths)
@@ -231,7 +230,6 @@ class Walk:
         )
 
     def _clipped(self, visit: _Visit, declared: Declarations) -> _Visit:
-        """Return the visit with the clip path of its element."""
         box = None
         if visit.node.tag in SHAPES and visit.matrix.determinant != 0:
             own = self._contours(visit, declared)

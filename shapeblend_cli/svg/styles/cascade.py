@@ -117,7 +117,6 @@ def inherit(parent: Inherited, declared: Declarations, note: Callable[[str], Non
 
 
 def _value(name: str, text: str, parent: Inherited, font_size: float) -> Any:
-    """Return one property's value, or None when `text` is not one."""
     if name in ("fill", "stroke"):
         return colours.parse(text)
     if name == "color":

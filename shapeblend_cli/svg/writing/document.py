@@ -52,7 +52,6 @@ def fingerprint(shapes: Iterable[KeyframedShape], *others: object) -> str:
 
 
 def _add_texts(element: Any, name: Name) -> None:
-    """Add a title and a description to an element, if it has any."""
     if name.title is not None:
         element.add(svgwrite.base.Title(name.title))
     if name.description is not None:
@@ -60,7 +59,7 @@ def _add_texts(element: Any, name: Name) -> None:
 
 
 def ids_of(drawing: Any, shapes: Iterable[PaintedShape | KeyframedShape]) -> Ids:
-    """Return the ids of a drawing of some shapes; only its own id is taken so far."""
+    """Return the ids of a drawing of some shapes; so far only its own id is taken."""
     ids = Ids.of(shapes)
     ids.take(drawing.attribs.get("id"))
     return ids
@@ -80,7 +79,7 @@ class Tree:
 
     @classmethod
     def of(cls, drawing: Any, shapes: Iterable[PaintedShape | KeyframedShape]) -> Tree:
-        """Return the tree of a drawing of some shapes, none of which has been added yet."""
+        """Return the tree of a drawing of some shapes, before any is added."""
         return cls(drawing, ids_of(drawing, shapes))
 
     @property

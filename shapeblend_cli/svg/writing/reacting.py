@@ -136,7 +136,6 @@ def _is_declared(trigger: Trigger) -> bool:
 
 
 def _begins(trigger: Trigger, name: str) -> tuple[str, str]:
-    """Return when the animation begins to go, and to come back."""
     if trigger.kind == CLICK:
         return f"{name}forth.click", f"{name}back.click"
     if trigger.kind == HOVER:
@@ -277,7 +276,6 @@ def _transitions(shape: KeyframedShape, changing: Sequence[str], timing: Timing,
 
 
 def _span(shape: KeyframedShape, attribute: str) -> tuple[float, float]:
-    """Return the times between which an opacity changes."""
     stops = [(0.0, shape.keys[0].style), *shape.fading[0], (1.0, shape.keys[-1].style)]
     values = [(t, getattr(style, attribute)) for t, style in stops]
     changes = [(p[0], q[0]) for p, q in pairwise(values) if p[1] != q[1]]

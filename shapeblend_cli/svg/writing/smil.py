@@ -237,7 +237,6 @@ class Timeline:
         self._add(element, "animate", given, list(kept.values()), extra)
 
     def _switch(self, element: Any, name: str, keys: Sequence[str]) -> None:
-        """Switch an attribute halfway from key to key."""
         half = self.timing.ease.time_of(0.5)
         states = {0.0: keys[0], **{(k + half) / self.total: value for k, value in enumerate(keys[1:])}}
         if self.backwards:
@@ -266,7 +265,6 @@ class Timeline:
     def _add(
         self, element: Any, tag: str, given: dict[str, str], texts: Sequence[str], extra: dict[str, str]
     ) -> None:
-        """Add an animation to an element."""
         is_endless = self.timing.repeat in (FOREVER, PINGPONG)
         run = {
             "dur": self.duration,
@@ -282,5 +280,5 @@ class Timeline:
 
 
 def written(tag: str, attributes: dict[str, str]) -> Any:
-    """Return an element that can be added to those of svgwrite."""
+    """Return an element that can be added to elements of svgwrite."""
     return document.Ready(Element(tag, dict(sorted(attributes.items()))))

@@ -47,7 +47,7 @@ class Affine(NamedTuple):
 
     @property
     def determinant(self) -> float:
-        """The factor by which areas are scaled."""
+        """The factor that scales areas."""
         return self.a * self.d - self.b * self.c
 
     def about(self, x: float, y: float) -> Affine:
@@ -114,7 +114,7 @@ def parse(text: str, viewport: Lengths | None = None) -> Affine | None:
 
 
 def _split(pattern: str, text: str) -> list[re.Match[str]]:
-    """Return the matches of which a text consists; none if there is anything else in it."""
+    """Return the matches that make up a text; none if there is anything else in it."""
     compiled = re.compile(pattern)
     matches: list[re.Match[str]] = []
     end = 0

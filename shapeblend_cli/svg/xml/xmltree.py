@@ -70,7 +70,7 @@ class Node:
         return self.attrib.get(name, default)
 
     def link(self) -> str:
-        """Return the value of ``href``, whatever its prefix."""
+        """Return the value of ``href`` with any prefix."""
         prefixed = (value for name, value in self.attrib.items() if name.endswith(":href"))
         return self.attrib["href"] if "href" in self.attrib else next(prefixed, "")
 
@@ -237,7 +237,7 @@ class _Builder:
 
 
 def _forgive(root: str, declared: list[str], namespaces: dict[str, bool]) -> None:
-    """Accept a root named svg, whatever its namespace."""
+    """Accept a root named svg in any namespace."""
     prefix, _, local = root.rpartition(":")
     if local == "svg":
         namespaces[prefix] = True
