@@ -70,7 +70,7 @@ LIBRARIES = {
     "svgwrite": "svg.libraries",
     "PIL": "outputs",
     "resvg_py": "outputs",
-    "coloraide": "paint",
+    "coloraide": "paint svg.styles",
     "distributed": "batch",
     "lap": "pairing",
     "cython": "geometry matching pens",

@@ -24,19 +24,8 @@ EVEN = "pad=ceil(iw/2)*2:ceil(ih/2)*2"
 """Filter that makes both sides even, as codecs require, by a line below and a column on the right."""
 
 CODECS = {
-    "mp4": [
-        "-c:v",
-        "libx264",
-        "-preset",
-        "medium",
-        "-crf",
-        "18",
-        "-pix_fmt",
-        "yuv420p",
-        "-movflags",
-        "+faststart",
-    ],
-    "webm": ["-c:v", "libvpx-vp9", "-b:v", "0", "-crf", "24", "-row-mt", "1"],
+    "mp4": "-c:v libx264 -preset medium -crf 18 -pix_fmt yuv420p -movflags +faststart",
+    "webm": "-c:v libvpx-vp9 -b:v 0 -crf 24 -row-mt 1",
 }
 
 EXACT = ["-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"]
@@ -58,7 +47,7 @@ def encode(
     with tempfile.TemporaryDirectory(prefix="shapeblend-") as folder:
         file = Path(folder, f"video.{kind}")
         pictures = ["-f", "image2pipe", "-c:v", "png", "-framerate", str(rate), "-i", "-"]
-        form = ["-vf", EVEN, *CODECS[kind], *pixels, *EXACT]
+        form = ["-vf", EVEN, *CODECS[kind].split(), *pixels, *EXACT]
         command = [program, "-v", "error", "-y", *pictures, *form, str(file)]
         try:
             done = subprocess.run(command, input=b"".join(pngs[k] for k in order), capture_output=True)

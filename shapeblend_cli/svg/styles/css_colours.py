@@ -34,25 +34,6 @@ class Paint(NamedTuple):
 _MAX_LENGTH = 1000
 _HEX_DIGITS = frozenset("0123456789abcdefABCDEF")
 
-_TO_LINEAR_SRGB = {
-    "srgb-linear": ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)),
-    "display-p3": (
-        (1.2249402, -0.2249402, 0.0),
-        (-0.0420570, 1.0420570, 0.0),
-        (-0.0196376, -0.0786361, 1.0982736),
-    ),
-    "xyz-d65": (
-        (3.2409699, -1.5373832, -0.4986108),
-        (-0.9692436, 1.8759675, 0.0415551),
-        (0.0556301, -0.2039770, 1.0569715),
-    ),
-    "xyz-d50": (
-        (3.1341359, -1.6173863, -0.4906619),
-        (-0.9787955, 1.9162543, 0.0334427),
-        (0.0719553, -0.2289768, 1.4053861),
-    ),
-}
-
 NONE = Paint("none")
 BLACK = Colour("#000000")
 
@@ -119,27 +100,13 @@ def _from_css(text: str) -> Colour | None:
 
 
 def _srgb(colour: Any) -> tuple[float, float, float]:
-    """Return red, green and blue of a tinycss2 colour, not clipped to the gamut of sRGB.
+    """Return red, green and blue of a tinycss2 colour, not clipped to the gamut of sRGB."""
+    try:
+        red, green, blue = colour.to("srgb").coordinates
+    except NotImplementedError:  # of other spaces than sRGB
+        from coloraide import Color
 
-    tinycss2 stops at CIE XYZ; for the rest see https://www.w3.org/TR/css-color-4/#color-conversion-code.
-    """
-    for space, matrix in _TO_LINEAR_SRGB.items():
-        try:
-            linear = colour.to(space).coordinates
-        except NotImplementedError:
-            continue
-        if space == "display-p3":
-            linear = [_linearize(part) for part in linear]
-        mixed = (sum(m * part for m, part in zip(row, linear, strict=True)) for row in matrix)
-        red, green, blue = (_gamma_encode(part) for part in mixed)
-        return red, green, blue
-    red, green, blue = colour.to("srgb").coordinates
+        space = "xyz-d65" if colour.space == "xyz" else colour.space
+        parts = [part or 0.0 for part in colour.coordinates]
+        red, green, blue = Color(space, parts).convert("srgb").coords()
     return red, green, blue
-
-
-def _linearize(part: float) -> float:
-    return part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4
-
-
-def _gamma_encode(part: float) -> float:
-    return 12.92 * part if part <= 0.0031308 else 1.055 * part ** (1 / 2.4) - 0.055

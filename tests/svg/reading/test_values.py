@@ -53,6 +53,8 @@ COLOURS = {
     "hwb(0 50% 0%)": "#ff8080",
     "color(srgb-linear 1 0 0)": "#ff0000",
     "color(display-p3 0 0 0)": "#000000",
+    "color(rec2020 0 0 0)": "#000000",
+    "color(a98-rgb 1 1 1)": "#ffffff",
     "lab(54.29% 80.81 69.89)": "#ff0000",
     "oklch(0.628 0.2577 29.23)": "#ff0000",
     "#CD853F icc-color(acmecmyk, 0.1, 0.3)": "#cd853f",
