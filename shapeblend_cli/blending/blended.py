@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.blending.matched import match_pairs, pair_drawings, with_reasons
+from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.several import with_common_lines
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
+from shapeblend_cli.pairing.changes import crossed_out
 from shapeblend_cli.pens.drawings import pen_drawing
 from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.line_blends import blend_lines, wants_lines
@@ -43,6 +44,11 @@ def blend_shapes(
         shapes, places = match_pairs(paired)
         if is_rotated_copy([contour for shape in shapes for contour in shape.contours]):
             return _moved(paired, shapes, places, view)
+    is_free = settings.strokes != "recover" and not is_star(settings)
+    crossed = crossed_out(a, b, settings) if is_free else []
+    if crossed:
+        paired = pair_drawings(a, b, settings, 0.0, progress, crossed)
+        return _moved(paired, *match_pairs(paired), view)
     if not is_named and wants_lines(settings):
         lines = blend_lines(a, b, settings, view)
     progress.clock.lap("match")

@@ -110,14 +110,24 @@ class PairedDrawings(NamedTuple):
         return found[1]
 
 
+def is_star(settings: Settings) -> bool:
+    """Return whether settings are those of a mixture."""
+    return bool(settings.mix) and settings.motion == "linear" and settings.unmatched == "point"
+
+
 def pair_drawings(
-    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, rotation: float, progress: Progress
+    a: PlacedDrawing,
+    b: PlacedDrawing,
+    settings: Settings,
+    rotation: float,
+    progress: Progress,
+    changed: Sequence[Change] = (),
 ) -> PairedDrawings:
-    """Pair the contours of two drawings as if B were rotated back by an angle."""
+    """Pair the contours of two drawings as if B were rotated back by an angle, except where a change is known."""
     pins = point_pins(a, b, settings)
     asked = required_pairs(a, b, settings) + [pin.pair for pin in pins]
-    is_star = settings.mix and settings.motion == "linear" and settings.unmatched == "point"
-    changed = [] if rotation or is_star else changes(a.contours, b.contours, settings)
+    if not (changed or rotation or is_star(settings)):
+        changed = changes(a.contours, b.contours, settings)
     rest = unchanged(a.contours, changed, 0), unchanged(b.contours, changed, 1)
     required = asked
     pairs: Sequence[ContourPair] = ()

@@ -17,6 +17,10 @@ if TYPE_CHECKING:
 WAYPOINT_TOLERANCE = 2e-3
 """Maximum deviation of an animation from a motion that is not straight, as a share of the shape's size."""
 
+SWEEP_TOLERANCE = 1.2e-2
+"""Maximum deviation of an animation from outlines that are laid bare, as a share of the shape's size. What is off lies
+on the outlines still, a moment behind the others; their edges along the way are never off."""
+
 MOST_HALVINGS = 6
 """Maximum number of times that the time between two drawings is halved into straight steps."""
 
@@ -50,8 +54,8 @@ def paths_at(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
 def waypoints(shape: ShapeBlend) -> tuple[Waypoint, ...]:
     """Return the waypoints between which straight paths approximate a shape's motion.
 
-    At the quarters between two waypoints no control point is off by more than `WAYPOINT_TOLERANCE`. Straight motion
-    needs no waypoints.
+    At the quarters between two waypoints no control point is off by more than a tolerance. Straight motion needs no
+    waypoints.
     """
     if shape.span != WHOLE:
         whole = shape._replace(span=WHOLE)
@@ -61,7 +65,8 @@ def waypoints(shape: ShapeBlend) -> tuple[Waypoint, ...]:
     if shape.motion is None:
         return ()
     paths = [path for contour in shape.contours for path in (contour.start, contour.end)]
-    size = control_box(paths).larger_side
+    tolerance = SWEEP_TOLERANCE if shape.motion_name == "sweep" else WAYPOINT_TOLERANCE
+    most = tolerance * control_box(paths).larger_side
 
     @cache
     def at(t: float) -> ComplexArray:
@@ -73,7 +78,7 @@ def waypoints(shape: ShapeBlend) -> tuple[Waypoint, ...]:
             float(np.abs(at(low) + u * (at(high) - at(low)) - at(low + u * (high - low))).max())
             for u in (0.25, 0.5, 0.75)
         )
-        if off <= WAYPOINT_TOLERANCE * size or depth == 0:
+        if off <= most or depth == 0:
             return []
         middle = 0.5 * (low + high)
         return [*cut(low, middle, depth - 1), middle, *cut(middle, high, depth - 1)]

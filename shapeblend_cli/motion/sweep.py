@@ -95,6 +95,13 @@ def windows_of(loops: Sequence[Contour]) -> list[Window]:
     return [window for k in range(len(loops)) if (window := found[k])]
 
 
+def window_along(axis: complex, loops: Sequence[Contour]) -> Window:
+    """Return a window along an axis that opens from the first of loops."""
+    along = np.concatenate([(loop.segments * axis.conjugate()).real.ravel() for loop in loops])
+    low, high = float(along.min()), float(along.max())
+    return Window(axis, low, (low, high))
+
+
 def _window(loops: Sequence[Contour], *, from_middle: bool) -> Window | None:
     """Return a window that opens from the middle of loops, or from the left end of a bar; None if they are no bar.
 
@@ -119,5 +126,10 @@ def _window(loops: Sequence[Contour], *, from_middle: bool) -> Window | None:
 
 def _half(doubled: complex) -> complex:
     """Return the unit vector, to the right or downwards, at half the angle of a number."""
-    axis = cmath.rect(1.0, 0.5 * cmath.phase(doubled))
+    return rightwards(cmath.rect(1.0, 0.5 * cmath.phase(doubled)))
+
+
+def rightwards(axis: complex) -> complex:
+    """Return a unit vector or its opposite: the one to the right, or downwards."""
+    axis = axis if axis.real >= 0.0 else -axis
     return -axis if axis.imag < -1.0 + ROUNDING else axis

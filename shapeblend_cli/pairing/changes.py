@@ -17,17 +17,19 @@ from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import reverse_contour
 from shapeblend_cli.model import Box, Contour
-from shapeblend_cli.motion.sweep import Sweep, windows_of
+from shapeblend_cli.motion.slash import paint_the_same, slash_axis
+from shapeblend_cli.motion.sweep import Sweep, window_along, windows_of
 from shapeblend_cli.pairing.assignment import assign
 from shapeblend_cli.pairing.costs import channels
 from shapeblend_cli.wires.contour_blends import grow_from, keep_still
-from shapeblend_cli.wires.stretches import mostly_shared
+from shapeblend_cli.wires.stretches import TOLERANCE, mostly_shared, shared_stretches
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.anatomy.decompose import ContourPair, PlacedContour
-    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend
+    from shapeblend_cli.anatomy.decompose import ContourPair, PlacedContour, PlacedDrawing
+    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, Style
+    from shapeblend_cli.motion.sweep import Window
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.wires.stretches import Shared
 
@@ -98,17 +100,34 @@ def _closed(pieces: Sequence[tuple[ComplexArray, BoolArray]], *, backwards: bool
     return Contour(segments, straight, closed=True)
 
 
-class Change(NamedTuple):
-    """Two shapes that are the same except for parts that are added or removed."""
+def _loops_of(shared: Shared) -> tuple[Shared, list[_Loop]]:
+    """Return loops that make B of A: whole outlines if those between shared stretches do not."""
+    loops = _loops(shared)
+    a, b = ([flat.contour for flat in side] for side in shared.outlines)
+    if not paint_the_same([*a, *(loop.contour for loop in loops)], b):
+        shared = shared._replace(stretches=())
+        loops = _loops(shared)
+    return shared, loops
 
-    pair: ContourPair  # a contour of each shape
-    contours: tuple[ContourBlend, ...]  # those of one shape, which stay, and the loops, which grow or shrink
+
+class Change(NamedTuple):
+    """Shapes of one paint that are the same in both drawings, except for parts that are added or removed."""
+
+    sides: tuple[Sequence[PlacedContour], Sequence[PlacedContour]]  # their contours
+    contours: tuple[
+        ContourBlend, ...
+    ]  # those of one drawing, which stay, and the loops, which grow or shrink
     motion: Sweep | None  # of these contours; None for straight paths
+
+    @property
+    def pair(self) -> ContourPair:
+        """A contour of each drawing."""
+        return self.sides[0][0], self.sides[1][0]
 
 
 def unchanged(contours: Sequence[PlacedContour], changed: Sequence[Change], side: int) -> list[PlacedContour]:
     """Return the contours of A, 0, or B, 1, that belong to none of the changed shapes."""
-    shapes = {change.pair[side].shape for change in changed}
+    shapes = {contour.shape for change in changed for contour in change.sides[side]}
     return [contour for contour in contours if contour.shape not in shapes]
 
 
@@ -118,8 +137,7 @@ def changes(a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Se
     These shapes are filled with nearly the same colour, and have no stroke. None are returned if users ask for other
     pairs, cuts or motions.
     """
-    free = not (settings.match or settings.pins or settings.start or settings.stiff)
-    if not free or settings.unmatched == "split" or settings.motion not in ("auto", "linear"):
+    if not _is_free(settings):
         return []
     shapes = [_filled_shapes(side) for side in (a, b)]
     if not all(shapes):
@@ -130,16 +148,67 @@ def changes(a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Se
     taken_b: set[int] = set()
     for i, j in _near(*shapes):
         p, q = shapes[0][i], shapes[1][j]
-        colours = channels(p[0].style.fill), channels(q[0].style.fill)
-        alike = np.abs(np.subtract(*colours)).mean() <= LIKE_PAINT
         change = None
-        if alike and i not in taken_a and j not in taken_b:
+        if _is_alike(p[0].style, q[0].style) and i not in taken_a and j not in taken_b:
             change = _change(p, q, diagonal, settings)
         if change is not None:
             found.append(change)
             taken_a.add(i)
             taken_b.add(j)
     return found
+
+
+def _is_free(settings: Settings) -> bool:
+    free = not (settings.match or settings.pins or settings.start or settings.stiff)
+    return free and settings.unmatched != "split" and settings.motion in ("auto", "linear")
+
+
+def _is_alike(a: Style, b: Style) -> bool:
+    """Return whether two fills have nearly the same colour."""
+    return bool(np.abs(np.subtract(channels(a.fill), channels(b.fill))).mean() <= LIKE_PAINT)
+
+
+def crossed_out(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> list[Change]:
+    """Return the changes of two drawings of which one is the other crossed out, one for each paint; else none."""
+    if not _is_free(settings):
+        return []
+    paints = [_paints(side) for side in (a, b)]
+    if not paints[0] or len(paints[0]) != len(paints[1]):
+        return []
+    if not all(_is_alike(p[0].style, q[0].style) for p, q in zip(*paints, strict=True)):
+        return []
+    outlines = [[c.contour for c in side[-1]] for side in paints]  # the uppermost: it has the slash
+    axis = slash_axis(*outlines)
+    shrinks = axis is None
+    axis = axis or slash_axis(*outlines[::-1])
+    if axis is None:
+        return []
+    diagonal = Box.union([contour.box for contour in (*a.contours, *b.contours)]).diagonal
+    sides = [*zip(*paints, strict=True)]
+    shared = [shared_stretches([c.flat for c in p], [c.flat for c in q], diagonal) for p, q in sides]
+    every = [_loops_of(each) for each in shared]
+    window = window_along(axis, [loop.contour for _, loops in every for loop in loops])
+    return [
+        _opening(each, pair, loops, [window] * len(loops), settings, shrinks=shrinks)
+        for (each, loops), pair in zip(every, sides, strict=True)
+    ]
+
+
+def _paints(drawing: PlacedDrawing) -> list[list[PlacedContour]]:
+    """Return the contours of each paint of a drawing of plain fills, the lowest first; none of any other drawing."""
+    groups: dict[tuple[str | None, float], list[PlacedContour]] = {}
+    last = None
+    for contour in drawing.contours:
+        style = contour.style
+        key = style.fill, style.fill_opacity
+        is_plain = style.fill is not None and style.stroke is None and style.fill_gradient is None
+        is_plain &= style.fill_rule == "nonzero" or contour.any_rule
+        is_plain &= contour.contour.closed and not drawing.drawing.shapes[contour.shape].clips
+        if not is_plain or (key != last and key in groups):
+            return []
+        groups.setdefault(key, []).append(contour)
+        last = key
+    return list(groups.values())
 
 
 def _near(
@@ -180,27 +249,69 @@ def _change(
     shared = mostly_shared(*sides, diagonal)
     if shared is None:
         return None
-    found = _loops(shared)
-    if max((max(loop.pieces) for loop in found), default=0) < 2:
+    loops = _loops(shared)
+    if max((max(loop.pieces) for loop in loops), default=0) < 2:
         return None
     # The simpler drawing stays.
     length_a, length_b = (sum(flat.total for flat in side) for side in sides)
     shrinks = length_b < length_a
-    still, others = (b, a) if shrinks else (a, b)
-    loops = [reverse_contour(loop.contour) if shrinks else loop.contour for loop in found]
-    windows = windows_of(loops)
+    windows = windows_of([_turned(loop, shrinks=shrinks) for loop in loops])
+    return _opening(shared, (a, b), loops, windows, settings, shrinks=shrinks)
+
+
+def _turned(loop: _Loop, *, shrinks: bool) -> Contour:
+    return reverse_contour(loop.contour) if shrinks else loop.contour
+
+
+def _opening(
+    shared: Shared,
+    sides: tuple[Sequence[PlacedContour], Sequence[PlacedContour]],
+    found: Sequence[_Loop],
+    windows: Sequence[Window],
+    settings: Settings,
+    *,
+    shrinks: bool,
+) -> Change:
+    """Return the change in which loops open through windows; they close where the contours of B stay: it shrinks."""
+    still, others = sides[::-1] if shrinks else sides
+    step = STEP / TOLERANCE * shared.distance
+    loops = [_turned(loop, shrinks=shrinks) for loop in found]
     numbers = _numbers([*(c.polygon.vertices for c in still), *(c.segments[:, 0] for c in loops)], others)
     contours = []
-    for contour, number in zip(still, numbers, strict=False):
+    for k, (contour, number) in enumerate(zip(still, numbers, strict=False)):
         both = (number, contour.number) if shrinks else (contour.number, number)
+        if len(set(windows)) == 1:
+            cut = _cut_alike(shared, int(shrinks), k, windows[0], step)
+            contour = contour._replace(contour=cut, polygon=flatten(cut, settings.vertices))
         contours.append(keep_still(contour, both)._replace(reason=STAYS))
     for loop, window, number in zip(loops, windows, numbers[len(still) :], strict=True):
-        cut = window.cut(loop, STEP * diagonal)
+        cut = window.cut(loop, step)
         flat = FlatContour(cut, flatten(cut, settings.vertices))
         grown = grow_from(window.clip(cut.segments, 0.0), flat, number, of_b=not shrinks)
         contours.append(grown._replace(reason=ADDED))
     motion = Sweep((*(None for _ in still), *windows)) if settings.motion == "auto" else None
-    return Change((a[0], b[0]), tuple(contours), motion)
+    return Change(sides, tuple(contours), motion)
+
+
+def _cut_alike(shared: Shared, side: int, number: int, window: Window, step: float) -> Contour:
+    """Return an outline that stays, cut where loops go back along it: what they cancel leaves no trace."""
+    outline = shared.outlines[side][number]
+    on_it = [each for each in shared.stretches if each.outlines[side] == number]
+    if not on_it:
+        return window.cut(outline.contour, step)
+    pieces = []
+    on_it.sort(key=lambda each: each.start[side] % outline.total)
+    for one, other in zip(on_it, [*on_it[1:], on_it[0]], strict=True):
+        start, end = one.start[side] % outline.total, one.end[side] - one.start[side]
+        pieces.append(outline.between(start, start + end))
+        rest = (other.start[side] - one.end[side]) % outline.total
+        if rest <= outline.total - shared.distance:
+            segments, straight = outline.between(
+                (start + end) % outline.total, (start + end) % outline.total + rest
+            )
+            cut = window.cut(Contour(segments, straight, closed=False), step)
+            pieces.append((cut.segments, cut.straight))
+    return _closed(pieces)
 
 
 def _numbers(outlines: Sequence[ComplexArray], contours: Sequence[PlacedContour]) -> list[int]:

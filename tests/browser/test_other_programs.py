@@ -114,7 +114,7 @@ def test_lottie_web_plays_curved_paths(played, ease):
 
 @pytest.mark.parametrize("names", [("ph-eye", "ph-eye-slash"), ("ph-check", "ph-plus")])
 def test_lottie_web_draws_lines_on_and_back(here, played, names):
-    files = [str(ICONS / f"{name}.svg") for name in names]
+    files = [*(str(ICONS / f"{name}.svg") for name in names), "--strokes", "recover"]
     assert run([*files, "--emit", "lottie", "-o", "x.json", "--duration", str(SECONDS), "-q"]) == 0
     assert run([*files, "-n", str(len(TIMES) - 2), "--ends", "-o", "frames", "-q"]) == 0
     frames = [Path(f"frames/frame-{k + 1}.svg").read_text("utf-8") for k in range(len(TIMES))]

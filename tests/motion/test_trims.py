@@ -28,7 +28,7 @@ def drawn(trim, t):
 
 @pytest.mark.parametrize("backwards", [False, True])
 def test_the_part_of_a_trimmed_line_that_is_seen_is_that_of_the_frames(backwards):
-    pair = blend(*NAMES[:: -1 if backwards else 1])
+    pair = blend(*NAMES[:: -1 if backwards else 1], strokes="recover")
     trimmed = [shape for shape in pair.shapes if shape.trim]
     assert {shape.reason for shape in trimmed} >= {STAYS}
     for shape in trimmed:
@@ -39,7 +39,7 @@ def test_the_part_of_a_trimmed_line_that_is_seen_is_that_of_the_frames(backwards
 
 
 def test_a_lottie_has_trim_paths_and_an_avd_too(here):
-    files = [str(ICONS / f"{name}.svg") for name in NAMES]
+    files = [*(str(ICONS / f"{name}.svg") for name in NAMES), "--strokes", "recover"]
     assert run([*files, "--emit", "lottie", "-o", "x.json", "-q"]) == 0
     layers = json.loads(Path("x.json").read_text())["layers"]
     items = [[item["ty"] for item in layer["shapes"][0]["it"]] for layer in layers]

@@ -105,3 +105,47 @@ def test_it_goes_there_and_back_in_one_animation(tmp_path):
         file.write_text(svg(path))
     (saved,) = sb.blend(files).save(tmp_path / "x.svg")
     assert "<animate" in saved.read_text()
+
+
+# A bookmark, and it crossed out: three shapes by the other fill rule, drawn a little differently beside the gap.
+BOOKMARK = "M5 2H19V22L12 18L5 22Z"
+PARTS = ["M2 3L3 2L22 21L21 22Z", "M6.5 2H19.2V14.5Z", "M5 4.5L19 18.5V22.2L12 18L5 22Z"]
+
+
+def crossed_bookmark(*, backwards=False, middle=PARTS):
+    crossed = "".join(f'<path fill-rule="evenodd" d="{d}"/>' for d in middle)
+    documents = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24">{each}</svg>'
+        for each in (f'<path d="{BOOKMARK}"/>', crossed)
+    ]
+    drawings = [read(f"{k}.svg", each.encode()) for k, each in enumerate(documents)]
+    (pair,), _ = match_all(drawings[::-1] if backwards else drawings, Settings())
+    return pair
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_a_drawing_that_is_crossed_out_stays_whatever_it_is_cut_into(backwards):
+    pair = crossed_bookmark(backwards=backwards)
+    assert [shape.motion_name for shape in pair.shapes] == ["sweep"]
+    whole, crossed = painted(pair, float(backwards)), painted(pair, float(not backwards))
+    parts = [painted(pair_of(d, d, strokes="keep"), 0.0) for d in PARTS]
+    assert np.array_equal(whole, painted(pair_of(BOOKMARK, BOOKMARK), 0.0))
+    assert (crossed == np.any(parts, axis=0)).mean() > 0.99
+    along = (POINTS.real + POINTS.imag) / 48.0
+    for t in (0.25, 0.5, 0.75):
+        between = painted(pair, 1.0 - t if backwards else t)
+        front = 5.0 / 48.0 + t * 38.0 / 48.0
+        assert (between == np.where(along < front, crossed, whole)).mean() > 0.99
+
+
+@pytest.mark.parametrize(
+    "parts",
+    [
+        ["M2 11H22V13H2Z", "M5 2H19V10H5Z", "M5 14H19V22L12 18L5 22Z"],  # level: a bar of the drawing
+        [PARTS[0], "M2 2H22V22H2Z"],  # something else behind the slash
+        ["M9 7L9.7 6.3L16 12.6L15.3 13.3Z", BOOKMARK],  # too short
+    ],
+)
+def test_other_bars_cross_nothing_out(parts):
+    pair = crossed_bookmark(middle=parts)
+    assert "sweep" not in {shape.motion_name for shape in pair.shapes}

@@ -93,7 +93,7 @@ def test_lines_and_solid_shapes_that_are_to_become_each_other_are_outlines():
 
 def test_the_report_says_which_part_of_a_line_moves_and_why_it_was_cut(here):
     files = [str(ICONS / f"ph-{name}.svg") for name in ("eye", "eye-slash")]
-    assert run([*files, "--report", "r.json", "-n", "0", "-q"]) == 0
+    assert run([*files, "--strokes", "recover", "--report", "r.json", "-n", "0", "-q"]) == 0
     (pair,) = json.loads(Path("r.json").read_text())["pairs"]
     parts = [each["lines"][0] for each in pair["contours"] if each["lines"][0]]
     assert {part["name"] for part in parts} == {"0", "2"}
