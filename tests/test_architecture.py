@@ -26,7 +26,7 @@ ROOMS = {
     "model version",
     "api": "job pipeline outputs wires frames svg.writing options svg.reading system errors model version",
     "batch": "rows job outputs svg.writing motion options svg.reading system errors model version",
-    "plot": "job wires matching svg.writing options svg.reading geometry system errors model",
+    "plot": "job pens wires matching svg.writing options svg.reading geometry system errors model",
     "rows": "job options system errors",
     "inkscape": "pipeline outputs frames svg.writing options svg.reading geometry svg.xml system errors model",
     "job": "pipeline blending grading pens preview outputs frames matching svg.writing motion options svg.reading "

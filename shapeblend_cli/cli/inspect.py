@@ -18,10 +18,11 @@ from shapeblend_cli.options.settings import OUTPUT, ReadOptions
 from shapeblend_cli.system.interrupts import stop_after
 
 COLUMNS = ("shape", "element", "id", "contours", "ends", "length", "box", "fill", "stroke", "rule")
+LINES = "lines"  # names of recovered lines; those of strokes are the numbers of contours
 
 _NUMBERS = frozenset(("shape", "contours", "length"))
 _PAINTS = frozenset(("fill", "stroke"))
-_FOLDED = frozenset(("id", "box"))
+_FOLDED = frozenset(("id", "box", LINES))
 
 _MAX_PRETTY = 1000  # rich takes more than half a second for so many rows
 _MAX_ALIGNED = 60  # a longer cell pushes the rest of its own line on, and no other line
@@ -39,7 +40,7 @@ class InspectOptions(Record, section=OUTPUT):
         types.file(".svg"),
         default=None,
         metavar="FILE.svg",
-        help="Draw the shapes with the numbers of their contours, which --match takes.",
+        help="Draw the shapes with the numbers of their contours and pen lines, which --match takes.",
     )
     force: bool = option(types.FLAG, default=False, flags=("-f", "--force"), help="Replace an existing file.")
 
@@ -88,11 +89,19 @@ def _show(found: dict[str, Any]) -> None:
     count = sum(len(shape["pen_lines"]) for shape in found["shapes"])
     lines = f", {count} pen line{'s' * (count != 1)}" if count else ""
     title = f"{found['file']}: viewBox {viewbox}{lines}"
+    columns: tuple[str, ...] = COLUMNS
     rows = [_cells(shape) for shape in found["shapes"]]
+    if any(shape["pen_lines"] and shape["fill"] for shape in found["shapes"]):
+        columns = (*COLUMNS, LINES)
+        rows = [(*row, _lines(shape)) for row, shape in zip(rows, found["shapes"], strict=True)]
     if sys.stdout.isatty() and len(rows) <= _MAX_PRETTY:
-        _print_table(title, rows)
+        _print_table(title, columns, rows)
     else:
-        print("\n".join([title, *aligned([COLUMNS, *rows])]))
+        print("\n".join([title, *aligned([columns, *rows])]))
+
+
+def _lines(shape: dict[str, Any]) -> str:
+    return ",".join(line["name"] for line in shape["pen_lines"]) or "-"
 
 
 def _cells(shape: dict[str, Any]) -> tuple[str, ...]:
@@ -126,18 +135,18 @@ def _width(text: str) -> int:
     return sum(0 if unicodedata.combining(c) else 1 + (unicodedata.east_asian_width(c) in "WF") for c in text)
 
 
-def _print_table(title: str, rows: Sequence[Sequence[str]]) -> None:
+def _print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
     from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
     # Narrow, so that most drawings fit into 80 columns; ids and boxes are folded where they do not.
     table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="bold")
-    for name in COLUMNS:
+    for name in columns:
         justify: Literal["right", "left"] = "right" if name in _NUMBERS else "left"
         table.add_column(name, justify=justify, overflow="fold", no_wrap=name not in _FOLDED)
     for row in rows:
-        cells = dict(zip(COLUMNS, row, strict=True))
+        cells = dict(zip(columns, row, strict=True))
         x0, y0, x1, y1 = cells["box"].split(",")
         cells["box"] = f"{x0},{y0} {x1},{y1}"
         table.add_row(*(Text(cell, _style(name, cell)) for name, cell in cells.items()))

@@ -38,15 +38,20 @@ MITER_ROOM = 1.02
 
 def file_lines(drawing: Drawing) -> list[PenLine]:
     """Return the lines of a drawing as it stands in its file."""
+    return file_pens(drawing)[0].lines
+
+
+def file_pens(drawing: Drawing) -> tuple[PenDrawing, float]:
+    """Return a drawing as it stands in its file as lines, and the units of these per unit of the file."""
     box = drawing.viewbox or Box.union(
         [cubics.bounds(contour.segments) for shape in drawing.shapes for contour in shape.contours]
     )
     try:
         contours, _ = decompose(drawing, Similarity(), vertices=0)
     except InputError:  # nothing in it has an extent
-        return []
-    size = box.larger_side
-    return pen_drawing(PlacedDrawing(drawing, Similarity(), contours), UNITS / size).lines if size else []
+        return PenDrawing([], [], 0.0, False), 1.0
+    scale = UNITS / box.larger_side if box.larger_side else 1.0
+    return pen_drawing(PlacedDrawing(drawing, Similarity(), contours), scale), scale
 
 
 def pen_drawing(drawing: PlacedDrawing, scale: float) -> PenDrawing:

@@ -1,4 +1,4 @@
-"""The contours of one drawing with their numbers, as `--match` takes them and reports have them."""
+"""The contours and pen lines of one drawing with their numbers, as `--match` takes them and reports have them."""
 
 from __future__ import annotations
 
@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.cubics import lines as straight_lines
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places, thin
 from shapeblend_cli.geometry.similarity import Similarity
-from shapeblend_cli.model import Box
+from shapeblend_cli.model import Box, Contour
+from shapeblend_cli.pens.drawings import file_pens
 from shapeblend_cli.plot.axes import titled_figure
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, title_of
 from shapeblend_cli.svg.writing.paint import paint_attributes, without_defaults
@@ -74,16 +76,19 @@ def write_picture(drawing: Drawing, file: str, picture: str, *, force: bool) -> 
 
 
 def draw(drawing: Drawing) -> str:
-    """Return a drawing, pale, with the outline and the number of each of its contours, as a document."""
+    """Return a drawing, pale, with each of its contours and pen lines and their numbers, as a document."""
     contours = [contour for shape in drawing.shapes for contour in shape.contours]
     box = Box.union([cubics.bounds(contour.segments) for contour in contours])
     box = Box.union([box, drawing.viewbox]) if drawing.viewbox else box
     scale = SIDE / box.larger_side if box.larger_side > 0.0 else 1.0
     to_page = Similarity(scale, complex(MARGIN, TOP) - scale * complex(box.x, box.y))
     size = MARGIN + scale * box.width + MARGIN, TOP + scale * box.height + MARGIN
+    named = _named(drawing, contours)
     numbers = (
         "one contour, 0" if len(contours) == 1 else f"contours 0 to {len(contours) - 1}, the lowest first"
     )
+    count = sum(is_line for _, _, is_line in named)
+    numbers += f"; {count} pen line{'s' * (count != 1)}" if count else ""
     figure = titled_figure(*size, _STYLE, title_of(drawing.file), numbers)
     laid = [to_page.contour(contour) for contour in contours]
     rest = iter(laid)
@@ -91,16 +96,31 @@ def draw(drawing: Drawing) -> str:
         paint = paint_attributes(to_page.style(shape.style._replace(pixel=None)), DECIMALS)
         data = path_data([next(rest) for _ in shape.contours], DECIMALS)
         figure.path(data, "pale", opacity="0.3", **without_defaults(paint))
-    for number, contour in enumerate(laid):
-        figure.path(path_data([contour], DECIMALS), f"outline k{number % len(COLOURS)}")
-    for number, label in _labels(
-        [_Outline.of(contour) for contour in laid], Box(0.0, TOP, size[0], size[1] - TOP)
-    ):
+    shown = [to_page.contour(path) for _, path, _ in named]
+    for number, path in enumerate(shown):
+        figure.path(path_data([path], DECIMALS), f"outline k{number % len(COLOURS)}")
+    page = Box(0.0, TOP, size[0], size[1] - TOP)
+    for number, label in _labels([_Outline.of(path) for path in shown], page):
         colour = f"k{number % len(COLOURS)}"
         if label.leader is not None:
             figure.line([(z.real, z.imag) for z in (label.at, label.leader)], f"leader {colour}")
-        figure.words(str(number), (label.at.real, label.at.imag + 4.5), f"number {colour}")
+        figure.words(named[number][0], (label.at.real, label.at.imag + 4.5), f"number {colour}")
     return figure.text()
+
+
+def _named(drawing: Drawing, contours: Sequence[Contour]) -> list[tuple[str, Contour, bool]]:
+    """Return the names of a drawing's contours and lines, with their paths, and whether they are lines.
+
+    Contours of which lines were recovered are left out.
+    """
+    pens, scale = file_pens(drawing)
+    bodies = {contour.number for contour in pens.bodies} if pens.lines else set(range(len(contours)))
+    found = [(str(number), contour, False) for number, contour in enumerate(contours) if number in bodies]
+    for line in pens.lines:
+        points = line.points if len(line.points) > 1 else np.repeat(line.points, 2)
+        segments = straight_lines(points / scale, line.closed)
+        found.append((line.name, Contour(segments, np.ones(len(segments), bool), line.closed), True))
+    return sorted(found, key=lambda each: [int(part) for part in each[0].replace("+", ".").split(".")])
 
 
 class _Outline(NamedTuple):

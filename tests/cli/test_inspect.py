@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 from xml.etree import ElementTree
@@ -61,7 +62,7 @@ def test_json_and_table_of_transformed_shapes(here, capsys):
                 "index": 1, "id": None, "element": "path", "contours": 1, "closed": False,
                 "length": pytest.approx(3), "bbox": pytest.approx([5, 5, 8, 5]),
                 "fill": None, "stroke": "#ff0000", "fill_rule": "nonzero",
-                "pen_lines": [{"width": 1.0, "closed": False, "cap": "butt"}],
+                "pen_lines": [{"name": "1", "width": 1.0, "closed": False, "cap": "butt"}],
             },
         ],
     }  # fmt: skip
@@ -197,3 +198,14 @@ def test_a_picture_replaces_no_file_unasked(file, capsys):
     assert labels("there.svg").keys() == {0, 1, 2}
     assert run(["inspect", "a.svg", "--picture", "there.png"]) == 2
     assert "--picture must be a file name ending in .svg" in capsys.readouterr().err
+
+
+def test_lines_of_filled_shapes_are_named_and_drawn(here, capsys):
+    bars = "M4 11H20V13H4Z", "M11 4H13V11H20V13H13V20H11V13H4V11H11Z"
+    write(a=svg(*(f'<path d="{d}"/>' for d in bars), viewbox="0 0 24 24"))
+    assert run(["inspect", "a.svg", "--picture", "n.svg"]) == 0
+    title, heading, *rows = capsys.readouterr().out.splitlines()
+    assert title.endswith("3 pen lines")
+    assert [line.split()[-1] for line in (heading, *rows)] == ["lines", "0", "1.1,1.2"]
+    words = re.findall(r'class="number[^>]*>([^<]*)<', (here / "n.svg").read_text())
+    assert sorted(words) == ["0", "1.1", "1.2"]
