@@ -22,6 +22,8 @@ DIRECTIVES = {"language_level": 3, "autotestdict": False}
 ABI3 = {"define_macros": [("Py_LIMITED_API", "0x030B0000")], "py_limited_api": True}
 ABI3_TAG = "cp311"
 
+NOT_ON_WINDOWS = ["shapeblend_cli/system/watchdog.py"]
+
 
 def is_asked(name):
     """Return whether a variable of the environment says yes."""
@@ -77,6 +79,7 @@ def kernels():
             **more,
         )
         for path in table["tool"]["shapeblend"]["kernels"]
+        if os.name != "nt" or path not in NOT_ON_WINDOWS
     ]
 
 

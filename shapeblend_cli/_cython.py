@@ -18,6 +18,20 @@ class _Type:
         return self
 
 
+class _Unlocked:
+    """Python without its lock, as a decorator and as a context: not here."""
+
+    def __call__(self, decorated: Any) -> Any:
+        """Return what is decorated as it is."""
+        return decorated
+
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, *_error: object) -> None:
+        pass
+
+
 def _unchanged(decorated: Any) -> Any:
     """A directive without settings: ``@cfunc``."""
     return decorated
@@ -28,10 +42,11 @@ def _directive(*_settings: object, **_named: object) -> Any:
     return _unchanged
 
 
-int = bint = uchar = Py_ssize_t = double = doublecomplex = _Type()
+const = int = bint = uchar = longlong = p_char = Py_ssize_t = double = doublecomplex = void = _Type()
+nogil = _Unlocked()
 
 cclass = final = cfunc = inline = _unchanged
-exceptval = _directive
+exceptval = boundscheck = wraparound = cdivision = _directive
 
 
 def look_for_signals() -> None:

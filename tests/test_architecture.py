@@ -51,7 +51,7 @@ ROOMS = {
     "geometry": "_cython model",
     "paint": "model",
     "svg.xml": "model",
-    "system": "errors",
+    "system": "errors _cython",
     "_cython": "",
     "errors": "",
     "model": "",
@@ -73,7 +73,7 @@ LIBRARIES = {
     "coloraide": "paint svg.styles",
     "distributed": "batch",
     "lap": "pairing",
-    "cython": "geometry matching pens",
+    "cython": "geometry matching pens system",
 }
 SHARED = {"numpy", *sys.stdlib_module_names}
 

@@ -24,7 +24,7 @@ STATUS = (
     ("0", "Done."),
     (
         "1",
-        "The input or the run failed, or took longer than \\-\\-timeout. Nothing was written.",
+        "The input or the run failed, or took more time or memory than it may. Nothing was written.",
     ),
     ("2", "The command line is wrong."),
 )

@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry.crossings import polygon_crossings
-from shapeblend_cli.geometry.polygons import orientation, winding_numbers
+from shapeblend_cli.geometry.polygons import orientation
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
+from shapeblend_cli.geometry.raster import winding_table
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, Box, ComplexArray, IntArray, Polygon
+    from shapeblend_cli.model import BoolArray, Box, ComplexArray, FloatArray, IntArray, Polygon
 
 SAMPLES = 32
 """Number of points of a contour beside which paint is looked for."""
@@ -51,12 +52,13 @@ def nest(polygons: Sequence[Polygon], rule: str, exterior_orientation: int = 1) 
         return Nesting((None,), (is_reversed,), "nonzero" if is_simple else rule, is_simple)
 
     boxes = [polygon.box for polygon in polygons]
+    table = _Polygons.of(polygons, boxes)
     windings = [
-        tuple(_windings(points, polygons, boxes) for points in _both_sides(polygon, box, sign))
+        tuple(map(table.around, _both_sides(polygon, box, sign)))
         for polygon, box, sign in zip(polygons, boxes, signs, strict=True)
     ]
-    painted = [tuple(_painted(side.sum(axis=0), rule) for side in both) for both in windings]
-    is_hole = [(~inside & outside).sum() > (inside & ~outside).sum() for inside, outside in painted]
+    painted = [tuple(_painted(side.numbers.sum(axis=0), rule) for side in both) for both in windings]
+    is_hole = [bool((~inside & outside).sum() > (inside & ~outside).sum()) for inside, outside in painted]
     exterior = tuple(
         _smallest_around(inside, is_hole, boxes) if hole else None
         for (inside, _), hole in zip(windings, is_hole, strict=True)
@@ -68,7 +70,7 @@ def nest(polygons: Sequence[Polygon], rule: str, exterior_orientation: int = 1) 
     factors = np.where(reverse, -1, 1)
     paints_the_same = {
         new: all(
-            np.array_equal(_painted(factors @ side, new), paint)
+            np.array_equal(_painted(factors[side.polygons] @ side.numbers, new), paint)
             for both, paints in zip(windings, painted, strict=True)
             for side, paint in zip(both, paints, strict=True)
         )
@@ -100,20 +102,38 @@ def _both_sides(polygon: Polygon, box: Box, sign: int) -> tuple[ComplexArray, Co
     return points + step, points - step
 
 
-def _windings(points: ComplexArray, polygons: Sequence[Polygon], boxes: Sequence[Box]) -> IntArray:
-    """Return the winding number of each polygon around each point, (polygons, points) int."""
-    numbers = np.zeros((len(polygons), len(points)), np.intp)
-    x, y, width, height = np.array(boxes).T[:, :, None]
-    near = (np.abs(points.real - x - width / 2) <= width / 2) & (
-        np.abs(points.imag - y - height / 2) <= height / 2
-    )
-    for k in np.flatnonzero(near.any(axis=1)).tolist():
-        numbers[k, near[k]] = winding_numbers(points[near[k]], polygons[k].vertices)
-    return numbers
+class _Around(NamedTuple):
+    """Winding numbers of polygons around points, (k, points) int, and the numbers of these polygons, (k,) int.
+
+    All others wind round none of the points.
+    """
+
+    polygons: IntArray
+    numbers: IntArray
 
 
-def _smallest_around(windings: IntArray, is_hole: Sequence[bool], boxes: Sequence[Box]) -> int | None:
+class _Polygons(NamedTuple):
+    """Polygons in one array."""
+
+    vertices: ComplexArray
+    starts: IntArray
+    boxes: FloatArray
+
+    @classmethod
+    def of(cls, polygons: Sequence[Polygon], boxes: Sequence[Box]) -> _Polygons:
+        """Put polygons into one array."""
+        ends = np.cumsum([len(polygon.vertices) for polygon in polygons])
+        vertices = np.concatenate([polygon.vertices for polygon in polygons])
+        return cls(vertices, np.append(0, ends), np.array(boxes))
+
+    def around(self, points: ComplexArray) -> _Around:
+        """Return the winding numbers around points."""
+        numbers = winding_table(points, *self)
+        found = np.flatnonzero(numbers.any(axis=1))
+        return _Around(found, numbers[found].astype(np.int16))  # of a thousand in each other there are many
+
+
+def _smallest_around(side: _Around, is_hole: Sequence[bool], boxes: Sequence[Box]) -> int | None:
     """Return the smallest exterior around most of a hole."""
-    around = (windings != 0).sum(axis=1) * 2 > SAMPLES
-    parents = [k for k in range(len(boxes)) if around[k] and not is_hole[k]]
-    return min(parents, key=lambda k: boxes[k].area, default=None)
+    around = side.polygons[(side.numbers != 0).sum(axis=1) * 2 > SAMPLES].tolist()
+    return min((k for k in around if not is_hole[k]), key=lambda k: boxes[k].area, default=None)

@@ -24,7 +24,7 @@ from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.system.write import check_targets, write_files
 from shapeblend_cli.version import __version__
 
-STATUSES = ("done", "cached", "current", "failed", "timeout", "died", "left")
+STATUSES = ("done", "cached", "current", "failed", "timeout", "memory", "died", "left")
 
 XML, JSON, DEPENDENCIES = ".xml", ".json", ".d"
 
@@ -140,7 +140,7 @@ def _junit(summary: Summary) -> str:
     counts = summary.counts()
     totals = {
         "tests": len(summary.tasks) + (summary.problem is not None),
-        "failures": sum(counts[status] for status in ("failed", "timeout", "died")),
+        "failures": sum(counts[status] for status in ("failed", "timeout", "memory", "died")),
         "errors": int(summary.problem is not None),
         "skipped": counts["left"],
         "time": f"{summary.seconds:.3f}",

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from shapeblend_cli.batch.options import RankOptions
 from shapeblend_cli.batch.run import processors
 from shapeblend_cli.batch.supervisor import run_all
-from shapeblend_cli.batch.worker import DONE, Order, watch_time
+from shapeblend_cli.batch.worker import DONE, Order, limit_to
 from shapeblend_cli.batch.worker import main as answer_orders
 from shapeblend_cli.errors import InputError, OptionError
 from shapeblend_cli.options.settings import ReadOptions, Settings
@@ -167,7 +167,7 @@ def rate(order: Order, note: Callable[[str], None], _warn: Callable[[str], None]
     from shapeblend_cli.job.tries import moments, size_on_sheet
     from shapeblend_cli.system.clock import Clock
 
-    watch_time(order)
+    limit_to(order)
     read, settings = ReadOptions.of(order.given), Settings.of(order.given)
     sources = dict(zip(order.files, order.data or (), strict=False))
     clock, kept = Clock(), _kept()

@@ -27,7 +27,7 @@ FOLDER, SUFFIX = ".shapeblend", ".json"
 FORM = 1
 """Version of the form of records. Records of another version count as missing."""
 
-UNRECORDED = ("output", "force", "report", "preview", "tries", "timeout")
+UNRECORDED = ("output", "force", "report", "preview", "tries", "timeout", "max_memory")
 """Settings that do not change the contents of outputs. The names of outputs are recorded by themselves."""
 
 IRRELEVANT = ("cli", "batch")

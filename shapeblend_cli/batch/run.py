@@ -32,7 +32,7 @@ class Outcome(NamedTuple):
     """What has become of a task."""
 
     task: Task
-    status: str  # done, current, failed, timeout or died
+    status: str  # done, current, failed, timeout, memory or died
     answer: Answer
     attempts: int
 

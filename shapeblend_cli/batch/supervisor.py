@@ -7,23 +7,24 @@ empties; signals go there, too.
 from __future__ import annotations
 
 import threading
+import time
 from collections import deque
 from collections.abc import Iterable, Iterator
 from itertools import count
 from queue import SimpleQueue
 from typing import NamedTuple
 
-from shapeblend_cli.batch.worker import DONE, STOPPED, TIMEOUT, Answer, Order
+from shapeblend_cli.batch.worker import DONE, MEMORY, STOPPED, TIMEOUT, Answer, Order
 from shapeblend_cli.errors import ShapeblendError
-from shapeblend_cli.system.interrupts import told
-from shapeblend_cli.system.processes import Child
+from shapeblend_cli.system.interrupts import NOTHING, late, told, too_large
+from shapeblend_cli.system.processes import TOO_LARGE, Child
 
 ATTEMPTS = 2
 """Minimum number of attempts at a job whose process dies, and of starts of a process."""
 
 DIED = "died"
 
-GRACE = 5.0
+GRACE = 1.0
 """Time for a job to end by itself after its limit, or when it is asked to, in seconds; then its process is killed."""
 
 BLENDS = "shapeblend_cli.batch.worker"
@@ -135,6 +136,7 @@ class Worker:
             If no process can be started.
         """
         for attempt in count(1):
+            is_fresh = self._process is None
             process = self._started()
             if process is None:
                 return None
@@ -146,10 +148,15 @@ class Worker:
                     return None
                 answer = None  # somebody else has told the process to stop
             if answer is None:
-                ending = _ending(self.end())
-                if attempt >= max(ATTEMPTS, 1 + order.retries):
-                    return Answer(DIED, died(order, attempt, f"{ending} at last")), attempt
-                continue
+                code = self.end()
+                if code == TOO_LARGE and is_fresh:
+                    answer = Answer(MEMORY, f"{too_large(order.megabytes)}; {NOTHING}")
+                elif code == TOO_LARGE:
+                    continue  # what was kept of other jobs may have been part of it
+                elif attempt >= max(ATTEMPTS, 1 + order.retries):
+                    return Answer(DIED, died(order, attempt, f"{_ending(code)} at last")), attempt
+                else:
+                    continue
             if answer.status == TIMEOUT:
                 self.end()
             if answer.status == DONE or attempt > order.retries:
@@ -194,24 +201,16 @@ class Worker:
 
     def _asked(self, process: Child, order: Order) -> Answer | None:
         """Return the answer to a job; None if the process died."""
-        seconds = order.given.get("timeout")
-        is_late = threading.Event()
-
-        def kill() -> None:
-            is_late.set()
-            process.kill()
-
-        timer = threading.Timer(seconds + GRACE, kill) if seconds else None
-        if timer:
-            timer.start()
+        began = time.monotonic()
+        timer = threading.Timer(order.seconds + GRACE, process.kill)
+        timer.start()
         try:
             answer: Answer | None = process.ask(order)
         finally:
-            if timer:
-                timer.cancel()
-        if answer is None and seconds and is_late.is_set():
-            stopped = f"stopped after {seconds:g} s (--timeout); nothing was written"
-            return Answer(TIMEOUT, stopped, seconds=seconds + GRACE)
+            timer.cancel()
+        passed = time.monotonic() - began
+        if answer is None and passed >= order.seconds:
+            return Answer(TIMEOUT, f"{late(order.seconds)}; {NOTHING}", seconds=passed)
         return answer
 
 

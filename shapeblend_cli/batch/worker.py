@@ -18,15 +18,18 @@ from shapeblend_cli.errors import in_words
 from shapeblend_cli.job.job import Job, all_targets, job_of
 from shapeblend_cli.rows.row import command_of
 from shapeblend_cli.system.clock import Clock
-from shapeblend_cli.system.interrupts import Interrupted, listening, stop_after
+from shapeblend_cli.system.interrupts import HAS_LIMITS, Interrupted, limit, listening
 from shapeblend_cli.system.kept import Kept
-from shapeblend_cli.system.processes import Parent
+from shapeblend_cli.system.processes import MEGABYTES, TOO_LARGE, Parent
 from shapeblend_cli.system.write import Contents, several, write_files
 
 _supervisor: int | None = None
 """The number of the process that asks this one for jobs."""
 
-DONE, FAILED, TIMEOUT, STOPPED = "done", "failed", "timeout", "stopped"
+DONE, FAILED, TIMEOUT, MEMORY, STOPPED = "done", "failed", "timeout", "memory", "stopped"
+
+SECONDS = 300.0
+"""Time limit of a job without --timeout, in seconds: one that hangs is not to hold up a batch for a night."""
 
 
 class Order(NamedTuple):
@@ -40,6 +43,16 @@ class Order(NamedTuple):
     cache: str | None = None  # the folder where what is made is kept, too
     batch: tuple[str, ...] = ()  # where the job comes from, for its record
     warns: bool = True  # whether files of other runs that remain are worth a line
+
+    @property
+    def seconds(self) -> float:
+        """Time limit, in seconds."""
+        return float(self.given.get("timeout") or SECONDS)
+
+    @property
+    def megabytes(self) -> float:
+        """Memory limit, in megabytes."""
+        return float(self.given.get("max_memory") or MEGABYTES)
 
 
 class Answer(NamedTuple):
@@ -80,17 +93,17 @@ def do(order: Order, act: Act | None = None) -> Answer:
     return answer(DONE)
 
 
-def watch_time(order: Order) -> None:
-    """Have an order that takes longer than it may stop."""
-    if hasattr(signal, "setitimer"):  # elsewhere the supervisor alone watches the time
-        stop_after(order.given.get("timeout"))
+def limit_to(order: Order) -> None:
+    """Have an order stop that takes more time or memory than it may."""
+    if HAS_LIMITS:  # elsewhere the supervisor alone watches the time
+        limit(order.seconds, order.megabytes, TOO_LARGE)
 
 
 def _blend(order: Order, note: Callable[[str], None], warn: Callable[[str], None]) -> Contents | None:
     from shapeblend_cli.job.make import check_files_of, check_libraries, make
     from shapeblend_cli.svg.reading.read import contents_of
 
-    watch_time(order)
+    limit_to(order)
     job = job_for(order)
     check_libraries(job)
     if order.data is None:

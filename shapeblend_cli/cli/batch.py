@@ -10,7 +10,7 @@ import click
 
 from shapeblend_cli.batch.options import BatchOptions
 from shapeblend_cli.cli.group import SectionedCommand
-from shapeblend_cli.cli.parameters import NAME, FieldOption, options_of
+from shapeblend_cli.cli.parameters import NAME, options_of
 from shapeblend_cli.cli.terminal import BatchTerminal, TerminalOptions, say
 from shapeblend_cli.errors import OptionError, ShapeblendError
 from shapeblend_cli.job.job import RECORDS, STANDARD_INPUT
@@ -39,25 +39,22 @@ EXAMPLES = (
     ("shapeblend batch jobs.csv", "one job a line, with a,b,o,duration ... in the first line"),
 )
 
-_CHANGED = {
+_HELPS = {
     "output": "What each job writes: a folder of frames, an animated .svg and so on, by the end of the name, as for a "
     "single blend. {a} and {b} stand for the names of the drawings, and {n} for the number of the job.  [default: "
     f"{PATTERN}]",
     "force": "Do every job, and replace files even if no batch has written them, or if they were edited since.",
-    "timeout": "Stop a job after S seconds; the files it was to write stay as they were.  [default: none]",
+    "timeout": "Stop a job after S seconds; the files it was to write stay as they were.  [default: 300]",
+    "max_memory": "Stop a job at so many megabytes of memory; the files it was to write stay as they were.  "
+    "[default: 2000]",
 }
 
 
-def _params() -> list[FieldOption]:
-    """Return the options of a batch and of a blend, some with another help here."""
-    params = options_of(BatchOptions, *RECORDS, TerminalOptions)
-    for param in params:
-        if param.name in _CHANGED:
-            param.help = _CHANGED[param.name]
-    return params
-
-
-@click.command(cls=SectionedCommand, examples=EXAMPLES, params=_params())
+@click.command(
+    cls=SectionedCommand,
+    examples=EXAMPLES,
+    params=options_of(BatchOptions, *RECORDS, TerminalOptions, helps=_HELPS),
+)
 @click.argument("names", type=NAME, nargs=-1, metavar="[JOBS.jsonl|JOBS.csv|JOBS.toml|-]")
 def batch(names: tuple[str, ...], **given: Any) -> int:
     """Make many blends at once, skipping those that are up to date.
@@ -303,6 +300,7 @@ def _summary(ended: Mapping[str, int], count: int) -> str:
         "current": "up to date",
         "failed": "failed",
         "timeout": "took too long",
+        "memory": "took too much memory",
         "died": "died",
     }
     parts = [f"{ended[status]} {text}" for status, text in words.items() if ended.get(status)]

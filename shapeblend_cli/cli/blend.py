@@ -11,7 +11,7 @@ from shapeblend_cli.cli.parameters import NAME, options_of
 from shapeblend_cli.cli.terminal import Terminal, TerminalOptions, details
 from shapeblend_cli.job.job import RECORDS, job_of
 from shapeblend_cli.job.options import RunOptions
-from shapeblend_cli.system.interrupts import stop_after
+from shapeblend_cli.system.interrupts import limit
 
 EXAMPLES = (
     ("shapeblend a.svg b.svg", "five in-betweens: blend/frame-1.svg ... blend/frame-5.svg"),
@@ -39,7 +39,7 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
         raise click.UsageError("--quiet and --verbose contradict each other")
     files, given = opened(files, given, stays_inside=True)
     job = job_of(files, given, ("shapeblend", *context.meta[TYPED]))
-    stop_after(RunOptions.of(given).timeout)
+    limit(*RunOptions.of(given).values)
 
     from shapeblend_cli.job.make import blend_files
 

@@ -15,7 +15,7 @@ from shapeblend_cli.job.options import RunOptions
 from shapeblend_cli.options import types
 from shapeblend_cli.options.fields import Record, option
 from shapeblend_cli.options.settings import OUTPUT, ReadOptions
-from shapeblend_cli.system.interrupts import stop_after
+from shapeblend_cli.system.interrupts import limit
 
 COLUMNS = ("shape", "element", "id", "contours", "ends", "length", "box", "fill", "stroke", "rule")
 LINES = "lines"  # names of recovered lines; those of strokes are the numbers of contours
@@ -64,7 +64,7 @@ def inspect(file: str, select: str | None, lenient: bool | None, as_json: bool, 
     from shapeblend_cli.job.report import inspection
     from shapeblend_cli.svg.reading.read import read
 
-    stop_after(RunOptions.of(given).timeout)
+    limit(*RunOptions.of(given).values)
     drawing = read(file, lenient=bool(lenient), select=select)
     options = InspectOptions.of(given)
     if options.picture is not None:

@@ -13,7 +13,7 @@ from shapeblend_cli.job.options import RunOptions
 from shapeblend_cli.options import types
 from shapeblend_cli.options.fields import Record, option
 from shapeblend_cli.options.settings import OUTPUT
-from shapeblend_cli.system.interrupts import stop_after
+from shapeblend_cli.system.interrupts import limit
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -55,7 +55,7 @@ def judge(names: tuple[str, ...], **given: Any) -> int:
     """
     from shapeblend_cli.job.judged import judge_files, strips_of
 
-    stop_after(RunOptions.of(given).timeout)
+    limit(*RunOptions.of(given).values)
     options = JudgeOptions.of(given)
     judged = [judge_files(name, files) for name, files in strips_of(names)]
     _print(judged, as_json=options.as_json)

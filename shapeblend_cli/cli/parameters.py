@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -9,7 +10,7 @@ import click
 from shapeblend_cli.options.types import FLAG, FieldType
 
 if TYPE_CHECKING:
-    from collections.abc import Container
+    from collections.abc import Container, Mapping
 
     from click.shell_completion import CompletionItem
 
@@ -68,7 +69,11 @@ class FieldOption(click.Option):
         self.section = field.section
 
 
-def options_of(*records: type[Record], without: Container[str] = ()) -> list[FieldOption]:
-    """Make the options of records, but for some fields."""
-    fields = (field for record in records for field in record.options.values())
-    return [FieldOption(field) for field in fields if field.name not in without]
+def options_of(
+    *records: type[Record], without: Container[str] = (), helps: Mapping[str, str] = MappingProxyType({})
+) -> list[FieldOption]:
+    """Make the options of records, but for some fields; some have another help, with their default."""
+    options = [FieldOption(field) for record in records for field in record.options.values()]
+    for option in options:
+        option.help = helps.get(str(option.name), option.help)
+    return [option for option in options if option.name not in without]

@@ -13,7 +13,7 @@ from shapeblend_cli.job.job import check_files
 from shapeblend_cli.job.options import RunOptions
 from shapeblend_cli.options.settings import ReadOptions, Settings
 from shapeblend_cli.plot.options import PlotOptions
-from shapeblend_cli.system.interrupts import stop_after
+from shapeblend_cli.system.interrupts import limit
 
 KINDS = ("graph", "angle")  # each is a module of that name in `plot`
 
@@ -42,7 +42,7 @@ def plot(kind: str, files: tuple[str, ...], **given: Any) -> None:
     check_files(files, settings)
     if options.dot is not None and kind != "angle":
         raise click.UsageError(f"--dot is for angle; {kind} shows all dots")
-    stop_after(RunOptions.of(given).timeout)
+    limit(*RunOptions.of(given).values)
 
     from shapeblend_cli.plot.subject import plot_files
 

@@ -28,22 +28,26 @@ EXAMPLES = (
 
 COLUMNS = ("place", "wrong", "work", "alone", "file", "what is worst")
 
-CHANGED = {
-    "timeout": "Leave out a drawing if its blend takes longer than S seconds.  [default: none]",
+HELPS = {
+    "timeout": "Leave out a drawing if its blend takes longer than S seconds.  [default: 300]",
+    "max_memory": "Leave out a drawing if its blend takes more megabytes of memory.  [default: 2000]",
     "quiet": "Print only the ranking and errors.",
 }
 
 
-def _params() -> list[click.Parameter]:
-    without = (*ABOUT_FRAMES, *ABOUT_TWO_DRAWINGS, "verbose")
-    params = options_of(RankOptions, ReadOptions, Settings, RunOptions, TerminalOptions, without=without)
-    for param in params:
-        if param.name in CHANGED:
-            param.help = CHANGED[param.name]
-    return [*params]
-
-
-@click.command(cls=SectionedCommand, examples=EXAMPLES, params=_params())
+@click.command(
+    cls=SectionedCommand,
+    examples=EXAMPLES,
+    params=options_of(
+        RankOptions,
+        ReadOptions,
+        Settings,
+        RunOptions,
+        TerminalOptions,
+        without=(*ABOUT_FRAMES, *ABOUT_TWO_DRAWINGS, "verbose"),
+        helps=HELPS,
+    ),
+)
 @click.argument("first", type=NAME, metavar="A.svg")
 @click.argument("names", type=NAME, nargs=-1, required=True, metavar="DIR")
 def rank(first: str, names: tuple[str, ...], **given: Any) -> int:

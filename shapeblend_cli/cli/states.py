@@ -12,7 +12,7 @@ from shapeblend_cli.cli.terminal import Terminal, TerminalOptions
 from shapeblend_cli.job.job import check_files
 from shapeblend_cli.job.options import RunOptions, StatesOptions
 from shapeblend_cli.options.settings import ReadOptions, Settings
-from shapeblend_cli.system.interrupts import stop_after
+from shapeblend_cli.system.interrupts import limit
 
 EXAMPLES = (
     ("shapeblend states off.svg on.svg -o light.svg --trigger click", "a drawing that a click switches"),
@@ -42,7 +42,7 @@ def states(files: tuple[str, ...], **given: Any) -> None:
     """
     options, settings = StatesOptions.of(given), Settings.of(given)
     check_files(files, settings)
-    stop_after(RunOptions.of(given).timeout)
+    limit(*RunOptions.of(given).values)
 
     from shapeblend_cli.job.states import write_states
 

@@ -25,6 +25,11 @@ EXAMPLES = (
     ("shapeblend studio", "an empty page to drop drawings into"),
 )
 
+HELPS = {
+    "timeout": "Stop a blend after S seconds, and files after ten times as many.  [default: 60]",
+    "max_memory": "Stop a blend at so many megabytes of memory.  [default: 2000]",
+}
+
 
 class StudioOptions(Record, section=STUDIO):
     """How the studio is opened."""
@@ -42,7 +47,9 @@ class StudioOptions(Record, section=STUDIO):
 
 
 @click.command(
-    cls=SectionedCommand, examples=EXAMPLES, params=options_of(StudioOptions, *RECORDS, without=("force",))
+    cls=SectionedCommand,
+    examples=EXAMPLES,
+    params=options_of(StudioOptions, *RECORDS, without=("force",), helps=HELPS),
 )
 @click.argument("files", type=NAME, nargs=-1, metavar="[A.svg B.svg ...]")
 def studio(files: tuple[str, ...], **given: Any) -> None:

@@ -61,6 +61,10 @@ FARTHEST = cython.declare(cython.Py_ssize_t, 64)
 # Maximum length of edges that are passed over, as a share of noise: their neighbours do as well.
 SHORT = cython.declare(cython.double, 1e-3)
 
+# Maximum number of pairs of edges that touch. Outlines drawn again and again in one place touch everywhere; beyond,
+# only what has been found is counted.
+MOST_TOUCHES = cython.declare(cython.Py_ssize_t, 200_000)
+
 # The columns of `_Chains.blocks` and of `_Chains.boxes`.
 cython.declare(FIRST=cython.int, LAST=cython.int, RUN=cython.int)
 FIRST, LAST, RUN = 0, 1, 2
@@ -132,12 +136,14 @@ class _Chains:
     boxes: cython.double[:, ::1]  # (b, 4), left, top, right, bottom; blocks are ordered by their left
     noise: cython.double  # points nearer to each other than this coincide
     reach: cython.double  # strands that stay together this far from where they meet run along each other
+    touches: cython.Py_ssize_t  # pairs of edges that may have an end on each other, as far as they were found
     passages: dict[
         int, list[tuple[_Strand, _Strand]]
     ]  # strands that have been found to cross, by their edges
 
     def __init__(self, points: ComplexArray, starts: IntArray, noise: float, reach: float) -> None:
         self.points, self.starts, self.noise, self.reach = points, starts, noise, reach
+        self.touches = 0
         self.closed, self.chain = np.empty(len(starts) - 1, np.uint8), np.empty(len(points), np.intp)
         blocks, boxes = np.empty((len(points), 3), np.intp), np.empty((len(points), 4))
         count = _cut_into_blocks(self, blocks, boxes)
@@ -266,6 +272,8 @@ def _count_crossings(chains: _Chains, most: cython.Py_ssize_t) -> cython.Py_ssiz
                 count += _block_crossings(chains, p, q)
                 if count >= most:
                     return most
+                if chains.touches > MOST_TOUCHES:
+                    return count
     return count
 
 
@@ -303,6 +311,7 @@ def _block_crossings(chains: _Chains, p: cython.Py_ssize_t, q: cython.Py_ssize_t
             if relation == CROSSING:
                 count += 1
             elif relation == TOUCHING:
+                chains.touches += 1
                 count += _is_on_edge(chains, i, j) and _pass_through(chains, i, j)
                 count += _is_on_edge(chains, j, i) and _pass_through(chains, j, i)
     return count

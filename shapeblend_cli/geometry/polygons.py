@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry.crossings import polygon_crossings
+from shapeblend_cli.geometry.raster import winding_table
 from shapeblend_cli.model import Box, Contour, Polygon
 
 if TYPE_CHECKING:
@@ -97,16 +98,8 @@ def winding_numbers(points: ComplexArray, vertices: ComplexArray) -> IntArray:
     -------
     (p,) int
     """
-    following = np.roll(vertices, -1)
-    x, y = points.real[:, None], points.imag[:, None]
-    below, above = vertices.imag <= y, following.imag <= y
-    # On which side of the edge the point lies.
-    side = (following.real - vertices.real) * (y - vertices.imag) - (x - vertices.real) * (
-        following.imag - vertices.imag
-    )
-    up = below & ~above & (side > 0.0)
-    down = ~below & above & (side < 0.0)
-    return up.sum(axis=1) - down.sum(axis=1)
+    starts = np.array([0, len(vertices)])
+    return winding_table(points, vertices, starts, np.empty((0, 4)))[0].astype(np.intp)
 
 
 def mean_value_weights(point: complex, vertices: ComplexArray) -> FloatArray:

@@ -1,4 +1,7 @@
-"""Polylines: length along them, points at given lengths, repeated points, and fewer points."""
+"""Polylines: length along them, points at given lengths, repeated points, fewer points, and what is near.
+
+This file is compiled by Cython and runs uncompiled as well.
+"""
 
 from __future__ import annotations
 
@@ -6,8 +9,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+try:
+    import cython
+except ImportError:  # Cython is needed to build, not to run
+    from shapeblend_cli import _cython as cython
+
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
+
+COMPILED = cython.compiled
+
+AT_ONCE = 1 << 20
+"""Maximum number of distances computed at once: arrays of sixteen times as many bytes."""
+
+ROUNDING = 1e-9
+"""Share of a distance by which points are taken to be nearer than they are."""
 
 
 def from_end_to_end(vertices: ComplexArray, closed: bool) -> ComplexArray:
@@ -59,10 +75,80 @@ def nearest_places(points: ComplexArray, line: ComplexArray) -> tuple[FloatArray
     distance, place : (p,) float
     """
     edges = np.diff(line)
-    offsets = points[:, None] - line[:-1]
     squares = np.maximum(edges.real**2 + edges.imag**2, 1e-300)
-    shares = np.clip((offsets * edges.conj()).real / squares, 0.0, 1.0)
-    distances = np.abs(offsets - shares * edges)
-    nearest = distances.argmin(axis=1)
-    rows = np.arange(len(points))
-    return distances[rows, nearest], nearest + shares[rows, nearest]
+    distance, place = np.empty(len(points)), np.empty(len(points))
+    step = max(1, AT_ONCE // len(edges))
+    for first in range(0, len(points), step):
+        some = slice(first, first + step)
+        offsets = points[some, None] - line[:-1]
+        shares = np.clip((offsets * edges.conj()).real / squares, 0.0, 1.0)
+        distances = np.abs(offsets - shares * edges)
+        nearest = distances.argmin(axis=1)
+        rows = np.arange(len(nearest))
+        distance[some], place[some] = distances[rows, nearest], nearest + shares[rows, nearest]
+    return distance, place
+
+
+def distances_to(vertices: ComplexArray, points: ComplexArray) -> FloatArray:
+    """Return how far each point is from the nearest vertex, (p,) float."""
+    step = max(1, AT_ONCE // len(vertices))
+    some = (points[first : first + step] for first in range(0, len(points), step))
+    return np.concatenate([np.abs(vertices[:, None] - part).min(axis=0) for part in some])
+
+
+def nearest_numbers(values: FloatArray, wanted: FloatArray) -> IntArray:
+    """Return the number of the value nearest to each wanted one, of two as near the first.
+
+    >>> nearest_numbers(np.array([0.0, 3.0, 1.0, 3.0]), np.array([-1.0, 0.5, 2.5, 4.0])).tolist()
+    [0, 0, 1, 1]
+    """
+    order = np.argsort(values, kind="stable")
+    rising = values[order]
+    above = np.searchsorted(rising, wanted)
+    below = np.searchsorted(rising, rising[np.maximum(above - 1, 0)])  # of equal values the first
+    above = np.minimum(above, len(values) - 1)
+    away = np.abs(wanted - rising[below]) - np.abs(wanted - rising[above])
+    below, above = order[below], order[above]
+    return np.where((away < 0.0) | ((away == 0.0) & (below < above)), below, above)
+
+
+def may_be_near(points: ComplexArray, line: ComplexArray, distance: float) -> BoolArray:
+    """Return which points may be within a distance of a polyline: no others are, by `nearest_places`.
+
+    This takes a small part of the time.
+    """
+    found = np.zeros(len(points), np.uint8)
+    limit = (1.0 + ROUNDING) * distance
+    _find_near(np.ascontiguousarray(points), np.ascontiguousarray(line), limit * limit, found)
+    return found.view(np.bool_)
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
+def _find_near(
+    points: cython.const[cython.doublecomplex][::1],
+    line: cython.const[cython.doublecomplex][::1],
+    limit: cython.double,
+    found: cython.uchar[::1],
+) -> None:
+    """Mark the points whose squared distance from a polyline is within a limit."""
+    p: cython.Py_ssize_t
+    k: cython.Py_ssize_t
+    for p in range(points.shape[0]):
+        for k in range(line.shape[0] - 1):
+            x: cython.double = points[p].real - line[k].real
+            y: cython.double = points[p].imag - line[k].imag
+            dx: cython.double = line[k + 1].real - line[k].real
+            dy: cython.double = line[k + 1].imag - line[k].imag
+            square: cython.double = dx * dx + dy * dy
+            at: cython.double = x * dx + y * dy
+            if at >= square:
+                x -= dx
+                y -= dy
+            elif at > 0.0:
+                x -= at / square * dx
+                y -= at / square * dy
+            if x * x + y * y <= limit:
+                found[p] = 1
+                break

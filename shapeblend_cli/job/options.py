@@ -1,4 +1,4 @@
-"""Options of a run: its files, its report and its time limit. Nothing heavy is imported here."""
+"""Options of a run: its files, its report and its limits. Nothing heavy is imported here."""
 
 from __future__ import annotations
 
@@ -42,13 +42,20 @@ class WriteOptions(Record, section=OUTPUT):
 
 
 class RunOptions(Record, section=OTHER):
-    """How long a command may take."""
+    """Time and memory that a command may take."""
 
     timeout: float | None = option(
         types.number(0.0, 1e6, above=True),
         default=None,
         metavar="S",
         help="Stop after S seconds, with an error and with nothing written.",
+        default_text="none",
+    )
+    max_memory: float | None = option(
+        types.number(0.0, 1e9, above=True),
+        default=None,
+        metavar="MB",
+        help="Stop at so many megabytes of memory, with an error and with nothing written.",
         default_text="none",
     )
 
@@ -97,12 +104,15 @@ REPORTED = (
 )
 """Order of the settings in reports of format 1; further settings follow."""
 
+UNREPORTED = "max_memory"
+"""Option that reports leave out: no result depends on it."""
+
 
 def report_settings(*records: Record) -> dict[str, Any]:
     """Return the values of records as the report lists them."""
     values = {o.key: _plain(getattr(record, o.name)) for record in records for o in record.options.values()}
     values["start"] = values["start"] or "auto"
-    return {key: values[key] for key in (*REPORTED.split(), *values) if key in values}
+    return {key: values[key] for key in (*REPORTED.split(), *values) if key in values and key != UNREPORTED}
 
 
 def _plain(value: Any) -> Any:

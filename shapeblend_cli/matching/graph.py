@@ -55,6 +55,11 @@ class Starts(NamedTuple):
     last_row: int
     steps: tuple[int, ...]
 
+    @property
+    def rows(self) -> int:
+        """The number of rows."""
+        return self.last_row - self.first_row + 1
+
     def terminals(self, below: int = 0) -> Terminals:
         """Return these states, or the same ones a number of rows below."""
         work = np.full(3, np.inf)

@@ -105,10 +105,11 @@ def _branch_and_bound(graph: Graph, sets: list[Starts], limit: float) -> Path | 
     best = None
     queue = list(sets)
     heapq.heapify(queue)
+    waiting = sum(starts.rows for starts in queue)
     while queue and queue[0].bound < limit:
-        waiting = sum(starts.last_row - starts.first_row + 1 for starts in queue if starts.bound < limit)
         graph.watch(1.0 - (1.0 - FIRST_SWEPT) * min(waiting / graph.wires.n, 1.0))
         starts = heapq.heappop(queue)
+        waiting -= starts.rows
         found = graph.sweep(starts, limit)
         if found is None:
             continue
@@ -119,4 +120,5 @@ def _branch_and_bound(graph: Graph, sets: list[Starts], limit: float) -> Path | 
         else:
             for half in starts.halves():
                 heapq.heappush(queue, half._replace(bound=max(work, starts.bound)))
+                waiting += half.rows
     return best

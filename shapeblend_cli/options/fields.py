@@ -126,14 +126,16 @@ class Record:
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"{type(self).__name__} is frozen; replace({name}=...) makes a changed copy")
 
-    def _values(self) -> tuple[Any, ...]:
+    @property
+    def values(self) -> tuple[Any, ...]:
+        """The values of all fields."""
         return tuple(getattr(self, name) for name in self.options)
 
     def __eq__(self, other: object) -> bool:
-        return type(other) is type(self) and self._values() == other._values()
+        return type(other) is type(self) and self.values == other.values
 
     def __hash__(self) -> int:
-        return hash(self._values())
+        return hash(self.values)
 
     def __repr__(self) -> str:
         given = (f"{name}={getattr(self, name)!r}" for name in self.options if name in self.given)

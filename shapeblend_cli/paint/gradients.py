@@ -58,17 +58,17 @@ def common_stops(a: Sequence[Stop], b: Sequence[Stop]) -> tuple[tuple[Stop, ...]
     """
     common_a: list[Stop] = []
     common_b: list[Stop] = []
-    for offset in sorted({stop.offset for stop in (*a, *b)}):
-        sides_a, sides_b = _both_sides(a, offset), _both_sides(b, offset)
+    offsets_a, offsets_b = ([stop.offset for stop in stops] for stops in (a, b))
+    for offset in sorted({*offsets_a, *offsets_b}):
+        sides_a, sides_b = _both_sides(a, offsets_a, offset), _both_sides(b, offsets_b, offset)
         count = 2 if sides_a[0] != sides_a[1] or sides_b[0] != sides_b[1] else 1
         common_a += sides_a[:count]
         common_b += sides_b[:count]
     return tuple(common_a), tuple(common_b)
 
 
-def _both_sides(stops: Sequence[Stop], offset: float) -> tuple[Stop, Stop]:
+def _both_sides(stops: Sequence[Stop], offsets: Sequence[float], offset: float) -> tuple[Stop, Stop]:
     """Return the stops just before an offset and just after it, as SVG interpolates between stops."""
-    offsets = [stop.offset for stop in stops]
     first, last = bisect_left(offsets, offset), bisect_right(offsets, offset)
     if first < last:
         return stops[first], stops[last - 1]

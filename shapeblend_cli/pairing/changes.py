@@ -16,6 +16,7 @@ from shapeblend_cli.anatomy.decompose import LINE
 from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import reverse_contour
+from shapeblend_cli.geometry.polyline import distances_to
 from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.motion.slash import paint_the_same, slash_axis
 from shapeblend_cli.motion.sweep import Sweep, window_along, windows_of
@@ -146,12 +147,20 @@ def changes(a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Se
     found: list[Change] = []
     taken_a: set[int] = set()
     taken_b: set[int] = set()
+    kinds = [
+        [(shape[0].style.fill, *(c.polygon.vertices.tobytes() for c in shape)) for shape in side]
+        for side in shapes
+    ]
+    unlike: set[object] = set()  # kinds of two shapes without a change: copies of them have none, either
     for i, j in _near(*shapes):
+        key = kinds[0][i], kinds[1][j]
+        if i in taken_a or j in taken_b or key in unlike:
+            continue
         p, q = shapes[0][i], shapes[1][j]
-        change = None
-        if _is_alike(p[0].style, q[0].style) and i not in taken_a and j not in taken_b:
-            change = _change(p, q, diagonal, settings)
-        if change is not None:
+        change = _change(p, q, diagonal, settings) if _is_alike(p[0].style, q[0].style) else None
+        if change is None:
+            unlike.add(key)
+        else:
             found.append(change)
             taken_a.add(i)
             taken_b.add(j)
@@ -318,7 +327,7 @@ def _numbers(outlines: Sequence[ComplexArray], contours: Sequence[PlacedContour]
     """Return for each outline the number of the nearest contour, on average; none twice while others are left."""
     away = np.array(
         [
-            [np.abs(contour.polygon.vertices[:, None] - points).min(axis=0).mean() for contour in contours]
+            [distances_to(contour.polygon.vertices, points).mean() for contour in contours]
             for points in outlines
         ]
     )

@@ -15,7 +15,7 @@ import numpy as np
 from shapeblend_cli.anatomy.decompose import EXTERIOR, LINE, PlacedContour
 from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_places
+from shapeblend_cli.geometry.polyline import cumulative_lengths, may_be_near, nearest_numbers, nearest_places
 from shapeblend_cli.model import Box, Contour, Style, unroll
 from shapeblend_cli.wires.contour_blends import follow
 
@@ -78,9 +78,12 @@ class _Track(NamedTuple):
 def _track(stroke: PlacedContour, line: ComplexArray) -> _Track | None:
     """Return the places of a stroke on a closed edge; None if it does not run along the edge in one direction."""
     points = stroke.polygon.line
+    reach = ON_EDGE * stroke.style.stroke_width
+    if may_be_near(points, line, reach).sum() < 2:
+        return None
     lengths = cumulative_lengths(line)
     distance, place = nearest_places(points, line)
-    near = distance <= ON_EDGE * stroke.style.stroke_width
+    near = distance <= reach
     if near.sum() < 2:
         return None
     total = float(lengths[-1])
@@ -244,8 +247,7 @@ def _image(edge: FlatContour, lengths: FloatArray, closed: bool) -> tuple[FlatCo
     polygon = flatten(contour, len(lengths))
     own = cumulative_lengths(polygon.line)
     places = np.abs(lengths - first) * (own[-1] / (high - low))
-    nearest = np.abs(own[:, None] - places).argmin(axis=0)
-    return FlatContour(contour, polygon), np.maximum.accumulate(nearest)
+    return FlatContour(contour, polygon), np.maximum.accumulate(nearest_numbers(own, places))
 
 
 def _near(points: ComplexArray, width: float, strokes: Sequence[PlacedContour]) -> BoolArray:

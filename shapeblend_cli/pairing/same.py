@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
-from shapeblend_cli.geometry.polyline import nearest_places
+from shapeblend_cli.geometry.polyline import may_be_near, nearest_places
 from shapeblend_cli.model import Box
 from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from shapeblend_cli.anatomy.decompose import ContourPair
 
@@ -47,11 +47,15 @@ def same_pairs(
         if i in in_a and j in in_b:
             add(_with_exteriors(in_a[i], in_b[j]))
     found: list[ContourPair] = []
-    for _, i, j in sorted((_difference(a[i], b[j]), i, j) for i, j in _same(a, b)):
+    distance = TOLERANCE * Box.union([contour.box for contour in (*a, *b)]).diagonal
+    for i, j in _candidates(a, b, distance):
         pairs = _with_exteriors(a[i], b[j])
-        if all(partners[p] == q if p in partners else q not in taken for p, q in pairs):
+        is_free = all(partners[p] == q if p in partners else q not in taken for p, q in pairs)
+        if is_free and are_same(a[i], b[j], distance):
             add(pairs)
             found.append((a[i], b[j]))
+            if len(found) == min(len(a), len(b)):
+                break  # contours drawn again and again in one place have no end of candidates
     return [(p.number, q.number) for p, q in _in_order_of_paint(found, a, b)]
 
 
@@ -110,13 +114,26 @@ def _with_exteriors(p: PlacedContour, q: PlacedContour) -> list[tuple[int | None
     return [(p.number, q.number), (p.exterior, q.exterior)][: 2 if p.role == q.role == HOLE else 1]
 
 
-def _same(a: Sequence[PlacedContour], b: Sequence[PlacedContour]) -> list[Numbers]:
-    """Return the indices of contours of two lists that are of one kind and in one place."""
+def _candidates(a: Sequence[PlacedContour], b: Sequence[PlacedContour], distance: float) -> Iterator[Numbers]:
+    """Yield the indices of contours of two lists that have the same box, the most alike first."""
     bounds = [np.array([contour.box.bounds for contour in side]) for side in (a, b)]
-    boxes = [Box.union([contour.box for contour in side]) for side in (a, b)]
-    distance = TOLERANCE * Box.union(boxes).diagonal
-    near = np.abs(bounds[0][:, None] - bounds[1]).max(axis=2) <= distance
-    return [(i, j) for i, j in np.argwhere(near).tolist() if are_same(a[i], b[j], distance)]
+    near = np.ones((len(a), len(b)), np.bool_)
+    for of_a, of_b in zip(bounds[0].T, bounds[1].T, strict=True):
+        near &= np.abs(of_a[:, None] - of_b) <= distance
+    i, j = np.nonzero(near)
+    codes: dict[str | None, int] = {None: 0}
+    unlike, recoloured = np.zeros(len(i), np.bool_), np.zeros(len(i), np.bool_)
+    for name in ("fill", "stroke"):
+        of_a, of_b = (
+            np.array([codes.setdefault(getattr(c.style, name), len(codes)) for c in side]) for side in (a, b)
+        )
+        unlike |= (of_a == 0)[i] != (of_b == 0)[j]
+        recoloured |= of_a[i] != of_b[j]
+    is_hole = np.array([contour.role == HOLE for contour in a])
+    numbers = [np.array([contour.number for contour in side]) for side in (a, b)]
+    order = np.lexsort((j, i, np.abs(numbers[0][i] - numbers[1][j]), recoloured, unlike, is_hole[i]))
+    for k in order:
+        yield int(i[k]), int(j[k])
 
 
 def are_same(p: PlacedContour, q: PlacedContour, distance: float) -> bool:
@@ -125,12 +142,6 @@ def are_same(p: PlacedContour, q: PlacedContour, distance: float) -> bool:
         return False
     distance = min(distance, OWN_TOLERANCE * max(p.size, q.size))
     lines = p.polygon.line, q.polygon.line
+    if not all(may_be_near(points, line, distance).all() for points, line in (lines, lines[::-1])):
+        return False
     return all(nearest_places(points, line)[0].max() <= distance for points, line in (lines, lines[::-1]))
-
-
-def _difference(p: PlacedContour, q: PlacedContour) -> tuple[bool, bool, bool, int]:
-    """Return a key by which contours that lie on each other are sorted, the most alike first."""
-    fills, strokes = ((getattr(p.style, name), getattr(q.style, name)) for name in ("fill", "stroke"))
-    unlike = any((one is None) != (other is None) for one, other in (fills, strokes))
-    recoloured = any(one != other for one, other in (fills, strokes))
-    return p.role == HOLE, unlike, recoloured, abs(p.number - q.number)

@@ -8,9 +8,12 @@ from contextlib import suppress
 from typing import Any
 
 from shapeblend_cli.errors import ShapeblendError, in_words
-from shapeblend_cli.system.processes import Child, Parent
+from shapeblend_cli.system.interrupts import HAS_LIMITS, limit, listening
+from shapeblend_cli.system.processes import GRACE, TOO_LARGE, Child, Parent
 
 DONE, FAILED = "done", "failed"
+
+REMEDY = "and was stopped; simpler drawings or --effort fast would work"
 
 
 class Failed(ShapeblendError):
@@ -35,27 +38,28 @@ class Process:
         with self._turn, suppress(Failed):
             self._started()
 
-    def ask(self, order: Any, seconds: float) -> Any:
+    def ask(self, order: Any, seconds: float, megabytes: float) -> Any:
         """Have an order done, and return what comes of it.
 
         Raises
         ------
         Failed
-            If it cannot be done, takes more than so many seconds, or is stopped.
+            If it cannot be done, takes more time or memory than that, or is stopped.
         """
         with self._turn:
             process = self._started()
             self._why = ""
-            late = f"it took more than {seconds:g} s, and was stopped; simpler drawings or --effort fast would work"
+            late = f"it took more than {seconds:g} s, {REMEDY}"
             timer = threading.Timer(seconds, self.stop, (late,))
             timer.daemon = True
             timer.start()
             try:
-                answer = process.ask(order)
+                answer = process.ask((order, seconds, megabytes))
             finally:
                 timer.cancel()
             if answer is None:
-                self._end()
+                if self._end() == TOO_LARGE:
+                    self._why = f"it took more than {megabytes:g} MB of memory, {REMEDY}"
                 raise Failed(self._why or "the process that blends has died; it is started again")
             status, value = answer
             if status == FAILED:
@@ -90,12 +94,14 @@ class Process:
             raise Failed(self._why or "the process that blends does not start")
         return process
 
-    def _end(self) -> None:
+    def _end(self) -> int:
+        """End the process, if there is one, and return its status."""
         with self._change:
             process, self._process = self._process, None
-        if process is not None:
-            process.kill()
-            process.end()
+        if process is None:
+            return 0
+        process.kill()
+        return process.end()
 
 
 def main() -> None:
@@ -103,9 +109,12 @@ def main() -> None:
     parent = Parent()
     from shapeblend_cli.studio.answers import do
 
-    for order in parent.orders():
+    for order, seconds, megabytes in parent.orders():
         try:
-            answer = DONE, do(order)
+            with listening():
+                if HAS_LIMITS:
+                    limit(seconds + GRACE, megabytes, TOO_LARGE)
+                answer = DONE, do(order)
         except Exception as error:
             answer = FAILED, in_words(error)
         parent.answer(answer)

@@ -18,6 +18,7 @@ from shapeblend_cli.outputs.registry import DEFAULT, FORMATS, FRAME_FORMATS
 from shapeblend_cli.rows.project import Project, parse_project, project_of, project_text, values_of
 from shapeblend_cli.studio.order import Consent, Order
 from shapeblend_cli.studio.process import Process
+from shapeblend_cli.system.processes import MEGABYTES
 from shapeblend_cli.system.write import check_targets, write_files
 from shapeblend_cli.version import __version__
 
@@ -50,6 +51,7 @@ class Session:
         self._opened = set(project.files)
         self._lock = threading.Lock()
         self._seconds = float(project.given.get("timeout") or SECONDS)
+        self._megabytes = float(project.given.get("max_memory") or MEGABYTES)
         self._live, self._slow = Process(), Process()
 
     def start(self) -> None:
@@ -108,24 +110,22 @@ class Session:
     def look(self, asked: Mapping[str, Any]) -> dict[str, Any]:
         """Return a blend to look at, and the command line that makes it."""
         project = self._project(asked)
-        return self._with_command(
-            project, lambda: self._live.ask(self._order("blend", project), self._seconds)
-        )
+        return self._with_command(project, lambda: self._ask(self._live, self._order("blend", project)))
 
     def others(self, asked: Mapping[str, Any]) -> dict[str, Any]:
         """Return other blends of the two drawings, to choose from."""
         order = self._order("others", self._project(asked))
-        return {"others": self._slow.ask(order, self._seconds)}
+        return {"others": self._ask(self._slow, order)}
 
     def write(self, asked: Mapping[str, Any]) -> dict[str, Any]:
         """Write what the command line writes, where it does, or return what to ask before that."""
         order = self._order("write", self._project(asked))
-        return self._slow.ask(order._replace(consent=self._consent(asked)), 10 * self._seconds)
+        return self._ask(self._slow, order._replace(consent=self._consent(asked)), 10)
 
     def download(self, asked: Mapping[str, Any]) -> Download:
         """Return what the command line would write: a file, or an archive of several."""
         project = self._project(asked)
-        files = self._slow.ask(self._order("contents", project), 10 * self._seconds)["files"]
+        files = self._ask(self._slow, self._order("contents", project), 10)["files"]
         if len(files) == 1:
             ((name, content),) = files.items()
             return Download(os.path.basename(name), content)
@@ -183,6 +183,10 @@ class Session:
             if os.path.basename(one) == plain:
                 return one
         raise OptionError(f"{plain}: not open here; dropping it into the page, too, would help")
+
+    def _ask(self, process: Process, order: Order, times: int = 1) -> Any:
+        """Have an order done, which may take so many times as long as a blend."""
+        return process.ask(order, times * self._seconds, self._megabytes)
 
     def _order(self, what: str, project: Project) -> Order:
         sources = {name: self._given[name] for name in project.files if name in self._given}

@@ -22,6 +22,12 @@ from typing import Any, BinaryIO
 
 READY = "ready"
 
+MEGABYTES = 2000.0
+"""Memory limit of a process without --max-memory, in megabytes: four times what nearly all drawings take."""
+
+TOO_LARGE = 75
+"""Exit status of a process above its memory limit."""
+
 GRACE = 1.0
 """Seconds in which a process that is at work when its parent has died may end by itself."""
 
@@ -35,7 +41,7 @@ class Child:
     """A process that runs a module, as its parent sees it."""
 
     def __init__(self, module: str) -> None:
-        folder = str(Path(__file__).parents[1])
+        folder = str(Path(__file__).parents[2])
         self._process = subprocess.Popen(
             [sys.executable, "-P", "-c", START, folder, module],
             stdin=subprocess.PIPE,

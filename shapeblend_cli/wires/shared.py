@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.polyline import cumulative_lengths
+from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_numbers
 from shapeblend_cli.matching.solve import Search, least_work, priced
 from shapeblend_cli.wires.common_cuts import refine
 from shapeblend_cli.wires.contour_match import Solved
@@ -173,7 +173,7 @@ def _into_line(limb: ComplexArray, line: ComplexArray) -> IntArray:
     share = _shares(limb, line).clip(0.0, 1.0).round(DECIMALS)
     share[0], share[-1] = 0.0, 1.0
     lengths = cumulative_lengths(line)
-    beside = np.abs(np.maximum.accumulate(share)[:, None] - lengths / lengths[-1]).argmin(axis=1)
+    beside = nearest_numbers(lengths / lengths[-1], np.maximum.accumulate(share))
     dots = [(0, 0)]
     for i, j in enumerate(beside[1:].tolist(), 1):
         # Corners that become an end of the line become that alone.

@@ -6,12 +6,13 @@ either outline with what lies between the two.
 
 from __future__ import annotations
 
+from collections import Counter, defaultdict
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.polyline import thin
+from shapeblend_cli.geometry.polyline import may_be_near, thin
 from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
@@ -114,17 +115,43 @@ def shared_stretches(a: Outlines, b: Outlines, diagonal: float) -> Shared:
     distance = TOLERANCE * diagonal
     found = [
         stretch
-        for i, p in enumerate(a)
-        for j, q in enumerate(b)
-        if p.polygon.box.expanded(distance).overlaps(q.polygon.box)
-        for stretch in _shared((i, j), (p, q), distance)
+        for i, j in _candidates(a, b, distance)
+        for stretch in _shared((i, j), (a[i], b[j]), distance)
         if stretch.length >= LEAST_STRETCH * diagonal
     ]
     kept: list[Stretch] = []
+    kept_on: defaultdict[tuple[int, int], list[Stretch]] = defaultdict(list)  # by side and outline
     for stretch in sorted(found, key=lambda stretch: -stretch.length):
-        if not any(_overlap(stretch, other, (a, b), distance) for other in kept):
+        beside = [kept_on[number] for number in enumerate(stretch.outlines)]
+        if not any(_overlap(stretch, other, (a, b), distance) for some in beside for other in some):
             kept.append(stretch)
+            for some in beside:
+                some.append(stretch)
     return Shared((a, b), kept, distance)
+
+
+def _candidates(a: Outlines, b: Outlines, distance: float) -> list[tuple[int, int]]:
+    """Return the indices of outlines whose boxes overlap, or nearly.
+
+    Copies of an outline are alike for all others: the first goes with first copies, the second with second ones.
+    """
+    boxes = [[flat.polygon.box for flat in side] for side in (a, b)]
+    left, top, right, bottom = np.array([box.expanded(distance).bounds for box in boxes[0]]).T[:, :, None]
+    x0, y0, x1, y1 = np.array([box.bounds for box in boxes[1]]).T
+    overlap = (left < x1) & (x0 < right) & (top < y1) & (y0 < bottom)
+    copies = [np.array(_copies(side)) for side in (a, b)]
+    return [(i, j) for i, j in np.argwhere(overlap & (copies[0][:, None] == copies[1])).tolist()]
+
+
+def _copies(outlines: Outlines) -> list[int]:
+    """Return the number of copies of each outline among the outlines before it."""
+    counts: Counter[bytes] = Counter()
+    found = []
+    for outline in outlines:
+        key = outline.polygon.vertices.tobytes()
+        found.append(counts[key])
+        counts[key] += 1
+    return found
 
 
 def _near_any(points: ComplexArray, outlines: Outlines, distance: float) -> BoolArray:
@@ -133,6 +160,7 @@ def _near_any(points: ComplexArray, outlines: Outlines, distance: float) -> Bool
     for outline in outlines:
         # Others than those near its box are further away, and computing how far is most of the work in a crowd.
         asked = np.flatnonzero(~near & outline.polygon.box.expanded(2.0 * distance).holds(points))
+        asked = asked[may_be_near(points[asked], outline.polygon.line, distance)]
         if len(asked):
             near[asked] = outline.lengths_near(points[asked])[0] <= distance
     return near
@@ -155,6 +183,11 @@ def _shared(
 ) -> list[Stretch]:
     """Return the stretches that two outlines share in the same direction."""
     p, q = outlines
+    near = [
+        may_be_near(one.polygon.vertices, other.polygon.line, distance) for one, other in ((p, q), (q, p))
+    ]
+    if near[0].sum() + near[1].sum() < 2:
+        return []
     own_p, own_q = (flat.lengths[: len(flat.polygon.vertices)] for flat in outlines)
     away_p, on_q = q.lengths_near(p.polygon.vertices)
     away_q, on_p = p.lengths_near(q.polygon.vertices)

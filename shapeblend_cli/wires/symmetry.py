@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, points_at
+from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, nearest_numbers, points_at
 from shapeblend_cli.matching.solve import Search, least_work, priced
 from shapeblend_cli.model import Polygon
 from shapeblend_cli.wires.common_cuts import refine
@@ -216,7 +216,8 @@ def cut_in_parts(flat: FlatContour, axes: Sequence[Axis]) -> Parts:
         places[alone, part] = np.interp(places[alone, 0], known[:, 0], known[:, part])
         vertices, places = _with_images(vertices, places, np.delete(nodes, twins), part, shares)
     others = np.flatnonzero(~is_node & within[:, 0])
-    away = np.abs(shares[others, :1] - np.concatenate([[0.0, 1.0], places[:, 0]])).min(axis=1)
+    taken = np.concatenate([[0.0, 1.0], places[:, 0]])
+    away = np.abs(shares[others, 0] - taken[nearest_numbers(taken, shares[others, 0])])
     others = others[away > NEAR / (parts[0].length * len(own))]
     vertices, places = _with_images(vertices, places, others, 0, shares)
     order = np.argsort(places[:, 0], kind="stable")
@@ -268,10 +269,9 @@ def _twins(first: FloatArray, second: FloatArray) -> tuple[IntArray, IntArray]:
     """Return the numbers of places in two lists that are nearest to each other, both ways, and near."""
     if not len(first) or not len(second):
         return np.zeros(0, np.intp), np.zeros(0, np.intp)
-    away = np.abs(first[:, None] - second)
-    partner = away.argmin(axis=1)
-    number = np.arange(len(first))
-    both = (away.argmin(axis=0)[partner] == number) & (away[number, partner] <= 2.0 * TOLERANCE)
+    partner, number = nearest_numbers(second, first), np.arange(len(first))
+    near = np.abs(first - second[partner]) <= 2.0 * TOLERANCE
+    both = (nearest_numbers(first, second)[partner] == number) & near
     return number[both], partner[both]
 
 

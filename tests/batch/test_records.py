@@ -48,7 +48,7 @@ def test_what_has_changed_is_done_again(done, statuses, capsys):
 def test_other_settings_are_said(done, statuses, capsys):
     assert {*reasons(capsys, *LINE, "--duration", "3").values()} == {"duration is 3.0, and was 2.0"}
     assert statuses(*LINE, "--duration", "3") == (0, "done done done")
-    assert reasons(capsys, *LINE, "--duration", "3", "--timeout", "100") == {}
+    assert reasons(capsys, *LINE, "--duration", "3", "--timeout", "100", "--max-memory", "999") == {}
 
 
 def test_an_output_that_is_gone_is_made_again_and_why_is_said(done, batch, capsys):

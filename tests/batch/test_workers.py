@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from shapeblend_cli.batch.worker import Order
 from shapeblend_cli.cli import run
 from shapeblend_cli.cli.terminal import Pace
 from tests.support.commands import read_to, start_on_terminal, write
@@ -71,6 +72,20 @@ def test_a_job_that_takes_too_long(how, drawings, broken, batch, monkeypatch):
     assert status == 1
     assert [results[n]["status"] for n in range(1, 7)] == ["done"] * 2 + ["timeout"] + ["done"] * 3
     assert "stopped after 2.5 s (--timeout)" in results[3]["error"]
+
+
+def test_a_job_that_takes_too_much_memory(drawings, broken, batch):
+    """Before that is said, the job is tried in a new process, as the old one may have kept something of others."""
+    broken("sys.modules['kept'] = b'1' * 10**9 if output.endswith('3.svg') else b''")
+    status, results, printed = batch(*LINE, "-j", "2", "--max-memory", "500")
+    assert status == 1
+    assert [results[n]["status"] for n in range(1, 7)] == ["done"] * 2 + ["memory"] + ["done"] * 3
+    assert results[3]["error"] == "stopped at 500 MB of memory (--max-memory); nothing was written"
+    assert "5 done, 1 took too much memory" in printed.err
+
+
+def test_jobs_have_limits():
+    assert (Order((), {}, False).seconds, Order((), {}, False).megabytes) == (300.0, 2000.0)
 
 
 def test_failures_stop_no_other_job_unless_as_many_as_are_asked_for(drawings, batch):
