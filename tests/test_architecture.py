@@ -32,7 +32,8 @@ ROOMS = {
     "job": "pipeline blending grading pens preview outputs frames matching svg.writing motion options svg.reading "
     "interpolate geometry paint system errors model version",
     "pipeline": "blending wires frames options anatomy interpolate paint system model",
-    "blending": "pens pairing wires frames motion options anatomy interpolate geometry paint system errors model",
+    "blending": "pens grading pairing wires frames motion options anatomy interpolate geometry paint system errors "
+    "model",
     "pens": "pairing wires matching motion options anatomy geometry _cython errors model",
     "pairing": "wires motion options anatomy geometry errors model",
     "preview": "wires matching svg.writing options svg.reading interpolate geometry paint model",

@@ -8,19 +8,28 @@ from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings,
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.several import with_common_lines
 from shapeblend_cli.frames.fades import in_paint_order
-from shapeblend_cli.model import Box
+from shapeblend_cli.frames.frames import shapes_at
+from shapeblend_cli.grading.grade import grade
+from shapeblend_cli.grading.painting import picture
+from shapeblend_cli.model import Box, Pair
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pairing.changes import crossed_out
 from shapeblend_cli.pens.drawings import pen_drawing
 from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.line_blends import blend_lines, wants_lines
 
+MARGIN = 0.5
+"""Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in grades."""
+
+STEPS = 6
+"""Number of steps between the pictures that are graded."""
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedDrawing
     from shapeblend_cli.blending.matched import PairedDrawings, Progress
-    from shapeblend_cli.model import Pair, Place, ShapeBlend
+    from shapeblend_cli.model import Place, ShapeBlend
     from shapeblend_cli.options.settings import Settings
 
     Shapes = tuple[ShapeBlend, ...]
@@ -52,14 +61,26 @@ def blend_shapes(
     if not is_named and wants_lines(settings):
         lines = blend_lines(a, b, settings, view)
     progress.clock.lap("match")
-    if lines is not None:
-        settings = lines.settings
-        a, b = (side._replace(contours=rest) for side, rest in zip((a, b), lines.rest, strict=True))
-        if not (a.contours or b.contours):
-            return lines.shapes
-    paired = pair_drawings(a, b, settings, 0.0, progress)
-    outlines = _moved(paired, *match_pairs(paired), view)
-    return (*outlines, *lines.shapes) if lines else outlines
+
+    def outlined(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> Shapes:
+        paired = pair_drawings(a, b, settings, 0.0, progress)
+        return _moved(paired, *match_pairs(paired), view)
+
+    if lines is None:
+        return outlined(a, b, settings)
+    rest = [side._replace(contours=left) for side, left in zip((a, b), lines.rest, strict=True)]
+    is_all = not any(side.contours for side in rest)
+    shapes = lines.shapes if is_all else (*outlined(rest[0], rest[1], lines.settings), *lines.shapes)
+    if lines.is_sure:
+        return shapes
+    outlines = outlined(a, b, settings)
+    return outlines if _grade(outlines, view) < _grade(shapes, view) - MARGIN else shapes
+
+
+def _grade(shapes: Shapes, view: Box) -> float:
+    """Return how good shapes look on their way."""
+    pair = Pair(0, 1, shapes, ((), ()), (view, view))
+    return grade([picture(shapes_at(pair, k / STEPS), view) for k in range(STEPS + 1)]).number
 
 
 def with_lines_in_common(pairs: Sequence[Pair], a: PlacedDrawing) -> list[Pair] | None:

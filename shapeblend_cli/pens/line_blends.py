@@ -34,17 +34,20 @@ if TYPE_CHECKING:
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
     from shapeblend_cli.model import ComplexArray, ShapeBlend
     from shapeblend_cli.options.settings import Settings
-    from shapeblend_cli.pens.line import PenLine
+    from shapeblend_cli.pens.line import PenDrawing, PenLine
     from shapeblend_cli.pens.named_lines import Pins, Required
 
-LEAST_INK = 0.45
-"""Minimum share of the ink of a drawing in its lines."""
+LEAST_INK = 0.1
+"""Minimum share of the ink of a drawing of one colour in its lines."""
+
+LEAST_OF_PICTURE = 0.45
+"""Minimum share of the ink of a drawing of several colours in its lines: these go along with what they surround."""
 
 KEPT = 0.3
-"""Minimum share of the length of lines that stays for drawings to be matched by their lines."""
+"""Minimum share of a single stroke that stays for it to be matched as a line."""
 
 ALL = 0.9
-"""Minimum share of the ink in lines for drawings to be matched by these though less stays."""
+"""Minimum share of the ink in lines for drawings to be matched by these whatever outlines would be like."""
 
 MOST_LINES = 60
 """Maximum number of lines of a drawing: more are an illustration."""
@@ -74,6 +77,7 @@ class LineBlend(NamedTuple):
     shapes: tuple[ShapeBlend, ...]
     rest: tuple[list[PlacedContour], list[PlacedContour]]
     settings: Settings
+    is_sure: bool = True  # whether outlines cannot be better
 
 
 def wants_lines(settings: Settings) -> bool:
@@ -89,7 +93,8 @@ def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Bo
     is_asked = settings.strokes == "recover"
     first, last = pen_drawing(a, scale), pen_drawing(b, scale)
     one, other = with_pieces(first, last, scale), with_pieces(last, first, scale)
-    least = 0.0 if is_asked else LEAST_INK
+    is_sign = all(len(_colours(drawing)) == 1 for drawing in (one, other))
+    least = 0.0 if is_asked else LEAST_INK if is_sign else LEAST_OF_PICTURE
     if not (one.lines and other.lines) or max(len(one.lines), len(other.lines)) > MOST_LINES:
         return None
     if min(one.share, other.share) < least:
@@ -105,10 +110,17 @@ def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Bo
     moves, kept = _moves(one.lines, other.lines, required, settings, scale)
     # A stroke of each file leaves nothing to choose between.
     is_plain = len(one.lines) == len(other.lines) == 1 and not (one.is_recovered or other.is_recovered)
-    is_alike = kept >= KEPT or (min(one.share, other.share) >= ALL and not is_plain)
-    if not (is_alike or is_asked or required.pairs):
+    if is_plain and kept < KEPT and not (is_asked or required.pairs):
         return None
-    return LineBlend(_shapes(moves, scale, settings), (one.bodies, other.bodies), required.left)
+    is_sure = is_asked or bool(required.pairs or settings.mix) or min(one.share, other.share) >= ALL
+    rest = one.bodies, other.bodies
+    return LineBlend(_shapes(moves, scale, settings), rest, required.left, is_sure)
+
+
+def _colours(drawing: PenDrawing) -> set[str | None]:
+    """Return the colours of lines and fills."""
+    styles = [body.style for body in drawing.bodies] + [line.style for line in drawing.lines]
+    return {paint.colour for style in styles for paint in style.paints} - {None}
 
 
 def _shapes(moves: Sequence[Move], scale: float, settings: Settings) -> tuple[ShapeBlend, ...]:

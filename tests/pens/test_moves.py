@@ -123,3 +123,18 @@ def test_a_solid_piece_with_slanting_ends_is_a_piece_of_the_line_on_which_it_lie
     assert (stays.contours[0].a, stays.contours[0].b) == (0, 0)
     radius = np.abs(line_at(stays, 0.6) - (12 + 12j))
     assert np.abs(radius - 9.0).max() < 0.1
+
+
+BLOCK = "M2 4H12V20H2Z"
+WAVES, CROSS = "M15 8H16V16H15ZM19 6H20V18H19Z", "M15 9L16 8L21 15L20 16ZM20 8L21 9L16 16L15 15Z"
+
+
+def test_lines_beside_a_solid_shape_of_their_colour_move_as_lines_if_that_looks_better():
+    shapes = shapes_of(drawing(BLOCK + WAVES), drawing(BLOCK + CROSS))
+    assert [shape.reason for shape in shapes].count(BECOMES) == 2
+
+
+def test_lines_on_fills_of_other_colours_go_along_with_these():
+    block = f'<path d="{BLOCK}" fill="#fc0"/>'
+    shapes = shapes_of(*(drawing(block, f'<path d="{path}"/>') for path in (WAVES, CROSS)))
+    assert BECOMES not in [shape.reason for shape in shapes]
