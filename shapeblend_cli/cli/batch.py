@@ -78,11 +78,7 @@ def batch(names: tuple[str, ...], **given: Any) -> int:
         raise click.UsageError(
             "--watch goes with a manifest that is a file, or with folders, and not with --dry-run"
         )
-    try:
-        return (_watch if options.watch else _batch)(names, options, printed, given)
-    except Interrupted as stop:
-        say(str(stop))
-        return 128 + stop.number
+    return (_watch if options.watch else _batch)(names, options, printed, given)
 
 
 def _batch(

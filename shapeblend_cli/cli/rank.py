@@ -10,10 +10,9 @@ from shapeblend_cli.batch.options import RankOptions
 from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.inspect import aligned
 from shapeblend_cli.cli.parameters import ABOUT_FRAMES, NAME, options_of
-from shapeblend_cli.cli.terminal import BatchTerminal, TerminalOptions, say
+from shapeblend_cli.cli.terminal import BatchTerminal, TerminalOptions
 from shapeblend_cli.job.options import RunOptions
 from shapeblend_cli.options.settings import ABOUT_TWO_DRAWINGS, ReadOptions, Settings
-from shapeblend_cli.system.interrupts import Interrupted
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -56,14 +55,6 @@ def rank(first: str, names: tuple[str, ...], **given: Any) -> int:
     For each drawing the table lists how wrong the in-betweens look to the judge (0 is perfect), their work, and the
     number of contours without a partner, which grow or shrink. DIR may also be a pattern in quotes, or files.
     """
-    try:
-        return _rank(first, names, given)
-    except Interrupted as stop:
-        say(str(stop))
-        return 128 + stop.number
-
-
-def _rank(first: str, names: tuple[str, ...], given: dict[str, Any]) -> int:
     from shapeblend_cli.batch.ranking import Ranking
     from shapeblend_cli.batch.supervisor import Stopped
 
@@ -78,7 +69,7 @@ def _rank(first: str, names: tuple[str, ...], given: dict[str, Any]) -> int:
         except Stopped as stop:
             terminal.warn("interrupted; nothing was ranked or written")
             return 128 + stop.number
-        for text in _once(note for one in rated for note in one.notes):
+        for text in dict.fromkeys(note for one in rated for note in one.notes):
             terminal.note(text)
         for one in rated:
             if one.error is not None:
@@ -87,10 +78,6 @@ def _rank(first: str, names: tuple[str, ...], given: dict[str, Any]) -> int:
     ranking.write_sheet(listed)
     _print(listed, as_json=options.as_json)
     return int(any(one.error is not None for one in rated))
-
-
-def _once(texts: Any) -> list[str]:
-    return list(dict.fromkeys(texts))
 
 
 def _print(listed: Sequence[Rated], *, as_json: bool) -> None:

@@ -50,7 +50,7 @@ def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
     )
     plain = (a if t < 0.5 else b)._replace(
         stroke_miterlimit=(1.0 - t) * a.stroke_miterlimit + t * b.stroke_miterlimit,
-        **_blend_lengths(a, b, t),
+        **_blend_stroke_lengths(a, b, t),
     )
     if fill_below is None and stroke_below is None:
         return plain.painted(fill, stroke), None
@@ -124,7 +124,7 @@ def _opacity_below(a: Paint, b: Paint, t: float) -> float:
     return a.opacity if cover == 1.0 else (1.0 - t) * a.opacity / (1.0 - t * cover)
 
 
-def _blend_lengths(a: Style, b: Style, t: float) -> dict[str, Any]:
+def _blend_stroke_lengths(a: Style, b: Style, t: float) -> dict[str, Any]:
     """Return the fields of a style with the lengths of its stroke at time t."""
     pixel = None
     if a.pixel and b.pixel:

@@ -219,7 +219,7 @@ class Pairing:
 
     def _decide_all(self) -> None:
         while True:
-            found = self._cheapest()
+            found = self._cheaper_than_alone()
             now_open = [{k for k in side.undecided() if side.is_open(k)} for side in (self.a, self.b)]
             for i, j in found:
                 if i in now_open[0] and j in now_open[1]:
@@ -248,8 +248,8 @@ class Pairing:
         if i not in self.a.onto and j not in self.b.onto:
             self.a.onto[i], self.b.onto[j] = j, i
 
-    def _cheapest(self) -> list[Numbers]:
-        """Pair the undecided contours at the least total cost."""
+    def _cheaper_than_alone(self) -> list[Numbers]:
+        """Pair undecided contours at the least total cost; a contour that costs less alone gets no partner."""
         rows, columns = self.a.undecided(), self.b.undecided()
         if not rows or not columns:
             return []
