@@ -5,10 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from shapeblend_cli.options import types
-from shapeblend_cli.options.easing import Ease
 from shapeblend_cli.options.fields import Record, option
 from shapeblend_cli.options.settings import OTHER, OUTPUT, STATES
-from shapeblend_cli.options.triggers import Trigger
 
 
 class WriteOptions(Record, section=OUTPUT):
@@ -110,15 +108,6 @@ UNREPORTED = "max_memory"
 
 def report_settings(*records: Record) -> dict[str, Any]:
     """Return the values of records as the report lists them."""
-    values = {o.key: _plain(getattr(record, o.name)) for record in records for o in record.options.values()}
+    values = {key: value for record in records for key, value in record.listed.items()}
     values["start"] = values["start"] or "auto"
     return {key: values[key] for key in (*REPORTED.split(), *values) if key in values and key != UNREPORTED}
-
-
-def _plain(value: Any) -> Any:
-    """Return a value as JSON has it."""
-    if isinstance(value, complex):
-        return [value.real, value.imag]
-    if isinstance(value, tuple):
-        return str(value) if isinstance(value, Ease | Trigger) else [_plain(one) for one in value]
-    return value
