@@ -89,7 +89,7 @@ HANDED_DOWN = {
     # A `Motion`, which `model` declares.
     *(
         f"{motion}.{what}"
-        for motion in ("Rigid", "Intrinsic", "Sweep", "Pen", "Together")
+        for motion in ("Rigid", "Intrinsic", "Sweep", "Pen", "Together", "Inlaid")
         for what in ("name", "segments")
     ),
     *("Settings._defaults", "WorkConstants._defaults"),  # a `Record` asks what it is made of

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from shapeblend_cli.blending.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.several import with_common_lines
@@ -63,6 +64,13 @@ def blend_shapes(
     progress.clock.lap("match")
 
     def outlined(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> Shapes:
+        plates = plates_of(a, b, settings, view) if wants_lines(settings) else []
+        if plates:
+            solid = [without_inlays(drawing, plates, side) for side, drawing in enumerate((a, b))]
+            paired = pair_drawings(solid[0], solid[1], settings, 0.0, progress)
+            inlaid = with_inlays(_moved(paired, *match_pairs(paired), view), plates, view)
+            if inlaid is not None:
+                return tuple(inlaid)
         paired = pair_drawings(a, b, settings, 0.0, progress)
         return _moved(paired, *match_pairs(paired), view)
 

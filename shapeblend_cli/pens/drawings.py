@@ -74,7 +74,7 @@ def pen_drawing(drawing: PlacedDrawing, scale: float) -> PenDrawing:
             if max(line.length for line in found) > LONGEST:
                 found = None
         elif style.stroke is None and style.fill is not None and not clipped:
-            found = _recovered(members, scale)
+            found = recovered_lines(members, scale)
             is_recovered = is_recovered or found is not None
         if found is None:
             bodies += members
@@ -121,7 +121,7 @@ def _miter_limit(line: Recovered) -> float:
     return round(min(MITER_ROOM / max(np.cos(turns.max(initial=0.0) / 2.0), 1e-9), MITER_LIMIT), 3)
 
 
-def _recovered(members: Sequence[PlacedContour], scale: float) -> list[PenLine] | None:
+def recovered_lines(members: Sequence[PlacedContour], scale: float) -> list[PenLine] | None:
     """Return the lines of an exterior with its holes, if it is the stroke of some."""
     if not all(contour.contour.closed for contour in members):
         return None

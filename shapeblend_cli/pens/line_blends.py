@@ -104,10 +104,10 @@ def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Bo
     if required is None:
         return None
     can_turn = not (one.bodies or other.bodies or required.pairs or settings.stiff)
-    whole = _as_whole(one.lines, other.lines) if can_turn and settings.motion != "linear" else None
+    whole = as_whole(one.lines, other.lines) if can_turn and settings.motion != "linear" else None
     if whole is not None:
         return LineBlend(_shapes(whole, scale, settings), ([], []), settings)
-    moves, kept = _moves(one.lines, other.lines, required, settings, scale)
+    moves, kept = line_moves(one.lines, other.lines, required, settings, scale)
     # A stroke of each file leaves nothing to choose between.
     is_plain = len(one.lines) == len(other.lines) == 1 and not (one.is_recovered or other.is_recovered)
     if is_plain and kept < KEPT and not (is_asked or required.pairs):
@@ -186,7 +186,7 @@ def _hides(line: ShapeBlend, end: int, dot: complex, width: float) -> bool:
     return away < (style.stroke_width - width) / 2.0 + UNHIDDEN * width
 
 
-def _moves(
+def line_moves(
     a: Sequence[PenLine], b: Sequence[PenLine], required: Required, settings: Settings, scale: float
 ) -> tuple[list[Move], float]:
     """Return how the lines of one drawing become those of the other, and the share of their length that stays."""
@@ -253,7 +253,7 @@ def _by_wires(
     return Move(p, q, Pen((between(*points, closed=closed),), closed=closed), reason)
 
 
-def _as_whole(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None:
+def as_whole(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None:
     """Turn or flip a drawing as a whole, if that gives the other one; None if it does not, or if much stays."""
     if _covers(a, b, _outlines(a), LEAST_TURNED):
         return None

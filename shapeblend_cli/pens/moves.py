@@ -101,7 +101,9 @@ class Move(NamedTuple):
     is_joined: bool = True  # whether what comes or goes ends at another line
     is_early: bool = False  # whether it goes before the others have moved, or comes after
 
-    def _span(self) -> tuple[float, float]:
+    @property
+    def span(self) -> tuple[float, float]:
+        """The times of its start and its end."""
         if (self.a is not None and self.b is not None) or not self.is_early:
             return 0.0, 1.0
         return (0.0, 1.0 - EARLY) if self.b is None else (EARLY, 1.0)
@@ -146,7 +148,7 @@ class Move(NamedTuple):
             motion=None if is_straight else motion,
             reason=self.reason,
             fade=fade,
-            span=self._span(),
+            span=self.span,
             trim=trim_of(motion),
             sources=(sources[0], sources[1]),
         )
