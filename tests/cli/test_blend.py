@@ -120,7 +120,7 @@ def test_the_report_is_that_of_the_page(here, capfdbinary):
         "a", "b", "closed", "vertices_a", "vertices_b", "scale_a", "scale_b", "dots", "start",
         "work", "stretching", "bending", "travel", "lower_bound", "gap",
         "diagonal_deviation", "zero_angles", "sweeps", "seconds",
-        "turned_back", "motion", "motion_because", "candidates", "pair_because",
+        "turned_back", "motion", "motion_because", "candidates", "pair_because", "lines",
     ]  # fmt: skip
     assert [contour[k] for k in ("a", "b", "closed")] == [0, 0, True]
     assert contour["scale_a"] == pytest.approx(10.0)
