@@ -31,10 +31,8 @@ LINES = [
 
 
 def pairs_of(*paths, curves=True):
-    pairs, _ = match_all(
-        [drawing(p, attributes=EVENODD) for p in paths], Settings(curves=curves, motion="linear")
-    )
-    return pairs
+    settings = Settings(curves=curves, motion="linear", strokes="keep")
+    return match_all([drawing(p, attributes=EVENODD) for p in paths], settings)[0]
 
 
 def line(outline):
