@@ -2,6 +2,7 @@
 
 import ast
 import os
+import re
 import sys
 import tomllib
 from collections import Counter
@@ -233,6 +234,18 @@ def test_names_of_files_say_which_one_is_meant():
     found = Counter(file.name for file in SOURCES if file.parent != PACKAGE / "cli")
     twice = {name for name, count in found.items() if count > 1}
     assert_none(twice ^ REPEATED, "give one of them another name, or take it off the list")
+
+
+def test_the_map_for_newcomers_names_files_where_they_are():
+    wrong = set()
+    for row in (PACKAGE.parent / "CONTRIBUTING.md").read_text("utf-8").splitlines():
+        folder = PACKAGE
+        for name in re.findall(r"`([\w/]+(?:/|\.(?:py|js|css|html)))`", row if row.startswith("| ") else ""):
+            if "/" in name:
+                folder = (PACKAGE / name).parent if "." in name else PACKAGE / name
+            if not any((around / Path(name).name).exists() for around in (folder, folder.parent, PACKAGE)):
+                wrong.add(f"{name} in: {row[:60]}")
+    assert_none(wrong, "name the file that it is in now")
 
 
 def lines_of(file):
