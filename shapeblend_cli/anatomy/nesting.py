@@ -53,16 +53,21 @@ def nest(polygons: Sequence[Polygon], rule: str, exterior_orientation: int = 1) 
 
     boxes = [polygon.box for polygon in polygons]
     table = _Polygons.of(polygons, boxes)
-    windings = [
-        tuple(map(table.around, _both_sides(polygon, box, sign)))
-        for polygon, box, sign in zip(polygons, boxes, signs, strict=True)
-    ]
-    painted = [tuple(_painted(side.numbers.sum(axis=0), rule) for side in both) for both in windings]
-    is_hole = [bool((~inside & outside).sum() > (inside & ~outside).sum()) for inside, outside in painted]
-    exterior = tuple(
-        _smallest_around(inside, is_hole, boxes) if hole else None
-        for (inside, _), hole in zip(windings, is_hole, strict=True)
-    )
+    first: dict[bytes, int] = {}
+    # Of contours that are drawn again and again, one is looked at.
+    copied = [first.setdefault(polygon.vertices.tobytes(), k) for k, polygon in enumerate(polygons)]
+    windings = {
+        k: tuple(map(table.around, _both_sides(polygons[k], boxes[k], signs[k]))) for k in first.values()
+    }
+    painted = {
+        k: tuple(_painted(side.numbers.sum(axis=0), rule) for side in both) for k, both in windings.items()
+    }
+    hollow = {
+        k: bool((~inside & outside).sum() > (inside & ~outside).sum())
+        for k, (inside, outside) in painted.items()
+    }
+    is_hole = [hollow[k] for k in copied]
+    exterior = tuple(_smallest_around(windings[k][0], is_hole, boxes) if hollow[k] else None for k in copied)
     reverse = [
         sign == (-exterior_orientation if parent is None else exterior_orientation)
         for sign, parent in zip(signs, exterior, strict=True)
@@ -71,8 +76,8 @@ def nest(polygons: Sequence[Polygon], rule: str, exterior_orientation: int = 1) 
     paints_the_same = {
         new: all(
             np.array_equal(_painted(factors[side.polygons] @ side.numbers, new), paint)
-            for both, paints in zip(windings, painted, strict=True)
-            for side, paint in zip(both, paints, strict=True)
+            for k, both in windings.items()
+            for side, paint in zip(both, painted[k], strict=True)
         )
         for new in ("nonzero", "evenodd")
     }

@@ -161,11 +161,16 @@ class _Side:
     def alike(self, some: Sequence[int], others: Sequence[int]) -> tuple[BoolArray, BoolArray]:
         """Return which contours are of one size, role and kind of paint in one contour, and which of one paint."""
         described, parent = self.described, self.structure.parent
-        kinds = [(c.role, c.style.fill is None, c.style.stroke is None) for c in described.contours]
+        codes: dict[object, int] = {}
+        kinds = np.array(
+            [
+                codes.setdefault((c.role, c.style.fill is None, c.style.stroke is None, around), len(codes))
+                for c, around in zip(described.contours, parent, strict=True)
+            ]
+        )
         sizes = np.log([np.abs(described.boxes.halves) + 1e-300, np.sqrt(described.areas) + 1e-300])
         apart = np.abs(sizes[:, some, None] - sizes[:, None, others]).max(axis=0)
-        same = [[(kinds[i], parent[i]) == (kinds[j], parent[j]) for j in others] for i in some]
-        alike = np.array(same, np.bool_).reshape(len(some), len(others)) & (apart <= np.log(KIN_SIZE))
+        alike = (kinds[some][:, None] == kinds[others]) & (apart <= np.log(KIN_SIZE))
         return alike, (described.paint[some][:, None] == described.paint[others]).all(axis=(2, 3))
 
     def boxes_of(self, parts: Sequence[int]) -> Boxes:
@@ -291,7 +296,9 @@ class Pairing:
             side.alike(some, [pair[k] for pair in pairs])
             for k, (side, some) in enumerate(((self.a, rows), (self.b, columns)))
         )
-        return np.array((kin_a[:, None] & kin_b & (same_a[:, None] == same_b)).any(axis=2))
+        both = (kin_a & same_a).astype(np.float32) @ (kin_b & same_b).astype(np.float32).T
+        neither = (kin_a & ~same_a).astype(np.float32) @ (kin_b & ~same_b).astype(np.float32).T
+        return np.array(both + neither > 0.0)
 
     def _inside_partners(self, rows: Sequence[int], columns: Sequence[int]) -> BoolArray:
         """Return which contours may be partners: not holes in exteriors that have other partners."""

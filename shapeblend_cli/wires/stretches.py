@@ -41,6 +41,9 @@ WATCHED = 32
 LEAST_WATCHED = 0.15
 """Minimum share of these points that lie on outlines of B."""
 
+MOST_DISTANCES = 50_000_000
+"""Maximum number of pairs of vertices, one of each drawing: seconds. Larger drawings are taken to share nothing."""
+
 LEAST_OF_SHORTER = 0.6
 """Minimum length of all stretches, as a share of the length of the shorter set of outlines."""
 
@@ -100,6 +103,8 @@ def mostly_shared(a: Outlines, b: Outlines, diagonal: float | None = None) -> Sh
     """
     if diagonal is None:
         diagonal = Box.union([flat.polygon.box for flat in (*a, *b)]).diagonal
+    if not _is_affordable(a, b):
+        return None
     watched = np.concatenate([thin(flat.polygon.vertices, WATCHED) for flat in a])
     if _near_any(watched, b, TOLERANCE * diagonal).mean() < LEAST_WATCHED:
         return None
@@ -113,6 +118,8 @@ def mostly_shared(a: Outlines, b: Outlines, diagonal: float | None = None) -> Sh
 def shared_stretches(a: Outlines, b: Outlines, diagonal: float) -> Shared:
     """Return the stretches that outlines of two drawings share."""
     distance = TOLERANCE * diagonal
+    if not _is_affordable(a, b):
+        return Shared((a, b), (), distance)
     found = [
         stretch
         for i, j in _candidates(a, b, distance)
@@ -128,6 +135,11 @@ def shared_stretches(a: Outlines, b: Outlines, diagonal: float) -> Shared:
             for some in beside:
                 some.append(stretch)
     return Shared((a, b), kept, distance)
+
+
+def _is_affordable(a: Outlines, b: Outlines) -> bool:
+    counts = [sum(len(outline.polygon.vertices) for outline in side) for side in (a, b)]
+    return counts[0] * counts[1] <= MOST_DISTANCES
 
 
 def _candidates(a: Outlines, b: Outlines, distance: float) -> list[tuple[int, int]]:

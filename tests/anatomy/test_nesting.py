@@ -3,7 +3,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from shapeblend_cli.anatomy import nesting
 from shapeblend_cli.anatomy.nesting import nest
+from shapeblend_cli.geometry import raster
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import reverse_polygon, winding_numbers
 from tests.support.contours import circle_contour, polygon_contour
@@ -44,6 +46,16 @@ def square(x, y, size, step=1):
 def test_roles_are_told_by_the_fill_rule(squares, rule, exterior, is_reversed, new_rule, any_rule):
     polygons = [square(*each) for each in squares]
     assert nest(polygons, rule) == (tuple(exterior), tuple(map(bool, is_reversed)), new_rule, any_rule)
+
+
+def test_of_contours_drawn_again_and_again_one_is_looked_at(monkeypatch):
+    looked = []
+    monkeypatch.setattr(
+        nesting, "winding_table", lambda *given: looked.append(1) or raster.winding_table(*given)
+    )
+    squares = [square(0, 0, 9)] * 50 + [square(3, 3, 3)] * 50
+    assert nest(squares, "evenodd").exterior == (None,) * 100
+    assert len(looked) == 4
 
 
 def test_a_pentagram_keeps_its_rule():

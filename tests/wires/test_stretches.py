@@ -4,6 +4,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
+from shapeblend_cli.wires import stretches
 from shapeblend_cli.wires.stretches import mostly_shared, shared_stretches
 from tests.support.contours import polygon_contour
 
@@ -54,3 +55,9 @@ def test_each_stretch_belongs_to_one_outline_of_several():
     shared = mostly_shared([beside, SQUARE], [NOTCHED, beside])
     assert [stretch.outlines for stretch in shared.stretches] == [(0, 1), (1, 0)]
     assert mostly_shared([SQUARE], [beside]) is None
+
+
+def test_drawings_of_too_many_vertices_are_not_searched(monkeypatch):
+    monkeypatch.setattr(stretches, "MOST_DISTANCES", 15)
+    assert mostly_shared([SQUARE], [SQUARE]) is None
+    assert not shared_stretches([SQUARE], [SQUARE], 15.0).stretches

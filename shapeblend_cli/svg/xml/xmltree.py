@@ -28,6 +28,8 @@ _OTHER_FORMATS = {
     b"%!PS": "a PostScript document",
     b"PK\x03\x04": "a zip archive",
 }
+_GZIP = b"\x1f\x8b"
+_UTF_32 = (b"\xff\xfe\0\0", b"\0\0\xfe\xff", b"<\0\0\0", b"\0\0\0<")
 # Their first bytes tell UTF-16 apart even where the byte order mark is missing.
 _UTF_16 = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"<\x00": "utf-16-le", b"\x00<": "utf-16-be"}
 # Expat knows no encoding of more than one byte a character but UTF-8 and UTF-16; Python does.
@@ -107,8 +109,10 @@ def parse(data: bytes) -> Node:
 
 def _unpack(data: bytes) -> bytes:
     """Return `data` decompressed; raise a Problem if it cannot be XML."""
-    if data.startswith(b"\x1f\x8b"):
+    if data.startswith(_GZIP):
         data = _gunzip(data)
+        if data.startswith(_GZIP):
+            raise Problem("this is compressed twice; compressed once, or not at all, it would work")
     if len(data) > MAX_BYTES:
         raise Problem(f"larger than {_MEGABYTES} MB, the limit")
     if not data.strip():
@@ -116,6 +120,8 @@ def _unpack(data: bytes) -> bytes:
     for magic, name in _OTHER_FORMATS.items():
         if data.startswith(magic):
             raise Problem(f"this is {name}; an SVG file would work")
+    if data.startswith(_UTF_32):
+        raise Problem("this is text in UTF-32; saved in UTF-8 it would work")
     return data
 
 

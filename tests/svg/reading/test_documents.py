@@ -67,6 +67,9 @@ REFUSED = {
     "only text": (b"<svg><text>a</text></svg>", "no painted shape: text left out"),
     "only definitions": (b"<svg><defs><path/></defs></svg>", "1 shape in defs, symbols, clip paths"),
     "damaged gzip": (gzip.compress(PLAIN)[:-20], "compressed data is damaged or cut short"),
+    "gzip in gzip": (gzip.compress(gzip.compress(PLAIN)), "this is compressed twice"),
+    "UTF-32": (PLAIN.decode().encode("utf-32"), "this is text in UTF-32; saved in UTF-8 it would work"),
+    "UTF-32 without a mark": (PLAIN.decode().encode("utf-32-be"), "this is text in UTF-32"),
     "not gzip": (b"\x1f\x8b nothing", "compressed data is damaged"),
     "unknown encoding": (
         XML % b"klingon" + b"<svg/>",
