@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from shapeblend_cli.blending.expanded import with_outlines
 from shapeblend_cli.blending.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
@@ -71,7 +72,7 @@ def blend_shapes(
             inlaid = with_inlays(_moved(paired, *match_pairs(paired), view), plates, view)
             if inlaid is not None:
                 return tuple(inlaid)
-        paired = pair_drawings(a, b, settings, 0.0, progress)
+        paired = pair_drawings(*with_outlines(a, b, settings, view), settings, 0.0, progress)
         return _moved(paired, *match_pairs(paired), view)
 
     if lines is None:

@@ -24,7 +24,10 @@ if TYPE_CHECKING:
     from shapeblend_cli.pens.region import Recovered
 
 CURVE_POINTS = 12
-"""Points on each curved segment of a stroke."""
+"""Minimum number of points on each curved segment of a stroke."""
+
+CURVE_STEP = 1.0
+"""Maximum distance of these, in units."""
 
 LONGEST = 800.0
 """Maximum length of a line, in units: what goes far beyond its viewBox is no icon, and would take gigabytes."""
@@ -70,7 +73,7 @@ def pen_drawing(drawing: PlacedDrawing, scale: float) -> PenDrawing:
         clipped = bool(drawing.drawing.shapes[members[0].shape].clips)
         found: list[PenLine] | None = None
         if style.fill is None and style.stroke is not None and not clipped:
-            found = [_stroke(contour, scale) for contour in members]
+            found = [file_line(contour, scale) for contour in members]
             if max(line.length for line in found) > LONGEST:
                 found = None
         elif style.stroke is None and style.fill is not None and not clipped:
@@ -91,9 +94,9 @@ def pen_drawing(drawing: PlacedDrawing, scale: float) -> PenDrawing:
     )
 
 
-def _stroke(contour: PlacedContour, scale: float) -> PenLine:
+def file_line(contour: PlacedContour, scale: float) -> PenLine:
     """Return a stroke as a line."""
-    points = _flat(contour.contour) * scale
+    points = _flat(contour.contour, scale) * scale
     closed = contour.contour.closed or (len(points) > 3 and bool(abs(points[0] - points[-1]) < 1e-6))
     if closed and len(points) > 1 and abs(points[0] - points[-1]) < 1e-6:
         points = points[:-1]
@@ -104,11 +107,12 @@ def _stroke(contour: PlacedContour, scale: float) -> PenLine:
     )
 
 
-def _flat(path: CubicPath) -> ComplexArray:
+def _flat(path: CubicPath, scale: float) -> ComplexArray:
     """Return the points of a chain: the nodes, and on curves some between them."""
+    counts = np.ceil(cubics.lengths(path.segments) * scale / CURVE_STEP).clip(CURVE_POINTS, LONGEST)
     parts = [
-        segment[:1] if straight else cubics.evaluate(segment, np.arange(CURVE_POINTS) / CURVE_POINTS)
-        for segment, straight in zip(path.segments, path.straight, strict=True)
+        segment[:1] if straight else cubics.evaluate(segment, np.arange(count) / count)
+        for segment, straight, count in zip(path.segments, path.straight, counts, strict=True)
     ]
     points = np.concatenate([*parts, path.segments[-1:, 3]])
     return points[np.append(True, np.abs(np.diff(points)) > 1e-9)]

@@ -1,0 +1,56 @@
+"""Strokes that become fills, and fills that become strokes."""
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.frames.frames import frame_at, shapes_at
+from shapeblend_cli.svg.writing.document import frame_svg
+from tests.pens.test_line_blends import blend
+from tests.support.drawings import drawing
+from tests.support.pictures import difference, pixels
+
+SOLID = '<path d="M12 2L22 20H2Z"/>'
+STROKES = {
+    "ring": ("M12 5L19 18H5Z", 'stroke-linejoin="round"'),
+    "sharp ring": ("M12 6L18 18H6Z", 'stroke-miterlimit="10"'),
+    "curve": ("M4 18C4 4 20 4 20 18", 'stroke-linecap="round"'),
+    "angle": ("M4 12L9 18L20 6", 'stroke-linecap="square" stroke-linejoin="bevel"'),
+    "circle": ("M12 4A8 8 0 1 0 12 20A8 8 0 1 0 12 4Z", ""),
+}
+
+
+def stroke(name):
+    path, more = STROKES[name]
+    return f'<path d="{path}" fill="none" stroke="#000" stroke-width="2.5" {more}/>'
+
+
+def picture(pair, t, *, as_drawn=False):
+    return pixels(frame_svg(frame_at(pair, t, as_drawn=as_drawn), 3))
+
+
+@pytest.mark.parametrize("name", STROKES)
+@pytest.mark.parametrize("backwards", [False, True])
+def test_a_stroke_and_a_fill_meet_without_grey(name, backwards):
+    pair = blend(*[drawing(stroke(name)), drawing(SOLID)][:: -1 if backwards else 1])
+    end = 1.0 if backwards else 0.0
+    for t in (0.25, 0.5, 0.75):
+        assert all(p.style.fill and p.style.fill_opacity == 1.0 for p in shapes_at(pair, t))
+    assert difference(picture(pair, end, as_drawn=True), picture(pair, abs(end - 1e-4))) < 0.01
+
+
+def test_the_hole_of_a_ring_is_a_hole_all_the_way():
+    for drawings in ((stroke("ring"), SOLID), (SOLID, stroke("ring"))):
+        pair = blend(*map(drawing, drawings))
+        middle = picture(pair, 0.5)[120:150, 110:130]
+        assert middle.max() > 200
+
+
+def test_strokes_stay_strokes_where_that_is_asked_for_or_the_other_drawing_has_some():
+    kept = blend(drawing(stroke("ring")), drawing(SOLID), strokes="keep")
+    assert any(shape.style_a.stroke for shape in kept.shapes)
+    both = blend(drawing(stroke("ring")), drawing(SOLID, stroke("curve")))
+    assert any(shape.style_a.stroke for shape in both.shapes)
+    crossing = '<path d="M2 2L20 20H2L20 2" fill="none" stroke="#000" stroke-dasharray="3 2"/>'
+    dashed = blend(drawing(crossing), drawing(SOLID))
+    assert any(shape.style_a.stroke_dasharray for shape in dashed.shapes)
+    assert all(np.isfinite(path.segments).all() for p in shapes_at(dashed, 0.5) for path in p.paths)
