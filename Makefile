@@ -28,7 +28,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz mutants bench bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge judge-weights pictures studio options api install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz mutants bench bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui judge-weights pictures studio options api install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -144,6 +144,9 @@ judge-weights: install ## fit the weights of `shapeblend judge` to graded strips
 
 bench-judge: install npm ## count the pairs for which the judge chooses the blend that was graded best by eye
 	$(BIN)/python -m tools.quality judge --print
+
+bench-ui: install ## draw and grade the transitions of icons in docs/icons, or in the folder UI, as a page and a table
+	$(BIN)/python -m tools.icons $(UI)
 
 clean: ## remove what the other targets made, except the pictures in docs
 	rm -rf $(VENV) build dist out *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis .benchmarks

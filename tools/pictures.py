@@ -20,7 +20,7 @@ from PIL import Image
 from shapeblend_cli.cli import run
 from shapeblend_cli.outputs.contact_sheet import contact_sheet
 from shapeblend_cli.outputs.pixels import Size
-from tools import judge_examples
+from tools import icons, judge_examples
 from tools.quality.data import ROOT, icon_pairs
 from tools.quality.peers import flubber, shapeblend
 
@@ -179,6 +179,9 @@ def pictures() -> dict[str, Callable[[], bytes]]:
     for name, every in GALLERY.items():
         for k, number in enumerate(range(0, len(icon_pairs(name)), every), 1):
             found[f"gallery/icons-{name}-{k}.png"] = partial(beside_flubber, name, number)
+    for name in icons.SETS:
+        found[f"icons/{name}.webp"] = partial(icons.moving_sheet, name)
+        found[f"icons/{name}.png"] = partial(icons.still_sheet, name)
     for page in ("paper.md", "plots.md"):
         found |= {link: partial(written, words, Path(link).name) for link, words in shown(page).items()}
     for link, files, options in CORRECTED.findall((DOCS / "studio.md").read_text("utf-8")):

@@ -66,7 +66,10 @@ STUB = 0.2
 TURNS_OFF = 0.9
 """Minimum angle between two tails, in radians, for one to be drawn back before the other is drawn on."""
 
-SMOOTH = 0.03
+EXACT = 0.012
+"""Tolerance of lines at both ends, in units: a quarter of a pixel where 24 units are 512."""
+
+SMOOTH = 0.04
 """Tolerance of lines that are drawn on or back, in units. An animation has a waypoint for each of their vertices."""
 
 SHORT = 1.5
@@ -276,7 +279,7 @@ def alike(a: ComplexArray, b: ComplexArray) -> tuple[ComplexArray, ComplexArray]
         squares = np.abs(p - q) ** 2
         tries.append((float((steps * (squares[1:] + squares[:-1])).sum()), p, q))
     _, p, q = min(tries, key=lambda each: each[0])
-    keep = needed(p, 0.008) | needed(q, 0.008) | needed((p + q) / 2.0, 0.02)
+    keep = needed(p, EXACT) | needed(q, EXACT) | needed((p + q) / 2.0, SMOOTH)
     return p[keep], q[keep]
 
 

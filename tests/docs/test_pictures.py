@@ -23,8 +23,15 @@ NEAR = 0.3
 MOST_BYTES = 100_000
 
 
+def every_frame(data):
+    image = Image.open(io.BytesIO(data))
+    for k in range(getattr(image, "n_frames", 1)):
+        image.seek(k)
+        yield np.asarray(image.convert("RGB"))
+
+
 def differ(p, q):
-    p, q = (np.asarray(Image.open(io.BytesIO(data)).convert("RGB"), float) for data in (p, q))
+    p, q = (np.array([*every_frame(data)], float) for data in (p, q))
     assert p.shape == q.shape
     return float(np.abs(p - q).mean())
 
@@ -34,7 +41,7 @@ def test_a_picture_is_what_is_drawn(name):
     if name.startswith("gallery/"):
         require("flubber")
     drawn, kept = PICTURES[name](), (DOCS / name).read_bytes()
-    if name.endswith(".png"):
+    if name.endswith((".png", ".webp")):
         assert differ(drawn, kept) < NEAR
         return
     drawn, kept = drawn.decode(), kept.decode()
@@ -55,7 +62,9 @@ def test_every_picture_is_drawn_by_a_target_and_shown_by_a_page():
     linked = {(page.parent / link).resolve() for page in pages for link in links[page]}
     drawn = {DOCS / name for name in {*PICTURES} | OF_THE_STUDIO}
     drawings = {*(DOCS / "studio").glob("*.svg"), *(DOCS / "moving" / "drawings").glob("*.svg")}
-    assert linked == drawn == {*DOCS.rglob("*.png"), *DOCS.rglob("*.svg")} - drawings
+    drawings |= {*(DOCS / "icons").glob("*/*.svg")}
+    every = {file for kind in ("png", "svg", "webp") for file in DOCS.rglob(f"*.{kind}")}
+    assert linked == drawn == every - drawings
 
 
 def test_pictures_are_small_and_animations_load_nothing():

@@ -1,8 +1,12 @@
 """How lines join up, split, are pressed flat and crossed out."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+from shapeblend_cli.frames.frames import frame_at, shapes_at
+from shapeblend_cli.grading.painting import picture
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.motion.pen import Turning, between
 from shapeblend_cli.options.settings import Settings
@@ -10,6 +14,7 @@ from shapeblend_cli.pens.drawings import file_lines
 from shapeblend_cli.pens.moves import BECOMES, DRAWN_BACK, DRAWN_ON, STAYS
 from shapeblend_cli.pens.splits import COPY
 from shapeblend_cli.pipeline import match_all
+from shapeblend_cli.svg.reading.read import read
 from tests.support.drawings import drawing
 
 TIMES = [k / 10 for k in range(11)]
@@ -138,3 +143,26 @@ def test_lines_on_fills_of_other_colours_go_along_with_these():
     block = f'<path d="{BLOCK}" fill="#fc0"/>'
     shapes = shapes_of(*(drawing(block, f'<path d="{path}"/>') for path in (WAVES, CROSS)))
     assert BECOMES not in [shape.reason for shape in shapes]
+
+
+ICONS = Path(__file__).parents[2] / "docs" / "icons"
+LUCIDE = [("menu", "x"), ("eye", "eye-off"), ("search", "x"), ("play", "pause"), ("log-in", "log-out")]
+
+
+@pytest.mark.parametrize("names", LUCIDE, ids="-to-".join)
+def test_line_weight_along_every_centre_line_is_that_of_the_ends(names):
+    (pair,), _ = match_all([read(str(ICONS / "lucide" / f"{name}.svg")) for name in names], Settings())
+    for t in np.linspace(0.0, 1.0, 13)[1:-1]:
+        painted = [shape for shape in shapes_at(pair, t) if shape.style.stroke_opacity > 0.0]
+        assert {shape.style.fill for shape in painted} == {None}
+        assert [shape.style.stroke_width for shape in painted] == pytest.approx(
+            [2.0] * len(painted), rel=0.03
+        )
+
+
+@pytest.mark.parametrize("names", LUCIDE, ids="-to-".join)
+def test_little_changes_in_the_first_and_the_last_thousandth(names):
+    (pair,), _ = match_all([read(str(ICONS / "lucide" / f"{name}.svg")) for name in names], Settings())
+    for end, near in ((0.0, 1e-3), (1.0, 1.0 - 1e-3)):
+        pictures = [picture(frame_at(pair, t, as_drawn=True).shapes, pair.views[0])[3] for t in (end, near)]
+        assert np.mean(np.abs(pictures[0] - pictures[1]) > 0.25) < 0.002
