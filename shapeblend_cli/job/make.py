@@ -62,18 +62,16 @@ def blend_files(
     note: Callable[[str], None],
     warn: Callable[[str], None],
     progress: Callable[[float], None],
-    sources: Mapping[str, bytes] = MappingProxyType({}),
 ) -> Run:
     """Read files, blend each with the next, and write all outputs or none.
 
-    Files among the `sources` have these contents, and are not opened.
     `note` takes what the user should know, a line at a time, and `warn` what even one who wants to read little should;
     `progress` takes the share of the matching that is done, 0 to 1.
     """
     check_libraries(job)
     check_files_of(job)
     clock = Clock()
-    made = make(job, clock, note, progress, sources)
+    made = make(job, clock, note, progress)
     write(job, made.contents, warn, made.standard_output)
     clock.lap("write")
     return made.run
@@ -110,7 +108,7 @@ def make(
 ) -> Made:
     """Read files, blend each with the next, and return the outputs; see `blend_files` for the parameters.
 
-    Drawings and steps in `kept` are not made again.
+    Files among the `sources` have these contents, and are not opened. Drawings and steps in `kept` are not made again.
     """
     notes: list[str] = []
 

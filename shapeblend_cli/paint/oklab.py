@@ -77,30 +77,24 @@ def blend_in_srgb(a: str, b: str, t: float) -> str:
     return "#" + bytes(round((1.0 - t) * p + t * q) for p, q in pairs).hex()
 
 
-def colour_stops(a: str, b: str, opacity_a: float = 1.0, opacity_b: float = 1.0) -> list[str]:
+def colour_stops(a: str, b: str) -> list[str]:
     """Return two colours or more at even times, between which each channel may be interpolated by itself.
 
-    SMIL and CSS do that, and so deviate from OKLab. The number of colours is the least that keeps the deviation within
-    `TOLERANCE`; with transparent paint less of it is seen.
+    SMIL and CSS do that, and so deviate from OKLab; the number of colours is the least that keeps to `TOLERANCE`.
 
     Examples
     --------
     >>> colour_stops("#336699", "#336699")
     ['#336699', '#336699']
     """
-
-    def colour(t: float) -> str:
-        return blend_colours(a, b, t, opacity_a, opacity_b)
-
     for gaps in range(1, _MOST_GAPS + 1):
-        stops = [colour(k / gaps) for k in range(gaps + 1)]
+        stops = [blend_colours(a, b, k / gaps) for k in range(gaps + 1)]
         if gaps == _MOST_GAPS or len(set(stops)) == 1:
             break
         if all(
-            _is_near(blend_in_srgb(p, q, k / _PROBES), colour(t), (1.0 - t) * opacity_a + t * opacity_b)
+            _is_near(blend_in_srgb(p, q, k / _PROBES), blend_colours(a, b, (gap + k / _PROBES) / gaps))
             for gap, (p, q) in enumerate(pairwise(stops))
             for k in range(1, _PROBES)
-            for t in [(gap + k / _PROBES) / gaps]
         ):
             break
     return stops
@@ -115,9 +109,9 @@ def _share_of_b(t: float, opacity_a: float, opacity_b: float) -> float:
     return t * opacity_b / ((1.0 - t) * opacity_a + t * opacity_b)
 
 
-def _is_near(a: str, b: str, opacity: float) -> bool:
+def _is_near(a: str, b: str) -> bool:
     steps = max(abs(p - q) for p, q in zip(bytes.fromhex(a[1:]), bytes.fromhex(b[1:]), strict=True))
-    return opacity * steps <= STEPS or opacity * math.dist(_oklab(a), _oklab(b)) <= TOLERANCE
+    return steps <= STEPS or math.dist(_oklab(a), _oklab(b)) <= TOLERANCE
 
 
 def _is_grey(colour: str) -> bool:
@@ -133,7 +127,7 @@ def _oklab(colour: str) -> tuple[float, ...]:
 
 @cache
 def _spaces() -> tuple[sRGB, sRGBLinear, Oklab]:
-    with _without_package("coloraide"):
+    with _without_package():
         from coloraide.spaces.oklab import Oklab
         from coloraide.spaces.srgb import sRGB
         from coloraide.spaces.srgb_linear import sRGBLinear
@@ -141,12 +135,13 @@ def _spaces() -> tuple[sRGB, sRGBLinear, Oklab]:
 
 
 @contextmanager
-def _without_package(name: str) -> Iterator[None]:
-    """Import modules of a package without its own ``__init__``.
+def _without_package() -> Iterator[None]:
+    """Import modules of coloraide without its own ``__init__``.
 
-    coloraide's imports every colour space, which takes 70 ms; the three needed here take 8. Meanwhile an empty package
+    That imports every colour space, which takes 70 ms; the three needed here take 8. Meanwhile an empty package
     stands in for it, so that a later import of coloraide gets the real one.
     """
+    name = "coloraide"
     spec = None if name in sys.modules else importlib.util.find_spec(name)
     if spec is None or spec.submodule_search_locations is None:
         yield
