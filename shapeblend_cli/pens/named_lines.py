@@ -57,6 +57,8 @@ def required_lines(
     b_to_a = drawings[1].to_a
     for match in settings.match:
         points: list[complex | None] = [None, None]
+        if any(map(_is_outline, map(str, match), lines, drawings)):
+            return None
         if not isinstance(match[0], str):
             points = [complex(match[0]), b_to_a.point(complex(match[1]))]
         found = [
@@ -80,6 +82,13 @@ def required_lines(
             pairs.setdefault((near[0], near[1]), []).append((ends[0] * scale, ends[1] * scale))
     left = settings.replace(match=tuple(matches), pins=tuple(pins)) if pairs else settings
     return Required(pairs, left)
+
+
+def _is_outline(name: str, lines: Lines, drawing: PlacedDrawing) -> bool:
+    """Return whether a name is the number of a contour that is not a line, but one edge of a line, as of a ring."""
+    count = sum(len(shape.contours) for shape in drawing.drawing.shapes)
+    names = {part for line in lines for part in (*line.name.split("+"), str(line.contour))}
+    return name.isdigit() and int(name) < count and name not in names
 
 
 def _named(name: str, lines: Lines, drawing: PlacedDrawing) -> int | None:
