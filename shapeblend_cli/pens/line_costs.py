@@ -191,7 +191,7 @@ def _half(line: PenLine, piece: ComplexArray, target: PenLine) -> Half:
         return Half(cost, piece, one, other)
     whole, chord = target.length, abs(piece[-1] - piece[0])
     share = min(max(chord / (length(piece) + chord), 0.1), 0.5)
-    way = (piece[0] + piece[-1]) / 2.0 - piece.mean()
+    way = (piece[0] + piece[-1]) / 2.0 - evenly(piece, PRESSED_STEP).mean()
     ring = target.part(0.0, 0.0)
     # Of a straight side that faces the cut, the middle.
     facing = np.linspace(0.0, whole, 65)[:-1]

@@ -254,7 +254,7 @@ def becoming(p: PenLine, q: PenLine, a: ComplexArray, b: ComplexArray) -> Move:
     return Move(p, q, Pen((Straight(a, b),), closed=True), BECOMES)
 
 
-def alike(a: ComplexArray, b: ComplexArray) -> tuple[ComplexArray, ComplexArray]:
+def alike(a: ComplexArray, b: ComplexArray, *, by_corners: bool = True) -> tuple[ComplexArray, ComplexArray]:
     """Return two polylines with as many vertices: corners go to corners, else even lengths to even lengths."""
     a, b = (np.repeat(each, 2) if len(each) == 1 else each for each in (a, b))
     sizes = length(a), length(b)
@@ -264,7 +264,7 @@ def alike(a: ComplexArray, b: ComplexArray) -> tuple[ComplexArray, ComplexArray]
         shares = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(long)))]) / max(length(long), 1e-12)
         shares = shares if length(long) > 1e-9 else line
         return at(a, shares * sizes[0]), at(b, shares * sizes[1])
-    bends = corners(a), corners(b)
+    bends = (corners(a), corners(b)) if by_corners else ([], [])
     knots = _matched_corners(*bends)
     own = [
         np.concatenate([[0.0], np.cumsum(np.abs(np.diff(each)))]) / size

@@ -109,7 +109,7 @@ def splitting(line: PenLine, targets: Sequence[PenLine], *, joins: bool) -> list
             ends = (half.target, half.ends) if joins else (half.ends, half.target)
             moves.append(becoming(*pair, *ends)._replace(reason=COPY))
             continue
-        ends = alike(half.ends, half.target)
+        ends = alike(half.ends, half.target, by_corners=False)  # both sides alike
         before, after = (target, line) if joins else (line, target)
         shares = (1.0, 0.0) if joins else (0.0, 1.0)
         first, last = (Drawing(smooth(tail), *shares) for tail in half.tails)

@@ -166,3 +166,9 @@ def test_little_changes_in_the_first_and_the_last_thousandth(names):
     for end, near in ((0.0, 1e-3), (1.0, 1.0 - 1e-3)):
         pictures = [picture(frame_at(pair, t, as_drawn=True).shapes, pair.views[0])[3] for t in (end, near)]
         assert np.mean(np.abs(pictures[0] - pictures[1]) > 0.25) < 0.002
+
+
+def test_halves_close_alike_above_and_below_however_the_vertices_lie():
+    shapes = shapes_of(pen("M6 3L9 4.93L13 7.5L16 9.43L20 12L6 21Z"), pen(PAUSE))
+    drawn = np.concatenate([line_at(shape, 0.5) for shape in shapes])
+    assert drawn.imag.max() + drawn.imag.min() == pytest.approx(24.0, abs=0.05)
