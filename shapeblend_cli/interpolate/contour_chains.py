@@ -42,6 +42,16 @@ class Key(NamedTuple):
             cuts = parametrize(contour, polygon).segment_positions(cuts)
         return cls(number, contour.segments, cuts)
 
+    @classmethod
+    def each_of(cls, blend: ContourBlend) -> list[Key]:
+        """Return the keys of both contours of a blend. Pen lines are cut at the vertices of their paths as it is."""
+        contours, numbers = (blend.contour_a, blend.contour_b), (blend.a, blend.b)
+        if any(blend.lines):
+            every = zip(numbers, contours, blend.cuts, strict=True)
+            return [cls(number, contour.segments, cuts) for number, contour, cuts in every]
+        polygons = blend.polygon_a, blend.polygon_b
+        return [cls.of(*each) for each in zip(numbers, contours, polygons, blend.cuts, strict=True)]
+
 
 class ContourChain(NamedTuple):
     """A contour over two keys or more."""
@@ -59,8 +69,7 @@ class ContourChain(NamedTuple):
             [blend.start.segments, *between, blend.end.segments],
             blend.start.straight,
             blend.start.closed,
-            Key.of(blend.a, blend.contour_a, blend.polygon_a, blend.cuts[0]),
-            Key.of(blend.b, blend.contour_b, blend.polygon_b, blend.cuts[1]),
+            *Key.each_of(blend),
         )
 
 

@@ -8,6 +8,7 @@ import pytest
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.frames.frames import frame_at, shapes_at
+from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pens.line_blends import FLIPPED, TURNED
@@ -203,3 +204,13 @@ def test_an_open_line_of_several_segments_is_inspected(here, capsys):
     assert run("inspect a.svg --json".split()) == 0
     (shape,) = json.loads(capsys.readouterr().out)["shapes"]
     assert [line["closed"] for line in shape["pen_lines"]] == [False]
+
+
+def test_dots_go_on_through_several_drawings():
+    dots = "M6 10.5A1.5 1.5 0 1 0 6 13.5A1.5 1.5 0 1 0 6 10.5Z M18 10.5A1.5 1.5 0 1 0 18 13.5A1.5 1.5 0 1 0 18 10.5Z"
+    bars = "M2 4H22V7H2Z M2 17H22V20H2Z"
+    drawings = [drawing(bars), drawing(dots), drawing(bars)]
+    pairs, _ = match_all(drawings, Settings(strokes="recover"))
+    assert any(len(contour.polygon_b.vertices) == 1 and contour.is_matched for contour in pairs[0].contours)
+    for shape in keyframed_shapes(pairs):
+        assert all(len(path.segments) for key in shape.keys for path in key.paths)
