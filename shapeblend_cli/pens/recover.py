@@ -11,6 +11,7 @@ The lines are drawn again, and kept only if that is the region. All lengths are 
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -208,28 +209,24 @@ def _cut_at_caps(
     else:
         start = int(np.flatnonzero(~rests)[0]) + 1
         run, rests = np.roll(run, -start), np.roll(rests, -start)
-    parts: list[_Stretch] = []
-    points: list[complex] = []
-    begin: str | None = None
-    k = 0
-    while k < len(run):
-        last = k
-        while last < len(run) - 1 and rests[last]:
-            last += 1
-        group = run[k : last + 1]
-        points.append(complex(centres[group].mean()))
-        normals = samples.normals[group]
-        if abs(float(np.angle(normals[1:] / normals[:-1]).sum())) > CAP_TURN:
-            parts.append(_Stretch(np.array(points), width, ends=(begin, "round")))
-            points, begin = [points[-1]], "round"
-        k = last + 1
-    if is_ring and not parts:
-        return [_Stretch(np.array(points), width, closed=True)]
+    # Where the centre rests, points are one; `starts` are their first ones.
+    starts = np.flatnonzero(np.append(True, ~rests[:-1]))
+    sums: ComplexArray = np.add.reduceat(centres[run], starts).astype(complex)
+    points = sums / np.diff(np.append(starts, len(run)))
+    normals = samples.normals[run]
+    steps = np.where(rests[:-1], np.angle(normals[1:] * normals[:-1].conj()), 0.0)
+    caps = np.flatnonzero(np.abs(np.add.reduceat(np.append(steps, 0.0), starts)) > CAP_TURN).tolist()
+    if is_ring and not caps:
+        return [_Stretch(points, width, closed=True)]
+    parts = [_Stretch(points[k : j + 1], width, ends=("round", "round")) for k, j in pairwise(caps)]
     if is_ring:
-        first = parts[0]
-        parts[0] = _Stretch(np.concatenate([points, first.points]), width, ends=(begin, first.ends[1]))
-    elif len(points) > 1:
-        parts.append(_Stretch(np.array(points), width, ends=(begin, None)))
+        around = np.concatenate([points[caps[-1] :], points[: caps[0] + 1]])
+        parts.insert(0, _Stretch(around, width, ends=("round", "round")))
+    elif caps:
+        parts.insert(0, _Stretch(points[: caps[0] + 1], width, ends=(None, "round")))
+        parts.append(_Stretch(points[caps[-1] :], width, ends=("round", None)))
+    else:
+        parts.append(_Stretch(points, width))
     return [part for part in parts if len(part.points) > 1]
 
 
@@ -244,7 +241,7 @@ def _edges(stretches: Sequence[_Stretch]) -> tuple[ComplexArray, ComplexArray, I
 def _once(stretches: Sequence[_Stretch]) -> list[_Stretch]:
     """Keep each stretch of centre line once, of both sides of the stroke: the longest first."""
     kept: list[_Stretch] = []
-    for one in sorted(stretches, key=lambda each: (not each.closed, -length(each.points))):
+    for one in sorted(stretches, key=lambda each: (not each.closed, -round(length(each.points), 3))):
         if not kept:
             kept.append(one)
             continue

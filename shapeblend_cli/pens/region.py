@@ -17,6 +17,13 @@ DISC = np.exp(2j * np.pi * np.arange(24) / 24.0) / np.sqrt(np.cos(np.pi / 24.0))
 """Vertices of a round cap or join of radius 1; the area is a circle's."""
 
 
+SLIGHT = 0.3
+"""Maximum turn at which a round join is drawn as a mitred one, in radians: it has no more than a hundredth beyond."""
+
+SHARPEST = np.radians(150.0)
+"""Maximum turn of a mitred join, in radians."""
+
+
 class Recovered(NamedTuple):
     """A recovered line: a polyline, whether it is closed, its width, and its cap and join as SVG names them."""
 
@@ -53,11 +60,13 @@ def nearest_edge(
     """Return the distance of each point from the nearest edge, and which one that is."""
     edges = ends - starts
     squares = np.maximum(edges.real**2 + edges.imag**2, 1e-300)
-    offsets = points[:, None] - starts
-    shares = np.clip((offsets * edges.conj()).real / squares, 0.0, 1.0)
-    distances = np.abs(offsets - shares * edges)
-    nearest = distances.argmin(axis=1)
-    return distances[np.arange(len(points)), nearest], nearest
+    x, y = points.real[:, None] - starts.real, points.imag[:, None] - starts.imag
+    shares = np.clip(x * (edges.real / squares) + y * (edges.imag / squares), 0.0, 1.0)
+    x -= shares * edges.real
+    y -= shares * edges.imag
+    away = x * x + y * y
+    nearest = away.argmin(axis=1)
+    return np.sqrt(away[np.arange(len(points)), nearest]), nearest
 
 
 def distance_ahead(
@@ -78,33 +87,36 @@ def distance_ahead(
 
 def stroke_edges(lines: Sequence[Recovered]) -> tuple[ComplexArray, ComplexArray]:
     """Return the starts and ends of the edges of polygons, wound alike, that cover what lines paint."""
-    polygons: list[ComplexArray] = []
-    for line in lines:
-        points = np.append(line.points, line.points[0]) if line.closed else line.points
-        reach = line.width / 2.0
-        points = points[np.append(True, np.abs(np.diff(points)) > 1e-9)]
-        ways = np.diff(points) / np.abs(np.diff(points))
-        polygons += [
-            np.array([p + 1j * way * reach, p - 1j * way * reach, q - 1j * way * reach, q + 1j * way * reach])
-            for p, q, way in zip(points[:-1], points[1:], ways, strict=True)
-        ]
-        before = np.roll(ways, 1) if line.closed else ways[:-1]
-        after = ways if line.closed else ways[1:]
-        for place, way, out in zip(points[:-1] if line.closed else points[1:-1], before, after, strict=True):
-            turn = float(np.angle(out / way))
-            if line.join == "round" or abs(turn) > np.radians(150.0):
-                polygons.append(place + reach * DISC)
-            elif abs(turn) > 1e-3:
-                side = -1j * np.sign(turn) * reach
-                tip = place + side * (way + out) / abs(way + out) / np.cos(turn / 2.0)
-                polygons.append(np.array([place, place + side * way, tip, place + side * out]))
-        if not line.closed and line.cap == "round":
-            polygons += [points[0] + reach * DISC, points[-1] + reach * DISC]
+    polygons = [each for line in lines for each in _polygons(line)]
     if not polygons:
         return np.zeros(0, complex), np.zeros(0, complex)
-    wound = [each if _area(each) > 0.0 else each[::-1] for each in polygons]
-    return np.concatenate(wound), np.concatenate([np.roll(each, -1) for each in wound])
+    starts, ends = [], []
+    for each in polygons:
+        following = np.concatenate([each[:, 1:], each[:, :1]], axis=1)
+        back = ((each.conj() * following).imag.sum(axis=1) < 0.0)[:, None]
+        starts.append(np.where(back, following, each).ravel())
+        ends.append(np.where(back, each, following).ravel())
+    return np.concatenate(starts), np.concatenate(ends)
 
 
-def _area(polygon: ComplexArray) -> float:
-    return float((polygon.conj() * np.roll(polygon, -1)).imag.sum())
+def _polygons(line: Recovered) -> list[ComplexArray]:
+    """Return the polygons of a line's edges, (n, 4), of mitred or slight corners, (n, 4), and discs, (n, 24)."""
+    points = np.append(line.points, line.points[0]) if line.closed else line.points
+    reach = line.width / 2.0
+    points = points[np.append(True, np.abs(np.diff(points)) > 1e-9)]
+    ways = np.diff(points) / np.abs(np.diff(points))
+    p, q, aside = points[:-1], points[1:], 1j * ways * reach
+    edges = np.stack([p + aside, p - aside, q - aside, q + aside], axis=1)
+    before, after = (np.roll(ways, 1), ways) if line.closed else (ways[:-1], ways[1:])
+    places = p if line.closed else points[1:-1]
+    turns = np.angle(after * before.conj())
+    is_round = np.abs(turns) > (SLIGHT if line.join == "round" else SHARPEST)
+    is_mitred = ~is_round & (np.abs(turns) > 1e-3)
+    place, way, out, turn = (each[is_mitred] for each in (places, before, after, turns))
+    side = -1j * np.sign(turn) * reach
+    tip = place + side * (way + out) / np.abs(way + out) / np.cos(turn / 2.0)
+    corners = np.stack([place, place + side * way, tip, place + side * out], axis=1)
+    centres = places[is_round]
+    if not line.closed and line.cap == "round":
+        centres = np.append(centres, points[[0, -1]])
+    return [edges, corners, centres[:, None] + reach * DISC]

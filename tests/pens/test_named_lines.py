@@ -52,9 +52,9 @@ def test_ids_name_the_lines_of_their_shapes():
 
 
 def test_pinned_points_meet():
-    pair = blend("ph-plus", "ph-check", pins=((40 + 128j, 40 + 144j), (128 + 128j, 96 + 200j)))
+    pair = blend("ph-plus", "ph-check", pins=((40 + 128j, 40 + 144j), (112 + 128j, 96 + 200j)))
     (line,) = [shape for shape in pair.shapes if shape.reason == REQUIRED]
-    vertex = np.abs(places(line, 0.0) - (128 + 128j)).argmin()
+    vertex = np.abs(places(line, 0.0) - (112 + 128j)).argmin()
     assert abs(places(line, 1.0)[vertex] - (96 + 200j)) < 3.0
 
 
