@@ -154,8 +154,9 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         default=(),
         many=True,
         section=SHAPES,
-        help="Pair two contours: a number or an id of A with a number or an id of B, or a point of A with a point of "
-        "B. A point chooses the innermost contour around it or, if there is none, the nearest contour.",
+        help="Pair two contours or pen lines, which inspect lists: a number or an id of A with a number or an id of B, "
+        "or a point of A with a point of B. A point chooses the nearest pen line, or the innermost contour around it, "
+        "or the nearest one.",
     )
     unmatched: str = option(
         types.choice("auto", "point", "split"),
@@ -202,8 +203,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         default="auto",
         section=IN_BETWEENS,
         help="Lines of a pen. auto: drawings made with a pen move as its lines, even if their strokes were expanded "
-        "into filled shapes; recover: every line that can be recovered moves so; keep: strokes and fills stay as they "
-        "are in the files.",
+        "into filled shapes, and strokes that meet fills become outlines; recover: every line that can be recovered "
+        "moves so; keep: strokes and fills stay as they are in the files.",
     )
     viewbox: str = option(
         types.choice("auto", "keep", "grow"),
