@@ -146,7 +146,7 @@ def path_of(place: Path) -> Path:
 def relative(batch: Sequence[str], home: Path) -> list[str]:
     """Return where jobs come from, a word and paths, as records in a folder have it."""
     word, *paths = batch
-    return [word, *(os.path.relpath(path, home) for path in paths)]
+    return [word, *(os.path.relpath(path or os.curdir, home) for path in paths)]
 
 
 def hashes_of(record: dict[str, Any]) -> list[Hashes]:

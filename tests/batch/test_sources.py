@@ -25,6 +25,12 @@ def test_a_chain_goes_from_each_drawing_to_the_next_in_natural_order(drawings, c
     assert len(planned(capsys, unquoted)) == 3
 
 
+def test_a_pattern_may_be_of_the_current_folder(drawings, batch, monkeypatch):
+    monkeypatch.chdir("in")
+    assert batch("--chain", "*.svg", "-o", "m/{n}.svg", "-j", "1")[0] == 0
+    assert len(list(Path("m").glob("*.svg"))) == 3
+
+
 def test_all_are_every_two(drawings, capsys):
     found = planned(capsys, ["--all", "in", "-o", "m/{n}.svg"])
     assert found == [f"m/{n}.svg" for n in range(1, 7)]

@@ -46,6 +46,21 @@ def meetings(count: int, where: Path) -> None:
     say(f"two runs at once: {count}")
 
 
+def batches(count: int, where: Path) -> None:
+    """Let two batches meet in one folder, the second one at a random moment of the first."""
+    rng = random.Random(18)
+    for _ in range(count):
+        runs.two_batches(rng.uniform(0.0, 1.0), where / "batches")
+    say(f"two batches at once: {count}")
+
+
+def foreign(count: int, where: Path) -> None:
+    """Run among folders of others that are called like stages, over all targets in turn."""
+    for k, name in zip(range(count), cycle(list(runs.TARGETS)), strict=False):
+        runs.foreign_folders(name, k // len(runs.TARGETS) % 2 == 0, where / "foreign")
+    say(f"folders of others that are called like stages: {count}")
+
+
 def errors(where: Path, expected: dict[str, runs.Expected]) -> None:
     """Let each change of each target meet an error of the disk."""
     for name, each in expected.items():
@@ -99,6 +114,8 @@ def main() -> None:
         expected = {name: runs.prepare(name, where / name) for name in runs.TARGETS}
         kills(count, where, expected)
         meetings(count, where)
+        batches(count // 10, where)
+        foreign(count // 4, where)
         errors(where, expected)
         namespaces(where)
     finally:

@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from shapeblend_cli import cli
+from shapeblend_cli.system.staging import Stage
 from tools.faults.aimed import strike_at
 
 ROOT = Path(__file__).parents[2]
@@ -306,3 +307,73 @@ def two_at_once(name: str, force: bool, where: Path) -> None:
         raise Fault(f"{statuses}, {said}")
     if not force and (sorted(statuses) != [0, 1] or found != whole[statuses.index(0)]):
         raise Fault(f"{statuses}, {said}")
+
+
+def batch_line(seconds: str) -> list[str]:
+    return ["batch", "--chain", "*.svg", "-o", "m/{n}.svg", "--duration", seconds, "-j", "1", *FEW]
+
+
+def begin_batch(where: Path) -> None:
+    begin(where)
+    (where / "c.svg").write_text(A.replace("H20", "H12"))
+
+
+def outputs(where: Path) -> dict[str, object]:
+    return {
+        name: data for name, data in state(where).items() if name.startswith("m/") and name.endswith(".svg")
+    }
+
+
+@cache
+def batch_alone(seconds: str, where: Path) -> dict[str, object]:
+    """Return what stands after a batch of its own."""
+    begin_batch(where)
+    done(run(batch_line(seconds), where))
+    return outputs(where)
+
+
+def two_batches(moment: float, where: Path) -> None:
+    """Start two batches with different options on one folder; what is there is that of one, and the other says so."""
+    begin_batch(where)
+    forks = [Fork(batch_line("2"), where)]
+    time.sleep(moment)
+    forks.append(Fork(batch_line("3"), where))
+    ended = [fork.wait() for fork in forks]
+    statuses = [process.returncode for process in ended]
+    whole = [batch_alone(seconds, where.with_name(where.name + ".alone")) for seconds in ("2", "3")]
+    if statuses == [0, 0]:  # one after the other
+        right = outputs(where) == whole[1]
+    else:
+        loser = ended[statuses.index(1)] if sorted(statuses) == [0, 1] else None
+        right = loser is not None and outputs(where) == whole[statuses.index(0)]
+        right = right and loser is not None and b"another batch is writing this" in loser.stderr
+    if not right or litter(where) or list(where.rglob("*.claim")):
+        raise Fault(f"two batches: {statuses}, {[process.stderr for process in ended]}, {litter(where)}")
+
+
+def foreign_folders(name: str, is_read: bool, where: Path) -> None:
+    """Run, be refused and be killed among folders that only look like stages; all stay, with all that is in them."""
+    begin(where)
+    places = [where, where / "deep", where / "out"][: 3 if name != "animation" else 2]
+    folders = []
+    for place in places:
+        place.mkdir(exist_ok=True)
+        stage = Stage(place, ["out.svg"])
+        for folder in (place / f"{PREFIX}cache", stage.path):
+            (folder / "new").mkdir(parents=True)
+            for file in ("db", "new/db"):
+                (folder / file).write_text("somebody else's")
+            folders.append(folder)
+    for folder in folders:
+        folder.chmod(0o700 if is_read else 0)
+    arguments = ["a.svg", "b.svg", *FEW, *TARGETS[name], "-f"]
+    Fork(["nowhere.svg", *arguments[1:]], where).wait()
+    Fork([*batch_line("2"), "--dry-run"], where, lambda: os.dup2(os.open(os.devnull, os.O_WRONLY), 1)).wait()
+    Fork(arguments, where, lambda: strike_at(3, "SIGKILL")).wait()
+    done(run(arguments, where))
+    for folder in folders:
+        folder.chmod(0o700)
+        if [(folder / file).read_text() for file in ("db", "new/db")] != ["somebody else's"] * 2:
+            raise Fault(f"{folder} was changed")
+    if len(litter(where)) != len(folders):
+        raise Fault(f"more is left than was there: {litter(where)}")
