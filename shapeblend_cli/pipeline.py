@@ -20,22 +20,20 @@ from shapeblend_cli.paint.names import with_names
 from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.kept import Kept
 from shapeblend_cli.wires.constraints import check_stiff
-from shapeblend_cli.wires.direction import watch_part
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from shapeblend_cli.blending.placing import LaidDrawing
     from shapeblend_cli.model import Drawing
     from shapeblend_cli.options.settings import Settings
-    from shapeblend_cli.wires.direction import Watch
 
 
 def match_all(
     drawings: Sequence[Drawing],
     settings: Settings,
     clock: Clock | None = None,
-    watch: Watch | None = None,
+    watch: Callable[[str, float], None] = lambda stage, share: None,
     kept: Kept | None = None,
 ) -> tuple[list[Pair], list[str]]:
     """Blend drawings, each with the next one, or to mix them with the first: everything up to the first frame.
@@ -48,7 +46,7 @@ def match_all(
     clock : Clock, optional
         Measures the stages `flatten`, `match` and `interpolate`.
     watch : callable, optional
-        Called now and then with the share of the matching that is done, from 0 to 1.
+        Called now and then with the name of a stage and the share of it that is done, from 0 to 1.
     kept : Kept, optional
         Contours of drawings that were flattened before.
 
@@ -62,6 +60,7 @@ def match_all(
     drawings, specks = _without_specks(drawings, settings)
     if settings.mix:
         drawings, settings = _mixed(drawings, settings)
+    watch("flattening", 0.0)
     laid, notes = lay(drawings, settings, kept)
     check_stiff([contour.polygon for contour in laid[0].placed.contours], settings)
     clock.lap("flatten")
@@ -69,7 +68,7 @@ def match_all(
 
     def matched(settings: Settings) -> list[Pair]:
         count = len(laid) - 1
-        parts = [Progress(clock, kept.steps, watch_part(watch, k, count)) for k in range(count)]
+        parts = [Progress(clock, kept.steps, watch, (k, count)) for k in range(count)]
         return [_pair(laid, 0 if is_star else k, k + 1, settings, part) for k, part in enumerate(parts)]
 
     pairs = matched(settings)

@@ -85,6 +85,7 @@ HANDED_DOWN = {
         "Terminal.note",
         "Terminal.warn",
         "watch_part.<locals>.<lambda>",
+        "Progress.tell",
         "Terminal.progress",
     ),  # how far a run has come
     # A `Motion`, which `model` declares.

@@ -172,7 +172,7 @@ def rate(order: Order, note: Callable[[str], None], _warn: Callable[[str], None]
     sources = dict(zip(order.files, order.data or (), strict=False))
     clock, kept = Clock(), _kept()
     drawings = read_files(order.files, read, clock, note, sources, kept)
-    (pair,) = match_drawings(drawings, settings, clock, note, lambda share: None, kept)
+    (pair,) = match_drawings(drawings, settings, clock, note, lambda stage, share: None, kept)
     found = rating(pair)
     if order.given.get("sheet") is None:
         return found

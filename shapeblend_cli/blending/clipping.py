@@ -39,6 +39,7 @@ def with_clips(pair: Pair, settings: Settings) -> Pair:
     A box around the shape stands for a missing clip. Clips that cannot be blended clip nothing on the way.
     """
     settings = settings.replace(**dict.fromkeys(("match", "pins", "start", "stiff", "mix", "specks")))
+    settings = settings.replace(strokes="keep")  # what is clipped is seen in regions, and not in lines
     view = Box.union(list(pair.views))
     known: dict[tuple[object, object], ClipBlend] = {}
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.anatomy.decompose import PlacedDrawing
@@ -33,11 +34,16 @@ if TYPE_CHECKING:
 
 
 class Progress(NamedTuple):
-    """The clock and the observer of a run, and the steps that are kept for the next run."""
+    """The clock and the observer of one of several pairs, and the steps that are kept for the next run."""
 
     clock: Clock
     steps: Kept
-    watch: Watch | None = None
+    watch: Callable[[str, float], None] = lambda stage, share: None
+    pair: tuple[int, int] = (0, 1)  # its number, and how many there are
+
+    def tell(self, stage: str, share: float) -> None:
+        """Say how much of a stage is done, from 0 to 1."""
+        self.watch(stage, (self.pair[0] + share) / self.pair[1])
 
 
 class PairedDrawings(NamedTuple):
@@ -124,6 +130,7 @@ def pair_drawings(
     changed: Sequence[Change] = (),
 ) -> PairedDrawings:
     """Pair the contours of two drawings as if B were rotated back by an angle, except where a change is known."""
+    progress.tell("pairing", 0.0)
     pins = point_pins(a, b, settings)
     asked = required_pairs(a, b, settings) + [pin.pair for pin in pins]
     if not (changed or rotation or is_star(settings)):
@@ -152,7 +159,7 @@ def match_pairs(paired: PairedDrawings) -> tuple[tuple[ShapeBlend, ...], list[Pl
 
     Return them with their places in the order of paint.
     """
-    count, watch = len(paired.pairs), paired.progress.watch
+    count, watch = len(paired.pairs), partial(paired.progress.tell, "matching")
     matches = [
         paired.match(numbers, paired.rotation, watch_part(watch, k, count))
         for k, numbers in enumerate(paired.pairs)

@@ -35,6 +35,7 @@ def move_shapes(paired: PairedDrawings, shapes: Sequence[ShapeBlend], view: Box)
     affordable = AFFORDABLE_SEGMENTS
     largest = max((shape.size for shape in shapes), default=0.0) or 1.0
     for k in sorted(range(len(shapes)), key=lambda k: -shapes[k].size):
+        paired.progress.tell("moving", len(chosen) / len(shapes))
         shape = paired.curved(shapes[k])
         situation = Situation(
             asked=paired.settings.motion,

@@ -58,13 +58,13 @@ def _write(text: str) -> None:
 class Terminal:
     """Standard error; a context in which it is told now and then how far a run is, and for how long it has been at it.
 
-    The share of the matching that is done says nothing about the time that the rest takes; the seconds show that it
-    goes on. If `quiet`, only errors and warnings are printed.
+    It shows the stage and the share of it that is done; the seconds are those of the run. If `quiet`, only errors and
+    warnings are printed.
     """
 
     def __init__(self, *, quiet: bool = False) -> None:
         self._quiet = quiet
-        self._share = 0.0
+        self._stage, self._shares = "", {"": 0.0}  # of each stage so far
         self._is_shown = False
         self._is_done = threading.Event()
         self._turn = threading.Lock()  # to print: a line comes between a clearing and the next tick
@@ -92,9 +92,10 @@ class Terminal:
             self._clear()
             say(text)
 
-    def progress(self, share: float) -> None:
-        """Take the share of the matching that is done, 0 to 1."""
-        self._share = max(self._share, share)
+    def progress(self, stage: str, share: float) -> None:
+        """Take the name of a stage, and the share of it that is done, 0 to 1."""
+        self._shares[stage] = max(self._shares.get(stage, 0.0), share)
+        self._stage = stage
 
     def _tick(self) -> None:
         """Say how far the run is until it is done."""
@@ -113,7 +114,8 @@ class Terminal:
                 wait = min(passed, SELDOM)
 
     def _state(self) -> str:
-        return f"matching {self._share:.0%}" if self._share < 1.0 else "matched, drawing"
+        percent = min(int(100 * self._shares[self._stage]), 99)  # all of it would be the next stage
+        return f"{self._stage or 'starting'} {percent}%" if percent else self._stage or "starting"
 
     def _clear(self) -> None:
         if self._is_shown:

@@ -7,7 +7,7 @@ import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -61,17 +61,19 @@ def blend_files(
     job: Job,
     note: Callable[[str], None],
     warn: Callable[[str], None],
-    progress: Callable[[float], None],
+    progress: Callable[[str, float], None],
 ) -> Run:
     """Read files, blend each with the next, and write all outputs or none.
 
     `note` takes what the user should know, a line at a time, and `warn` what even one who wants to read little should;
-    `progress` takes the share of the matching that is done, 0 to 1.
+    `progress` takes the name of a stage and the share of it that is done, 0 to 1.
     """
     check_libraries(job)
     check_files_of(job)
     clock = Clock()
+    progress("reading", 0.0)
     made = make(job, clock, note, progress)
+    progress("writing", 0.0)
     write(job, made.contents, warn, made.standard_output)
     clock.lap("write")
     return made.run
@@ -102,7 +104,7 @@ def make(
     job: Job,
     clock: Clock,
     note: Callable[[str], None],
-    progress: Callable[[float], None] = lambda share: None,
+    progress: Callable[[str, float], None] = lambda stage, share: None,
     sources: Mapping[str, bytes] = MappingProxyType({}),
     kept: Kept | None = None,
 ) -> Made:
@@ -123,8 +125,9 @@ def make(
     pairs = match_drawings(drawings, settings, clock, note_and_keep, progress, kept)
     _say_if_poor(job, pairs, note_and_keep)
     run = Run(pairs, settings, clock)
+    progress("drawing", 0.0)
     with _named(output.path):
-        rendered = output.format.render(output, pairs)
+        rendered = output.format.render(output._replace(watch=partial(progress, "drawing")), pairs)
     clock.lap("render")
     for text in rendered.notes:
         note_and_keep(text)
@@ -150,6 +153,7 @@ def make(
             contents[Path(job.write.preview)] = _preview(job, found, (drawings, pairs), notes)
             clock.lap("preview")
     if job.write.tries:
+        progress("trying others", 0.0)
         contents[Path(job.write.tries)] = _tries(drawings, settings, pairs[0])
         clock.lap("tries")
     return Made(run, contents, standard_output)
@@ -184,7 +188,7 @@ def match_files(
     settings: Settings,
     clock: Clock,
     note: Callable[[str], None],
-    progress: Callable[[float], None],
+    progress: Callable[[str, float], None],
 ) -> list[Pair]:
     """Read files and match each with the next; see `blend_files` for the parameters."""
     return match_drawings(read_files(files, options, clock, note), settings, clock, note, progress)
@@ -221,7 +225,7 @@ def match_drawings(
     settings: Settings,
     clock: Clock,
     note: Callable[[str], None],
-    progress: Callable[[float], None],
+    progress: Callable[[str, float], None],
     kept: Kept | None = None,
 ) -> list[Pair]:
     """Match each drawing with the next."""

@@ -30,7 +30,7 @@ def write_states(
     settings: Settings,
     options: StatesOptions,
     note: Callable[[str], None],
-    progress: Callable[[float], None],
+    progress: Callable[[str, float], None],
 ) -> None:
     """Read files, match each with the first, and write one drawing with a state for each."""
     if not COMPILED:

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from os.path import join
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple, TypeVar
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Iterator, Mapping, Sequence
 
     from shapeblend_cli.model import Box, Page, Pair
     from shapeblend_cli.options.easing import Timing
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from shapeblend_cli.options.triggers import Trigger
 
 STANDARD_OUTPUT = "-"
+
+T = TypeVar("T")
 
 TRANSPARENT, WHITE = "transparent", "#ffffff"
 
@@ -77,6 +79,13 @@ class OutputSpec(NamedTuple):
     columns: int | None
     fps: int | None
     background: str | None
+    watch: Callable[[float], None] = lambda share: None  # takes the share that is drawn, 0 to 1
+
+    def counted(self, items: Sequence[T]) -> Iterator[T]:
+        """Yield items, and say how many of them are drawn."""
+        for k, item in enumerate(items):
+            self.watch(k / len(items))
+            yield item
 
     @property
     def ground(self) -> str | None:

@@ -19,12 +19,12 @@ def _render_svg(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     from shapeblend_cli.svg.writing.document import frame_svg
 
     decimals = spec.decimals(pairs)
-    return Rendered([frame_svg(frame, decimals) for frame in make_frames(pairs, spec.settings)])
+    return Rendered([frame_svg(frame, decimals) for frame in spec.counted(make_frames(pairs, spec.settings))])
 
 
 def _render_png(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     size = size_of(spec.width, pairs, spec.frame_count)
-    return Rendered([rasterize(svg, size, spec.ground) for svg in frame_svgs(spec, pairs)])
+    return Rendered([rasterize(svg, size, spec.ground) for svg in spec.counted(frame_svgs(spec, pairs))])
 
 
 def _render_layers(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:

@@ -172,7 +172,7 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
         is_transition = options.animate == "css" and not options.trigger.is_load
         settings = Settings.of({**settings.given, "motion": "linear" if is_transition else format.motion})
     timing = Timing(options.duration, settings.ease, options.repeat)
-    shared = {name: getattr(options, name) or defaults.get(name) for name in SHARED}
+    shared: dict[str, Any] = {name: getattr(options, name) or defaults.get(name) for name in SHARED}
     spec = OutputSpec(
         format,
         path,

@@ -84,7 +84,7 @@ def run_for(fps: int | None, frames: int, pairs: int, timing: Timing) -> Run:
     return Run(pairs, max(1, math.floor(steps + 1e-9)), timing)
 
 
-def encode(kind: str, svgs: Sequence[str], size: Size, run: Run, background: str | None) -> bytes:
+def encode(kind: str, svgs: Iterable[str], size: Size, run: Run, background: str | None) -> bytes:
     """Return a GIF, a WebP or an animated PNG of documents from the first drawing to the last; see `rasterize`.
 
     A GIF needs a background.
@@ -133,7 +133,7 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     run = run_of(spec)
     size = size_of(spec.width, pairs, run.pictures)
     svgs = svgs_of(spec, pairs, run)
-    return Rendered([encode(spec.format.name, svgs, size, run, spec.ground)])
+    return Rendered([encode(spec.format.name, spec.counted(svgs), size, run, spec.ground)])
 
 
 def _check(spec: OutputSpec) -> None:

@@ -66,7 +66,7 @@ def encode(
 def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     run = run_of(spec)
     size = size_of(spec.width, pairs)
-    pngs = [rasterize(svg, size, spec.ground) for svg in svgs_of(spec, pairs, run)]
+    pngs = [rasterize(svg, size, spec.ground) for svg in spec.counted(svgs_of(spec, pairs, run))]
     runs = spec.timing.repeat if isinstance(spec.timing.repeat, int) else 1
     rate = Fraction(run.pictures) / Fraction(run.seconds).limit_denominator(1000)
     return Rendered([encode(spec.format.name, pngs, run.order() * runs, rate, spec.ground)])

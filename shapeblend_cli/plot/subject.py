@@ -65,7 +65,7 @@ def plot_files(
     settings: Settings,
     options: PlotOptions,
     note: Callable[[str], None],
-    progress: Callable[[float], None],
+    progress: Callable[[str, float], None],
 ) -> None:
     """Read two files, match them, and write the plot that the module `kind` beside this one draws.
 
@@ -74,7 +74,7 @@ def plot_files(
     note : callable
         Takes notes for the user, a line at a time.
     progress : callable
-        Takes the share of the work that is done, from 0 to 1, now and then.
+        Takes the name of a stage and the share of it that is done, from 0 to 1, now and then.
 
     Raises
     ------

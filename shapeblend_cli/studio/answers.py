@@ -64,7 +64,7 @@ def _blend(order: Order) -> dict[str, Any]:
     note = notes.append
     settings = job.output.settings
     drawings = read_files(job.files, job.read, clock, note, order.sources, KEPT)
-    pairs = match_drawings(drawings, settings, clock, note, lambda share: None, KEPT)
+    pairs = match_drawings(drawings, settings, clock, note, lambda stage, share: None, KEPT)
     ends = end_frames(pairs, settings)
     decimals = decimals_for([frame.view for frame in ends])
     maps = place(drawings, settings.place)
@@ -155,7 +155,7 @@ def _others(order: Order) -> list[dict[str, Any]]:
     job, clock = _job(order), Clock()
     settings = job.output.settings
     drawings = read_files(job.files, job.read, clock, _ignore, order.sources)
-    (pair,) = match_drawings(drawings, settings, clock, _ignore, lambda share: None)
+    (pair,) = match_drawings(drawings, settings, clock, _ignore, lambda stage, share: None)
     return [
         {
             "options": one.options,

@@ -67,8 +67,8 @@ def impatient(monkeypatch):
 def test_a_terminal_shows_how_far_a_run_is_and_clears_that(impatient):
     def work():
         with terminal.Terminal() as shown:
-            shown.progress(0.5)
-            shown.progress(0.1)  # it does not go back
+            shown.progress("matching", 0.5)
+            shown.progress("matching", 0.1)  # it does not go back
             while not shown._is_shown:
                 time.sleep(0.01)
             shown.note("a line")
@@ -89,11 +89,12 @@ def test_a_command_shows_it_and_goes_on(files, impatient):
 def test_a_line_now_and_then_where_there_is_no_terminal(impatient, capfd):
     said = ""
     with terminal.Terminal() as shown:
-        while "matched, drawing" not in said:
-            shown.progress(1.0)
+        shown.progress("matching", 1.0)
+        while "drawing 40%" not in said:
+            shown.progress("drawing", 0.4)
             time.sleep(0.01)
             said += capfd.readouterr().err
-    assert all(line.startswith("shapeblend: matched, drawing, 0 s") for line in said.splitlines()[1:])
+    assert all(line.startswith("shapeblend: drawing 40%, 0 s") for line in said.splitlines()[1:])
 
 
 def test_short_runs_and_quiet_ones_show_nothing(files, capfd, monkeypatch):

@@ -214,3 +214,24 @@ def test_dots_go_on_through_several_drawings():
     assert any(len(contour.polygon_b.vertices) == 1 and contour.is_matched for contour in pairs[0].contours)
     for shape in keyframed_shapes(pairs):
         assert all(len(path.segments) for key in shape.keys for path in key.paths)
+
+
+DOTS = (
+    [(86, 63, 3), (44, 6, 1), (63, 38, 2)],
+    [(80, 10, 3), (20, 70, 2), (50, 50, 1), (30, 20, 3), (60, 90, 2)],
+)
+
+
+@pytest.mark.parametrize(
+    "form", ["{}", '<clipPath id="c">{}</clipPath><path d="M5 5h90v90h-90z" clip-path="url(#c)"/>']
+)
+def test_dots_are_animated_and_dots_of_a_clip_path_stay_regions(here, form):
+    for name, dots in zip("ab", DOTS, strict=True):
+        circles = "".join(f'<circle cx="{x}" cy="{y}" r="{r}"/>' for x, y, r in dots)
+        document = (
+            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">{form.format(circles)}</svg>'
+        )
+        Path(f"{name}.svg").write_text(document, "utf-8")
+    assert run(["a.svg", "b.svg", "-o", "x.svg", "-q"]) == 0
+    if "clip" in form:
+        assert "stroke" not in Path("x.svg").read_text("utf-8")
