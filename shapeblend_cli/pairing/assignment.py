@@ -83,6 +83,12 @@ class _Side:
             half = complex(frame.width, frame.height) / 2
             self.whole = Boxes(np.array([frame.centre]), np.array([half]))
         self.structure = structure_of(contours)
+        codes: dict[object, int] = {}
+        kinds = (
+            (c.role, c.style.fill is None, c.style.stroke is None, parent)
+            for c, parent in zip(contours, self.structure.parent, strict=True)
+        )
+        self.kinds = np.array([codes.setdefault(kind, len(codes)) for kind in kinds])
         self.alone = self.described.alone(self.whole)
         self.mirror = mirror_of(contours, self.structure)
         self.twins = self.mirror.twins(contours) if self.mirror else []
@@ -160,14 +166,7 @@ class _Side:
 
     def alike(self, some: Sequence[int], others: Sequence[int]) -> tuple[BoolArray, BoolArray]:
         """Return which contours are of one size, role and kind of paint in one contour, and which of one paint."""
-        described, parent = self.described, self.structure.parent
-        codes: dict[object, int] = {}
-        kinds = np.array(
-            [
-                codes.setdefault((c.role, c.style.fill is None, c.style.stroke is None, around), len(codes))
-                for c, around in zip(described.contours, parent, strict=True)
-            ]
-        )
+        described, kinds = self.described, self.kinds
         sizes = np.log([np.abs(described.boxes.halves) + 1e-300, np.sqrt(described.areas) + 1e-300])
         apart = np.abs(sizes[:, some, None] - sizes[:, None, others]).max(axis=0)
         alike = (kinds[some][:, None] == kinds[others]) & (apart <= np.log(KIN_SIZE))
@@ -291,7 +290,12 @@ class Pairing:
 
     def _kin(self, rows: Sequence[int], columns: Sequence[int]) -> BoolArray:
         """Return which pairs resemble a decided pair, with both of its colours or neither."""
-        pairs = list(self.partner.items())
+        near_a, near_b = (
+            set(side.kinds[some].tolist()) for side, some in ((self.a, rows), (self.b, columns))
+        )
+        pairs = [
+            (i, j) for i, j in self.partner.items() if self.a.kinds[i] in near_a and self.b.kinds[j] in near_b
+        ]
         (kin_a, same_a), (kin_b, same_b) = (
             side.alike(some, [pair[k] for pair in pairs])
             for k, (side, some) in enumerate(((self.a, rows), (self.b, columns)))
