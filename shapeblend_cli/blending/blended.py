@@ -11,8 +11,6 @@ from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.several import with_common_lines
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.frames.frames import shapes_at
-from shapeblend_cli.grading.grade import grade
-from shapeblend_cli.grading.painting import picture
 from shapeblend_cli.model import Box, Pair
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pairing.changes import crossed_out
@@ -89,6 +87,10 @@ def blend_shapes(
 def _grade(shapes: Shapes, view: Box) -> float:
     """Return how good shapes look on their way."""
     pair = Pair(0, 1, shapes, ((), ()), (view, view))
+    # Few drawings are partly drawn with a pen.
+    from shapeblend_cli.grading.grade import grade
+    from shapeblend_cli.grading.painting import picture
+
     return grade([picture(shapes_at(pair, k / STEPS), view) for k in range(STEPS + 1)]).number
 
 
