@@ -15,8 +15,8 @@ from tests.studio.test_safety import HOSTILE
 from tests.support.drawings import BAR, LEAF, svg
 
 SAMPLES = ("bird-1.svg", "bird-2.svg")
-TWO = ("M3 3H10V10H3Z", "M14 12H22V21H14Z")  # parts that pair by place
-SWAPPED = ("M3 3H9V10H3Z", "M14 13H22V21H14Z")
+TWO = ("M3 3H10V10H3Z", "M12 12H23V23H12Z")  # parts that pair by place, and are not alike
+SWAPPED = ("M3 3H9V10H3Z", "M12 13H23V23H12Z")
 
 
 @pytest.fixture
@@ -374,12 +374,12 @@ def test_on_a_phone_parts_are_paired_and_points_pinned_by_taps(studio, here):
     changed(page, lambda: page.tap("#redo"))
     page.tap("[data-tool=pin]")
     tap(*screen(page, "a", (3, 3)))
-    changed(page, lambda: tap(*screen(page, "b", (22, 21))))
-    assert "--pin 3.0,3.0:22.0,21.0" in command(page)
+    changed(page, lambda: tap(*screen(page, "b", (23, 23))))
+    assert "--pin 3.0,3.0:23.0,23.0" in command(page)
     # What is pinned is dragged on by a finger.
     pinned = shape(page)
     fingers = page.context.new_cdp_session(page)
-    start, end = screen(page, "b", (22, 21)), screen(page, "b", (14, 13))
+    start, end = screen(page, "b", (23, 23)), screen(page, "b", (12, 13))
 
     def finger(kind, *points):
         told = [{"x": x, "y": y} for x, y in points]
@@ -388,7 +388,7 @@ def test_on_a_phone_parts_are_paired_and_points_pinned_by_taps(studio, here):
     finger("touchStart", start)
     finger("touchMove", ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2))
     changed(page, lambda: (finger("touchMove", end), finger("touchEnd")))
-    assert "--pin 3.0,3.0:14.0,13.0" in command(page)
+    assert "--pin 3.0,3.0:12.0,13.0" in command(page)
     assert shape(page) != pinned
     # Another blend is chosen.
     page.tap("#others-card summary")
