@@ -15,7 +15,7 @@ from shapeblend_cli.frames.frames import frame_at
 from shapeblend_cli.options.easing import LINEAR, Ease, Timing
 from shapeblend_cli.outputs.lottie import lottie
 from shapeblend_cli.svg.writing.document import frame_svg
-from tests.outputs.blends import AB, BLENDS, emitted, write_blend
+from tests.outputs.blends import AB, BLENDS, OPTIONS, emitted, write_blend
 from tests.support.drawings import EIGHT, B
 from tests.support.ends import ENDS, emitted_ends
 from tests.support.equipment import LOTTIE_WEB, require
@@ -37,7 +37,7 @@ def frames_of(blend):
     """The frames of a blend at `TIMES`, all with the viewBox of A."""
     write_blend(blend)
     options = ["-n", str(len(TIMES) - 2), "--ends", "-o", "frames", "--motion", "linear", "-q"]
-    assert run([*AB, *options]) == 0
+    assert run([*AB, *options, *OPTIONS[blend]]) == 0
     viewbox = re.search(r'viewBox="[^"]*"', BLENDS[blend][0]).group()
     files = [Path(f"frames/frame-{k + 1}.svg") for k in range(len(TIMES))]
     return [re.sub(r'viewBox="[^"]*"', viewbox, file.read_text(encoding="utf-8")) for file in files]

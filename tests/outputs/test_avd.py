@@ -118,10 +118,8 @@ def test_it_is_what_the_reference_describes_alike_at_both_ends_which_are_the_dra
             assert NUMBER.sub("0", animator["valueFrom"]) == NUMBER.sub("0", animator["valueTo"])
             assert COMMANDS.fullmatch(animator["valueTo"])
     if blend not in ("another viewBox", "lines"):
-        # A stroke that becomes a fill is the polygon around it, within a sixteenth of a pixel here.
-        most = 5e-3 if blend == "paint on one side alone" else 1e-3
         for drawing, at_the_end in zip(BLENDS[blend], (False, True), strict=True):
-            assert difference(pixels(shown(root, at_the_end)), pixels(drawing)) < most
+            assert difference(pixels(shown(root, at_the_end)), pixels(drawing)) < 1e-3
 
 
 def test_the_corner_of_the_view_is_moved_to_the_origin(here):

@@ -10,7 +10,7 @@ import pytest
 from shapeblend_cli.cli import run
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.outputs.options import OutputOptions, specify
-from tests.outputs.blends import AB, BLENDS, each_blend, emitted
+from tests.outputs.blends import AB, BLENDS, OPTIONS, each_blend, emitted
 from tests.support.commands import points as read_points
 from tests.support.commands import write
 from tests.support.drawings import BAR, LEAF, svg
@@ -21,12 +21,8 @@ from tests.support.pictures import difference, pixels
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 
 
-STROKES_STAY = {"paint on one side alone": ("--strokes", "keep")}
-"""A stroke that meets a fill is drawn as an outline otherwise, and paint has a partner."""
-
-
 def emit_pair(blend, *options):
-    a = emitted(blend, "pair", "blend/a.svg", "-q", *STROKES_STAY.get(blend, ()), *options)
+    a = emitted(blend, "pair", "blend/a.svg", "-q", *options)
     return a, Path("blend/b.svg").read_text(encoding="utf-8")
 
 
@@ -68,9 +64,7 @@ def test_paths_attributes_and_commands_agree_and_each_file_shows_its_drawing(her
 @pytest.mark.parametrize("blend", [name for name in BLENDS if name != "another viewBox"])
 def test_going_evenly_from_number_to_number_gives_the_frames(here, blend):
     a, b = emit_pair(blend)
-    assert (
-        run([*AB, "-n", "3", "-o", "frames", "--motion", "linear", "-q", *STROKES_STAY.get(blend, ())]) == 0
-    )
+    assert run([*AB, "-n", "3", "-o", "frames", "--motion", "linear", "-q", *OPTIONS[blend]]) == 0
     for k, t in enumerate((0.25, 0.5, 0.75), 1):
         frame = Path(f"frames/frame-{k}.svg").read_text(encoding="utf-8")
         assert difference(pixels(mixed(a, b, t)), pixels(frame)) < 1e-3
