@@ -67,6 +67,9 @@ LEAST_COPIED = 0.9
 EXACT = 0.01
 """Maximum distance of lines that are the same, in units."""
 
+SAME_WEIGHT = 0.97
+"""Minimum ratio of the widths of two drawings in one weight of line."""
+
 REQUIRED = "a pen line that becomes another, as required"
 TURNED, FLIPPED = "the drawing is turned as a whole", "the drawing is flipped as a whole"
 
@@ -99,6 +102,8 @@ def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Bo
         return None
     if min(one.share, other.share) < least:
         return None
+    if (one.is_recovered or other.is_recovered) and not is_asked and _are_two_weights(a, b, one, other):
+        return None
     bodies = a._replace(contours=one.bodies), b._replace(contours=other.bodies)
     required = required_lines(bodies, (one.lines, other.lines), settings, scale)
     if required is None:
@@ -115,6 +120,16 @@ def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Bo
     is_sure = is_asked or bool(required.pairs or settings.mix) or min(one.share, other.share) >= ALL
     rest = one.bodies, other.bodies
     return LineBlend(_shapes(moves, scale, settings), rest, required.left, is_sure)
+
+
+def _are_two_weights(a: PlacedDrawing, b: PlacedDrawing, one: PenDrawing, other: PenDrawing) -> bool:
+    """Return whether outlines have the same segments and lines other widths, as a letter in two weights of a typeface.
+
+    Outlines that were made from each other are best matched segment by segment.
+    """
+    counts = [sorted(len(contour.contour.segments) for contour in drawing.contours) for drawing in (a, b)]
+    widths = [float(np.median([line.width for line in drawing.lines])) for drawing in (one, other)]
+    return counts[0] == counts[1] and min(widths) < SAME_WEIGHT * max(widths)
 
 
 def _colours(drawing: PenDrawing) -> set[str | None]:

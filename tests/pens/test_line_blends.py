@@ -117,8 +117,10 @@ def test_a_drawing_of_lines_alone_and_one_with_a_solid_shape_too(backwards):
 
 
 def test_letters_of_one_family_are_matched_segment_by_segment():
-    thin, bold = "M4 4H20V6H13V20H11V6H4Z", "M4 4H20V8H14V20H10V8H4Z"
+    thin, bold = "M11 2H13V4H11Z M11 7H13V22H11Z", "M10 2H14V5H10Z M10 7H14V22H10Z"
     assert not {STAYS, BECOMES} & set(reasons(blend(drawing(thin), drawing(bold))))
+    moved = "M3 2H5V4H3Z M8 7H10V22H8Z"
+    assert {STAYS, BECOMES} & set(reasons(blend(drawing(thin), drawing(moved))))
 
 
 def test_what_rests_in_both_is_not_turned():

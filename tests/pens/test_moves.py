@@ -131,7 +131,7 @@ def test_a_solid_piece_with_slanting_ends_is_a_piece_of_the_line_on_which_it_lie
 
 
 BLOCK = "M2 4H12V20H2Z"
-WAVES, CROSS = "M15 8H16V16H15ZM19 6H20V18H19Z", "M15 9L16 8L21 15L20 16ZM20 8L21 9L16 16L15 15Z"
+WAVES, CROSS = "M15 8H16.4V16H15ZM19 6H20.4V18H19Z", "M15 9L16 8L21 15L20 16ZM20 8L21 9L16 16L15 15Z"
 
 
 def test_lines_beside_a_solid_shape_of_their_colour_move_as_lines_if_that_looks_better():
