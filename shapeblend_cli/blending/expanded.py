@@ -9,7 +9,7 @@ import numpy as np
 from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE
 from shapeblend_cli.geometry.cubics import lines as straight_lines
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.polygons import signed_area
+from shapeblend_cli.geometry.polygons import ring_edges, signed_area
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.pens.drawings import file_line
@@ -192,6 +192,7 @@ def _is_right(rings: Sequence[ComplexArray], line: PenLine, points: ComplexArray
     wanted = stroke_edges([Recovered(own, line.closed, line.width, cap, join)])
     box = Box.around(points).expanded(2.0 * line.width)
     step, corner = box.larger_side / GRID, complex(box.x, box.y)
-    found = np.concatenate(rings), np.concatenate([np.roll(ring, -1) for ring in rings])
-    one, other = (winding_grid(starts, ends, corner, step, GRID) != 0 for starts, ends in (wanted, found))
+    one, other = (
+        winding_grid(starts, ends, corner, step, GRID) != 0 for starts, ends in (wanted, ring_edges(rings))
+    )
     return bool((one & other).sum() >= GOOD * (one | other).sum())

@@ -33,6 +33,11 @@ def evaluate(segments: ComplexArray, t: FloatArray) -> ComplexArray:
     return u * u * (u * p0 + 3.0 * t * p1) + t * t * (3.0 * u * p2 + t * p3)
 
 
+def polyline(segments: ComplexArray, parts: int) -> ComplexArray:
+    """Return points along a path at even parameters, `parts` a segment, without its end."""
+    return evaluate(segments[:, None, :], np.arange(parts) / parts).ravel()
+
+
 def arc_lengths(segments: ComplexArray) -> FloatArray:
     """Return lengths of `ARC_PIECES` pieces of equal parameter of each segment, (k, ARC_PIECES) float.
 

@@ -11,6 +11,8 @@ from shapeblend_cli.geometry.raster import winding_table
 from shapeblend_cli.model import Box, Contour, Polygon
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
 NEARLY_ALL = 0.95
@@ -23,6 +25,11 @@ GRID = 24
 def signed_area(vertices: ComplexArray) -> float:
     """Return the area of a closed polygon; positive if it runs from x towards y."""
     return 0.5 * float((vertices.conj() * np.roll(vertices, -1)).imag.sum())
+
+
+def ring_edges(rings: Sequence[ComplexArray]) -> tuple[ComplexArray, ComplexArray]:
+    """Return the starts and the ends of the edges of closed polygons, all in one."""
+    return np.concatenate(rings), np.concatenate([part for ring in rings for part in (ring[1:], ring[:1])])
 
 
 def centroid(vertices: ComplexArray) -> complex:

@@ -9,6 +9,7 @@ import numpy as np
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.frames.frames import frame_at, shapes_at
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.polygons import ring_edges
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.verdict import verdict
@@ -20,7 +21,7 @@ from shapeblend_cli.svg.writing.sheet import Row, sheet
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, CubicPath, Drawing, IntArray, PaintedShape, Pair
+    from shapeblend_cli.model import Drawing, IntArray, PaintedShape, Pair
     from shapeblend_cli.options.settings import Settings
 
 WAYS: tuple[dict[str, Any], ...] = (
@@ -39,6 +40,9 @@ WAYS: tuple[dict[str, Any], ...] = (
 
 TIMES = tuple(k / 8 for k in range(9))
 """Moments of a blend on a sheet."""
+
+CHORDS = 8
+"""Number of chords of each segment in coarse pictures."""
 
 SIDE = 48
 """Points along the larger side of the grid on which two blends are compared."""
@@ -125,23 +129,16 @@ def _picture(shapes: Sequence[PaintedShape], view: Box) -> IntArray:
     picture = np.zeros((SIDE, SIDE), np.intp)
     for shape in shapes:
         paint = shape.style
+        rings = [cubics.polyline(path.segments, CHORDS) for path in shape.paths]
         if paint.fill is not None:
-            edges = [_chords(path) for path in shape.paths]
-            starts, ends = (np.concatenate(side) for side in zip(*edges, strict=True))
+            starts, ends = ring_edges(rings)
             picture[winding_grid(starts, ends, corner, step, SIDE) != 0] = _number(paint.fill)
         if paint.stroke is not None:
-            points = np.concatenate([_chords(path)[0] for path in shape.paths])
-            at = (points - corner) / step
+            at = (np.concatenate(rings) - corner) / step
             row, column = at.imag.astype(np.intp), at.real.astype(np.intp)
             inside = (row >= 0) & (row < SIDE) & (column >= 0) & (column < SIDE)
             picture[row[inside], column[inside]] = _number(paint.stroke)
     return picture
-
-
-def _chords(path: CubicPath) -> tuple[ComplexArray, ComplexArray]:
-    """Return where chords along a path begin and end; it is closed as filling closes it."""
-    points = cubics.evaluate(path.segments[:, None, :], np.arange(8) / 8).ravel()
-    return points, np.append(points[1:], points[0])
 
 
 def _number(colour: str) -> int:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.polygons import ring_edges
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.motion.sweep import rightwards
 
@@ -121,9 +122,7 @@ def _rasters(
 
 def _edges(contours: Sequence[Contour]) -> tuple[ComplexArray, ComplexArray]:
     """Return the starts and ends of the edges of outlines."""
-    shares = np.arange(CURVE_POINTS) / CURVE_POINTS
-    rings = [cubics.evaluate(each.segments[:, None, :], shares).ravel() for each in contours]
-    return np.concatenate(rings), np.concatenate([np.roll(ring, -1) for ring in rings])
+    return ring_edges([cubics.polyline(each.segments, CURVE_POINTS) for each in contours])
 
 
 def _axes(contours: Sequence[Contour], side: float) -> list[tuple[complex, float]]:

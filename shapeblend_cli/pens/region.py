@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.polygons import ring_edges
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -38,9 +39,7 @@ class Region:
     """A filled region, by the edges of its outlines."""
 
     def __init__(self, contours: Sequence[ComplexArray]) -> None:
-        rings = [cubics.evaluate(each[:, None, :], np.arange(8) / 8.0).ravel() for each in contours]
-        self.starts = np.concatenate(rings)
-        self.ends = np.concatenate([np.roll(ring, -1) for ring in rings])
+        self.starts, self.ends = ring_edges([cubics.polyline(each, 8) for each in contours])
 
     def holds(self, point: complex) -> bool:
         """Return whether a point is inside, by the even-odd rule."""
