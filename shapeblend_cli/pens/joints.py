@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry.polyline import cumulative_lengths
-from shapeblend_cli.pens.line import PenLine, at, foot_points, length
+from shapeblend_cli.pens.line import PenLine, at, chains, foot_points, length
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -120,42 +120,19 @@ def _cut_at_tips(line: PenLine, lines: Sequence[PenLine]) -> list[PenLine]:
 
 def _strung(pieces: Sequence[PenLine], ends: Sequence[_End], partner: dict[int, int]) -> list[PenLine]:
     """String joined pieces up to lines, each with the paint and number of its longest piece."""
-    number = {(end.line, end.side): k for k, end in enumerate(ends)}
-    done: set[int] = set()
+    joined = {(ends[i].line, ends[i].side): (ends[j].line, ends[j].side) for i, j in partner.items()}
     lines = []
-    for k, piece in enumerate(pieces):
-        if k in done:
-            continue
-        here, side, known = k, 0, {k}
-        while (end := number.get((here, side))) in partner:  # back to where the line begins
-            other = ends[partner[end]]
-            if other.line in known:
-                break
-            here, side = other.line, 1 - other.side
-            known.add(here)
-        first, points, longest, closed = here, [], piece, False
-        names: dict[str, None] = {}
-        while True:
-            done.add(here)
-            own = pieces[here]
-            longest = max(longest, own, key=lambda each: each.length)
-            names |= dict.fromkeys(own.name.split("+"))
-            points.append(own.points[::-1] if side else own.points)
-            end = number.get((here, 1 - side))
-            if end not in partner:
-                break
-            other = ends[partner[end]]
-            if other.line in done:
-                closed = other.line == first
-                break
-            here, side = other.line, other.side
+    for chain, closed in chains(len(pieces), joined):
+        longest = max((pieces[k] for k, _ in sorted(chain)), key=lambda each: each.length)
+        names = dict.fromkeys(name for k, _ in chain for name in pieces[k].name.split("+"))
+        points = [pieces[k].points[::-1] if side else pieces[k].points for k, side in chain]
         every = np.concatenate(points)
         every = (
             every[np.append(True, np.diff(cumulative_lengths(every)) > 0.02)] if len(points) > 1 else every
         )
         if closed:
             every = every[:-1] if abs(every[-1] - every[0]) < 0.02 else every
-        lines.append(longest._replace(points=every, closed=closed or piece.closed, name="+".join(names)))
+        lines.append(longest._replace(points=every, closed=closed or longest.closed, name="+".join(names)))
     seen: Counter[str] = Counter()
     for k, line in enumerate(lines):  # of a line that was cut, the pieces have names of their own
         seen[line.name] += 1

@@ -13,8 +13,12 @@ import numpy as np
 from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_places, points_at
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
     from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import ComplexArray, FloatArray, Style
+
+    _Side = tuple[int, int]
 
 UNITS = 24.0
 """Size of a drawing, in units."""
@@ -118,12 +122,6 @@ def evenly(points: ComplexArray, step: float) -> ComplexArray:
     """Return points along a polyline at even lengths of at most `step`, both ends among them."""
     whole = length(points)
     return at(points, np.linspace(0.0, whole, max(2, int(np.ceil(whole / step)) + 1)))
-
-
-def drawn_until(points: ComplexArray, share: float) -> ComplexArray:
-    """Return a polyline drawn up to a share of its length: as many points, those beyond at its end."""
-    along = cumulative_lengths(points)
-    return points_at(np.minimum(along, min(max(share, 0.0), 1.0) * along[-1]), points, along)
 
 
 def begun(points: ComplexArray, share: float) -> ComplexArray:
@@ -243,3 +241,37 @@ def _dashes_along(style: Style, line: PenLine, points: ComplexArray, scale: floa
     return style._replace(
         stroke_dasharray=turned, stroke_dashoffset=sum(dashes[:-1]) - style.stroke_dashoffset - begin
     )
+
+
+def chains(count: int, joined: Mapping[_Side, _Side]) -> Iterator[tuple[list[_Side], bool]]:
+    """Yield the chains that pieces form whose ends are joined: each as its pieces, and whether it is closed.
+
+    Parameters
+    ----------
+    count : int
+        Number of pieces.
+    joined : mapping
+        For each joined end, a piece's number and its side (0 or 1), the end that it is joined to; in both directions.
+
+    Yields
+    ------
+    chain : list of (int, int)
+        The numbers of its pieces, each with the side that comes first.
+    closed : bool
+        Whether the last piece is joined to the first.
+    """
+    done: set[int] = set()
+    for piece in range(count):
+        if piece in done:
+            continue
+        here, side, seen = piece, 0, {piece}
+        while (other := joined.get((here, side))) and other[0] not in seen:  # back to where the chain begins
+            here, side = other[0], 1 - other[1]
+            seen.add(here)
+        chain = [(here, side)]
+        done.add(here)
+        while (other := joined.get((here, 1 - side))) and other[0] not in done:
+            here, side = other
+            chain.append(other)
+            done.add(here)
+        yield chain, other is not None

@@ -20,7 +20,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.pens.balls import ball_diameters
-from shapeblend_cli.pens.line import UNITS, evenly, length, needed
+from shapeblend_cli.pens.line import UNITS, chains, evenly, length, needed
 from shapeblend_cli.pens.region import Recovered, Region, distance_ahead, nearest_edge, stroke_edges
 
 if TYPE_CHECKING:
@@ -347,35 +347,20 @@ def _strung(
     stretches: Sequence[_Stretch], ends: Sequence[_End], partner: dict[int, tuple[int, list[complex]]]
 ) -> list[_Stretch]:
     """String joined stretches up to lines."""
-    number = {(end.stretch, end.side): k for k, end in enumerate(ends)}
-    done: set[int] = set()
+    sides = [(end.stretch, end.side) for end in ends]
+    joined = {sides[i]: sides[j] for i, (j, _) in partner.items()}
+    corners = {sides[i]: np.array(between, complex) for i, (_, between) in partner.items()}
     lines = []
-    for k, one in enumerate(stretches):
-        if k in done:
-            continue
-        here, side, seen = k, 0, {k}
-        while (end := number.get((here, side))) in partner:  # back to where the line begins
-            other = ends[partner[end][0]]
-            if other.stretch in seen:
-                break
-            here, side = other.stretch, 1 - other.side
-            seen.add(here)
-        first, points, closed = (here, side), [], False
-        while True:
-            done.add(here)
-            points.append(stretches[here].ending(1 - side))
-            end = number.get((here, 1 - side))
-            if end not in partner:
-                break
-            other_end, between = partner[end]
-            points.append(np.array(between, complex))
-            other = ends[other_end]
-            if other.stretch in done:
-                closed = other.stretch == first[0]
-                break
-            here, side = other.stretch, other.side
-        known = stretches[first[0]].ends[first[1]], stretches[here].ends[1 - side]
-        lines.append(_Stretch(np.concatenate(points), one.width, closed or one.closed, known))
+    for chain, closed in chains(len(stretches), joined):
+        parts = [
+            part
+            for k, side in chain
+            for part in (stretches[k].ending(1 - side), corners.get((k, 1 - side), np.zeros(0, complex)))
+        ]
+        (first, start), (last, end) = chain[0], chain[-1]
+        known = stretches[first].ends[start], stretches[last].ends[1 - end]
+        one = stretches[min(k for k, _ in chain)]
+        lines.append(_Stretch(np.concatenate(parts), one.width, closed or one.closed, known))
     return lines
 
 
