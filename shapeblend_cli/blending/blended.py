@@ -18,12 +18,6 @@ from shapeblend_cli.pens.drawings import pen_drawing
 from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.line_blends import blend_lines, wants_lines
 
-MARGIN = 0.5
-"""Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in grades."""
-
-STEPS = 6
-"""Number of steps between the pictures that are graded."""
-
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -33,6 +27,12 @@ if TYPE_CHECKING:
     from shapeblend_cli.options.settings import Settings
 
     Shapes = tuple[ShapeBlend, ...]
+
+MARGIN = 0.5
+"""Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in grades."""
+
+STEPS = 6
+"""Number of steps between the pictures that are graded."""
 
 
 def blend_shapes(
