@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from shapeblend_cli.blending.drawn import draws_strokes, with_drawn_strokes
 from shapeblend_cli.blending.expanded import with_outlines
 from shapeblend_cli.blending.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
@@ -103,4 +104,7 @@ def with_lines_in_common(pairs: Sequence[Pair], a: PlacedDrawing) -> list[Pair] 
 
 def _moved(paired: PairedDrawings, shapes: Shapes, places: list[Place], view: Box) -> Shapes:
     """Return matched shapes that move, in the order of paint."""
-    return in_paint_order(with_reasons(move_shapes(paired, shapes, view), paired), places)
+    moving: Sequence[ShapeBlend] = with_reasons(move_shapes(paired, shapes, view), paired)
+    if draws_strokes(paired.settings) and not paired.rotation:
+        moving, places = with_drawn_strokes(paired, moving, places, view)
+    return in_paint_order(moving, places)

@@ -144,7 +144,7 @@ def _shapes(moves: Sequence[Move], scale: float, settings: Settings) -> tuple[Sh
     is_straight = settings.motion == "linear"
     if is_straight:  # as between two files: from vertex to vertex, all of the time
         shapes = [shape._replace(motion=None, span=WHOLE, fade=None, trim=None) for shape in shapes]
-    shapes = [_without_dots(shape, shapes, is_straight) for shape in shapes]
+    shapes = [without_dots(shape, shapes, is_straight=is_straight) for shape in shapes]
     return tuple(shapes if settings.mix else _together(shapes))
 
 
@@ -171,7 +171,7 @@ def _together(shapes: Sequence[ShapeBlend]) -> list[ShapeBlend]:
     return found
 
 
-def _without_dots(shape: ShapeBlend, shapes: Sequence[ShapeBlend], is_straight: bool) -> ShapeBlend:
+def without_dots(shape: ShapeBlend, shapes: Sequence[ShapeBlend], *, is_straight: bool) -> ShapeBlend:
     """Return a line that fades, or thins if it moves straight, where it is a dot that no other line hides."""
     (contour,) = shape.contours
     for end, style, fade in ((0, shape.style_a, COMES), (1, shape.style_b, GOES)):
@@ -239,7 +239,7 @@ def line_moves(
     moves += others
     for side, lines in enumerate((found.a, found.b)):
         paired = {(pair.a, pair.b)[side] for pair in found.pairs} | copied[side]
-        carriers = [move for move in moves if (move.a, move.b)[side] is not None]
+        carriers = [move.motion for move in moves if (move.a, move.b)[side] is not None]
         left = [line for k, line in enumerate(lines) if k not in paired]
         moves += [alone(line, carriers, is_new=bool(side)) for line in left]
     if slash is not None and crossing is not None:

@@ -303,17 +303,15 @@ def _matched_corners(a: Sequence[float], b: Sequence[float]) -> tuple[list[float
     return both if len(a) <= len(b) else both[::-1]
 
 
-def alone(line: PenLine, carriers: Sequence[Move], *, is_new: bool) -> Move:
+def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool) -> Move:
     """Draw a line back to where it touches another one, which carries it along, or on from there."""
     points = line.outline if len(line.points) > 1 else np.repeat(line.points, 2)
     reason = DRAWN_ON if is_new else DRAWN_BACK
     before, after = (None, line) if is_new else (line, None)
-    outlines = [(carrier, carrier.motion.points(float(is_new))) for carrier in carriers]
-    outlines = [
-        (carrier, np.append(own, own[0]) if carrier.motion.closed else own) for carrier, own in outlines
-    ]
+    outlines = [(carrier, carrier.points(float(is_new))) for carrier in carriers]
+    outlines = [(carrier, np.append(own, own[0]) if carrier.closed else own) for carrier, own in outlines]
 
-    def touched(place: complex) -> tuple[Move, ComplexArray] | None:
+    def touched(place: complex) -> tuple[Pen, ComplexArray] | None:
         for carrier, own in outlines:
             if foot_points(np.array([place]), own)[0][0] < 0.6 * line.width + 0.2:
                 return carrier, own
@@ -341,13 +339,13 @@ def alone(line: PenLine, carriers: Sequence[Move], *, is_new: bool) -> Move:
     return Move(before, after, Pen((Drawing(points, *shares),)), reason, is_joined=False)
 
 
-def _carried(move: Move, carrier: tuple[Move, ComplexArray], place: complex) -> Move:
+def _carried(move: Move, carrier: tuple[Pen, ComplexArray], place: complex) -> Move:
     """Let a line that comes or goes be carried along by the line that it touches."""
     by, points = carrier
     home = 0.0 if move.b is None else 1.0
     _, (where,) = nearest_places(np.array([place]), points)
     edge = min(int(where), len(points) - 2)
-    motion = by.motion._replace(closed=False) if by.motion.closed else by.motion
+    motion = by._replace(closed=False) if by.closed else by
     riding = Riding(move.motion.pieces[0], motion, edge, float(where) - edge, home)
     return move._replace(motion=Pen((riding,)))
 

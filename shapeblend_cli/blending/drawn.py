@@ -1,0 +1,112 @@
+"""Straight strokes without a partner beside fills: drawn on or back at their width, as a slash is.
+
+Others, which may run along the edge of a fill that changes, grow from a point.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.geometry.polygons import winding_numbers
+from shapeblend_cli.model import Box, Place
+from shapeblend_cli.motion.pen import Pen, Riding, Straight
+from shapeblend_cli.pairing.growth import MatchedPoints, carried
+from shapeblend_cli.pens.drawings import file_line
+from shapeblend_cli.pens.line import UNITS
+from shapeblend_cli.pens.line_blends import wants_lines, without_dots
+from shapeblend_cli.pens.moves import SHORT, STRAIGHT, Move, alone, crossing_out, is_slash
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.anatomy.decompose import PlacedContour
+    from shapeblend_cli.blending.matched import PairedDrawings
+    from shapeblend_cli.model import ContourBlend, ShapeBlend
+    from shapeblend_cli.options.settings import Settings
+    from shapeblend_cli.pens.line import PenLine
+
+
+def draws_strokes(settings: Settings) -> bool:
+    """Return whether settings let strokes without a partner be drawn on and back."""
+    is_free = settings.motion == "auto" and settings.unmatched == "auto"
+    return is_free and not (settings.mix or settings.stagger) and wants_lines(settings)
+
+
+def with_drawn_strokes(
+    paired: PairedDrawings, shapes: Sequence[ShapeBlend], places: Sequence[Place], view: Box
+) -> tuple[list[ShapeBlend], list[Place]]:
+    """Let straight strokes that would grow from points be drawn on or back. Return all shapes with their places."""
+    scale = UNITS / view.larger_side
+    carriers = [_carrier(each, scale) for shape in shapes for each in shape.contours if each.is_matched]
+    strokes = [shape for shape in shapes if len(shape.contours) == 1 and shape.style_a.stroke is not None]
+    placed = [{contour.number: contour for contour in side.contours} for side in (paired.a, paired.b)]
+    found: list[ShapeBlend] = []
+    numbers: list[range] = []
+    for shape in shapes:
+        begin = len(found)
+        lines = [_loose_line(contour, placed, scale) for contour in shape.contours]
+        if not carriers or shape.fade is not None or None in lines:
+            found.append(shape)
+        else:
+            for contour, line in zip(shape.contours, lines, strict=True):
+                assert line is not None
+                drawn = _drawn(line, carriers, is_new=contour.a is None)
+                own = drawn.shape(scale, paired.settings.constants)
+                (path,) = own.contours
+                own = own._replace(contours=(path._replace(parents=contour.parents, lines=(None, None)),))
+                found.append(without_dots(own, strokes, is_straight=False))
+        numbers.append(range(begin, len(found)))
+    return found, [Place(k, place.end) for place in places for k in numbers[place.shape]]
+
+
+def _carrier(contour: ContourBlend, scale: float) -> Pen:
+    """Return how a contour with a partner carries what touches it, in units."""
+    ends = [path.segments[:, 0] for path in (contour.start, contour.end)]
+    if not contour.start.closed:
+        ends = [
+            np.append(own, path.segments[-1, 3])
+            for own, path in zip(ends, (contour.start, contour.end), strict=True)
+        ]
+    return Pen((Straight(ends[0] * scale, ends[1] * scale),), closed=contour.start.closed)
+
+
+def _loose_line(
+    contour: ContourBlend, placed: Sequence[dict[int, PlacedContour]], scale: float
+) -> PenLine | None:
+    """Return a straight stroke that grows from a point, or shrinks to one, as a line; None for all others."""
+    if contour.is_matched or not (contour.start if contour.a is None else contour.end).is_point:
+        return None
+    number, here = (contour.b, 1) if contour.a is None else (contour.a, 0)
+    own = placed[here].get(number) if number is not None else None
+    if own is None or own.style.fill is not None or own.style.stroke is None:
+        return None
+    line = file_line(own, scale)
+    if line.closed or line.length < SHORT * line.width:
+        return None
+    return line if abs(line.points[-1] - line.points[0]) > STRAIGHT * line.length else None
+
+
+def _drawn(line: PenLine, carriers: Sequence[Pen], *, is_new: bool) -> Move:
+    """Draw a line on, or back, carried along by what it touches, else by what is around it or near."""
+    if is_slash(line):
+        move = crossing_out(line, [], is_new=is_new)[0]
+    else:
+        move = alone(line, carriers, is_new=is_new)
+    (piece,) = move.motion.pieces
+    if isinstance(piece, Riding):
+        return move
+    middle = complex(line.points.mean())
+    sides = [MatchedPoints(each.points(float(is_new)), each.points(float(not is_new))) for each in carriers]
+    around = [
+        side
+        for side, carrier in zip(sides, carriers, strict=True)
+        if carrier.closed and winding_numbers(np.array([middle]), side.here)[0]
+    ]
+    nearest = min(sides, key=lambda side: float(np.abs(side.here - middle).min()))
+    by = min(around, key=lambda side: Box.around(side.here).area, default=nearest)
+    image = carried(middle, by, inside=bool(around))
+    ends = (image, middle) if is_new else (middle, image)
+    carrier = Straight(*(np.array([end, end + 1.0]) for end in ends))
+    return move._replace(motion=Pen((Riding(piece, carrier, 0, 0.0, float(is_new)),)))
