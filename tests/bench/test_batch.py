@@ -63,6 +63,6 @@ def test_flubber(benchmark):
     require("flubber")
     benchmark.group = GROUP
     times = [k / 6 for k in range(1, 6)]
-    found = benchmark.pedantic(lambda: flubber.OWN.path_data(PAIRS, times), rounds=2)
+    found = benchmark.pedantic(lambda: flubber.FINE.path_data(PAIRS, times), rounds=2)
     assert len(found) == len(PAIRS)
     assert sum(frames is not None for frames in found) > 70
