@@ -66,10 +66,14 @@ class Starts(NamedTuple):
         work[list(self.steps)] = 0.0
         return Terminals(self.first_row + below, self.last_row + below, work)
 
-    def halves(self) -> tuple[Starts, Starts]:
-        """Cut the set in two, rows before steps. A single state cannot be cut, and its paths are closed."""
-        if self.first_row < self.last_row:
-            middle = (self.first_row + self.last_row) // 2
+    def without(self, start: int, end: int) -> tuple[Starts, Starts]:
+        """Cut the set in two such that neither has both rows of a path that ends in another state than its start's.
+
+        Where the rows are one, steps are cut. Where there is nothing to cut so, rows are halved, then steps: a single
+        state's paths are closed.
+        """
+        if start != end or (self.first_row < self.last_row and len(self.steps) == 1):
+            middle = (start + end) // 2 if start != end else (self.first_row + self.last_row) // 2
             return self._replace(last_row=middle), self._replace(first_row=middle + 1)
         return self._replace(steps=self.steps[:1]), self._replace(steps=self.steps[1:])
 

@@ -118,7 +118,7 @@ def _branch_and_bound(graph: Graph, sets: list[Starts], limit: float) -> Path | 
             best = Path(dots, work, graph.sweeps)
             limit = work * (1.0 - ROUNDING)
         else:
-            for half in starts.halves():
-                heapq.heappush(queue, half._replace(bound=max(work, starts.bound)))
-                waiting += half.rows
+            for part in starts.without(dots[0][1], dots[-1][1] - graph.span):
+                heapq.heappush(queue, part._replace(bound=max(work, starts.bound)))
+                waiting += part.rows
     return best
