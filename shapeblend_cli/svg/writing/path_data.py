@@ -8,12 +8,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from shapeblend_cli.svg.writing.rounding import number, on_grid, short_number
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import CubicPath
+    from shapeblend_cli.model import CubicPath, IntArray
 
 
 def path_data(paths: Sequence[CubicPath], decimals: int) -> str:
@@ -55,22 +57,29 @@ def _point(z: complex, decimals: int) -> str:
 
 def _short_subpath(path: CubicPath, decimals: int) -> str:
     scale = 10**decimals
-    here = on_grid(path.segments[0, 0], scale)
-    parts = [f"M{_offset((0, 0), here, scale)}"]
+    count = len(path.segments) - (
+        path.closed and bool(path.straight[-1])
+    )  # the closing line is left to ``z``
+    grid = on_grid(path.segments[: max(count, 1)], scale)
+    points = grid[:count, 1:]
+    # All points of a command are relative to the end of the one before it.
+    starts = np.concatenate([grid[:1, 0], points[:, 2]])
+    offsets = points - starts[:-1, None]
+    parts = ["M", _texts(grid[:1, 0], scale)[0]]
     last = ""
-    for command in _commands(path):
-        letter = "l" if len(command) == 1 else "c"
-        points = [on_grid(z, scale) for z in command]
-        for k, point in enumerate(points):
-            offset = _offset(here, point, scale)
-            if k or letter == last:
-                parts.append(offset if offset.startswith("-") else f" {offset}")
-            else:
-                parts.append(letter + offset)
-        here, last = points[-1], letter
+    texts = iter(_texts(offsets.reshape(-1, 2), scale))
+    for first, second, end, is_line in zip(texts, texts, texts, path.straight.tolist(), strict=False):
+        letter = "l" if is_line else "c"
+        own = [end] if is_line else [first, second, end]
+        if letter != last:
+            parts.append(letter + own[0])
+            del own[0]
+        parts += [text if text[0] == "-" else f" {text}" for text in own]
+        last = letter
     return "".join(parts) + ("z" if path.closed else "")
 
 
-def _offset(start: tuple[int, int], end: tuple[int, int], scale: int) -> str:
-    x, y = (short_number(q - p, scale) for p, q in zip(start, end, strict=True))
-    return x + y if y.startswith("-") else f"{x} {y}"
+def _texts(points: IntArray, scale: int) -> list[str]:
+    """Return points of a grid, (k, 2), as pairs of numbers."""
+    numbers = [short_number(value, scale) for value in points.ravel().tolist()]
+    return [x + y if y[0] == "-" else f"{x} {y}" for x, y in zip(numbers[::2], numbers[1::2], strict=True)]

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Box
+    from shapeblend_cli.model import Box, ComplexArray, IntArray
 
 ROUNDING = 4e-5  # how far rounding may move a point, as a share of what is shown
+
+LARGEST = 2.0**62
+"""Minimum number of units that no machine's integer is sure to hold, nor a difference of two."""
 
 
 def decimals_for(boxes: Sequence[Box]) -> int:
@@ -29,13 +35,18 @@ def number(value: float, decimals: int) -> str:
     return "0" if text == "-0" else text
 
 
-def on_grid(z: complex, scale: int) -> tuple[int, int]:
-    """Round a point to a grid of 1 / `scale`, and return it in units of the grid."""
-    if not (math.isfinite(z.real) and math.isfinite(z.imag)):
-        raise ValueError(f"{z} cannot be written to an SVG file")
-    return round(z.real * scale), round(z.imag * scale)
+def on_grid(points: ComplexArray, scale: int) -> IntArray:
+    """Round points, (..., k) complex, to a grid of 1 / `scale`; return x and y in units of it, (..., k, 2) int."""
+    values = np.ascontiguousarray(points).view(np.float64)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{points[~np.isfinite(points)][0]} cannot be written to an SVG file")
+    rounded = np.rint(values * scale)
+    is_huge = np.abs(rounded).max(initial=0.0) >= LARGEST
+    grid = np.array([*map(int, rounded.flat)], object) if is_huge else rounded.astype(np.int64)
+    return grid.reshape(*points.shape, 2)
 
 
+@lru_cache(1 << 14)
 def short_number(value: int, scale: int) -> str:
     """Return a number of units of 1 / `scale` without needless zeros: ``.5`` rather than ``0.5``."""
     whole, rest = divmod(abs(value), scale)
