@@ -26,6 +26,13 @@ class InputError(FileError, ValueError):
     """A file that cannot be read, or that holds nothing to blend."""
 
 
+def unreadable(file: str, error: OSError | ValueError, what: str) -> InputError:
+    """Return the error for a file of some kind, such as "SVG file", that cannot be opened."""
+    if isinstance(error, OSError):
+        return InputError(file, f"cannot be read ({error.strerror}); a readable {what} would work")
+    return InputError(file, "not the name of a file")  # names with a null character
+
+
 class OutputError(FileError, OSError):
     """A target that cannot be written, or that exists and was not to be replaced."""
 

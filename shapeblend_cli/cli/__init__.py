@@ -12,17 +12,7 @@ from collections.abc import Sequence
 
 import click
 
-from shapeblend_cli.cli.batch import batch
-from shapeblend_cli.cli.blend import blend
-from shapeblend_cli.cli.completion import completion
-from shapeblend_cli.cli.group import DefaultGroup
-from shapeblend_cli.cli.inkscape import inkscape
-from shapeblend_cli.cli.inspect import inspect
-from shapeblend_cli.cli.judge import judge
-from shapeblend_cli.cli.plot import plot
-from shapeblend_cli.cli.rank import rank
-from shapeblend_cli.cli.states import states
-from shapeblend_cli.cli.studio import studio
+from shapeblend_cli.cli.group import Commands, DefaultGroup
 from shapeblend_cli.cli.terminal import say
 from shapeblend_cli.errors import OptionError, ShapeblendError, in_words
 from shapeblend_cli.system.interrupts import Interrupted, listening
@@ -33,7 +23,9 @@ FAILED, USAGE = 1, 2
 
 @click.group(
     cls=DefaultGroup,
-    commands=[blend, studio, batch, inspect, judge, plot, rank, states, inkscape, completion],
+    commands=Commands(
+        "blend", "studio", "batch", "inspect", "judge", "plot", "rank", "states", "inkscape", "completion"
+    ),
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 @click.version_option(__version__, prog_name="shapeblend", message="%(prog)s %(version)s")

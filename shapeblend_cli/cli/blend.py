@@ -9,7 +9,7 @@ import click
 from shapeblend_cli.cli.group import TYPED, SectionedCommand
 from shapeblend_cli.cli.parameters import NAME, options_of
 from shapeblend_cli.cli.terminal import Terminal, TerminalOptions, details
-from shapeblend_cli.job.job import RECORDS, job_of
+from shapeblend_cli.job.job import RECORDS, check_inputs, job_of
 from shapeblend_cli.job.options import RunOptions
 from shapeblend_cli.system.interrupts import limit
 
@@ -40,6 +40,7 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
     files, given = opened(files, given, stays_inside=True)
     job = job_of(files, given, ("shapeblend", *context.meta[TYPED]))
     limit(*RunOptions.of(given).values)
+    check_inputs(job.files)
 
     from shapeblend_cli.job.make import blend_files
 

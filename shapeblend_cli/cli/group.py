@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -41,6 +43,28 @@ class SectionedCommand(click.Command):
         for title in sorted(sections, key=SECTIONS.index):
             with formatter.section(title):
                 formatter.write_dl(sections[title])
+
+
+class Commands(Mapping[str, click.Command]):
+    """Commands by name, each in a module of its name in this package, which is loaded when the command is asked for."""
+
+    def __init__(self, *names: str) -> None:
+        self._names = names
+
+    def __getitem__(self, name: str) -> click.Command:
+        """Load a command."""
+        if name not in self._names:
+            raise KeyError(name)
+        command: click.Command = getattr(import_module(f"{__package__}.{name}"), name)
+        return command
+
+    def __iter__(self) -> Iterator[str]:
+        """Yield the names."""
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        """Count the commands."""
+        return len(self._names)
 
 
 class DefaultGroup(click.Group):

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from shapeblend_cli.errors import OptionError, OutputError
+from shapeblend_cli.errors import OptionError, OutputError, unreadable
 from shapeblend_cli.job.options import RunOptions, WriteOptions, report_settings
 from shapeblend_cli.options.fields import Record
 from shapeblend_cli.options.settings import ReadOptions, Settings
@@ -56,6 +56,16 @@ def check_files(files: tuple[str, ...], settings: Settings) -> None:
     if files.count(STANDARD_INPUT) > 1:
         raise OptionError("only one of the files can be standard input")
     settings.check_drawings(len(files))
+
+
+def check_inputs(files: Sequence[str]) -> None:
+    """Raise InputError for a file that is not there, before anything heavy is imported to read the others."""
+    for file in files:
+        try:
+            if file != STANDARD_INPUT:
+                os.stat(file)
+        except (OSError, ValueError) as error:
+            raise unreadable(file, error, "SVG file") from None
 
 
 def all_targets(job: Job) -> list[Path]:

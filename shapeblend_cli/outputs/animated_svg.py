@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.outputs.formats import Format, OutputSpec, Rendered, page_of, views
+from shapeblend_cli.outputs.formats import OutputSpec, Rendered, page_of, views
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Page, Pair
 
 
-def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Frames that are visible in turn include the drawings. One mixture stands still."""
     from shapeblend_cli.frames.frames import make_frames
     from shapeblend_cli.interpolate.chains import keyframed_shapes
@@ -63,15 +63,3 @@ def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Ren
     ]
     notes += clips_left_out(pairs, "CSS transitions")
     return Rendered([reacting_css(reaction, spec.timing, decimals)], notes)
-
-
-FORMAT = Format(
-    "animated svg",
-    "one animated SVG",
-    _render,
-    suffix=".svg",
-    to_standard_output=True,
-    takes_stagger=True,
-    takes_triggers=True,
-    mixtures="one",
-)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.outputs.formats import Format, OutputSpec, Rendered
+from shapeblend_cli.outputs.formats import OutputSpec, Rendered
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
 
@@ -173,7 +173,8 @@ def _add(parent: Element, tag: str, attributes: dict[str, str] | None = None) ->
     return element
 
 
-def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+    """Return the drawable."""
     from shapeblend_cli.outputs.move import clips_left_out, moves_of
 
     (move,), decimals = moves_of(pairs, trims=True), spec.decimals(pairs)
@@ -189,14 +190,3 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
         *clips_left_out(pairs, "Android"),
     ]
     return Rendered([animated_vector(move, spec.timing, decimals)], notes)
-
-
-FORMAT = Format(
-    "avd",
-    "an animated vector drawable for Android",
-    _render,
-    emit="avd",
-    suffix=".xml",
-    to_standard_output=True,
-    takes_sequences=False,
-)

@@ -7,8 +7,8 @@ import math
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError
-from shapeblend_cli.outputs.formats import WHITE, Format, OutputSpec, Rendered, frame_svgs
-from shapeblend_cli.outputs.pixels import Size, check_libraries, check_pixels, rasterize, read_png, size_of
+from shapeblend_cli.outputs.formats import WHITE, OutputSpec, Rendered, frame_svgs
+from shapeblend_cli.outputs.pixels import Size, check_pixels, rasterize, read_png, size_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -68,7 +68,8 @@ def contact_sheet(
     return sheet.convert("RGB") if page and ground else sheet
 
 
-def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+    """Return the picture."""
     cell, ground = size_of(spec.width, pairs, spec.frame_count), spec.ground
     sheet = contact_sheet(frame_svgs(spec, pairs), cell, spec.columns, ground, PAGE if ground else None)
     file = io.BytesIO()
@@ -76,20 +77,7 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     return Rendered([file.getvalue()])
 
 
-def _check(spec: OutputSpec) -> None:
+def check(spec: OutputSpec) -> None:
+    """Raise OptionError where there are no frames."""
     if not spec.frame_count:
         raise OptionError("--frames 0 leaves nothing for a contact sheet; --frames 1 or --ends would work")
-
-
-FORMAT = Format(
-    "contact sheet",
-    "a contact sheet of all frames",
-    _render,
-    suffix=".png",
-    takes_times=True,
-    takes_stagger=True,
-    mixtures="several",
-    defaults={"width": 200, "columns": None, "background": WHITE},
-    check=_check,
-    check_libraries=check_libraries,
-)

@@ -1,14 +1,16 @@
 """A format, and an output in a format.
 
-A format is chosen, and its options are checked, before anything heavy is imported: the modules of formats import
-numpy, svgwrite, Pillow and resvg_py only in the functions that need them.
+A format is chosen, and its options are checked, before anything heavy is imported: the functions of a format are known
+by their names, and the modules of formats import numpy, svgwrite, Pillow and resvg_py only in the functions that need
+them.
 """
 
 from __future__ import annotations
 
+from importlib import import_module
 from os.path import join
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeVar
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -24,6 +26,9 @@ T = TypeVar("T")
 
 TRANSPARENT, WHITE = "transparent", "#ffffff"
 
+FASTEST = 50
+"""Maximum rate of an animation, in pictures a second. Browsers slow faster animations down."""
+
 
 class Rendered(NamedTuple):
     """The contents of an output, in the order of `OutputSpec.files`, and notes on properties that it cannot show."""
@@ -35,12 +40,12 @@ class Rendered(NamedTuple):
 class Format(NamedTuple):
     """A format that a blend can be written in.
 
-    Checks raise `OptionError` for options that it cannot be written with, and `PictureError` for missing libraries.
+    Functions are named as "module.function", in this package.
     """
 
     name: str
     help: str
-    render: Callable[[OutputSpec, Sequence[Pair]], Rendered]
+    renderer: str
     emit: str = "frames"  # the value of --emit for it; frames leaves the choice to --output and --format
     suffix: str = ""  # of its file; empty if it is a folder
     files: Sequence[str] = ()  # names in its folder; empty if that has a file for each frame
@@ -52,13 +57,35 @@ class Format(NamedTuple):
     mixtures: Literal["none", "one", "several"] = "none"  # how many of --mix it shows
     defaults: Mapping[str, str | int | None] = {}  # of the shared options that it takes
     motion: str = "auto"  # what the motion auto stands for
-    check: Callable[[OutputSpec], None] = lambda spec: None
-    check_libraries: Callable[[], None] = lambda: None
+    checker: str = ""
+    libraries: str = ""
+
+    def render(self, spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+        """Return the contents of an output."""
+        rendered: Rendered = named(self.renderer)(spec, pairs)
+        return rendered
+
+    def check(self, spec: OutputSpec) -> None:
+        """Raise OptionError for options that it cannot be written with."""
+        if self.checker:
+            named(self.checker)(spec)
+
+    def check_libraries(self) -> None:
+        """Raise PictureError for missing libraries."""
+        if self.libraries:
+            named(self.libraries)()
 
     @property
     def has_frame_files(self) -> bool:
         """Whether it is a folder with a file for each frame."""
         return not (self.suffix or self.files)
+
+
+def named(name: str) -> Callable[..., Any]:
+    """Return a function of a format."""
+    module, function = name.split(".")
+    found: Callable[..., Any] = getattr(import_module(f"{__package__}.{module}"), function)
+    return found
 
 
 class OutputSpec(NamedTuple):

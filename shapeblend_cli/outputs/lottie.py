@@ -10,7 +10,7 @@ import cmath
 import math
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from shapeblend_cli.outputs.formats import Format, OutputSpec, Rendered
+from shapeblend_cli.outputs.formats import OutputSpec, Rendered
 from shapeblend_cli.svg.writing.rounding import number
 
 if TYPE_CHECKING:
@@ -372,7 +372,8 @@ def _rounded(value: float, decimals: int) -> float:
     return int(rounded) if rounded.is_integer() else rounded
 
 
-def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+    """Return the animation."""
     from shapeblend_cli.outputs.move import clips_left_out, moves_of
 
     moves = moves_of(pairs, trims=True)
@@ -386,13 +387,3 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
             if _loses_dashes(shape.start.style, shape.end.style)
         ]
     return Rendered([text], [*notes, *clips_left_out(pairs, "Lottie")])
-
-
-FORMAT = Format(
-    "lottie",
-    "a Lottie animation (JSON)",
-    _render,
-    emit="lottie",
-    suffix=".json",
-    to_standard_output=True,
-)

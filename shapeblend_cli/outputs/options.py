@@ -10,9 +10,8 @@ from shapeblend_cli.options.fields import Record, option
 from shapeblend_cli.options.settings import ANIMATIONS, IN_BETWEENS, OUTPUT, PICTURES, Settings
 from shapeblend_cli.options.triggers import Trigger
 from shapeblend_cli.options.types import COLOUR, REPEAT, TRIGGER, choice, file, number, whole
-from shapeblend_cli.outputs.formats import Format, OutputSpec
+from shapeblend_cli.outputs.formats import FASTEST, Format, OutputSpec
 from shapeblend_cli.outputs.pixels import MOST_SIDE
-from shapeblend_cli.outputs.raster_animation import FASTEST
 from shapeblend_cli.outputs.registry import DEFAULT, EMITS, FORMATS, FRAME_FORMATS, alternatives, choose
 
 SHARED = {

@@ -13,21 +13,15 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.errors import OptionError, PictureError
 from shapeblend_cli.options.easing import Timing
-from shapeblend_cli.outputs.formats import TRANSPARENT, WHITE, Format, OutputSpec, Rendered, frame_svgs
+from shapeblend_cli.outputs.formats import FASTEST, OutputSpec, Rendered, frame_svgs
 from shapeblend_cli.outputs.pixels import Size, check_libraries, rasterize, read_png, size_of
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Iterable, Sequence
 
     from PIL import Image
 
     from shapeblend_cli.model import Pair
-
-FPS = 25
-"""Default rate, in pictures a second."""
-
-FASTEST = 50
-"""Maximum rate, in pictures a second. Browsers slow faster animations down."""
 
 MOST_RUNS = 65_535
 """Maximum number of runs in the file formats."""
@@ -129,14 +123,16 @@ def svgs_of(spec: OutputSpec, pairs: Sequence[Pair], run: Run) -> list[str]:
     return frame_svgs(spec, pairs, spec.settings.replace(frames=run.steps - 1, ends=True))
 
 
-def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+    """Return the animation."""
     run = run_of(spec)
     size = size_of(spec.width, pairs, run.pictures)
     svgs = svgs_of(spec, pairs, run)
     return Rendered([encode(spec.format.name, spec.counted(svgs), size, run, spec.ground)])
 
 
-def _check(spec: OutputSpec) -> None:
+def check(spec: OutputSpec) -> None:
+    """Raise OptionError for an animation that its format, or browsers, cannot play."""
     run, repeat = run_of(spec), spec.timing.repeat
     if spec.format.name == "gif" and spec.ground is None:
         raise OptionError(
@@ -151,30 +147,10 @@ def _check(spec: OutputSpec) -> None:
         raise OptionError(f"--repeat {repeat}: raster animations run {MOST_RUNS} times at most, or forever")
 
 
-def _check_webp() -> None:
+def check_webp() -> None:
+    """Raise PictureError where WebP cannot be written."""
     check_libraries()
     from PIL import features
 
     if not features.check("webp"):
         raise PictureError("the installed Pillow cannot write WebP; .apng would work")
-
-
-def in_time(form: Format, width: int, background: str) -> Format:
-    """Return a format with the fields of all animations of pictures, and its own width and background."""
-    return form._replace(
-        suffix=f".{form.name}",
-        takes_stagger=True,
-        defaults={"width": width, "background": background, "fps": FPS},
-    )
-
-
-def _format(name: str, background: str, check_libraries: Callable[[], None]) -> Format:
-    form = Format(name, "a raster animation", _render, check=_check, check_libraries=check_libraries)
-    return in_time(form, 400, background)
-
-
-FORMATS = (
-    _format("gif", WHITE, check_libraries),
-    _format("webp", TRANSPARENT, _check_webp),
-    _format("apng", TRANSPARENT, check_libraries),
-)

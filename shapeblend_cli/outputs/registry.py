@@ -6,33 +6,116 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError
-from shapeblend_cli.outputs import (
-    animated_svg,
-    avd,
-    contact_sheet,
-    frame_files,
-    lottie,
-    raster_animation,
-    svg_pair,
-    video,
-)
-from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, Format
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, TRANSPARENT, WHITE, Format
 from shapeblend_cli.system.write import is_stream
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
 
+_PICTURES = Format(
+    "png",
+    "one file for each frame",
+    "frame_files.render_png",
+    takes_times=True,
+    takes_stagger=True,
+    mixtures="several",
+    defaults={"width": 512, "background": TRANSPARENT},
+    libraries="pixels.check_libraries",
+)
+
+_FRAMES = _PICTURES._replace(name="svg", renderer="frame_files.render_svg", defaults={}, libraries="")
+
+_GIF = Format(
+    "gif",
+    "a raster animation",
+    "raster_animation.render",
+    suffix=".gif",
+    takes_stagger=True,
+    defaults={"width": 400, "background": WHITE, "fps": 25},
+    checker="raster_animation.check",
+    libraries="pixels.check_libraries",
+)
+
+_MP4 = _GIF._replace(
+    name="mp4",
+    help="a video, made with ffmpeg",
+    renderer="video.render",
+    suffix=".mp4",
+    defaults={**_GIF.defaults, "width": 640},
+    checker="video.check",
+    libraries="video.check_ffmpeg",
+)
+
+_CLEAR = {**_GIF.defaults, "background": TRANSPARENT}
+
 FORMATS: tuple[Format, ...] = (
-    *frame_files.SINGLE,
-    animated_svg.FORMAT,
-    contact_sheet.FORMAT,
-    *raster_animation.FORMATS,
-    *video.FORMATS,
-    svg_pair.FORMAT,
-    frame_files.LAYERS,
-    lottie.FORMAT,
-    avd.FORMAT,
+    _FRAMES,
+    _PICTURES,
+    Format(
+        "animated svg",
+        "one animated SVG",
+        "animated_svg.render",
+        suffix=".svg",
+        to_standard_output=True,
+        takes_stagger=True,
+        takes_triggers=True,
+        mixtures="one",
+    ),
+    Format(
+        "contact sheet",
+        "a contact sheet of all frames",
+        "contact_sheet.render",
+        suffix=".png",
+        takes_times=True,
+        takes_stagger=True,
+        mixtures="several",
+        defaults={"width": 200, "columns": None, "background": WHITE},
+        checker="contact_sheet.check",
+        libraries="pixels.check_libraries",
+    ),
+    _GIF,
+    _GIF._replace(name="webp", suffix=".webp", defaults=_CLEAR, libraries="raster_animation.check_webp"),
+    _GIF._replace(name="apng", suffix=".apng", defaults=_CLEAR),
+    _MP4,
+    _MP4._replace(name="webm", suffix=".webm", defaults={**_MP4.defaults, "background": TRANSPARENT}),
+    Format(
+        "pair",
+        "A and B as SVG files with the same path commands, for other programs to morph",
+        "svg_pair.render",
+        emit="pair",
+        files=("a.svg", "b.svg"),
+        takes_sequences=False,
+        motion="linear",  # as programs move between two files
+    ),
+    Format(
+        "layers",
+        "one SVG with all frames as layers of Inkscape",
+        "frame_files.render_layers",
+        emit="layers",
+        suffix=".svg",
+        to_standard_output=True,
+        takes_times=True,
+        takes_stagger=True,
+        checker="frame_files.check_layers",
+    ),
+    Format(
+        "lottie",
+        "a Lottie animation (JSON)",
+        "lottie.render",
+        emit="lottie",
+        suffix=".json",
+        to_standard_output=True,
+    ),
+    Format(
+        "avd",
+        "an animated vector drawable for Android",
+        "avd.render",
+        emit="avd",
+        suffix=".xml",
+        to_standard_output=True,
+        takes_sequences=False,
+    ),
 )
 
 EMITS = tuple(dict.fromkeys(format.emit for format in FORMATS))

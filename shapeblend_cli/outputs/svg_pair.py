@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.outputs.formats import Format, OutputSpec, Rendered
+from shapeblend_cli.outputs.formats import OutputSpec, Rendered
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -41,20 +41,10 @@ def svg_pair(move: Move, decimals: int) -> list[str]:
     ]
 
 
-def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+    """Return both documents."""
     from shapeblend_cli.outputs.move import clips_left_out, moves_of
 
     (move,) = moves_of(pairs)
     notes = [*move.lost_curved_motion(), *clips_left_out(pairs, "--emit pair")]
     return Rendered(svg_pair(move, spec.decimals(pairs)), notes)
-
-
-FORMAT = Format(
-    "pair",
-    "A and B as SVG files with the same path commands, for other programs to morph",
-    _render,
-    emit="pair",
-    files=("a.svg", "b.svg"),
-    takes_sequences=False,
-    motion="linear",  # as programs move between two files
-)

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError, PictureError
 from shapeblend_cli.outputs import pixels
-from shapeblend_cli.outputs.formats import TRANSPARENT, WHITE, Format, OutputSpec, Rendered
+from shapeblend_cli.outputs.formats import OutputSpec, Rendered
 from shapeblend_cli.outputs.pixels import rasterize, size_of
-from shapeblend_cli.outputs.raster_animation import in_time, run_of, svgs_of
+from shapeblend_cli.outputs.raster_animation import run_of, svgs_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -63,7 +63,8 @@ def encode(
         return file.read_bytes()
 
 
-def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+    """Return the video."""
     run = run_of(spec)
     size = size_of(spec.width, pairs)
     pngs = [rasterize(svg, size, spec.ground) for svg in spec.counted(svgs_of(spec, pairs, run))]
@@ -72,7 +73,8 @@ def _render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     return Rendered([encode(spec.format.name, pngs, run.order() * runs, rate, spec.ground)])
 
 
-def _check(spec: OutputSpec) -> None:
+def check(spec: OutputSpec) -> None:
+    """Raise OptionError for a video that its format cannot hold, or that is too long."""
     run, repeat = run_of(spec), spec.timing.repeat
     if spec.format.name == "mp4" and spec.ground is None:
         raise OptionError(
@@ -88,18 +90,11 @@ def _check(spec: OutputSpec) -> None:
         )
 
 
-def _check_ffmpeg() -> None:
+def check_ffmpeg() -> None:
+    """Raise PictureError where pictures cannot be drawn, or ffmpeg is missing."""
     pixels.check_libraries()
     if shutil.which("ffmpeg") is None:
         raise PictureError(
             "videos need the program ffmpeg, which is not installed (apt-get install ffmpeg, brew install ffmpeg); "
             ".gif, .webp and .apng would work"
         )
-
-
-def _format(name: str, background: str) -> Format:
-    form = Format(name, "a video, made with ffmpeg", _render, check=_check, check_libraries=_check_ffmpeg)
-    return in_time(form, 640, background)
-
-
-FORMATS = (_format("mp4", WHITE), _format("webm", TRANSPARENT))

@@ -1,11 +1,21 @@
 """Which format is chosen by its name."""
 
-from shapeblend_cli.outputs import registry
-from shapeblend_cli.outputs.formats import Format, Rendered
+import inspect
+
+import pytest
+
+from shapeblend_cli.outputs import formats, registry
+from shapeblend_cli.outputs.formats import Format
 
 
 def test_the_longest_suffix_wins(monkeypatch):
-    longer = Format("riv", "", lambda spec, pairs: Rendered([]), emit="riv", suffix=".riv.json")
+    longer = Format("riv", "", "", emit="riv", suffix=".riv.json")
     monkeypatch.setattr(registry, "FORMATS", (*registry.FORMATS, longer))
     assert registry.choose("riv", "x.RIV.json", None, 2) == (longer, "x.RIV.json")
     assert registry.choose("lottie", "x.json", None, 2)[0].name == "lottie"
+
+
+@pytest.mark.parametrize("form", registry.FORMATS, ids=lambda form: form.name)
+def test_functions_of_formats_are_there(form):
+    for name, takes in ((form.renderer, 2), (form.checker, 1), (form.libraries, 0)):
+        assert not name or len(inspect.signature(formats.named(name)).parameters) == takes

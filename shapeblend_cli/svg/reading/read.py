@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from shapeblend_cli.errors import InputError
+from shapeblend_cli.errors import InputError, unreadable
 from shapeblend_cli.model import Drawing
 from shapeblend_cli.svg.reading import viewports
 from shapeblend_cli.svg.reading.walk import Walk
@@ -64,9 +64,6 @@ def contents_of(file: str) -> bytes:
             return stream.read(xmltree.MAX_BYTES + 1)
     except InputError:
         raise
-    except OSError as error:
+    except (OSError, ValueError) as error:
         name = "<stdin>" if file == STANDARD_INPUT else file
-        raise InputError(name, f"cannot be read ({error.strerror}); a readable SVG file would work") from None
-    except ValueError:
-        # Names with a null character.
-        raise InputError(file, "not the name of a file") from None
+        raise unreadable(name, error, "SVG file") from None
