@@ -23,14 +23,14 @@ ROOMS = {
     "__main__": "cli",
     "cli": "studio batch plot inkscape rows job outputs options svg.reading system errors version",
     "__init__": "api outputs options errors model version",
-    "studio": "rows job blending preview outputs frames svg.writing motion options svg.reading system errors "
+    "studio": "rows job blending preview outputs frames svg.writing options svg.reading system errors "
     "model version",
     "api": "job pipeline outputs wires frames svg.writing options svg.reading system errors model version",
-    "batch": "rows job outputs svg.writing motion options svg.reading system errors model version",
+    "batch": "rows job blending outputs svg.writing options svg.reading system errors model version",
     "plot": "job pens wires matching svg.writing options svg.reading geometry system errors model",
     "rows": "job options system errors",
     "inkscape": "pipeline outputs frames svg.writing options svg.reading geometry svg.xml system errors model",
-    "job": "pipeline blending grading pens preview outputs frames matching svg.writing motion options svg.reading "
+    "job": "pipeline blending grading pens preview outputs frames matching svg.writing options svg.reading "
     "interpolate geometry paint system errors model version",
     "pipeline": "blending wires frames options anatomy interpolate paint system model",
     "blending": "pens grading pairing wires frames motion options anatomy interpolate geometry paint system errors "

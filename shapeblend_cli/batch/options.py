@@ -121,8 +121,7 @@ class RankOptions(Record, section=RANK):
     by: str = option(
         types.choice("looks", "work"),
         default="looks",
-        help="Order of the list. looks: by how wrong blends look to the judge, the least wrong first; work: by their "
-        "work, the least first.",
+        help="Order of the list. looks: by the grades of blends, the best first; work: by their work, the least first.",
     )
     top: int | None = option(types.whole(1), default=None, help="List only the first N.", default_text="all")
     as_json: bool = option(

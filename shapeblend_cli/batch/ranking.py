@@ -26,15 +26,14 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Pair
 
 
-RESTS = "it rests, or turns as a whole"
 NOTHING = "nothing becomes anything"
 
 
 class Rating(NamedTuple):
     """What is found of a blend."""
 
-    wrong: float | None  # by the judge; None if no contour has a partner
-    fault: str  # what is worst, a phrase; empty if nothing is wrong
+    grade: float | None  # from 0 to 3; None if no contour has a partner
+    why: str  # what is worst, a phrase; empty if nothing is
     work: float | None  # of all contours that have a partner, as in the report
     alone: int  # contours of both drawings without a partner
     motions: tuple[str, ...]  # of the shapes that are matched, those that there are
@@ -44,8 +43,8 @@ class Rating(NamedTuple):
     def as_json(self) -> dict[str, Any]:
         """Return what a line of JSON has of it."""
         return {
-            "wrong": self.wrong,
-            "fault": self.fault,
+            "grade": self.grade,
+            "why": self.why,
             "work": self.work,
             "alone": self.alone,
             "motions": list(self.motions),
@@ -112,16 +111,16 @@ class Ranking:
     def _key(self, one: Rated) -> tuple[float, float]:
         if one.rating is None:
             return math.inf, math.inf
-        wrong, work = one.rating.wrong, one.rating.work
-        if wrong is None or work is None:
+        grade, work = one.rating.grade, one.rating.work
+        if grade is None or work is None:
             return math.inf, 0.0
-        return (work, wrong) if self._options.by == "work" else (wrong, work)
+        return (work, grade) if self._options.by == "work" else (grade, work)
 
 
 def _words(place: int, file: str, found: Rating) -> str:
-    number = "-" if found.wrong is None else f"{found.wrong:.3f}"
-    fault = f": {found.fault}" if found.fault else ""
-    return f"{place}  {file}  {number}{fault}"
+    number = "-" if found.grade is None else f"{found.grade:.2f}"
+    why = f": {found.why}" if found.why else ""
+    return f"{place}  {file}  {number}{why}"
 
 
 def _others(first: str, names: Sequence[str]) -> list[str]:
@@ -142,20 +141,17 @@ def _others(first: str, names: Sequence[str]) -> list[str]:
 
 
 def rating(pair: Pair) -> Rating:
-    """Return how wrong a blend looks to the judge, and what work it takes."""
-    from shapeblend_cli.motion.verdict import verdict
+    """Return how good a blend looks, and what work it takes."""
+    from shapeblend_cli.blending.graded import grade_of
 
     matched = [contour for contour in pair.contours if contour.is_matched]
     alone = sum(not contour.is_matched for contour in pair.contours)
     if not matched:
         return Rating(None, NOTHING, None, alone, ())
-    found = verdict([pair], asked_too=True)
+    grade = grade_of(pair)
     motions = dict.fromkeys(shape.motion_name for shape in pair.each_shape if shape.is_matched)
     work = sum(contour.correspondence.work for contour in matched)
-    if found is None:
-        return Rating(0.0, RESTS, round(work, 6), alone, tuple(motions))
-    fault = found.fault if found.wrong > 0.0 else ""
-    return Rating(found.wrong, fault, round(work, 6), alone, tuple(motions))
+    return Rating(round(grade.number, 3), grade.why or "", round(work, 6), alone, tuple(motions))
 
 
 def rate(order: Order, note: Callable[[str], None], _warn: Callable[[str], None]) -> Rating:

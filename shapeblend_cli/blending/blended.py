@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.blending.drawn import draws_strokes, with_drawn_strokes
 from shapeblend_cli.blending.expanded import with_outlines
+from shapeblend_cli.blending.graded import grade_of_shapes
 from shapeblend_cli.blending.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.several import with_common_lines
 from shapeblend_cli.frames.fades import in_paint_order
-from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.model import Box, Pair
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pairing.changes import crossed_out
@@ -31,9 +31,6 @@ if TYPE_CHECKING:
 
 MARGIN = 0.5
 """Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in grades."""
-
-STEPS = 6
-"""Number of steps between the pictures that are graded."""
 
 
 def blend_shapes(
@@ -82,17 +79,7 @@ def blend_shapes(
     if lines.is_sure:
         return shapes
     outlines = outlined(a, b, settings)
-    return outlines if _grade(outlines, view) < _grade(shapes, view) - MARGIN else shapes
-
-
-def _grade(shapes: Shapes, view: Box) -> float:
-    """Return how good shapes look on their way."""
-    pair = Pair(0, 1, shapes, ((), ()), (view, view))
-    # Few drawings are partly drawn with a pen.
-    from shapeblend_cli.grading.grade import grade
-    from shapeblend_cli.grading.painting import picture
-
-    return grade([picture(shapes_at(pair, k / STEPS), view) for k in range(STEPS + 1)]).number
+    return outlines if grade_of_shapes(outlines, view) < grade_of_shapes(shapes, view) - MARGIN else shapes
 
 
 def with_lines_in_common(pairs: Sequence[Pair], a: PlacedDrawing) -> list[Pair] | None:

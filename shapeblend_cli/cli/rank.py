@@ -25,7 +25,7 @@ EXAMPLES = (
     ("shapeblend rank a.svg icons --json | head -n 1", "the best, for a program"),
 )
 
-COLUMNS = ("place", "wrong", "work", "alone", "file", "what is worst")
+COLUMNS = ("place", "grade", "work", "alone", "file", "what is worst")
 
 HELPS = {
     "timeout": "Leave out a drawing if its blend takes longer than S seconds.  [default: 300]",
@@ -52,7 +52,7 @@ HELPS = {
 def rank(first: str, names: tuple[str, ...], **given: Any) -> int:
     """Find the drawings in a folder that blend best with A.
 
-    For each drawing the table lists how wrong the in-betweens look to the judge (0 is perfect), their work, and the
+    For each drawing the table lists the grade of the in-betweens (0 is best, 3 worst), their work, and the
     number of contours without a partner, which grow or shrink. DIR may also be a pattern in quotes, or files.
     """
     from shapeblend_cli.batch.ranking import Ranking
@@ -96,6 +96,6 @@ def _cells(place: int, one: Rated) -> tuple[str, ...]:
     """Return the cells of a row; none but the last is empty, so that awk can count on them."""
     found = one.rating
     assert found is not None
-    wrong = "-" if found.wrong is None else f"{found.wrong:.3f}"
+    grade = "-" if found.grade is None else f"{found.grade:.2f}"
     work = "-" if found.work is None else f"{found.work:.4g}"
-    return str(place), wrong, work, str(found.alone), one.file, found.fault
+    return str(place), grade, work, str(found.alone), one.file, found.why

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -19,6 +19,9 @@ FRAMES = 7
 
 WORST = 3.0
 """Grade of what is unusable."""
+
+POOR = 2.0
+"""Minimum grade that people should be told of."""
 
 NAMES = ("as drawn by hand", "good, with a small flaw", "flawed", "unusable")
 
@@ -57,11 +60,20 @@ class Grade(NamedTuple):
         """The grade in words."""
         return NAMES[round(self.number)]
 
+    @property
+    def is_poor(self) -> bool:
+        """Whether people should be told."""
+        return self.number >= POOR
+
+    def as_json(self) -> dict[str, Any]:
+        """Return its number, its name, and its reason."""
+        return {"number": round(self.number, 2), "name": self.name, "why": self.why}
+
 
 def grade(strip: Sequence[PictureArray]) -> Grade:
     """Grade a strip of three pictures or more, each (4, n, n); see `features.features`.
 
-    If all corners of the first picture have one opaque colour, this is taken for the ground.
+    If all corners of the first and the last picture have one opaque colour, this is taken for the ground.
     """
     places = np.unique(np.rint(np.linspace(0, len(strip) - 1, min(len(strip), FRAMES))).astype(int))
     found = features(_without_ground([strip[k] for k in places.tolist()]))
@@ -75,9 +87,9 @@ def grade(strip: Sequence[PictureArray]) -> Grade:
 
 
 def _without_ground(strip: list[PictureArray]) -> list[PictureArray]:
-    """Return pictures whose ground is transparent."""
-    corners = strip[0][:, [0, 0, -1, -1], [0, -1, 0, -1]]
-    if corners[3].min() < 0.99 or np.ptp(corners, axis=1).max() > 0.02:
+    """Return pictures whose ground, if both ends have the same one, is transparent."""
+    corners = np.stack([strip[k][:, [0, 0, -1, -1], [0, -1, 0, -1]] for k in (0, -1)])
+    if corners[:, 3].min() < 0.99 or np.ptp(corners, axis=(0, 2)).max() > 0.02:
         return strip
-    ground = corners[:, 0, None, None]
+    ground = corners[0, :, 0, None, None]
     return [np.where(np.abs(picture - ground).max(axis=0) > 0.06, picture, 0.0) for picture in strip]

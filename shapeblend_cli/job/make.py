@@ -12,6 +12,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from shapeblend_cli.blending.graded import grade_of, is_suspect
 from shapeblend_cli.blending.placing import place
 from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
 from shapeblend_cli.frames.frames import end_frames, times_of_frames
@@ -19,7 +20,6 @@ from shapeblend_cli.job.job import Job, all_targets
 from shapeblend_cli.job.report import Measures, measure, report
 from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.model import Drawing, Pair
-from shapeblend_cli.motion.verdict import verdict
 from shapeblend_cli.options.settings import ReadOptions, Settings
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
 from shapeblend_cli.pipeline import match_all
@@ -240,13 +240,20 @@ def match_drawings(
 
 def _say_if_poor(job: Job, pairs: Sequence[Pair], note: Callable[[str], None]) -> None:
     """Warn of poor in-betweens, with their worst fault and a remedy; raise InputError if that is asked for."""
-    found = None if job.output.settings.mix else verdict(pairs)
-    if found is None or not found.is_poor:
+    is_asked = job.write.fail_on == "poor"
+    if job.output.settings.mix:
         return
-    files = f"{job.files[found.a]} and {job.files[found.b]}"
+    graded = [(grade_of(pair), pair) for pair in pairs if is_asked or is_suspect(pair)]
+    if not graded:
+        return
+    grade, pair = max(graded, key=lambda each: each[0].number)
+    if not grade.is_poor:
+        return
+    files = f"{job.files[pair.a]} and {job.files[pair.b]}"
     sheet = "" if job.write.tries else ", and --try FILE.svg shows other blends"
-    problem = f"the in-betweens look poor, {found.wrong:.2f}: {found.fault}; --pin or --match may help{sheet}"
-    if job.write.fail_on == "poor":
+    why = f": {grade.why}" if grade.why else ""
+    problem = f"the in-betweens look poor, grade {grade.number:.1f}{why}; --pin or --match may help{sheet}"
+    if is_asked:
         raise InputError(files, problem)
     note(f"{files}: {problem}")
 

@@ -29,13 +29,13 @@ class WriteOptions(Record, section=OUTPUT):
         default=None,
         flags=("--try",),
         metavar="FILE.svg",
-        help="Write a sheet of other blends of two drawings, to choose from by eye, each with its options and the "
-        "judge's number for how wrong it looks; 0 is perfect.",
+        help="Write a sheet of other blends of two drawings, to choose from by eye, each with its options and its "
+        "grade; 0 is best, 3 worst.",
     )
     fail_on: str = option(
         types.choice("never", "poor"),
         default="never",
-        help="poor: fail, and write nothing, if even the best in-betweens look poor to the judge.",
+        help="poor: fail, and write nothing, if the in-betweens are graded 2 or worse.",
     )
 
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.blending.graded import grade_of
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import paths_at
@@ -67,6 +68,7 @@ def report(
                 "b": pair.b,
                 "inside_a": _parents(pair, 0),
                 "inside_b": _parents(pair, 1),
+                "grade": grade_of(pair).as_json(),
                 "contours": [
                     _contour(contour, shape) for shape in pair.each_shape for contour in shape.contours
                 ],

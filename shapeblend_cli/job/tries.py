@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.blending.graded import grade_of
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.frames.frames import frame_at, shapes_at
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import ring_edges
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.model import Box
-from shapeblend_cli.motion.verdict import verdict
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.writing.document import frame_svg
 from shapeblend_cli.svg.writing.rounding import decimals_for
@@ -55,10 +55,10 @@ LARGER_SIDE = 96.0
 
 
 class Try(NamedTuple):
-    """A blend, the options that give it, and how wrong it looks to the judge."""
+    """A blend, the options that give it, and its grade."""
 
     options: str
-    wrong: float
+    grade: float
     pair: Pair
     changed: dict[str, Any]  # values of settings by name
 
@@ -66,9 +66,9 @@ class Try(NamedTuple):
 def tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> list[Try]:
     """Return the blend of two drawings and those others that differ from it and from each other to the eye.
 
-    The one at hand comes first, then the others, the least wrong first.
+    The one at hand comes first, then the others, the best first.
     """
-    found = [Try("as it is", _wrong(pair), pair, {})]
+    found = [Try("as it is", grade_of(pair).number, pair, {})]
     seen = [_pictures(pair)]
     for changed in WAYS:
         if any(settings.is_given(name) for name in changed):
@@ -80,13 +80,13 @@ def tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> list[T
         pictures = _pictures(other)
         if all(_differ(pictures, known) for known in seen):
             seen.append(pictures)
-            found.append(Try(_as_typed(settings, changed), _wrong(other), other, changed))
-    return [found[0], *sorted(found[1:], key=lambda one: one.wrong)]
+            found.append(Try(_as_typed(settings, changed), grade_of(other).number, other, changed))
+    return [found[0], *sorted(found[1:], key=lambda one: one.grade)]
 
 
 def tries_sheet(found: Sequence[Try], *, as_drawn: bool) -> str:
     """Return an SVG document with a row for each blend: its number, the options that give it, and its moments."""
-    rows = [Row(f"{one.wrong:.2f}  {one.options}", moments(one.pair, as_drawn=as_drawn)) for one in found]
+    rows = [Row(f"{one.grade:.1f}  {one.options}", moments(one.pair, as_drawn=as_drawn)) for one in found]
     return sheet(rows, *size_on_sheet(found[0].pair.views[0]))
 
 
@@ -110,11 +110,6 @@ def _as_typed(settings: Settings, changed: dict[str, Any]) -> str:
         f"{flags[name]} {value:g}" if isinstance(value, float) else f"{flags[name]} {value}"
         for name, value in changed.items()
     )
-
-
-def _wrong(pair: Pair) -> float:
-    found = verdict([pair], asked_too=True)
-    return found.wrong if found is not None else 0.0
 
 
 def _pictures(pair: Pair) -> list[IntArray]:

@@ -10,6 +10,7 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from shapeblend_cli.blending.graded import grade_of
 from shapeblend_cli.blending.placing import as_drawn, place
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.frames.frames import end_frames, frame_at
@@ -25,7 +26,6 @@ from shapeblend_cli.job.make import (
 )
 from shapeblend_cli.job.tries import tries
 from shapeblend_cli.model import Frame
-from shapeblend_cli.motion.verdict import verdict
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.preview.pictures import (
     correspondence_lists,
@@ -68,7 +68,7 @@ def _blend(order: Order) -> dict[str, Any]:
     ends = end_frames(pairs, settings)
     decimals = decimals_for([frame.view for frame in ends])
     maps = place(drawings, settings.place)
-    found = verdict(pairs, asked_too=True)
+    worst = max((grade_of(pair) for pair in pairs), key=lambda grade: grade.number)
     return {
         "drawings": [_drawing(drawing, k) for k, drawing in enumerate(drawings)],
         "pairs": [_pair(pair, ends, maps, decimals) for pair in pairs],
@@ -81,9 +81,7 @@ def _blend(order: Order) -> dict[str, Any]:
         "settings": {
             name: value for name, value in job.reported().items() if isinstance(value, int | float | str)
         },
-        "wrong": found.wrong if found is not None else None,
-        "fault": found.fault if found is not None and found.wrong > 0.0 else None,
-        "is_poor": found is not None and found.is_poor,
+        "grade": worst.as_json(),
         "notes": notes,
         "seconds": sum(clock.seconds.values()),
     }
@@ -151,7 +149,7 @@ def _drawing(drawing: Drawing, number: int) -> dict[str, Any]:
 
 
 def _others(order: Order) -> list[dict[str, Any]]:
-    """Return other blends of two drawings: the options that give each, how wrong it is, and pictures of moments."""
+    """Return other blends of two drawings: the options that give each, its grade, and pictures of moments."""
     job, clock = _job(order), Clock()
     settings = job.output.settings
     drawings = read_files(job.files, job.read, clock, _ignore, order.sources)
@@ -162,7 +160,7 @@ def _others(order: Order) -> list[dict[str, Any]]:
             "changes": {
                 settings.options[name].flags[-1].lstrip("-"): value for name, value in one.changed.items()
             },
-            "wrong": one.wrong,
+            "grade": one.grade,
             "pictures": [
                 frame_svg(frame.picture, decimals_for([frame.view]))
                 for frame in (frame_at(one.pair, t, as_drawn=settings.draws_ends) for t in THUMBNAIL_TIMES)

@@ -142,9 +142,9 @@ function show(answer, project) {
   shown.answer = answer;
   if (project === history.present) at("command").textContent = answer.command;
   stage.show(answer);
-  const { wrong, fault, is_poor: isPoor } = answer;
-  at("verdict").textContent = wrong === null ? "" : `${wrong < 0.1 ? "Looks right" : isPoor ? "Looks poor" : "Could be better"}, says the judge (${wrong.toFixed(2)})${fault && wrong >= 0.1 ? `: ${fault}` : ""}`;
-  at("verdict").dataset.is = wrong === null ? "" : wrong < 0.1 ? "right" : isPoor ? "poor" : "fair";
+  const { number, name, why } = answer.grade;
+  at("verdict").textContent = `Grade ${number.toFixed(1)} of 3, ${name}${why ? `: ${why}` : ""}`;
+  at("verdict").dataset.is = number < 1.0 ? "right" : number >= 2.0 ? "poor" : "fair";
   at("notes").replaceChildren(...answer.notes.filter((note) => !note.includes("in-betweens look poor")).map((note) => made("li", {}, note)));
   form.show(answer.settings);
   if (isFirst) tools.hint();
@@ -282,12 +282,12 @@ function lookForOthers() {
 }
 
 function showOthers(others) {
-  at("others-says").textContent = others.length > 1 ? "Each looks different. The number is what the judge finds wrong, 0 being perfect." : "Nothing else that was tried looks different.";
-  at("others").replaceChildren(...others.map(({ options, changes, wrong, pictures }, k) => {
+  at("others-says").textContent = others.length > 1 ? "Each looks different. The number is its grade, 0 being best and 3 worst." : "Nothing else that was tried looks different.";
+  at("others").replaceChildren(...others.map(({ options, changes, grade, pictures }, k) => {
     const images = pictures.map((svg) => made("img", { src: `data:image/svg+xml,${encodeURIComponent(svg)}`, alt: "" }));
     const button = made("button", { type: "button", "aria-pressed": k === 0 },
       made("span", { class: "pictures" }, ...images),
-      made("span", { class: "what" }, made("span", {}, options), made("span", { class: "quiet" }, wrong.toFixed(2))));
+      made("span", { class: "what" }, made("span", {}, options), made("span", { class: "quiet" }, grade.toFixed(1))));
     button.addEventListener("click", () => Object.keys(changes).length && app.change(changes, options));
     return button;
   }));

@@ -44,10 +44,10 @@ def test_the_best_comes_first_and_the_same_drawing_is_perfect(icons, ranked):
     assert [each["place"] for each in found] == [1, 2, 3, 4]
     assert {each["file"] for each in found} == {f"icons/{name}.svg" for name in "same leaf ring both".split()}
     assert found[0]["file"] == "icons/same.svg"
-    assert (found[0]["wrong"], found[0]["alone"]) == (0.0, 0)
-    wrong = [each["wrong"] for each in found]
-    assert wrong == sorted(wrong)
-    assert wrong[-1] > 0.0
+    assert (found[0]["why"], found[0]["alone"]) == ("", 0)
+    grades = [each["grade"] for each in found]
+    assert grades == sorted(grades)
+    assert grades[-1] > grades[0]
 
 
 def test_numbers_are_those_that_a_blend_reports(icons, ranked):
@@ -84,9 +84,9 @@ def test_processes_do_not_change_what_is_found(icons, ranked):
 def test_a_table_has_a_row_for_each(icons, capsys):
     assert run(["rank", "a.svg", "icons"]) == 0
     head, *rows = capsys.readouterr().out.splitlines()
-    assert head.split()[:5] == ["place", "wrong", "work", "alone", "file"]
+    assert head.split()[:5] == ["place", "grade", "work", "alone", "file"]
     assert [row.split()[0] for row in rows] == ["1", "2", "3", "4"]
-    assert rows[0].split()[1:5] == ["0.000", "0", "0", "icons/same.svg"]
+    assert rows[0].split()[1:5] == ["0.00", "0", "0", "icons/same.svg"]
 
 
 def test_the_first_drawing_is_not_compared_with_itself(icons, ranked):

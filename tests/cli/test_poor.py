@@ -1,17 +1,16 @@
 """What the command says and does where even the best in-betweens look poor: a line, --fail-on and --try."""
 
 import base64
+import json
 import re
+from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.motion.verdict import POOR, verdict
-from shapeblend_cli.svg.reading.read import read
 from tests.support.commands import write
 from tests.support.drawings import BAR, svg
-from tests.support.motions import pair_of
 from tests.support.shapes import comb, spiral
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -27,7 +26,7 @@ def path(z):
 
 @pytest.fixture(autouse=True)
 def here(here):
-    write(comb=svg(path(comb(5))), spiral=svg(path(spiral(2.0, 60))), bar=svg(BAR))
+    write(comb=svg(path(comb(9))), spiral=svg(path(spiral(4.0, 90))), bar=svg(BAR))
     return here
 
 
@@ -35,7 +34,7 @@ def test_a_poor_blend_is_said_in_one_line_that_says_what_would_help(here, capsys
     assert run(["comb.svg", "spiral.svg", *KEEP]) == 0
     (line,) = capsys.readouterr().err.splitlines()
     assert re.fullmatch(
-        r"shapeblend: comb.svg and spiral.svg: the in-betweens look poor, 0\.\d\d: [a-z ,]+; "
+        r"shapeblend: comb.svg and spiral.svg: the in-betweens look poor, grade \d\.\d: [a-z ,]+; "
         r"--pin or --match may help, and --try FILE.svg shows other blends",
         line,
     )
@@ -52,12 +51,18 @@ def test_in_a_pipeline_a_poor_blend_can_fail_and_then_nothing_is_written(here, c
     assert run(["bar.svg", "bar.svg", "--fail-on", "poor", "-o", "out"]) == 0
 
 
-def test_the_verdict_is_the_worst_pairs_and_names_it(here):
-    good, poor = (pair_of(read(f"{a}.svg"), read("spiral.svg")) for a in ("spiral", "comb"))
-    assert verdict([good]).wrong < POOR
-    found = verdict([good, poor._replace(a=1, b=2)])
-    assert (found.a, found.b, found.is_poor) == (1, 2, True)
-    assert verdict([pair_of(read("comb.svg"), read("spiral.svg"), motion="linear")]) is None
+def test_the_worst_pair_of_a_sequence_is_named(here, capsys):
+    assert run(["spiral.svg", "spiral.svg", "comb.svg", *KEEP, "--fail-on", "poor", "-o", "out"]) == 1
+    assert "spiral.svg and comb.svg: the in-betweens look poor, grade " in capsys.readouterr().err
+
+
+def test_the_grade_is_that_of_the_frames(here, capsys):
+    assert run(["comb.svg", "spiral.svg", *KEEP, "--ends", "-o", "out", "--report", "report.json", "-q"]) == 0
+    (pair,) = json.loads(Path("report.json").read_text("utf-8"))["pairs"]
+    assert run(["judge", "out", "--json"]) == 0
+    judged = json.loads(capsys.readouterr().out)
+    assert pair["grade"]["number"] == pytest.approx(judged["grade"], abs=0.02)
+    assert pair["grade"]["why"] == judged["why"]
 
 
 def test_a_sheet_of_tries_has_other_blends_with_their_numbers_and_options(here, capsys):
@@ -69,7 +74,7 @@ def test_a_sheet_of_tries_has_other_blends_with_their_numbers_and_options(here, 
     assert words[0].split(None, 1)[1] == "as it is"
     assert len(words) > 1
     assert numbers[1:] == sorted(numbers[1:])
-    assert all(re.match(r"\d+\.\d\d --", line.replace("  ", " ")) for line in words[1:])
+    assert all(re.match(r"\d\.\d --", line.replace("  ", " ")) for line in words[1:])
     pictures = [element.get(HREF) for element in root.iter(f"{SVG}image")]
     assert len(pictures) == 9 * len(words)
     first = base64.b64decode(pictures[0].partition("base64,")[2]).decode("utf-8")

@@ -34,7 +34,7 @@ CORRECTIONS = (
 def looked(values):
     project = project_of({"files": ["a.svg", "b.svg"], **values}, "", "")
     answer = answers.do(Order("blend", project, {}))
-    return json.dumps([answer[name] for name in ("pairs", "drawings", "wrong", "fault", "notes")])
+    return json.dumps([answer[name] for name in ("pairs", "drawings", "grade", "notes")])
 
 
 @pytest.mark.parametrize(("a", "b"), [("ring", "eyed"), ("squares", "letter"), ("letter", "letter")])

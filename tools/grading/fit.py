@@ -178,7 +178,7 @@ shapeblend judge after --fail-over 2       # exit status 1 if the grade is worse
 small flaw, 2 flawed, 3 unusable. A GIF is a strip of its own. The first and the last frame are taken to be right.
 Each frame is drawn as a picture of 96 x 96 pixels. Strips of more than seven frames are thinned to seven. Clips,
 dashes and gradients are drawn roughly: with their mean colours, without dashes, whole. If the corners of the first
-frame have one opaque colour, this is the ground.
+and the last frame have one opaque colour, this is the ground.
 
 The grade is a base and a weighted sum of the square roots of the features below. Each is 0 where nothing is wrong.
 Weights are not negative, so that the largest addition is the reason that is printed. `make judge-weights` fits them to
@@ -195,7 +195,8 @@ that people graded differently, the last column counts those in the right order.
 | --- | --- | --- | --- |
 {checks}
 
-The judge that chooses motions, [motion.md](motion.md), looks at outlines, not at pictures. Its number is another one.
+The report of a blend has its grade; `--fail-on poor`, `--try`, `rank` and the studio use it, too. The judge that chooses
+motions, [motion.md](motion.md), looks at outlines, not at pictures. Its number is another one.
 """
 
 

@@ -1,0 +1,40 @@
+"""The grade of a blend, by pictures of it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from shapeblend_cli.frames.frames import shapes_at
+from shapeblend_cli.model import Box, Pair
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.grading.grade import Grade
+    from shapeblend_cli.model import ShapeBlend
+
+STEPS = 6
+"""Number of steps between the pictures that are graded."""
+
+SUSPECT = 0.2
+"""Minimum fault of a shape's outlines for a blend to be graded that nobody asked about."""
+
+
+def grade_of(pair: Pair) -> Grade:
+    """Return how good a blend of two drawings looks on its way, as `shapeblend judge` grades its frames."""
+    # Most blends are not graded.
+    from shapeblend_cli.grading.grade import grade
+    from shapeblend_cli.grading.painting import picture
+
+    view = Box.union(list(pair.views))
+    return grade([picture(shapes_at(pair, k / STEPS), view) for k in range(STEPS + 1)])
+
+
+def grade_of_shapes(shapes: Sequence[ShapeBlend], view: Box) -> float:
+    """Return the grade of some shapes alone, a number."""
+    return grade_of(Pair(0, 1, tuple(shapes), ((), ()), (view, view))).number
+
+
+def is_suspect(pair: Pair) -> bool:
+    """Return whether the judge of outlines, which has looked at them already, found much wrong with a shape."""
+    return any(shape.taken is not None and shape.taken.wrong >= SUSPECT for shape in pair.each_shape)
