@@ -72,7 +72,7 @@ LIBRARIES = {
     "svgwrite": "svg.libraries",
     "PIL": "outputs",
     "resvg_py": "outputs",
-    "coloraide": "paint svg.styles",
+    "coloraide": "svg.styles",
     "distributed": "batch",
     "lap": "pairing",
     "cython": "geometry matching pens system",

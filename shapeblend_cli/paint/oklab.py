@@ -9,21 +9,10 @@ but passes through all hues between: a rainbow. A third of the way from the form
 from __future__ import annotations
 
 import cmath
-import importlib.util
 import math
-import sys
-from contextlib import contextmanager
+from collections.abc import Sequence
 from functools import cache
 from itertools import pairwise
-from types import ModuleType
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from coloraide.spaces.oklab import Oklab
-    from coloraide.spaces.srgb import sRGB
-    from coloraide.spaces.srgb_linear import sRGBLinear
 
 TOLERANCE = 0.02
 """Maximum difference of colours that look alike, in delta E OK."""
@@ -38,6 +27,38 @@ VIVIDNESS = 1.0 / 3.0
 _MOST_GAPS = 16
 _PROBES = 8
 
+# The matrices of CSS Color 4. Importing coloraide for them would take longer than many a blend.
+_RGB_TO_XYZ = (
+    (0.4123907992659593, 0.357584339383878, 0.1804807884018343),
+    (0.21263900587151024, 0.715168678767756, 0.07219231536073371),
+    (0.01933081871559182, 0.11919477979462598, 0.9505321522496607),
+)
+_XYZ_TO_LMS = (
+    (0.819022437996703, 0.3619062600528904, -0.1288737815209879),
+    (0.03298365393238847, 0.9292868615863434, 0.03614466635064236),
+    (0.04817718935962421, 0.2642395317527308, 0.6335478284694309),
+)
+_ROOTS_TO_LAB = (
+    (0.21045426830931396, 0.7936177747023053, -0.0040720430116192585),
+    (1.9779985324311686, -2.42859224204858, 0.450593709617411),
+    (0.025904042465547734, 0.7827717124575297, -0.8086757549230774),
+)
+_LAB_TO_ROOTS = (
+    (1.0, 0.3963377773761749, 0.21580375730991364),
+    (1.0, -0.10556134581565857, -0.0638541728258133),
+    (1.0, -0.08948417752981186, -1.2914855480194092),
+)
+_LMS_TO_XYZ = (
+    (1.226879875845924, -0.5578149944602171, 0.2813910456659647),
+    (-0.04057574521480083, 1.112286803280317, -0.07171105806551635),
+    (-0.07637293667466008, -0.42149333240224324, 1.5869240198367818),
+)
+_XYZ_TO_RGB = (
+    (3.240969941904523, -1.5373831775700941, -0.4986107602930035),
+    (-0.9692436362808797, 1.8759675015077204, 0.04155505740717562),
+    (0.05563007969699365, -0.20397695888897652, 1.0569715142428784),
+)
+
 
 def blend_colours(a: str, b: str, t: float, opacity_a: float = 1.0, opacity_b: float = 1.0) -> str:
     """Return the colour ``#rrggbb`` at time t, clipped to sRGB; between two greys a grey.
@@ -49,8 +70,9 @@ def blend_colours(a: str, b: str, t: float, opacity_a: float = 1.0, opacity_b: f
         return a
     if share == 1.0:
         return b
-    srgb, linear, oklab = _spaces()
-    channels = srgb.from_base(linear.from_base(oklab.to_base(_mixed(_oklab(a), _oklab(b), share))))
+    roots = _product(_LAB_TO_ROOTS, _mixed(_oklab(a), _oklab(b), share))
+    xyz = _product(_LMS_TO_XYZ, [root**3 for root in roots])
+    channels = [_encoded(value) for value in _product(_XYZ_TO_RGB, xyz)]
     if _is_grey(a) and _is_grey(b):
         # The matrices leave a trace of colour, which rounding could make visible.
         channels = [channels[1]] * 3
@@ -120,37 +142,21 @@ def _is_grey(colour: str) -> bool:
 
 @cache
 def _oklab(colour: str) -> tuple[float, ...]:
-    srgb, linear, oklab = _spaces()
-    channels = [v / 255.0 for v in bytes.fromhex(colour[1:])]
-    return tuple(oklab.from_base(linear.to_base(srgb.to_base(channels))))
+    light = [_decoded(value / 255.0) for value in bytes.fromhex(colour[1:])]
+    lms = _product(_XYZ_TO_LMS, _product(_RGB_TO_XYZ, light))
+    return tuple(_product(_ROOTS_TO_LAB, [value ** (1.0 / 3.0) for value in lms]))
 
 
-@cache
-def _spaces() -> tuple[sRGB, sRGBLinear, Oklab]:
-    with _without_package():
-        from coloraide.spaces.oklab import Oklab
-        from coloraide.spaces.srgb import sRGB
-        from coloraide.spaces.srgb_linear import sRGBLinear
-    return sRGB(), sRGBLinear(), Oklab()
+def _product(matrix: Sequence[Sequence[float]], vector: Sequence[float]) -> list[float]:
+    x, y, z = vector
+    return [p * x + q * y + r * z for p, q, r in matrix]
 
 
-@contextmanager
-def _without_package() -> Iterator[None]:
-    """Import modules of coloraide without its own ``__init__``.
+def _decoded(channel: float) -> float:
+    """Return the light of a channel of sRGB."""
+    return ((channel + 0.055) / 1.055) ** 2.4 if channel > 0.04045 else channel / 12.92
 
-    That imports every colour space, which takes 70 ms; the three needed here take 8. Meanwhile an empty package
-    stands in for it, so that a later import of coloraide gets the real one.
-    """
-    name = "coloraide"
-    spec = None if name in sys.modules else importlib.util.find_spec(name)
-    if spec is None or spec.submodule_search_locations is None:
-        yield
-        return
-    package = ModuleType(name)
-    package.__path__ = list(spec.submodule_search_locations)
-    sys.modules[name] = package
-    try:
-        yield
-    finally:
-        for module in [m for m in sys.modules if m == name or m.startswith(f"{name}.")]:
-            del sys.modules[module]
+
+def _encoded(light: float) -> float:
+    """Return the channel of sRGB for light; less than 0 for less than none."""
+    return 1.055 * light ** (1.0 / 2.4) - 0.055 if light > 0.0031308 else 12.92 * light
