@@ -12,9 +12,7 @@ from shapeblend_cli.blending.blended import blend_shapes, with_lines_in_common
 from shapeblend_cli.blending.clipping import has_clips, with_clips
 from shapeblend_cli.blending.matched import Progress
 from shapeblend_cli.blending.placing import lay
-from shapeblend_cli.frames.stagger import staggered
 from shapeblend_cli.frames.views import with_room
-from shapeblend_cli.interpolate.stars import drawings_in
 from shapeblend_cli.model import Box, Pair
 from shapeblend_cli.paint.names import with_names
 from shapeblend_cli.system.clock import Clock
@@ -84,6 +82,8 @@ def match_all(
     elif any(map(has_clips, pairs)):
         notes = [*notes, "clip paths are left out of mixtures and states; frames and animated SVGs have them"]
     if settings.stagger:
+        from shapeblend_cli.frames.stagger import staggered
+
         pairs = [staggered(pair, settings.stagger, settings.stagger_by) for pair in pairs]
     return with_names(pairs, drawings), [*specks, *notes]
 
@@ -110,6 +110,8 @@ def _mixed(drawings: Sequence[Drawing], settings: Settings) -> tuple[list[Drawin
     If there are more than two, outlines stay whole and move straight: a turn between two drawings would be another one
     between two others.
     """
+    from shapeblend_cli.interpolate.stars import drawings_in  # most runs make no mixtures
+
     used = drawings_in(settings.mix)
     if len(used) > 2:
         settings = settings.replace(motion="linear", unmatched="point")

@@ -4,28 +4,27 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.blending.drawn import draws_strokes, with_drawn_strokes
 from shapeblend_cli.blending.expanded import with_outlines
 from shapeblend_cli.blending.graded import grade_of_shapes
 from shapeblend_cli.blending.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
-from shapeblend_cli.blending.several import with_common_lines
 from shapeblend_cli.frames.fades import in_paint_order
-from shapeblend_cli.model import Box, Pair
+from shapeblend_cli.model import Box
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pairing.changes import crossed_out
 from shapeblend_cli.pens.drawings import pen_drawing
 from shapeblend_cli.pens.line import UNITS
-from shapeblend_cli.pens.line_blends import blend_lines, wants_lines
+from shapeblend_cli.pens.named_lines import wants_lines
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedDrawing
     from shapeblend_cli.blending.matched import PairedDrawings, Progress
-    from shapeblend_cli.model import Place, ShapeBlend
+    from shapeblend_cli.model import Pair, Place, ShapeBlend
     from shapeblend_cli.options.settings import Settings
+    from shapeblend_cli.pens.line_blends import LineBlend
 
     Shapes = tuple[ShapeBlend, ...]
 
@@ -41,7 +40,7 @@ def blend_shapes(
     Drawings that are mostly drawn with a pen are blended by their lines, above the rest.
     """
     is_named = bool(settings.match or settings.pins or settings.stiff)
-    lines = blend_lines(a, b, settings, view) if is_named and wants_lines(settings) else None
+    lines = _lines(a, b, settings, view) if is_named else None
     rotation = 0.0
     if settings.motion != "linear" and lines is None:
         largest = [max(side.contours, key=lambda contour: contour.size) for side in (a, b)]
@@ -56,8 +55,8 @@ def blend_shapes(
     if crossed:
         paired = pair_drawings(a, b, settings, 0.0, progress, crossed)
         return _moved(paired, *match_pairs(paired), view)
-    if not is_named and wants_lines(settings):
-        lines = blend_lines(a, b, settings, view)
+    if not is_named:
+        lines = _lines(a, b, settings, view)
     progress.clock.lap("match")
 
     def outlined(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> Shapes:
@@ -82,8 +81,23 @@ def blend_shapes(
     return outlines if grade_of_shapes(outlines, view) < grade_of_shapes(shapes, view) - MARGIN else shapes
 
 
+def _lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box) -> LineBlend | None:
+    """Return how the pen lines of two drawings become each other, if they are blended by these."""
+    if not wants_lines(settings):
+        return None
+    scale = UNITS / view.larger_side
+    pens = pen_drawing(a, scale), pen_drawing(b, scale)
+    if not any(pen.lines for pen in pens):
+        return None
+    from shapeblend_cli.pens.line_blends import blend_lines  # many drawings have no lines
+
+    return blend_lines(a, b, pens, settings, scale)
+
+
 def with_lines_in_common(pairs: Sequence[Pair], a: PlacedDrawing) -> list[Pair] | None:
     """Give all pairs of a drawing with others the same paths for its pen lines; None if that cannot be."""
+    from shapeblend_cli.blending.several import with_common_lines  # most runs make no mixtures
+
     scale = UNITS / Box.union(list(pairs[0].views)).larger_side
     free = 1 + max(contour.number for contour in a.contours)
     return with_common_lines(pairs, pen_drawing(a, scale).lines, scale, free)
@@ -92,6 +106,17 @@ def with_lines_in_common(pairs: Sequence[Pair], a: PlacedDrawing) -> list[Pair] 
 def _moved(paired: PairedDrawings, shapes: Shapes, places: list[Place], view: Box) -> Shapes:
     """Return matched shapes that move, in the order of paint."""
     moving: Sequence[ShapeBlend] = with_reasons(move_shapes(paired, shapes, view), paired)
-    if draws_strokes(paired.settings) and not paired.rotation:
+    if _draws_strokes(paired):
+        from shapeblend_cli.blending.drawn import with_drawn_strokes
+
         moving, places = with_drawn_strokes(paired, moving, places, view)
     return in_paint_order(moving, places)
+
+
+def _draws_strokes(paired: PairedDrawings) -> bool:
+    """Return whether strokes without a partner may be drawn on and back."""
+    settings = paired.settings
+    is_free = settings.motion == "auto" and settings.unmatched == "auto" and not paired.rotation
+    if not is_free or settings.mix or settings.stagger or not wants_lines(settings):
+        return False
+    return any(each.style.stroke is not None for side in (paired.a, paired.b) for each in side.contours)

@@ -15,7 +15,7 @@ from shapeblend_cli.motion.pen import Pen, Riding, Straight
 from shapeblend_cli.pairing.growth import MatchedPoints, carried
 from shapeblend_cli.pens.drawings import file_line
 from shapeblend_cli.pens.line import UNITS
-from shapeblend_cli.pens.line_blends import wants_lines, without_dots
+from shapeblend_cli.pens.line_blends import without_dots
 from shapeblend_cli.pens.moves import SHORT, STRAIGHT, Move, alone, crossing_out, is_slash
 
 if TYPE_CHECKING:
@@ -24,14 +24,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.blending.matched import PairedDrawings
     from shapeblend_cli.model import ContourBlend, ShapeBlend
-    from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.pens.line import PenLine
-
-
-def draws_strokes(settings: Settings) -> bool:
-    """Return whether settings let strokes without a partner be drawn on and back."""
-    is_free = settings.motion == "auto" and settings.unmatched == "auto"
-    return is_free and not (settings.mix or settings.stagger) and wants_lines(settings)
 
 
 def with_drawn_strokes(

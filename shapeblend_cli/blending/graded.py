@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.model import Box, Pair
 
 if TYPE_CHECKING:
@@ -23,6 +22,7 @@ SUSPECT = 0.2
 def grade_of(pair: Pair) -> Grade:
     """Return how good a blend of two drawings looks on its way, as `shapeblend judge` grades its frames."""
     # Most blends are not graded.
+    from shapeblend_cli.frames.frames import shapes_at
     from shapeblend_cli.grading.grade import grade
     from shapeblend_cli.grading.painting import picture
 

@@ -19,8 +19,6 @@ from shapeblend_cli.geometry.polygons import orientation, signed_area, winding_n
 from shapeblend_cli.model import Contour, Correspondence, Polygon
 from shapeblend_cli.pens.drawings import recovered_lines
 from shapeblend_cli.pens.line import UNITS, needed
-from shapeblend_cli.pens.line_blends import as_whole, line_moves
-from shapeblend_cli.pens.named_lines import Required
 from shapeblend_cli.wires.contour_blends import blend_along
 from shapeblend_cli.wires.contour_match import Solved
 
@@ -201,6 +199,11 @@ def plates_of(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box)
         return []
     scale = UNITS / view.larger_side
     sides = [_cut_out(side, scale) for side in (a, b)]
+    if not all(sides):
+        return []
+    from shapeblend_cli.pens.line_blends import as_whole, line_moves  # few drawings have plates
+    from shapeblend_cli.pens.named_lines import Required
+
     found = []
     for p, lines_p in sides[0]:
         for q, lines_q in sides[1]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.interpolate.paths import paths_at
-from shapeblend_cli.interpolate.stars import drawings_in, mixed_shape, star_shapes
 from shapeblend_cli.model import Box, Clip, ClipBlend, Frame, PaintedShape, Pair, ShapeBlend, Style
 from shapeblend_cli.options.easing import frame_times
 from shapeblend_cli.paint.names import common_page, page_for
@@ -39,6 +38,8 @@ def end_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
 
 
 def _mixed_frames(pairs: Sequence[Pair], settings: Settings) -> list[Frame]:
+    from shapeblend_cli.interpolate.stars import drawings_in, mixed_shape, star_shapes
+
     used = drawings_in(settings.mix)
     rows = [[weights[k] for k in used] for weights in settings.mix]
     if len(used) == 2:

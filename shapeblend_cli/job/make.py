@@ -10,14 +10,12 @@ from contextlib import contextmanager
 from functools import cached_property, partial
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.blending.graded import grade_of, is_suspect
 from shapeblend_cli.blending.placing import place
 from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
-from shapeblend_cli.frames.frames import end_frames, times_of_frames
 from shapeblend_cli.job.job import Job, all_targets
-from shapeblend_cli.job.report import Measures, measure, report
 from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.model import Drawing, Pair
 from shapeblend_cli.options.settings import ReadOptions, Settings
@@ -28,6 +26,9 @@ from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.kept import Kept
 from shapeblend_cli.system.write import Content, Contents, check_targets, write_files
 from shapeblend_cli.version import __version__
+
+if TYPE_CHECKING:
+    from shapeblend_cli.job.report import Measures
 
 SLOW = (
     "the solver was installed without a C compiler and runs uncompiled, far slower; "
@@ -46,6 +47,9 @@ class Run:
     @cached_property
     def measures(self) -> list[Measures]:
         """Measures of the frames that settings ask for, written or not."""
+        from shapeblend_cli.frames.frames import times_of_frames
+        from shapeblend_cli.job.report import measure
+
         return [measure(pair, t) for pair, t in times_of_frames(self.pairs, self.settings)]
 
 
@@ -138,6 +142,8 @@ def make(
     else:
         contents.update(output.by_target(rendered))
     if job.write.report or job.write.preview:
+        from shapeblend_cli.job.report import report  # most runs write none
+
         found = report(
             __version__, job.files, job.reported(), pairs, run.measures, output.frame_files(), clock.seconds
         )
@@ -280,7 +286,8 @@ def _stale_frames(output: OutputSpec) -> set[str]:
 def _preview(
     job: Job, found: dict[str, Any], blended: tuple[Sequence[Drawing], Sequence[Pair]], notes: Sequence[str]
 ) -> str:
-    from shapeblend_cli.preview.page import preview  # most runs write none
+    from shapeblend_cli.frames.frames import end_frames
+    from shapeblend_cli.preview.page import preview
 
     settings, (drawings, pairs) = job.output.settings, blended
     maps = place(drawings, settings.place)

@@ -9,9 +9,8 @@ import numpy as np
 from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import WHOLE, Box
 from shapeblend_cli.motion.pen import Pen, Together, Whole, between
-from shapeblend_cli.pens.drawings import pen_drawing
 from shapeblend_cli.pens.joints import with_pieces
-from shapeblend_cli.pens.line import UNITS, at, evenly, foot_points, length
+from shapeblend_cli.pens.line import at, evenly, foot_points, length
 from shapeblend_cli.pens.moves import (
     BECOMES,
     COMES,
@@ -23,7 +22,7 @@ from shapeblend_cli.pens.moves import (
     slash_among,
     staying,
 )
-from shapeblend_cli.pens.named_lines import along_wires, names_vertices, required_lines
+from shapeblend_cli.pens.named_lines import along_wires, required_lines
 from shapeblend_cli.pens.partners import least_work, travelling
 from shapeblend_cli.pens.splits import split_moves
 from shapeblend_cli.pens.stays import common_runs, stayed
@@ -83,18 +82,12 @@ class LineBlend(NamedTuple):
     is_sure: bool = True  # whether outlines cannot be better
 
 
-def wants_lines(settings: Settings) -> bool:
-    """Return whether settings leave room for lines: not if they ask for what only outlines have."""
-    free = settings.motion in ("auto", "linear") and not names_vertices(settings)
-    free = free and (settings.unmatched == "auto" or bool(settings.mix))
-    return free and settings.curves and settings.bending != "paper" and settings.strokes != "keep"
-
-
-def blend_lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box) -> LineBlend | None:
+def blend_lines(
+    a: PlacedDrawing, b: PlacedDrawing, pens: tuple[PenDrawing, PenDrawing], settings: Settings, scale: float
+) -> LineBlend | None:
     """Match two drawings by their pen lines, if both are mostly drawn with a pen, or if that is asked for."""
-    scale = UNITS / view.larger_side
     is_asked = settings.strokes == "recover"
-    first, last = pen_drawing(a, scale), pen_drawing(b, scale)
+    first, last = pens
     one, other = with_pieces(first, last, scale), with_pieces(last, first, scale)
     is_sign = all(len(_colours(drawing)) == 1 for drawing in (one, other))
     least = 0.0 if is_asked else LEAST_INK if is_sign else LEAST_OF_PICTURE

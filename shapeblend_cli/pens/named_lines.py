@@ -42,6 +42,13 @@ def names_vertices(settings: Settings) -> bool:
     return settings.start is not None or any(has_numbers(pin) for pin in settings.pins)
 
 
+def wants_lines(settings: Settings) -> bool:
+    """Return whether settings leave room for lines: not if they ask for what only outlines have."""
+    free = settings.motion in ("auto", "linear") and not names_vertices(settings)
+    free = free and (settings.unmatched == "auto" or bool(settings.mix))
+    return free and settings.curves and settings.bending != "paper" and settings.strokes != "keep"
+
+
 def required_lines(
     drawings: tuple[PlacedDrawing, PlacedDrawing],
     lines: tuple[Lines, Lines],
