@@ -235,7 +235,7 @@ def test_what_cannot_be_drawn_is_exit_1(refused, viewbox, words):
 
 
 def test_frames_that_nobody_sees_are_neither_drawn_nor_measured(monkeypatch):
-    for name in ("frames.frames.frame_at", "job.make.measure"):
+    for name in ("frames.frames.frame_at", "job.report.measure"):
         monkeypatch.setattr(f"shapeblend_cli.{name}", None)
     for arguments in ("-o x.svg", "-o y.svg --animate css", "--emit pair", "--emit lottie", "--emit avd"):
         assert run([*AB, *arguments.split()]) == 0
