@@ -32,6 +32,12 @@ CURVE_STEP = 1.0
 LONGEST = 800.0
 """Maximum length of a line, in units: what goes far beyond its viewBox is no icon, and would take gigabytes."""
 
+HIDDEN_GAP = 0.05
+"""Maximum distance of the ends of a stroke that looks closed, in widths: editors round the coordinates of paths."""
+
+TINT = 0.5
+"""Maximum opacity of a fill that only tints a drawing, beneath its lines."""
+
 MITER_LIMIT = 10.0
 """Maximum miter limit of recovered lines, in widths: their corners are as sharp as the region's."""
 
@@ -83,7 +89,7 @@ def pen_drawing(drawing: PlacedDrawing, scale: float) -> PenDrawing:
             bodies += members
             area = sum(c.area * (-1.0 if c.role == HOLE else 1.0) for c in members) * scale**2
             stroke = sum(length(c.polygon.vertices) for c in members) * scale
-            rest += area if style.fill is not None else 0.0
+            rest += area if style.fill is not None and style.fill_opacity > TINT else 0.0
             rest += stroke * style.stroke_width * scale if style.stroke is not None else 0.0
         else:
             (strokes if style.fill is None else lines).extend(found)
@@ -97,14 +103,13 @@ def pen_drawing(drawing: PlacedDrawing, scale: float) -> PenDrawing:
 def file_line(contour: PlacedContour, scale: float) -> PenLine:
     """Return a stroke as a line."""
     points = _flat(contour.contour, scale) * scale
-    closed = contour.contour.closed or (len(points) > 3 and bool(abs(points[0] - points[-1]) < 1e-6))
+    gap, width = abs(points[0] - points[-1]), contour.style.stroke_width * scale
+    closed = contour.contour.closed or (len(points) > 3 and bool(gap < HIDDEN_GAP * width + 1e-6))
     if closed and len(points) > 1 and abs(points[0] - points[-1]) < 1e-6:
         points = points[:-1]
     style = contour.style
     name = str(contour.number)
-    return PenLine(
-        points, closed, style, style.stroke_width * scale, contour.number, contour.shape, name=name
-    )
+    return PenLine(points, closed, style, width, contour.number, contour.shape, name=name)
 
 
 def _flat(path: CubicPath, scale: float) -> ComplexArray:

@@ -26,6 +26,9 @@ MOST_CORNERS = 3
 SPLIT_COST = 0.3
 """Cost of one line that becomes two twins, or of these that become one, as a share of its length."""
 
+SPLIT_ON_AXIS_COST = 0.6
+"""Cost of the same for a line along the axis of symmetry and twins beside that: its halves cross on their way."""
+
 SHORTEST = 4.0
 """Minimum length of a line that splits into two twins, in widths."""
 
@@ -138,7 +141,11 @@ def _assigned(
         ):
             continue
         orbits_a, orbits_b = (_orbits(found) for found in twins)
-        found_work, found_pairs = _of_orbits(orbits_a, orbits_b, a, b, costs)
+        from_axis = [
+            [((line.points - centre) / axis).imag for line in lines]
+            for lines, centre in zip((a, b), centres, strict=True)
+        ]
+        found_work, found_pairs = _of_orbits(orbits_a, orbits_b, a, b, costs, from_axis)
         if found_work < most:
             work, pairs, most = found_work, found_pairs, found_work
     return work, [Partners(i, j, *ways[i][j][1:]) for i, j in pairs]
@@ -155,8 +162,9 @@ def _of_orbits(
     a: Sequence[PenLine],
     b: Sequence[PenLine],
     costs: FloatArray,
+    from_axis: Sequence[Sequence[FloatArray]] = (),
 ) -> tuple[float, list[tuple[int, int]]]:
-    """Assign lines that are alone, and pairs of twins, each to one of either kind."""
+    """Assign lines that are alone, and pairs of twins, each to one of either kind, by distances from the axis."""
     m, n = len(orbits_a), len(orbits_b)
     table = np.full((m + n, m + n), 1e6)
     how: dict[tuple[int, int], list[tuple[int, int]]] = {}
@@ -167,7 +175,10 @@ def _of_orbits(
             one, twins = (a[p[0]], [b[k] for k in q]) if len(q) == 2 else (b[q[0]], [a[k] for k in p])
             if one.length < SHORTEST * one.width:
                 continue
-            work = SPLIT_COST * one.length + sum(half.cost for half in best_halves(one, twins))
+            along, beside = (from_axis[side][(p, q)[side][0]] for side in (len(p) - 1, len(q) - 1))
+            is_on_axis = np.abs(along).max() < TWIN_DISTANCE and np.ptp(np.sign(beside)) == 0.0
+            split = SPLIT_ON_AXIS_COST if is_on_axis else SPLIT_COST
+            work = split * one.length + sum(half.cost for half in best_halves(one, twins))
             table[i, j], how[i, j] = work, [*product(p, q)]
             continue
         priced = [(sum(costs[pair] for pair in pairs), pairs) for pairs in options]

@@ -11,6 +11,7 @@ from shapeblend_cli.frames.frames import frame_at, shapes_at
 from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.pens.drawings import file_lines
 from shapeblend_cli.pens.line_blends import FLIPPED, TURNED
 from shapeblend_cli.pens.moves import BECOMES, DRAWN_BACK, DRAWN_ON, STAYS
 from shapeblend_cli.pens.splits import COPY
@@ -237,3 +238,29 @@ def test_dots_are_animated_and_dots_of_a_clip_path_stay_regions(here, form):
     assert run(["a.svg", "b.svg", "-o", "x.svg", "-q"]) == 0
     if "clip" in form:
         assert "stroke" not in Path("x.svg").read_text("utf-8")
+
+
+def test_lines_above_a_translucent_tint_move_as_lines(tmp_path):
+    tinted = []
+    for name in ("ph-plus", "ph-check"):
+        plain = (ICONS / f"{name}.svg").read_text()
+        start = plain.index(">") + 1
+        path = tmp_path / f"{name}.svg"
+        path.write_text(f'{plain[:start]}<path d="M8 8H248V248H8Z" opacity=".2"/>{plain[start:]}')
+        tinted.append(read(str(path)))
+    pair = blend(*tinted)
+    assert [shape.style_a.stroke is None for shape in pair.shapes] == [True, False, False]
+
+
+def test_a_stroke_whose_ends_meet_but_for_rounding_is_closed():
+    stroke = strokes("M4 12A8 8 0 1 1 12 20A8 8 0 0 1 4.004 12.005")
+    assert file_lines(stroke)[0].closed
+    pair = blend(stroke, drawing('<circle cx="12" cy="12" r="9"/>', viewbox="0 0 24 24"))
+    assert len(shapes_at(pair, 0.5)[0].paths) == 2  # an outline and its hole
+
+
+def test_a_middle_bar_does_not_become_boxes_on_either_side_of_it():
+    pair = blend("ph-list-bullets", "ph-squares-four")
+    middle = [each for shape in pair.shapes for each in shape.contours if each.reason == DRAWN_BACK]
+    assert len(middle) == 2
+    assert all(np.allclose(each.start.segments.imag, 128.0) for each in middle)
