@@ -49,6 +49,9 @@ LEAST_INK = 2.4
 NEAR_WIDTH = 0.045
 """Tolerance of a ball's diameter for the pen's width, as a share of it."""
 
+APART = 0.054
+"""Minimum difference of the widths of two pens, as a share of the wider: a handle is hardly wider than its ring."""
+
 LEAST_SHARE = 0.6
 """Minimum share of an outline whose balls have the width of a pen."""
 
@@ -169,7 +172,7 @@ def _pen_widths(diameters: FloatArray, spacing: FloatArray) -> FloatArray:
         if inside[k] < LEAST_INK * width or width < 0.05:
             break
         found.append(width)
-        left &= ~((diameters > rising[k] - 0.12 * width) & (diameters < rising[k] + 0.18 * width))
+        left &= np.abs(diameters - width) > APART * width + 0.012
     return np.array(found)
 
 
