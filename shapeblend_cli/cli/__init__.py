@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import click
 
-from shapeblend_cli.cli.group import Commands, DefaultGroup
+from shapeblend_cli.cli.group import Commands, DefaultGroup, in_other_words
 from shapeblend_cli.cli.terminal import say
 from shapeblend_cli.errors import OptionError, ShapeblendError, in_words
 from shapeblend_cli.system.interrupts import Interrupted, listening
@@ -48,6 +48,9 @@ def run(arguments: Sequence[str], began: float | None = None) -> int:
             if sys.stdout is not None:
                 sys.stdout.flush()
             return status or 0
+    except click.NoSuchOption as error:
+        say(f"{in_other_words(error)} (shapeblend --help lists the options)")
+        return USAGE
     except click.ClickException as error:
         say(f"{error.format_message()} (shapeblend --help lists the options)")
         return USAGE

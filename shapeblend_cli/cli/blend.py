@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import sys
 from typing import Any
 
 import click
 
 from shapeblend_cli.cli.group import TYPED, SectionedCommand
 from shapeblend_cli.cli.parameters import NAME, options_of
-from shapeblend_cli.cli.terminal import Terminal, TerminalOptions, details
+from shapeblend_cli.cli.terminal import Terminal, TerminalOptions, details, results
 from shapeblend_cli.job.job import RECORDS, check_inputs, job_of
 from shapeblend_cli.job.options import RunOptions
 from shapeblend_cli.system.interrupts import limit
@@ -46,6 +47,9 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
 
     with Terminal(quiet=printed.quiet) as terminal:
         run = blend_files(job, terminal.note, terminal.warn, terminal.progress)
+        if sys.stderr is not None and sys.stderr.isatty():
+            for line in results(job, sum(run.clock.seconds.values())):
+                terminal.note(line)
         if printed.verbose:
             for line in details(run, context.obj):
                 terminal.note(line)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Mapping
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -20,6 +21,43 @@ TYPED = "shapeblend_cli.typed"
 
 NAMES = 30
 """Width of the column of option names, in characters. It is the same in every section."""
+
+
+MEANT = {
+    "--output": "out outfile output-file dest target",
+    "--frames": "steps count number in-betweens",
+    "--duration": "time length speed seconds",
+    "--repeat": "looping iterations times-played",
+    "--repeat pingpong": "reverse-loop pingpong yoyo alternate boomerang bounce",
+    "--ease": "easing timing timing-function curve",
+    "--force": "overwrite replace yes",
+    "--width": "size resolution scale",
+    "--background": "bg colour color",
+    "--background transparent": "transparent alpha",
+    "--pin": "point points anchor",
+    "--match": "pair pairs map mapping",
+    "--motion": "interpolate interpolation method",
+    "--preview": "open show view browser",
+    "--quiet": "silent",
+    "--output NAME.gif": "gif",
+    "--output NAME.mp4": "video mp4",
+    "--emit lottie": "lottie json",
+    "--trigger hover": "hover",
+    "--trigger click": "click",
+    "--vertices": "samples points-per-shape segments",
+}
+"""Options, and what people who do not know them type for them."""
+
+
+def in_other_words(error: click.NoSuchOption) -> str:
+    """Return the message of an unknown option, with the option that it means if that is known."""
+    name = error.option_name.lstrip("-").lower().replace("_", "-")
+    meant = [option for option, words in MEANT.items() if name in words.split()]
+    return (
+        f"No such option '{error.option_name}'. Did you mean '{meant[0]}'?"
+        if meant
+        else error.format_message()
+    )
 
 
 class SectionedCommand(click.Command):
@@ -76,9 +114,21 @@ class DefaultGroup(click.Group):
         """Put the default command in front of arguments that name none."""
         is_first_word = ctx.resilient_parsing and not args  # a shell asks for completions of it
         if not is_first_word and (not args or args[0] not in (*self.commands, "-h", "--help", "--version")):
+            self._refuse_misspelt(args)
             args = [self.default, *args]
         ctx.meta[TYPED] = args[1:]
         return super().parse_args(ctx, args)
+
+    def _refuse_misspelt(self, args: Sequence[str]) -> None:
+        """Raise UsageError where the first word is no file, and almost a command."""
+        word = args[0] if args else ""
+        if not word.isalpha() or os.path.exists(word):
+            return
+        from difflib import get_close_matches
+
+        near = get_close_matches(word.lower(), self.commands, 1, 0.7)
+        if near:
+            raise click.UsageError(f"No such command or file '{word}'. Did you mean the command '{near[0]}'?")
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
         """Offer commands, and the beginnings of the default command, such as a file."""

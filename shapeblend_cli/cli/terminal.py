@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import threading
 import time
@@ -17,6 +18,7 @@ from shapeblend_cli.options.settings import OTHER
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
+    from shapeblend_cli.job.job import Job
     from shapeblend_cli.job.make import Run
 
 PATIENCE = 1.0  # seconds before a terminal shows how far a run is, and between two looks
@@ -202,6 +204,28 @@ def _duration(seconds: float) -> str:
         if seconds >= 2.0 * size:
             return f"{seconds / size:.0f} {unit}"
     return f"{max(seconds, 1.0):.0f} s"
+
+
+def results(job: Job, seconds: float) -> Iterator[str]:
+    """Yield what a run has written, and what shows it."""
+    output, files = job.output, job.output.files()
+    if not files:
+        return
+    took = f"in {seconds:.1f} s"
+    if output.format.has_frame_files:
+        named = files[0] if len(files) == 1 else f"{files[0]} to {os.path.basename(files[-1])}"
+        yield f"wrote {_count(len(files), 'frame')}, {named}, {took}"
+    elif output.format.suffix:
+        size = os.path.getsize(output.path) / 1000.0
+        shown = "; a browser plays it" if output.format.takes_triggers else ""
+        yield f"wrote {output.path}, {output.format.help}, {size:.3g} kB, {took}{shown}"
+    else:
+        yield f"wrote {' and '.join(files)}, {took}"
+    if job.write.preview:
+        yield f"wrote {job.write.preview}; a browser shows it"
+    others = [name for name in (job.write.report, job.write.tries) if name not in (None, "-")]
+    if others:
+        yield f"wrote {' and '.join(map(str, others))}"
 
 
 def details(run: Run, began: float | None) -> Iterator[str]:

@@ -78,7 +78,7 @@ class StatesOptions(Record, section=STATES):
         "focus. A custom element has the attribute trigger for this.",
     )
     duration: float = option(
-        types.number(0.0, 3600.0), default=0.3, metavar="S", help="Seconds from one state to another."
+        types.seconds(0.0, 3600.0), default=0.3, help="Seconds from one state to another; 300ms works, too."
     )
     element: str | None = option(
         types.ELEMENT,

@@ -65,6 +65,17 @@ def number(low: float, high: float = math.inf, *, above: bool = False) -> FieldT
     return FieldType("a number", lambda value: _within(_finite(value), low, high, above), "X", float)
 
 
+def seconds(low: float, high: float) -> FieldType:
+    """A time within limits, in seconds; typed also as ``0.3s`` or ``300ms``."""
+    expected = "seconds, such as 0.3, 0.3s or 300ms"
+    return FieldType(expected, lambda value: _within(_finite(value), low, high, False), "S", _split_seconds)
+
+
+def _split_seconds(text: str) -> float:
+    text = text.strip().lower()
+    return float(text[:-2]) / 1000.0 if text.endswith("ms") else float(text.removesuffix("s"))
+
+
 def whole(low: int, high: float = math.inf) -> FieldType:
     """A whole number within limits."""
     return FieldType("a whole number", lambda value: _within(_integer(value), low, high), "N", int)

@@ -7,7 +7,10 @@ The format: https://lottie.github.io/lottie-spec/
 from __future__ import annotations
 
 import cmath
+import io
+import json
 import math
+import zipfile
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.outputs.formats import OutputSpec, Rendered
@@ -50,8 +53,6 @@ def lottie(moves: Sequence[Move], timing: Timing, decimals: int) -> str:
 
     The frame named by `op` is not shown, so there is one more than fits the seconds: it shows the last drawing.
     """
-    import json
-
     from shapeblend_cli.model import Box
 
     view = Box.union([box for move in moves for box in move.views])
@@ -387,3 +388,20 @@ def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
             if _loses_dashes(shape.start.style, shape.end.style)
         ]
     return Rendered([text], [*notes, *clips_left_out(pairs, "Lottie")])
+
+
+def render_archive(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+    """Return the animation in a zip file with its manifest, as dotLottie 1.0 has it; https://dotlottie.io/spec/1.0."""
+    rendered = render(spec, pairs)
+    animation = {
+        "id": "animation",
+        "loop": not isinstance(spec.timing.repeat, int),
+        "playMode": "bounce" if spec.timing.is_pingpong else "normal",
+    }
+    manifest = {"version": "1.0", "generator": "shapeblend", "animations": [animation]}
+    contents = {"manifest.json": json.dumps(manifest), "animations/animation.json": rendered.contents[0]}
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in contents.items():
+            archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)  # always of the same time
+    return rendered._replace(contents=[file.getvalue()])

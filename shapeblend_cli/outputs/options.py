@@ -9,7 +9,7 @@ from shapeblend_cli.options.easing import Timing
 from shapeblend_cli.options.fields import Record, option
 from shapeblend_cli.options.settings import ANIMATIONS, IN_BETWEENS, OUTPUT, PICTURES, Settings
 from shapeblend_cli.options.triggers import Trigger
-from shapeblend_cli.options.types import COLOUR, REPEAT, TRIGGER, choice, file, number, whole
+from shapeblend_cli.options.types import COLOUR, REPEAT, TRIGGER, choice, file, seconds, whole
 from shapeblend_cli.outputs.formats import FASTEST, Format, OutputSpec
 from shapeblend_cli.outputs.pixels import MOST_SIDE
 from shapeblend_cli.outputs.registry import DEFAULT, EMITS, FORMATS, FRAME_FORMATS, alternatives, choose
@@ -25,10 +25,21 @@ SHARED = {
 
 def _by_suffix() -> str:
     suffixes: dict[str, list[str]] = {}
+    taken: set[str] = set()
     for format in FORMATS:
-        if format.emit == "frames" and format.suffix:
+        if format.suffix and format.suffix not in taken:
+            taken.add(format.suffix)
             suffixes.setdefault(format.help, []).append(format.suffix)
     return "; in ".join(f"{alternatives(names)}: {help}" for help, names in suffixes.items())
+
+
+def _by_emit() -> dict[str, Format]:
+    """Return the first format of each value of --emit but the first."""
+    found: dict[str, Format] = {}
+    for format in FORMATS:
+        found.setdefault(format.emit, format)
+    del found[EMITS[0]]
+    return found
 
 
 def _default_text(name: str) -> str:
@@ -53,9 +64,9 @@ class OutputOptions(Record, section=PICTURES):
         default_text="; ".join(
             [DEFAULT]
             + [
-                f"{DEFAULT}{f.suffix} with --emit {f.emit}"
-                for f in FORMATS
-                if f.suffix and f.emit != EMITS[0]
+                f"{DEFAULT}{form.suffix} with --emit {emit}"
+                for emit, form in _by_emit().items()
+                if form.suffix
             ]
         ),
     )
@@ -65,7 +76,7 @@ class OutputOptions(Record, section=PICTURES):
         section=OUTPUT,
         help="; ".join(
             ["frames: the format that --output names"]
-            + [f"{f.emit}: {f.help}" for f in FORMATS if f.emit != "frames"]
+            + [f"{emit}: {form.help}" for emit, form in _by_emit().items()]
         )
         + ".",
     )
@@ -84,15 +95,15 @@ class OutputOptions(Record, section=PICTURES):
         "everywhere. CSS animations respect prefers-reduced-motion; Safari does not play them.",
     )
     duration: float = option(
-        number(0.01, 3600.0),
+        seconds(0.01, 3600.0),
         default=2.0,
-        metavar="S",
         section=ANIMATIONS,
-        help="Seconds that an animation takes from one drawing to the next.",
+        help="Seconds that an animation takes from one drawing to the next; 300ms works, too.",
     )
     repeat: int | str = option(
         REPEAT,
         default="forever",
+        flags=("--repeat", "--loop"),
         section=ANIMATIONS,
         help="Number of runs of an animation; pingpong: forwards and backwards, forever.",
     )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -108,6 +110,13 @@ FORMATS: tuple[Format, ...] = (
         to_standard_output=True,
     ),
     Format(
+        "dotlottie",
+        "a Lottie animation in a zip file",
+        "lottie.render_archive",
+        emit="lottie",
+        suffix=".lottie",
+    ),
+    Format(
         "avd",
         "an animated vector drawable for Android",
         "avd.render",
@@ -130,11 +139,8 @@ DEFAULT = "blend"
 PAGES = (".htm", ".html")
 """Suffixes of web pages, the files of ``--preview``."""
 
-UNSUPPORTED = tuple(
-    ".avi .avif .bmp .eps .heic .ico .jpeg .jpg .jxl .m4v .mkv .mov .mpeg .mpg .ogv .pdf .ps .svgz .tif "
-    ".tiff .zip".split()
-)
-"""Suffixes of other file formats. They hardly belong to the name of a folder."""
+ENDING = re.compile(r"\.[a-z][a-z0-9]{0,5}$", re.IGNORECASE)
+"""End of a name that is taken for the suffix of a file."""
 
 
 def choose(emit: str, path: str | None, frame_format: str | None, drawings: int) -> tuple[Format, str]:
@@ -144,30 +150,34 @@ def choose(emit: str, path: str | None, frame_format: str | None, drawings: int)
     Two or more drawings are blended. Raises OptionError if no format is written so.
     """
     formats = [format for format in FORMATS if format.emit == emit]
+    if path and emit == EMITS[0]:  # the suffix chooses
+        taken = {format.suffix for format in formats}
+        formats += [format for format in FORMATS if format.suffix and format.suffix not in taken]
     path = path or DEFAULT + formats[0].suffix
-    if drawings > 2 and not formats[0].takes_sequences:
-        raise OptionError(f"--emit {emit} takes two files; {drawings} given")
     suffix = _suffix(path)
     goes_out = path == STANDARD_OUTPUT or (not suffix and is_stream(Path(path)))
     for format in formats:
         fits = format.to_standard_output if goes_out else format.suffix == suffix
         if fits and (not format.has_frame_files or format.name == (frame_format or FRAME_FORMATS[0])):
+            if drawings > 2 and not format.takes_sequences:
+                raise OptionError(f"{_asked(emit, path)} takes two files; {drawings} given")
             return format, path
-    if emit != "frames":
-        names, ending = " and ".join(formats[0].files), formats[0].suffix
+    if emit != EMITS[0]:
+        names, endings = " and ".join(formats[0].files), " or ".join(f.suffix for f in formats if f.suffix)
         what = f"{names}, so --output takes a folder"
-        if ending:
-            what = f"one file, so --output takes a name ending in {ending}, or -"
+        if endings:
+            what = f"one file, so --output takes a name ending in {endings}, or -"
         raise OptionError(f"--emit {emit} writes {what}; {path} given")
     if suffix in PAGES:
         raise OptionError(f"--output {path}: --preview {path} writes a page of this kind")
-    if suffix in UNSUPPORTED:
-        others = ", ".join(format.suffix for format in formats if format.suffix)
-        raise OptionError(
-            f"--output {path}: {suffix} cannot be written; {others} or a folder of frames would work"
-        )
-    other = next(format.emit for format in FORMATS if format.suffix == suffix)
-    raise OptionError(f"--output {path}: --emit {other} writes a file of this kind")
+    others = ", ".join(dict.fromkeys(format.suffix for format in formats if format.suffix))
+    raise OptionError(
+        f"--output {path}: {suffix} cannot be written; {others} would work, or {path}/ for a folder of frames"
+    )
+
+
+def _asked(emit: str, path: str) -> str:
+    return f"--output {path}" if emit == EMITS[0] else f"--emit {emit}"
 
 
 def alternatives(words: Sequence[str]) -> str:
@@ -176,6 +186,9 @@ def alternatives(words: Sequence[str]) -> str:
 
 
 def _suffix(path: str) -> str:
-    """Return the longest suffix that a file's name ends in; empty for a folder and for standard output."""
-    known = (*(format.suffix for format in FORMATS), *PAGES, *UNSUPPORTED)
-    return max((suffix for suffix in known if path.lower().endswith(suffix)), key=len)
+    """Return the suffix of a file's name, in lower case; empty for a folder and for standard output."""
+    known = [format.suffix for format in FORMATS if format.suffix and path.lower().endswith(format.suffix)]
+    if known:
+        return max(known, key=len)
+    found = ENDING.search(path)
+    return found[0].lower() if found and not os.path.isdir(path) else ""

@@ -35,6 +35,33 @@ def files(here):
     return ["a.svg", "b.svg", "--effort", "exact"]
 
 
+@pytest.mark.parametrize(
+    ("asked", "said"),
+    [
+        ("", ["wrote 5 frames, blend/frame-1.svg to frame-5.svg, in"]),
+        ("-n 1", ["wrote 1 frame, blend/frame-1.svg, in"]),
+        ("-o m.svg", ["wrote m.svg, one animated SVG, ", "; a browser plays it"]),
+        (
+            "-o m.json --preview look.html",
+            ["wrote m.json, a Lottie", "\r\nshapeblend: wrote look.html; a browser shows it"],
+        ),
+        (
+            "--emit pair -o two --report r.json",
+            ["wrote two/a.svg and two/b.svg, in ", "\r\nshapeblend: wrote r.json"],
+        ),
+    ],
+)
+def test_a_run_says_what_it_wrote(files, asked, said):
+    seen = on_screen(lambda: run([*files, *asked.split()])).decode()
+    assert seen.startswith("shapeblend: wrote ")
+    assert all(text in seen for text in said)
+
+
+@pytest.mark.parametrize("asked", ["-q", "-o -"])
+def test_nothing_is_said_where_nobody_asks_or_looks(files, asked):
+    assert on_screen(lambda: run([*files, *asked.split()])) == b""
+
+
 def test_ctrl_c_leaves_nothing_behind(here):
     rng = np.random.default_rng(3)
     for name, m in (("a", 2900), ("b", 3100)):

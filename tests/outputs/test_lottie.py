@@ -2,6 +2,7 @@
 
 import json
 import math
+import zipfile
 from itertools import pairwise
 from pathlib import Path
 
@@ -281,3 +282,15 @@ def test_paint_that_one_side_alone_shows_has_its_rule_and_caps_from_there():
     for styles in ((before, seen), (seen, before)):
         _, items = of(SQUARE, DIAMOND, *styles)
         assert (items["fl"]["r"], items["st"]["lc"], items["st"]["lj"]) == (2, 2, 3)
+
+
+def test_an_archive_has_the_animation_and_a_manifest(here):
+    write(a=svg(BAR), b=svg(LEAF))
+    for name in ("one.json", "one.lottie", "two.lottie"):
+        assert run(["a.svg", "b.svg", "-o", name, "--repeat", "pingpong"]) == 0
+    assert Path("one.lottie").read_bytes() == Path("two.lottie").read_bytes()
+    with zipfile.ZipFile("one.lottie") as archive:
+        manifest = json.loads(archive.read("manifest.json"))
+        (animation,) = manifest["animations"]
+        assert (animation["loop"], animation["playMode"]) == (True, "bounce")
+        assert archive.read(f"animations/{animation['id']}.json") == Path("one.json").read_bytes()

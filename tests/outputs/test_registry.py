@@ -19,3 +19,18 @@ def test_the_longest_suffix_wins(monkeypatch):
 def test_functions_of_formats_are_there(form):
     for name, takes in ((form.renderer, 2), (form.checker, 1), (form.libraries, 0)):
         assert not name or len(inspect.signature(formats.named(name)).parameters) == takes
+
+
+@pytest.mark.parametrize("suffix", [".svg", ".png", ".gif", ".webp", ".mp4", ".json", ".lottie", ".xml"])
+def test_the_suffix_alone_chooses(suffix):
+    assert registry.choose("frames", f"x{suffix}", None, 2)[0].suffix == suffix
+
+
+@pytest.mark.parametrize("name", ["frames", "a.b/frames", "x.foo/", "release 1.2", "v1.2-final"])
+def test_other_names_are_folders(name):
+    assert registry.choose("frames", name, None, 2)[0].name == "svg"
+
+
+def test_a_folder_that_is_there_may_have_any_name(here):
+    here.joinpath("x.foo").mkdir()
+    assert registry.choose("frames", "x.foo", None, 2)[0].name == "svg"

@@ -19,7 +19,7 @@ from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
 from shapeblend_cli.svg.reading.titles import clean, group_of, name_of
 from shapeblend_cli.svg.styles.cascade import INITIAL, Cascade, Inherited, inherit, share
 from shapeblend_cli.svg.styles.declarations import Declarations, substitute
-from shapeblend_cli.svg.styles.selection import ancestors, paints_nothing, select
+from shapeblend_cli.svg.styles.selection import ancestors, paints_nothing, select, shape_numbers
 from shapeblend_cli.svg.xml.messages import Notes, Problem, check_limit, printable
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, origin, parse, translation
 from shapeblend_cli.svg.xml.units import LEAST, LIMIT, Lengths
@@ -106,6 +106,8 @@ class Walk:
         With a selector, only shapes that it matches are returned, those in elements it matches, and those drawn through
         a ``use`` of which one of the two is true. Their numbers are those among all shapes.
         """
+        numbers = None if selector is None else shape_numbers(selector)
+        selector = selector if numbers is None else None
         nodes = [] if selector is None else select(self._root, selector)
         self._chosen = {id(node) for node in nodes}
         self._ancestors = {id(node) for node in ancestors(self._root, nodes[0])} if nodes else set()
@@ -120,7 +122,7 @@ class Walk:
             )
         if selector is not None and not self._shapes:
             raise paints_nothing(self._root, selector, nodes, self._reason, list(self._other_names))
-        return tuple(self._shapes)
+        return tuple(self._shapes if numbers is None else _numbered(self._shapes, numbers))
 
     def _process(self, visit: _Visit) -> None:
         node = visit.node
@@ -363,3 +365,14 @@ def _placed(contour: Contour, matrix: Affine) -> Contour | None:
         return placed
     parts = np.where(is_small, 0.0, parts)
     return Contour(parts.view(np.complex128), placed.straight, placed.closed) if parts.any() else None
+
+
+def _numbered(shapes: Sequence[Shape], numbers: Sequence[int]) -> list[Shape]:
+    """Return the shapes with some numbers; raise a Problem for a number that none has."""
+    found = [shape for shape in shapes if shape.index in numbers]
+    missing = sorted({*numbers} - {shape.index for shape in found})
+    if missing:
+        last = max(shape.index for shape in shapes)
+        known = f"0 to {last} would work" if last else "0 is the only one"
+        raise Problem(f"it paints no shape {missing[0]}; {known}")
+    return found

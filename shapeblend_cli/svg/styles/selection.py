@@ -1,7 +1,8 @@
 """The elements of a document that a selector matches, and messages for selectors that match or paint nothing.
 
 A text that begins with ``#`` is first taken for an id, whatever its characters: editors write ``layer 1`` and ``1st``,
-which no CSS selector can spell without escapes. Anything else, and an id that does not exist, is a CSS selector.
+which no CSS selector can spell without escapes. Numbers are those of shapes, as `shapeblend inspect` lists them.
+Anything else, and an id that does not exist, is a CSS selector.
 """
 
 from __future__ import annotations
@@ -29,8 +30,14 @@ class SelectorError(ValueError):
 
 def check_selector(text: str) -> None:
     """Raise a SelectorError if `text` cannot be a selector, as far as that can be told without a file."""
-    if not _is_id(text):
+    if not _is_id(text) and shape_numbers(text) is None:
         _compile(text)
+
+
+def shape_numbers(text: str) -> list[int] | None:
+    """Return the numbers of shapes in a selector such as ``0`` or ``0,2``; None for any other one."""
+    is_numbers = re.fullmatch(r"[0-9]{1,9}( *, *[0-9]{1,9})*", text.strip())
+    return [int(number) for number in text.split(",")] if is_numbers else None
 
 
 def select(root: Node, text: str) -> list[Node]:

@@ -116,6 +116,13 @@ def test_what_may_be_one_is_left_to_the_file(selector):
     selection.check_selector(selector)
 
 
+@pytest.mark.parametrize(("selector", "numbers"), [("0", [0]), ("2,0", [0, 2]), (" 1 , 2 ", [1, 2])])
+def test_shapes_are_selected_by_their_numbers(selector, numbers):
+    paths = "".join(f'<path d="M{k} 0h1v1z"/>' for k in range(3))
+    assert [shape.index for shape in drawn(paths, select=selector).shapes] == numbers
+    refused(paths, "it paints no shape 3; 0 to 2 would work", select="1,3")
+
+
 def test_a_selector_cannot_take_for_ever(monkeypatch):
     monkeypatch.setattr(stylesheets, "_BUDGET", 100_000)
     deep, slow = "<g>" * 100 + RECT * 50 + "</g>" * 100, "x g g g g g rect"
