@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.geometry.similarity import Similarity
-    from shapeblend_cli.model import FloatArray
+    from shapeblend_cli.model import ComplexArray, FloatArray
 
     ContourPair = tuple["PlacedContour", "PlacedContour"]
 
@@ -33,6 +33,9 @@ LEAST_SHARE = 0.15
 
 LARGE = 0.25
 """Minimum size of a contour that gets all the wanted vertices, as a share of the drawing's diagonal."""
+
+STRAIGHT = 1e-9
+"""Tolerance of a contour that encloses nothing, as a share of its length."""
 
 
 class PlacedContour(NamedTuple):
@@ -163,6 +166,8 @@ def _flatten_shapes(
     for index, shape in enumerate(drawing.shapes):
         by_shape.append([])
         style = to_a.style(shape.style)
+        if style.stroke is not None and all(_is_straight(each.segments.ravel()) for each in shape.contours):
+            style = style._replace(fill=None, fill_gradient=None)  # which paints nothing
         for drawn in shape.contours:
             contour = to_a.contour(_close_if_filled(drawn, shape.style))
             count = next(counts)
@@ -178,6 +183,13 @@ def _flatten_shapes(
                 by_shape[-1].append(PlacedContour(number, index, contour, polygon, role, None, style))
             number += 1
     return by_shape, left_out
+
+
+def _is_straight(points: ComplexArray) -> bool:
+    """Return whether points lie on one line."""
+    offsets = points - points[0]
+    longest = offsets[np.abs(offsets).argmax()]
+    return bool(np.abs((offsets * longest.conjugate()).imag).max() <= STRAIGHT * abs(longest) ** 2)
 
 
 def _vertex_counts(drawing: Drawing, vertices: int) -> list[int]:

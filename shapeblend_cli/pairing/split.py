@@ -47,6 +47,9 @@ LEAST_PART = 0.12
 MOST_PART = 0.57
 """Maximum area of a part's box, as a share of the box around all parts."""
 
+MOST_LIKE = 0.6
+"""Maximum area that the boxes of a part and the whole have in common, as a share of both: such a part is the whole."""
+
 AXES = (1.0 + 0.0j, 1.0j, 1.0 + 1.0j, 1.0 - 1.0j)
 """Directions along which partners are divided into two halves."""
 
@@ -122,8 +125,14 @@ def _tiles(parts: Sequence[PlacedContour], whole: PlacedContour) -> list[PlacedC
         and sum(box.area for box in boxes) > FILLED * union.area
         and shared < MOST_SHARED * union.area
         and max(box.area for box in boxes) < MOST_PART * union.area
+        and not any(_is_like(box, whole.box) for box in boxes)
     )
     return tiles if fit else []
+
+
+def _is_like(part: Box, whole: Box) -> bool:
+    common = part.intersection(whole)
+    return common > MOST_LIKE * (part.area + whole.area - common)
 
 
 def _nearest(contour: PlacedContour, owners: Sequence[PlacedContour], bounds: FloatArray) -> int:

@@ -102,3 +102,12 @@ def test_what_is_asked_for_is_not_cut():
     found = pair_contours(*contours, Settings(), [(0, 2)])
     assert [(p.number, q.number) for p, q in found] == [(0, 2)]
     assert not any(p.is_piece or q.is_piece for p, q in found)
+
+
+def test_an_outline_that_moves_aside_gives_no_piece_to_what_comes_beside_it():
+    body = "M3.75 22C3.75 17 7 14 12 14C17 14 20.25 17 20.25 22Z"
+    moved = "M2.25 21.8C2.25 16 5 13 9.4 13C13.5 13 16.5 16 16.5 21.8Z"
+    plus = "M18 7H19V9H21.7V11H19V14H17V11H15V9H17V7Z"
+    head = "M12 2A4 4 0 1 0 12 10A4 4 0 1 0 12 2Z"
+    found = pairs(f"{head}{body}", f"{head}{moved}{plus}", unmatched="auto")
+    assert [(p.number, q.number, p.is_piece) for p, q in found] == [(0, 0, False), (1, 1, False)]

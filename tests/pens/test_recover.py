@@ -131,3 +131,9 @@ def test_outlines_far_larger_than_the_viewbox_are_not_sampled(size, monkeypatch)
 def test_strokes_far_longer_than_the_viewbox_are_taken_as_they_are():
     assert lines_of('<path d="M0 0H1e8" fill="none" stroke="#000"/>').lines == []
     assert len(lines_of('<path d="M0 0H100" fill="none" stroke="#000"/>').lines) == 1
+
+
+def test_a_straight_stroke_is_a_line_though_it_is_filled_by_default():
+    assert [line.length for line in lines_of('<path d="M3 5H21" stroke="#000" stroke-width="2"/>').lines] == [
+        18.0
+    ]
