@@ -46,17 +46,20 @@ GRID = 160
 def with_outlines(
     a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box
 ) -> tuple[PlacedDrawing, PlacedDrawing]:
-    """Expand the strokes of one of two drawings to outlines, if all that the other one has are fills."""
+    """Expand the strokes of one of two drawings to outlines, if all that the other one has are fills.
+
+    Beside fills of its own only closed strokes are expanded: open ones are drawn on or back.
+    """
     if settings.strokes == "keep" or settings.mix or settings.bending == "paper" or not settings.curves:
         return a, b
     sides = [a, b]
     strokes, fills = ([_paints(side.contours, paint) for side in sides] for paint in ("stroke", "fill"))
     for k in (0, 1):
-        if strokes[k] and not fills[k] and fills[1 - k] and not strokes[1 - k]:
+        if strokes[k] and fills[1 - k] and not strokes[1 - k]:
             exteriors = [contour for contour in sides[1 - k].contours if contour.role == EXTERIOR]
             largest = max(exteriors, key=lambda contour: contour.area, default=None)
             way = -1.0 if largest is not None and signed_area(largest.polygon.vertices) < 0.0 else 1.0
-            sides[k] = _expanded(sides[k], settings, UNITS / view.larger_side, way)
+            sides[k] = _expanded(sides[k], settings, UNITS / view.larger_side, way, only_closed=fills[k])
     return sides[0], sides[1]
 
 
@@ -64,7 +67,9 @@ def _paints(contours: Sequence[PlacedContour], paint: str) -> bool:
     return any(getattr(contour.style, paint) is not None for contour in contours)
 
 
-def _expanded(drawing: PlacedDrawing, settings: Settings, scale: float, way: float) -> PlacedDrawing:
+def _expanded(
+    drawing: PlacedDrawing, settings: Settings, scale: float, way: float, *, only_closed: bool
+) -> PlacedDrawing:
     """Return a drawing of strokes as one of outlines, exteriors with areas of the sign of `way`.
 
     Dashes and what crosses itself stay strokes.
@@ -72,15 +77,16 @@ def _expanded(drawing: PlacedDrawing, settings: Settings, scale: float, way: flo
     found: list[PlacedContour] = []
     free = 1 + max(contour.number for contour in drawing.contours)
     for contour in drawing.contours:
-        line = file_line(contour, scale)
-        rings = [] if line.style.stroke_dasharray else _outlines(line)
+        line, style = file_line(contour, scale), contour.style
+        is_plain = style.stroke is not None and style.fill is None and not style.stroke_dasharray
+        rings = _outlines(line) if is_plain and (line.closed or not only_closed) else []
         if not rings:
             found.append(contour)
             continue
-        style = contour.style._replace(
-            fill=contour.style.stroke,
-            fill_opacity=contour.style.stroke_opacity,
-            fill_gradient=contour.style.stroke_gradient,
+        style = style._replace(
+            fill=style.stroke,
+            fill_opacity=style.stroke_opacity,
+            fill_gradient=style.stroke_gradient,
             fill_rule="nonzero",
             stroke=None,
             stroke_gradient=None,

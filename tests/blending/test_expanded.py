@@ -54,3 +54,9 @@ def test_strokes_stay_strokes_where_that_is_asked_for_or_the_other_drawing_has_s
     dashed = blend(drawing(crossing), drawing(SOLID))
     assert any(shape.style_a.stroke_dasharray for shape in dashed.shapes)
     assert all(np.isfinite(path.segments).all() for p in shapes_at(dashed, 0.5) for path in p.paths)
+
+
+def test_beside_fills_closed_strokes_become_outlines_and_open_ones_stay():
+    half = '<path d="M12 2V20H2Z"/>'
+    pair = blend(drawing(SOLID), drawing(half, stroke("ring"), stroke("curve")))
+    assert [shape.style_b.stroke for shape in pair.shapes].count("#000000") == 1

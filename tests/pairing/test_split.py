@@ -105,9 +105,10 @@ def test_what_is_asked_for_is_not_cut():
 
 
 def test_an_outline_that_moves_aside_gives_no_piece_to_what_comes_beside_it():
-    body = "M3.75 22C3.75 17 7 14 12 14C17 14 20.25 17 20.25 22Z"
-    moved = "M2.25 21.8C2.25 16 5 13 9.4 13C13.5 13 16.5 16 16.5 21.8Z"
-    plus = "M18 7H19V9H21.7V11H19V14H17V11H15V9H17V7Z"
-    head = "M12 2A4 4 0 1 0 12 10A4 4 0 1 0 12 2Z"
-    found = pairs(f"{head}{body}", f"{head}{moved}{plus}", unmatched="auto")
+    whole = "M7.5 6A4.5 4.5 0 1 1 16.5 6A4.5 4.5 0 0 1 7.5 6Z"
+    whole += "M3.75 20.1A8.25 8.25 0 0 1 20.25 20.1C18 22 6 22 3.75 20.1Z"
+    head = "M5.25 6.4A4.1 4.1 0 1 1 13.5 6.4A4.1 4.1 0 0 1 5.25 6.4Z"
+    body = "M2.25 19.1A7.1 7.1 0 0 1 16.5 19.1C14.5 22 4 22 2.25 19.1Z"
+    plus = "M18.75 6.75H17.25V9.75H14.25V11.25H17.25V14.25H18.75V11.25H21.75V9.75H18.75Z"
+    found = pairs(whole, head + body + plus, unmatched="auto")
     assert [(p.number, q.number, p.is_piece) for p, q in found] == [(0, 0, False), (1, 1, False)]
