@@ -58,6 +58,9 @@ UNCUT = 0.98
 EARLY = 0.4
 """Share of the time by which a line that touches no other goes before the end, or comes after the start."""
 
+CHANGES = 1.0
+"""Minimum mean distance that places of a line move, beside its shift, for what touches it to leave early, in units."""
+
 COMES, GOES = Fade(0.0, 0.12, comes=True), Fade(0.88, 1.0, comes=False)
 
 STUB = 0.2
@@ -327,16 +330,28 @@ def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool) -> Move:
     if last and not first:
         points, first = points[::-1], last
         places = places[::-1]
+
+    def span(carrier: Pen) -> tuple[float, float]:
+        """Leave a line before it is like what it becomes, and come to it when it is: no hooks on the other drawing."""
+        return (0.0, 1.0) if not _changes(carrier) else (EARLY, 1.0) if is_new else (0.0, 1.0 - EARLY)
+
     if first:
-        drawing = Drawing(points, *shares)
+        drawing = Drawing(points, *shares, span=span(first[0]))
         return _carried(Move(before, after, Pen((drawing,)), reason), first, places[0])
     if middle or not corners(points):
-        drawing = Drawing(points, *shares, from_middle=True)
+        drawing = Drawing(points, *shares, from_middle=True, span=span(middle[0]) if middle else (0.0, 1.0))
         move = Move(before, after, Pen((drawing,)), reason, bool(middle), is_early=not middle)
         return _carried(move, middle, places[1]) if middle else move
     if points[0].real > points[-1].real:  # as one writes
         points = points[::-1]
-    return Move(before, after, Pen((Drawing(points, *shares),)), reason, is_joined=False)
+    is_early = any(map(_changes, carriers))
+    return Move(before, after, Pen((Drawing(points, *shares),)), reason, is_joined=False, is_early=is_early)
+
+
+def _changes(carrier: Pen) -> bool:
+    """Return whether a line changes its shape or direction, not only its place."""
+    ways = carrier.points(1.0) - carrier.points(0.0)
+    return bool(np.abs(ways - ways.mean()).mean() >= CHANGES)
 
 
 def _carried(move: Move, carrier: tuple[Pen, ComplexArray], place: complex) -> Move:

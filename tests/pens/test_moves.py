@@ -172,3 +172,21 @@ def test_halves_close_alike_above_and_below_however_the_vertices_lie():
     shapes = shapes_of(pen("M6 3L9 4.93L13 7.5L16 9.43L20 12L6 21Z"), pen(PAUSE))
     drawn = np.concatenate([line_at(shape, 0.5) for shape in shapes])
     assert drawn.imag.max() + drawn.imag.min() == pytest.approx(24.0, abs=0.05)
+
+
+def test_what_has_no_partner_leaves_no_hook_on_a_line_that_becomes_another():
+    arrow, check = pen("M4 12A8 8 0 0 0 20 12", "M1 14L4 12L7 14"), pen("M5 12L10 17L20 7")
+    for a, b in ((arrow, check), (check, arrow)):
+        (head,) = [shape for shape in shapes_of(a, b) if shape.reason in (DRAWN_BACK, DRAWN_ON)]
+        t = 0.7 if a is arrow else 0.3
+        points = line_at(head, t)
+        assert np.abs(np.diff(points)).sum() < 0.01
+
+
+def test_a_mark_beside_what_stays_takes_all_the_time():
+    (mark,) = [
+        s
+        for s in shapes_of(pen("M2 2H22V22H2Z"), pen("M2 2H22V22H2Z", "M7 12L11 16L17 8"))
+        if s.reason == DRAWN_ON
+    ]
+    assert mark.span == (0.0, 1.0)
