@@ -91,6 +91,15 @@ class PlacedContour(NamedTuple):
         return self._replace(contour=by.contour(self.contour), polygon=by.polygon(self.polygon))
 
 
+def holes_by_exterior(contours: Sequence[PlacedContour]) -> dict[int, list[PlacedContour]]:
+    """Return the holes in each exterior that has some, by its number."""
+    found: dict[int, list[PlacedContour]] = {}
+    for contour in contours:
+        if contour.role == HOLE and contour.exterior is not None:
+            found.setdefault(contour.exterior, []).append(contour)
+    return found
+
+
 class PlacedDrawing(NamedTuple):
     """A drawing, the map that lays it over A, and its contours there, by number."""
 

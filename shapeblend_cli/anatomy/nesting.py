@@ -9,12 +9,12 @@ import numpy as np
 from shapeblend_cli.geometry.crossings import polygon_crossings
 from shapeblend_cli.geometry.polygons import orientation
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
-from shapeblend_cli.geometry.raster import winding_table
+from shapeblend_cli.geometry.raster import Bands, winding_table
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, Box, ComplexArray, FloatArray, IntArray, Polygon
+    from shapeblend_cli.model import BoolArray, Box, ComplexArray, IntArray, Polygon
 
 SAMPLES = 32
 """Number of points of a contour beside which paint is looked for."""
@@ -52,12 +52,13 @@ def nest(polygons: Sequence[Polygon], rule: str, exterior_orientation: int = 1) 
         return Nesting((None,), (is_reversed,), "nonzero" if is_simple else rule, is_simple)
 
     boxes = [polygon.box for polygon in polygons]
-    table = _Polygons.of(polygons, boxes)
+    bands = Bands.of([polygon.vertices for polygon in polygons], np.array(boxes))
     first: dict[bytes, int] = {}
     # Of contours that are drawn again and again, one is looked at.
     copied = [first.setdefault(polygon.vertices.tobytes(), k) for k, polygon in enumerate(polygons)]
     windings = {
-        k: tuple(map(table.around, _both_sides(polygons[k], boxes[k], signs[k]))) for k in first.values()
+        k: [_around(points, bands) for points in _both_sides(polygons[k], boxes[k], signs[k])]
+        for k in first.values()
     }
     painted = {
         k: tuple(_painted(side.numbers.sum(axis=0), rule) for side in both) for k, both in windings.items()
@@ -117,25 +118,13 @@ class _Around(NamedTuple):
     numbers: IntArray
 
 
-class _Polygons(NamedTuple):
-    """Polygons in one array."""
-
-    vertices: ComplexArray
-    starts: IntArray
-    boxes: FloatArray
-
-    @classmethod
-    def of(cls, polygons: Sequence[Polygon], boxes: Sequence[Box]) -> _Polygons:
-        """Put polygons into one array."""
-        ends = np.cumsum([len(polygon.vertices) for polygon in polygons])
-        vertices = np.concatenate([polygon.vertices for polygon in polygons])
-        return cls(vertices, np.append(0, ends), np.array(boxes))
-
-    def around(self, points: ComplexArray) -> _Around:
-        """Return the winding numbers around points."""
-        numbers = winding_table(points, *self)
-        found = np.flatnonzero(numbers.any(axis=1))
-        return _Around(found, numbers[found].astype(np.int16))  # of a thousand in each other there are many
+def _around(points: ComplexArray, bands: Bands) -> _Around:
+    """Return the winding numbers around points."""
+    numbers = winding_table(points, bands)
+    found = np.flatnonzero(numbers.any(axis=1))
+    some = numbers[found]
+    small = np.abs(some).max(initial=0) < 128  # of a thousand in each other there are many
+    return _Around(found, some.astype(np.int8 if small else np.int32))
 
 
 def _smallest_around(side: _Around, is_hole: Sequence[bool], boxes: Sequence[Box]) -> int | None:

@@ -9,7 +9,7 @@ import numpy as np
 from shapeblend_cli.anatomy.structure import along, corners
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.anatomy.structure import Structure
@@ -26,6 +26,9 @@ OFF = 0.08
 
 MOST_AXES = 12
 """Maximum number of axes that are tried."""
+
+AT_ONCE = 1 << 15
+"""Number of pairs of boxes that are compared at once."""
 
 LEAST = 0.5
 """Minimum share of contours, by their sizes, whose mirror image is in a drawing that has an axis."""
@@ -58,8 +61,8 @@ def mirror_of(contours: Sequence[PlacedContour], structure: Structure) -> Mirror
     tolerance = NEAR * extent
     best: tuple[float, float] = 0.0, 0.0
     for x in _axes(lows, highs, sizes, tolerance):
-        close = _mirrored_boxes(lows, highs, x) <= tolerance
-        share = float(sizes[close.any(axis=1)].sum() / sizes.sum())
+        close = (_mirrored_boxes(lows, highs, x, some) <= tolerance for some in _runs(len(sizes)))
+        share = float(sizes[np.concatenate([each.any(axis=1) for each in close])].sum() / sizes.sum())
         if share > best[0] + 1e-9:
             best = share, x
     share, x = best
@@ -86,16 +89,22 @@ def _axes(lows: ComplexArray, highs: ComplexArray, sizes: FloatArray, tolerance:
     return middles
 
 
-def _mirrored_boxes(lows: ComplexArray, highs: ComplexArray, x: float) -> FloatArray:
-    """Return the distance of the mirror image of box i from box j, (i, j) float."""
-    left, right = 2 * x - highs.real, 2 * x - lows.real
+def _runs(count: int) -> Iterator[slice]:
+    """Yield runs of numbers that are few enough for tables of a run and all to stay in the cache."""
+    step = 1 + AT_ONCE // count
+    yield from (slice(first, first + step) for first in range(0, count, step))
+
+
+def _mirrored_boxes(lows: ComplexArray, highs: ComplexArray, x: float, some: slice) -> FloatArray:
+    """Return the distance of the mirror image of box i, one of some, from box j, (i, j) float."""
+    left, right = 2 * x - highs.real[some], 2 * x - lows.real[some]
     away = np.abs(left[:, None] - lows.real)
     for side in (
         right[:, None] - highs.real,
-        lows.imag[:, None] - lows.imag,
-        highs.imag[:, None] - highs.imag,
+        lows.imag[some, None] - lows.imag,
+        highs.imag[some, None] - highs.imag,
     ):
-        away = np.maximum(away, np.abs(side))
+        np.maximum(away, np.abs(side), out=away)
     return away
 
 
@@ -103,13 +112,17 @@ def _twins(
     contours: Sequence[PlacedContour], boxes: tuple[ComplexArray, ComplexArray], x: float, tolerance: float
 ) -> list[int | None]:
     """Return the mirror image of each contour, none twice: of several the nearest, and of one kind and paint."""
-    away = _mirrored_boxes(*boxes, x)
     sizes = np.abs(boxes[1] - boxes[0])
     points = [along(contour.polygon, SAMPLES) for contour in contours]
     twin: list[int | None] = [None] * len(contours)
-    likely = np.argwhere(np.triu(away <= tolerance))
-    order = np.argsort(away[likely[:, 0], likely[:, 1]], kind="stable")
-    for i, j in likely[order].tolist():
+    close: list[tuple[float, int, int]] = []
+    for some in _runs(len(contours)):
+        away = _mirrored_boxes(*boxes, x, some)
+        rows, columns = np.nonzero(np.triu(away <= tolerance, some.start))
+        close += zip(
+            away[rows, columns].tolist(), (rows + some.start).tolist(), columns.tolist(), strict=True
+        )
+    for _, i, j in sorted(close):
         p, q = contours[i], contours[j]
         if twin[i] is not None or twin[j] is not None or not _are_of_one_kind(p, q):
             continue

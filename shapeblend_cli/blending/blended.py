@@ -13,7 +13,7 @@ from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pairing.changes import crossed_out
-from shapeblend_cli.pens.drawings import pen_drawing
+from shapeblend_cli.pens.drawings import MOST_LINES, pen_drawing
 from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.named_lines import wants_lines
 
@@ -86,7 +86,7 @@ def _lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box) ->
     if not wants_lines(settings):
         return None
     scale = UNITS / view.larger_side
-    pens = pen_drawing(a, scale), pen_drawing(b, scale)
+    pens = pen_drawing(a, scale, MOST_LINES), pen_drawing(b, scale, MOST_LINES)
     if not any(pen.lines for pen in pens):
         return None
     from shapeblend_cli.pens.line_blends import blend_lines  # many drawings have no lines

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry.crossings import polygon_crossings
-from shapeblend_cli.geometry.raster import winding_table
+from shapeblend_cli.geometry.raster import windings
 from shapeblend_cli.model import Box, Contour, Polygon
 
 if TYPE_CHECKING:
@@ -105,8 +105,7 @@ def winding_numbers(points: ComplexArray, vertices: ComplexArray) -> IntArray:
     -------
     (p,) int
     """
-    starts = np.array([0, len(vertices)])
-    return winding_table(points, vertices, starts, np.empty((0, 4)))[0].astype(np.intp)
+    return windings(points, vertices).astype(np.intp)
 
 
 def mean_value_weights(point: complex, vertices: ComplexArray) -> FloatArray:

@@ -6,7 +6,7 @@ This file is compiled by Cython and runs uncompiled as well.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -24,9 +24,14 @@ else:
     from shapeblend_cli._cython import look_for_signals
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
 COMPILED = cython.compiled
+
+MOST_BANDS = 256
+"""Maximum number of bands into which edges are sorted."""
 
 
 def winding_grid(
@@ -87,74 +92,130 @@ def _add_crossings(
                 changes[row, cython.cast(cython.Py_ssize_t, ceil(x))] += change
 
 
-def winding_table(
-    points: ComplexArray, vertices: ComplexArray, starts: IntArray, boxes: FloatArray
-) -> IntArray:
-    """Return the winding numbers of closed polygons around points, see `polygons.winding_numbers`.
+class Bands(NamedTuple):
+    """The edges of closed polygons by the bands of y that they reach, so that a point is compared with few of them."""
 
-    Parameters
-    ----------
-    points : (p,) complex
-    vertices : (m,) complex
-        Of all polygons, one after the other.
-    starts : (k + 1,) int
-        Where each polygon begins there, and m.
-    boxes : (k, 4) float, or empty
-        The box of each polygon, as x, y, width and height: no other point is looked at.
+    edges: IntArray  # (e, 3), the vertices at both ends and the polygon of each edge in each band, band after band
+    starts: IntArray  # (b + 1,), where each band begins there
+    low: float  # the lowest y
+    scale: float  # bands per unit
+    vertices: ComplexArray  # of all polygons
+    boxes: (
+        FloatArray  # (k, 4), the box of each polygon, as x, y, width and height: no other point is looked at
+    )
 
-    Returns
-    -------
-    (k, p) int
-    """
-    numbers: IntArray = np.zeros((len(starts) - 1, len(points)), np.intc)
-    _add_windings(np.ascontiguousarray(points), np.ascontiguousarray(vertices), starts, boxes, numbers)
+    @classmethod
+    def of(cls, polygons: Sequence[ComplexArray], boxes: FloatArray) -> Bands:
+        """Sort the edges of polygons with these boxes into bands."""
+        vertices, sizes = np.concatenate(polygons), np.array([len(polygon) for polygon in polygons])
+        ends = np.arange(len(vertices))
+        begins = ends - 1
+        begins[np.cumsum(sizes) - sizes] = np.cumsum(sizes) - 1
+        edges = np.stack([begins, ends, np.repeat(np.arange(len(sizes)), sizes)], axis=1)
+        y = vertices.imag
+        count = min(1 + len(polygons) // 4, MOST_BANDS)
+        low = float(y.min())
+        scale = count / max(float(y.max()) - low, 1e-300)
+        band = np.clip((y - low) * scale, 0, count - 1).astype(np.intp)
+        first, last = (pick(band[begins], band[ends]) for pick in (np.minimum, np.maximum))
+        heights = np.where(y[begins] == y[ends], 0, last - first + 1)
+        each = np.repeat(ends, heights)
+        reached = np.arange(len(each)) - np.repeat(np.cumsum(heights) - heights - first, heights)
+        order = np.argsort(reached, kind="stable")
+        starts = np.searchsorted(reached[order], np.arange(count + 1))
+        return cls(edges[each[order]], starts, low, scale, vertices, boxes)
+
+
+def winding_table(points: ComplexArray, bands: Bands) -> IntArray:
+    """Return the winding numbers of the polygons of bands around points, (k, p), see `polygons.winding_numbers`."""
+    numbers: IntArray = np.zeros((len(bands.boxes), len(points)), np.intc)
+    _add_windings_in_bands(np.ascontiguousarray(points), *bands, numbers)
+    return numbers
+
+
+def _add_windings_in_bands(
+    points: cython.const[cython.doublecomplex][::1],
+    edges: cython.const[cython.Py_ssize_t][:, ::1],
+    starts: cython.const[cython.Py_ssize_t][::1],
+    low: cython.double,
+    scale: cython.double,
+    vertices: cython.const[cython.doublecomplex][::1],
+    boxes: cython.const[cython.double][:, ::1],
+    numbers: cython.int[:, ::1],
+) -> None:
+    """Count the edges that cross the ray from each point along +x, upwards less downwards."""
+    p: cython.Py_ssize_t
+    e: cython.Py_ssize_t
+    k: cython.Py_ssize_t
+    band: cython.Py_ssize_t
+    below: cython.bint
+    for p in range(points.shape[0]):
+        x: cython.double = points[p].real
+        y: cython.double = points[p].imag
+        at: cython.double = (y - low) * scale
+        if not 0.0 <= at <= starts.shape[0] - 1:
+            continue
+        band = min(cython.cast(cython.Py_ssize_t, at), starts.shape[0] - 2)
+        for e in range(starts[band], starts[band + 1]):
+            z: cython.doublecomplex = vertices[edges[e, 0]]
+            w: cython.doublecomplex = vertices[edges[e, 1]]
+            below = z.imag <= y
+            if below == (w.imag <= y):
+                continue
+            k = edges[e, 2]
+            if not (
+                fabs(x - boxes[k, 0] - boxes[k, 2] / 2) <= boxes[k, 2] / 2
+                and fabs(y - boxes[k, 1] - boxes[k, 3] / 2) <= boxes[k, 3] / 2
+            ):
+                continue
+            # On which side of the edge the point lies.
+            side: cython.double = (w.real - z.real) * (y - z.imag) - (x - z.real) * (w.imag - z.imag)
+            if below and side > 0.0:
+                numbers[k, p] += 1
+            elif not below and side < 0.0:
+                numbers[k, p] -= 1
+        look_for_signals()
+
+
+def windings(points: ComplexArray, vertices: ComplexArray) -> IntArray:
+    """Return the winding numbers of a closed polygon around points, see `polygons.winding_numbers`."""
+    numbers: IntArray = np.zeros(len(points), np.intc)
+    _add_windings(np.ascontiguousarray(points), np.ascontiguousarray(vertices), numbers)
     return numbers
 
 
 def _add_windings(
     points: cython.const[cython.doublecomplex][::1],
     vertices: cython.const[cython.doublecomplex][::1],
-    starts: cython.Py_ssize_t[::1],
-    boxes: cython.const[cython.double][:, ::1],
-    numbers: cython.int[:, ::1],
+    numbers: cython.int[::1],
 ) -> None:
     """Count the edges that cross the ray from each point along +x, upwards less downwards."""
-    has_boxes: cython.bint = boxes.shape[0] > 0
-    k: cython.Py_ssize_t
+    count: cython.Py_ssize_t = vertices.shape[0]
     p: cython.Py_ssize_t
     i: cython.Py_ssize_t
-    first: cython.Py_ssize_t
-    last: cython.Py_ssize_t
     before: cython.Py_ssize_t
     number: cython.int
     below: cython.bint
-    for k in range(numbers.shape[0]):
-        first, last = starts[k], starts[k + 1]
-        for p in range(points.shape[0]):
-            x: cython.double = points[p].real
-            y: cython.double = points[p].imag
-            if has_boxes and not (
-                fabs(x - boxes[k, 0] - boxes[k, 2] / 2) <= boxes[k, 2] / 2
-                and fabs(y - boxes[k, 1] - boxes[k, 3] / 2) <= boxes[k, 3] / 2
-            ):
-                continue
-            number = 0
-            before = last - 1
-            below = vertices[before].imag <= y
-            for i in range(first, last):
-                if below == (vertices[i].imag <= y):
-                    before = i
-                    continue
-                # On which side of the edge the point lies.
-                side: cython.double = (vertices[i].real - vertices[before].real) * (
-                    y - vertices[before].imag
-                ) - (x - vertices[before].real) * (vertices[i].imag - vertices[before].imag)
-                if below and side > 0.0:
-                    number += 1
-                elif not below and side < 0.0:
-                    number -= 1
-                below = not below
+    for p in range(points.shape[0]):
+        x: cython.double = points[p].real
+        y: cython.double = points[p].imag
+        number = 0
+        before = count - 1
+        below = vertices[before].imag <= y
+        for i in range(count):
+            if below == (vertices[i].imag <= y):
                 before = i
-            numbers[k, p] = number
-        if k % 64 == 0 or last - first > 1000:
+                continue
+            # On which side of the edge the point lies.
+            side: cython.double = (vertices[i].real - vertices[before].real) * (y - vertices[before].imag) - (
+                x - vertices[before].real
+            ) * (vertices[i].imag - vertices[before].imag)
+            if below and side > 0.0:
+                number += 1
+            elif not below and side < 0.0:
+                number -= 1
+            below = not below
+            before = i
+        numbers[p] = number
+        if p % 64 == 0 or count > 1000:
             look_for_signals()

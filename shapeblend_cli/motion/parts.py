@@ -32,10 +32,7 @@ def parts_of(contours: Sequence[ContourBlend]) -> list[list[int]]:
     ends = [(_Outline.of(contour.polygon_a), _Outline.of(contour.polygon_b)) for contour in contours]
     # Boxes rule out most pairs at once; with their margins they rule out none that touches.
     starts, stops = zip(*([one.room for one in both] for both in ends), strict=True)
-    together = np.tril(overlaps(starts) & overlaps(stops), -1)
-    for p, q in np.argwhere(together).tolist():
-        together[p, q] = all(map(_touch, ends[p], ends[q]))
-    return grouped(together)
+    return grouped(overlaps(starts) & overlaps(stops), lambda p, q: all(map(_touch, ends[p], ends[q])))
 
 
 class _Outline(NamedTuple):

@@ -18,7 +18,7 @@ from shapeblend_cli.model import Box
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from shapeblend_cli.model import ComplexArray
+    from shapeblend_cli.model import ComplexArray, FloatArray
 
 TIMES = np.arange(1, 10) / 10
 """Times at which a growing hole is checked for lying inside."""
@@ -43,12 +43,23 @@ class MatchedPoints(NamedTuple):
     there: ComplexArray
 
 
-def nearest_paired(contour: ComplexArray, paired: Sequence[MatchedPoints]) -> tuple[int, float]:
-    """Return the index of the paired contour that is nearest here to a contour, (n,) complex, and its distance."""
+def nearest_paired(
+    contour: ComplexArray, paired: Sequence[MatchedPoints], bounds: FloatArray
+) -> tuple[int, float]:
+    """Return the index of the paired contour that is nearest here to a contour, (n,) complex, and its distance.
+
+    The bounds of the paired contours here are (paired, 4).
+    """
     watched = thin(contour, WATCHED)
-    distances = [float(np.abs(points.here[:, None] - watched).min()) for points in paired]
-    nearest = int(np.argmin(distances))
-    return nearest, distances[nearest]
+    low, high = (Box.around(watched).bounds[k : k + 2] for k in (0, 2))
+    apart = np.maximum(np.maximum(bounds[:, :2] - high, low - bounds[:, 2:]), 0.0)
+    gaps = (1.0 - 1e-9) * np.hypot(apart[:, 0], apart[:, 1])  # no vertex is nearer than the boxes are
+    best = np.inf, 0
+    for k in np.argsort(gaps, kind="stable").tolist():
+        if gaps[k] > best[0]:
+            break
+        best = min(best, (float(np.abs(paired[k].here[:, None] - watched).min()), k))
+    return best[1], best[0]
 
 
 def carried(point: complex, by: MatchedPoints, *, inside: bool) -> complex:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.anatomy.decompose import EXTERIOR, PlacedContour
+from shapeblend_cli.anatomy.decompose import EXTERIOR, PlacedContour, holes_by_exterior
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.placement import to_unit_box
@@ -49,8 +49,12 @@ def open_rings(
     the cut, and rings of required pairs, B's numbers by A's, stay closed.
     """
     opened = []
+    holes_a, holes_b = holes_by_exterior(a), holes_by_exterior(b)
     for p, q in pairs:
-        inner_a, inner_b = [c for c in a if p.contains_hole(c)], [c for c in b if q.contains_hole(c)]
+        inner_a, inner_b = (
+            [hole for hole in holes.get(one.number, ()) if one.contains_hole(hole)]
+            for one, holes in ((p, holes_a), (q, holes_b))
+        )
         is_plain = all(one.style.fill is not None and one.style.stroke is None for one in (p, q))
         is_free = p.role == q.role == EXTERIOR and required.get(p.number) != q.number
         if is_plain and is_free and len(inner_a) + len(inner_b) == 1:

@@ -171,6 +171,7 @@ def _unmatched(contours: Sequence[PlacedContour], matches: Sequence[Match], here
     contours = [contour for contour in contours if contour.number not in opened]
     outer = [match for match in matches if match.pair[here].role != HOLE]
     points = [match.points(here) for match in outer]
+    bounds = np.array([Box.around(one.here).bounds for one in points])
     loose = [contour for contour in contours if contour.number not in paired and contour.role != HOLE]
     spots = _growth_points(loose, contours, matches, here) if loose else {}
     growing: dict[int, _Unmatched] = {}
@@ -181,7 +182,7 @@ def _unmatched(contours: Sequence[PlacedContour], matches: Sequence[Match], here
         if hole is not None:
             match, point = hole, growth_point_inside(contour.polygon.vertices, hole.points(here))
         elif near:
-            k, _ = nearest_paired(contour.polygon.vertices, [points[k] for k in near])
+            k, _ = nearest_paired(contour.polygon.vertices, [points[k] for k in near], bounds[near])
             match = outer[near[k]]
         if (near or hole) and contour.style.stroke is None:
             group = match.group
@@ -219,6 +220,7 @@ def _growth_points(
     spots: dict[int, complex] = {}
     beside: dict[int, PlacedContour] = {}
     within: dict[int, int] = {}
+    seen: set[int] = set()
     # The largest come first, so that each comes after the contours around it.
     for contour in sorted(loose, key=lambda contour: (-areas[contour.number], contour.number)):
         middle = _middle(contour)
@@ -230,7 +232,7 @@ def _growth_points(
         for host in near:
             match = paired.get(host.number)
             if match is None:
-                if host.number in {*spots, *beside, *within} and _lies_in(contour, host, touching):
+                if host.number in seen and _lies_in(contour, host, touching):
                     within[contour.number] = host.number
                     break
             elif (
@@ -241,6 +243,7 @@ def _growth_points(
                 break
         else:
             beside[contour.number] = contour
+        seen.add(contour.number)
     spots |= _points_of_contact(list(beside.values()), matches, here, touching)
     for number, host_number in within.items():
         spots[number] = spots[host_number]

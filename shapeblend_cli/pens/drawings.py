@@ -38,6 +38,9 @@ HIDDEN_GAP = 0.05
 TINT = 0.5
 """Maximum opacity of a fill that only tints a drawing, beneath its lines."""
 
+MOST_LINES = 60
+"""Maximum number of lines of a drawing: more are an illustration."""
+
 MITER_LIMIT = 10.0
 """Maximum miter limit of recovered lines, in widths: their corners are as sharp as the region's."""
 
@@ -63,8 +66,8 @@ def file_pens(drawing: Drawing) -> tuple[PenDrawing, float]:
     return pen_drawing(PlacedDrawing(drawing, Similarity(), contours), scale), scale
 
 
-def pen_drawing(drawing: PlacedDrawing, scale: float) -> PenDrawing:
-    """Return the lines of a drawing: strokes, and those that are recovered from fills."""
+def pen_drawing(drawing: PlacedDrawing, scale: float, most: float = np.inf) -> PenDrawing:
+    """Return the lines of a drawing: strokes, and those that are recovered from fills until there are too many."""
     groups: dict[tuple[int, int], list[PlacedContour]] = defaultdict(list)
     for contour in drawing.contours:
         exterior = contour.exterior if contour.exterior is not None else contour.number
@@ -83,7 +86,7 @@ def pen_drawing(drawing: PlacedDrawing, scale: float) -> PenDrawing:
             if max(line.length for line in found) > LONGEST:
                 found = None
         elif style.stroke is None and style.fill is not None and not clipped:
-            found = recovered_lines(members, scale)
+            found = recovered_lines(members, scale) if len(lines) <= most else None
             is_recovered = is_recovered or found is not None
         if found is None:
             bodies += members

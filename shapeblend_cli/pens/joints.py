@@ -63,11 +63,14 @@ def joined(lines: Sequence[PenLine]) -> list[PenLine]:
         for side in (0, 1)
     ]
     turns = []
+    places = np.array([end.place for end in ends])
     for i, a in enumerate(ends):
-        for j in range(i + 1, len(ends)):
+        p = pieces[a.line]
+        near = np.flatnonzero(np.abs(places[i + 1 :] - a.place) <= TOUCHES * p.width) + i + 1
+        for j in near.tolist():
             b = ends[j]
-            p, q = pieces[a.line], pieces[b.line]
-            if abs(a.place - b.place) > TOUCHES * p.width or not _is_alike(p, q):
+            q = pieces[b.line]
+            if not _is_alike(p, q):
                 continue
             turn = abs(float(np.angle(-b.direction / a.direction)))
             if turn <= (MOST_TURN if _is_round(p) else GOES_ON):

@@ -9,6 +9,7 @@ import numpy as np
 from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import WHOLE, Box
 from shapeblend_cli.motion.pen import Pen, Together, Whole, between
+from shapeblend_cli.pens.drawings import MOST_LINES
 from shapeblend_cli.pens.joints import with_pieces
 from shapeblend_cli.pens.line import at, evenly, foot_points, length
 from shapeblend_cli.pens.moves import (
@@ -48,9 +49,6 @@ KEPT = 0.3
 ALL = 0.9
 """Minimum share of the ink in lines for drawings to be matched by these whatever outlines would be like."""
 
-MOST_LINES = 60
-"""Maximum number of lines of a drawing: more are an illustration."""
-
 LEAST_TURNED = 0.5
 """Minimum share of lines that stay where they are for a drawing not to be turned or flipped as a whole."""
 
@@ -88,6 +86,8 @@ def blend_lines(
     """Match two drawings by their pen lines, if both are mostly drawn with a pen, or if that is asked for."""
     is_asked = settings.strokes == "recover"
     first, last = pens
+    if max(len(first.lines), len(last.lines)) > MOST_LINES:  # pieces come on top
+        return None
     one, other = with_pieces(first, last, scale), with_pieces(last, first, scale)
     is_sign = all(len(_colours(drawing)) == 1 for drawing in (one, other))
     least = 0.0 if is_asked else LEAST_INK if is_sign else LEAST_OF_PICTURE

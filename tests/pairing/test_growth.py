@@ -3,6 +3,7 @@ import pytest
 
 from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.geometry.polygons import winding_numbers
+from shapeblend_cli.model import Box
 from shapeblend_cli.pairing.growth import MatchedPoints, carried, growth_point_inside, nearest_paired
 from tests.support.contours import polyline
 from tests.support.drawings import drawing
@@ -51,7 +52,8 @@ def test_in_a_drawing_too():
 
 def test_the_nearest_contour_here_is_found():
     near, far = MatchedPoints(CIRCLE + 30, CIRCLE * 1j), MatchedPoints(CIRCLE - 50, CIRCLE)
-    index, distance = nearest_paired(45 + CIRCLE / 10, [far, near])
+    bounds = np.array([Box.around(one.here).bounds for one in (far, near)])
+    index, distance = nearest_paired(45 + CIRCLE / 10, [far, near], bounds)
     assert index == 1
     assert distance == pytest.approx(4, abs=0.1)
 
