@@ -38,6 +38,10 @@ STRAIGHT = 1e-9
 """Tolerance of a contour that encloses nothing, as a share of its length."""
 
 
+MOST_LARGE = 200
+"""Maximum number of large contours that get all the wanted vertices; more of them get as many together."""
+
+
 class PlacedContour(NamedTuple):
     """One contour of a drawing, laid over A, flattened, and with its role.
 
@@ -211,8 +215,11 @@ def _vertex_counts(drawing: Drawing, vertices: int) -> list[int]:
     size = Box.union(boxes).diagonal or 1.0
     shares = np.array([box.diagonal for box in boxes]) / size
 
+    is_large = shares >= LARGE
+    of_large = min(1.0, max(LEAST_SHARE, MOST_LARGE / max(is_large.sum(), 1)))
+
     def counts(scale: float) -> FloatArray:
-        return np.where(shares >= LARGE, 1.0, np.clip(scale * np.sqrt(shares / LARGE), LEAST_SHARE, 1.0))
+        return np.where(is_large, of_large, np.clip(scale * np.sqrt(shares / LARGE), LEAST_SHARE, of_large))
 
     low, high = 0.0, 1.0
     if counts(high).sum() <= CROWD:

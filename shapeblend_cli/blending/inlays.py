@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
+from shapeblend_cli.blending.copies import CROWD
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.polygons import orientation, signed_area, winding_numbers
@@ -195,7 +196,7 @@ def plates_of(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box)
     None are returned if users ask for pairs of contours or for a motion.
     """
     named = settings.match or settings.pins or settings.start or settings.stiff or settings.mix
-    if named or settings.motion != "auto":
+    if named or settings.motion != "auto" or max(len(side.contours) for side in (a, b)) > CROWD:
         return []
     scale = UNITS / view.larger_side
     sides = [_cut_out(side, scale) for side in (a, b)]

@@ -6,6 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.anatomy.decompose import PlacedDrawing
+from shapeblend_cli.blending.copies import CROWD, Copies
 from shapeblend_cli.interpolate.paths import with_curves
 from shapeblend_cli.model import Box, ShapeBlend
 from shapeblend_cli.options.settings import Settings
@@ -58,6 +59,7 @@ class PairedDrawings(NamedTuple):
     required: Sequence[tuple[int, int]]
     settings: Settings
     progress: Progress
+    copies: Copies | None = None  # of crowds
 
     def leads(self, shape: ShapeBlend) -> bool:
         """Return whether strokes ride on a shape, which therefore moves straight as they do."""
@@ -69,8 +71,12 @@ class PairedDrawings(NamedTuple):
         pair, constraints = self.pairs[numbers]
         required = constraints.start, tuple(constraints.pins)
 
+        def search() -> ContourBlend:
+            return match_contours(*pair, self.settings, constraints, rotation, watch)
+
         def solve() -> ContourBlend:
-            blend = match_contours(*pair, self.settings, constraints, rotation, watch)
+            is_free = not (constraints.start or constraints.pins or self.settings.stiff)
+            blend = self.copies.matched(pair, rotation, search) if self.copies and is_free else search()
             return blend._replace(seconds=self.progress.clock.lap("match"))
 
         return Match(pair, self._once("match", pair, (required, rotation, self._unnamed_settings), solve))
@@ -88,9 +94,13 @@ class PairedDrawings(NamedTuple):
         """Return a shape that moves between the drawings' own curves, unless polygons are asked for."""
         if not self.settings.curves:
             return shape
-        contours = shape.contours
+        contours, copies = shape.contours, self.copies
+
+        def curve(blend: ContourBlend) -> ContourBlend:
+            return copies.curved(blend, with_curves) if copies and blend.is_matched else with_curves(blend)
+
         return shape._replace(
-            contours=self._once("curves", contours, (), lambda: tuple(map(with_curves, contours)))
+            contours=self._once("curves", contours, (), lambda: tuple(map(curve, contours)))
         )
 
     def judged(
@@ -151,7 +161,8 @@ def pair_drawings(
     pairs = [(p, q) for p, q in pairs if p.number not in riders[0] and q.number not in riders[1]]
     progress.clock.lap("match")
     constrained = constrain(pairs, settings, pins)
-    return PairedDrawings(a, b, rotation, constrained, changed, riders, asked, settings, progress)
+    copies = Copies() if max(map(len, (a.contours, b.contours))) > CROWD else None
+    return PairedDrawings(a, b, rotation, constrained, changed, riders, asked, settings, progress, copies)
 
 
 def match_pairs(paired: PairedDrawings) -> tuple[tuple[ShapeBlend, ...], list[Place]]:

@@ -161,12 +161,16 @@ def size_costs(a: Described, b: Described, laid_a: Boxes) -> FloatArray:
 
 def paint_costs(a: Described, b: Described) -> FloatArray:
     """Return the costs of changing the paint, (a, b)."""
-    p, q = a.paint[:, None], b.paint
+    (paints_a, in_a), (paints_b, in_b) = (
+        np.unique(side.paint, axis=0, return_inverse=True) for side in (a, b)
+    )
+    p, q = paints_a[:, None], paints_b
     none_p, none_q = p[..., 0] < 0, q[..., 0] < 0
     apart = np.abs(p - q).mean(axis=-1)
     apart = (1.0 + COLOUR_HALF) * apart / (apart + COLOUR_HALF)
     difference = np.where(none_p | none_q, none_p != none_q, apart)
-    return PAINT_WEIGHT * difference.sum(axis=-1)
+    each: FloatArray = (PAINT_WEIGHT * difference.sum(axis=-1))[np.ix_(in_a.ravel(), in_b.ravel())]
+    return each
 
 
 class Works:

@@ -142,9 +142,12 @@ def _nearest(contour: PlacedContour, owners: Sequence[PlacedContour], bounds: Fl
     apart = np.maximum(np.maximum(bounds[:, :2] - high, low - bounds[:, 2:]), 0.0)
     gaps = np.hypot(apart[:, 0], apart[:, 1])  # no vertex is nearer than the boxes are
     best: tuple[float, float, int] = (np.inf, 0.0, 0)
-    for k in np.argsort(gaps, kind="stable").tolist():
+    sizes = np.hypot(bounds[:, 2] - bounds[:, 0], bounds[:, 3] - bounds[:, 1])
+    for k in np.lexsort((-sizes, gaps)).tolist():
         if gaps[k] > best[0]:
             break
+        if best[0] == 0.0 and sizes[k] < (1.0 - 1e-9) * -best[1]:
+            continue
         owner = owners[k]
         inside = winding_numbers(watched, owner.polygon.vertices) != 0
         away = np.abs(owner.polygon.vertices[:, None] - watched).min(axis=0)

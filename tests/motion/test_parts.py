@@ -6,6 +6,8 @@ import pytest
 from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.model import Polygon
+from shapeblend_cli.motion import parts
+from shapeblend_cli.motion.parts import _touch as touch
 from shapeblend_cli.motion.parts import parts_of
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pipeline import match_all
@@ -74,3 +76,13 @@ def with_polygons(shape):
         contour._replace(polygon_a=polygon(contour.start), polygon_b=polygon(contour.end))
         for contour in shape.contours
     ]
+
+
+@pytest.mark.parametrize("step", [0.0, 0.5])
+def test_few_outlines_are_compared_where_many_lie_on_each_other(monkeypatch, step):
+    """Of those that are in one group already, none is."""
+    compared = []
+    monkeypatch.setattr(parts, "_touch", lambda p, q: compared.append(1) or touch(p, q))
+    shape = moving_polygons(*((10 * SQUARE + k * step,) * 2 for k in range(60)))
+    assert len(parts_of(with_polygons(shape))) == 1
+    assert len(compared) <= 2 * 60

@@ -2,7 +2,11 @@
 
 import pytest
 
-from tests.support.drawings import contours_of
+from shapeblend_cli.blending.copies import CROWD
+from shapeblend_cli.frames.frames import shapes_at
+from shapeblend_cli.wires.match import match_contours
+from tests.support.drawings import contours_of, drawing
+from tests.support.motions import pair_of
 
 DISC = "M2 72A20 20 0 1 0 42 72A20 20 0 1 0 2 72Z"
 
@@ -16,3 +20,34 @@ def test_small_contours_get_fewer_vertices_in_a_crowd_fewer_still_and_the_larges
     assert 190 <= vertices[0] <= 210
     assert min(vertices) >= 25
     assert max(vertices[1:]) < (50 if count > 100 else 70)
+
+
+def axes(path):
+    return path.segments.real, path.segments.imag
+
+
+def squares(count, side, step=0.0):
+    row = 30
+    return "".join(
+        f"M{step * (k % row):g} {step * (k // row):g}h{side}v{side}h-{side}z" for k in range(count)
+    )
+
+
+def test_of_copies_in_a_crowd_one_is_matched(monkeypatch):
+    matched = []
+    monkeypatch.setattr(
+        "shapeblend_cli.blending.matched.match_contours",
+        lambda *given: matched.append(1) or match_contours(*given),
+    )
+    pair = pair_of(drawing(squares(CROWD + 1, 2, 3)), drawing(squares(CROWD + 1, 2, 4)))
+    assert len(matched) < 100  # those in one place, and one of all others
+    for end, step in ((0, 3), (1, 4)):
+        corners = {(step * (k % 30), step * (k // 30)) for k in range(CROWD + 1)}
+        paths = shapes_at(pair, end)[0].paths
+        assert {(round(float(x.min()), 5), round(float(y.min()), 5)) for x, y in map(axes, paths)} == corners
+
+
+def test_large_contours_of_a_crowd_share_their_vertices():
+    few, many = (contours_of(squares(count, 40)) for count in (100, 800))
+    assert min(len(contour.polygon.vertices) for contour in few) >= 190
+    assert sum(len(contour.polygon.vertices) for contour in many) < 60_000
