@@ -7,33 +7,40 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from shapeblend_cli.model import BoolArray, Box
 
 
-def grouped(
-    likely: BoolArray, are_together: Callable[[int, int], bool] = lambda one, other: True
-) -> list[list[int]]:
+class Groups:
+    """Groups of numbers, which are added one by one, from 0 on."""
+
+    def __init__(self, count: int) -> None:
+        self.of = np.arange(count)  # the group that each number is in, called by its highest number
+        self._members: dict[int, list[int]] = {}
+
+    def add(self, number: int, near: Iterable[int]) -> None:
+        """Add the next number, and make one group of it and of the groups with these names."""
+        groups = [self._members.pop(name) for name in sorted(near)]
+        self._members[number] = [number, *(other for group in groups for other in group)]
+        self.of[self._members[number]] = number
+
+    def __iter__(self) -> Iterator[list[int]]:
+        return iter(self._members.values())
+
+
+def grouped(together: BoolArray) -> list[list[int]]:
     """Return groups of numbers, such that all that are together, directly or through others, are in one group.
 
     Parameters
     ----------
-    likely : (n, n) bool
-        Which of n things may be together; only the part below the diagonal counts.
-    are_together : callable
-        Whether two such things are; asked as few times as will do, the higher number first.
+    together : (n, n) bool
+        Which of n things are together; only the part below the diagonal counts.
     """
-    groups: dict[int, list[int]] = {}
-    group = np.arange(len(likely))  # that each number is in, called by its highest number
-    for k, row in enumerate(likely):
-        near: set[int] = set()
-        for other in np.flatnonzero(row[:k]).tolist():
-            if (its := int(group[other])) not in near and are_together(k, other):
-                near.add(its)
-        groups[k] = [k, *(other for its in sorted(near) for other in groups.pop(its))]
-        group[groups[k]] = k
-    return list(groups.values())
+    groups = Groups(len(together))
+    for k, row in enumerate(together):
+        groups.add(k, set(groups.of[:k][row[:k]].tolist()))
+    return list(groups)
 
 
 def overlaps(boxes: Sequence[Box]) -> BoolArray:

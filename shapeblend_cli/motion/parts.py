@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.grouping import grouped, overlaps
+from shapeblend_cli.geometry.grouping import Groups, overlaps
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.geometry.polyline import cumulative_lengths, thin
 from shapeblend_cli.motion.alignment import align, point_pairs
@@ -32,7 +32,14 @@ def parts_of(contours: Sequence[ContourBlend]) -> list[list[int]]:
     ends = [(_Outline.of(contour.polygon_a), _Outline.of(contour.polygon_b)) for contour in contours]
     # Boxes rule out most pairs at once; with their margins they rule out none that touches.
     starts, stops = zip(*([one.room for one in both] for both in ends), strict=True)
-    return grouped(overlaps(starts) & overlaps(stops), lambda p, q: all(map(_touch, ends[p], ends[q])))
+    groups = Groups(len(ends))
+    for k, row in enumerate(overlaps(starts) & overlaps(stops)):
+        near: set[int] = set()
+        for other in np.flatnonzero(row[:k]).tolist():
+            if (name := int(groups.of[other])) not in near and all(map(_touch, ends[k], ends[other])):
+                near.add(name)
+        groups.add(k, near)
+    return list(groups)
 
 
 class _Outline(NamedTuple):
