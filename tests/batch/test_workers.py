@@ -156,6 +156,47 @@ def test_a_signal_ends_it_when_what_is_being_written_is_whole(number, status, he
     assert not [path for path in Path("m").iterdir() if path.name.startswith(".shapeblend-")]
 
 
+DEAF = (
+    "[signal.signal(number, signal.SIG_IGN) for number in (14, 15)]"
+    " + [print(os.getpid(), file=open('deaf', 'w')), time.sleep(600)]"
+)
+
+
+def is_gone(group):
+    """Whether a process group has ended, seconds after its end was wanted."""
+    for _ in range(500):
+        try:
+            os.killpg(group, 0)
+        except ProcessLookupError:
+            return True
+        time.sleep(0.02)
+    return False
+
+
+def test_a_second_signal_ends_at_once_a_process_that_does_not_listen(drawings, broken):
+    broken(DEAF)
+    with open("broken/sitecustomize.py", "a", encoding="utf-8") as file:
+        file.write("import shapeblend_cli.batch.supervisor as supervisor\nsupervisor.GRACE = 600.0\n")
+    process = subprocess.Popen([*COMMAND, *LINE, "-j", "1"], stderr=subprocess.PIPE)
+    wait_for("deaf")
+    process.send_signal(signal.SIGINT)
+    with pytest.raises(subprocess.TimeoutExpired):
+        process.wait(0.5)
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=60)
+    assert (process.returncode, b"interrupted" in err, b"Traceback" in err) == (130, True, False)
+    assert is_gone(int(Path("deaf").read_text()))
+    assert not list(Path("m").glob("*.svg"))
+
+
+def test_a_job_that_took_too_long_leaves_no_process(drawings, broken, batch, monkeypatch):
+    monkeypatch.setattr("shapeblend_cli.batch.supervisor.GRACE", 0.5)
+    broken(f"output.endswith('3.svg') and {DEAF}")
+    status, results, _ = batch(*LINE, "-j", "2", "--timeout", "2.5")
+    assert (status, results[3]["status"]) == (1, "timeout")
+    assert is_gone(int(Path("deaf").read_text()))
+
+
 @pytest.mark.parametrize(("spread", "workers"), [(0.3, 2), (0.8, 4), (1.0, 1)])
 def test_an_estimate_is_right_within_a_third_or_is_not_given(spread, workers):
     """Jobs that take about as long as others, and some that take much longer, in any order."""
