@@ -34,7 +34,8 @@ def svg_pair(move: Move, decimals: int) -> list[str]:
         for drawing, shape, side in zip(drawings, shapes, sides, strict=True):
             paint = paint_attributes(shape.style, decimals) | side
             shown = {key: value for key, value in paint.items() if any(key in other for other in sides)}
-            drawing.add(drawing.path(d=path_data(shape.paths, decimals), id=name, **shown))
+            data = path_data(shape.paths, decimals)
+            drawing.append(document.new("path", {"d": data, "id": name, **shown}))
     return [
         document.text(drawing, definitions=defined.elements)
         for drawing, defined in zip(drawings, gradients, strict=True)

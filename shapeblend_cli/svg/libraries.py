@@ -1,72 +1,48 @@
-"""svgpathtools and svgwrite, imported without modules that cost more time than the two themselves.
+"""`parse_path` of svgpathtools, imported without modules that cost more time than reading a drawing.
 
-Both import modules for features this program does not use: `scipy.integrate` for the length of an arc, `urllib.request`
-to embed web fonts, `webbrowser` and `tempfile` to show a drawing, `xml.dom.minidom` to read one, and of a validator
-that is switched off `svgwrite.data.svgparser`, its regular expressions, and `svgwrite.data.tiny12`, what SVG Tiny has.
-During the import each is replaced by a stand-in, which imports the real module when one of its functions is called.
+The package imports all its modules and svgwrite. Its parser imports `scipy.integrate`, for the length of an arc, and
+`webbrowser`, to show a drawing, which this program does not use.
 """
 
 from __future__ import annotations
 
-import importlib
 import sys
 import warnings
 from contextlib import contextmanager
+from importlib.util import find_spec
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
-_PUT_OFF = (
-    "scipy.integrate",
-    "svgwrite.data.svgparser",
-    "svgwrite.data.tiny12",
-    "tempfile",
-    "urllib.request",
-    "webbrowser",
-    "xml.dom.minidom",
-)
-
-
-class _StandIn(ModuleType):
-    """A module whose attributes are functions that call their namesakes in the real one."""
-
-    def __getattr__(self, name: str) -> Callable[..., Any]:
-        # The import system looks for names such as __path__, and takes their absence for an answer.
-        if name.startswith("__"):
-            raise AttributeError(name)
-        module = self.__name__
-
-        def call_through(*args: Any, **kwargs: Any) -> Any:
-            return getattr(importlib.import_module(module), name)(*args, **kwargs)
-
-        return call_through
+PACKAGE = "svgpathtools"
 
 
 @contextmanager
-def _stand_ins() -> Iterator[None]:
-    """Put stand-ins into `sys.modules` for modules that are not imported yet, and take them out again."""
-    names = [name for name in _PUT_OFF if name not in sys.modules]
-    if "scipy.integrate" in names and "scipy" not in sys.modules:
-        # Importing a submodule imports its parent first, which here is most of the cost.
-        names.append("scipy")
-    placed = {name: _StandIn(name) for name in names}
-    sys.modules.update(placed)
+def _alone() -> Iterator[None]:
+    """Let the parser be imported with stand-ins for its package and for what it does not need.
+
+    Afterwards `sys.modules` is as it was, so that another import gets the whole package.
+    """
+    spec = find_spec(PACKAGE)
+    package = ModuleType(PACKAGE)
+    package.__path__ = list(spec.submodule_search_locations or ()) if spec else []
+    stand_ins = {PACKAGE: package, "scipy.integrate": None, "webbrowser": ModuleType("webbrowser")}
+    placed = {name: module for name, module in stand_ins.items() if name not in sys.modules}
+    sys.modules.update(placed)  # type: ignore[arg-type]  # None: it cannot be imported
     try:
         yield
     finally:
-        for name, stand_in in placed.items():
-            if sys.modules.get(name) is stand_in:
+        for name in [*placed, *(name for name in sys.modules if name.startswith(f"{PACKAGE}."))]:
+            if name in placed or PACKAGE in placed:
                 del sys.modules[name]
 
 
-with _stand_ins(), warnings.catch_warnings():
+with _alone(), warnings.catch_warnings():
     # A regular expression of svgpathtools 1.4.2 is no raw string.
     warnings.simplefilter("ignore", SyntaxWarning)
     warnings.simplefilter("ignore", DeprecationWarning)
-    import svgpathtools
-    import svgwrite
-    from svgpathtools import parse_path
+    from svgpathtools.parser import parse_path
 
-__all__ = ["parse_path", "svgpathtools", "svgwrite"]
+__all__ = ["parse_path"]

@@ -60,18 +60,15 @@ def css_svg(
         if at_keys[times[0]]:
             rules.append(_keyframes(name, at_keys))
             animations.append(f"{name} {run} {timing.ease.css()}")
-        path = drawing.path(
-            class_=name,
-            **regions.attributes(shape.clips),
-            **{attribute: values.keys[0] for attribute, values in attributes.items()},
-        )
+        start = {attribute: values.keys[0] for attribute, values in attributes.items()}
+        path = document.new("path", {"class": name, **regions.attributes(shape.clips), **start})
         if len(shape.keys) <= last:
             visible = {0.0: ["visibility:hidden"], times[0]: ["visibility:visible"]}
             if times[-1] < 1.0:
                 visible[times[-1]] = ["visibility:hidden"]
             rules.append(_keyframes(f"{name}-shown", visible))
             animations.append(f"{name}-shown {run} step-end")
-            path["visibility"] = "hidden" if shape.first else "visible"
+            document.put(path, {"visibility": "hidden" if shape.first else "visible"})
         if animations:
             rules.append(f".{name}{{animation:{','.join(animations)}}}")
         tree.add(path, shape.groups, shape.name)

@@ -6,8 +6,9 @@ from collections.abc import Iterable
 from itertools import pairwise
 from typing import Any
 
+import svgwrite
+
 from shapeblend_cli.model import Box
-from shapeblend_cli.svg.libraries import svgwrite
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.rounding import number
 
@@ -26,13 +27,18 @@ class Figure:
     def __init__(self, width: float, height: float, style: str) -> None:
         width, height = round(width), round(height)
         self._style = style
-        self._drawing = document.empty(Box(0.0, 0.0, width, height), DECIMALS)
-        self._drawing["width"], self._drawing["height"] = str(width), str(height)
+        box = document.box_text(Box(0.0, 0.0, width, height), DECIMALS)
+        self._drawing = svgwrite.Drawing(size=(str(width), str(height)), debug=False, viewBox=box)
+        self._drawing.elements.remove(self._drawing.defs)
         self._drawing.add(svgwrite.shapes.Rect((0, 0), ("100%", "100%"), class_="ground", debug=False))
 
     def text(self) -> str:
         """Return the document."""
-        return document.text(self._drawing, style=self._style)
+        root = self._drawing.get_xml()
+        has_links = any("xlink:href" in element.attrib for element in root)
+        for name in ("version", "baseProfile", "xmlns:ev", *(() if has_links else ("xmlns:xlink",))):
+            del root.attrib[name]
+        return document.text(root, style=self._style)
 
     def path(self, data: str, kind: str, **paint: str) -> None:
         """Add path data, of a class and with further attributes."""

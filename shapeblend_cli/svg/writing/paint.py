@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 from xml.etree.ElementTree import Element, SubElement
 
@@ -163,7 +163,7 @@ def add_region(clip_path: Element, attributes: dict[str, str], rule: str) -> Ele
     return SubElement(clip_path, "path", {**attributes, **clip_rule})
 
 
-def hyphened(attributes: dict[str, str]) -> dict[str, str]:
+def hyphened(attributes: Mapping[str, str]) -> dict[str, str]:
     """Return attributes with the names that they have in SVG."""
     return {name.replace("_", "-"): value for name, value in attributes.items()}
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 from xml.etree.ElementTree import Element, SubElement
 
 from shapeblend_cli.model import Box, Clip, KeyframedShape, Page, PaintedShape
@@ -21,7 +21,7 @@ from shapeblend_cli.svg.writing.css import declaration
 from shapeblend_cli.svg.writing.paint import STROKE_LENGTHS, Gradients, visible_styles
 from shapeblend_cli.svg.writing.path_data import short_path_data
 from shapeblend_cli.svg.writing.rounding import number
-from shapeblend_cli.svg.writing.smil import DISCRETE, Timeline, add_animated, written
+from shapeblend_cli.svg.writing.smil import DISCRETE, Timeline, add_animated
 
 XHTML = "http://www.w3.org/1999/xhtml"
 
@@ -59,7 +59,7 @@ class Reaction(NamedTuple):
         """An id of its own, a word as SMIL takes it."""
         return f"b{document.fingerprint(self.shapes, self.trigger, self.page.called)}"
 
-    def empty(self, decimals: int) -> Any:
+    def empty(self, decimals: int) -> Element:
         """Return a drawing of it that draws nothing yet; it has a title."""
         return document.empty_and_called(self.views[0], decimals, self.page)
 
@@ -71,44 +71,39 @@ def reacting_smil(reaction: Reaction, timing: Timing, decimals: int) -> str:
     drawings, of which one or the other is seen.
     """
     drawing, trigger, name = reaction.empty(decimals), reaction.trigger, reaction.id
-    timeline = _ThereAndBack(drawing, len(reaction.views) - 1, timing, *_begins(trigger, name))
+    timeline = _ThereAndBack(len(reaction.views) - 1, timing, *_begins(trigger, name))
     timeline.add_views(drawing, [document.box_text(view, decimals) for view in reaction.views])
-    drawing["role"] = "presentation"  # what it is, is said of what is in it
-    around = drawing.g()
-    around.attribs.update({"id": name, **_role(trigger, reaction.page.called)})
-    drawing.add(around)
+    document.put(drawing, {"role": "presentation"})  # what it is, is said of what is in it
+    around = document.new("g", {"id": name, **_role(trigger, reaction.page.called)})
+    drawing.append(around)
     area = {**_area(Box.union(reaction.views), decimals), "fill": "none", "pointer-events": "all"}
-    around.add(written("rect", area))
+    around.append(document.new("rect", area))
     ids = document.ids_of(drawing, reaction.shapes)
-    moving = drawing.g(class_=f"{name}-moving")
-    around.add(moving)
-    gradients = add_animated(
-        document.Tree(drawing, ids, moving), drawing, reaction.shapes, timeline, decimals
-    )
-    still = drawing.g(class_=f"{name}-still")
-    around.add(still)
+    moving = document.new("g", {"class": f"{name}-moving"})
+    around.append(moving)
+    gradients = add_animated(document.Tree(moving, ids), reaction.shapes, timeline, decimals)
+    still = document.new("g", {"class": f"{name}-still"})
+    around.append(still)
     defined = Gradients(decimals, ids)
     for end in (0, -1):
-        group = drawing.g(display="none") if end else drawing.g()
+        group = document.new("g", {"display": "none"} if end else {})
         for kind, display in (("forth", "inline" if end else "none"), ("back", "none" if end else "inline")):
-            group.add(timeline.switch(display, kind))
-        _add_still(group, drawing, reaction, end, defined)
-        still.add(group)
+            group.append(timeline.switch(display, kind))
+        _add_still(group, reaction, end, defined)
+        still.append(group)
     if trigger.kind == CLICK:
         for kind, other in (("forth", "back"), ("back", "forth")):
-            rect = drawing.rect(id=f"{name}{kind}", style="cursor:pointer")
-            rect.attribs.update(area)
-            if kind == "back":
-                rect["display"] = "none"
-            rect.add(timeline.switch("none", kind))
-            rect.add(timeline.switch("inline", other))
-            around.add(rect)
+            shown = {"display": "none"} if kind == "back" else {}
+            rect = document.new("rect", {"id": f"{name}{kind}", "style": "cursor:pointer", **area, **shown})
+            rect.append(timeline.switch("none", kind))
+            rect.append(timeline.switch("inline", other))
+            around.append(rect)
     if trigger.name and not _is_declared(trigger):
         script = Element("script")
         events = [json.dumps(event) for event in (trigger.event, trigger.opposite) if event]
         listens = (EACH if trigger.opposite else IN_TURN) % tuple(events)
         script.text = LISTEN % (json.dumps(trigger.name), listens)
-        around.add(document.Ready(script))
+        around.append(script)
     style = (
         f"#{name}:focus:not(:focus-visible){{outline:none}}.{name}-still{{display:none}}"
         f"@media (prefers-reduced-motion:reduce){{.{name}-still{{display:inline}}.{name}-moving{{display:none}}}}"
@@ -145,7 +140,7 @@ def _begins(trigger: Trigger, name: str) -> tuple[str, str]:
     return f"{name}.forth", f"{name}.back"
 
 
-def _add_still(group: Any, drawing: Any, reaction: Reaction, end: int, gradients: Gradients) -> None:
+def _add_still(group: Element, reaction: Reaction, end: int, gradients: Gradients) -> None:
     """Add the shapes as they are in the first drawing, or in the last."""
     last = len(reaction.views) - 1
     for shape in reaction.shapes:
@@ -159,29 +154,35 @@ def _add_still(group: Any, drawing: Any, reaction: Reaction, end: int, gradients
             ]
             clipped = gradients.clips.attributes(regions)
             for style in visible_styles(painted, float(bool(end))):
-                group.add(drawing.path(d=data, **gradients.attributes(style), **clipped))
+                painted_as = gradients.attributes(style)
+                group.append(document.new("path", {"d": data, **painted_as, **clipped}))
 
 
 class _ThereAndBack(Timeline):
     """Makes two animations of each: one that goes when something begins, and one that comes back."""
 
-    def __init__(self, drawing: Any, pairs: int, timing: Timing, forth: str, back: str) -> None:
-        super().__init__(drawing, pairs, timing._replace(repeat=1))
+    def __init__(self, pairs: int, timing: Timing, forth: str, back: str) -> None:
+        super().__init__(pairs, timing._replace(repeat=1))
         self._begins = {"forth": forth, "back": back}
 
-    def animate(self, element: Any, name: str, values: Values) -> None:
+    def animate(self, element: Element | list[Element], name: str, values: Values) -> None:
         """Animate an attribute; between two keys colours go straight, so that they can turn round on the way."""
         if name in COLOURS and len(values.keys) == 2:
             values = values._replace(waypoints=[()])
         super().animate(element, name, values)
 
-    def switch(self, display: str, kind: str) -> Any:
+    def switch(self, display: str, kind: str) -> Element:
         """Return the animation that shows or hides an element at once."""
         run = {"attributeName": "display", "to": display, "begin": self._begins[kind], "fill": "freeze"}
-        return written("set", run)
+        return document.new("set", run)
 
     def _add(
-        self, element: Any, tag: str, given: dict[str, str], texts: Sequence[str], extra: dict[str, str]
+        self,
+        element: Element | list[Element],
+        tag: str,
+        given: dict[str, str],
+        texts: Sequence[str],
+        extra: dict[str, str],
     ) -> None:
         # Without a start an animation begins with what is there, on the way too; only two values can do that.
         is_straight = len(texts) == 2 and tag == "animate" and extra.get("calcMode") != "discrete"
@@ -189,7 +190,7 @@ class _ThereAndBack(Timeline):
             values, own = (texts, extra) if kind == "forth" else (texts[::-1], _reversed(extra))
             way = {"to": values[-1]} if is_straight else {"values": ";".join(values)}
             run = {"dur": self.duration, "begin": self._begins[kind], "fill": "freeze"}
-            element.add(written(tag, {**given, **way, **run, **own}))
+            element.append(document.new(tag, {**given, **way, **run, **own}))
 
 
 def _reversed(extra: dict[str, str]) -> dict[str, str]:
@@ -217,10 +218,10 @@ def reacting_css(reaction: Reaction, timing: Timing, decimals: int) -> str:
     prefers-reduced-motion the other drawing is there at once.
     """
     drawing, trigger, name = reaction.empty(decimals), reaction.trigger, reaction.id
-    drawing["class"] = name
+    document.put(drawing, {"class": name})
     is_click = trigger.kind == CLICK
     if not is_click:
-        drawing.attribs.update(_role(trigger, reaction.page.called))
+        document.put(drawing, _role(trigger, reaction.page.called))
     tree = document.Tree.of(drawing, reaction.shapes)
     active = [f".{name}:has(:checked)"] if is_click else [f".{name}:hover", f".{name}:focus-visible"]
     rules = []
@@ -237,9 +238,9 @@ def reacting_css(reaction: Reaction, timing: Timing, decimals: int) -> str:
             moved = [declaration(attribute, values[attribute].keys[-1]) for attribute in changing]
             rules.append(f".{own}{{{';'.join([*at_rest, back])}}}")
             rules.append(f"{','.join(f'{one} .{own}' for one in active)}{{{';'.join([*moved, there])}}}")
-        tree.add(drawing.path(class_=own, **start), shape.groups, shape.name)
+        tree.add(document.new("path", {"class": own, **start}), shape.groups, shape.name)
     if is_click:
-        drawing.add(document.Ready(_check_box(reaction, decimals)))
+        drawing.append(_check_box(reaction, decimals))
         rules.append(f".{name}:has(:focus-visible){{outline:2px solid}}")
     rules.append(f"@media (prefers-reduced-motion:reduce){{[class^={name}]{{transition:none!important}}}}")
     return document.text(drawing, style="\n".join(["", *rules, ""]))

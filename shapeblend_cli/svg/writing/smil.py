@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 from xml.etree.ElementTree import Element
 
 from shapeblend_cli.model import WHOLE, Box, Frame, Gradient, KeyframedShape, Page, RadialGradient
@@ -41,14 +40,14 @@ def smil_svg(
 ) -> str:
     """Return an SVG document in which paths, in paint order, are animated by SMIL; it shows one view a key."""
     drawing = document.empty(views[0], decimals, page)
-    timeline = Timeline(drawing, len(views) - 1, timing)
+    timeline = Timeline(len(views) - 1, timing)
     timeline.add_views(drawing, [document.box_text(view, decimals) for view in views])
-    gradients = add_animated(document.Tree.of(drawing, shapes), drawing, shapes, timeline, decimals)
+    gradients = add_animated(document.Tree.of(drawing, shapes), shapes, timeline, decimals)
     return document.text(drawing, definitions=gradients)
 
 
 def add_animated(
-    tree: document.Tree, drawing: Any, shapes: Sequence[KeyframedShape], timeline: Timeline, decimals: int
+    tree: document.Tree, shapes: Sequence[KeyframedShape], timeline: Timeline, decimals: int
 ) -> list[Element]:
     """Add animated paths to a drawing, and return the gradients they are painted with."""
     gradients: list[Element] = []
@@ -59,9 +58,7 @@ def add_animated(
             values = attribute_values(_extend(shape, drawings), decimals)["d"]
             path = add_region(element, {"d": values.keys[0]}, shape.keys[0].style.fill_rule)
             if not values.is_constant:
-                inside = _Holder()
-                timeline.animate(inside, "d", values)
-                path.extend(inside.elements)
+                timeline.animate(path, "d", values)
 
     regions = Regions(tree.ids, add_clip)
     for shape in shapes:
@@ -74,13 +71,13 @@ def add_animated(
                 gradients.append(_animated_gradient(timeline, name, keys, extended.spans, decimals))
                 attributes[paint] = values_between(paint, [f"url(#{name})"] * len(keys))
         clipped = regions.attributes(shape.clips)
-        path = drawing.path(**{name: values.keys[0] for name, values in attributes.items()}, **clipped)
+        path = document.new("path", {name: values.keys[0] for name, values in attributes.items()} | clipped)
         for name, values in attributes.items():
             if not values.is_constant:
                 timeline.animate(path, name, values)
         if len(shape.keys) < drawings:
             if shape.first:
-                path["visibility"] = "hidden"
+                document.put(path, {"visibility": "hidden"})
             timeline.show(path, shape.first, shape.first + len(shape.keys) - 1)
         tree.add(path, shape.groups, shape.name)
     return [*gradients, *regions.elements]
@@ -98,23 +95,24 @@ def stacked_svg(
         order += order[-2:0:-1]
     view = frames[0].view
     drawing = document.empty(view, decimals, page)
-    timeline = Timeline(drawing, pairs, timing)
+    timeline = Timeline(pairs, timing)
     gradients = Gradients(decimals)
     for k, frame in enumerate(frames):
         if frame.view == view:
-            layer = drawing.g()
+            layer = document.new("g")
         else:  # fitted into what the first frame shows
             x, y, width, height = (number(value, decimals) for value in view)
-            box = document.box_text(frame.view, decimals)
-            layer = drawing.svg(insert=(x, y), size=(width, height), viewBox=box)
-        layer["visibility"] = "hidden" if k else "visible"
+            place = {"x": x, "y": y, "width": width, "height": height}
+            layer = document.new("svg", {**place, "viewBox": document.box_text(frame.view, decimals)})
+            layer.append(Element("defs"))  # as ever, for the same bytes
+        document.put(layer, {"visibility": "hidden" if k else "visible"})
         states = {n / len(order): "visible" if k == shown else "hidden" for n, shown in enumerate(order)}
         timeline.steps(layer, "visibility", states)
         for shape in frame.shapes:
             data = short_path_data(shape.paths, decimals)
             for style in visible_styles(shape, frame.t):
-                layer.add(drawing.path(d=data, **gradients.attributes(style)))
-        drawing.add(layer)
+                layer.append(document.new("path", {"d": data, **gradients.attributes(style)}))
+        drawing.append(layer)
     return document.text(drawing, definitions=gradients.elements)
 
 
@@ -145,7 +143,7 @@ def _animated_gradient(
     written = [gradient_attributes(key, decimals, as_ellipse=as_ellipse) for key in keys]
     gradient = gradient_element(name, keys[0], *written[0])
     stop_elements = list(gradient)
-    animations = _Holder()
+    animations: list[Element] = []
     for attribute in sorted({key for attributes, _ in written for key in attributes}):
         texts = [attributes.get(attribute, "pad") for attributes, _ in written]
         if len(set(texts)) == 1:
@@ -159,51 +157,37 @@ def _animated_gradient(
         else:
             values = delayed(values_between(attribute, texts), spans)
             timeline.animate(animations, attribute, values)
-    gradient[:0] = animations.elements
+    gradient[:0] = animations
     for k, element in enumerate(stop_elements):
         for attribute in written[0][1][k]:
             values = delayed(values_between(attribute, [s[k][attribute] for _, s in written]), spans)
             if not values.is_constant:
-                inside = _Holder()
-                timeline.animate(inside, attribute, values)
-                element.extend(inside.elements)
+                timeline.animate(element, attribute, values)
     return gradient
 
 
-class _Holder:
-    """A holder of animations, for an element that is not in a drawing yet."""
-
-    def __init__(self) -> None:
-        self.elements: list[Element] = []
-
-    def add(self, animation: Any) -> None:
-        """Add an animation."""
-        self.elements.append(animation.get_xml())
-
-
 class Timeline:
-    """Makes the animations of a drawing; key times are shares of one run, forwards and perhaps backwards."""
+    """Adds animations to elements, or to lists; key times are shares of one run, forwards and perhaps backwards."""
 
-    def __init__(self, drawing: Any, pairs: int, timing: Timing) -> None:
-        self.drawing = drawing
+    def __init__(self, pairs: int, timing: Timing) -> None:
         self.pairs = pairs
         self.timing = timing
         self.backwards = timing.is_pingpong
         self.total = pairs * (2 if self.backwards else 1)
 
-    def add_views(self, drawing: Any, boxes: Sequence[str]) -> None:
+    def add_views(self, drawing: Element, boxes: Sequence[str]) -> None:
         """Let a drawing show one box after another."""
         if len(set(boxes)) > 1:
             self.animate(drawing, "viewBox", values_between("viewBox", boxes))
 
-    def animate(self, element: Any, name: str, values: Values) -> None:
+    def animate(self, element: Element | list[Element], name: str, values: Values) -> None:
         """Animate an attribute of an element through all keys."""
         if name in DISCRETE or (name == "stroke_dasharray" and len({v.count(" ") for v in values.keys}) > 1):
             self._switch(element, name, values.keys)
         else:
             self._add(element, "animate", {"attributeName": name.replace("_", "-")}, *self._timed(values))
 
-    def animate_transform(self, element: Any, kind: str, values: Values) -> None:
+    def animate_transform(self, element: Element | list[Element], kind: str, values: Values) -> None:
         """Animate a part of ``gradientTransform`` through all keys; all but the first, a translation, are added."""
         texts, extra = self._timed(values)
         if kind != "translate":
@@ -211,7 +195,7 @@ class Timeline:
         given = {"attributeName": "gradientTransform", "type": kind}
         self._add(element, "animateTransform", given, texts, extra)
 
-    def show(self, element: Any, first: int, last: int) -> None:
+    def show(self, element: Element | list[Element], first: int, last: int) -> None:
         """Make an element visible from one key to another."""
         spans = [(first, last)]
         if self.backwards:
@@ -225,7 +209,7 @@ class Timeline:
                 states[end / self.total] = "hidden"
         self.steps(element, "visibility", states)
 
-    def steps(self, element: Any, name: str, states: dict[float, str]) -> None:
+    def steps(self, element: Element | list[Element], name: str, states: dict[float, str]) -> None:
         """Switch an attribute of an element to each value at its time."""
         kept: dict[float, str] = {}
         for time, value in states.items():
@@ -236,7 +220,7 @@ class Timeline:
         given = {"attributeName": name.replace("_", "-")}
         self._add(element, "animate", given, list(kept.values()), extra)
 
-    def _switch(self, element: Any, name: str, keys: Sequence[str]) -> None:
+    def _switch(self, element: Element | list[Element], name: str, keys: Sequence[str]) -> None:
         half = self.timing.ease.time_of(0.5)
         states = {0.0: keys[0], **{(k + half) / self.total: value for k, value in enumerate(keys[1:])}}
         if self.backwards:
@@ -263,7 +247,12 @@ class Timeline:
         return texts, extra
 
     def _add(
-        self, element: Any, tag: str, given: dict[str, str], texts: Sequence[str], extra: dict[str, str]
+        self,
+        element: Element | list[Element],
+        tag: str,
+        given: dict[str, str],
+        texts: Sequence[str],
+        extra: dict[str, str],
     ) -> None:
         is_endless = self.timing.repeat in (FOREVER, PINGPONG)
         run = {
@@ -271,14 +260,9 @@ class Timeline:
             "repeatCount": "indefinite" if is_endless else str(self.timing.repeat),
             **({} if is_endless else {"fill": "freeze"}),
         }
-        element.add(written(tag, {**given, "values": ";".join(texts), **run, **extra}))
+        element.append(document.new(tag, {**given, "values": ";".join(texts), **run, **extra}))
 
     @property
     def duration(self) -> str:
         """How long a run takes."""
         return f"{number(self.timing.seconds * self.total, 4)}s"
-
-
-def written(tag: str, attributes: dict[str, str]) -> Any:
-    """Return an element that can be added to elements of svgwrite."""
-    return document.Ready(Element(tag, dict(sorted(attributes.items()))))

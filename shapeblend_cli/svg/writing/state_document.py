@@ -9,7 +9,8 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
+from xml.etree.ElementTree import Element
 
 from shapeblend_cli.model import Box, KeyframedShape, Page, Style
 from shapeblend_cli.options.easing import Ease
@@ -60,16 +61,16 @@ def states_svg(states: States, trigger: str | None) -> str:
         given |= dict.fromkeys(("onpointerenter", "onfocus"), _TO % second)
         given |= dict.fromkeys(("onpointerleave", "onblur"), _TO % first)
         given["onfocus"] = f"if(this.matches(':focus-visible')){given['onfocus']}"
-    drawing.attribs.update(given)
+    document.put(drawing, given)
     return document.text(drawing, style="\n".join(["", *rules, ""]))
 
 
 def states_js(states: States, element: str) -> str:
     """Return a module of JavaScript that defines a custom element of some name."""
     drawing, rules = _drawing(states, with_data=True)
-    drawing["aria-hidden"] = "true"  # the element around it says what it is
+    document.put(drawing, {"aria-hidden": "true"})  # the element around it says what it is
     for name in ("width", "height"):
-        drawing.attribs.pop(name, None)
+        drawing.attrib.pop(name, None)
     text = Path(__file__).with_name("component.js").read_text(encoding="utf-8")
     values = {
         "/*STYLE*/": json.dumps("".join(rules)),
@@ -93,12 +94,11 @@ def states_js(states: States, element: str) -> str:
     return head + body
 
 
-def _drawing(states: States, *, with_data: bool) -> tuple[Any, list[str]]:
+def _drawing(states: States, *, with_data: bool) -> tuple[Element, list[str]]:
     """Return the drawing in its first state, and the rules of its style sheet."""
     prefix = states.prefix
     drawing = document.empty_and_called(states.view, states.decimals, states.page)
-    drawing["class"] = prefix
-    drawing["data-state"] = states.names[0]
+    document.put(drawing, {"class": prefix, "data-state": states.names[0]})
     tree = document.Tree.of(drawing, states.shapes)
     rules = []
     for k, shape in enumerate(states.shapes):
@@ -121,9 +121,10 @@ def _drawing(states: States, *, with_data: bool) -> tuple[Any, list[str]]:
                 declared = ";".join(declaration(a, each[a]) for a in changing)
                 rules.append(f".{prefix}[data-state={json.dumps(state)}] .{own}{{{declared}}}")
         given = {a: values[0][a] for a in values[0] if a in written or a in changing}
-        path = drawing.path(class_=own, **given)
+        path = document.new("path", {"class": own, **given})
         if with_data and "d" in changing:
-            path["data-d"] = json.dumps([each["d"] for each in values], separators=(",", ":"))
+            data = json.dumps([each["d"] for each in values], separators=(",", ":"))
+            document.put(path, {"data-d": data})
         tree.add(path, shape.groups, shape.name)
     rules.append(f".{prefix}:focus:not(:focus-visible){{outline:none}}")
     rules.append(f"@media (prefers-reduced-motion:reduce){{[class^={prefix}]{{transition:none!important}}}}")
