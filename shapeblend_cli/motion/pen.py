@@ -18,6 +18,9 @@ BENDS = 0.8
 """Minimum length of a piece half way on straight paths, as a share of its shorter end; else it turns as it goes."""
 
 
+PRESSED = 0.8
+"""Share of the time in which a ring is pressed flat: its sides would look like a thick line until the end."""
+
 TURNS_OVER = np.radians(30.0)
 """Maximum turn of a line as a whole that turns over, in radians, as from ] to [."""
 
@@ -48,6 +51,38 @@ class Straight(NamedTuple):
     def scaled(self, by: float) -> Straight:
         """Return the same, so many times as large."""
         return Straight(self.a * by, self.b * by)
+
+
+class Pressed(NamedTuple):
+    """A ring that is pressed flat to a line, or a line that opens to one: both sides are one line for a while.
+
+    `across` is how far each point of the ring lies beside the ring's axis.
+    """
+
+    a: ComplexArray
+    b: ComplexArray
+    across: ComplexArray
+    opens: bool = False
+
+    def points(self, t: float) -> ComplexArray:
+        """Return the points at a time."""
+        even = t if self.opens else 1.0 - t
+        open_ = max(0.0, 1.0 - (1.0 - even) / PRESSED)
+        return (1.0 - t) * self.a + t * self.b + (open_ - even) * self.across
+
+    def scaled(self, by: float) -> Pressed:
+        """Return the same, so many times as large."""
+        return self._replace(a=self.a * by, b=self.b * by, across=self.across * by)
+
+
+def pressed(ring: ComplexArray, line: ComplexArray, *, opens: bool) -> Pressed:
+    """Return how a ring is pressed flat to as many points of a line, or how these open to it."""
+    end = line[np.abs(line - line[0]).argmax()]
+    chord = complex(line[np.abs(line - end).argmax()] - end)
+    way = chord / abs(chord) if chord else 1.0 + 0j
+    beside = (ring * way.conjugate()).imag
+    across = 1j * way * (beside - (beside.max() + beside.min()) / 2.0)
+    return Pressed(line, ring, across, opens) if opens else Pressed(ring, line, across)
 
 
 class Turning(NamedTuple):

@@ -23,7 +23,7 @@ from shapeblend_cli.model import (
     Polygon,
     ShapeBlend,
 )
-from shapeblend_cli.motion.pen import Drawing, Exchange, Pen, Riding, Straight, between
+from shapeblend_cli.motion.pen import Drawing, Exchange, Pen, Riding, Straight, between, pressed
 from shapeblend_cli.motion.trims import trim_of
 from shapeblend_cli.pens.line import (
     at,
@@ -254,7 +254,8 @@ def becoming(p: PenLine, q: PenLine, a: ComplexArray, b: ComplexArray) -> Move:
     flat = (q if p.closed else p).style
     flat = flat._replace(stroke_linejoin="round" if flat.stroke_linecap == "round" else "bevel")
     p, q = (p, q._replace(style=flat)) if p.closed else (p._replace(style=flat), q)
-    return Move(p, q, Pen((Straight(a, b),), closed=True), BECOMES)
+    ring, line = (a, b) if p.closed else (b, a)
+    return Move(p, q, Pen((pressed(ring, line, opens=q.closed),), closed=True), BECOMES)
 
 
 def alike(a: ComplexArray, b: ComplexArray, *, by_corners: bool = True) -> tuple[ComplexArray, ComplexArray]:
