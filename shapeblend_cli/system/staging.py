@@ -57,7 +57,8 @@ class Stage:
         with suppress(OSError):  # Windows opens no folders
             self._handle = os.open(self.path, os.O_RDONLY)
             _lock(self._handle, 0.0)
-        write_synced(self.path / NAMES, b"\0".join(map(os.fsencode, sorted(self.names))))
+        # Not synced: it is for those who come after a kill, and after a power failure a stage may stay.
+        (self.path / NAMES).write_bytes(b"\0".join(map(os.fsencode, sorted(self.names))))
         self.new.mkdir()
         self.old.mkdir()
 
@@ -66,7 +67,9 @@ class Stage:
 
         Without `force`, a file that is there raises FileExistsError. After any error, call `put_back`.
         """
-        sync_folders(self.new)
+        for folder in self.new.iterdir():
+            if folder.is_dir():
+                sync_folders(folder)
         names = sorted(os.listdir(self.new))
         if len(names) > 1:
             import json  # most runs write a single file, or a folder as a whole
