@@ -27,6 +27,7 @@ MEANT = {
     "--output": "out outfile output-file dest target",
     "--frames": "steps count number in-betweens",
     "--duration": "time length speed seconds",
+    "--hold": "pause rest wait dwell delay",
     "--repeat": "looping iterations times-played",
     "--repeat pingpong": "reverse-loop pingpong yoyo alternate boomerang bounce",
     "--ease": "easing timing timing-function curve",

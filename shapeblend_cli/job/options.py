@@ -98,7 +98,7 @@ class StatesOptions(Record, section=STATES):
 REPORTED = (
     "frames ends output emit force select_a select_b lenient place vertices start pins reverse stiff match unmatched "
     "solver band effort preset ks kb es eb pb mb cs bending kt smoothing motion viewbox style curves precision animate "
-    "duration ease repeat format width columns background fps report preview"
+    "duration ease repeat hold format width columns background fps report preview"
 )
 """Order of the settings in reports of format 1; further settings follow."""
 

@@ -5,6 +5,7 @@ https://www.w3.org/TR/css-easing-1/#cubic-bezier-easing-functions
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -96,6 +97,33 @@ class Timing(NamedTuple):
     seconds: float = 2.0  # > 0, from one drawing to the next, like the easing
     ease: Ease = LINEAR
     repeat: int | str = FOREVER  # how often it runs; or "pingpong": forwards and backwards forever
+    hold: tuple[float, float] = (0.0, 0.0)  # seconds of rest at the first drawing, and at each of the others
+
+    def __repr__(self) -> str:
+        """Return the text of a value; without rests that of versions that had none."""
+        shown = self._asdict() if self.rests else dict(list(self._asdict().items())[:-1])
+        return f"Timing({', '.join(f'{name}={value!r}' for name, value in shown.items())})"
+
+    @property
+    def rests(self) -> bool:
+        """Whether it rests at any drawing."""
+        return self.hold != (0.0, 0.0)
+
+    def when(self, place: float, *, leaves: bool = False) -> float:
+        """Return when a place on the way is reached, counted in drawings, or when a drawing is left.
+
+        The result is in times of `seconds`, the rests on the way among them.
+        """
+        if not self.rests:
+            return place
+        left = math.ceil(place) + leaves  # drawings that were left before
+        first, other = (rest / self.seconds for rest in self.hold)
+        return place + first * min(left, 1) + other * max(left - 1, 0)
+
+    def length(self, pairs: int) -> float:
+        """Return how long a run takes, forwards and perhaps backwards, in times of `seconds`."""
+        forwards = self.when(pairs, leaves=True)
+        return forwards + self.when(pairs) - self.when(0, leaves=True) if self.is_pingpong else forwards
 
     @property
     def is_pingpong(self) -> bool:

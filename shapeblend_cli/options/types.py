@@ -76,6 +76,14 @@ def _split_seconds(text: str) -> float:
     return float(text[:-2]) / 1000.0 if text.endswith("ms") else float(text.removesuffix("s"))
 
 
+def _hold(value: Any) -> tuple[float, float]:
+    rests = [_finite(one) for one in (value if isinstance(value, list | tuple) else [value])]
+    if not 1 <= len(rests) <= 2:
+        raise ValueError
+    first, other = (float(_within(rest, 0.0, 3600.0)) for rest in (rests[0], rests[-1]))
+    return first, other
+
+
 def whole(low: int, high: float = math.inf) -> FieldType:
     """A whole number within limits."""
     return FieldType("a whole number", lambda value: _within(_integer(value), low, high), "N", int)
@@ -276,6 +284,12 @@ SPECKS = FieldType(
     _specks,
     "LENGTH|X%",
     lambda text: text if text.endswith("%") else float(text),
+)
+HOLD = FieldType(
+    "seconds, such as 0.5 or 500ms, or two such times with a comma between",
+    _hold,
+    "S[,S]",
+    lambda text: [_split_seconds(part) for part in text.split(",")],
 )
 TIMES = FieldType("times between -1 and 2, such as -.25,0,.5,1,1.25", _times, "T,T,...", _floats)
 TEXT = text("a text", r"(?s:.+)", "TEXT")

@@ -107,7 +107,7 @@ def animated_vector(move: Move, timing: Timing, decimals: int) -> str:
             if len(moving) > 1:
                 animators = _add(animators, "set")
             for key, steps in moving.items():
-                _animate(animators, key, steps)
+                _animate(animators, key, steps, round(1000 * timing.hold[0]))
     ElementTree.indent(root)
     return '<?xml version="1.0" encoding="utf-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
 
@@ -124,8 +124,8 @@ def too_long(move: Move, decimals: int) -> list[str]:
     return notes
 
 
-def _animate(parent: Element, key: str, steps: Sequence[_Step]) -> None:
-    """Add the animators of a property in sequence: keyframes of a single one cannot hold paths."""
+def _animate(parent: Element, key: str, steps: Sequence[_Step], rest: int) -> None:
+    """Add the animators of a property in sequence, after a rest: keyframes of a single one cannot hold paths."""
     if len(steps) > 1:
         parent = _add(parent, "set", {"ordering": "sequentially"})
     for start, end, milliseconds, ease in steps:
@@ -136,6 +136,8 @@ def _animate(parent: Element, key: str, steps: Sequence[_Step]) -> None:
             "valueTo": end,
             "valueType": TYPES.get(key, "floatType"),
         }
+        if rest:
+            attributes["startOffset"], rest = str(rest), 0
         interpolator = _inline(_add(parent, "objectAnimator", attributes), "interpolator")
         curve = {f"control{name.upper()}": number(value, 4) for name, value in ease._asdict().items()}
         _add(interpolator, "pathInterpolator", curve)

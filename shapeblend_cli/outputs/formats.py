@@ -53,6 +53,7 @@ class Format(NamedTuple):
     takes_sequences: bool = True  # whether it shows more than two drawings
     takes_times: bool = False  # whether it shows frames at any times
     takes_stagger: bool = False  # whether its shapes may start one after the other
+    plays: bool = False  # whether it is an animation
     takes_triggers: bool = False  # whether it may wait for an event
     mixtures: Literal["none", "one", "several"] = "none"  # how many of --mix it shows
     defaults: Mapping[str, str | int | None] = {}  # of the shared options that it takes

@@ -61,14 +61,19 @@ def lottie(moves: Sequence[Move], timing: Timing, decimals: int) -> str:
     size = max(1, round(scale * view.width)), max(1, round(scale * view.height))
     placement = _placement(view, scale, size, decimals)
     frames = max(1, round(FRAME_RATE * timing.seconds))
-    last = frames * len(moves) + 1
+    # Where each drawing is reached, and where it is left.
+    reached, left = (
+        [round(frames * timing.when(k, leaves=leaves)) for k in range(len(moves) + 1)]
+        for leaves in (False, True)
+    )
+    last = left[-1] + 1
     layers = []
     for k, move in enumerate(moves):
-        keys = _Keyframes(frames * k, frames * (k + 1), timing.ease, decimals)
+        keys = _Keyframes(left[k], reached[k + 1], timing.ease, decimals)
         until = keys.end if k + 1 < len(moves) else last
         for shape in move.shapes:
             placed = {"ks": placement, "ao": 0, "shapes": [_group(shape, keys)]}
-            times = {"ip": keys.start, "op": until, "st": 0}
+            times = {"ip": reached[k], "op": until, "st": 0}
             layers.append({"ddd": 0, "ty": 4, "nm": shape.name, "sr": 1, **placed, **times, "bm": 0})
     layers.reverse()  # in Lottie what comes first is on top
     animation = {

@@ -9,7 +9,7 @@ from shapeblend_cli.options.easing import Timing
 from shapeblend_cli.options.fields import Record, option
 from shapeblend_cli.options.settings import ANIMATIONS, IN_BETWEENS, OUTPUT, PICTURES, Settings
 from shapeblend_cli.options.triggers import Trigger
-from shapeblend_cli.options.types import COLOUR, REPEAT, TRIGGER, choice, file, seconds, whole
+from shapeblend_cli.options.types import COLOUR, HOLD, REPEAT, TRIGGER, choice, file, seconds, whole
 from shapeblend_cli.outputs.formats import FASTEST, Format, OutputSpec
 from shapeblend_cli.outputs.pixels import MOST_SIDE
 from shapeblend_cli.outputs.registry import DEFAULT, EMITS, FORMATS, FRAME_FORMATS, alternatives, choose
@@ -107,6 +107,13 @@ class OutputOptions(Record, section=PICTURES):
         section=ANIMATIONS,
         help="Number of runs of an animation; pingpong: forwards and backwards, forever.",
     )
+    hold: tuple[float, float] = option(
+        HOLD,
+        default=(0.0, 0.0),
+        section=ANIMATIONS,
+        help="Seconds that an animation rests at each drawing; two numbers: at the first one, and at the others.",
+        default_text="0",
+    )
     trigger: Trigger = option(
         TRIGGER,
         default=Trigger(),
@@ -171,6 +178,8 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
         raise OptionError(
             f"--stagger is for frames, animated SVGs, raster animations and videos, not for {asked}"
         )
+    if any(options.hold) and not (format.plays and options.trigger.is_load):
+        raise OptionError(f"--hold is for animations that start by themselves, not for {asked}")
     if settings.times and not format.takes_times:
         raise OptionError(f"--times is for a folder of frames, a contact sheet or layers, not for {asked}")
     if settings.mix:
@@ -181,7 +190,7 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
         # CSS transitions go straight from value to value.
         is_transition = options.animate == "css" and not options.trigger.is_load
         settings = Settings.of({**settings.given, "motion": "linear" if is_transition else format.motion})
-    timing = Timing(options.duration, settings.ease, options.repeat)
+    timing = Timing(options.duration, settings.ease, options.repeat, options.hold)
     shared: dict[str, Any] = {name: getattr(options, name) or defaults.get(name) for name in SHARED}
     spec = OutputSpec(
         format,

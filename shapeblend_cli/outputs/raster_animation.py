@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import io
 import math
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.errors import OptionError, PictureError
@@ -49,7 +49,7 @@ class Run(NamedTuple):
 
     @property
     def seconds(self) -> float:
-        """Duration of the run."""
+        """Duration of the run, without rests."""
         return self.timing.seconds * self.pairs * (2 if self.timing.is_pingpong else 1)
 
     def order(self) -> list[int]:
@@ -59,8 +59,15 @@ class Run(NamedTuple):
 
     def delays(self, units: int) -> list[int]:
         """Return the time of each picture, in `units` of a second, rounded without drift."""
-        ends = [round(k * self.seconds * units / self.pictures) for k in range(self.pictures + 1)]
+        rests = [0.0, *accumulate(self.rest_at(number) for number in self.order())]
+        ends = [
+            round(k * self.seconds * units / self.pictures + rest * units) for k, rest in enumerate(rests)
+        ]
         return [end - start for start, end in pairwise(ends)]
+
+    def rest_at(self, number: int) -> float:
+        """Return for how many seconds more the picture with a number is shown, as the drawing that it is."""
+        return self.timing.hold[number > 0] if number % self.steps == 0 else 0.0
 
 
 def run_for(fps: int | None, frames: int, pairs: int, timing: Timing) -> Run:

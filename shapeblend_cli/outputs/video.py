@@ -70,7 +70,8 @@ def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     pngs = [rasterize(svg, size, spec.ground) for svg in spec.counted(svgs_of(spec, pairs, run))]
     runs = spec.timing.repeat if isinstance(spec.timing.repeat, int) else 1
     rate = Fraction(run.pictures) / Fraction(run.seconds).limit_denominator(1000)
-    return Rendered([encode(spec.format.name, pngs, run.order() * runs, rate, spec.ground)])
+    order = [k for k in run.order() for _ in range(1 + round(run.rest_at(k) * rate))]
+    return Rendered([encode(spec.format.name, pngs, order * runs, rate, spec.ground)])
 
 
 def check(spec: OutputSpec) -> None:

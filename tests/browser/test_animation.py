@@ -20,7 +20,8 @@ from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.writing.css import css_svg
 from shapeblend_cli.svg.writing.document import frame_svg
 from shapeblend_cli.svg.writing.smil import smil_svg
-from tests.support.drawings import EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
+from tests.support.commands import write
+from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
 from tests.support.ends import ENDS, SHADED, card, emitted_ends
 from tests.support.motions import rotated
 
@@ -201,6 +202,23 @@ TURNING = {
     "tracks that begin late and end early": ([LEAF, RING, SQUARES], Timing()),
     "there and back": ([B, EIGHT, B], Timing(ease=Ease(0.3, 0.0, 0.1, 1.0), repeat=PINGPONG)),
 }
+
+
+@pytest.mark.parametrize("method", ["smil", "css"])
+@pytest.mark.parametrize("repeat", ["forever", "pingpong"])
+def test_it_rests_at_each_drawing(here, draw, method, repeat):
+    write(a=svg(LEAF), b=svg(BAR))
+    asked = ["--duration", "1", "--ease", "ease-in", "--animate", method]
+    for name, more in (("moves", []), ("rests", ["--hold", "1,2"])):
+        assert run(["a.svg", "b.svg", "-o", f"{name}.svg", *asked, "--repeat", repeat, *more]) == 0
+    moves, rests = (Path(f"{name}.svg").read_text("utf-8") for name in ("moves", "rests"))
+    # Of CSS animations that alternate, half a rest is at each side of where they turn round.
+    lead = 0.5 if (method, repeat) == ("css", "pingpong") else 1.0
+    times = [(lead - 0.2, 0.0), (lead + 0.4, 0.4), (lead + 1.2, 0.999), (lead + 2.8, 0.999)]
+    times += [(lead + 3.6, 1.6)] if repeat == "pingpong" else []
+    pixels = draw([cell for rest, move in times for cell in ((rests, rest), (moves, move))])
+    for moving, still, time in zip(pixels[::2], pixels[1::2], times, strict=True):
+        assert np.abs(moving - still).mean() < 0.005, time
 
 
 @pytest.mark.parametrize("method", ["smil", "css"])

@@ -47,8 +47,8 @@ FAILING = {
     "a folder exchanged": ("fsync", 7, ["-f"]),
     "a new folder": ("rename", 1, ["-o", "deep/er"]),
     "files one by one": ("replace", 2, ["-o", ".", "-f"]),
-    "files and a report": ("fsync", 5, ["-o", "x.svg", "--report", "r.json"]),
-    "a folder after a report": ("fsync", 7, ["-f", "-n", "2", "--report", "b.json"]),
+    "files and a report": ("fsync", 4, ["-o", "x.svg", "--report", "r.json"]),
+    "a folder after a report": ("fsync", 6, ["-f", "-n", "2", "--report", "b.json"]),
 }
 
 

@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.options.easing import LINEAR, NAMES, Ease, frame_times, parse
+from shapeblend_cli.options.easing import LINEAR, NAMES, PINGPONG, Ease, Timing, frame_times, parse
 from shapeblend_cli.options.settings import Settings
 
 shares = st.floats(0.0, 1.0)
@@ -61,3 +61,18 @@ def test_frames_are_spaced_by_it():
     eased = frame_times(3, False, parse("ease-in"))
     assert eased == [parse("ease-in").at(t) for t in (0.25, 0.5, 0.75)]
     assert eased[0] < 0.25
+
+
+def test_rests_are_between_reaching_a_drawing_and_leaving_it():
+    timing = Timing(2.0, hold=(1.0, 3.0))
+    assert [timing.when(k) for k in range(3)] == [0.0, 1.5, 4.0]
+    assert [timing.when(k, leaves=True) for k in range(3)] == [0.5, 3.0, 5.5]
+    assert [timing.when(place) for place in (0.25, 1.5)] == [0.75, 3.5]
+    assert timing.length(2) == 5.5
+    assert timing._replace(repeat=PINGPONG).length(1) == 0.5 + 1.0 + 1.5 + 1.0
+
+
+@given(st.integers(1, 5), st.floats(0.0, 5.0))
+def test_without_rests_places_are_times(pairs, place):
+    assert Timing().when(place) == place
+    assert (Timing().length(pairs), Timing(repeat=PINGPONG).length(pairs)) == (pairs, 2 * pairs)

@@ -12,7 +12,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from shapeblend_cli.model import KeyframedShape
-from shapeblend_cli.options.easing import Ease
+from shapeblend_cli.options.easing import LINEAR, Ease, Timing
 from shapeblend_cli.paint.oklab import colour_stops
 from shapeblend_cli.svg.writing.paint import STROKE_LENGTHS, paint_attributes, without_defaults
 from shapeblend_cli.svg.writing.path_data import short_path_data
@@ -118,3 +118,15 @@ def moments(values: Values, ease: Ease, first: int = 0) -> list[Moment]:
             for (start, value), end in zip(starts, ends, strict=True)
         ]
     return [*timed, Moment(first + len(values.waypoints), values.keys[-1], ease)]
+
+
+def resting(timed: Sequence[Moment], timing: Timing) -> list[Moment]:
+    """Return moments in times of `timing.seconds`, with a second one wherever a drawing is left after a rest."""
+    found = []
+    for moment in timed:
+        reached = timing.when(moment.time)
+        left = timing.when(moment.time, leaves=True) if float(moment.time).is_integer() else reached
+        if left > reached:
+            found.append(Moment(reached, moment.value, LINEAR))
+        found.append(moment._replace(time=left))
+    return found

@@ -3,13 +3,22 @@
 from __future__ import annotations
 
 import zlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 from xml.etree.ElementTree import Element
 
 from shapeblend_cli.model import Box, KeyframedShape, Page
 from shapeblend_cli.options.easing import FOREVER, PINGPONG, Timing
 from shapeblend_cli.svg.writing import document
-from shapeblend_cli.svg.writing.animation import COLOURS, TIME_DIGITS, Moment, attribute_values, moments
+from shapeblend_cli.svg.writing.animation import (
+    COLOURS,
+    TIME_DIGITS,
+    Moment,
+    Values,
+    attribute_values,
+    moments,
+    resting,
+)
 from shapeblend_cli.svg.writing.paint import Regions, add_region
 from shapeblend_cli.svg.writing.rounding import number
 
@@ -27,47 +36,33 @@ def css_svg(
     curved = [section for attributes in values_by_shape for section in attributes["d"].waypoints if section]
     prefix = f"b{zlib.crc32(repr((keys, timing, *curved)).encode()):08x}"
     last = max(shape.first + len(shape.keys) for shape in shapes) - 1
-    endless: dict[int | str, str] = {FOREVER: "infinite", PINGPONG: "infinite alternate"}
-    run = f"{number(timing.seconds * last, 4)}s {endless.get(timing.repeat, f'{timing.repeat} forwards')}"
+    clock = _Clock.of(timing, last)
     drawing = document.empty(view, decimals, page)
     tree = document.Tree.of(drawing, shapes)
-    rules = []
+    rules: list[str] = []
 
     def add_clip(element: Element, clip: Sequence[KeyframedShape]) -> None:
         for k, shape in enumerate(clip):
             values, own = attribute_values(shape, decimals)["d"], f"{element.get('id')}-{k}"
             add_region(element, {"class": own, "d": values.keys[0]}, shape.keys[0].style.fill_rule)
             if not values.is_constant:
-                timed = _declarations("d", moments(values, timing.ease, shape.first), last)
-                clip_rules.extend([_keyframes(own, timed), f".{own}{{animation:{own} {run} linear}}"])
+                timed = _declarations("d", moments(values, timing.ease, shape.first), clock)
+                clip_rules.extend([_keyframes(own, timed), f".{own}{{animation:{own} {clock.run} linear}}"])
 
     clip_rules: list[str] = []
     regions = Regions(tree.ids, add_clip, f"{prefix}-clip")
     for k, (shape, attributes) in enumerate(zip(shapes, values_by_shape, strict=True)):
-        name, animations = f"{prefix}-{k}", []
-        times = [(shape.first + i) / last for i in range(len(shape.keys))]
-        at_keys: dict[float, list[str]] = {time: [] for time in times}
-        for attribute, values in attributes.items():
-            if values.is_constant:
-                continue
-            if attribute in COLOURS or any(values.waypoints):
-                timed = _declarations(attribute, moments(values, timing.ease, shape.first), last)
-                rules.append(_keyframes(f"{name}-{attribute}", timed))
-                animations.append(f"{name}-{attribute} {run} linear")
-            else:
-                for time, value in zip(times, values.keys, strict=True):
-                    at_keys[time].append(declaration(attribute, value))
-        if at_keys[times[0]]:
-            rules.append(_keyframes(name, at_keys))
-            animations.append(f"{name} {run} {timing.ease.css()}")
+        name = f"{prefix}-{k}"
+        animations = _animate(name, shape, attributes, clock, rules)
         start = {attribute: values.keys[0] for attribute, values in attributes.items()}
         path = document.new("path", {"class": name, **regions.attributes(shape.clips), **start})
         if len(shape.keys) <= last:
-            visible = {0.0: ["visibility:hidden"], times[0]: ["visibility:visible"]}
-            if times[-1] < 1.0:
-                visible[times[-1]] = ["visibility:hidden"]
+            begin, until = shape.first, shape.first + len(shape.keys) - 1
+            visible = {0.0: ["visibility:hidden"], clock.share(timing.when(begin)): ["visibility:visible"]}
+            if until < last:
+                visible[clock.share(timing.when(until))] = ["visibility:hidden"]
             rules.append(_keyframes(f"{name}-shown", visible))
-            animations.append(f"{name}-shown {run} step-end")
+            animations.append(f"{name}-shown {clock.run} step-end")
             document.put(path, {"visibility": "hidden" if shape.first else "visible"})
         if animations:
             rules.append(f".{name}{{animation:{','.join(animations)}}}")
@@ -75,6 +70,60 @@ def css_svg(
     rules += clip_rules
     rules.append(f"@media (prefers-reduced-motion:reduce){{[class^={prefix}]{{animation:none!important}}}}")
     return document.text(drawing, style="\n".join(["", *rules, ""]), definitions=regions.elements)
+
+
+class _Clock(NamedTuple):
+    """The times of a run forwards, in times of `timing.seconds`, as shares of it.
+
+    One that alternates turns round in the middle of its rests.
+    """
+
+    timing: Timing
+    begin: float
+    end: float
+
+    @classmethod
+    def of(cls, timing: Timing, last: int) -> _Clock:
+        """Return the clock of a run to a last key."""
+        cuts = [rest / (2.0 * timing.seconds) if timing.is_pingpong else 0.0 for rest in timing.hold]
+        return cls(timing, cuts[0], timing.when(last, leaves=True) - cuts[1])
+
+    @property
+    def run(self) -> str:
+        """How long it takes, and how often it runs."""
+        endless: dict[int | str, str] = {FOREVER: "infinite", PINGPONG: "infinite alternate"}
+        times = endless.get(self.timing.repeat, f"{self.timing.repeat} forwards")
+        return f"{number(self.timing.seconds * (self.end - self.begin), 4)}s {times}"
+
+    def share(self, time: float) -> float:
+        """Return a time as a share of the run."""
+        return min(max(time - self.begin, 0.0) / (self.end - self.begin), 1.0)
+
+
+def _animate(
+    name: str, shape: KeyframedShape, attributes: Mapping[str, Values], clock: _Clock, rules: list[str]
+) -> list[str]:
+    """Add the rules of a shape's attributes, and return its animations."""
+    timing = clock.timing
+    animations = []
+    places = range(shape.first, shape.first + len(shape.keys))
+    times = [[clock.share(timing.when(k, leaves=leaves)) for k in places] for leaves in (False, True)]
+    at_keys: dict[float, list[str]] = {time: [] for time in (*times[0], *times[1])}
+    for attribute, values in attributes.items():
+        if values.is_constant:
+            continue
+        if attribute in COLOURS or any(values.waypoints):
+            timed = _declarations(attribute, moments(values, timing.ease, shape.first), clock)
+            rules.append(_keyframes(f"{name}-{attribute}", timed))
+            animations.append(f"{name}-{attribute} {clock.run} linear")
+        else:
+            for reached, left, value in zip(*times, values.keys, strict=True):
+                for time in dict.fromkeys((reached, left)):
+                    at_keys[time].append(declaration(attribute, value))
+    if at_keys[times[0][0]]:
+        rules.append(_keyframes(name, at_keys))
+        animations.append(f"{name} {clock.run} {timing.ease.css()}")
+    return animations
 
 
 def _keyframes(name: str, declarations: dict[float, list[str]]) -> str:
@@ -91,13 +140,15 @@ def _keyframes(name: str, declarations: dict[float, list[str]]) -> str:
     return f"@keyframes {name}{{{''.join(rules)}}}"
 
 
-def _declarations(name: str, timed: Sequence[Moment], last: int) -> dict[float, list[str]]:
-    """Return declarations of an attribute by time, as a share of the time up to the last key, with their easing."""
+def _declarations(name: str, timed: Sequence[Moment], clock: _Clock) -> dict[float, list[str]]:
+    """Return declarations of an attribute by time, as a share of the run, with their easing."""
     declarations = {}
-    for moment in timed:
-        declarations[moment.time / last] = [declaration(name, moment.value)]
-        if not moment.ease.is_linear and moment is not timed[-1]:
-            declarations[moment.time / last].append(f"animation-timing-function:{moment.ease.css()}")
+    stops = resting(timed, clock.timing)
+    for moment in stops:
+        time = clock.share(moment.time)
+        declarations[time] = [declaration(name, moment.value)]
+        if not moment.ease.is_linear and moment is not stops[-1]:
+            declarations[time].append(f"animation-timing-function:{moment.ease.css()}")
     return declarations
 
 

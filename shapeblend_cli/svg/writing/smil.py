@@ -10,10 +10,12 @@ from shapeblend_cli.options.easing import FOREVER, PINGPONG, Timing
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import (
     TIME_DIGITS,
+    Moment,
     Values,
     attribute_values,
     delayed,
     moments,
+    resting,
     values_between,
 )
 from shapeblend_cli.svg.writing.paint import (
@@ -93,6 +95,12 @@ def stacked_svg(
     order = list(range(len(frames)))
     if timing.is_pingpong:
         order += order[-2:0:-1]
+    steps = (len(frames) - 1) // pairs
+    begin, begins = 0.0, []
+    for shown in order:
+        begins.append(begin)
+        rest = timing.hold[shown > 0] / timing.seconds if shown % steps == 0 else 0.0
+        begin += pairs * (1 + timing.is_pingpong) / len(order) + rest
     view = frames[0].view
     drawing = document.empty(view, decimals, page)
     timeline = Timeline(pairs, timing)
@@ -106,7 +114,10 @@ def stacked_svg(
             layer = document.new("svg", {**place, "viewBox": document.box_text(frame.view, decimals)})
             layer.append(Element("defs"))  # as ever, for the same bytes
         document.put(layer, {"visibility": "hidden" if k else "visible"})
-        states = {n / len(order): "visible" if k == shown else "hidden" for n, shown in enumerate(order)}
+        shares = (
+            [n / len(order) for n in range(len(order))] if not timing.rests else [b / begin for b in begins]
+        )
+        states = {n: "visible" if k == shown else "hidden" for n, shown in zip(shares, order, strict=True)}
         timeline.steps(layer, "visibility", states)
         for shape in frame.shapes:
             data = short_path_data(shape.paths, decimals)
@@ -173,7 +184,7 @@ class Timeline:
         self.pairs = pairs
         self.timing = timing
         self.backwards = timing.is_pingpong
-        self.total = pairs * (2 if self.backwards else 1)
+        self.total = timing.length(pairs)  # in times of `timing.seconds`
 
     def add_views(self, drawing: Element, boxes: Sequence[str]) -> None:
         """Let a drawing show one box after another."""
@@ -197,11 +208,14 @@ class Timeline:
 
     def show(self, element: Element | list[Element], first: int, last: int) -> None:
         """Make an element visible from one key to another."""
-        spans = [(first, last)]
+        reached, until = self.timing.when(first), self.timing.when(last, leaves=last == self.pairs)
+        spans = [(reached, until)]
         if self.backwards:
-            spans.append((2 * self.pairs - last, 2 * self.pairs - first))
-            if last == self.pairs:
-                spans = [(first, 2 * self.pairs - first)]
+            there, back = (
+                self._mirrored(self.timing.when(last)),
+                self._mirrored(self.timing.when(first, leaves=not first)),
+            )
+            spans = [(reached, back)] if last == self.pairs else [(reached, until), (there, back)]
         states = {0.0: "hidden"}
         for start, end in spans:
             states[start / self.total] = "visible"
@@ -222,25 +236,34 @@ class Timeline:
 
     def _switch(self, element: Element | list[Element], name: str, keys: Sequence[str]) -> None:
         half = self.timing.ease.time_of(0.5)
-        states = {0.0: keys[0], **{(k + half) / self.total: value for k, value in enumerate(keys[1:])}}
+        switches = [self.timing.when(k + half) for k in range(self.pairs)]
+        states = {0.0: keys[0], **{t / self.total: key for t, key in zip(switches, keys[1:], strict=True)}}
         if self.backwards:
-            states |= {(self.total - k - half) / self.total: value for k, value in enumerate(keys[:-1])}
+            states |= {
+                self._mirrored(t) / self.total: key for t, key in zip(switches, keys[:-1], strict=True)
+            }
         self.steps(element, name, dict(sorted(states.items())))
+
+    def _mirrored(self, time: float) -> float:
+        """Return when a time on the way there comes again on the way back."""
+        return self.timing.when(self.pairs, leaves=True) + self.timing.when(self.pairs) - time
 
     def _timed(self, values: Values) -> tuple[list[str], dict[str, str]]:
         """Return the values of a run, and the attributes for their times and easing."""
         ease = self.timing.ease
-        timed = moments(values, ease)
-        times = [moment.time for moment in timed]
-        texts = [moment.value for moment in timed]
-        splines = [moment.ease for moment in timed[:-1]]
+        forth = resting(moments(values, ease), self.timing)
+        splines = [moment.ease for moment in forth[:-1]]
+        back: list[Moment] = []
         if self.backwards:
-            times += [self.total - time for time in times[-2::-1]]
-            texts += texts[-2::-1]
-            splines += [spline.mirrored() for spline in splines[::-1]]
+            first, last = self.timing.when(0, leaves=True), self.timing.when(self.pairs)
+            on_the_way = [moment for moment in forth if first <= moment.time < last]
+            splines += [moment.ease.mirrored() for moment in on_the_way[::-1]]
+            back = [moment._replace(time=self._mirrored(moment.time)) for moment in on_the_way[::-1]]
+        texts = [moment.value for moment in (*forth, *back)]
         extra = {}
-        if len(texts) > self.total + 1 or not ease.is_linear:
-            extra["keyTimes"] = ";".join(number(time / self.total, TIME_DIGITS) for time in times)
+        if len(texts) > self.total + 1 or self.timing.rests or not ease.is_linear:
+            times = [moment.time / self.total for moment in (*forth, *back)]
+            extra["keyTimes"] = ";".join(number(time, TIME_DIGITS) for time in times)
         if not ease.is_linear:
             extra["calcMode"] = "spline"
             extra["keySplines"] = ";".join(" ".join(number(v, 4) for v in spline) for spline in splines)
