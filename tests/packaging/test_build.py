@@ -171,6 +171,14 @@ def test_a_blend_imports_nothing_heavy_that_it_does_not_need(samples, tmp_path):
     assert [name for name in imported if name.startswith(beginnings)] == []
 
 
+def test_filled_icons_are_blended_without_what_lines_mixtures_and_other_outputs_need(samples, tmp_path):
+    imported = imported_by([samples / "e.svg", samples / "f.svg", "-o", "x.svg"], tmp_path)
+    assert imported & {"svgwrite", "coloraide", "numpy.ma", "decimal", "tempfile", "subprocess"} == set()
+    lines = "pens.line_blends pens.moves motion.pen blending.several blending.drawn"
+    others = f"{lines} interpolate.stars job.report svg.writing.css".split()
+    assert imported & {f"shapeblend_cli.{other}" for other in others} == set()
+
+
 @pytest.mark.parametrize("name", MODULES)
 def test_doctests_of_a_kernel_hold_uncompiled(name, load_uncompiled):
     module = load_uncompiled(name)
