@@ -163,6 +163,12 @@ def lengths_along(line: PenLine, points: ComplexArray) -> FloatArray | None:
     return best[1] if best[0] < OFF * (whole + 1.0) else None
 
 
+def each_once(places: FloatArray) -> FloatArray:
+    """Return one or more places along a line in order, rounded, without repetitions."""
+    ordered = np.sort(np.round(places, 6))  # np.unique would load numpy.ma first
+    return ordered[np.append(True, np.diff(ordered) > 0.0)]
+
+
 def needed(points: ComplexArray, tolerance: float) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
     """Return which points of a polyline are needed to keep within a tolerance of it (Douglas and Peucker 1973)."""
     keep = np.zeros(len(points), bool)

@@ -11,7 +11,7 @@ from shapeblend_cli.model import WHOLE, Box
 from shapeblend_cli.motion.pen import Pen, Together, Whole, between
 from shapeblend_cli.pens.drawings import MOST_LINES
 from shapeblend_cli.pens.joints import with_pieces
-from shapeblend_cli.pens.line import at, evenly, foot_points, length
+from shapeblend_cli.pens.line import at, each_once, evenly, foot_points, length
 from shapeblend_cli.pens.moves import (
     BECOMES,
     COMES,
@@ -289,7 +289,7 @@ def _onto(moving: Whole, b: Sequence[PenLine]) -> Whole:
     known = np.concatenate(
         [np.linspace(0.0, length(moving.a), len(evenly(moving.a, 0.2))), cumulative_lengths(moving.a)]
     )
-    moving = moving._replace(a=at(moving.a, np.unique(np.round(known, 6))))
+    moving = moving._replace(a=at(moving.a, each_once(known)))
     ends = moving.points(1.0)
     feet = [(foot[0], at(line, foot[1])) for line in _outlines(b) for foot in [foot_points(ends, line)]]
     nearest = np.argmin([away for away, _ in feet], axis=0)

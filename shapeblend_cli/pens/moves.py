@@ -28,6 +28,7 @@ from shapeblend_cli.motion.trims import trim_of
 from shapeblend_cli.pens.line import (
     at,
     corners,
+    each_once,
     evenly,
     foot_points,
     length,
@@ -276,8 +277,7 @@ def alike(a: ComplexArray, b: ComplexArray, *, by_corners: bool = True) -> tuple
     ]
     tries = []
     for x, y in {(tuple(knots[0]), tuple(knots[1])), ((0.0, 1.0), (0.0, 1.0))}:
-        shares = np.concatenate([own[0], np.interp(own[1], y, x), np.linspace(0.0, 1.0, 25)])
-        shares = np.unique(np.round(shares, 6))
+        shares = each_once(np.concatenate([own[0], np.interp(own[1], y, x), np.linspace(0.0, 1.0, 25)]))
         p, q = at(a, shares * sizes[0]), at(b, np.interp(shares, x, y) * sizes[1])
         steps = np.diff(shares)
         squares = np.abs(p - q) ** 2
