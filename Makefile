@@ -28,7 +28,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz mutants bench bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui judge-weights pictures studio options api install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutants bench bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui judge-weights pictures studio options api install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -94,6 +94,11 @@ SECONDS ?= 60
 fuzz: install ## feed the reader damaged files for SECONDS (60), then blend such files with random options for as long
 	$(BIN)/python tools/fuzz_reader.py $(SECONDS)
 	$(BIN)/python -m tools.fuzz_blend $(SECONDS)
+
+CASES ?= 1000
+
+fuzz-limits: install ## blend CASES (1000) made-up drawings near the limits, and list those that cost much; takes an hour
+	$(BIN)/python -m tools.fuzz_limits $(CASES)
 
 COUNT ?= 60
 SEED ?= 1

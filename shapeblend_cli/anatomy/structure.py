@@ -13,6 +13,8 @@ from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from numpy.typing import NDArray
+
     from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import ComplexArray, FloatArray, Polygon
 
@@ -38,7 +40,7 @@ class Structure(NamedTuple):
 
     parent: list[int | None]
     same: list[int]  # the first contour that coincides with each; itself for most
-    within: FloatArray  # [i, j], how much of contour j is in contour i; 1 in all that it lies in
+    within: NDArray[np.float32]  # [i, j], how much of contour j is in contour i; 1 in all that it lies in
 
     def ancestors(self, k: int) -> list[int]:
         """Return the contours around a contour, the innermost first."""
@@ -108,11 +110,11 @@ def _inside(
     points: Sequence[ComplexArray],
     boxes: tuple[ComplexArray, ComplexArray],
     areas: FloatArray,
-) -> FloatArray:
+) -> NDArray[np.float32]:
     """Return the share of contour j that is in contour i, (i, j) float; 0 in contours that are no larger."""
     lows, highs = boxes
     sampled = np.array(points)
-    inside = np.zeros((len(contours), len(contours)))
+    inside = np.zeros((len(contours), len(contours)), np.float32)  # whole sixteenths
     for i, contour in enumerate(contours):
         if not contour.polygon.closed:
             continue

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,6 +24,8 @@ from shapeblend_cli.pairing.costs import (
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.anatomy.structure import Structure
+    from shapeblend_cli.anatomy.twins import Mirror
     from shapeblend_cli.model import BoolArray, Box, FloatArray, IntArray
 
     Numbers = tuple[int, int]
@@ -73,6 +76,13 @@ NEVER = 1e6
 """Cost of a pair that cannot be: more than the cost of any number of others."""
 
 
+@lru_cache(maxsize=2)
+def _anatomy(contours: tuple[PlacedContour, ...]) -> tuple[Structure, Mirror | None]:
+    """Return the structure of a drawing, and its axis: to pair contours, and to tell the reasons."""
+    structure = structure_of(contours)
+    return structure, mirror_of(contours, structure)
+
+
 class _Side:
     """One drawing's contours and the decisions on them, by places in the sequence."""
 
@@ -82,7 +92,7 @@ class _Side:
         if frame is not None:
             half = complex(frame.width, frame.height) / 2
             self.whole = Boxes(np.array([frame.centre]), np.array([half]))
-        self.structure = structure_of(contours)
+        self.structure, self.mirror = _anatomy(tuple(contours))
         codes: dict[object, int] = {}
         kinds = (
             (c.role, c.style.fill is None, c.style.stroke is None, parent)
@@ -90,7 +100,6 @@ class _Side:
         )
         self.kinds = np.array([codes.setdefault(kind, len(codes)) for kind in kinds])
         self.alone = self.described.alone(self.whole)
-        self.mirror = mirror_of(contours, self.structure)
         self.twins = self.mirror.twins(contours) if self.mirror else []
         away = [self._away(k) for k in range(len(contours))]
         self.focus = self._focus(away)
@@ -429,7 +438,8 @@ def _outer_first(
 def _out_of(side: _Side, contours: Sequence[int], parts: Sequence[int]) -> FloatArray:
     """Return the shares of contours outside of parts, (parts, contours); nothing is outside of the drawing, -1."""
     known = np.array(parts)[:, None]
-    return np.where(known < 0, 0.0, 1.0 - side.structure.within[known, contours])
+    shares: FloatArray = side.structure.within[known, contours].astype(side.described.areas.dtype)
+    return np.where(known < 0, 0.0, 1.0 - shares)
 
 
 def assign(costs: FloatArray) -> list[tuple[int, int]]:

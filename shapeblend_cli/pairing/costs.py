@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, cast
 
 import numpy as np
 
@@ -59,6 +59,9 @@ ALONE_SIZE_COST = 0.35
 MOST_UNEVEN = 2.0
 """Maximum ratio of the scales along both axes of a part that is laid over another."""
 
+CROWD = 600
+"""Maximum number of contours whose tables of pairs have all digits; those of more would fill the memory."""
+
 MOST_WORKS = 600
 """Maximum number of pairs whose work is compared, about: the cheapest without it."""
 
@@ -96,7 +99,11 @@ class Described(NamedTuple):
         areas = [contour.area for contour in contours]
         paint = [[channels(c.style.fill), channels(c.style.stroke)] for c in contours]
         boxes = Boxes((low + high) / 2, (high - low) / 2)
-        return cls(contours, boxes, np.array(areas), np.array(paint).reshape(-1, 2, 3))
+        numbers = np.array(areas), np.array(paint).reshape(-1, 2, 3)
+        if len(contours) > CROWD:
+            boxes = Boxes(*(cast("ComplexArray", points.astype(np.complex64)) for points in boxes))
+            numbers = numbers[0].astype(np.float32), numbers[1].astype(np.float32)
+        return cls(contours, boxes, *numbers)
 
     def take(self, chosen: Sequence[int]) -> Described:
         """Return some of the contours."""
@@ -178,7 +185,7 @@ class Works:
 
     def __init__(self, a: Described, b: Described) -> None:
         self._a, self._b = a, b
-        self._costs = np.full((len(a.contours), len(b.contours)), np.nan)
+        self._costs = np.full((len(a.contours), len(b.contours)), np.nan, (a.areas[:1] + b.areas[:1]).dtype)
 
     def costs(self, wanted: BoolArray, cheap: FloatArray) -> FloatArray:
         """Return costs, (a, b): the maximum for pairs that are not wanted, and for the dearest of too many."""
@@ -196,9 +203,11 @@ def _worth_solving(cheap: FloatArray) -> BoolArray:
     if finite.sum() <= MOST_WORKS:
         return finite
     each = max(1, MOST_WORKS // sum(cheap.shape))
-    rows = np.argsort(np.argsort(cheap, axis=1, kind="stable"), axis=1, kind="stable") < each
-    columns = np.argsort(np.argsort(cheap, axis=0, kind="stable"), axis=0, kind="stable") < each
-    return finite & (rows | columns)
+    chosen = np.zeros_like(finite)
+    for axis in (0, 1):
+        first = cheap.argmin(axis, keepdims=True) if each == 1 else np.argsort(cheap, axis, kind="stable")
+        np.put_along_axis(chosen, first.take(range(min(each, first.shape[axis])), axis), True, axis)
+    return finite & chosen
 
 
 def channels(colour: str | None) -> tuple[float, float, float]:
