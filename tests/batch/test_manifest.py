@@ -1,5 +1,6 @@
 """Which jobs a batch has, and what is refused before anything starts."""
 
+import cProfile
 import io
 import json
 import sys
@@ -213,3 +214,23 @@ def test_a_manifest_replaces_nothing_by_itself(drawings, capsys):
     Path("in/jobs.jsonl").write_text(row, "utf-8")
     assert run(["batch", "in/jobs.jsonl"]) == 2
     assert "line 1: force replaces files, and only the command line can say it" in capsys.readouterr().err
+
+
+def planned(count, capsys):
+    """Plan so many rows of a manifest."""
+    rows = "".join(f"in/{'12'[k % 2]}.svg,in/9.svg,m/{k}.svg\n" for k in range(count))
+    Path("jobs.csv").write_text("a,b,o\n" + rows, "utf-8")
+    assert run(["batch", "jobs.csv", "--dry-run"]) == 0
+    assert len(capsys.readouterr().out.splitlines()) >= count
+
+
+def calls(count, capsys):
+    """How many functions are called to plan so many rows."""
+    profile = cProfile.Profile()
+    profile.runcall(planned, count, capsys)
+    return sum(each.callcount for each in profile.getstats())
+
+
+def test_a_row_among_many_is_planned_by_as_much_work_as_among_few(drawings, capsys):
+    planned(20_000, capsys)
+    assert calls(2_000, capsys) < 12 * calls(200, capsys)
