@@ -50,6 +50,9 @@ MOST_PART = 0.57
 MOST_LIKE = 0.6
 """Maximum area that the boxes of a part and the whole have in common, as a share of both: such a part is the whole."""
 
+MOST_OF_ALL = 0.8
+"""Minimum area of such a part, as a share of the area of all parts."""
+
 AXES = (1.0 + 0.0j, 1.0j, 1.0 + 1.0j, 1.0 - 1.0j)
 """Directions along which partners are divided into two halves."""
 
@@ -117,6 +120,7 @@ def _tiles(parts: Sequence[PlacedContour], whole: PlacedContour) -> list[PlacedC
     boxes = [part.box for part in tiles]
     union = Box.union(boxes)
     shared = sum(p.intersection(q) for p, q in combinations(boxes, 2))
+    most = MOST_OF_ALL * sum(tile.area for tile in tiles)
     fit = (
         len({part.style.fill for part in tiles}) == 1
         and None not in (tiles[0].style.fill, whole.style.fill)
@@ -125,7 +129,7 @@ def _tiles(parts: Sequence[PlacedContour], whole: PlacedContour) -> list[PlacedC
         and sum(box.area for box in boxes) > FILLED * union.area
         and shared < MOST_SHARED * union.area
         and max(box.area for box in boxes) < MOST_PART * union.area
-        and not any(_is_like(box, whole.box) for box in boxes)
+        and not any(tile.area > most and _is_like(tile.box, whole.box) for tile in tiles)
     )
     return tiles if fit else []
 
