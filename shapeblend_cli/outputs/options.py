@@ -103,7 +103,7 @@ class OutputOptions(Record, section=PICTURES):
     repeat: int | str = option(
         REPEAT,
         default="forever",
-        flags=("--repeat", "--loop"),
+        flags=("--loop", "--repeat"),
         section=ANIMATIONS,
         help="Number of runs of an animation; pingpong: forwards and backwards, forever.",
     )
