@@ -13,12 +13,13 @@ from shapeblend_cli.geometry.polygons import ring_edges, signed_area
 from shapeblend_cli.geometry.polyline import may_be_near
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.model import Box, Contour
+from shapeblend_cli.pairing.riders import riders
 from shapeblend_cli.pens.drawings import file_line
 from shapeblend_cli.pens.line import UNITS, evenly, needed
 from shapeblend_cli.pens.region import Recovered, stroke_edges
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Collection, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
     from shapeblend_cli.model import ComplexArray
@@ -49,7 +50,8 @@ def with_outlines(
 ) -> tuple[PlacedDrawing, PlacedDrawing]:
     """Expand the strokes of one of two drawings to outlines, if all that the other one has are fills.
 
-    Beside fills of its own only closed strokes are expanded: open ones are drawn on or back.
+    Beside fills of its own only closed strokes are expanded: open ones are drawn on or back, and those that run along
+    the edge of a fill follow it.
     """
     if settings.strokes == "keep" or settings.mix or settings.bending == "paper" or not settings.curves:
         return a, b
@@ -60,7 +62,10 @@ def with_outlines(
             exteriors = [contour for contour in sides[1 - k].contours if contour.role == EXTERIOR]
             largest = max(exteriors, key=lambda contour: contour.area, default=None)
             way = -1.0 if largest is not None and signed_area(largest.polygon.vertices) < 0.0 else 1.0
-            sides[k] = _expanded(sides[k], settings, UNITS / view.larger_side, way, only_closed=fills[k])
+            filled = {contour.number for contour in sides[k].contours if contour.style.fill is not None}
+            kept = riders(sides[k].contours, filled)
+            scale = UNITS / view.larger_side
+            sides[k] = _expanded(sides[k], settings, scale, way, kept, only_closed=fills[k])
     return sides[0], sides[1]
 
 
@@ -69,17 +74,24 @@ def _paints(contours: Sequence[PlacedContour], paint: str) -> bool:
 
 
 def _expanded(
-    drawing: PlacedDrawing, settings: Settings, scale: float, way: float, *, only_closed: bool
+    drawing: PlacedDrawing,
+    settings: Settings,
+    scale: float,
+    way: float,
+    kept: Collection[int],
+    *,
+    only_closed: bool,
 ) -> PlacedDrawing:
     """Return a drawing of strokes as one of outlines, exteriors with areas of the sign of `way`.
 
-    Dashes and what crosses itself stay strokes.
+    Dashes, what crosses itself, and strokes with numbers that are `kept` stay strokes.
     """
     found: list[PlacedContour] = []
     free = 1 + max(contour.number for contour in drawing.contours)
     for contour in drawing.contours:
         line, style = file_line(contour, scale), contour.style
         is_plain = style.stroke is not None and style.fill is None and not style.stroke_dasharray
+        is_plain = is_plain and contour.number not in kept
         rings = _outlines(line) if is_plain and (line.closed or not only_closed) else []
         if not rings:
             found.append(contour)

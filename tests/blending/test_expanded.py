@@ -60,3 +60,10 @@ def test_beside_fills_closed_strokes_become_outlines_and_open_ones_stay():
     half = '<path d="M12 2V20H2Z"/>'
     pair = blend(drawing(SOLID), drawing(half, stroke("ring"), stroke("curve")))
     assert [shape.style_b.stroke for shape in pair.shapes].count("#000000") == 1
+
+
+def test_a_stroke_along_the_edge_of_a_fill_follows_it():
+    box = "M2 2H18V10H2Z"
+    edged = drawing(f'<path d="{box}" fill="#fc0"/>', f'<path d="{box}" fill="none" stroke="#f00"/>')
+    pair = blend(drawing("M2 2H10V10H2Z"), edged)
+    assert any(contour.follows_edge for contour in pair.contours)
