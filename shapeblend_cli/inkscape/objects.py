@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.errors import InputError
+from shapeblend_cli.errors import InputError, unreadable
 from shapeblend_cli.frames.frames import make_frames
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.inkscape.source import Document
@@ -110,7 +110,7 @@ def _selected(file: str, ids: Sequence[str], note: Callable[[str], None]) -> Sel
     try:
         data = Path(file).read_bytes()
     except OSError as error:
-        raise InputError(file, f"cannot be read ({error.strerror}); a readable SVG file would work") from None
+        raise unreadable(file, error, "SVG file") from None
     every = read(file, data)
     pins = _pin_shapes(every)
     document = Document.of(data)

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterator
 from typing import Any
 
-from shapeblend_cli.errors import InputError, OptionError
+from shapeblend_cli.errors import OptionError, unreadable
 from shapeblend_cli.job.job import STANDARD_INPUT
 from shapeblend_cli.rows.row import Row, check_names, options_of, row_of
 
@@ -62,7 +62,7 @@ def _text(file: str, name: str) -> str:
                 data = stream.read()
         return data.decode("utf-8-sig")
     except OSError as error:
-        raise InputError(name, f"cannot be read ({error.strerror}); a readable manifest would work") from None
+        raise unreadable(name, error, "manifest") from None
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         raise OptionError(f"{name}, line {line}: not UTF-8") from None

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from shapeblend_cli.errors import InputError, OptionError
+from shapeblend_cli.errors import InputError, OptionError, unreadable
 from shapeblend_cli.options.types import FLAG
 from shapeblend_cli.rows.manifest import once
 from shapeblend_cli.rows.row import Name, command_of, fields_of, row_of, typed
@@ -57,10 +57,8 @@ def read_project(file: str) -> Project:
     try:
         with open(file, "rb") as stream:
             data = stream.read(MAX_BYTES + 1)
-    except OSError as error:
-        raise InputError(file, f"cannot be read ({error.strerror}); a readable project would work") from None
-    except ValueError:
-        raise InputError(file, "not the name of a file") from None
+    except (OSError, ValueError) as error:
+        raise unreadable(file, error, "project") from None
     if len(data) > MAX_BYTES:
         raise InputError(file, f"larger than {MAX_BYTES // 2**20} MB, the most that a project has")
     return parse_project(data, file, os.path.dirname(file))
