@@ -125,6 +125,10 @@ class Timing(NamedTuple):
         forwards = self.when(pairs, leaves=True)
         return forwards + self.when(pairs) - self.when(0, leaves=True) if self.is_pingpong else forwards
 
+    def rest_at(self, number: int, steps: int) -> float:
+        """Return for how many seconds a frame rests, if it is a drawing: each `steps`-th frame is one."""
+        return self.hold[number > 0] if number % steps == 0 else 0.0
+
     @property
     def is_pingpong(self) -> bool:
         """Whether it runs forwards and backwards in turn."""

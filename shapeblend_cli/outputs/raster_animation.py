@@ -67,7 +67,7 @@ class Run(NamedTuple):
 
     def rest_at(self, number: int) -> float:
         """Return for how many seconds more the picture with a number is shown, as the drawing that it is."""
-        return self.timing.hold[number > 0] if number % self.steps == 0 else 0.0
+        return self.timing.rest_at(number, self.steps)
 
 
 def run_for(fps: int | None, frames: int, pairs: int, timing: Timing) -> Run:

@@ -99,7 +99,7 @@ def stacked_svg(
     begin, begins = 0.0, []
     for shown in order:
         begins.append(begin)
-        rest = timing.hold[shown > 0] / timing.seconds if shown % steps == 0 else 0.0
+        rest = timing.rest_at(shown, steps) / timing.seconds
         begin += pairs * (1 + timing.is_pingpong) / len(order) + rest
     view = frames[0].view
     drawing = document.empty(view, decimals, page)
