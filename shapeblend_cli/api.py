@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shapeblend_cli.errors import OptionError
-from shapeblend_cli.frames.frames import frame_at, make_frames, times_of_frames
+from shapeblend_cli.frames.frames import frame_at, make_frames
 from shapeblend_cli.job.options import report_settings
 from shapeblend_cli.job.report import measure, report
 from shapeblend_cli.model import Correspondence, Drawing, Frame, PaintedShape, Polygon
@@ -256,14 +256,17 @@ class Blend:
         >>> [contour["motion"] for contour in found["pairs"][0]["contours"]]
         ['linear']
         """
-        measures = [measure(pair, t) for pair, t in times_of_frames(self.pairs, self.settings)]
+        from shapeblend_cli.job.make import Run
+
+        run = Run(self.pairs, self.settings, self._clock)
         return report(
             __version__,
             [drawing.file for drawing in self.drawings],
             report_settings(self.settings),
             self.pairs,
-            measures,
-            [None] * len(measures),
+            run.grades,
+            run.measures,
+            [None] * len(run.measures),
             self._clock.seconds,
         )
 

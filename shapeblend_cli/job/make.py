@@ -28,6 +28,7 @@ from shapeblend_cli.system.write import Content, Contents, check_targets, write_
 from shapeblend_cli.version import __version__
 
 if TYPE_CHECKING:
+    from shapeblend_cli.grading.grade import Grade
     from shapeblend_cli.job.report import Measures
 
 SLOW = (
@@ -43,6 +44,18 @@ class Run:
         self.pairs = pairs
         self.settings = settings
         self.clock = clock
+        self._grades: dict[int, Grade] = {}
+
+    def grade(self, k: int) -> Grade:
+        """Return the grade of a pair, by its number; it is drawn once."""
+        if k not in self._grades:
+            self._grades[k] = grade_of(self.pairs[k])
+        return self._grades[k]
+
+    @property
+    def grades(self) -> list[Grade]:
+        """The grades of all pairs."""
+        return [self.grade(k) for k in range(len(self.pairs))]
 
     @cached_property
     def measures(self) -> list[Measures]:
@@ -127,8 +140,8 @@ def make(
     output, settings = job.output, job.output.settings
     drawings = read_files(job.files, job.read, clock, note_and_keep, sources, kept)
     pairs = match_drawings(drawings, settings, clock, note_and_keep, progress, kept)
-    _say_if_poor(job, pairs, note_and_keep)
     run = Run(pairs, settings, clock)
+    _say_if_poor(job, run, note_and_keep)
     progress("drawing", 0.0)
     with _named(output.path):
         rendered = output.format.render(output._replace(watch=partial(progress, "drawing")), pairs)
@@ -144,9 +157,8 @@ def make(
     if job.write.report or job.write.preview:
         from shapeblend_cli.job.report import report  # most runs write none
 
-        found = report(
-            __version__, job.files, job.reported(), pairs, run.measures, output.frame_files(), clock.seconds
-        )
+        parts = job.reported(), pairs, run.grades, run.measures, output.frame_files()
+        found = report(__version__, job.files, *parts, clock.seconds)
         if job.write.report:
             import json  # most runs write no report
 
@@ -244,12 +256,12 @@ def match_drawings(
     return pairs
 
 
-def _say_if_poor(job: Job, pairs: Sequence[Pair], note: Callable[[str], None]) -> None:
+def _say_if_poor(job: Job, run: Run, note: Callable[[str], None]) -> None:
     """Warn of poor in-betweens, with their worst fault and a remedy; raise InputError if that is asked for."""
     is_asked = job.write.fail_on == "poor"
     if job.output.settings.mix:
         return
-    graded = [(grade_of(pair), pair) for pair in pairs if is_asked or is_suspect(pair)]
+    graded = [(run.grade(k), pair) for k, pair in enumerate(run.pairs) if is_asked or is_suspect(pair)]
     if not graded:
         return
     grade, pair = max(graded, key=lambda each: each[0].number)

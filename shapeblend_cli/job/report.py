@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.blending.graded import grade_of
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import paths_at
@@ -16,6 +15,7 @@ from shapeblend_cli.pens.drawings import file_lines
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.grading.grade import Grade
     from shapeblend_cli.model import ComplexArray
 
 REPORT_FORMAT = 1
@@ -48,6 +48,7 @@ def report(
     inputs: Sequence[str],
     settings: dict[str, Any],
     pairs: Sequence[Pair],
+    grades: Sequence[Grade],
     measures: Sequence[Measures],
     files: Sequence[str | None],
     seconds: dict[str, float],
@@ -55,7 +56,7 @@ def report(
     """Return everything about a run, ready for JSON.
 
     Inputs are as the user named them, settings every option's value in force, and seconds those of each stage. Each
-    frame has its measures, and a file or None.
+    pair has its grade, and each frame has its measures, and a file or None.
     """
     return {
         "report": REPORT_FORMAT,
@@ -68,12 +69,12 @@ def report(
                 "b": pair.b,
                 "inside_a": _parents(pair, 0),
                 "inside_b": _parents(pair, 1),
-                "grade": grade_of(pair).as_json(),
+                "grade": grade.as_json(),
                 "contours": [
                     _contour(contour, shape) for shape in pair.each_shape for contour in shape.contours
                 ],
             }
-            for pair in pairs
+            for pair, grade in zip(pairs, grades, strict=True)
         ],
         "frames": [
             {"t": m.t, "pair": m.pair, "file": file, "self_crossings": m.self_crossings, "area": m.area}
