@@ -15,6 +15,7 @@ except ImportError:  # Cython is needed to build, not to run
 
 if cython.compiled:
     from cython.cimports.libc import signal
+    from cython.cimports.libc.time import CLOCKS_PER_SEC, clock
     from cython.cimports.posix import resource, select, time, unistd
 else:
     import os
@@ -28,8 +29,14 @@ COMPILED = cython.compiled
 PAUSE = cython.declare(cython.int, 20_000)
 """Time between two looks, in microseconds: a process can fill some tens of megabytes in it."""
 
-PATIENCE = cython.declare(cython.int, 25)
-"""Maximum number of looks in a row that find a signal unhandled: half a second."""
+PATIENCE = cython.declare(cython.double, 0.5)
+"""Maximum time of the processor that a signal may go unhandled, in seconds.
+
+A process that waits for a processor cannot handle signals, so time on the wall says nothing.
+"""
+
+LONG_PATIENCE = cython.declare(cython.int, 500)
+"""Maximum number of looks in a row that find a signal unhandled: 10 s, of a process that waits for something else."""
 
 
 @cython.cclass
@@ -80,6 +87,7 @@ class Watchdog:
         lengths: tuple[cython.int, cython.int, cython.int] = (len(stopped), len(late), len(full))
         full_status: cython.int = status
         unhandled: cython.int = 0
+        since: cython.double = _seconds()
         number: cython.int = 0
         with cython.nogil:
             while not self.is_over:
@@ -88,8 +96,11 @@ class Watchdog:
                     continue
                 if self.most > 0 and _memory(self.statm, self.unit) > self.most:
                     _end(texts[2], lengths[2], full_status)
-                unhandled = unhandled + 1 if _has_signal(self.pipe) else 0
-                if unhandled > PATIENCE:
+                if not _has_signal(self.pipe):
+                    unhandled, since = 0, _seconds()
+                    continue
+                unhandled += 1
+                if unhandled > LONG_PATIENCE or _seconds() - since > PATIENCE:
                     number = _signal(self.pipe)
                     if number == signal.SIGALRM:
                         _end(texts[1], lengths[1], 1)
@@ -113,6 +124,18 @@ def _has_signal(pipe: cython.int) -> cython.bint:
         return found > 0
     else:
         return bool(select.select([pipe], [], [], 0.0)[0])
+
+
+@cython.cfunc
+@cython.nogil
+@cython.exceptval(check=False)
+def _seconds() -> cython.double:
+    """Return the time of the processor that the process has taken, in seconds."""
+    if cython.compiled:
+        ticks: cython.double = clock()
+        return ticks / CLOCKS_PER_SEC
+    else:
+        return time.process_time()
 
 
 @cython.cfunc

@@ -1,5 +1,7 @@
 """What ends a process that does not listen, and what leaves it alone."""
 
+import os
+import signal
 import subprocess
 import sys
 
@@ -61,6 +63,28 @@ def test_a_process_is_ended_above_its_memory_and_not_below():
 )
 def test_a_process_is_left_alone_where(code):
     assert said(code) == (0, "")
+
+
+@pytest.mark.parametrize(("seconds", "looks"), [(0.0, 501), (0.1, 6)], ids=["it waits", "it computes"])
+def test_a_process_that_waits_for_its_turn_has_more_time_to_handle_a_signal(
+    load_uncompiled, monkeypatch, seconds, looks
+):
+    module = load_uncompiled("shapeblend_cli.system.watchdog")
+    pipe, end = os.pipe()
+    os.write(end, bytes([signal.SIGTERM]))
+    pauses = []
+
+    def ended(status):
+        raise SystemExit(status)
+
+    monkeypatch.setattr(module.os, "_exit", ended)
+    monkeypatch.setattr(module.time, "sleep", pauses.append)
+    monkeypatch.setattr(module.time, "process_time", lambda: seconds * len(pauses))
+    with pytest.raises(SystemExit) as end_of_process:
+        module.Watchdog(pipe, -1, 1024, 0).watch(b"", b"", b"", 75)
+    assert (end_of_process.value.code, len(pauses)) == (143, looks)
+    os.close(pipe)
+    os.close(end)
 
 
 def test_it_runs_uncompiled(load_uncompiled, monkeypatch):
