@@ -72,6 +72,12 @@ KIN_SIZE = 1.5
 LONELY_COST = 0.3
 """Cost of pairing a twin with a twin while their siblings are not paired."""
 
+MOST_COMPARED = 40_000
+"""Maximum number of pairs of undecided contours, open or not, that are all compared each time."""
+
+LOOK_AHEAD = 2
+"""Number of levels inside the open contours that are compared where there are more pairs: a nest has hundreds."""
+
 NEVER = 1e6
 """Cost of a pair that cannot be: more than the cost of any number of others."""
 
@@ -140,9 +146,25 @@ class _Side:
 
     def is_open(self, k: int) -> bool:
         """Return whether the parent of a contour is decided."""
+        before = self._before(k)
+        return before is None or before in self.paired or before in self.onto or before in self.passed
+
+    def _before(self, k: int) -> int | None:
+        """Return the contour that is decided before a contour: its parent, or the first with the same outline."""
         first = self.structure.same[k]
-        before = self.structure.parent[k] if first == k else first
-        return before is None or before in self.onto or before in self.passed
+        return self.structure.parent[k] if first == k else first
+
+    def nearly_open(self) -> list[int]:
+        """Return the undecided contours at most `LOOK_AHEAD` levels inside open ones."""
+        found = []
+        for k in self.undecided():
+            at: int | None = k
+            for _ in range(LOOK_AHEAD):
+                if at is not None and not self.is_open(at):
+                    at = self._before(at)
+            if at is None or self.is_open(at):
+                found.append(k)
+        return found
 
     def twins_among(self, some: Sequence[int]) -> IntArray:
         """Return the twins among some contours, by their places there, the left one first, (p, 2)."""
@@ -264,6 +286,8 @@ class Pairing:
     def _cheaper_than_alone(self) -> list[Numbers]:
         """Pair undecided contours at the least total cost; a contour that costs less alone gets no partner."""
         rows, columns = self.a.undecided(), self.b.undecided()
+        if len(rows) * len(columns) > MOST_COMPARED:
+            rows, columns = self.a.nearly_open(), self.b.nearly_open()
         if not rows or not columns:
             return []
         some = np.ix_(rows, columns)
@@ -274,11 +298,7 @@ class Pairing:
         focus += INNER_GAIN * self.a.inner[rows][:, None] * self.b.inner[columns]
         cheap = self._cheap_costs(rows, columns)
         fit = self._fit[some] & self._inside_partners(rows, columns)
-        everywhere = np.full(self._paint.shape, np.inf)
-        everywhere[some] = np.where(fit, cheap, np.inf)
-        wanted = np.zeros(everywhere.shape, np.bool_)
-        wanted[some] = fit & (cheap < alone)
-        costs = cheap + self._works.costs(wanted, everywhere)[some]
+        costs = cheap + self._works.costs(rows, columns, np.where(fit & (cheap < alone), cheap, np.inf))
         costs += self._axis_costs(rows, columns) - self._kin_gain * self._kin(rows, columns)
         excess = np.where(fit, costs - alone, NEVER)
         twins = [side.twins_among(some) for side, some in ((self.a, rows), (self.b, columns))]

@@ -187,27 +187,30 @@ class Works:
         self._a, self._b = a, b
         self._costs = np.full((len(a.contours), len(b.contours)), np.nan, (a.areas[:1] + b.areas[:1]).dtype)
 
-    def costs(self, wanted: BoolArray, cheap: FloatArray) -> FloatArray:
-        """Return costs, (a, b): the maximum for pairs that are not wanted, and for the dearest of too many."""
-        wanted = wanted & _worth_solving(np.where(wanted, cheap, np.inf))
-        for i, j in np.argwhere(wanted & np.isnan(self._costs)).tolist():
-            p, q = self._a.contours[i].polygon, self._b.contours[j].polygon
+    def costs(self, rows: Sequence[int], columns: Sequence[int], cheap: FloatArray) -> FloatArray:
+        """Return costs, (rows, columns): the maximum for pairs of infinite cheap cost, and for the dearest of too many."""
+        some = np.ix_(rows, columns)
+        wanted = self._worth_solving(cheap)
+        for k, m in np.argwhere(wanted & np.isnan(self._costs[some])).tolist():
+            p, q = self._a.contours[rows[k]].polygon, self._b.contours[columns[m]].polygon
             work = rough_work(to_unit_box(p), to_unit_box(q), p.closed and q.closed, LIKENESS)
-            self._costs[i, j] = WORK_WEIGHT * (1.0 - WORK_HALF_SATURATION / (work + WORK_HALF_SATURATION))
-        return np.where(np.isnan(self._costs), WORK_WEIGHT, self._costs)
+            self._costs[rows[k], columns[m]] = WORK_WEIGHT * (
+                1.0 - WORK_HALF_SATURATION / (work + WORK_HALF_SATURATION)
+            )
+        known: FloatArray = self._costs[some]
+        return np.where(np.isnan(known), WORK_WEIGHT, known)
 
-
-def _worth_solving(cheap: FloatArray) -> BoolArray:
-    """Return the pairs of finite cost; of too many, the cheapest in each row and column."""
-    finite = np.isfinite(cheap)
-    if finite.sum() <= MOST_WORKS:
-        return finite
-    each = max(1, MOST_WORKS // sum(cheap.shape))
-    chosen = np.zeros_like(finite)
-    for axis in (0, 1):
-        first = cheap.argmin(axis, keepdims=True) if each == 1 else np.argsort(cheap, axis, kind="stable")
-        np.put_along_axis(chosen, first.take(range(min(each, first.shape[axis])), axis), True, axis)
-    return finite & chosen
+    def _worth_solving(self, cheap: FloatArray) -> BoolArray:
+        """Return the pairs of finite cost; of too many, the cheapest in each row and column."""
+        finite = np.isfinite(cheap)
+        if finite.sum() <= MOST_WORKS:
+            return finite
+        each = max(1, MOST_WORKS // sum(self._costs.shape))
+        chosen = np.zeros_like(finite)
+        for axis in (0, 1):
+            first = cheap.argmin(axis, keepdims=True) if each == 1 else np.argsort(cheap, axis, kind="stable")
+            np.put_along_axis(chosen, first.take(range(min(each, first.shape[axis])), axis), True, axis)
+        return finite & chosen
 
 
 def channels(colour: str | None) -> tuple[float, float, float]:

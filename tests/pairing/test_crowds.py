@@ -4,6 +4,8 @@ import pytest
 
 from shapeblend_cli.blending.copies import CROWD
 from shapeblend_cli.frames.frames import shapes_at
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.pairing.pair import pair_contours
 from shapeblend_cli.wires.match import match_contours
 from tests.support.drawings import contours_of, drawing
 from tests.support.motions import pair_of
@@ -45,6 +47,22 @@ def test_of_copies_in_a_crowd_one_is_matched(monkeypatch):
         corners = {(step * (k % 30), step * (k // 30)) for k in range(CROWD + 1)}
         paths = shapes_at(pair, end)[0].paths
         assert {(round(float(x.min()), 5), round(float(y.min()), 5)) for x, y in map(axes, paths)} >= corners
+
+
+def nest(count):
+    side = 80 / count
+    return "".join(
+        f"M{-side * k / 2:g} {-side * k / 2:g}h{side * k:g}v{side * k:g}h-{side * k:g}z"
+        for k in range(count, 0, -1)
+    )
+
+
+@pytest.mark.parametrize("counts", [(47, 82), (300, 420)], ids=["few", "many"])
+def test_nests_of_unlike_depths_are_paired(counts):
+    nests = (contours_of(nest(count)) for count in counts)
+    pairs = pair_contours(*nests, Settings())
+    assert len(pairs) == counts[0]
+    assert all(a.role == b.role for a, b in pairs)
 
 
 def test_large_contours_of_a_crowd_share_their_vertices():
