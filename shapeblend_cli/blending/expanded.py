@@ -32,6 +32,9 @@ STEP = 0.1
 ARC = np.radians(6.0)
 """Maximum angle between neighbouring points of a round cap or join."""
 
+MOST_POINTS = 2000
+"""Maximum number of points of a line that becomes outlines: each is compared with all others."""
+
 INSIDE = 2e-3
 """Tolerance of the distance of an outline from its line, as a share of it: nearer points are inside the stroke."""
 
@@ -126,7 +129,7 @@ def _outlines(line: PenLine) -> list[ComplexArray]:
     """Return the outline of a stroke, and its hole if it has one, which runs the other way; nothing if that fails."""
     reach, cap = line.width / 2.0, line.style.stroke_linecap
     points = line.outline
-    if len(points) < 2:
+    if not 2 <= len(points) <= MOST_POINTS:
         return []
     if cap == "square" and not line.closed:
         ways = [points[0] - points[1], points[-1] - points[-2]]

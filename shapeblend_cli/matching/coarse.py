@@ -56,6 +56,9 @@ CORRIDOR_ROWS = 120
 MOST_WIDENINGS = 6
 """Maximum number of times that a corridor is searched."""
 
+MOST_SWEEPS = 64
+"""Maximum number of sweeps of a corridor, or of a problem that was thinned out: nothing is proven there."""
+
 CORNER = 0.35
 """Minimum turn of a corner, in radians."""
 
@@ -75,6 +78,7 @@ class Problem(NamedTuple):
     watch: Callable[[float], None] = lambda share: None
     near: IntArray | None = None
     known: float = np.inf
+    is_proven: bool = True
 
 
 def solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[Path | None, float]:
@@ -164,12 +168,15 @@ def _search(problem: Problem, region: Window, pins: list[Dot] | None) -> tuple[P
         find = starts.simplified_of_all if pins is None else starts.simplified_from
         return find(graph), graph
     if pins is None:
-        return starts.least_of_all(graph, problem.known) or starts.least_of_all(graph), graph
+        most = np.inf if problem.is_proven else MOST_SWEEPS
+        found = starts.least_of_all(graph, problem.known, most)
+        return found or starts.least_of_all(graph, most_sweeps=most), graph
     return starts.least_from(graph), graph
 
 
 def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Graph]:
     """Solve a coarser problem and search a corridor around its best paths."""
+    problem = problem._replace(is_proven=False)
     wires, watch = problem.wires, problem.watch
     m, n = wires.m, wires.n
     at0 = thin(wires.p0, wires.closed, {c % m for c, _ in pins or []})

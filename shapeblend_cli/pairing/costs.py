@@ -188,7 +188,7 @@ class Works:
         self._costs = np.full((len(a.contours), len(b.contours)), np.nan, (a.areas[:1] + b.areas[:1]).dtype)
 
     def costs(self, rows: Sequence[int], columns: Sequence[int], cheap: FloatArray) -> FloatArray:
-        """Return costs, (rows, columns): the maximum for pairs of infinite cheap cost, and for the dearest of too many."""
+        """Return costs, (rows, columns): the maximum for pairs of infinite cost, and for the dearest of too many."""
         some = np.ix_(rows, columns)
         wanted = self._worth_solving(cheap)
         for k, m in np.argwhere(wanted & np.isnan(self._costs[some])).tolist():

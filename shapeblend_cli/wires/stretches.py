@@ -6,6 +6,7 @@ either outline with what lies between the two.
 
 from __future__ import annotations
 
+from bisect import bisect
 from collections import Counter, defaultdict
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
@@ -127,13 +128,19 @@ def shared_stretches(a: Outlines, b: Outlines, diagonal: float) -> Shared:
         if stretch.length >= LEAST_STRETCH * diagonal
     ]
     kept: list[Stretch] = []
-    kept_on: defaultdict[tuple[int, int], list[Stretch]] = defaultdict(list)  # by side and outline
+    in_order: defaultdict[tuple[int, int], list[tuple[float, Stretch]]] = defaultdict(list)
     for stretch in sorted(found, key=lambda stretch: -stretch.length):
-        beside = [kept_on[number] for number in enumerate(stretch.outlines)]
-        if not any(_overlap(stretch, other, (a, b), distance) for some in beside for other in some):
+        places = []
+        for side, number in enumerate(stretch.outlines):
+            entry = stretch.start[side] % (a, b)[side][number].total, stretch
+            others = in_order[side, number]
+            places.append((others, bisect(others, entry), entry))
+        # Those kept overlap no others, so that of each outline only the one before and the one after can.
+        beside = [others[k % len(others)][1] for others, at, _ in places if others for k in (at - 1, at)]
+        if not any(_overlap(stretch, other, (a, b), distance) for other in beside):
             kept.append(stretch)
-            for some in beside:
-                some.append(stretch)
+            for others, at, entry in places:
+                others.insert(at, entry)
     return Shared((a, b), kept, distance)
 
 
