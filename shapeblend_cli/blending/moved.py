@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
+from shapeblend_cli.blending.copies import CROWD
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.alignment import Alignment, align_contours, shared_alignments
 from shapeblend_cli.motion.choose import (
@@ -42,7 +43,7 @@ def move_shapes(paired: PairedDrawings, shapes: Sequence[ShapeBlend], view: Box)
             rotation=paired.rotation,
             leads=paired.leads(shape),
             relative_size=shape.size / largest,
-            is_affordable=affordable > 0,
+            is_affordable=affordable > 0 and len(shape.contours) <= CROWD,
         )
         choice = choose(shape, situation)
         rotate = partial(_rotated, paired, shapes[k], shape, shared[k])

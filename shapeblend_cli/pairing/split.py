@@ -119,7 +119,6 @@ def _tiles(parts: Sequence[PlacedContour], whole: PlacedContour) -> list[PlacedC
         return []
     boxes = [part.box for part in tiles]
     union = Box.union(boxes)
-    shared = sum(p.intersection(q) for p, q in combinations(boxes, 2))
     most = MOST_OF_ALL * sum(tile.area for tile in tiles)
     fit = (
         len({part.style.fill for part in tiles}) == 1
@@ -127,9 +126,9 @@ def _tiles(parts: Sequence[PlacedContour], whole: PlacedContour) -> list[PlacedC
         and {tile.style.stroke for tile in (*tiles, whole)} == {None}  # a stroke would show where it is cut
         and union.intersection(whole.box) > SAME_PLACE * max(union.area, whole.box.area)
         and sum(box.area for box in boxes) > FILLED * union.area
-        and shared < MOST_SHARED * union.area
         and max(box.area for box in boxes) < MOST_PART * union.area
         and not any(tile.area > most and _is_like(tile.box, whole.box) for tile in tiles)
+        and sum(p.intersection(q) for p, q in combinations(boxes, 2)) < MOST_SHARED * union.area
     )
     return tiles if fit else []
 
