@@ -12,6 +12,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.model import CubicPath
+from shapeblend_cli.pairing.costs import DECIMALS
 from shapeblend_cli.wires.stretches import mostly_shared
 
 if TYPE_CHECKING:
@@ -22,9 +23,6 @@ if TYPE_CHECKING:
 
 CROWD = 600
 """Maximum number of contours of a drawing that are all matched one by one."""
-
-DECIMALS = 7
-"""Number of decimals of coordinates in which copies agree, in sizes of the contour."""
 
 
 class Copies:

@@ -56,8 +56,8 @@ CORRIDOR_ROWS = 120
 MOST_WIDENINGS = 6
 """Maximum number of times that a corridor is searched."""
 
-MOST_SWEEPS = 64
-"""Maximum number of sweeps of a corridor, or of a problem that was thinned out: nothing is proven there."""
+MOST_SWEPT_UNPROVEN = 50_000_000
+"""Maximum size of a corridor, or of a problem that was thinned out, in dots times sweeps: nothing is proven there."""
 
 CORNER = 0.35
 """Minimum turn of a corner, in radians."""
@@ -78,7 +78,7 @@ class Problem(NamedTuple):
     watch: Callable[[float], None] = lambda share: None
     near: IntArray | None = None
     known: float = np.inf
-    is_proven: bool = True
+    most_swept: float = np.inf  # dots, in all sweeps
 
 
 def solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[Path | None, float]:
@@ -107,7 +107,8 @@ def solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[
     if not is_small(problem.wires.m, problem.wires.n, exact_dots):
         return path, 0.0
     is_free = problem.band is None and (pins is None if problem.wires.closed else not pins)
-    return path, np.inf if is_free and problem.solver == "exact" else graph.lower_bound()
+    is_least = is_free and problem.solver == "exact" and path is not None and path.is_least
+    return path, np.inf if is_least else graph.lower_bound()
 
 
 def is_small(m: int, n: int, exact_dots: float) -> bool:
@@ -168,15 +169,14 @@ def _search(problem: Problem, region: Window, pins: list[Dot] | None) -> tuple[P
         find = starts.simplified_of_all if pins is None else starts.simplified_from
         return find(graph), graph
     if pins is None:
-        most = np.inf if problem.is_proven else MOST_SWEEPS
-        found = starts.least_of_all(graph, problem.known, most)
-        return found or starts.least_of_all(graph, most_sweeps=most), graph
+        found = starts.least_of_all(graph, problem.known, problem.most_swept)
+        return found or starts.least_of_all(graph, most_swept=problem.most_swept), graph
     return starts.least_from(graph), graph
 
 
 def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Graph]:
     """Solve a coarser problem and search a corridor around its best paths."""
-    problem = problem._replace(is_proven=False)
+    problem = problem._replace(most_swept=min(MOST_SWEPT_UNPROVEN, problem.most_swept))
     wires, watch = problem.wires, problem.watch
     m, n = wires.m, wires.n
     at0 = thin(wires.p0, wires.closed, {c % m for c, _ in pins or []})

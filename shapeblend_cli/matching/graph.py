@@ -40,11 +40,12 @@ FIRST_SWEPT = 0.6
 
 
 class Path(NamedTuple):
-    """A path in columns and rows from its start to its end, and the number of sweeps that found it."""
+    """A path in columns and rows from its start to its end, the number of sweeps, and whether no other takes less."""
 
     dots: Dots
     work: float
     sweeps: int
+    is_least: bool = True
 
 
 class Starts(NamedTuple):
@@ -119,6 +120,11 @@ class Graph:
         if (wires.m * wires.n if self._is_whole else region.dots) <= STORED_DOTS:
             self._tables = wires.tables(None if self._is_whole else region)
             self.watch(PRICED)
+
+    @property
+    def swept(self) -> int:
+        """The number of dots in all sweeps so far, those left out too."""
+        return self.sweeps * self.region.dots
 
     def forbid(self, dots: Sequence[tuple[int, int]]) -> None:
         """Forbid Southeast steps from these dots."""

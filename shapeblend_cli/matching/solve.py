@@ -25,6 +25,9 @@ COMPILED: bool = angles.COMPILED
 EXACT_DOTS = {"exact": np.inf, "auto": 2_500_000, "fast": 40_000}
 """Maximum size of a graph, m n in dots, that is searched exactly, by effort; larger ones go from coarse to fine."""
 
+MOST_SWEPT = {"exact": np.inf, "auto": 200_000_000, "fast": 200_000_000}
+"""Maximum number of dots swept for one path, by effort; after that, the best path so far will do."""
+
 
 class Search(NamedTuple):
     """Where the least path is searched, and how; by default everywhere.
@@ -101,6 +104,7 @@ def least_work(
         watch=watch or (lambda share: None),
         near=near,
         known=search.known,
+        most_swept=MOST_SWEPT[search.effort],
     )
     limit = EXACT_DOTS[search.effort]
     if search.solver == "simplified":  # it works on tables that are all there

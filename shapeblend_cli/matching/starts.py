@@ -42,10 +42,10 @@ def least_from(graph: Graph) -> Path | None:
     return Path(found[1], found[0], graph.sweeps) if found else None
 
 
-def least_of_all(graph: Graph, known: float = np.inf, most_sweeps: float = np.inf) -> Path | None:
+def least_of_all(graph: Graph, known: float = np.inf, most_swept: float = np.inf) -> Path | None:
     """Find the least closed path over all starts in the region's column 0; the work of some path may be known.
 
-    After a number of sweeps the best path so far will do.
+    When so many dots have been swept in all, the best path so far will do.
     """
     first = int(graph.region.low[0])
     bounds = graph.bound_starts()
@@ -70,7 +70,10 @@ def least_of_all(graph: Graph, known: float = np.inf, most_sweeps: float = np.in
     rows = np.flatnonzero(bounds < limit)
     runs = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1) if len(rows) else []
     sets = [Starts(float(bounds[r].min()), first + int(r[0]), first + int(r[-1]), ENTERING) for r in runs]
-    best = _branch_and_bound(graph, sets, limit, np.inf if best is None else most_sweeps) or best
+    found = _branch_and_bound(graph, sets, limit, np.inf if best is None else most_swept)
+    if found is None and best is not None and graph.swept >= most_swept:
+        best = best._replace(is_least=False)
+    best = found or best
     return best._replace(sweeps=graph.sweeps) if best else None
 
 
@@ -104,14 +107,16 @@ def _simplified(graph: Graph, row: int, steps: tuple[int, ...]) -> Path | None:
 
 
 def _branch_and_bound(
-    graph: Graph, sets: list[Starts], limit: float, most_sweeps: float = np.inf
+    graph: Graph, sets: list[Starts], limit: float, most_swept: float = np.inf
 ) -> Path | None:
     """Find the least path of its own from any of the sets that costs less than `limit`, or None."""
     best = None
     queue = list(sets)
     heapq.heapify(queue)
     waiting = sum(starts.rows for starts in queue)
-    while queue and queue[0].bound < limit and graph.sweeps < most_sweeps:
+    while queue and queue[0].bound < limit:
+        if graph.swept >= most_swept:
+            return best._replace(is_least=False) if best else None
         graph.watch(1.0 - (1.0 - FIRST_SWEPT) * min(waiting / graph.wires.n, 1.0))
         starts = heapq.heappop(queue)
         waiting -= starts.rows

@@ -62,6 +62,12 @@ MOST_UNEVEN = 2.0
 CROWD = 600
 """Maximum number of contours whose tables of pairs have all digits; those of more would fill the memory."""
 
+MANY_PAIRS = 10_000
+"""Minimum number of pairs of a crowd, whose copies are solved once: the last digits of their work may differ."""
+
+DECIMALS = 7
+"""Number of decimals of coordinates in which copies agree, in sizes of the contour."""
+
 MOST_WORKS = 600
 """Maximum number of pairs whose work is compared, about: the cheapest without it."""
 
@@ -186,17 +192,24 @@ class Works:
     def __init__(self, a: Described, b: Described) -> None:
         self._a, self._b = a, b
         self._costs = np.full((len(a.contours), len(b.contours)), np.nan, (a.areas[:1] + b.areas[:1]).dtype)
+        is_crowd = self._costs.size > MANY_PAIRS
+        self._alike = [_alike(side.contours) if is_crowd else range(len(side.contours)) for side in (a, b)]
+        self._known: dict[tuple[int, int], float] = {}
 
     def costs(self, rows: Sequence[int], columns: Sequence[int], cheap: FloatArray) -> FloatArray:
         """Return costs, (rows, columns): the maximum for pairs of infinite cost, and for the dearest of too many."""
         some = np.ix_(rows, columns)
         wanted = self._worth_solving(cheap)
         for k, m in np.argwhere(wanted & np.isnan(self._costs[some])).tolist():
-            p, q = self._a.contours[rows[k]].polygon, self._b.contours[columns[m]].polygon
-            work = rough_work(to_unit_box(p), to_unit_box(q), p.closed and q.closed, LIKENESS)
-            self._costs[rows[k], columns[m]] = WORK_WEIGHT * (
-                1.0 - WORK_HALF_SATURATION / (work + WORK_HALF_SATURATION)
-            )
+            i, j = rows[k], columns[m]
+            copies = self._alike[0][i], self._alike[1][j]
+            if copies not in self._known:
+                p, q = self._a.contours[i].polygon, self._b.contours[j].polygon
+                work = rough_work(to_unit_box(p), to_unit_box(q), p.closed and q.closed, LIKENESS)
+                self._known[copies] = WORK_WEIGHT * (
+                    1.0 - WORK_HALF_SATURATION / (work + WORK_HALF_SATURATION)
+                )
+            self._costs[i, j] = self._known[copies]
         known: FloatArray = self._costs[some]
         return np.where(np.isnan(known), WORK_WEIGHT, known)
 
@@ -211,6 +224,16 @@ class Works:
             first = cheap.argmin(axis, keepdims=True) if each == 1 else np.argsort(cheap, axis, kind="stable")
             np.put_along_axis(chosen, first.take(range(min(each, first.shape[axis])), axis), True, axis)
         return finite & chosen
+
+
+def _alike(contours: Sequence[PlacedContour]) -> list[int]:
+    """Return the number of the first copy of each contour, wherever it lies and however large it is."""
+    first: dict[tuple[bool, bytes], int] = {}
+    keys = (
+        (contour.polygon.closed, np.round(to_unit_box(contour.polygon), DECIMALS).tobytes())
+        for contour in contours
+    )
+    return [first.setdefault(key, k) for k, key in enumerate(keys)]
 
 
 def channels(colour: str | None) -> tuple[float, float, float]:

@@ -150,3 +150,13 @@ def test_what_no_path_takes_is_not_taken_for_known():
     p0, p1 = wavy(90, 3), wavy(80, 4)
     least = find_least(p0, p1)
     assert np.array_equal(find_least(p0, p1, known=0.5 * least.work).dots, least.dots)
+
+
+def test_a_search_that_ends_early_says_how_far_it_can_be_from_the_least(rng, monkeypatch):
+    polygons = [star_polygon(rng, 40) for _ in range(2)]
+    least = find_least(*polygons)
+    monkeypatch.setitem(solve.MOST_SWEPT, "auto", 2 * 80 * 41)
+    early = find_least(*polygons)
+    assert early.lower_bound < least.work <= early.work
+    assert least.lower_bound == least.work
+    assert find_least(*polygons, effort="exact").work == least.work

@@ -79,8 +79,11 @@ class Fork:
         handle, name = tempfile.mkstemp()
         os.close(handle)
         self._said = Path(name)
+        signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])  # until the fork can answer it
         self.number = os.fork()
-        if self.number == 0:
+        if self.number:
+            signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
+        else:
             status = 99
             try:
                 os.chdir(where)
@@ -88,6 +91,7 @@ class Fork:
                 sys.stderr = open(2, "w", closefd=False)
                 signal.signal(signal.SIGINT, signal.default_int_handler)
                 before()
+                signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
                 status = cli.run_safely(arguments)
             finally:
                 os._exit(status)
