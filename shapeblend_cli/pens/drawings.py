@@ -41,8 +41,8 @@ TINT = 0.5
 MOST_LINES = 60
 """Maximum number of lines of a drawing: more are an illustration."""
 
-MITER_LIMIT = 10.0
-"""Maximum miter limit of recovered lines, in widths: their corners are as sharp as the region's."""
+MITER_LIMIT = 4.0
+"""Maximum miter limit of recovered lines, in widths: sharper corners come only on the way, and would be spikes."""
 
 MITER_ROOM = 1.02
 """Miter limit, as a multiple of what the sharpest corner needs: with more, kinks on the way would grow spikes."""

@@ -135,6 +135,11 @@ class Move(NamedTuple):
         style_a = line_a.style_beside(line_b)
         style_b = line_b.style_beside(line_a._replace(style=style_a))
         points = [self.motion.points(t) for t in (0.0, 1.0)]
+        # Mitred corners of a small drawing would be longer than its sides.
+        if np.ptp(points[0]) == 0.0:
+            style_a = style_a._replace(stroke_miterlimit=1.0)
+        elif np.ptp(points[1]) == 0.0:
+            style_b = style_b._replace(stroke_miterlimit=1.0)
         style_a, style_b = with_dashes((style_a, style_b), (line_a, line_b), points, scale)
         fade = None
         if not self.is_joined:

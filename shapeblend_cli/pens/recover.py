@@ -67,6 +67,12 @@ SHORTEST = 0.3
 THINNED = 0.012
 """Tolerance of the polylines of centre lines, in units: a quarter of a pixel where 24 units are 512."""
 
+OVER = 0.03
+"""Maximum distance by which a round join may stick out of the region, in widths: a sharper corner is rounded."""
+
+ROUND_POINTS = 9
+"""Number of points of a corner that is rounded."""
+
 GOOD = 0.97
 """Minimum overlap of a region and its lines, drawn again, as a share of both together."""
 
@@ -343,7 +349,21 @@ def _joint(
     near = nearest_edge(np.array([corner]), region.starts, region.ends)[0][0]
     inside = region.holds(corner) or near <= 0.08 * width
     inside = inside and region.holds((a.place + corner) / 2.0) and region.holds((b.place + corner) / 2.0)
-    return (cost, [corner]) if inside else None
+    if not inside:
+        return None
+    over = width / 2.0 - near
+    return cost, [corner] if over < OVER * width else _rounded(a, b, corner, over, near)
+
+
+def _rounded(a: _End, b: _End, corner: complex, over: float, near: float) -> list[complex]:
+    """Return a curve in place of a corner that is too near to the outline: outside, it is rounder than the pen."""
+    ways = -a.direction, -b.direction
+    half = abs(float(np.angle(ways[1] / ways[0]))) / 2.0
+    # Along the axis of the corner, the outline is nearer to the middle of the curve by as much as that is inside.
+    reach = 2.0 * over / max(np.cos(half), 0.1)
+    p, q = corner + reach * ways[0], corner + reach * ways[1]
+    t = np.linspace(0.0, 1.0, ROUND_POINTS)
+    return list((1.0 - t) ** 2 * p + 2.0 * t * (1.0 - t) * corner + t**2 * q)
 
 
 def _strung(

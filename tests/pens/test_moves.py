@@ -191,3 +191,12 @@ def test_a_mark_beside_what_stays_takes_all_the_time():
         if s.reason == DRAWN_ON
     ]
     assert mark.span == (0.0, 1.0)
+
+
+def test_mitred_corners_of_a_ring_that_comes_are_cut_off_while_it_is_small():
+    a = pen("M3 12H21", cap="butt")
+    b = drawing(
+        '<path d="M3 12H21M10 2H14L12 8Z" fill="none" stroke="#000" stroke-width="2" stroke-miterlimit="6"/>'
+    )
+    (ring,) = [shape for shape in shapes_of(a, b) if shape.contours[0].a is None]
+    assert (ring.style_a.stroke_miterlimit, ring.style_b.stroke_miterlimit) == (1.0, 6.0)

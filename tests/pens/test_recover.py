@@ -137,3 +137,11 @@ def test_a_straight_stroke_is_a_line_though_it_is_filled_by_default():
     assert [line.length for line in lines_of('<path d="M3 5H21" stroke="#000" stroke-width="2"/>').lines] == [
         18.0
     ]
+
+
+def test_corners_that_are_rounder_outside_than_the_pen_are_rounded():
+    inside = "M10.8 8L5 4.63V11.37Z"
+    outside = "M11.6 7.3A.8 .8 0 0 1 11.6 8.7L5.23 12.39C4.71 12.69 4 12.35 4 11.69V4.31C4 3.65 4.71 3.31 5.23 3.61Z"
+    (line,) = lines_of(inside + outside, viewbox="0 0 16 16").lines
+    assert line.closed
+    assert max(line.points.real) + line.width / 2.0 == pytest.approx(12.0, abs=0.04)
