@@ -11,7 +11,8 @@ import pytest
 ROOT = Path(__file__).parents[1]
 SAMPLES = ROOT / "samples"
 
-hypothesis.settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=60)
+hypothesis.settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=30)
+hypothesis.settings.register_profile("thorough", deadline=None, max_examples=300)
 hypothesis.settings.load_profile("repeatable")
 
 

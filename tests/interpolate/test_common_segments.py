@@ -251,7 +251,7 @@ def test_joined_segments_and_dots_that_repeat_are_not_lost():
     cut(Contour(np.concatenate([circle[:2], still, circle[2:]]), np.zeros(5, bool), True), rounded_square())
 
 
-@settings(max_examples=25)  # each has many choices
+@settings(max_examples=12)  # each has many choices
 @given(contours(closed=True), contours(closed=True), st.data())
 def test_any_outlines_and_any_monotone_dots(a, b, data):
     polygon_a, polygon_b = flatten(a, 30), flatten(b, 30)

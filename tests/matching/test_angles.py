@@ -168,7 +168,7 @@ def grid_polygons(draw):
     return np.array(z)
 
 
-@hypothesis.settings(max_examples=200)
+@hypothesis.settings(max_examples=60)
 @given(grid_polygons() | st.builds(random_polygon, rngs, st.integers(3, 9)), grid_polygons(), st.booleans())
 def test_by_turning_an_angle_of_zero_is_what_it_is_along_straight_paths_to_the_bit(p, q, closed):
     for one, other in ((p, q), (q, p)):

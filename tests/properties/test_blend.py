@@ -92,7 +92,7 @@ def test_frames_at_both_ends_are_the_drawings(seed, m, n, curves):
         assert len(frame.shapes[0].paths) == 1
 
 
-@settings(max_examples=20)  # each is a whole blend
+@settings(max_examples=10)  # each is a whole blend
 @given(rngs, counts)
 def test_curves_and_lines_of_any_mixture_blend(rng, count):
     nodes = rng.random(count) + 1j * rng.random(count)

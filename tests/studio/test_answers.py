@@ -8,13 +8,12 @@ from shapeblend_cli.rows.project import project_of
 from shapeblend_cli.studio import answers
 from shapeblend_cli.studio.order import Order
 from shapeblend_cli.system.kept import Kept
-from tests.support.drawings import EIGHT, EYED, RING, SQUARES, B, svg
+from tests.support.drawings import EYED, RING, SQUARES, svg
 
 DRAWINGS = {
     "ring": svg(RING, attributes='fill-rule="evenodd"'),
     "eyed": svg(EYED, attributes='fill-rule="evenodd" fill="#206080"'),
     "squares": svg(*SQUARES.split(" ", 0), attributes='fill="#804000"'),
-    "letter": svg(B, EIGHT, attributes='fill-rule="evenodd" fill="#308030"'),
 }
 CORRECTIONS = (
     {},
@@ -32,12 +31,12 @@ CORRECTIONS = (
 
 
 def looked(values):
-    project = project_of({"files": ["a.svg", "b.svg"], **values}, "", "")
+    project = project_of({"files": ["a.svg", "b.svg"], "vertices": 40, **values}, "", "")
     answer = answers.do(Order("blend", project, {}))
     return json.dumps([answer[name] for name in ("pairs", "drawings", "grade", "notes")])
 
 
-@pytest.mark.parametrize(("a", "b"), [("ring", "eyed"), ("squares", "letter"), ("letter", "letter")])
+@pytest.mark.parametrize(("a", "b"), [("ring", "eyed"), ("squares", "eyed"), ("eyed", "eyed")])
 def test_a_blend_is_the_same_whatever_was_looked_at_before(here, monkeypatch, a, b):
     (here / "a.svg").write_text(DRAWINGS[a])
     (here / "b.svg").write_text(DRAWINGS[b])

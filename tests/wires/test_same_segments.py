@@ -79,7 +79,7 @@ def off(path, contour, pieces=200):
     return max(furthest(drawn, true), furthest(true, drawn))
 
 
-@settings(max_examples=30)  # each is a whole blend
+@settings(max_examples=15)  # each is a whole blend
 @given(rngs, st.integers(4, 14))
 def test_what_lies_half_way_has_the_means_of_the_control_points(rng, count):
     a = leaf(rng, count)
@@ -92,7 +92,7 @@ def test_what_lies_half_way_has_the_means_of_the_control_points(rng, count):
     assert found.lower_bound <= found.work * (1 + 1e-9)
 
 
-@settings(max_examples=30)  # each is a whole blend
+@settings(max_examples=15)  # each is a whole blend
 @given(rngs, st.integers(4, 14))
 def test_nodes_within_a_curve_do_not_count(rng, count):
     a = leaf(rng, count)
@@ -198,7 +198,7 @@ def test_as_many_segments_by_accident_mean_nothing():
     assert len(paths_at(blended(teeth, wheel), 0.5)[0].segments) > count
 
 
-@settings(max_examples=30)  # each is a whole blend
+@settings(max_examples=15)  # each is a whole blend
 @given(seeds, st.integers(4, 16))
 def test_it_takes_little_more_than_the_least_work(seed, count):
     a, b = (polygon_contour(star_polygon(np.random.default_rng(seed + k), count)) for k in (0, 1))
