@@ -287,7 +287,7 @@ class Pairing:
         """Pair undecided contours at the least total cost; a contour that costs less alone gets no partner."""
         rows, columns = self.a.undecided(), self.b.undecided()
         if len(rows) * len(columns) > MOST_COMPARED:
-            rows, columns = self.a.nearly_open(), self.b.nearly_open()
+            rows, columns = self._likely()
         if not rows or not columns:
             return []
         some = np.ix_(rows, columns)
@@ -316,6 +316,16 @@ class Pairing:
             best = int(np.where(fit, costs - alone, np.inf).argmin())
             found = [divmod(best, len(columns))]
         return [(rows[i], columns[j]) for i, j in found]
+
+    def _likely(self) -> tuple[list[int], list[int]]:
+        """Return the contours of a crowd that are open, or nearly: two that were passed over are not compared again."""
+        rows, columns = self.a.nearly_open(), self.b.nearly_open()
+        new_a, new_b = (
+            [k for k in some if k not in side.passed] for side, some in ((self.a, rows), (self.b, columns))
+        )
+        if new_a and not new_b:
+            return new_a, columns
+        return (rows, new_b) if new_b and not new_a else (rows, columns)
 
     def _kin(self, rows: Sequence[int], columns: Sequence[int]) -> BoolArray:
         """Return which pairs resemble a decided pair, with both of its colours or neither."""
