@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from shapeblend_cli.batch.options import RankOptions
 from shapeblend_cli.batch.run import processors
 from shapeblend_cli.batch.supervisor import run_all
-from shapeblend_cli.batch.worker import DONE, Order, limit_to
+from shapeblend_cli.batch.worker import DONE, Answer, Order, limit_to
 from shapeblend_cli.batch.worker import main as answer_orders
 from shapeblend_cli.errors import InputError, OptionError
 from shapeblend_cli.options.settings import ReadOptions, Settings
@@ -154,8 +154,8 @@ def rating(pair: Pair) -> Rating:
     return Rating(round(grade.number, 3), grade.why or "", round(work, 6), alone, tuple(motions))
 
 
-def rate(order: Order, note: Callable[[str], None], _warn: Callable[[str], None]) -> Rating:
-    """Blend the two files of an order, and rate that; pictures are drawn if a sheet is asked for.
+def rate(order: Order, note: Callable[[str], None], _warn: Callable[[str], None]) -> Answer:
+    """Blend the two files of an order, and answer with its rating; pictures are drawn if a sheet is asked for.
 
     Data of an order are the first file's, where that was standard input.
     """
@@ -171,9 +171,10 @@ def rate(order: Order, note: Callable[[str], None], _warn: Callable[[str], None]
     (pair,) = match_drawings(drawings, settings, clock, note, lambda stage, share: None, kept)
     found = rating(pair)
     if order.given.get("sheet") is None:
-        return found
+        return Answer(DONE, contents=found)
     pictures = tuple(moments(pair, as_drawn=settings.draws_ends))
-    return found._replace(moments=pictures, size=size_on_sheet(pair.views[0]))
+    found = found._replace(moments=pictures, size=size_on_sheet(pair.views[0]))
+    return Answer(DONE, contents=found)
 
 
 @cache

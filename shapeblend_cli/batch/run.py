@@ -49,6 +49,7 @@ class Outcome(NamedTuple):
             "error": self.answer.error,
             "attempts": self.attempts,
             "cached": self.answer.is_cached,
+            "grade": self.answer.grade,
             "notes": [*self.answer.notes, *self.answer.warnings],
             "ended": f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ}",
         }
@@ -131,6 +132,7 @@ def order_of(task: Task, options: BatchOptions) -> Order:
         cache=options.cache,
         batch=batch,
         warns=not options.clean,
+        is_graded=bool(options.results) or (options.summary or "").lower().endswith(".json"),
     )
 
 

@@ -21,7 +21,7 @@ from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.interrupts import HAS_LIMITS, Interrupted, limit, listening
 from shapeblend_cli.system.kept import Kept
 from shapeblend_cli.system.processes import MEGABYTES, TOO_LARGE, Parent
-from shapeblend_cli.system.write import Contents, several, write_files
+from shapeblend_cli.system.write import several, write_files
 
 _supervisor: int | None = None
 """The number of the process that asks this one for jobs."""
@@ -43,6 +43,7 @@ class Order(NamedTuple):
     cache: str | None = None  # the folder where what is made is kept, too
     batch: tuple[str, ...] = ()  # where the job comes from, for its record
     warns: bool = True  # whether files of other runs that remain are worth a line
+    is_graded: bool = False  # whether somebody wants to know how good the blend looks
 
     @property
     def seconds(self) -> float:
@@ -65,10 +66,11 @@ class Answer(NamedTuple):
     seconds: float = 0.0
     contents: Any = None  # what is to be written, by a worker that was given data; or what was found
     is_cached: bool = False  # whether the contents were kept from another time
+    grade: dict[str, Any] | None = None  # of the worst blend of the job, if it was asked for and made
 
 
-Act = Callable[[Order, Callable[[str], None], Callable[[str], None]], Any]
-"""A function of an order, and of functions that note and warn. It returns the contents of the answer."""
+Act = Callable[[Order, Callable[[str], None], Callable[[str], None]], Answer]
+"""A function of an order, and of functions that note and warn. It returns an answer without notes and seconds."""
 
 
 def do(order: Order, act: Act | None = None) -> Answer:
@@ -76,21 +78,15 @@ def do(order: Order, act: Act | None = None) -> Answer:
     began = perf_counter()
     notes: list[str] = []
     warned: list[str] = []
-    contents = None
-
-    def answer(status: str, error: str | None = None) -> Answer:
-        return Answer(status, error, tuple(notes), tuple(warned), perf_counter() - began, contents)
-
     try:
         with listening():
-            contents = (act or _blend)(order, notes.append, warned.append)
+            done = (act or _blend)(order, notes.append, warned.append)
     except Interrupted as stop:
-        if stop.has_written:
-            return answer(DONE)
-        return answer(TIMEOUT if stop.is_late else STOPPED, str(stop))
+        status = DONE if stop.has_written else TIMEOUT if stop.is_late else STOPPED
+        done = Answer(status, None if stop.has_written else str(stop))
     except Exception as error:
-        return answer(FAILED, in_words(error))
-    return answer(DONE)
+        done = Answer(FAILED, in_words(error))
+    return done._replace(notes=tuple(notes), warnings=tuple(warned), seconds=perf_counter() - began)
 
 
 def limit_to(order: Order) -> None:
@@ -99,7 +95,7 @@ def limit_to(order: Order) -> None:
         limit(order.seconds, order.megabytes, TOO_LARGE)
 
 
-def _blend(order: Order, note: Callable[[str], None], warn: Callable[[str], None]) -> Contents | None:
+def _blend(order: Order, note: Callable[[str], None], warn: Callable[[str], None]) -> Answer:
     from shapeblend_cli.job.make import check_files_of, check_libraries, make
     from shapeblend_cli.svg.reading.read import contents_of
 
@@ -111,13 +107,15 @@ def _blend(order: Order, note: Callable[[str], None], warn: Callable[[str], None
     data = order.data or tuple(map(contents_of, order.files))
     notes: list[str] = []
     sources = dict(zip(order.files, data, strict=True))
-    contents = make(job, Clock(), notes.append, sources=sources, kept=_kept()).contents
+    made = make(job, Clock(), notes.append, sources=sources, kept=_kept())
     for text in notes:
         note(text)
+    is_graded = order.is_graded and not job.output.settings.mix
+    done = Answer(DONE, grade=made.run.worst_grade.as_json() if is_graded else None)
     if order.data is not None:
-        return contents
-    _write(order, job, Found(contents, tuple(notes)), made_of(job, sources), warn)
-    return None
+        return done._replace(contents=made.contents)
+    _write(order, job, Found(made.contents, tuple(notes)), made_of(job, sources), warn)
+    return done
 
 
 def made_of(job: Job, sources: Mapping[str, bytes]) -> dict[str, Any]:

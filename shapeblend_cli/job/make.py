@@ -57,6 +57,11 @@ class Run:
         """The grades of all pairs."""
         return [self.grade(k) for k in range(len(self.pairs))]
 
+    @property
+    def worst_grade(self) -> Grade:
+        """The grade of the pair that looks worst."""
+        return max(self.grades, key=lambda grade: grade.number)
+
     @cached_property
     def measures(self) -> list[Measures]:
         """Measures of the frames that settings ask for, written or not."""

@@ -62,6 +62,14 @@ def test_an_output_that_is_gone_is_made_again_and_why_is_said(done, batch, capsy
     assert Path("m/2-9.svg").read_bytes() == before
 
 
+def test_results_have_the_grade_of_what_is_made_now(drawings, batch):
+    _, results, _ = batch(*LINE)
+    grades = [each["grade"] for each in results.values()]
+    assert all(0.0 <= grade["number"] <= 3.0 and grade["name"] for grade in grades)
+    _, results, _ = batch(*LINE)
+    assert [each["grade"] for each in results.values()] == [None] * 3
+
+
 def test_a_drawing_that_cannot_be_read_is_said_before_anything_starts(done, batch, capsys):
     Path("in/10.svg").unlink()
     Path("in/2.svg").unlink()

@@ -58,6 +58,7 @@ def test_a_job_that_kills_every_process_has_died_and_the_others_are_done(drawing
         "error": "in/1.svg and in/10.svg: the process that did it died twice, by signal 11 at last",
         "attempts": 2,
         "cached": False,
+        "grade": None,
         "notes": [],
     }
     assert "shapeblend: 5 done, 1 died" in printed.err
