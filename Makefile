@@ -28,7 +28,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutants bench bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui judge-weights pictures studio options api install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui judge-weights pictures studio options api install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -103,8 +103,8 @@ fuzz-limits: install ## blend CASES (1000) made-up drawings near the limits, and
 COUNT ?= 60
 SEED ?= 1
 
-mutants: install ## break the package in COUNT (60) random places, and list the breaks that no test notices; takes half an hour
-	$(BIN)/python -m tools.mutants --count $(COUNT) --seed $(SEED)
+mutate: install ## break the package in COUNT (60) random places, and list the breaks that no test notices; takes half an hour
+	$(BIN)/python -m tools.mutate $(COUNT) $(SEED)
 
 # The usual options say --benchmark-skip, which contradicts --benchmark-only: hence the empty addopts.
 bench: install ## time the solver, whole commands and batches

@@ -1,6 +1,6 @@
 """Break the package in random places, one at a time, and list the breaks that no test notices.
 
-    python -m tools.mutants [--count 60] [--seed 1] [--jobs 2]
+    python -m tools.mutate [COUNT [SEED]]
 
 Each mutant is one small change of a source file: a comparison turned round, a number changed, a term or a condition
 dropped, a branch never taken, an early return, a returned truth negated. It runs against the tests of the same name,
@@ -10,7 +10,6 @@ uncompiled. A survivor is a gap in the tests, or a change that means nothing: on
 
 from __future__ import annotations
 
-import argparse
 import ast
 import random
 import shutil
@@ -18,40 +17,18 @@ import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from queue import Queue
 from typing import NamedTuple
 
-ROOT = Path(__file__).resolve().parents[1]
-PACKAGE = "shapeblend_cli"
-COPIED = (
-    PACKAGE,
-    "tests",
-    "samples",
-    "tools",
-    "docs",
-    "conftest.py",
-    "pyproject.toml",
-    "README.md",
-    "Makefile",
-    "setup.py",
-)
-
+ROOT, PACKAGE = Path(__file__).resolve().parents[1], "shapeblend_cli"
+LEFT_OUT = shutil.ignore_patterns(".*", "out", "build")
 SECONDS = 600
 """Maximum time of the tests of one mutant, in seconds. An endless loop counts as noticed."""
 
-OPPOSITE = {
-    ast.Lt: ast.GtE,
-    ast.LtE: ast.Gt,
-    ast.Gt: ast.LtE,
-    ast.GtE: ast.Lt,
-    ast.Eq: ast.NotEq,
-    ast.NotEq: ast.Eq,
-    ast.In: ast.NotIn,
-    ast.NotIn: ast.In,
-    ast.Is: ast.IsNot,
-    ast.IsNot: ast.Is,
-}
+PAIRS = ((ast.Lt, ast.GtE), (ast.Gt, ast.LtE), (ast.Eq, ast.NotEq), (ast.In, ast.NotIn), (ast.Is, ast.IsNot))
+OPPOSITE = {one: other for pair in PAIRS for one, other in (pair, pair[::-1])}
 
 
 class Mutant(NamedTuple):
@@ -86,7 +63,7 @@ def mutants_of(file: str, source: str) -> list[Mutant]:
         if id(node) in annotations:
             continue
         match node:
-            case ast.Compare(left, [operator], [right]) if type(operator) in OPPOSITE:
+            case ast.Compare(left, [operator], [right]):
                 turned = ast.Compare(left, [OPPOSITE[type(operator)]()], [right])
                 add(node, "comparison turned", f"({ast.unparse(turned)})")
             case ast.Constant(int() | float() as number) if not isinstance(number, bool):
@@ -99,97 +76,75 @@ def mutants_of(file: str, source: str) -> list[Mutant]:
                 add(test, "branch never taken", "False")
             case ast.Return(ast.Compare() | ast.BoolOp() | ast.UnaryOp(ast.Not()) as value):
                 add(value, "truth negated", f"(not ({ast.unparse(value)}))")
-            case ast.FunctionDef(body=[_, *rest]) if len(rest) > 1:
-                add(rest[0], "early return", "return None")
+            case ast.FunctionDef(body=[_, first, _, *_]):
+                add(first, "early return", "return None")
     return found
 
 
 def _annotations(node: ast.AST) -> list[ast.AST]:
+    """Return what of a node only the type checker reads."""
     roots = [getattr(node, name, None) for name in ("annotation", "returns")]
     if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
-        roots.append(node.test)
-        roots += node.body
+        roots = [node.test, *node.body]
     return [part for root in roots if root is not None for part in ast.walk(root)]
 
 
 def tests_of(file: str, tree: Path) -> list[str]:
     """Return the tests that a mutant has to face, those nearest to it first."""
     inside = Path(file).relative_to(PACKAGE)
-    folder = Path("tests") / inside.parent
     same = sorted((tree / "tests").rglob(f"test_{inside.stem}.py"))
     chosen = [str(path.relative_to(tree)) for path in same] + ["tests/golden"]
-    if inside.parent != Path() and (tree / folder).is_dir():
-        chosen.append(str(folder))
+    if inside.parent != Path() and (tree / "tests" / inside.parent).is_dir():
+        chosen.append(f"tests/{inside.parent}")
     return chosen if len(chosen) > 1 else [*chosen, "tests/test_api.py", "tests/cli"]
 
 
-def survives(mutant: Mutant, tree: Path) -> bool:
-    """Return whether the tests pass in a copy of the repository with a mutant in it."""
+def survives(mutant: Mutant, trees: Queue[Path]) -> bool:
+    """Return whether the tests pass in a copy of the repository, one that is free, with a mutant in it."""
+    tree = trees.get()
     path = tree / mutant.file
     source = path.read_text("utf-8")
-    hidden = [(binary, binary.with_suffix(".hidden")) for binary in path.parent.glob(f"{path.stem}.*.so")]
+    hidden = {binary: binary.with_suffix(".hidden") for binary in path.parent.glob(f"{path.stem}.*.so")}
     path.write_text(mutant.applied(source), "utf-8")
-    for binary, name in hidden:
+    for binary, name in hidden.items():
         binary.rename(name)
-    command = [
-        sys.executable,
-        "-m",
-        "pytest",
-        "-q",
-        "-x",
-        "-p",
-        "no:cacheprovider",
-        *tests_of(mutant.file, tree),
-    ]
+    command = [sys.executable, *"-m pytest -q -x -p no:cacheprovider".split(), *tests_of(mutant.file, tree)]
     try:
         done = subprocess.run(command, cwd=tree, capture_output=True, timeout=SECONDS, check=False)
     except subprocess.TimeoutExpired:
         return False
     finally:
         path.write_text(source, "utf-8")
-        for binary, name in hidden:
+        for binary, name in hidden.items():
             name.rename(binary)
+        trees.put(tree)
     return done.returncode == 0
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description="List random changes of the package that no test notices.")
-    parser.add_argument("--count", type=int, default=60)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--jobs", type=int, default=2)
-    options = parser.parse_args()
+def chosen(count: int, seed: int) -> list[Mutant]:
+    """Return random mutants, as many of each kind: most numbers mean little, and there are many."""
     files = sorted(path.relative_to(ROOT).as_posix() for path in (ROOT / PACKAGE).rglob("*.py"))
-    every = [mutant for file in files for mutant in mutants_of(file, (ROOT / file).read_text("utf-8"))]
-    kinds = sorted({mutant.kind for mutant in every})
-    chance = random.Random(options.seed)
-    # As many of each kind: most numbers mean little, and there are many.
-    by_kind = {kind: chance.sample(some := [m for m in every if m.kind == kind], len(some)) for kind in kinds}
-    chosen = [by_kind[kinds[k % len(kinds)]].pop() for k in range(min(options.count, len(every)))]
-    with tempfile.TemporaryDirectory() as folder:
+    by_kind: dict[str, list[Mutant]] = {}
+    for mutant in (each for file in files for each in mutants_of(file, (ROOT / file).read_text("utf-8"))):
+        by_kind.setdefault(mutant.kind, []).append(mutant)
+    chance, kinds = random.Random(seed), sorted(by_kind)
+    return [chance.choice(by_kind[kinds[k % len(kinds)]]) for k in range(count)]
+
+
+def main(count: int = 60, seed: int = 1) -> None:
+    """Test mutants, two at a time, and print the survivors."""
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
         trees: Queue[Path] = Queue()
-        for k in range(options.jobs):
-            tree = Path(folder, str(k))
-            for name in COPIED:
-                copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
-                tree.mkdir(exist_ok=True)
-                copy(ROOT / name, tree / name)
-            trees.put(tree)
+        for name in "01":
+            trees.put(Path(shutil.copytree(ROOT, Path(folder, name), ignore=LEFT_OUT)))
 
-        def outcome(mutant: Mutant) -> bool:
-            tree = trees.get()
-            try:
-                return survives(mutant, tree)
-            finally:
-                trees.put(tree)
-
-        left = 0
-        with ThreadPoolExecutor(options.jobs) as pool:
-            for mutant, is_left in zip(chosen, pool.map(outcome, chosen), strict=True):
-                if is_left:
-                    left += 1
-                    print(f"{mutant.file}:{mutant.start[0]}: {mutant.kind}: {mutant.text[:90]}", flush=True)
-    print(f"{len(chosen) - left} of {len(chosen)} noticed (seed {options.seed})")
+        mutants, left = chosen(count, seed), 0
+        for mutant, is_left in zip(mutants, pool.map(partial(survives, trees=trees), mutants), strict=True):
+            if is_left:
+                left += 1
+                print(f"{mutant.file}:{mutant.start[0]}: {mutant.kind}: {mutant.text[:90]}", flush=True)
+    print(f"{count - left} of {count} noticed (seed {seed})")
 
 
 if __name__ == "__main__":
-    main()
+    main(*map(int, sys.argv[1:]))
