@@ -14,6 +14,7 @@ from shapeblend_cli.blending.matched import Progress
 from shapeblend_cli.blending.placing import lay
 from shapeblend_cli.frames.views import with_room
 from shapeblend_cli.model import Box, Pair
+from shapeblend_cli.options.easing import knots_of
 from shapeblend_cli.paint.names import with_names
 from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.kept import Kept
@@ -24,7 +25,8 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.blending.placing import LaidDrawing
     from shapeblend_cli.model import Drawing
-    from shapeblend_cli.options.settings import Settings
+    from shapeblend_cli.options.easing import knots_of
+from shapeblend_cli.options.settings import Settings
 
 
 def match_all(
@@ -82,9 +84,11 @@ def match_all(
     elif any(map(has_clips, pairs)):
         notes = [*notes, "clip paths are left out of mixtures and states; frames and animated SVGs have them"]
     if settings.stagger:
-        from shapeblend_cli.frames.stagger import staggered
+        from shapeblend_cli.frames.stagger import eased, staggered
 
         pairs = [staggered(pair, settings.stagger, settings.stagger_by) for pair in pairs]
+        if settings.eases_parts:
+            pairs = [eased(pair, knots_of(settings.ease), each=True) for pair in pairs]
     return with_names(pairs, drawings), [*specks, *notes]
 
 

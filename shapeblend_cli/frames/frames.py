@@ -8,7 +8,7 @@ from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import Box, Clip, ClipBlend, Frame, PaintedShape, Pair, ShapeBlend, Style
 from shapeblend_cli.options.easing import frame_times
 from shapeblend_cli.paint.names import common_page, page_for
-from shapeblend_cli.paint.styles import shape_styles
+from shapeblend_cli.paint.styles import paint_times, shape_styles
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -19,8 +19,9 @@ if TYPE_CHECKING:
 def times_of_frames(pairs: Sequence[Pair], settings: Settings) -> list[tuple[Pair, float]]:
     """Return the pair and the time of each in-between, and with `settings.ends` of the drawings, in order."""
     if settings.times:
-        return [(pair, settings.ease.at(t) if 0.0 < t < 1.0 else t) for pair in pairs for t in settings.times]
-    times = frame_times(settings.frames, settings.ends, settings.ease)
+        ease = settings.common_ease
+        return [(pair, ease.at(t) if 0.0 < t < 1.0 else t) for pair in pairs for t in settings.times]
+    times = frame_times(settings.frames, settings.ends, settings.common_ease)
     # Pairs but the first begin with the drawing with which the pair before ends.
     return [(pair, t) for pair in pairs for t in (times[1:] if settings.ends and pair.a else times)]
 
@@ -86,8 +87,8 @@ def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
 
 def fading_styles(shape: ShapeBlend) -> tuple[tuple[float, Style], ...]:
     """Return times within (0, 1) between which the opacities of a shape change evenly, with its upper styles."""
-    times = [] if shape.fade is None else [shape.time_of(t) for t in (shape.fade.begin, shape.fade.until)]
-    return tuple((t, shape_styles(shape, t)[0]) for t in times if 0.0 < t < 1.0)
+    changes = () if shape.fade is None else (shape.fade.begin, shape.fade.until)
+    return tuple((t, shape_styles(shape, t)[0]) for t in paint_times(shape, changes))
 
 
 def frame_at(pair: Pair, t: float, *, as_drawn: bool) -> Frame:

@@ -1,13 +1,13 @@
-"""Shapes that start one after the other."""
+"""Shapes that start one after the other, and shapes with a pace of their own."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.model import Pair, ShapeBlend, control_box
+from shapeblend_cli.model import WHOLE, Pair, ShapeBlend, control_box
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
 
 def staggered(pair: Pair, stagger: float, by: str) -> Pair:
@@ -28,6 +28,24 @@ def staggered(pair: Pair, stagger: float, by: str) -> Pair:
         for k in numbers:
             shapes[k] = shapes[k]._replace(span=(begin, begin + 1.0 - stagger))
     return pair._replace(shapes=tuple(shapes))
+
+
+def eased(pair: Pair, knots: Sequence[tuple[float, float]], *, each: bool) -> Pair:
+    """Return a pair whose shapes have the pace of an easing: each within its own span, or all of them together."""
+    return pair._replace(shapes=tuple(_eased(shape, knots, each=each) for shape in pair.shapes))
+
+
+def _eased(shape: ShapeBlend, knots: Sequence[tuple[float, float]], *, each: bool) -> ShapeBlend:
+    begin, until = shape.span
+    whole = shape._replace(span=WHOLE, pace=tuple(knots))
+    if each:
+        inner = [(begin + t * (until - begin), share) for t, share in knots]
+        pace = [*([(0.0, 0.0)] if begin > 0.0 else []), *inner, *([(1.0, 1.0)] if until < 1.0 else [])]
+        return whole._replace(pace=tuple(pace))
+    if shape.span == WHOLE:
+        return whole
+    times = [0.0, *whole.times_of(shape.span), 1.0]
+    return whole._replace(pace=tuple((t, shape.own_time(whole.own_time(t))) for t in times))
 
 
 def _key(by: str) -> Callable[[ShapeBlend], float]:

@@ -43,7 +43,7 @@ class _ShapeChain(NamedTuple):
     contours: list[ContourChain]
     styles: list[Style]  # at each key
     times: list[tuple[float, ...]]  # of the waypoints after each key but the last
-    fading: ShapeBlend | None = None  # the shape, if it fades
+    fading: ShapeBlend | None = None  # the shape, if it fades or has a pace
     names: tuple[Name, ...] = ()
     groups: tuple[Group, ...] = ()
     spans: tuple[tuple[float, float], ...] = ()
@@ -93,16 +93,16 @@ def keyframed_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
             new, merged_before = [], before + 1
         chains = [*merged, *chains[merged_before:], *new]
     regions: dict[
-        tuple[int, int, Span], tuple[KeyframedShape, ...]
+        tuple[int, int, Span, tuple[Span, ...]], tuple[KeyframedShape, ...]
     ] = {}  # shapes that share a clip still share it
 
     def regions_of(chain: _ShapeChain) -> tuple[tuple[KeyframedShape, ...], ...]:
-        (span,) = chain.spans[:1]
+        (span,), pace = chain.spans[:1], chain.fading.pace if chain.fading else ()
         for clip in chain.clips:
-            if (id(clip), chain.first, span) not in regions:
-                started = [_start(shape._replace(span=span), chain.first) for shape in clip.shapes]
-                regions[id(clip), chain.first, span] = tuple(_coats(shape)[-1] for shape in started)
-        return tuple(regions[id(clip), chain.first, span] for clip in chain.clips)
+            if (id(clip), chain.first, span, pace) not in regions:
+                started = [_start(shape._replace(span=span, pace=pace), chain.first) for shape in clip.shapes]
+                regions[id(clip), chain.first, span, pace] = tuple(_coats(shape)[-1] for shape in started)
+        return tuple(regions[id(clip), chain.first, span, pace] for clip in chain.clips)
 
     return [coat._replace(clips=regions_of(chain)) for chain in chains for coat in _coats(chain)]
 
@@ -136,7 +136,7 @@ def _start(shape: ShapeBlend, first: int) -> _ShapeChain:
     ]
     styles = [shape.style_a, shape.style_b]
     times = [tuple(p.t for p in points)]
-    fading = shape if shape.fade else None
+    fading = shape if shape.fade or shape.pace else None
     return _ShapeChain(
         first, contours, styles, times, fading, shape.names, shape.groups, (shape.span,), shape.clips
     )
@@ -159,7 +159,7 @@ def _coats(chain: _ShapeChain) -> list[KeyframedShape]:
     for own_times in chain.times:
         between.append(tuple(Waypoint(t, next(stations)) for t in own_times))
         keys.append(next(stations))
-    last = len(keys) - 1
+    last, is_paced = len(keys) - 1, chain.fading is not None and bool(chain.fading.pace)
     return [
         KeyframedShape(
             tuple(map(PaintedShape, keys, (*styles[:last], styles[-1]))),
@@ -168,7 +168,8 @@ def _coats(chain: _ShapeChain) -> list[KeyframedShape]:
             (tuple(zip(times, styles[1:-1], strict=True)),) if times else (),
             Name.common(chain.names) if chain.names and styles is coats[-1] else UNNAMED,
             chain.groups,
-            () if all(span == WHOLE for span in chain.spans) else chain.spans,
+            () if is_paced or all(span == WHOLE for span in chain.spans) else chain.spans,
+            is_paced=is_paced,
         )
         for styles in coats
     ]

@@ -45,6 +45,13 @@ def paths_at(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
         every = [(1.0 - t) * contour.start.segments + t * contour.end.segments for contour in shape.contours]
     else:
         every = shape.motion.segments(shape.contours, t)
+    if not 0.0 <= t <= 1.0:  # beyond the point that they become, contours would grow inside out
+        every = [
+            (contour.start if t < 0.0 else contour.end).segments
+            if (contour.grows if t < 0.0 else contour.shrinks)
+            else segments
+            for contour, segments in zip(shape.contours, every, strict=True)
+        ]
     return tuple(
         replace(contour.start, segments=segments)
         for contour, segments in zip(shape.contours, every, strict=True)
@@ -57,13 +64,29 @@ def waypoints(shape: ShapeBlend) -> tuple[Waypoint, ...]:
     At the quarters between two waypoints no control point is off by more than a tolerance. Straight motion needs no
     waypoints.
     """
+    if shape.pace:
+        plain = shape._replace(span=WHOLE, pace=())
+        shares = [share for _, share in shape.pace]
+        own = [
+            *_cuts(plain, min(shares), 0.0),
+            0.0,
+            *_cuts(plain, 0.0, 1.0),
+            1.0,
+            *_cuts(plain, 1.0, max(shares)),
+        ]
+        return tuple(Waypoint(t, paths_at(shape, t)) for t in shape.times_of(own))
     if shape.span != WHOLE:
         whole = shape._replace(span=WHOLE)
         inner = [(shape.time_of(point.t), point.paths) for point in waypoints(whole)]
         ends = [(shape.span[k], paths_at(whole, float(k))) for k in (0, 1)]
         return tuple(Waypoint(t, paths) for t, paths in (ends[0], *inner, ends[1]) if 0.0 < t < 1.0)
-    if shape.motion is None:
-        return ()
+    return tuple(Waypoint(t, paths_at(shape, t)) for t in _cuts(shape, 0.0, 1.0))
+
+
+def _cuts(shape: ShapeBlend, begin: float, until: float) -> list[float]:
+    """Return the times at which a shape's motion is cut into straight steps, from one time to another."""
+    if shape.motion is None or begin >= until:
+        return []
     paths = [path for contour in shape.contours for path in (contour.start, contour.end)]
     tolerance = SWEEP_TOLERANCE if shape.motion_name == "sweep" else WAYPOINT_TOLERANCE
     most = tolerance * control_box(paths).larger_side
@@ -83,4 +106,4 @@ def waypoints(shape: ShapeBlend) -> tuple[Waypoint, ...]:
         middle = 0.5 * (low + high)
         return [*cut(low, middle, depth - 1), middle, *cut(middle, high, depth - 1)]
 
-    return tuple(Waypoint(t, paths_at(shape, t)) for t in cut(0.0, 1.0, MOST_HALVINGS))
+    return cut(begin, until, MOST_HALVINGS)

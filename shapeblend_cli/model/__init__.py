@@ -8,6 +8,7 @@ the time to define, and the command starts that much sooner.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
@@ -276,9 +277,12 @@ class ShapeBlend(NamedTuple):
     clips: tuple[ClipBlend, ...] = ()
     span: tuple[float, float] = WHOLE  # the times of its start and its end
     trim: Trim | None = None  # its motion, for formats that trim paths
+    pace: tuple[tuple[float, float], ...] = ()  # its own time at times, even in between, if not by the span
 
     def own_time(self, t: float) -> float:
-        """Return the time within the shape's own span: 0 before it, 1 after it."""
+        """Return the time within the shape's own span: 0 before it, 1 after it; by its pace it may be beyond both."""
+        if self.pace:
+            return float(np.interp(t, [time for time, _ in self.pace], [own for _, own in self.pace]))
         begin, until = self.span
         return t if self.span == WHOLE else min(max((t - begin) / (until - begin), 0.0), 1.0)
 
@@ -286,6 +290,19 @@ class ShapeBlend(NamedTuple):
         """Return the time of the blend at a time within the shape's own span."""
         begin, until = self.span
         return own if self.span == WHOLE else begin + own * (until - begin)
+
+    def times_of(self, own: Sequence[float]) -> list[float]:
+        """Return the times within (0, 1) at which its own time has some value, by its pace also where that turns."""
+        if not self.pace:
+            return [t for t in map(self.time_of, own) if 0.0 < t < 1.0]
+        times = {t for t, _ in self.pace}
+        for (start, low), (end, high) in pairwise(self.pace):
+            times |= {
+                start + (end - start) * (value - low) / (high - low)
+                for value in own
+                if min(low, high) < value < max(low, high)
+            }
+        return sorted(t for t in times if 0.0 < t < 1.0)
 
     @property
     def name(self) -> Name:
@@ -365,6 +382,7 @@ class KeyframedShape(NamedTuple):
     groups: tuple[Group, ...] = ()
     spans: tuple[tuple[float, float], ...] = ()  # of each pair, unless it moves all the time
     clips: tuple[tuple[KeyframedShape, ...], ...] = ()  # regions, each the union of shapes
+    is_paced: bool = False  # whether all of its paint is as `fading` has it, not its opacities alone
 
 
 class Pair(NamedTuple):

@@ -6,6 +6,8 @@ https://www.w3.org/TR/css-easing-1/#cubic-bezier-easing-functions
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -19,6 +21,24 @@ NAMES = {
 
 HALVINGS = 60
 """Number of steps of the bisection for a parameter of the curve."""
+
+OVERSHOOT = 1.70158
+"""How far ``back`` goes beyond: by a tenth of the way, as in most libraries of easing."""
+
+TOLERANCE = 3e-3
+"""Maximum deviation of the lines of a `Curve` from the easing that was asked for, as a share of the way."""
+
+SAMPLES = 2048
+"""Number of even steps in time at which an easing is compared with the lines of its `Curve`."""
+
+SETTLED = 1e-3
+"""Maximum distance of a spring from its rest at the end of its time, as a share of the way."""
+
+MOST_KNOTS = 400
+"""Maximum number of knots of a `Curve`: each becomes a keyframe of each part."""
+
+FURTHEST = 3.0
+"""Maximum distance of an easing beyond either drawing, as a share of the way."""
 
 
 class Ease(NamedTuple):
@@ -85,6 +105,57 @@ class Ease(NamedTuple):
 
 LINEAR = Ease()
 
+Knots = tuple[tuple[float, float], ...]
+"""Times, rising from 0 to 1, and progress at each; straight in between."""
+
+
+class Curve(NamedTuple):
+    """Easing that may go beyond 0 and 1, or turn round on its way: progress is on lines from knot to knot."""
+
+    text: str
+    knots: Knots
+
+    def __str__(self) -> str:
+        """As it was asked for."""
+        return self.text
+
+    def css(self) -> str:
+        """As CSS takes it."""
+        inner = [f"{share:.4g} {100.0 * time:.5g}%" for time, share in self.knots]
+        return f"linear({','.join(inner)})"
+
+    def at(self, time: float) -> float:
+        """Progress at a time from 0 to 1."""
+        return along(self.knots, time)
+
+    def time_of(self, progress: float) -> float:
+        """Time at which a progress from 0 to 1 is reached first."""
+        k = next(k for k, (_, share) in enumerate(self.knots) if share >= progress)
+        if k == 0:
+            return 0.0
+        (start, low), (end, high) = self.knots[k - 1 : k + 1]
+        return start + (end - start) * (progress - low) / (high - low)
+
+    def mirrored(self) -> Curve:
+        """The same way back."""
+        return Curve(self.text, tuple((1.0 - time, 1.0 - share) for time, share in self.knots[::-1]))
+
+
+Easing = Ease | Curve
+
+
+def along(knots: Knots, time: float) -> float:
+    """Return the value at a time from 0 to 1 on the lines from knot to knot."""
+    k = min(max(bisect_right(knots, time, key=lambda knot: knot[0]), 1), len(knots) - 1)
+    (start, low), (end, high) = knots[k - 1 : k + 1]
+    return low + (high - low) * (time - start) / (end - start)
+
+
+def knots_of(ease: Easing) -> Knots:
+    """Return the knots of any easing."""
+    return ease.knots if isinstance(ease, Curve) else _knots(ease.at)
+
+
 FOREVER, PINGPONG = "forever", "pingpong"
 
 
@@ -135,24 +206,136 @@ class Timing(NamedTuple):
         return self.repeat == PINGPONG
 
 
-def frame_times(frames: int, ends: bool, ease: Ease = LINEAR) -> list[float]:
+def frame_times(frames: int, ends: bool, ease: Easing = LINEAR) -> list[float]:
     """Return the times of `frames` in-betweens, evenly spaced before easing, and of both ends if wanted."""
     times = [ease.at(k / (frames + 1)) for k in range(frames + 2)]
     return times if ends else times[1:-1]
 
 
-def parse(text: str) -> Ease:
-    """Read one of `NAMES` or ``cubic-bezier(x1,y1,x2,y2)``; raise ValueError for anything else."""
-    name = text.strip().lower()
-    body = name.removeprefix("cubic-bezier(").removesuffix(")")
-    if name in NAMES:
-        return Ease(*NAMES[name])
-    if name != f"cubic-bezier({body})":
+def parse(text: str) -> Easing:
+    """Read an easing as the help lists them; raise ValueError for anything else."""
+    words = "".join(text.split()).lower() if "linear(" not in text.lower() else text.strip().lower()
+    if words in NAMES:
+        return Ease(*NAMES[words])
+    if words in CURVES:
+        return Curve(words, _knots(CURVES[words]))
+    name, bracket, body = words.partition("(")
+    if not (bracket and body.endswith(")")):
         raise ValueError(text)
-    x1, y1, x2, y2 = map(float, body.split(","))
-    if not all(0.0 <= number <= 1.0 for number in (x1, y1, x2, y2)):
-        raise ValueError(text)
-    return Ease(x1, y1, x2, y2)
+    if name == "linear":
+        return Curve(words, _stops(body[:-1]))
+    numbers = [float(number) for number in body[:-1].split(",")]
+    if name == "cubic-bezier":
+        x1, y1, x2, y2 = numbers
+        if not (0.0 <= min(x1, x2) and max(x1, x2) <= 1.0):
+            raise ValueError(text)
+        if 0.0 <= min(y1, y2) and max(y1, y2) <= 1.0:
+            return Ease(x1, y1, x2, y2)
+        return Curve(words, _knots(lambda time: _solved(x1, x2, y1, y2, time)))
+    if name == "spring":
+        mass, stiffness, damping = numbers
+        return Curve(words, _knots(_spring(mass, stiffness, damping)))
+    raise ValueError(text)
+
+
+def _back(time: float) -> float:
+    return time * time * ((OVERSHOOT + 1.0) * time - OVERSHOOT)
+
+
+def _elastic(time: float) -> float:
+    return -(2.0 ** (10.0 * time - 10.0)) * math.sin((10.0 * time - 10.75) * 2.0 * math.pi / 3.0)
+
+
+def _out(ease: Callable[[float], float]) -> Callable[[float], float]:
+    return lambda time: 1.0 - ease(1.0 - time)
+
+
+def _in_out(ease: Callable[[float], float]) -> Callable[[float], float]:
+    return lambda time: ease(2.0 * time) / 2.0 if time < 0.5 else 1.0 - ease(2.0 - 2.0 * time) / 2.0
+
+
+CURVES = {
+    f"{name}{suffix}": way(ease)
+    for name, ease in {"back": _back, "elastic": _elastic}.items()
+    for suffix, way in {"": _out, "-in": lambda ease: ease, "-out": _out, "-in-out": _in_out}.items()
+}
+"""Easing that overshoots; without more words at the end, as most libraries of animation have it."""
+
+
+def _spring(mass: float, stiffness: float, damping: float) -> Callable[[float], float]:
+    """Return the way of a weight on a spring from its release until it has settled, in that time."""
+    if not all(0.0 < value < 1e6 for value in (mass, stiffness, damping)):
+        raise ValueError
+    own = math.sqrt(stiffness / mass)
+    ratio = damping / (2.0 * math.sqrt(stiffness * mass))
+    slowest = ratio * own if ratio <= 1.0 else own / (ratio + math.sqrt(ratio * ratio - 1.0))
+    length = math.log(1.0 / SETTLED) / slowest
+
+    def way(time: float) -> float:
+        at = time * length
+        if abs(ratio - 1.0) < 1e-6:
+            return 1.0 - math.exp(-own * at) * (1.0 + own * at)
+        wave = own * math.sqrt(abs(1.0 - ratio * ratio))
+        if ratio < 1.0:
+            swing = math.cos(wave * at) + ratio * own / wave * math.sin(wave * at)
+            return 1.0 - math.exp(-ratio * own * at) * swing
+        fast, slow = -ratio * own - wave, -slowest
+        return 1.0 + (slow * math.exp(fast * at) - fast * math.exp(slow * at)) / (fast - slow)
+
+    return way
+
+
+def _stops(body: str) -> Knots:
+    """Read the stops of ``linear()`` as CSS does: those without a time are spaced evenly between the others."""
+    shares: list[float] = []
+    times: list[float | None] = []
+    for stop in body.split(","):
+        numbers = [word for word in stop.split() if not word.endswith("%")]
+        given = [float(word[:-1]) / 100.0 for word in stop.split() if word.endswith("%")]
+        if len(numbers) != 1 or len(given) > 2:
+            raise ValueError(body)
+        shares += [float(numbers[0])] * max(len(given), 1)
+        times += given or [None]
+    times[0], times[-1] = (0.0 if times[0] is None else times[0]), (1.0 if times[-1] is None else times[-1])
+    known = [k for k, time in enumerate(times) if time is not None]
+    spaced: list[float] = []
+    for first, last in pairwise(known):
+        begin, until = times[first] or 0.0, times[last] or 0.0
+        spaced += [begin + (until - begin) * n / (last - first) for n in range(last - first)]
+    spaced.append(times[-1] or 0.0)
+    # A jump takes the least time that files can tell.
+    for k in range(1, len(spaced)):
+        spaced[k] = max(spaced[k], spaced[k - 1] + 1e-4)
+    knots = tuple(zip(spaced, shares, strict=True))
+    if len(knots) < 2 or knots[0] != (0.0, 0.0) or shares[-1] != 1.0 or not 1.0 <= spaced[-1] < 1.01:
+        raise ValueError(body)
+    return _checked([(time / spaced[-1], share) for time, share in knots])
+
+
+def _knots(ease: Callable[[float], float]) -> Knots:
+    """Return the fewest knots, nearly, that stay as close to an easing as `TOLERANCE`."""
+    points = [(k / SAMPLES, ease(k / SAMPLES)) for k in range(SAMPLES + 1)]
+    points[0], points[-1] = (0.0, 0.0), (1.0, 1.0)
+    kept, ranges = {0, SAMPLES}, [(0, SAMPLES)]
+    while ranges:
+        first, last = ranges.pop()
+        (start, low), (end, high) = points[first], points[last]
+        off, worst = max(
+            (abs(share - low - (high - low) * (time - start) / (end - start)), k)
+            for k, (time, share) in enumerate(points[first : last + 1], first)
+        )
+        if off > TOLERANCE:
+            kept.add(worst)
+            ranges += [(first, worst), (worst, last)]
+    return _checked([points[k] for k in sorted(kept)])
+
+
+def _checked(knots: Sequence[tuple[float, float]]) -> Knots:
+    if len(knots) > MOST_KNOTS or not all(
+        -FURTHEST <= share <= 1.0 + FURTHEST for _, share in knots
+    ):  # nan, too
+        raise ValueError
+    return tuple(knots)
 
 
 def _solved(x1: float, x2: float, y1: float, y2: float, x: float) -> float:

@@ -11,7 +11,7 @@ from typing import Any
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.options import types
 from shapeblend_cli.options.constants import PRESETS, WIRE, WorkConstants
-from shapeblend_cli.options.easing import LINEAR, Ease
+from shapeblend_cli.options.easing import LINEAR, Curve, Easing
 from shapeblend_cli.options.fields import Record, option
 
 Vertices = tuple[int, int] | tuple[complex, complex]
@@ -240,12 +240,14 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         section=IN_BETWEENS,
         help="Which shape starts first: the lowest in the order of paint, the largest, or the one furthest to a side.",
     )
-    ease: Ease = option(
+    ease: Easing = option(
         types.EASE,
         default=LINEAR,
+        flags=("--ease", "--easing"),
         section=ANIMATIONS,
         help="Easing of animations, and of the times of in-betweens: linear, ease, ease-in, ease-out, ease-in-out "
-        "or cubic-bezier(x1,y1,x2,y2).",
+        "or cubic-bezier(x1,y1,x2,y2); beyond the drawings and back: back, elastic, both also with -in, -out or "
+        "-in-out, spring(mass,stiffness,damping) and linear(0,...,1) as in CSS.",
         default_text="linear",
     )
 
@@ -275,6 +277,16 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
             raise OptionError(
                 "--mix sets the frames itself; --frames, --ends and --ease cannot be given with it"
             )
+
+    @property
+    def eases_parts(self) -> bool:
+        """Whether each part is eased by itself, and time as a whole is not."""
+        return bool(self.stagger) and isinstance(self.ease, Curve)
+
+    @property
+    def common_ease(self) -> Easing:
+        """The easing of all parts together."""
+        return LINEAR if self.eases_parts else self.ease
 
     @property
     def draws_ends(self) -> bool:

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.model import Box
 from shapeblend_cli.outputs.formats import OutputSpec, Rendered, page_of, views
 from shapeblend_cli.paint.names import page_for
+from shapeblend_cli.svg.writing.animation import Views
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import Page, Pair
+    from shapeblend_cli.options.easing import Knots
 
 
 def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
@@ -33,7 +36,7 @@ def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
         return Rendered([stacked_svg(frames, timing, len(pairs), decimals, page_for(page, frames[0].view))])
     if not spec.trigger.is_load:
         return _render_reacting(spec, pairs, page)
-    shapes = keyframed_shapes(pairs)
+    shapes = keyframed_shapes(spec.eased(pairs))
     if spec.animate == "css":
         from shapeblend_cli.svg.writing.css import css_svg
 
@@ -41,7 +44,8 @@ def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
         return Rendered([css_svg(shapes, shown, timing, decimals, page_for(page, shown))])
     from shapeblend_cli.svg.writing.smil import smil_svg
 
-    return Rendered([smil_svg(shapes, boxes, timing, decimals, page_for(page, boxes[0]))])
+    seen = shown_views(boxes, spec.knots)
+    return Rendered([smil_svg(shapes, seen, timing, decimals, page_for(page, boxes[0]))])
 
 
 def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Rendered:
@@ -49,19 +53,31 @@ def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Ren
     from shapeblend_cli.outputs.move import clips_left_out, moves_of
     from shapeblend_cli.svg.writing.reacting import Reaction, reacting_css, reacting_smil
 
-    reaction = Reaction(
-        keyframed_shapes(pairs), views(pairs), page_for(page, pairs[0].views[0]), spec.trigger
-    )
-    decimals = spec.decimals(pairs)
+    decimals, called = spec.decimals(pairs), page_for(page, pairs[0].views[0])
     if spec.animate == "smil":
+        seen = shown_views(views(pairs), spec.knots)
+        reaction = Reaction(keyframed_shapes(spec.eased(pairs)), seen, called, spec.trigger)
         return Rendered([reacting_smil(reaction, spec.timing, decimals)])
+    reaction = Reaction(keyframed_shapes(pairs), Views(views(pairs)), called, spec.trigger)
     (move,) = moves_of(pairs)
-    shown = Box.union(reaction.views)
-    reaction = reaction._replace(page=page_for(page, shown), views=[shown, shown])
+    shown = Box.union(reaction.views.boxes)
+    reaction = reaction._replace(page=page_for(page, shown), views=Views([shown, shown]))
     notes = [
         f"{shape.name}: moves on curved paths, which CSS transitions cannot show; it moves straight"
         for shape in move.shapes
         if shape.waypoints
     ]
     notes += clips_left_out(pairs, "CSS transitions")
-    return Rendered([reacting_css(reaction, spec.timing, decimals)], notes)
+    return Rendered([reacting_css(reaction, spec.timing, spec.settings.ease, decimals)], notes)
+
+
+def shown_views(boxes: Sequence[Box], knots: Knots) -> Views:
+    """Return what is shown at each drawing, and with knots of easing at these, never more than at the drawings."""
+    if not knots:
+        return Views(boxes)
+    times, shown = [0.0], [boxes[0]]
+    for k, (start, end) in enumerate(pairwise(boxes)):
+        for time, share in knots[1:]:
+            times.append(k + time)
+            shown.append(start.interpolate(end, min(max(share, 0.0), 1.0)))
+    return Views(shown, times)

@@ -17,10 +17,8 @@ if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
     from shapeblend_cli.model import PaintedShape, Pair
-    from shapeblend_cli.options.easing import Ease, Timing
-    from shapeblend_cli.outputs.move import Move
-
-    _Step = tuple[str, str, int, Ease]  # from one value to another, in milliseconds
+    from shapeblend_cli.options.easing import Timing
+    from shapeblend_cli.outputs.move import Move, Section
 
 NAMESPACES = {
     "xmlns:android": "http://schemas.android.com/apk/res/android",
@@ -59,6 +57,8 @@ def animated_vector(move: Move, timing: Timing, decimals: int) -> str:
     """Return an animated vector drawable that moves once."""
     from xml.etree import ElementTree
 
+    from shapeblend_cli.outputs.move import sections
+
     view = move.view
     root = ElementTree.Element("animated-vector", NAMESPACES)
     scale = min(1.0, LARGEST / view.larger_side)
@@ -80,28 +80,26 @@ def animated_vector(move: Move, timing: Timing, decimals: int) -> str:
         shown = {key: value for key, value in start.items() if DEFAULTS.get(key) != value}
         _add(parent, "path", {"name": shape.name, **shown})
         changing = [key for key in start if key not in FIXED and start[key] != end[key]]
-        moving: dict[str, list[_Step]] = {
-            key: [(start[key], end[key], duration, timing.ease)] for key in changing
+        painted = [
+            _attributes(shape.start._replace(style=style), decimals) for _, style in shape.styles[1:-1]
+        ]
+        times = [t for t, _ in shape.styles]
+        stops = {
+            key: [(t, one.get(key, "")) for t, one in zip(times, (start, *painted, end), strict=True)]
+            for key in changing
         }
         if shape.waypoints:
-            moving["pathData"] = [
-                (path_data(a, decimals), path_data(b, decimals), round(until - begin), ease)
-                for a, b, (begin, until), ease in shape.sections(duration, timing.ease, 0)
-            ]
-        numbers = {}
-        if shape.fading:
-            for paint in ("fill", "stroke"):
-                numbers[f"{paint}Alpha"] = shape.opacities(paint, duration, timing.ease, 0)
+            inner = [(waypoint.t, path_data(waypoint.paths, decimals)) for waypoint in shape.waypoints]
+            stops["pathData"] = [(0.0, start["pathData"]), *inner, (1.0, end["pathData"])]
+        for paint in ("fill", "stroke") if shape.fading else ():
+            if f"{paint}Alpha" in stops:
+                styles = [(0.0, shape.start.style), *shape.fading, (1.0, shape.end.style)]
+                faded = [(t, number(getattr(style, f"{paint}_opacity"), 4)) for t, style in styles]
+                stops[f"{paint}Alpha"] = faded
         for side, key in enumerate(TRIMS if shape.trims else ()):
-            numbers[key] = shape.trimmed(side, duration, timing.ease, 0)
-        moving |= {
-            key: [
-                (number(a, 4), number(b, 4), round(until - begin), ease)
-                for a, b, (begin, until), ease in sections
-            ]
-            for key, sections in numbers.items()
-            if key in moving
-        }
+            if key in stops:
+                stops[key] = [(t, number(part[side], 4)) for t, part in shape.trims]
+        moving = {key: sections(each, duration, timing.ease, 0) for key, each in stops.items()}
         if moving:
             animators = _inline(_add(root, "target", {"name": shape.name}), "animation")
             if len(moving) > 1:
@@ -124,14 +122,14 @@ def too_long(move: Move, decimals: int) -> list[str]:
     return notes
 
 
-def _animate(parent: Element, key: str, steps: Sequence[_Step], rest: int) -> None:
+def _animate(parent: Element, key: str, steps: Sequence[Section[str]], rest: int) -> None:
     """Add the animators of a property in sequence, after a rest: keyframes of a single one cannot hold paths."""
     if len(steps) > 1:
         parent = _add(parent, "set", {"ordering": "sequentially"})
-    for start, end, milliseconds, ease in steps:
+    for start, end, (begin, until), ease in steps:
         attributes = {
             "propertyName": key,
-            "duration": str(milliseconds),
+            "duration": str(round(until - begin)),
             "valueFrom": start,
             "valueTo": end,
             "valueType": TYPES.get(key, "floatType"),
@@ -179,7 +177,7 @@ def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Return the drawable."""
     from shapeblend_cli.outputs.move import clips_left_out, moves_of
 
-    (move,), decimals = moves_of(pairs, trims=True), spec.decimals(pairs)
+    (move,), decimals = moves_of(spec.eased(pairs), trims=True), spec.decimals(pairs)
     dashed = [
         f"{shape.name}: Android draws no dashes; its stroke is solid"
         for shape in move.shapes

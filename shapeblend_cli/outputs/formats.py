@@ -12,11 +12,13 @@ from os.path import join
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeVar
 
+from shapeblend_cli.options.easing import Ease
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
 
     from shapeblend_cli.model import Box, Page, Pair
-    from shapeblend_cli.options.easing import Timing
+    from shapeblend_cli.options.easing import Knots, Timing
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.options.triggers import Trigger
 
@@ -156,6 +158,18 @@ class OutputSpec(NamedTuple):
             return {Path(self.path): rendered.contents[0]}
         names = [name for name in self.format.files or self.frame_files() if name]
         return {Path(self.path): dict(zip(names, rendered.contents, strict=True))}
+
+    @property
+    def knots(self) -> Knots:
+        """Progress at times, if the easing is one that the pairs have to be given for keyframes."""
+        ease = self.settings.common_ease
+        return () if isinstance(ease, Ease) else ease.knots
+
+    def eased(self, pairs: Sequence[Pair]) -> Sequence[Pair]:
+        """Return pairs for keyframes: with an easing that goes beyond the drawings, its pace is theirs."""
+        from shapeblend_cli.frames.stagger import eased
+
+        return [eased(pair, self.knots, each=False) for pair in pairs] if self.knots else pairs
 
     def decimals(self, pairs: Sequence[Pair]) -> int:
         """Return the number of decimals of coordinates."""

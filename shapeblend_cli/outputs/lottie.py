@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import Box, CubicPath, Gradient, Pair, RadialGradient, Stop, Style
     from shapeblend_cli.options.easing import Ease, Timing
-    from shapeblend_cli.outputs.move import Move, MovedShape, Section
+    from shapeblend_cli.outputs.move import Move, MovedShape
 
 VERSION = "5.7.4"
 """Version of the format. Players correct the behaviour of older versions."""
@@ -99,45 +99,49 @@ class _Keyframes(NamedTuple):
     ease: Ease
     decimals: int
 
-    def value(self, start: Any, end: Any) -> dict[str, Any]:
-        """Return a property of numbers or lists of numbers."""
-        if start == end:
-            return {"a": 0, "k": start}
-        x1, y1, x2, y2 = (_rounded(value, 4) for value in self.ease)
-        speed = {"o": {"x": [x1], "y": [y1]}, "i": {"x": [x2], "y": [y2]}}
-        first, last = (v if isinstance(v, list) else [v] for v in (start, end))
-        return {"a": 1, "k": [{"t": self.start, "s": first, **speed}, {"t": self.end, "s": last}]}
+    def value(self, shape: MovedShape, of: Callable[[Style], Any]) -> dict[str, Any]:
+        """Return a property of numbers or lists of numbers that a shape has by its style."""
+        return self.property([(t, of(style)) for t, style in shape.styles])
 
     def opacity(self, shape: MovedShape, paint: str) -> dict[str, Any]:
         """Return the property of the opacity of a paint."""
-        sections = shape.opacities(paint, self.end - self.start, self.ease, TIME_DIGITS)
-        values = [_percent(share) for share in (*(s.start for s in sections), sections[-1].end)]
-        return self._property(sections, values, lambda value: [value])
+        styles = [(0.0, shape.start.style), *shape.fading, (1.0, shape.end.style)]
+        return self.property([(t, _percent(getattr(style, f"{paint}_opacity"))) for t, style in styles])
 
-    def path(self, sections: Sequence[Section[tuple[CubicPath, ...]]], contour: int) -> dict[str, Any]:
+    def path(self, shape: MovedShape, contour: int) -> dict[str, Any]:
         """Return the property of one of the paths of a shape."""
-        paths = [paths[contour] for paths in (*(s.start for s in sections), sections[-1].end)]
-        return self._property(sections, [_bezier(path, self.decimals) for path in paths], lambda value: value)
+        inner = [(waypoint.t, waypoint.paths) for waypoint in shape.waypoints]
+        stops = [(0.0, shape.start.paths), *inner, (1.0, shape.end.paths)]
+        return self.property([(t, _bezier(paths[contour], self.decimals)) for t, paths in stops])
 
     def trim(self, shape: MovedShape, side: int) -> dict[str, Any]:
         """Return the property of an end of the part of a path that is seen."""
-        sections = shape.trimmed(side, self.end - self.start, self.ease, TIME_DIGITS)
-        values = [_percent(share) for share in (*(s.start for s in sections), sections[-1].end)]
-        return self._property(sections, values, lambda value: [value])
+        return self.property([(t, _percent(part[side])) for t, part in shape.trims])
 
-    def _property(
-        self, sections: Sequence[Section[Any]], values: Sequence[Any], speed: Callable[[float], Any]
-    ) -> dict[str, Any]:
-        """Return the property with these values where sections start, and at the end; `speed` gives form to easing."""
-        *starts, end = values
-        if all(start == end for start in starts):
+    def property(self, stops: Sequence[tuple[float, Any]]) -> dict[str, Any]:
+        """Return the property with values at times."""
+        from shapeblend_cli.outputs.move import sections
+
+        end = stops[-1][1]
+        if all(value == end for _, value in stops):
             return {"a": 0, "k": end}
         keys: list[dict[str, Any]] = []
-        for section, start in zip(sections, starts, strict=True):
-            x1, y1, x2, y2 = (speed(_rounded(value, 4)) for value in section.ease)
+        for section in sections(stops, self.end - self.start, self.ease, TIME_DIGITS):
+            x1, y1, x2, y2 = (_speed(_rounded(value, 4), end) for value in section.ease)
             time = _rounded(self.start + section.times[0], TIME_DIGITS)
-            keys.append({"t": time, "s": [start], "o": {"x": x1, "y": y1}, "i": {"x": x2, "y": y2}})
-        return {"a": 1, "k": [*keys, {"t": self.end, "s": [end]}]}
+            keys.append(
+                {"t": time, "s": _listed(section.start), "o": {"x": x1, "y": y1}, "i": {"x": x2, "y": y2}}
+            )
+        return {"a": 1, "k": [*keys, {"t": self.end, "s": _listed(end)}]}
+
+
+def _listed(value: Any) -> list[Any]:
+    return value if isinstance(value, list) else [value]
+
+
+def _speed(number: float, value: Any) -> Any:
+    """Return a number of easing in the form that a value takes: of paths it is no list."""
+    return number if isinstance(value, dict) else [number]
 
 
 def _constant(values: dict[str, Any]) -> dict[str, Any]:
@@ -159,9 +163,8 @@ def _group(shape: MovedShape, keys: _Keyframes) -> dict[str, Any]:
     ellipse = _ellipse(shape)
     if ellipse is not None:
         shape = shape.mapped(ellipse.path)
-    sections = shape.sections(keys.end - keys.start, keys.ease, TIME_DIGITS)
     items: list[dict[str, Any]] = [
-        {"ty": "sh", "nm": f"contour-{k + 1}", "ks": keys.path(sections, k)}
+        {"ty": "sh", "nm": f"contour-{k + 1}", "ks": keys.path(shape, k)}
         for k in range(len(shape.start.paths))
     ]
     if shape.trims:
@@ -172,11 +175,11 @@ def _group(shape: MovedShape, keys: _Keyframes) -> dict[str, Any]:
         kind, shade = _paint(shape, "stroke", keys)
         stroke = {
             **shade,
-            "w": keys.value(*(_rounded(style.stroke_width, keys.decimals) for style in (s, e))),
+            "w": keys.value(shape, lambda style: _rounded(style.stroke_width, keys.decimals)),
             "lc": LINE_CAPS[s.stroke_linecap],
             "lj": LINE_JOINS[s.stroke_linejoin],
             "ml": _rounded(s.stroke_miterlimit, 4),
-            **_dashes(s, e, keys),
+            **_dashes(shape, keys),
         }
         items.append({"ty": kind, "nm": "stroke", **stroke})
     for coat in _coats(shape):
@@ -190,20 +193,20 @@ def _group(shape: MovedShape, keys: _Keyframes) -> dict[str, Any]:
     return {"ty": "gr", "nm": "paths", "it": [*items, {"ty": "tr", **still}]}
 
 
-def _dashes(start: Style, end: Style, keys: _Keyframes) -> dict[str, Any]:
+def _dashes(shape: MovedShape, keys: _Keyframes) -> dict[str, Any]:
     """Return the property for dashes and gaps in turn, if there are any."""
+    start, end = shape.start.style, shape.end.style
     if not start.stroke_dasharray or _loses_dashes(start, end):
         return {}
-    every = [
-        ("dg"[k % 2], *lengths)
-        for k, lengths in enumerate(zip(start.stroke_dasharray, end.stroke_dasharray, strict=True))
-    ]
-    every.append(("o", start.stroke_dashoffset, end.stroke_dashoffset))
+
+    def length(k: int) -> Callable[[Style], float]:
+        return lambda style: _rounded((*style.stroke_dasharray, style.stroke_dashoffset)[k], keys.decimals)
+
+    kinds = [*("dg"[k % 2] for k in range(len(start.stroke_dasharray))), "o"]
+    # Players need names of their own.
     return {
         "d": [
-            # Players need names of their own.
-            {"n": kind, "nm": f"{kind}{k}", "v": keys.value(*(_rounded(v, keys.decimals) for v in values))}
-            for k, (kind, *values) in enumerate(every)
+            {"n": kind, "nm": f"{kind}{k}", "v": keys.value(shape, length(k))} for k, kind in enumerate(kinds)
         ]
     }
 
@@ -234,33 +237,34 @@ def _paint(shape: MovedShape, name: str, keys: _Keyframes) -> tuple[str, dict[st
     gradients = _gradients(shape, name)
     opacity = {"o": keys.opacity(shape, name)}
     if gradients:
-        return {"fill": "gf", "stroke": "gs"}[name], _shade(*gradients, keys) | opacity
-    colours = (_colour(getattr(side.style, name)) for side in (shape.start, shape.end))
-    return {"fill": "fl", "stroke": "st"}[name], {"c": keys.value(*colours)} | opacity
+        return {"fill": "gf", "stroke": "gs"}[name], _shade(shape, gradients, keys) | opacity
+    colour = keys.value(shape, lambda style: _colour(getattr(style, name)))
+    return {"fill": "fl", "stroke": "st"}[name], {"c": colour} | opacity
 
 
 def _shows_gradients(shape: MovedShape, paint: str) -> bool:
     return all(_gradients(coat, paint) for coat in _coats(shape))
 
 
-def _gradients(shape: MovedShape, paint: str) -> tuple[Gradient, Gradient] | None:
-    """Return the gradients of a paint at both ends if Lottie has such, ellipses as circles in their own coordinates."""
+def _gradients(shape: MovedShape, paint: str) -> list[Gradient]:
+    """Return the gradients of a paint if Lottie has such, ellipses as circles in their own coordinates."""
     from shapeblend_cli.model import RadialGradient
 
-    start, end = (getattr(side.style, f"{paint}_gradient") for side in (shape.start, shape.end))
-    if start is None or end is None or type(start) is not type(end) or len(start.stops) != len(end.stops):
-        return None
-    if start.spread != "pad" or end.spread != "pad":
-        return None
-    if not isinstance(start, RadialGradient):
-        return start, end
-    if start.focal_radius or end.focal_radius:
-        return None
+    found: list[Gradient] = [getattr(style, f"{paint}_gradient") for _, style in shape.styles]
+    if None in found or len({(type(one), len(one.stops)) for one in found}) > 1:
+        return []
+    if any(one.spread != "pad" for one in found):
+        return []
+    if not isinstance(found[0], RadialGradient):
+        return found
+    if any(one.focal_radius for one in found if isinstance(one, RadialGradient)):
+        return []
     ellipse = _ellipse(shape) if paint == "fill" else None
+    radial = [one for one in found if isinstance(one, RadialGradient)]
     if ellipse is not None:
-        start, end = ellipse.gradient(start), ellipse.gradient(end)
-    is_round = all(math.isclose(*gradient.radii, rel_tol=SAME) for gradient in (start, end))
-    return (start, end) if is_round else None
+        radial = [ellipse.gradient(one) for one in radial]
+    is_round = all(math.isclose(*one.radii, rel_tol=SAME) for one in radial)
+    return [*radial] if is_round else []
 
 
 class _Ellipse(NamedTuple):
@@ -291,7 +295,7 @@ def _ellipse(shape: MovedShape) -> _Ellipse | None:
     from shapeblend_cli.model import RadialGradient
 
     ellipses = set()
-    for style in (shape.start.style, shape.end.style):
+    for _, style in shape.styles:
         fill = style.fill_gradient
         if not isinstance(fill, RadialGradient) or style.stroke is not None:
             return None
@@ -303,12 +307,12 @@ def _ellipse(shape: MovedShape) -> _Ellipse | None:
     return None if is_round or others else first
 
 
-def _shade(start: Gradient, end: Gradient, keys: _Keyframes) -> dict[str, Any]:
+def _shade(shape: MovedShape, gradients: Sequence[Gradient], keys: _Keyframes) -> dict[str, Any]:
     """Return the properties of a gradient: its kind, its line or radius, its highlight and its stops."""
     from shapeblend_cli.model import LinearGradient
 
     lines, highlights = [], []
-    for gradient in (start, end):
+    for gradient in gradients:
         if isinstance(gradient, LinearGradient):
             lines.append((gradient.start, gradient.end))
             highlights.append((0.0, 0.0))
@@ -320,15 +324,19 @@ def _shade(start: Gradient, end: Gradient, keys: _Keyframes) -> dict[str, Any]:
         [[_rounded(z.real, keys.decimals), _rounded(z.imag, keys.decimals)] for z in line] for line in lines
     ]
     spots = [[_rounded(value, 2) for value in highlight] for highlight in highlights]
-    with_alpha = any(stop.opacity < 1.0 for gradient in (start, end) for stop in gradient.stops)
-    stops = [_stops(gradient.stops, with_alpha) for gradient in (start, end)]
+    with_alpha = any(stop.opacity < 1.0 for gradient in gradients for stop in gradient.stops)
+    stops = [_stops(gradient.stops, with_alpha) for gradient in gradients]
+
+    def changing(values: Sequence[Any]) -> dict[str, Any]:
+        return keys.property([(t, value) for (t, _), value in zip(shape.styles, values, strict=True)])
+
     return {
-        "t": 1 if isinstance(start, LinearGradient) else 2,
-        "s": keys.value(points[0][0], points[1][0]),
-        "e": keys.value(points[0][1], points[1][1]),
-        "h": keys.value(spots[0][0], spots[1][0]),
-        "a": keys.value(spots[0][1], spots[1][1]),
-        "g": {"p": len(start.stops), "k": keys.value(*stops)},
+        "t": 1 if isinstance(gradients[0], LinearGradient) else 2,
+        "s": changing([start for start, _ in points]),
+        "e": changing([end for _, end in points]),
+        "h": changing([away for away, _ in spots]),
+        "a": changing([angle for _, angle in spots]),
+        "g": {"p": len(gradients[0].stops), "k": changing(stops)},
     }
 
 
@@ -382,7 +390,7 @@ def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Return the animation."""
     from shapeblend_cli.outputs.move import clips_left_out, moves_of
 
-    moves = moves_of(pairs, trims=True)
+    moves = moves_of(spec.eased(pairs), trims=True)
     text = lottie(moves, spec.timing, spec.decimals(pairs))
     notes = []
     for move in moves:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
+import numpy as np
+
 from shapeblend_cli.frames.frames import fading_styles, shapes_at
 from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import Box, CubicPath, PaintedShape, Pair, ShapeBlend, Style, Waypoint
@@ -45,14 +47,12 @@ class MovedShape(NamedTuple):
     trims: tuple[
         tuple[float, tuple[float, float]], ...
     ] = ()  # the part of the path that is seen at times, as shares
+    is_paced: bool = False  # whether all of its paint is as `fading` has it, not its opacities alone
 
-    def sections(self, length: float, ease: Ease, decimals: int) -> list[Section[tuple[CubicPath, ...]]]:
-        """Return the sections of a motion from waypoint to waypoint, given the length in time and the easing of all.
-
-        Times are rounded to decimals; a waypoint at the time of another one, or of an end, is left out.
-        """
-        inner = [(waypoint.t, waypoint.paths) for waypoint in self.waypoints]
-        return _sections([(0.0, self.start.paths), *inner, (1.0, self.end.paths)], length, ease, decimals)
+    @property
+    def styles(self) -> list[tuple[float, Style]]:
+        """The styles at times between which paint changes evenly, without its opacities."""
+        return [(0.0, self.start.style), *(self.fading if self.is_paced else ()), (1.0, self.end.style)]
 
     def mapped(self, change: Callable[[CubicPath], CubicPath]) -> MovedShape:
         """Return the shape with its paths changed, all in the same linear way."""
@@ -61,16 +61,6 @@ class MovedShape(NamedTuple):
             end=self.end._replace(paths=tuple(map(change, self.end.paths))),
             waypoints=tuple(Waypoint(t, tuple(map(change, paths))) for t, paths in self.waypoints),
         )
-
-    def opacities(self, paint: str, length: float, ease: Ease, decimals: int) -> list[Section[float]]:
-        """Return the sections in which the opacity of a paint changes evenly; see `sections`."""
-        styles = [(0.0, self.start.style), *self.fading, (1.0, self.end.style)]
-        values = [(t, float(getattr(style, f"{paint}_opacity"))) for t, style in styles]
-        return _sections(values, length, ease, decimals)
-
-    def trimmed(self, side: int, length: float, ease: Ease, decimals: int) -> list[Section[float]]:
-        """Return the sections in which an end of the part that is seen, 0 or 1, moves evenly; see `sections`."""
-        return _sections([(t, part[side]) for t, part in self.trims], length, ease, decimals)
 
 
 class Move(NamedTuple):
@@ -117,8 +107,11 @@ class Move(NamedTuple):
         ]
 
 
-def _sections(stops: Sequence[tuple[float, T]], length: float, ease: Ease, decimals: int) -> list[Section[T]]:
-    """Return the sections from stop to stop; one at the time of another is left out, but for the ends."""
+def sections(stops: Sequence[tuple[float, T]], length: float, ease: Ease, decimals: int) -> list[Section[T]]:
+    """Return the sections from stop to stop, given the length in time and the easing of all.
+
+    Times are rounded to decimals; a stop at the time of another one, or of an end, is left out.
+    """
     timed = [(0.0, 0.0, stops[0][1])]
     for t, value in stops[1:-1]:
         time = round(length * ease.time_of(t), decimals)
@@ -145,8 +138,11 @@ def moves_of(pairs: Sequence[Pair], *, trims: bool = False) -> list[Move]:
             for number, shape in enumerate(pair.shapes, 1)
         ]
         moved = [moved_shape(name, *shape) for name, shape in zip(names, shapes, strict=True)]
-        more = zip(moved, map(fading_styles, pair.shapes), trimmed, strict=True)
-        shown = [shape._replace(fading=styles, trims=parts) for shape, styles, parts in more]
+        more = zip(moved, pair.shapes, trimmed, strict=True)
+        shown = [
+            shape._replace(fading=fading_styles(blend), trims=parts, is_paced=bool(blend.pace))
+            for shape, blend, parts in more
+        ]
         moves.append(Move(tuple(shown), pair.views))
     return moves
 
@@ -155,9 +151,16 @@ def _trims(shape: ShapeBlend) -> tuple[tuple[float, tuple[float, float]], ...]:
     """Return which part of a shape's path is seen, at all times between which it changes evenly."""
     if shape.trim is None:
         return ()
-    parts = [(shape.time_of(t), part) for t, part in shape.trim.parts]
-    inner = [(t, part) for t, part in parts if 0.0 < t < 1.0]
-    return ((0.0, parts[0][1]), *inner, (1.0, parts[-1][1]))
+    times, parts = zip(*shape.trim.parts, strict=True)
+    if shape.pace:
+        sides = list(zip(*parts, strict=True))
+        shown = [(t, min(max(shape.own_time(t), 0.0), 1.0)) for t in (0.0, *shape.times_of(times), 1.0)]
+        return tuple(
+            (t, (float(np.interp(own, times, sides[0])), float(np.interp(own, times, sides[1]))))
+            for t, own in shown
+        )
+    inner = [(t, part) for t, part in zip(map(shape.time_of, times), parts, strict=True) if 0.0 < t < 1.0]
+    return ((0.0, parts[0]), *inner, (1.0, parts[-1]))
 
 
 def _whole(shape: ShapeBlend) -> ShapeBlend:

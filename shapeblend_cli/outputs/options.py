@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from shapeblend_cli.errors import OptionError
-from shapeblend_cli.options.easing import Timing
+from shapeblend_cli.options.easing import LINEAR, Ease, Timing
 from shapeblend_cli.options.fields import Record, option
 from shapeblend_cli.options.settings import ANIMATIONS, IN_BETWEENS, OUTPUT, PICTURES, Settings
 from shapeblend_cli.options.triggers import Trigger
@@ -190,7 +190,8 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
         # CSS transitions go straight from value to value.
         is_transition = options.animate == "css" and not options.trigger.is_load
         settings = Settings.of({**settings.given, "motion": "linear" if is_transition else format.motion})
-    timing = Timing(options.duration, settings.ease, options.repeat, options.hold)
+    ease = settings.common_ease if isinstance(settings.common_ease, Ease) else LINEAR
+    timing = Timing(options.duration, ease, options.repeat, options.hold)
     shared: dict[str, Any] = {name: getattr(options, name) or defaults.get(name) for name in SHARED}
     spec = OutputSpec(
         format,

@@ -29,7 +29,8 @@ def svg_pair(move: Move, decimals: int) -> list[str]:
 
     drawings = [document.empty(view, decimals) for view in move.views]
     gradients = [Gradients(decimals) for _ in drawings]
-    for name, *shapes, _, _, _ in move.shapes:
+    for moved in move.shapes:
+        name, shapes = moved.name, (moved.start, moved.end)
         sides = [defined.attributes(shape.style) for defined, shape in zip(gradients, shapes, strict=True)]
         for drawing, shape, side in zip(drawings, shapes, sides, strict=True):
             paint = paint_attributes(shape.style, decimals) | side

@@ -17,6 +17,9 @@ MOST_DASHES = 64
 """Maximum number of entries to which two lists of dashes are repeated."""
 
 
+INSTANT = 1e-4
+"""Share of the time from key to key in which a value changes at once."""
+
 NO_PAINT = Paint(None, 1.0)
 
 
@@ -61,7 +64,7 @@ def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
 
 def shape_styles(shape: ShapeBlend, t: float) -> tuple[Style, Style | None]:
     """Return the paint of a shape at time t, as `blend_styles` does, with its fade."""
-    t = shape.own_time(t)
+    t = min(max(shape.own_time(t), 0.0), 1.0)
     above, below = blend_styles(shape.style_a, shape.style_b, t)
     if shape.fade is None:
         return above, below
@@ -72,10 +75,24 @@ def shape_styles(shape: ShapeBlend, t: float) -> tuple[Style, Style | None]:
 def faded_coats(shape: ShapeBlend) -> tuple[tuple[float, ...], list[list[Style]]]:
     """Return the times of a fade, in the shape's own time, and for every coat of paint its styles at 0, then and at 1.
 
+    The times of a shape with a pace are those of the blend.
+
     A browser can interpolate from each style to the next. The lowest coat comes first.
     """
     times = shape.fade.times if shape.fade is not None else ()
+    if shape.pace:
+        times = paint_times(shape, times)
+        return times, _coats([shape_styles(shape, t) for t in (0.0, *times, 1.0)])
     return times, _coats([shape_styles(shape, shape.time_of(t)) for t in (0.0, *times, 1.0)])
+
+
+def paint_times(shape: ShapeBlend, changes: Sequence[float]) -> tuple[float, ...]:
+    """Return the times between which paint changes evenly, given those of its changes in the shape's own time."""
+    if shape.pace:
+        # What has nothing in between changes at half time.
+        jumps = (0.5 - INSTANT, 0.5 + INSTANT) if shape.style_a != shape.style_b else ()
+        changes = (0.0, *changes, *jumps, 1.0)
+    return tuple(shape.times_of(changes))
 
 
 def _coats(samples: Sequence[tuple[Style, Style | None]]) -> list[list[Style]]:

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.job.job import RECORDS
-from shapeblend_cli.options.easing import Ease
+from shapeblend_cli.options.easing import Easing
 from shapeblend_cli.options.fields import Option
 from shapeblend_cli.options.types import FLAG
 
@@ -131,7 +131,7 @@ def typed(value: Any) -> str:
     """Return a value as it is typed on the command line."""
     if isinstance(value, complex):
         return f"{value.real!r},{value.imag!r}"
-    if not isinstance(value, tuple) or isinstance(value, Ease):
+    if not isinstance(value, tuple) or isinstance(value, Easing):
         return str(value)
     parts = [typed(part) for part in value]
     if isinstance(value[0], complex):  # points of A and of B, or a region of A

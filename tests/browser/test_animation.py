@@ -17,6 +17,7 @@ from shapeblend_cli.model import Box
 from shapeblend_cli.options.easing import PINGPONG, Ease, Timing
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pipeline import match_all
+from shapeblend_cli.svg.writing.animation import Views
 from shapeblend_cli.svg.writing.css import css_svg
 from shapeblend_cli.svg.writing.document import frame_svg
 from shapeblend_cli.svg.writing.smil import smil_svg
@@ -182,6 +183,20 @@ def test_animations_show_what_the_frames_show(here, assert_shown, method):
     assert_shown(rows)
 
 
+@pytest.mark.parametrize("method", ["smil", "css"])
+@pytest.mark.parametrize("ease", ["back-in-out", "spring(1,100,8)", "linear(0, 0.8 30%, 0.4, 1)"])
+def test_easing_beyond_the_drawings_is_that_of_the_frames(here, assert_shown, method, ease):
+    rows = []
+    for name, (paths, options) in (CASES | (GRADIENTS if method == "smil" else {})).items():
+        asked = [*(option for option in options if not option.startswith("ease")), "--ease", ease]
+        asked = [option for k, option in enumerate(asked) if option != "--ease" or k == len(asked) - 2]
+        names, frames = blended(here, paths, asked)
+        moving = animated(*names, "--animate", method, *asked)
+        most = 0.015 if name == "colours" or name in GRADIENTS else 0.006
+        rows += [(moving, 0.5 * k, frames[k], most) for k in range(1, len(frames) - 1) if k % 4]
+    assert_shown(rows)
+
+
 def test_pingpong_comes_back_the_way_it_went(here, draw):
     names, frames = blended(here, *CASES["one path through four"])
     options = ["--repeat", "pingpong", "--ease", "ease-in"]
@@ -229,7 +244,7 @@ def test_what_moves_on_curved_paths_is_shown_there(assert_shown, method):
         moved = [rotated(pair) if k % 2 == 0 else pair for k, pair in enumerate(straight)]
         views = [moved[0].views[0], *(pair.views[1] for pair in moved)]
         if method == "smil":
-            moving = smil_svg(keyframed_shapes(moved), views, timing, 3)
+            moving = smil_svg(keyframed_shapes(moved), Views(views), timing, 3)
         else:
             moving = css_svg(keyframed_shapes(moved), Box.union(views), timing, 3)
         for k, pair in enumerate(moved):

@@ -33,10 +33,21 @@ SECONDS = 2
 SMOOTH = [name for name in BLENDS if name != "lines"]
 
 
-def frames_of(blend):
+def frames_of(blend, ease="linear"):
     """The frames of a blend at `TIMES`, all with the viewBox of A."""
     write_blend(blend)
-    options = ["-n", str(len(TIMES) - 2), "--ends", "-o", "frames", "--motion", "linear", "-q"]
+    options = [
+        "-n",
+        str(len(TIMES) - 2),
+        "--ends",
+        "-o",
+        "frames",
+        "--motion",
+        "linear",
+        "-q",
+        "--ease",
+        ease,
+    ]
     assert run([*AB, *options, *OPTIONS[blend]]) == 0
     viewbox = re.search(r'viewBox="[^"]*"', BLENDS[blend][0]).group()
     files = [Path(f"frames/frame-{k + 1}.svg") for k in range(len(TIMES))]
@@ -86,11 +97,12 @@ def played(two_rows):
     return draw
 
 
+@pytest.mark.parametrize("ease", ["linear", "back-in-out", "spring(1,100,8)"])
 @pytest.mark.parametrize("blend", SMOOTH)
-def test_lottie_web_plays_the_frames(here, played, blend):
-    text = emitted(blend, "lottie", "blend.json", "--motion", "linear", "-q")
-    pictures = played(text, frames_of(blend), TIMES)
-    assert_shown(pictures)
+def test_lottie_web_plays_the_frames(here, played, blend, ease):
+    text = emitted(blend, "lottie", "blend.json", "--motion", "linear", "-q", "--ease", ease)
+    pictures = played(text, frames_of(blend, ease), TIMES)
+    assert_shown(pictures, 2e-3 if ease == "linear" else 6e-3)
     assert difference(pictures[0][0], pictures[-1][0]) > 0.02
 
 

@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.options.easing import LINEAR, NAMES, PINGPONG, Ease, Timing, frame_times, parse
+from shapeblend_cli.options.easing import LINEAR, NAMES, PINGPONG, TOLERANCE, Ease, Timing, frame_times, parse
 from shapeblend_cli.options.settings import Settings
 
 shares = st.floats(0.0, 1.0)
@@ -47,12 +47,19 @@ def test_time_of_a_progress():
 
 
 FORMLESS = ["", "easy", "0,0,1,1"]
-FORMLESS += [f"cubic-bezier({text}" for text in ("1,2,3)", "0,0,1,1", "nan,0,1,1)", "a,0,1,1)")]
+FORMLESS += [
+    f"cubic-bezier({text}"
+    for text in ("1,2,3)", "0,0,1,1", "nan,0,1,1)", "a,0,1,1)", "2,0,0,1)", "0,99,0,1)")
+]
+FORMLESS += [f"spring({text}" for text in ("1,100)", "1,100,0)", "nan,1,1)", "1,1e5,0.01)", "1,100,10")]
+FORMLESS += [
+    f"linear({text}" for text in ("0)", "0.1,1)", "0,0.9)", "0,nan,1)", "0,9,1)", "0,1 50%)", "0,1%,1)", ")")
+]
 
 
-@pytest.mark.parametrize("text", [*FORMLESS, "cubic-bezier(0.7,-0.6,0.3,1.6)"])  # the last one overshoots
+@pytest.mark.parametrize("text", FORMLESS)
 def test_what_is_no_easing(text):
-    with pytest.raises(ValueError, match=r"ease must be linear, ease, .*between 0 and 1, not"):
+    with pytest.raises(ValueError, match=r"ease must be linear, ease, .*spring.*, not"):
         Settings(ease=text)
 
 
@@ -76,3 +83,46 @@ def test_rests_are_between_reaching_a_drawing_and_leaving_it():
 def test_without_rests_places_are_times(pairs, place):
     assert Timing().when(place) == place
     assert (Timing().length(pairs), Timing(repeat=PINGPONG).length(pairs)) == (pairs, 2 * pairs)
+
+
+CURVED = {
+    "back": (0.0, 1.1),
+    "back-in": (-0.1, 1.0),
+    "elastic-in-out": (-0.19, 1.19),
+    "spring(1,100,30)": (0.0, 1.0),
+}
+CURVED |= {
+    "cubic-bezier(0.3,-0.6,0.3,1.6)": (-0.1, 1.1),
+    "linear(0, -0.3 20%, 1.25 70% 80%, 1)": (-0.3, 1.25),
+}
+
+
+@pytest.mark.parametrize("text", CURVED)
+def test_easing_beyond_the_drawings_begins_and_ends_at_them(text):
+    ease = parse(text)
+    shares = [ease.at(time) for time in np.linspace(0.0, 1.0, 501)]
+    assert (ease.at(0.0), ease.at(1.0)) == (0.0, 1.0)
+    assert (min(shares), max(shares)) == pytest.approx(CURVED[text], abs=0.01)
+    assert ease.at(ease.time_of(0.5)) == pytest.approx(0.5)
+    assert ease.mirrored().at(0.3) == pytest.approx(1.0 - ease.at(0.7))
+    assert parse(str(ease)) == ease
+    # What CSS is told are the same lines.
+    for time in (0.1, 0.5, 0.9):
+        assert parse(ease.css()).at(time) == pytest.approx(ease.at(time), abs=1e-3)
+
+
+def test_a_spring_settles_as_its_equation_says():
+    mass, stiffness, damping = 1.0, 100.0, 10.0
+    ease, place, speed = parse(f"spring({mass},{stiffness},{damping})"), 0.0, 0.0
+    length, steps = np.log(1000.0) / (damping / (2.0 * mass)), 200_000
+    for k in range(steps):
+        if k % 20_000 == 0:
+            assert ease.at(k / steps) == pytest.approx(place, abs=4e-3)
+        speed += (stiffness * (1.0 - place) - damping * speed) / mass * (length / steps)
+        place += speed * (length / steps)
+
+
+@pytest.mark.parametrize(("text", "formula"), [("back-in", lambda t: t**3 * 2.70158 - t**2 * 1.70158)])
+def test_lines_are_as_near_as_the_tolerance(text, formula):
+    ease = parse(text)
+    assert max(abs(ease.at(t) - formula(t)) for t in np.linspace(0.0, 1.0, 997)) < TOLERANCE * 1.01

@@ -214,3 +214,14 @@ def test_the_miter_limit_is_the_drawings_and_a_note_says_that_there_are_no_dashe
     assert run(["a.svg", "b.svg", "--emit", "avd"]) == 0
     assert 'android:strokeMiterLimit="9"' in Path("blend.xml").read_text(encoding="utf-8")
     assert "shape-1: Android draws no dashes; its stroke is solid" in capsys.readouterr().err
+
+
+def test_easing_beyond_the_drawings_is_a_sequence_of_steps_that_go_there(here):
+    write(a=svg("M4 4H12V20H4Z"), b=svg("M4 4H14V20H4Z"))
+    assert run(["a.svg", "b.svg", "-o", "x.xml", "--ease", "back", "--duration", "1", "-q"]) == 0
+    root = ElementTree.fromstring(Path("x.xml").read_text("utf-8"))
+    steps = [animator for _, animator in animators(root) if animator["propertyName"] == "pathData"]
+    widest = [max(map(float, NUMBER.findall(step["valueTo"])[::2])) for step in steps]
+    assert sum(int(step["duration"]) for step in steps) == pytest.approx(1000, abs=len(steps))
+    assert (max(widest), widest[-1]) == (pytest.approx(14.2, abs=0.02), 14.0)
+    assert all(one["valueTo"] == two["valueFrom"] for one, two in pairwise(steps))

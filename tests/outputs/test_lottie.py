@@ -13,7 +13,7 @@ from shapeblend_cli.cli import run
 from shapeblend_cli.model import Box, LinearGradient, PaintedShape, RadialGradient, Stop, Style
 from shapeblend_cli.options.easing import LINEAR, Ease, Timing
 from shapeblend_cli.outputs.lottie import lottie
-from shapeblend_cli.outputs.move import Move, moved_shape
+from shapeblend_cli.outputs.move import Move, moved_shape, sections
 from tests.outputs.blends import each_blend, emitted
 from tests.support.commands import names, write
 from tests.support.contours import circle_contour, polygon_contour
@@ -242,20 +242,25 @@ def test_paths_have_keyframes_at_their_waypoints(ease):
 def test_sections_between_waypoints_have_their_share_of_the_ease_and_none_is_without_time():
     move, _ = rotated_move(LEAF, BAR)
     (shape,) = move.shapes
-    sections = shape.sections(100.0, EASE, 3)
-    assert len(sections) == len(shape.waypoints) + 1
+    stops = [
+        (0.0, shape.start.paths),
+        *((way.t, way.paths) for way in shape.waypoints),
+        (1.0, shape.end.paths),
+    ]
+    found = sections(stops, 100.0, EASE, 3)
+    assert len(found) == len(shape.waypoints) + 1
     progress = [0.0, *(way.t for way in shape.waypoints), 1.0]
-    for section, low, high in zip(sections, progress[:-1], progress[1:], strict=True):
+    for section, low, high in zip(found, progress[:-1], progress[1:], strict=True):
         begin, until = section.times
         for share in (0.2, 0.5, 0.9):
             whole = EASE.at((begin + share * (until - begin)) / 100.0)
             assert low + section.ease.at(share) * (high - low) == pytest.approx(whole, abs=1e-4)
-    for section, following in pairwise(sections):
+    for section, following in pairwise(found):
         assert section.end is following.start
         assert section.times[1] == following.times[0]
-    rounded = shape.sections(3.0, LINEAR, 0)
+    rounded = sections(stops, 3.0, LINEAR, 0)
     assert [section.times for section in rounded] == [(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)]
-    assert shape.sections(1.0, EASE, 0) == [(shape.start.paths, shape.end.paths, (0.0, 1.0), EASE)]
+    assert sections(stops, 1.0, EASE, 0) == [(shape.start.paths, shape.end.paths, (0.0, 1.0), EASE)]
 
 
 def test_a_sequence_has_the_layers_of_one_move_after_those_of_another(here, capfdbinary):

@@ -11,9 +11,10 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from shapeblend_cli.model import KeyframedShape
+from shapeblend_cli.model import Box, KeyframedShape, Style
 from shapeblend_cli.options.easing import LINEAR, Ease, Timing
 from shapeblend_cli.paint.oklab import colour_stops
+from shapeblend_cli.paint.styles import INSTANT
 from shapeblend_cli.svg.writing.paint import STROKE_LENGTHS, paint_attributes, without_defaults
 from shapeblend_cli.svg.writing.path_data import short_path_data
 
@@ -22,9 +23,6 @@ COLOURS = frozenset(("fill", "stroke", "stop_color"))
 OPACITIES = ("fill_opacity", "stroke_opacity")
 
 TIME_DIGITS = 5
-
-INSTANT = 1e-4
-"""Share of the time from key to key in which a value changes at once."""
 
 
 class Values(NamedTuple):
@@ -43,6 +41,18 @@ class Values(NamedTuple):
         return len({*self.keys, *(value for section in self.waypoints for _, value in section)}) == 1
 
 
+class Views(NamedTuple):
+    """Parts of the plane that are shown: at each key, or at `times`, counted in keys."""
+
+    boxes: Sequence[Box]
+    times: Sequence[float] = ()
+
+    @property
+    def pairs(self) -> int:
+        """Number of keys but one."""
+        return int(self.times[-1]) if self.times else len(self.boxes) - 1
+
+
 class Moment(NamedTuple):
     """A value, the time it is reached, counted in keys, and the easing from it to the next one."""
 
@@ -51,13 +61,24 @@ class Moment(NamedTuple):
     ease: Ease
 
 
-def values_between(name: str, keys: Sequence[str]) -> Values:
-    """Return the values of an attribute that is interpolated linearly from key to key, unless it is a colour."""
+def values_between(name: str, texts: Sequence[str], times: Sequence[float] = ()) -> Values:
+    """Return the values of an attribute that is interpolated linearly from value to value, unless it is a colour.
+
+    Without `times`, counted in keys, all values are at keys.
+    """
+    keys: list[str] = []
     waypoints: list[list[tuple[float, str]]] = []
-    for start, end in pairwise(keys):
+    for (begin, start), (until, end) in pairwise(zip(times or range(len(texts)), texts, strict=True)):
+        share = begin % 1.0
+        if share == 0.0:
+            keys.append(start)
+            waypoints.append([])
+        else:
+            waypoints[-1].append((share, start))
         stops = colour_stops(start, end) if name in COLOURS and start != end else [start, end]
-        waypoints.append([(n / (len(stops) - 1), stop) for n, stop in enumerate(stops)][1:-1])
-    return Values(keys, waypoints)
+        steps = [(share + (until - begin) * n / (len(stops) - 1), stop) for n, stop in enumerate(stops)]
+        waypoints[-1] += steps[1:-1]
+    return Values([*keys, texts[-1]], waypoints)
 
 
 def attribute_values(shape: KeyframedShape, decimals: int) -> dict[str, Values]:
@@ -68,20 +89,29 @@ def attribute_values(shape: KeyframedShape, decimals: int) -> dict[str, Values]:
     ]
     written = {name for key in keys for name in without_defaults(key)}
     values = {name: values_between(name, [key[name] for key in keys]) for name in keys[0] if name in written}
-    if "vector_effect" in values:
+    if "vector_effect" in values and not shape.is_paced:
         for name in STROKE_LENGTHS:
             if name in values:
                 values[name] = _switched(values[name], [key["vector_effect"] for key in keys])
     if any(shape.fading):
-        fading = [[(t, paint_attributes(style, decimals)) for t, style in each] for each in shape.fading]
-        for name in (name for name in OPACITIES if name in keys[0]):
-            between = [[(t, paint[name]) for t, paint in each] for each in fading]
-            values[name] = Values([key[name] for key in keys], between)
+        times, styles = fading_keys(shape)
+        paints = [paint_attributes(style, decimals) for style in styles]
+        for name in values.keys() - {"d"} if shape.is_paced else OPACITIES:
+            if name in paints[0]:
+                values[name] = values_between(name, [paint[name] for paint in paints], times)
     if shape.spans:
         values = {name: delayed(value, shape.spans) for name, value in values.items()}
     waypoints = [[(w.t, short_path_data(w.paths, decimals)) for w in section] for section in shape.waypoints]
     values["d"] = values["d"]._replace(waypoints=waypoints)
     return values
+
+
+def fading_keys(shape: KeyframedShape) -> tuple[list[float], list[Style]]:
+    """Return the styles of a shape at its keys and while it fades, with their times, counted in keys."""
+    timed = [(float(k), key.style) for k, key in enumerate(shape.keys)]
+    timed += [(k + t, style) for k, each in enumerate(shape.fading) for t, style in each]
+    times, styles = zip(*sorted(timed, key=lambda one: one[0]), strict=True)
+    return list(times), list(styles)
 
 
 def _switched(values: Values, kinds: Sequence[str]) -> Values:

@@ -13,10 +13,10 @@ from typing import NamedTuple
 from xml.etree.ElementTree import Element, SubElement
 
 from shapeblend_cli.model import Box, Clip, KeyframedShape, Page, PaintedShape
-from shapeblend_cli.options.easing import Timing
+from shapeblend_cli.options.easing import Easing, Timing
 from shapeblend_cli.options.triggers import CLICK, HOVER, Trigger
 from shapeblend_cli.svg.writing import document
-from shapeblend_cli.svg.writing.animation import COLOURS, Values, attribute_values
+from shapeblend_cli.svg.writing.animation import COLOURS, Values, Views, attribute_values
 from shapeblend_cli.svg.writing.css import declaration
 from shapeblend_cli.svg.writing.paint import STROKE_LENGTHS, Gradients, visible_styles
 from shapeblend_cli.svg.writing.path_data import short_path_data
@@ -50,7 +50,7 @@ class Reaction(NamedTuple):
     """Moving shapes, the view of each drawing, the page, and the trigger."""
 
     shapes: Sequence[KeyframedShape]
-    views: Sequence[Box]
+    views: Views
     page: Page
     trigger: Trigger
 
@@ -61,7 +61,7 @@ class Reaction(NamedTuple):
 
     def empty(self, decimals: int) -> Element:
         """Return a drawing of it that draws nothing yet; it has a title."""
-        return document.empty_and_called(self.views[0], decimals, self.page)
+        return document.empty_and_called(self.views.boxes[0], decimals, self.page)
 
 
 def reacting_smil(reaction: Reaction, timing: Timing, decimals: int) -> str:
@@ -71,12 +71,13 @@ def reacting_smil(reaction: Reaction, timing: Timing, decimals: int) -> str:
     drawings, of which one or the other is seen.
     """
     drawing, trigger, name = reaction.empty(decimals), reaction.trigger, reaction.id
-    timeline = _ThereAndBack(len(reaction.views) - 1, timing, *_begins(trigger, name))
-    timeline.add_views(drawing, [document.box_text(view, decimals) for view in reaction.views])
+    timeline = _ThereAndBack(reaction.views.pairs, timing, *_begins(trigger, name))
+    timeline.turns_round = not reaction.views.times
+    timeline.add_views(drawing, reaction.views, decimals)
     document.put(drawing, {"role": "presentation"})  # what it is, is said of what is in it
     around = document.new("g", {"id": name, **_role(trigger, reaction.page.called)})
     drawing.append(around)
-    area = {**_area(Box.union(reaction.views), decimals), "fill": "none", "pointer-events": "all"}
+    area = {**_area(Box.union(reaction.views.boxes), decimals), "fill": "none", "pointer-events": "all"}
     around.append(document.new("rect", area))
     ids = document.ids_of(drawing, reaction.shapes)
     moving = document.new("g", {"class": f"{name}-moving"})
@@ -142,7 +143,7 @@ def _begins(trigger: Trigger, name: str) -> tuple[str, str]:
 
 def _add_still(group: Element, reaction: Reaction, end: int, gradients: Gradients) -> None:
     """Add the shapes as they are in the first drawing, or in the last."""
-    last = len(reaction.views) - 1
+    last = reaction.views.pairs
     for shape in reaction.shapes:
         is_there = shape.first == 0 if end == 0 else shape.first + len(shape.keys) - 1 == last
         painted: PaintedShape = shape.keys[end]
@@ -163,11 +164,12 @@ class _ThereAndBack(Timeline):
 
     def __init__(self, pairs: int, timing: Timing, forth: str, back: str) -> None:
         super().__init__(pairs, timing._replace(repeat=1))
+        self.turns_round = True
         self._begins = {"forth": forth, "back": back}
 
     def animate(self, element: Element | list[Element], name: str, values: Values) -> None:
         """Animate an attribute; between two keys colours go straight, so that they can turn round on the way."""
-        if name in COLOURS and len(values.keys) == 2:
+        if self.turns_round and name in COLOURS and len(values.keys) == 2:
             values = values._replace(waypoints=[()])
         super().animate(element, name, values)
 
@@ -211,7 +213,7 @@ def _reversed(extra: dict[str, str]) -> dict[str, str]:
     return changed
 
 
-def reacting_css(reaction: Reaction, timing: Timing, decimals: int) -> str:
+def reacting_css(reaction: Reaction, timing: Timing, ease: Easing, decimals: int) -> str:
     """Return an SVG document that goes from one drawing to another and back, by CSS transitions.
 
     They turn round wherever they are. A click is that on a check box, which keyboards reach too. With
@@ -232,7 +234,8 @@ def reacting_css(reaction: Reaction, timing: Timing, decimals: int) -> str:
         changing = [attribute for attribute, value in values.items() if not value.is_constant]
         if changing:
             there, back = (
-                _transitions(shape, changing, timing, is_back=is_back) for is_back in (False, True)
+                _transitions(shape, changing, timing.seconds, ease, is_back=is_back)
+                for is_back in (False, True)
             )
             at_rest = [declaration(attribute, start[attribute]) for attribute in changing]
             moved = [declaration(attribute, values[attribute].keys[-1]) for attribute in changing]
@@ -248,16 +251,18 @@ def reacting_css(reaction: Reaction, timing: Timing, decimals: int) -> str:
 
 def _check_box(reaction: Reaction, decimals: int) -> Element:
     """Return a check box over all of the drawing, which is not seen."""
-    holder = Element("foreignObject", _area(Box.union(reaction.views), decimals))
+    holder = Element("foreignObject", _area(Box.union(reaction.views.boxes), decimals))
     given = {"type": "checkbox", "role": "switch", "aria-label": reaction.page.called}
     style = "width:100%;height:100%;margin:0;opacity:0;cursor:pointer"
     SubElement(holder, "input", {"xmlns": XHTML, **given, "style": style})
     return holder
 
 
-def _transitions(shape: KeyframedShape, changing: Sequence[str], timing: Timing, *, is_back: bool) -> str:
+def _transitions(
+    shape: KeyframedShape, changing: Sequence[str], seconds: float, ease: Easing, *, is_back: bool
+) -> str:
     """Return the transitions of attributes, forth or back; attributes without values in between change half way."""
-    ease = timing.ease.mirrored() if is_back else timing.ease
+    ease = ease.mirrored() if is_back else ease
     fading = shape.fading[0] if shape.fading else ()
     parts = []
     for attribute in changing:
@@ -269,7 +274,7 @@ def _transitions(shape: KeyframedShape, changing: Sequence[str], timing: Timing,
             begin, until = ease.time_of(begin), ease.time_of(until)
         if attribute in DISCRETE or ("vector_effect" in changing and attribute in STROKE_LENGTHS):
             begin = until = ease.time_of(0.5)
-        length, delay = (number(timing.seconds * share, 4) for share in (until - begin, begin))
+        length, delay = (number(seconds * share, 4) for share in (until - begin, begin))
         wait = f" {delay}s" if begin else ""
         curve = ease.css() if until - begin == 1.0 else "linear"
         parts.append(f"{name} {length}s {curve}{wait}")

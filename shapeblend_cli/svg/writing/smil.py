@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from xml.etree.ElementTree import Element
 
-from shapeblend_cli.model import WHOLE, Box, Frame, Gradient, KeyframedShape, Page, RadialGradient
+from shapeblend_cli.model import WHOLE, Frame, Gradient, KeyframedShape, Page, RadialGradient
 from shapeblend_cli.options.easing import FOREVER, PINGPONG, Timing
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import (
     TIME_DIGITS,
     Moment,
     Values,
+    Views,
     attribute_values,
     delayed,
+    fading_keys,
     moments,
     resting,
     values_between,
@@ -35,15 +38,15 @@ DISCRETE = frozenset(("fill_rule", "stroke_linecap", "stroke_linejoin", "vector_
 
 def smil_svg(
     shapes: Sequence[KeyframedShape],
-    views: Sequence[Box],
+    views: Views,
     timing: Timing,
     decimals: int,
     page: Page | None = None,
 ) -> str:
-    """Return an SVG document in which paths, in paint order, are animated by SMIL; it shows one view a key."""
-    drawing = document.empty(views[0], decimals, page)
-    timeline = Timeline(len(views) - 1, timing)
-    timeline.add_views(drawing, [document.box_text(view, decimals) for view in views])
+    """Return an SVG document in which paths, in paint order, are animated by SMIL; it shows its views."""
+    drawing = document.empty(views.boxes[0], decimals, page)
+    timeline = Timeline(views.pairs, timing)
+    timeline.add_views(drawing, views, decimals)
     gradients = add_animated(document.Tree.of(drawing, shapes), shapes, timeline, decimals)
     return document.text(drawing, definitions=gradients)
 
@@ -67,11 +70,13 @@ def add_animated(
         extended = _extend(shape, drawings)
         attributes = attribute_values(extended, decimals)
         for paint in ("fill", "stroke"):
-            keys = [getattr(key.style, f"{paint}_gradient") for key in extended.keys]
-            if all(keys):
+            times, styles = fading_keys(extended if extended.is_paced else extended._replace(fading=()))
+            painted = [getattr(style, f"{paint}_gradient") for style in styles]
+            if all(painted):
                 name = tree.ids.new(f"gradient-{len(gradients) + 1}")
-                gradients.append(_animated_gradient(timeline, name, keys, extended.spans, decimals))
-                attributes[paint] = values_between(paint, [f"url(#{name})"] * len(keys))
+                animated = _animated_gradient(timeline, name, painted, (times, extended.spans), decimals)
+                gradients.append(animated)
+                attributes[paint] = values_between(paint, [f"url(#{name})"] * drawings)
         clipped = regions.attributes(shape.clips)
         path = document.new("path", {name: values.keys[0] for name, values in attributes.items()} | clipped)
         for name, values in attributes.items():
@@ -136,6 +141,7 @@ def _extend(shape: KeyframedShape, drawings: int) -> KeyframedShape:
         first=0,
         waypoints=((),) * before + shape.waypoints + ((),) * after,
         fading=((),) * before + shape.fading + ((),) * after if shape.fading else (),
+        is_paced=shape.is_paced,
         name=shape.name,
         groups=shape.groups,
         spans=(WHOLE,) * before + shape.spans + (WHOLE,) * after if shape.spans else (),
@@ -146,10 +152,14 @@ def _animated_gradient(
     timeline: Timeline,
     name: str,
     keys: Sequence[Gradient],
-    spans: Sequence[tuple[float, float]],
+    when: tuple[Sequence[float], Sequence[tuple[float, float]]],
     decimals: int,
 ) -> Element:
-    """Return a gradient that is animated together with the shape it paints."""
+    """Return a gradient that is animated together with the shape it paints, by its times and spans."""
+
+    def values(attribute: str, texts: Sequence[str]) -> Values:
+        return delayed(values_between(attribute, texts, when[0]), when[1])
+
     as_ellipse = any(isinstance(key, RadialGradient) and key.radii[0] != key.radii[1] for key in keys)
     written = [gradient_attributes(key, decimals, as_ellipse=as_ellipse) for key in keys]
     gradient = gradient_element(name, keys[0], *written[0])
@@ -163,17 +173,15 @@ def _animated_gradient(
             # Each is "translate(...) rotate(...) scale(...)".
             for step in zip(*(text.rstrip(")").split(") ") for text in texts), strict=True):
                 kinds, numbers = zip(*(function.split("(") for function in step), strict=True)
-                values = delayed(values_between(attribute, numbers), spans)
-                timeline.animate_transform(animations, kinds[0], values)
+                timeline.animate_transform(animations, kinds[0], values(attribute, numbers))
         else:
-            values = delayed(values_between(attribute, texts), spans)
-            timeline.animate(animations, attribute, values)
+            timeline.animate(animations, attribute, values(attribute, texts))
     gradient[:0] = animations
     for k, element in enumerate(stop_elements):
         for attribute in written[0][1][k]:
-            values = delayed(values_between(attribute, [s[k][attribute] for _, s in written]), spans)
-            if not values.is_constant:
-                timeline.animate(element, attribute, values)
+            changing = values(attribute, [s[k][attribute] for _, s in written])
+            if not changing.is_constant:
+                timeline.animate(element, attribute, changing)
     return gradient
 
 
@@ -186,15 +194,16 @@ class Timeline:
         self.backwards = timing.is_pingpong
         self.total = timing.length(pairs)  # in times of `timing.seconds`
 
-    def add_views(self, drawing: Element, boxes: Sequence[str]) -> None:
+    def add_views(self, drawing: Element, views: Views, decimals: int) -> None:
         """Let a drawing show one box after another."""
+        boxes = [document.box_text(view, decimals) for view in views.boxes]
         if len(set(boxes)) > 1:
-            self.animate(drawing, "viewBox", values_between("viewBox", boxes))
+            self.animate(drawing, "viewBox", values_between("viewBox", boxes, views.times))
 
     def animate(self, element: Element | list[Element], name: str, values: Values) -> None:
         """Animate an attribute of an element through all keys."""
         if name in DISCRETE or (name == "stroke_dasharray" and len({v.count(" ") for v in values.keys}) > 1):
-            self._switch(element, name, values.keys)
+            self._switch(element, name, values)
         else:
             self._add(element, "animate", {"attributeName": name.replace("_", "-")}, *self._timed(values))
 
@@ -234,14 +243,17 @@ class Timeline:
         given = {"attributeName": name.replace("_", "-")}
         self._add(element, "animate", given, list(kept.values()), extra)
 
-    def _switch(self, element: Element | list[Element], name: str, keys: Sequence[str]) -> None:
-        half = self.timing.ease.time_of(0.5)
-        switches = [self.timing.when(k + half) for k in range(self.pairs)]
-        states = {0.0: keys[0], **{t / self.total: key for t, key in zip(switches, keys[1:], strict=True)}}
+    def _switch(self, element: Element | list[Element], name: str, values: Values) -> None:
+        """Switch an attribute at half time from value to value."""
+        timed = [(0.0, values.keys[0])]
+        for k, (section, key) in enumerate(zip(values.waypoints, values.keys[1:], strict=True)):
+            for (start, before), (end, after) in pairwise([(0.0, timed[-1][1]), *section, (1.0, key)]):
+                if before != after:
+                    half = self.timing.ease.time_of(0.5 * (start + end))
+                    timed.append((self.timing.when(k + half), after))
+        states = {t / self.total: value for t, value in timed}
         if self.backwards:
-            states |= {
-                self._mirrored(t) / self.total: key for t, key in zip(switches, keys[:-1], strict=True)
-            }
+            states |= {self._mirrored(t) / self.total: before for (_, before), (t, _) in pairwise(timed)}
         self.steps(element, name, dict(sorted(states.items())))
 
     def _mirrored(self, time: float) -> float:

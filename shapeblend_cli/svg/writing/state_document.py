@@ -13,7 +13,7 @@ from typing import NamedTuple
 from xml.etree.ElementTree import Element
 
 from shapeblend_cli.model import Box, KeyframedShape, Page, Style
-from shapeblend_cli.options.easing import Ease
+from shapeblend_cli.options.easing import Easing
 from shapeblend_cli.paint.styles import keyed_styles
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.css import declaration
@@ -36,7 +36,7 @@ class States(NamedTuple):
     view: Box
     page: Page
     seconds: float
-    ease: Ease
+    ease: Easing
     decimals: int
 
     @property

@@ -10,6 +10,7 @@ from shapeblend_cli.model import Box
 from shapeblend_cli.options.easing import LINEAR, PINGPONG, Ease, Timing
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pipeline import match_all
+from shapeblend_cli.svg.writing.animation import Views
 from shapeblend_cli.svg.writing.css import css_svg
 from shapeblend_cli.svg.writing.smil import smil_svg
 from tests.support.drawings import BAR, LEAF, RING, drawing
@@ -26,7 +27,7 @@ def pairs_of(*paths, fills=("#333",) * 3):
 
 def smil(pairs, timing):
     views = [pairs[0].views[0], *(pair.views[1] for pair in pairs)]
-    return ElementTree.fromstring(smil_svg(keyframed_shapes(pairs), views, timing, 3))
+    return ElementTree.fromstring(smil_svg(keyframed_shapes(pairs), Views(views), timing, 3))
 
 
 def css(pairs, timing):
