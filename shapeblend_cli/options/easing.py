@@ -169,10 +169,12 @@ class Timing(NamedTuple):
     ease: Ease = LINEAR
     repeat: int | str = FOREVER  # how often it runs; or "pingpong": forwards and backwards forever
     hold: tuple[float, float] = (0.0, 0.0)  # seconds of rest at the first drawing, and at each of the others
+    delay: float = 0.0  # seconds before the first run
 
     def __repr__(self) -> str:
-        """Return the text of a value; without rests that of versions that had none."""
-        shown = self._asdict() if self.rests else dict(list(self._asdict().items())[:-1])
+        """Return the text of a value; without rests and a delay that of versions that had none."""
+        late = {name: self._field_defaults[name] for name in ("hold", "delay")}
+        shown = {name: value for name, value in self._asdict().items() if value != late.get(name)}
         return f"Timing({', '.join(f'{name}={value!r}' for name, value in shown.items())})"
 
     @property

@@ -114,6 +114,13 @@ class OutputOptions(Record, section=PICTURES):
         help="Seconds that an animation rests at each drawing; two numbers: at the first one, and at the others.",
         default_text="0",
     )
+    delay: float = option(
+        seconds(0.0, 3600.0),
+        default=0.0,
+        section=ANIMATIONS,
+        help="Seconds before an animation begins. Animated SVGs wait once; what repeats as a whole, such as Lottie, GIF"
+        " and video, waits before each run.",
+    )
     trigger: Trigger = option(
         TRIGGER,
         default=Trigger(),
@@ -178,8 +185,9 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
         raise OptionError(
             f"--stagger is for frames, animated SVGs, raster animations and videos, not for {asked}"
         )
-    if any(options.hold) and not (format.plays and options.trigger.is_load):
-        raise OptionError(f"--hold is for animations that start by themselves, not for {asked}")
+    for name, is_asked in {"hold": any(options.hold), "delay": options.delay > 0.0}.items():
+        if is_asked and not (format.plays and options.trigger.is_load):
+            raise OptionError(f"--{name} is for animations that start by themselves, not for {asked}")
     if settings.times and not format.takes_times:
         raise OptionError(f"--times is for a folder of frames, a contact sheet or layers, not for {asked}")
     if settings.mix:
@@ -191,7 +199,10 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
         is_transition = options.animate == "css" and not options.trigger.is_load
         settings = Settings.of({**settings.given, "motion": "linear" if is_transition else format.motion})
     ease = settings.common_ease if isinstance(settings.common_ease, Ease) else LINEAR
-    timing = Timing(options.duration, ease, options.repeat, options.hold)
+    hold, delay = options.hold, options.delay
+    if not format.takes_triggers:  # in other files, to wait is to rest
+        hold, delay = (hold[0] + delay, hold[1]), 0.0
+    timing = Timing(options.duration, ease, options.repeat, hold, delay)
     shared: dict[str, Any] = {name: getattr(options, name) or defaults.get(name) for name in SHARED}
     spec = OutputSpec(
         format,

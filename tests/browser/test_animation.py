@@ -236,6 +236,18 @@ def test_it_rests_at_each_drawing(here, draw, method, repeat):
         assert np.abs(moving - still).mean() < 0.005, time
 
 
+@pytest.mark.parametrize("method", ["smil", "css", "frames"])
+def test_it_waits_once_before_it_begins(here, draw, method):
+    write(a=svg(LEAF), b=svg(BAR))
+    asked = ["a.svg", "b.svg", "--duration", "1", "--animate", method, "-n", "4"]
+    at_once, later = animated(*asked), animated(*asked, "--delay", "1500ms")
+    times = [(0.2, 0.0), (1.4, 0.0), (2.05, 0.55), (3.25, 1.75)]
+    pixels = draw([cell for late, early in times for cell in ((later, late), (at_once, early))])
+    for shown, expected, time in zip(pixels[::2], pixels[1::2], times, strict=True):
+        assert np.abs(shown - expected).mean() < 0.001, time
+    assert np.abs(pixels[0] - pixels[4]).mean() > 0.01
+
+
 @pytest.mark.parametrize("method", ["smil", "css"])
 def test_what_moves_on_curved_paths_is_shown_there(assert_shown, method):
     rows = []

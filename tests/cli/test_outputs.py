@@ -136,6 +136,7 @@ def test_an_animation_by_pictures_a_second(here, name):
         ("c.svg -n 0 --duration 0.3", [200] * 3),
         ("--fps 50 --duration 0.04", [20] * 2),
         ("-n 1 --duration 0.3 --hold 0.5", [600, 100, 600]),
+        ("-n 1 --duration 0.3 --hold 0.2 --delay 0.3", [600, 100, 300]),
         ("-n 1 --repeat pingpong --duration 0.2 --hold 500ms,1s", [600, 100, 1100, 100]),
         ("c.svg -n 0 --duration 0.3 --hold 0,1", [200, 1200, 1200]),
     ],

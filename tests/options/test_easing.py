@@ -126,3 +126,11 @@ def test_a_spring_settles_as_its_equation_says():
 def test_lines_are_as_near_as_the_tolerance(text, formula):
     ease = parse(text)
     assert max(abs(ease.at(t) - formula(t)) for t in np.linspace(0.0, 1.0, 997)) < TOLERANCE * 1.01
+
+
+def test_without_rests_and_delay_the_text_of_timing_is_that_of_older_versions():
+    assert (
+        repr(Timing()) == "Timing(seconds=2.0, ease=Ease(x1=0.0, y1=0.0, x2=1.0, y2=1.0), repeat='forever')"
+    )
+    assert "hold" not in repr(Timing(delay=1.0))
+    assert repr(Timing(delay=1.0)).endswith("delay=1.0)")

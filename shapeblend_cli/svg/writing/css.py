@@ -93,7 +93,8 @@ class _Clock(NamedTuple):
         """How long it takes, and how often it runs."""
         endless: dict[int | str, str] = {FOREVER: "infinite", PINGPONG: "infinite alternate"}
         times = endless.get(self.timing.repeat, f"{self.timing.repeat} forwards")
-        return f"{number(self.timing.seconds * (self.end - self.begin), 4)}s {times}"
+        wait = f" {number(self.timing.delay, 4)}s" if self.timing.delay else ""
+        return f"{number(self.timing.seconds * (self.end - self.begin), 4)}s{wait} {times}"
 
     def share(self, time: float) -> float:
         """Return a time as a share of the run."""

@@ -292,6 +292,7 @@ class Timeline:
         is_endless = self.timing.repeat in (FOREVER, PINGPONG)
         run = {
             "dur": self.duration,
+            **({"begin": f"{number(self.timing.delay, 4)}s"} if self.timing.delay else {}),
             "repeatCount": "indefinite" if is_endless else str(self.timing.repeat),
             **({} if is_endless else {"fill": "freeze"}),
         }
