@@ -243,7 +243,7 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
     ease: Easing = option(
         types.EASE,
         default=LINEAR,
-        flags=("--ease", "--easing"),
+        flags=("--easing", "--ease"),
         section=ANIMATIONS,
         help="Easing of animations, and of the times of in-betweens: linear, ease, ease-in, ease-out, ease-in-out "
         "or cubic-bezier(x1,y1,x2,y2); beyond the drawings and back: back, elastic, both also with -in, -out or "

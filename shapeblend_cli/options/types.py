@@ -320,8 +320,8 @@ BAND = FieldType(
     lambda text: text if text == "none" else float(text),
 )
 EASE = FieldType(
-    f"{', '.join((*easing.NAMES, *easing.CURVES))}, cubic-bezier(x1,y1,x2,y2) with x1 and x2 between 0 and 1, "
-    "spring(mass,stiffness,damping) or linear(0,...,1) as in CSS, and at most three times the way beyond",
+    f"{', '.join(easing.NAMES)}, back, elastic, cubic-bezier(x1,y1,x2,y2) with x1 and x2 between 0 and 1, "
+    "spring(mass,stiffness,damping) or linear(0,...,1)",
     lambda value: value if isinstance(value, easing.Easing) else easing.parse(str(value)),
     "NAME",
 )
