@@ -37,7 +37,8 @@ class FieldText(click.ParamType):  # type: ignore[type-arg]  # generic only in n
         try:
             return self.kind.parse(value)
         except ValueError as error:
-            name = max(param.opts, key=len) if param else ""
+            # The last of several names is the one that documents have.
+            name = max(reversed(param.opts), key=lambda name: name.startswith("--")) if param else ""
             raise click.UsageError(f"{name} {error}", ctx) from None
 
     def shell_complete(
