@@ -23,7 +23,7 @@ HALVINGS = 60
 """Number of steps of the bisection for a parameter of the curve."""
 
 OVERSHOOT = 1.70158
-"""How far ``back`` goes beyond: by a tenth of the way, as in most libraries of easing."""
+"""Strength of ``back``: a tenth of the way beyond, as in most libraries of easing."""
 
 TOLERANCE = 3e-3
 """Maximum deviation of the lines of a `Curve` from the easing that was asked for, as a share of the way."""
