@@ -11,6 +11,7 @@ from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings,
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
+from shapeblend_cli.motion.early import changes_much, with_early_parts
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pairing.changes import crossed_out
 from shapeblend_cli.pens.drawings import MOST_LINES, pen_drawing
@@ -24,9 +25,16 @@ if TYPE_CHECKING:
     from shapeblend_cli.blending.matched import PairedDrawings, Progress
     from shapeblend_cli.model import Pair, Place, ShapeBlend
     from shapeblend_cli.options.settings import Settings
+    from shapeblend_cli.pens.line import PenDrawing
     from shapeblend_cli.pens.line_blends import LineBlend
 
     Shapes = tuple[ShapeBlend, ...]
+
+ALL = 0.9
+"""Minimum share of the ink of a drawing in its lines for it to be a sign, such as a check mark."""
+
+KEPT = 0.3
+"""Minimum share of lines that stay for what sticks out of the others to take all of the time to come or go."""
 
 MARGIN = 0.5
 """Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in grades."""
@@ -40,7 +48,8 @@ def blend_shapes(
     Drawings that are mostly drawn with a pen are blended by their lines, above the rest.
     """
     is_named = bool(settings.match or settings.pins or settings.stiff)
-    lines = _lines(a, b, settings, view) if is_named else None
+    pens = _pens(a, b, settings, view)
+    lines = _lines(a, b, pens, settings, view) if is_named else None
     rotation = 0.0
     if settings.motion != "linear" and lines is None:
         largest = [max(side.contours, key=lambda contour: contour.size) for side in (a, b)]
@@ -56,7 +65,7 @@ def blend_shapes(
         paired = pair_drawings(a, b, settings, 0.0, progress, crossed)
         return _moved(paired, *match_pairs(paired), view)
     if not is_named:
-        lines = _lines(a, b, settings, view)
+        lines = _lines(a, b, pens, settings, view)
     progress.clock.lap("match")
 
     def outlined(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> Shapes:
@@ -70,28 +79,49 @@ def blend_shapes(
         paired = pair_drawings(*with_outlines(a, b, settings, view), settings, 0.0, progress)
         return _moved(paired, *match_pairs(paired), view)
 
+    is_free = settings.motion == "auto" and not (settings.mix or settings.stagger)
+    is_sign = is_free and pens is not None and max(pen.share for pen in pens) >= ALL
+
+    def paced(shapes: Shapes, kept: float = 1.0) -> Shapes:
+        is_other = is_sign and (kept < KEPT or changes_much(shapes, view.larger_side))
+        return with_early_parts(shapes) if is_other else shapes
+
     if lines is None:
-        return outlined(a, b, settings)
+        return paced(outlined(a, b, settings))
     rest = [side._replace(contours=left) for side, left in zip((a, b), lines.rest, strict=True)]
     is_all = not any(side.contours for side in rest)
-    shapes = lines.shapes if is_all else (*outlined(rest[0], rest[1], lines.settings), *lines.shapes)
+    solid = () if is_all else paced(outlined(rest[0], rest[1], lines.settings), lines.kept)
+    shapes = (*solid, *lines.shapes)
     if lines.is_sure:
         return shapes
-    outlines = outlined(a, b, settings)
+    outlines = paced(outlined(a, b, settings))
     return outlines if grade_of_shapes(outlines, view) < grade_of_shapes(shapes, view) - MARGIN else shapes
 
 
-def _lines(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box) -> LineBlend | None:
-    """Return how the pen lines of two drawings become each other, if they are blended by these."""
+def _pens(
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box
+) -> tuple[PenDrawing, PenDrawing] | None:
+    """Return two drawings as pen lines, if they may be blended by these and there are any."""
     if not wants_lines(settings):
         return None
     scale = UNITS / view.larger_side
     pens = pen_drawing(a, scale, MOST_LINES), pen_drawing(b, scale, MOST_LINES)
-    if not any(pen.lines for pen in pens):
+    return pens if any(pen.lines for pen in pens) else None
+
+
+def _lines(
+    a: PlacedDrawing,
+    b: PlacedDrawing,
+    pens: tuple[PenDrawing, PenDrawing] | None,
+    settings: Settings,
+    view: Box,
+) -> LineBlend | None:
+    """Return how the pen lines of two drawings become each other, if they are blended by these."""
+    if pens is None:
         return None
     from shapeblend_cli.pens.line_blends import blend_lines  # many drawings have no lines
 
-    return blend_lines(a, b, pens, settings, scale)
+    return blend_lines(a, b, pens, settings, UNITS / view.larger_side)
 
 
 def with_lines_in_common(pairs: Sequence[Pair], a: PlacedDrawing) -> list[Pair] | None:

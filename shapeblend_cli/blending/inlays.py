@@ -228,8 +228,8 @@ def _cut_out(drawing: PlacedDrawing, scale: float) -> list[tuple[PlacedContour, 
         holes = [hole for hole in drawing.contours if hole.exterior == plate.number]
         lines: list[PenLine] | None = []
         for hole in holes:
-            own = recovered_lines([hole._replace(role=EXTERIOR, exterior=None)], scale)
-            if own is None or lines is None or any(line.closed or len(line.points) < 2 for line in own):
+            own, rests = recovered_lines([hole._replace(role=EXTERIOR, exterior=None)], scale) or ([], [])
+            if not own or rests or lines is None or any(line.closed or len(line.points) < 2 for line in own):
                 lines = None
                 break
             lines += [line._replace(points=line.points[needed(line.points, STRAIGHT)]) for line in own]

@@ -7,11 +7,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.anatomy.decompose import HOLE, PlacedDrawing, decompose
+from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE, PlacedDrawing, decompose
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.cubics import lines as straight_lines
+from shapeblend_cli.geometry.flatten import flatten
+from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.geometry.similarity import Similarity
-from shapeblend_cli.model import Box
+from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.pens.joints import joined
 from shapeblend_cli.pens.line import UNITS, PenDrawing, PenLine, length
 from shapeblend_cli.pens.recover import recover
@@ -40,6 +43,9 @@ TINT = 0.5
 
 MOST_LINES = 60
 """Maximum number of lines of a drawing: more are an illustration."""
+
+LEAST_VERTICES = 12
+"""Minimum number of vertices of what sticks out of a line."""
 
 MITER_LIMIT = 4.0
 """Maximum miter limit of recovered lines, in widths: sharper corners come only on the way, and would be spikes."""
@@ -77,6 +83,7 @@ def pen_drawing(drawing: PlacedDrawing, scale: float, most: float = np.inf) -> P
     bodies: list[PlacedContour] = []
     ink = rest = 0.0
     is_recovered = False
+    free = 1 + max((contour.number for contour in drawing.contours), default=0)
     for members in groups.values():
         style = members[0].style
         clipped = bool(drawing.drawing.shapes[members[0].shape].clips)
@@ -86,8 +93,12 @@ def pen_drawing(drawing: PlacedDrawing, scale: float, most: float = np.inf) -> P
             if max(line.length for line in found) > LONGEST:
                 found = None
         elif style.stroke is None and style.fill is not None and not clipped:
-            found = recovered_lines(members, scale) if len(lines) <= most else None
-            is_recovered = is_recovered or found is not None
+            whole = recovered_lines(members, scale) if len(lines) <= most else None
+            if whole is not None:
+                found, is_recovered = whole[0], True
+                for each in whole[1]:
+                    bodies.append(each._replace(number=free))
+                    free, rest = free + 1, rest + each.area * scale**2
         if found is None:
             bodies += members
             area = sum(c.area * (-1.0 if c.role == HOLE else 1.0) for c in members) * scale**2
@@ -133,8 +144,10 @@ def _miter_limit(line: Recovered) -> float:
     return round(min(MITER_ROOM / max(np.cos(turns.max(initial=0.0) / 2.0), 1e-9), MITER_LIMIT), 3)
 
 
-def recovered_lines(members: Sequence[PlacedContour], scale: float) -> list[PenLine] | None:
-    """Return the lines of an exterior with its holes, if it is the stroke of some."""
+def recovered_lines(
+    members: Sequence[PlacedContour], scale: float
+) -> tuple[list[PenLine], list[PlacedContour]] | None:
+    """Return the lines of an exterior with its holes, and what sticks out of them, if it is mostly lines."""
     if not all(contour.contour.closed for contour in members):
         return None
     regions = []
@@ -144,11 +157,12 @@ def recovered_lines(members: Sequence[PlacedContour], scale: float) -> list[PenL
         regions.append(
             segments if (cubics.signed_area(segments) > 0.0) == is_exterior else segments[::-1, ::-1]
         )
-    found = recover(regions)
-    if found is None:
-        return None
+    whole = recover(regions)
     style, first = members[0].style, members[0]
-    return [
+    if whole is None or (whole[1] and (style.fill_opacity < 1.0 or style.fill_gradient is not None)):
+        return None
+    found, rests = whole
+    lines = [
         PenLine(
             line.points,
             line.closed,
@@ -170,3 +184,15 @@ def recovered_lines(members: Sequence[PlacedContour], scale: float) -> list[PenL
         )
         for k, line in enumerate(found, 1)
     ]
+    return lines, [_rest(each / scale, first, len(members[0].polygon.vertices)) for each in rests]
+
+
+def _rest(polygon: ComplexArray, exterior: PlacedContour, vertices: int) -> PlacedContour:
+    """Return what sticks out of the lines of an exterior as a contour, oriented like that."""
+    if signed_area(polygon) * signed_area(exterior.polygon.vertices) < 0.0:
+        polygon = polygon[::-1]
+    segments = straight_lines(polygon, closed=True)
+    contour = Contour(segments, np.ones(len(segments), bool), closed=True)
+    share = length(np.append(polygon, polygon[0])) / max(length(exterior.polygon.vertices), 1e-12)
+    flat = flatten(contour, max(LEAST_VERTICES, int(share * vertices)))
+    return exterior._replace(contour=contour, polygon=flat, role=EXTERIOR, exterior=None)

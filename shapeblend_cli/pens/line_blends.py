@@ -78,6 +78,7 @@ class LineBlend(NamedTuple):
     rest: tuple[list[PlacedContour], list[PlacedContour]]
     settings: Settings
     is_sure: bool = True  # whether outlines cannot be better
+    kept: float = 1.0  # the share of the lines that stays
 
 
 def blend_lines(
@@ -112,7 +113,7 @@ def blend_lines(
         return None
     is_sure = is_asked or bool(required.pairs or settings.mix) or min(one.share, other.share) >= ALL
     rest = one.bodies, other.bodies
-    return LineBlend(_shapes(moves, scale, settings), rest, required.left, is_sure)
+    return LineBlend(_shapes(moves, scale, settings), rest, required.left, is_sure, kept)
 
 
 def _are_two_weights(a: PlacedDrawing, b: PlacedDrawing, one: PenDrawing, other: PenDrawing) -> bool:

@@ -21,12 +21,19 @@ from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.pens.balls import ball_diameters
 from shapeblend_cli.pens.line import UNITS, chains, evenly, length, needed
-from shapeblend_cli.pens.region import Recovered, Region, distance_ahead, nearest_edge, stroke_edges
+from shapeblend_cli.pens.region import (
+    Recovered,
+    Region,
+    distance_ahead,
+    nearest_edge,
+    rests_of,
+    stroke_edges,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
 
 STEP = 0.1
 """Distance of sample points along an outline, in units."""
@@ -76,6 +83,12 @@ ROUND_POINTS = 9
 GOOD = 0.97
 """Minimum overlap of a region and its lines, drawn again, as a share of both together."""
 
+MOST_REST = 0.2
+"""Maximum share of a region that sticks out of its lines: a solid shape with lines beside it is an outline."""
+
+SPILL = 0.02
+"""Maximum area that lines paint beyond such a region, as a share of it."""
+
 GRID = 192
 """Points along the side of the grid on which these are compared."""
 
@@ -110,8 +123,8 @@ class _Stretch:
         return self.points if side else self.points[::-1]
 
 
-def recover(contours: Sequence[ComplexArray]) -> list[Recovered] | None:
-    """Return the lines of a region, or None if it is not the stroke of any.
+def recover(contours: Sequence[ComplexArray]) -> tuple[list[Recovered], list[ComplexArray]] | None:
+    """Return the lines of a region and the polygons of what sticks out of them; None if it is not mostly lines.
 
     Parameters
     ----------
@@ -139,7 +152,7 @@ def recover(contours: Sequence[ComplexArray]) -> list[Recovered] | None:
     _end(lines, region)
     for line in lines:
         line.points = _thinned(line)
-    return _checked(lines, region)
+    return _checked(lines, region, contours)
 
 
 def _sampled(contours: Sequence[ComplexArray]) -> _Samples:
@@ -430,20 +443,43 @@ def _thinned(line: _Stretch) -> ComplexArray:
     return np.concatenate([half[needed(half, THINNED)][:-1] for half in halves])
 
 
-def _checked(lines: Sequence[_Stretch], region: Region) -> list[Recovered] | None:
-    """Return the lines with the join with which they cover the region best; None if they do not."""
+def _checked(
+    lines: Sequence[_Stretch], region: Region, contours: Sequence[ComplexArray]
+) -> tuple[list[Recovered], list[ComplexArray]] | None:
+    """Return the lines with the join with which they cover the region best, and its rests; None if they do not."""
     low = min(region.starts.real), min(region.starts.imag)
     corner = complex(*low) - 0.5 - 0.5j
     size = max(max(region.starts.real) - low[0], max(region.starts.imag) - low[1]) + 1.0
-    wanted = winding_grid(region.starts, region.ends, corner, size / GRID, GRID) != 0
-    best: tuple[float, list[Recovered]] = 0.0, []
+
+    def painted(starts: ComplexArray, ends: ComplexArray) -> BoolArray:
+        return winding_grid(starts, ends, corner, size / GRID, GRID) != 0
+
+    wanted = painted(region.starts, region.ends)
+    best, covered, drawn = 0.0, wanted, list[Recovered]()
     for join in ("round", "miter"):
-        drawn = [Recovered(line.points, line.closed, line.width, _cap_of(line), join) for line in lines]
-        covered = winding_grid(*stroke_edges(drawn), corner, size / GRID, GRID) != 0
-        overlap = float((wanted & covered).sum() / max(1, (wanted | covered).sum()))
-        if overlap > best[0] + 1e-4:
-            best = overlap, drawn
-    return best[1] if best[0] >= GOOD else None
+        some = [Recovered(line.points, line.closed, line.width, _cap_of(line), join) for line in lines]
+        cells = painted(*stroke_edges(some))
+        overlap = float((wanted & cells).sum() / max(1, (wanted | cells).sum()))
+        if overlap > best + 1e-4:
+            best, covered, drawn = overlap, cells, some
+    if best >= GOOD:
+        return drawn, []
+    # A wide line that is none, but a knob, leaves the region at its corners.
+    own = [painted(*stroke_edges([line])) for line in drawn]
+    is_inside = [(cells & ~wanted).sum() <= SPILL * cells.sum() for cells in own]
+    drawn = [line for line, is_line in zip(drawn, is_inside, strict=True) if is_line]
+    covered = np.logical_or.reduce(
+        [cells for cells, is_line in zip(own, is_inside, strict=True) if is_line] or [~wanted]
+    )
+    if (wanted & ~covered).sum() > MOST_REST * wanted.sum() or (
+        covered & ~wanted
+    ).sum() > SPILL * wanted.sum():
+        return None
+    rests = rests_of(contours, drawn)
+    for rest in rests:
+        covered |= painted(rest, np.roll(rest, -1))
+    whole = float((wanted & covered).sum() / max(1, (wanted | covered).sum()))
+    return (drawn, rests) if rests and whole >= GOOD else None
 
 
 def _cap_of(line: _Stretch) -> str:

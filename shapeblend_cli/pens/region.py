@@ -1,4 +1,4 @@
-"""Filled regions, and those that lines paint, by the edges of polygons."""
+"""Filled regions, those that lines paint, and what sticks out of lines: by the edges of polygons."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.polygons import ring_edges
+from shapeblend_cli.geometry.polygons import ring_edges, signed_area
+from shapeblend_cli.pens.line import evenly
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -23,6 +24,16 @@ SLIGHT = 0.3
 
 SHARPEST = np.radians(150.0)
 """Maximum turn of a mitred join, in radians."""
+
+
+OUTLINE_STEP = 0.1
+"""Distance of sample points along an outline, in units."""
+
+OFF = 0.03
+"""Maximum distance of an outline from what a line paints where it is the line's edge, in widths."""
+
+STICKS_OUT = 0.12
+"""Minimum distance by which something sticks out of a line, in widths."""
 
 
 class Recovered(NamedTuple):
@@ -119,3 +130,58 @@ def _polygons(line: Recovered) -> list[ComplexArray]:
     if not line.closed and line.cap == "round":
         centres = np.append(centres, points[[0, -1]])
     return [edges, corners, centres[:, None] + reach * DISC]
+
+
+def rests_of(contours: Sequence[ComplexArray], lines: Sequence[Recovered]) -> list[ComplexArray]:
+    """Return the polygons that stick out of lines: stretches of outline, closed along the centre lines.
+
+    Parameters
+    ----------
+    contours : sequence of (k, 4) complex
+        An exterior and its holes, closed chains of cubic segments in units, with the region on their left.
+    lines : sequence of Recovered
+    """
+    found = []
+    for segments in contours:
+        polyline = cubics.polyline(segments, 8)
+        points = evenly(np.append(polyline, polyline[0]), OUTLINE_STEP)[:-1]
+        away, feet, width = _from_lines(points, lines)
+        is_out = away > OFF * width
+        if is_out.all() or not is_out.any():
+            continue
+        order = np.roll(np.arange(len(points)), -int(np.flatnonzero(~is_out)[0]))
+        points, feet = points[order], feet[order]
+        away, width, is_out = away[order], width[order], is_out[order]
+        borders = np.flatnonzero(np.diff(np.append(is_out, False).astype(np.int8)))
+        for before, last in borders.reshape(-1, 2).tolist():
+            run = slice(before + 1, last + 1)
+            if away[run].max() < STICKS_OUT * width[run].max():
+                continue
+            after = (last + 1) % len(points)
+            polygon = np.concatenate(
+                [feet[[before]], points[before : last + 1], [points[after], feet[after]]]
+            )
+            if abs(signed_area(polygon)) > 1e-3:
+                found.append(polygon[np.append(True, np.abs(np.diff(polygon)) > 1e-9)])
+    return found
+
+
+def _from_lines(
+    points: ComplexArray, lines: Sequence[Recovered]
+) -> tuple[FloatArray, ComplexArray, FloatArray]:
+    """Return the distance of points from what the nearest line paints, the nearest place on it, and its width."""
+    best = np.full(len(points), np.inf)
+    feet, widths = points.copy(), np.ones(len(points))
+    for line in lines:
+        outline = (
+            np.append(line.points, line.points[0]) if line.closed or len(line.points) == 1 else line.points
+        )
+        starts, ends = outline[:-1], outline[1:]
+        away, edge = nearest_edge(points, starts, ends)
+        ways = (ends - starts)[edge]
+        shares = ((points - starts[edge]) * ways.conj()).real / np.maximum(np.abs(ways) ** 2, 1e-12)
+        own = starts[edge] + np.clip(shares, 0.0, 1.0) * ways
+        is_nearer = away - line.width / 2.0 < best
+        best = np.where(is_nearer, away - line.width / 2.0, best)
+        feet, widths = np.where(is_nearer, own, feet), np.where(is_nearer, line.width, widths)
+    return best, feet, widths

@@ -145,3 +145,18 @@ def test_corners_that_are_rounder_outside_than_the_pen_are_rounded():
     (line,) = lines_of(inside + outside, viewbox="0 0 16 16").lines
     assert line.closed
     assert max(line.points.real) + line.width / 2.0 == pytest.approx(12.0, abs=0.04)
+
+
+def test_what_sticks_out_of_lines_is_a_shape_of_its_own():
+    found = lines_of("M1 11H10A2 2 0 0 1 14 11H23V13H1Z")
+    (line,), (knob,) = found.lines, found.bodies
+    assert away(line, [1 + 12j, 23 + 12j]).max() < 0.05
+    assert knob.number == 1  # beside those of the file
+    assert knob.box.bounds == pytest.approx((10.0, 9.0, 14.0, 12.0), abs=0.15)
+    assert 0.6 < found.share < 0.9
+
+
+def test_a_knob_as_wide_as_another_pen_is_no_line():
+    found = lines_of("M1 11H9V10A1 1 0 0 1 10 9H13A1 1 0 0 1 14 10V11H23V13H1Z")
+    assert [round(line.width, 1) for line in found.lines] == [2.0]
+    assert len(found.bodies) == 1

@@ -1,0 +1,38 @@
+"""Parts without a partner that leave early."""
+
+import numpy as np
+
+from shapeblend_cli.interpolate.paths import paths_at
+from shapeblend_cli.motion.early import Early
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.pipeline import match_all
+from tests.support.drawings import drawing
+
+BIN = '<path d="M5 3H19L18 22H6ZM9 8V18H10V8ZM14 8V18H15V8Z"/>'
+CHECK = '<path d="M4 12L10 18L21 6" fill="none" stroke="#000" stroke-width="2"/>'
+
+
+def sizes(a, b, t):
+    """The sizes of the contours without a partner at a time, and of those with one."""
+    (pair,), _ = match_all([a, b], Settings())
+    found = {True: [], False: []}
+    for shape in pair.shapes:
+        for contour, path in zip(shape.contours, paths_at(shape, t), strict=True):
+            found[contour.is_matched].append(np.ptp(path.segments.real) + np.ptp(path.segments.imag))
+    return found[False], found[True]
+
+
+def test_holes_of_a_solid_shape_are_gone_before_it_is_a_check_mark():
+    solid, sign = drawing(BIN), drawing(CHECK)
+    for pair, early, late in (((solid, sign), 0.2, 0.6), ((sign, solid), 0.8, 0.4)):
+        assert all(size > 1.0 for size in sizes(*pair, early)[0])
+        holes, others = sizes(*pair, late)
+        assert len(holes) == 2
+        assert max(holes) < 0.01 < min(others)
+
+
+def test_what_is_filled_is_so_all_of_the_time():
+    frame, box = drawing('<path d="M3 3H21V21H3ZM5 5V19H19V5Z"/>'), drawing('<path d="M3 3H21V21H3Z"/>')
+    (pair,), _ = match_all([frame, box], Settings())
+    assert not any(isinstance(shape.motion, Early) for shape in pair.shapes)
+    assert min(sizes(frame, box, 0.8)[0]) > 1.0
