@@ -7,7 +7,7 @@ import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from functools import cached_property, partial
+from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -149,7 +149,7 @@ def make(
     _say_if_poor(job, run, note_and_keep)
     progress("drawing", 0.0)
     with _named(output.path):
-        rendered = output.format.render(output._replace(watch=partial(progress, "drawing")), pairs)
+        rendered = output.format.render(output._replace(watch=progress), pairs)
     clock.lap("render")
     for text in rendered.notes:
         note_and_keep(text)

@@ -109,12 +109,15 @@ class OutputSpec(NamedTuple):
     columns: int | None
     fps: int | None
     background: str | None
-    watch: Callable[[float], None] = lambda share: None  # takes the share that is drawn, 0 to 1
+    lossless: bool = False
+    watch: Callable[[str, float], None] = lambda stage, share: (
+        None
+    )  # takes the share of a stage that is done, 0 to 1
 
-    def counted(self, items: Sequence[T]) -> Iterator[T]:
-        """Yield items, and say how many of them are drawn."""
+    def counted(self, items: Sequence[T], stage: str = "drawing") -> Iterator[T]:
+        """Yield items, and say how many of them are drawn, or what else is done to them."""
         for k, item in enumerate(items):
-            self.watch(k / len(items))
+            self.watch(stage, k / len(items))
             yield item
 
     @property

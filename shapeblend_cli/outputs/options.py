@@ -9,7 +9,7 @@ from shapeblend_cli.options.easing import LINEAR, Ease, Timing
 from shapeblend_cli.options.fields import Record, option
 from shapeblend_cli.options.settings import ANIMATIONS, IN_BETWEENS, OUTPUT, PICTURES, Settings
 from shapeblend_cli.options.triggers import Trigger
-from shapeblend_cli.options.types import COLOUR, HOLD, REPEAT, TRIGGER, choice, file, seconds, whole
+from shapeblend_cli.options.types import COLOUR, FLAG, HOLD, REPEAT, TRIGGER, choice, file, seconds, whole
 from shapeblend_cli.outputs.formats import FASTEST, Format, OutputSpec
 from shapeblend_cli.outputs.pixels import MOST_SIDE
 from shapeblend_cli.outputs.registry import DEFAULT, EMITS, FORMATS, FRAME_FORMATS, alternatives, choose
@@ -155,12 +155,22 @@ class OutputOptions(Record, section=PICTURES):
         help="Colour behind pictures, or transparent.",
         default_text=_default_text("background"),
     )
+    lossless: bool = option(
+        FLAG,
+        default=False,
+        help="Keep every pixel of a WebP as it is; the file is larger.",
+    )
     fps: int | None = option(
         whole(1, FASTEST),
         default=None,
         help=f"Pictures per second of an animation, at most {FASTEST}, unless --frames is given.",
         default_text=_default_text("fps"),
     )
+
+
+def _check_lossless(options: OutputOptions, format: Format, asked: str) -> None:
+    if options.lossless and format.name != "webp":
+        raise OptionError(f"--lossless is for WebP, a name ending in .webp, not for {asked}")
 
 
 def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> OutputSpec:
@@ -190,6 +200,7 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
             raise OptionError(f"--{name} is for animations that start by themselves, not for {asked}")
     if settings.times and not format.takes_times:
         raise OptionError(f"--times is for a folder of frames, a contact sheet or layers, not for {asked}")
+    _check_lossless(options, format, asked)
     if settings.mix:
         _check_mix(options, settings, format, asked)
     if not options.trigger.is_load:
@@ -214,6 +225,7 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
         options.trigger,
         options.precision,
         **shared,
+        lossless=options.lossless,
     )
     format.check(spec)
     return spec

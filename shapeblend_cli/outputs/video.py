@@ -5,8 +5,10 @@ from __future__ import annotations
 import shutil
 import subprocess
 import tempfile
+from contextlib import suppress
 from fractions import Fraction
 from pathlib import Path
+from subprocess import PIPE
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError, PictureError
@@ -25,7 +27,9 @@ EVEN = "pad=ceil(iw/2)*2:ceil(ih/2)*2"
 
 CODECS = {
     "mp4": "-c:v libx264 -preset medium -crf 18 -pix_fmt yuv420p -movflags +faststart",
-    "webm": "-c:v libvpx-vp9 -b:v 0 -crf 24 -row-mt 1",
+    # What is transparent is a second video, which is larger than the first.
+    "webm": "-c:v libvpx-vp9 -b:v 0 -crf 32 -cpu-used 2 -row-mt 1",
+    "transparent webm": "-c:v libvpx-vp9 -b:v 0 -crf 44 -cpu-used 3 -row-mt 1",
 }
 
 EXACT = ["-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"]
@@ -37,26 +41,32 @@ MOST_RUNS = 100
 MOST_FRAMES = 20_000
 
 
-def encode(
-    kind: str, pngs: Sequence[bytes], order: Sequence[int], rate: Fraction, ground: str | None
-) -> bytes:
+def encode(spec: OutputSpec, pngs: Sequence[bytes], order: Sequence[int], rate: Fraction) -> bytes:
     """Return a video of pictures in an order, at a rate a second. A WebM without a ground is transparent."""
+    kind = spec.format.name
+    codec = CODECS[kind if spec.ground is not None else f"transparent {kind}"]
     program = shutil.which("ffmpeg")
     assert program is not None, "that was checked"
-    pixels = ["-pix_fmt", "yuva420p" if ground is None else "yuv420p"] if kind == "webm" else []
+    pixels = ["-pix_fmt", "yuva420p" if spec.ground is None else "yuv420p"] if kind == "webm" else []
     with tempfile.TemporaryDirectory(prefix="shapeblend-") as folder:
         file = Path(folder, f"video.{kind}")
         pictures = ["-f", "image2pipe", "-c:v", "png", "-framerate", str(rate), "-i", "-"]
-        form = ["-vf", EVEN, *CODECS[kind].split(), *pixels, *EXACT]
+        form = ["-vf", EVEN, *codec.split(), *pixels, *EXACT]
         command = [program, "-v", "error", "-y", *pictures, *form, str(file)]
         try:
-            done = subprocess.run(command, input=b"".join(pngs[k] for k in order), capture_output=True)
+            errors = Path(folder, "errors")
+            with errors.open("wb") as said, subprocess.Popen(command, stdin=PIPE, stderr=said) as running:
+                assert running.stdin is not None, "it was asked for"
+                # ffmpeg takes pictures as fast as it encodes them; if it has ended, its errors say why.
+                with suppress(BrokenPipeError), running.stdin:
+                    for k in spec.counted(order, "encoding"):
+                        running.stdin.write(pngs[k])
         except OSError as error:
             raise PictureError(
                 f"ffmpeg cannot be run ({error.strerror}); .gif, .webp and .apng would work"
             ) from None
-        if done.returncode or not file.exists():
-            lines = done.stderr.decode("utf-8", "replace").strip().splitlines() or ["it gives no reason"]
+        if running.returncode or not file.exists():
+            lines = errors.read_text("utf-8", "replace").strip().splitlines() or ["it gives no reason"]
             raise PictureError(
                 f"ffmpeg cannot make the .{kind}: {lines[-1][:200]}; .gif, .webp and .apng would work"
             )
@@ -71,7 +81,7 @@ def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     runs = spec.timing.repeat if isinstance(spec.timing.repeat, int) else 1
     rate = Fraction(run.pictures) / Fraction(run.seconds).limit_denominator(1000)
     order = [k for k in run.order() for _ in range(1 + round(run.rest_at(k) * rate))]
-    return Rendered([encode(spec.format.name, pngs, order * runs, rate, spec.ground)])
+    return Rendered([encode(spec, pngs, order * runs, rate)])
 
 
 def check(spec: OutputSpec) -> None:

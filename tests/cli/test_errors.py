@@ -69,6 +69,7 @@ OPTIONS = {
     "--looping 3": "No such option '--looping'. Did you mean '--repeat'?",
     "--reverse-loop": "Did you mean '--repeat pingpong'?",
     "--pause 1": "Did you mean '--hold'?",
+    "--lossless -o x.gif": "--lossless is for WebP, a name ending in .webp, not for --output x.gif",
     "--wait 1": "Did you mean '--delay'?",
     "--delay 1 -o x.svg --trigger click": "--delay is for animations that start by themselves",
     "--hold 1,2,3": "--hold must be seconds, such as 0.5 or 500ms, or two such times",

@@ -8,7 +8,9 @@ import pytest
 from PIL import Image, ImageChops
 
 from shapeblend_cli.options.easing import Timing
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.outputs.formats import WHITE
+from shapeblend_cli.outputs.options import OutputOptions, specify
 from shapeblend_cli.outputs.pixels import Size, rasterize, read_png
 from shapeblend_cli.outputs.raster_animation import FASTEST, Run, encode, run_for
 from tests.support.drawings import svg
@@ -44,9 +46,13 @@ def read_back(content):
     return image.format, pictures, delays, image.info.get("loop")
 
 
+def spec_of(kind, background=None, *, lossless=True):
+    options = OutputOptions(output=f"x.{kind}", background=background, lossless=lossless and kind == "webp")
+    return specify(options, Settings())
+
+
 def made(kind, run, background=None):
-    background = WHITE if kind == "gif" and background is None else background
-    return encode(kind, SQUARES[: run.pairs * run.steps + 1], SIZE, run, background)
+    return encode(spec_of(kind, background), SQUARES[: run.pairs * run.steps + 1], SIZE, run)
 
 
 @each_kind
@@ -83,12 +89,12 @@ def test_how_often_it_runs(kind, repeat, loop):
 
 @each_kind
 def test_drawings_that_are_all_the_same_make_a_picture(kind):
-    assert read_png(encode(kind, [SQUARES[0]] * 3, SIZE, ONCE, WHITE)).size == SIZE
+    assert read_png(encode(spec_of(kind, WHITE), [SQUARES[0]] * 3, SIZE, ONCE)).size == SIZE
 
 
 def test_a_gif_of_more_colours_than_it_can_have_stays_near_them_and_its_ground_white():
     size = Size(120, 120)
-    content = encode("gif", [GRADIENT, SQUARES[0]], size, ONCE._replace(steps=1), WHITE)
+    content = encode(spec_of("gif"), [GRADIENT, SQUARES[0]], size, ONCE._replace(steps=1))
     shown = read_back(content)[1][0].convert("RGB")
     wanted = read_png(rasterize(GRADIENT, size, WHITE)).convert("RGB")
     assert wanted.getcolors(256) is None
@@ -123,3 +129,12 @@ def test_frames_that_are_asked_for_are_shown_with_both_ends_and_back_neither_end
     assert run_for(None, 0, 2, Timing(2.0)).order() == [0, 1, 2]
     assert run_for(None, 1, 2, to_and_fro(1.0)).order() == [0, 1, 2, 3, 4, 3, 2, 1]
     assert run_for(None, 0, 1, to_and_fro(1.0)).order() == [0, 1]
+
+
+def test_a_webp_is_lossy_and_smaller_unless_it_is_asked_not_to_be():
+    pictures, size, run = [GRADIENT, GRADIENT], Size(200, 200), ONCE._replace(steps=1)
+    lossy, exact = (encode(spec_of("webp", lossless=is_), pictures, size, run) for is_ in (False, True))
+    assert len(lossy) < 0.5 * len(exact)
+    white = Image.new("RGBA", size, "white")
+    shown, wanted = (Image.alpha_composite(white, read_back(content)[1][0]) for content in (lossy, exact))
+    assert 0 < max(high for _, high in ImageChops.difference(shown, wanted).getextrema()) < 60
