@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     Stretch = tuple[tuple[float, float], list["Track"]]
 
 OVERLAP = 0.1
-"""Length by which neighbouring pieces overlap, in widths, so that no hair of the ground is seen between them."""
+"""Overlap of neighbouring pieces, in widths, so that no hair of the ground is seen between them."""
 
 
 class Track(NamedTuple):

@@ -60,7 +60,7 @@ MOST_UNEVEN = 2.0
 """Maximum ratio of the scales along both axes of a part that is laid over another."""
 
 CROWD = 600
-"""Maximum number of contours whose tables of pairs have all digits; those of more would fill the memory."""
+"""Maximum number of contours whose tables of pairs have all digits; tables of more contours would fill the memory."""
 
 MANY_PAIRS = 10_000
 """Minimum number of pairs of a crowd, whose copies are solved once: the last digits of their work may differ."""

@@ -32,7 +32,7 @@ MOST_TURN = np.radians(110.0)
 """Maximum turn of a corner that two lines make, in radians, where caps and joins look alike."""
 
 OFF = 0.03
-"""Maximum distance by which a solid shape sticks out of the line that it is a piece of, in widths."""
+"""Maximum distance that a solid shape sticks out of the line that it is a piece of, in widths."""
 
 SLANTED = 0.5
 """Minimum share of a piece of a line that a solid shape fills: its ends may slant."""

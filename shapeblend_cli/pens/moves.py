@@ -57,7 +57,7 @@ UNCUT = 0.98
 """Minimum share of the length of a line that is all of it."""
 
 EARLY = 0.4
-"""Share of the time by which a line that touches no other goes before the end, or comes after the start."""
+"""Time that a line that touches no other goes before the end, or comes after the start, as a share of all time."""
 
 CHANGES = 1.0
 """Minimum mean distance that places of a line move, beside its shift, for what touches it to leave early, in units."""

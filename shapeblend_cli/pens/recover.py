@@ -75,7 +75,7 @@ THINNED = 0.012
 """Tolerance of the polylines of centre lines, in units: a quarter of a pixel where 24 units are 512."""
 
 OVER = 0.03
-"""Maximum distance by which a round join may stick out of the region, in widths: a sharper corner is rounded."""
+"""Maximum distance that a round join sticks out of the region, in widths: a sharper corner is rounded."""
 
 ROUND_POINTS = 9
 """Number of points of a corner that is rounded."""

@@ -19,7 +19,7 @@ pytest.importorskip("distributed")
 
 BATCH = [sys.executable, "-m", "shapeblend_cli", "batch"]
 LINE = ("--chain", "in", "-o", "m/{n}.svg", "--results", "r.jsonl")
-COUNT = 24
+COUNT = 16
 
 # What every Python does first that has this on its path. A drawing says what is to happen to the job that it is in.
 BROKEN = """
@@ -162,7 +162,7 @@ def local_cluster(tmp_path_factory):
 
 @pytest.fixture
 def slow(here):
-    """A folder of drawings for 24 jobs, each of which takes a while."""
+    """A folder of drawings for 16 jobs, each of which takes a while."""
     drawings(COUNT + 1)
 
 
@@ -213,7 +213,7 @@ def test_a_worker_is_killed_and_what_it_was_at_is_done_by_another(request, kind,
     _, printed = process.communicate(timeout=240)
     assert process.returncode == 0, printed
     assert statuses(read_results()) == ["done"] * COUNT
-    assert "24 done" in printed
+    assert f"{COUNT} done" in printed
     assert_as_by_one_process()
 
 
@@ -280,7 +280,8 @@ def test_a_signal_ends_it_in_a_line(cluster, slow):
     assert {each["outputs"][0] for each in read_results().values()} == {f"m/{name}" for name in made()}
 
 
-def test_another_version_gets_no_jobs(cluster, slow):
+def test_another_version_gets_no_jobs(cluster, here):
+    drawings(5)
     status, _, printed = cluster.run(*LINE, OTHER_VERSION="yes")
     (line,) = printed.strip().splitlines()[-1:]
     assert status == 1
@@ -290,7 +291,7 @@ def test_another_version_gets_no_jobs(cluster, slow):
     other = cluster.add_worker("other", OTHER_VERSION="yes")
     cluster.workers(3)
     status, results, printed = cluster.run(*LINE)
-    assert (status, statuses(results)) == (0, ["done"] * COUNT)
+    assert (status, statuses(results)) == (0, ["done"] * 4)
     assert printed.count("of other code, and this is") == 1
     assert "it gets no jobs" in printed
     other.terminate()

@@ -57,14 +57,6 @@ def test_frames_turn_and_straight_ones_do_not(here):
     np.testing.assert_allclose(shrunk, edges / np.sqrt(2.0), atol=0.01)
 
 
-@pytest.mark.parametrize("kind", [[], ["--polygons"]])
-def test_the_ends_are_the_drawings_whatever_the_motion(here, kind):
-    for motion in ("linear", "rigid", "intrinsic"):
-        assert run(["l.svg", "turned.svg", "-n", "1", "--ends", "--motion", motion, "-f", *kind]) == 0
-        for frame, vertices in ((1, 3 + 3j), (3, 21 + 3j)):
-            assert abs(points((here / f"blend/frame-{frame}.svg").read_text()) - vertices).min() < 1e-3
-
-
 def test_three_files_move_each_pair_in_its_way(here):
     files = ["l.svg", "turned.svg", "turned.svg"]
     assert [c["motion"] for c in contours(*files)] == ["rigid", "linear"]

@@ -205,6 +205,15 @@ def test_who_holds_the_lock_of_a_folder_for_long_stops_nobody(here, monkeypatch)
     assert made() == ["x.svg"]
 
 
+def test_the_lock_of_a_folder_is_waited_for(here):
+    pytest.importorskip("fcntl")
+    other = staging.locked(here)
+    assert other.__enter__()
+    threading.Timer(0.05, other.__exit__, (None, None, None)).start()
+    with staging.locked(here) as is_held:
+        assert is_held
+
+
 @pytest.fixture
 def half_moved(here):
     """The folder as it was, after a run was killed that was moving a second frame of three into it."""

@@ -81,8 +81,13 @@ def test_a_file_is_replaced_only_if_that_is_agreed_to(client, here):
     assert json.loads(other.read_text())
 
 
-@pytest.mark.parametrize("option", ["output", "report", "preview", "try"])
-@pytest.mark.parametrize("name", ["made{}", "own/../made{}", "{here}/made{}", "own/link/made{}"])
+@pytest.mark.parametrize(
+    ("option", "name"),
+    [
+        *(("output", name) for name in ("made{}", "own/../made{}", "{here}/made{}", "own/link/made{}")),
+        *((option, "own/link/made{}") for option in ("report", "preview", "try")),
+    ],
+)
 def test_outside_its_folder_a_studio_writes_only_what_is_agreed_to(opened, here, option, name):
     (here / "own").mkdir()
     (here / "own" / "link").symlink_to(here)
