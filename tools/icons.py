@@ -133,7 +133,7 @@ def sheets_at(name: str, times: Sequence[float]) -> list[Image.Image]:
     grey.putpalette([k * 85 for k in range(4) for _ in range(3)])
     return [
         contact_sheet(
-            [_without_size(blend.frame(t).svg) for blend in blends],
+            [without_size(blend.frame(t).svg) for blend in blends],
             Size(CELL, CELL),
             COLUMNS,
             ground="#fff",
@@ -145,7 +145,8 @@ def sheets_at(name: str, times: Sequence[float]) -> list[Image.Image]:
     ]
 
 
-def _without_size(svg: str) -> str:
+def without_size(svg: str) -> str:
+    """Return a file that any place may give its size."""
     root, end, rest = svg.partition(">")
     return re.sub(r' (width|height)="[^"]*"', "", root) + end + rest
 

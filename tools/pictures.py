@@ -121,13 +121,8 @@ def frames(words: Sequence[str], *folders: str) -> list[str]:
 def sheet(svgs: Sequence[str], columns: int, cell: int) -> Image.Image:
     """Return drawings in rows, each in a square of `cell` pixels, whatever size its file has."""
     return contact_sheet(
-        [_without_size(svg) for svg in svgs], Size(cell, cell), columns, ground=GROUND, page=PAGE
+        [icons.without_size(svg) for svg in svgs], Size(cell, cell), columns, ground=GROUND, page=PAGE
     )
-
-
-def _without_size(svg: str) -> str:
-    root, end, rest = svg.partition(">")
-    return re.sub(r' (width|height)="[^"]*"', "", root) + end + rest
 
 
 def png(image: Image.Image, colours: int) -> bytes:

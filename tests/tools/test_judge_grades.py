@@ -3,7 +3,7 @@
 import pytest
 
 from tools.quality import npm
-from tools.quality.judge import blends, pairs, section, sheets
+from tools.quality.judge import blends, pairs, section
 from tools.quality.judge.blends import ALIKE, OPTIONS, blend_of, look, number, unlikeness
 from tools.quality.judge.pairs import Pair
 from tools.quality.judge.section import Graded
@@ -129,28 +129,3 @@ def test_every_pair_of_a_set_has_grades_and_looks_and_is_there_once(seed):
     for one in every:
         assert set(one.grades.values()) <= set(range(section.BEST + 1))
         assert {len(one.looks[name]) for name in one.grades} == {len(blends.MOMENTS) * blends.CELLS**2}
-
-
-def test_a_set_is_drawn_without_names_and_its_grades_find_their_blends(monkeypatch, tmp_path):
-    monkeypatch.setattr(pairs, "picked", lambda seed, count: [Pair(WHERE, "bar-up", "cat-with-hat")] * count)
-    sheets.draw(5, 2, tmp_path)
-    assert sorted(file.name for file in tmp_path.iterdir()) == ["000.png", "001.png", "key.tsv"]
-    key = (tmp_path / "key.tsv").read_text(encoding="utf-8")
-    letters = [line.split("\t")[4:6] for line in key.splitlines()[1:]]
-    names = dict(letters[: len(OPTIONS)])
-    assert list(names) == list(OPTIONS)
-    used = sorted(set(names.values()))
-    best = names["linear"]
-    text = " ".join(f"{letter}{3 if letter == best else 1}" for letter in used)
-    alike = " ".join(f"{letter}2" for letter in sorted({letter for _, letter in letters[len(OPTIONS) :]}))
-    made = sheets.tables(key, f"0|{text}|a note\n1|{alike}|all alike\n")
-    for what, text in made.items():
-        (tmp_path / f"{what}-5.tsv").write_text(text, encoding="utf-8")
-    monkeypatch.setattr(section, "HERE", tmp_path)
-    (one,) = section.graded(5)
-    assert one.pair == Pair(WHERE, "bar-up", "cat-with-hat")
-    assert one.note == "a note"
-    assert one.grades == {name: 3 if letter == best else 1 for name, letter in names.items()}
-    assert one.looks["linear"] == look(blend_of(one.pair, OPTIONS["linear"]))
-    with pytest.raises(SystemExit, match="pair 0 has the letters"):
-        sheets.tables(key, "0|Z3|of no sheet")
