@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import re
 import warnings
 from dataclasses import replace
+from functools import wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from shapeblend_cli.errors import OptionError
+from shapeblend_cli.errors import InputError, OptionError, ShapeblendError
 from shapeblend_cli.frames.frames import frame_at, make_frames
 from shapeblend_cli.job.options import report_settings
 from shapeblend_cli.job.report import measure, report
@@ -29,7 +31,7 @@ from shapeblend_cli.wires.constraints import Constraints, check_stiff
 from shapeblend_cli.wires.direction import choose_direction
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
     from os import PathLike
 
     from numpy.typing import ArrayLike
@@ -39,13 +41,46 @@ if TYPE_CHECKING:
     File = str | PathLike[str]
 
 
-def read(file: File, *, select: str | None = None, lenient: bool = False) -> Drawing:
-    """Read an SVG file.
+F = TypeVar("F", bound="Callable[..., Any]")
+
+OPTION = re.compile(r"--([a-z][a-z-]*)")
+
+
+def _in_python(function: F) -> F:
+    """Let errors of a function name the fields of settings where the command would name options."""
+    names = {
+        flag: name
+        for record in (Settings, OutputOptions)
+        for name, option in record.options.items()
+        for flag in option.flags
+    }
+
+    def field(found: re.Match[str]) -> str:
+        return names.get(found[0], found[1].replace("-", "_"))
+
+    @wraps(function)
+    def called(*arguments: Any, **options: Any) -> Any:
+        try:
+            return function(*arguments, **options)
+        except ShapeblendError as error:
+            error.args = (OPTION.sub(field, str(error)),)
+            raise
+
+    return called  # type: ignore[return-value]
+
+
+@_in_python
+def read(
+    file: File | None = None, *, text: str | None = None, select: str | None = None, lenient: bool = False
+) -> Drawing:
+    """Read an SVG file, or the text of one.
 
     Parameters
     ----------
     file : str or path
         ``-`` is standard input.
+    text : str
+        An SVG document, in place of a file.
     select : str, optional
         ``#id`` or a CSS selector: take only the shapes it matches, and those in groups it matches.
     lenient : bool
@@ -61,10 +96,19 @@ def read(file: File, *, select: str | None = None, lenient: bool = False) -> Dra
     >>> drawing = read("samples/bird-1.svg")
     >>> len(drawing.shapes), drawing.viewbox.width
     (1, 350.0)
+    >>> len(read(text='<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H9V9Z"/></svg>').shapes)
+    1
     """
+    if (file is None) == (text is None):
+        raise TypeError("read takes the name of a file, or text=...")
+    if text is not None:
+        return read_file("<text>", text.encode("utf-8", "replace"), select=select, lenient=lenient)
+    if "\n" in str(file) or str(file).lstrip("\ufeff \t\r").startswith("<"):
+        raise InputError("SVG text", "given in place of the name of a file; read(text=...) would work")
     return read_file(str(file), select=select, lenient=lenient)
 
 
+@_in_python
 def blend(
     a: Drawing | File | Sequence[Drawing | File],
     b: Drawing | File | Settings | None = None,
@@ -106,7 +150,7 @@ def blend(
 
 
 class Blend:
-    """Drawings that are blended, each into the next one.
+    """Drawings that are blended, each into the next one. In a notebook they show themselves as an animation.
 
     Attributes
     ----------
@@ -130,7 +174,11 @@ class Blend:
         return f"<Blend of {', '.join(names[:-1])} and {names[-1]}>"
 
     def _repr_svg_(self) -> str:
-        return self.frame(0.5 * len(self.pairs)).svg
+        options = OutputOptions(output="blend.svg", repeat="pingpong")
+        spec = specify(options, self.settings.replace(times=None), len(self.drawings))
+        (shown,) = spec.format.render(spec, self.pairs).contents
+        assert isinstance(shown, str), "it is an SVG document"
+        return shown
 
     def frame(self, t: float) -> Picture:
         """Return the in-between at a time.
@@ -156,6 +204,7 @@ class Blend:
         decimals = decimals_for(views(self.pairs))
         return Picture(frame_at(pair, t - pair.a, as_drawn=self.settings.draws_ends), decimals)
 
+    @_in_python
     def mix(self, *weights: float) -> Picture:
         """Return a mixture of all drawings, with a share of each.
 
@@ -178,6 +227,7 @@ class Blend:
         (frame,) = make_frames(pairs, settings)
         return Picture(frame, decimals_for(views(pairs)))
 
+    @_in_python
     def save(
         self,
         path: File,
@@ -307,6 +357,7 @@ class Picture:
         return self.svg
 
 
+@_in_python
 def match(
     p0: ArrayLike,
     p1: ArrayLike,

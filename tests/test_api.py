@@ -9,6 +9,7 @@ import pytest
 import shapeblend_cli as sb
 from shapeblend_cli.cli import run
 from tests.support.commands import report
+from tests.support.drawings import BAR, LEAF, svg
 from tools import api_reference
 
 ROOT = Path(__file__).parents[1]
@@ -68,7 +69,7 @@ def test_a_report_is_that_of_the_command(letters, here):
 
 def test_frames_are_pictures(letters):
     first, half = letters.frame(0), letters.frame(0.5)
-    assert half._repr_svg_() == half.svg == letters._repr_svg_()
+    assert half._repr_svg_() == half.svg
     assert (repr(half), half.t) == ("<Picture at t = 0.5>", 0.5)
     start = sb.read(E).shapes[0].contours[0].segments
     np.testing.assert_array_equal(first.shapes[0].paths[0].segments, start)
@@ -101,11 +102,11 @@ def test_points_are_pairs_or_complex_numbers():
         (lambda: sb.blend(E, F, k_b=-1.0), "k_b must be"),
         (lambda: sb.blend([E]), "a blend needs two drawings or more; 1 given"),
         (lambda: sb.blend(E, F).save("x.svg", duration=0), "duration must be"),
-        (lambda: sb.blend(E, F).save("x.svg", fps=3), "--fps is for"),
+        (lambda: sb.blend(E, F).save("x.svg", fps=3), "fps is for"),
         (lambda: sb.blend(E, F).save("-"), "only the command writes to"),
         (
             lambda: sb.blend([E, F, E], pins=((0, 0),)),
-            "--pin, --match and --stiff apply to two files; 3 given",
+            "pins, match and stiff apply to two files; 3 given",
         ),
         (lambda: sb.match([0, 1, 2, 2], [0, 1, 1j]), "neighbouring vertices coincide"),
         (lambda: sb.match([0, 1], [0, 1, 1j]), "a list of 3 or more points"),
@@ -121,3 +122,33 @@ def test_errors_name_the_field(wrong, message, here):
 def test_a_name_that_is_not_there():
     with pytest.raises(AttributeError, match="has no attribute 'morph'"):
         sb.morph  # noqa: B018
+
+
+def test_text_is_read_as_a_file_is_and_never_repeated_in_errors(here):
+    text = svg(LEAF)
+    Path("a.svg").write_text(text, "utf-8")
+    assert sb.read(text=text).shapes[0].contours[0].segments.tolist() == (
+        sb.read("a.svg").shapes[0].contours[0].segments.tolist()
+    )
+    for wrong in (text, "\n" + text, "no name\nof a file"):
+        with pytest.raises(sb.ShapeblendError, match=r"^SVG text: .*read\(text=...\) would work$"):
+            sb.blend(wrong, "a.svg")
+    with pytest.raises(TypeError):
+        sb.read("a.svg", text=text)
+
+
+def test_constants_have_the_names_of_options_too():
+    assert sb.Settings(ks=2.0, kt=1.0) == sb.Settings(k_s=2.0, k_t=1.0)
+    assert sb.Settings(k_s=2.0).replace(ks=3.0).k_s == 3.0
+
+
+def test_errors_name_fields_and_a_blend_shows_itself_as_an_animation(here):
+    blend = sb.blend(sb.read(text=svg(LEAF)), sb.read(text=svg(BAR)))
+    for options, words in {"x.gif": {"columns": 2}, "x.svg": {"lossless": True}}.items():
+        with pytest.raises(sb.ShapeblendError) as error:
+            blend.save(options, **words)
+        assert str(error.value).startswith(f"{next(iter(words))} is for")
+        assert "--" not in str(error.value)
+    assert "<animate" in blend._repr_svg_()
+    for suffix in ("json", "lottie", "xml", "svg"):
+        assert blend.save(f"x.{suffix}") == [Path(f"x.{suffix}")]

@@ -85,6 +85,7 @@ class Record:
         cls.__doc__ = "\n".join((f"{summary}\n\nAttributes\n----------", *attributes))
 
     def __init__(self, **given: Any) -> None:
+        given = self._by_name(given)
         if unknown := given.keys() - self.options.keys():
             fields = ", ".join(self.options)
             raise TypeError(f"{type(self).__name__} has no field {min(unknown)}; its fields are {fields}")
@@ -94,6 +95,12 @@ class Record:
 
     def _defaults(self, given: Mapping[str, Any]) -> dict[str, Any]:
         return {name: option.default for name, option in self.options.items()}
+
+    @classmethod
+    def _by_name(cls, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Return values by the names of fields, where they may have been given by keys: ``ks`` is ``k_s``."""
+        names = {option.key: name for name, option in cls.options.items()}
+        return {name if name in cls.options else names.get(name, name): x for name, x in values.items()}
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Self:
@@ -121,7 +128,7 @@ class Record:
 
     def replace(self, **changes: Any) -> Self:
         """Return a record with other values in some fields; None stands for the default."""
-        return type(self)(**self.given | changes)
+        return type(self)(**self.given | self._by_name(changes))
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"{type(self).__name__} is frozen; replace({name}=...) makes a changed copy")

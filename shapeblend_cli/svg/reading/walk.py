@@ -25,7 +25,11 @@ from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, origin
 from shapeblend_cli.svg.xml.units import LEAST, LIMIT, Lengths
 from shapeblend_cli.svg.xml.xmltree import GROUPS, LEFT_OUT, POINT_LISTS, SHAPES, Node
 
-_EFFECTS = dict.fromkeys(("mask", "filter"), "not applied")
+_EFFECTS = {
+    **dict.fromkeys(("mask", "filter", "backdrop-filter"), "none"),
+    **dict.fromkeys(("mix-blend-mode", "paint-order"), "normal"),
+}
+"""Properties that are not applied, and the values that need not be."""
 _EFFECTS |= dict.fromkeys(("marker-start", "marker-mid", "marker-end"), "not drawn")
 # CSS properties that come before `transform`, in this order.
 _SINGLE_TRANSFORMS = ("translate", "rotate", "scale")
@@ -170,9 +174,9 @@ class Walk:
         lengths = visit.lengths._replace(font_size=inherited.font_size)
         own_opacity = share(declared.get("opacity", "1"))
         opacity = visit.opacity * (1.0 if own_opacity is None else own_opacity)
-        for effect, phrase in _EFFECTS.items():
-            if declared.get(effect, "none") != "none":
-                self._notes.add(f"{effect} {phrase}")
+        for effect, nothing in _EFFECTS.items():
+            if declared.get(effect, nothing) != nothing:
+                self._notes.add(f"{effect} not applied")
         visit = visit._replace(inherited=inherited, opacity=opacity, lengths=lengths)
         if visit.node is not self._root and not _TRANSFORMS.isdisjoint(declared):
             visit = visit.transformed(self._transform(visit.node, declared, lengths))

@@ -199,6 +199,10 @@ NOTES = {
         f'<defs><pattern id="p"/></defs><g fill="url(#p)">{RECT}</g>',
         ("a gradient or pattern read as a plain colour",),
     ),
+    "effects": (
+        f'<g style="mix-blend-mode:multiply" paint-order="stroke"><g style="mix-blend-mode:normal">{RECT}</g></g>',
+        ("mix-blend-mode not applied", "paint-order not applied"),
+    ),
     "left out": (
         f'<text>a</text><text>b</text><image/><g clip-path="url(#c)" filter="none">{RECT}</g>'
         f'<use href="#x"/><use href="http://example.org/a.svg#b"/>',
