@@ -248,6 +248,7 @@ class Pen(NamedTuple):
     pieces: tuple[Moving, ...]
     tails: tuple[Moving | None, Moving | None] = (None, None)
     closed: bool = False
+    shift: complex = 0j  # of the drawing as a whole, beside all else
 
     @property
     def name(self) -> str:
@@ -256,7 +257,7 @@ class Pen(NamedTuple):
 
     def points(self, t: float) -> ComplexArray:
         """Return the vertices at a time, always as many."""
-        points = np.concatenate([piece.points(t) for piece in self.pieces])
+        points = np.concatenate([piece.points(t) for piece in self.pieces]) + t * self.shift
         if self.closed:
             return points[:-1]
         for side, tail in enumerate(self.tails):
@@ -273,7 +274,8 @@ class Pen(NamedTuple):
     def scaled(self, by: float) -> Pen:
         """Return the same, so many times as large."""
         tails = [None if tail is None else tail.scaled(by) for tail in self.tails]
-        return Pen(tuple(piece.scaled(by) for piece in self.pieces), (tails[0], tails[1]), self.closed)
+        pieces = tuple(piece.scaled(by) for piece in self.pieces)
+        return Pen(pieces, (tails[0], tails[1]), self.closed, self.shift * by)
 
 
 class Together(NamedTuple):

@@ -20,13 +20,14 @@ from shapeblend_cli.pens.moves import (
     alone,
     becoming,
     crossing_out,
+    is_slash,
     slash_among,
     staying,
 )
 from shapeblend_cli.pens.named_lines import along_wires, required_lines
 from shapeblend_cli.pens.partners import least_work, travelling
 from shapeblend_cli.pens.splits import split_moves
-from shapeblend_cli.pens.stays import common_runs, stayed
+from shapeblend_cli.pens.stays import common_runs, common_shift, stayed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -207,6 +208,12 @@ def line_moves(
         [line for k, line in enumerate(lines) if all(k != pair[side] for pair in required.pairs)]
         for side, lines in enumerate((a, b))
     )
+    is_crossed = {sum(map(is_slash, lines)) for lines in (a, b)} == {0, 1}
+    shift = common_shift(a, b) if is_crossed and not settings.mix else 0j
+    if shift:
+        b = [line._replace(points=line.points - shift) for line in b]
+        centres = centres[0], centres[1] - shift
+    required_moves, moves = moves, []
     runs = common_runs(a, b)
     resting = (
         {run.a for run in runs if run.length > 0.9 * a[run.a].length},
@@ -242,7 +249,13 @@ def line_moves(
         moves = [
             _by_wires(own, [], settings, scale, BECOMES) if (own := _whole(move)) else move for move in moves
         ]
-    return moves, kept
+    return required_moves + [_shifted(move, shift) if shift else move for move in moves], kept
+
+
+def _shifted(move: Move, shift: complex) -> Move:
+    """Let a line move on with its drawing, beside all else."""
+    b = move.b and move.b._replace(points=move.b.points + shift)
+    return move._replace(b=b, motion=move.motion._replace(shift=shift))
 
 
 def _whole(move: Move) -> tuple[PenLine, PenLine] | None:

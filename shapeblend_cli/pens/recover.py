@@ -86,8 +86,11 @@ GOOD = 0.97
 MOST_REST = 0.2
 """Maximum share of a region that sticks out of its lines: a solid shape with lines beside it is an outline."""
 
-SPILL = 0.02
+SPILL = 0.03
 """Maximum area that lines paint beyond such a region, as a share of it."""
+
+KNOB_SPILL = 0.1
+"""Maximum area that one of its lines paints beyond it, as a share of the line's: a wider one is a knob."""
 
 GRID = 192
 """Points along the side of the grid on which these are compared."""
@@ -466,7 +469,7 @@ def _checked(
         return drawn, []
     # A wide line that is none, but a knob, leaves the region at its corners.
     own = [painted(*stroke_edges([line])) for line in drawn]
-    is_inside = [(cells & ~wanted).sum() <= SPILL * cells.sum() for cells in own]
+    is_inside = [(cells & ~wanted).sum() <= KNOB_SPILL * cells.sum() for cells in own]
     drawn = [line for line, is_line in zip(drawn, is_inside, strict=True) if is_line]
     covered = np.logical_or.reduce(
         [cells for cells, is_line in zip(own, is_inside, strict=True) if is_line] or [~wanted]

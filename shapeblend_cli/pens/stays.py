@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.pens.line import at, begun, foot_points, length
+from shapeblend_cli.pens.line import at, begun, evenly, foot_points, length
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -35,6 +35,24 @@ LEAST_SHARE = 0.4
 
 WHOLE = 0.995
 """Minimum share of a closed line that is all of it."""
+
+SPREAD = 0.4
+"""Distance of points of which two drawings may be shifted copies, in units."""
+
+SAME_SLANT = 0.1
+"""Maximum sine of the angle between lines at places that may be the same but for a shift."""
+
+SHIFT_STEP = 0.2
+"""Tolerance of shifts that are the same, in units."""
+
+FARTHEST_SHIFT = 4.0
+"""Maximum shift of a drawing that stays but for that, in units."""
+
+REST_KEPT = 0.35
+"""Maximum share of the shorter drawing's lines that stay in place if the drawing moves as a whole."""
+
+MOVED_KEPT = 0.7
+"""Minimum share of the shorter drawing's lines that stay but for a shift."""
 
 PEN_RATIO = 1.35
 """Maximum ratio of the widths of two lines of which one stays."""
@@ -112,6 +130,38 @@ def common_runs(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Run]:
             taken.setdefault((side, number), []).append(_places(line, *run.spans(side), steps=None))
         chosen.append(run)
     return chosen
+
+
+def common_shift(a: Sequence[PenLine], b: Sequence[PenLine]) -> complex:
+    """Return by how much a drawing moves of which most stays but for that; 0 if more than a little stays in place."""
+    some, others = (_spread(lines) for lines in (a, b))
+    if not (len(some[0]) and len(others[0])):
+        return 0j
+    shorter = min(sum(line.length for line in lines) for lines in (a, b))
+    if sum(run.length for run in common_runs(a, b)) > REST_KEPT * shorter:
+        return 0j
+    ways = others[0] - some[0][:, None]
+    slants = np.abs((others[1] * some[1][:, None].conj()).imag)
+    ways = ways[(slants < SAME_SLANT) & (np.abs(ways) < FARTHEST_SHIFT) & (np.abs(ways) > SHIFT_STEP)]
+    if not len(ways):
+        return 0j
+    places = np.round(ways.real / SHIFT_STEP) + 1j * np.round(ways.imag / SHIFT_STEP)
+    order = np.sort_complex(places)
+    firsts = np.flatnonzero(np.append(True, order[1:] != order[:-1]))
+    counts = np.diff(np.append(firsts, len(order)))
+    most = order[firsts[int(counts.argmax())]] * SHIFT_STEP
+    shift = complex(ways[np.abs(ways - most) < SHIFT_STEP].mean())
+    moved = [line._replace(points=line.points - shift) for line in b]
+    kept = sum(run.length for run in common_runs(a, moved))
+    return shift if kept > MOVED_KEPT * shorter else 0j
+
+
+def _spread(lines: Sequence[PenLine]) -> tuple[ComplexArray, ComplexArray]:
+    """Return points along lines, and the directions of the lines there."""
+    parts = [evenly(line.outline, SPREAD) for line in lines if len(line.points) > 1 and line.length > SPREAD]
+    ways = [np.gradient(part) for part in parts]
+    nothing = np.zeros(0, complex)
+    return np.concatenate([nothing, *parts]), np.concatenate([nothing, *(way / np.abs(way) for way in ways)])
 
 
 def _places(line: PenLine, begin: float, end: float, steps: int | None) -> FloatArray:

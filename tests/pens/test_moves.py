@@ -200,3 +200,17 @@ def test_mitred_corners_of_a_ring_that_comes_are_cut_off_while_it_is_small():
     )
     (ring,) = [shape for shape in shapes_of(a, b) if shape.contours[0].a is None]
     assert (ring.style_a.stroke_miterlimit, ring.style_b.stroke_miterlimit) == (1.0, 6.0)
+
+
+def test_what_is_crossed_out_and_moves_stays_but_for_that():
+    house = "M4 20V9L12 3L20 9V20Z"
+    moved = [("M4 22V11L9.5 6.9", "M13 5.8L20 11V16"), ("M4 22H14",)]
+    a, b = pen(house), pen(*moved[0], *moved[1], "M5 3L21 22")
+    shapes = shapes_of(a, b)
+    slash = [shape for shape in shapes if shape.contours[0].a is None]
+    assert len(slash) == 1
+    for shape in shapes:
+        if shape not in slash:
+            assert shape.reason == STAYS
+            assert shape.motion.shift == pytest.approx(2j, abs=0.05)
+            assert line_at(shape, 0.0).imag.min() >= 2.9
