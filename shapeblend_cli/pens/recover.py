@@ -86,8 +86,11 @@ GOOD = 0.97
 MOST_REST = 0.2
 """Maximum share of a region that sticks out of its lines: a solid shape with lines beside it is an outline."""
 
-SPILL = 0.03
+SPILL = 0.02
 """Maximum area that lines paint beyond such a region, as a share of it."""
+
+MOST_BESIDE_RESTS = 4
+"""Maximum number of lines of a region of which something sticks out: more are an illustration with fine lines."""
 
 KNOB_SPILL = 0.1
 """Maximum area that one of its lines paints beyond it, as a share of the line's: a wider one is a knob."""
@@ -482,7 +485,7 @@ def _checked(
     for rest in rests:
         covered |= painted(rest, np.roll(rest, -1))
     whole = float((wanted & covered).sum() / max(1, (wanted | covered).sum()))
-    return (drawn, rests) if rests and whole >= GOOD else None
+    return (drawn, rests) if rests and len(drawn) <= MOST_BESIDE_RESTS and whole >= GOOD else None
 
 
 def _cap_of(line: _Stretch) -> str:
