@@ -75,6 +75,9 @@ LIBRARIES = {
     "coloraide": "svg.styles",
     "distributed": "batch",
     "lap": "pairing",
+    "fontTools": "svg.reading",
+    "brotli": "svg.reading",
+    "uharfbuzz": "svg.reading",
     "cython": "geometry matching pens system",
 }
 SHARED = {"numpy", *sys.stdlib_module_names}

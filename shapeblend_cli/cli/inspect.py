@@ -50,6 +50,7 @@ PARAMS = [
     for each in (
         SELECT,
         ReadOptions.options["lenient"],
+        ReadOptions.options["text"],
         *InspectOptions.options.values(),
         *RunOptions.options.values(),
     )
@@ -59,13 +60,15 @@ PARAMS = [
 @click.command(params=PARAMS)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON, for programs.")
 @click.argument("file", type=NAME, metavar="FILE")
-def inspect(file: str, select: str | None, lenient: bool | None, as_json: bool, **given: Any) -> None:
+def inspect(
+    file: str, select: str | None, lenient: bool | None, text: str | None, as_json: bool, **given: Any
+) -> None:
     """List the shapes that a file draws; - is standard input."""
     from shapeblend_cli.job.report import inspection
     from shapeblend_cli.svg.reading.read import read
 
     limit(*RunOptions.of(given).values)
-    drawing = read(file, lenient=bool(lenient), select=select)
+    drawing = read(file, lenient=bool(lenient), select=select, text=text or "outline")
     options = InspectOptions.of(given)
     if options.picture is not None:
         from shapeblend_cli.plot.numbered import write_picture

@@ -230,10 +230,12 @@ def read_files(
     drawings = []
     for file, selector in zip(files, options.selections(len(files)), strict=True):
         content = sources[file] if file in sources else contents_of(file)
-        key = file, content, options.lenient, selector
+        key = file, content, options.lenient, options.text, selector
         drawing = kept.find(key)
         if drawing is None:
-            drawing = read(file, content, lenient=options.lenient, select=selector, is_to_blend=True)
+            drawing = read(
+                file, content, lenient=options.lenient, select=selector, is_to_blend=True, text=options.text
+            )
             kept.keep(key, drawing, len(content))
         drawings.append(drawing)
     for drawing in drawings:

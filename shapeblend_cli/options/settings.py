@@ -63,6 +63,12 @@ class ReadOptions(Record, section=SHAPES):
         default=False,
         help="Draw broken path data up to the error, as browsers do, instead of refusing the file.",
     )
+    text: str = option(
+        types.choice("outline", "skip"),
+        default="outline",
+        help="outline: each letter is a shape, drawn with the font that the file embeds or that is installed; equal "
+        "letters become each other. skip: text is left out.",
+    )
 
     def selections(self, files: int) -> tuple[str | None, ...]:
         """Return the selector of each file."""

@@ -25,6 +25,10 @@ SUGGESTIONS = 5
 """Maximum number of ids that an error suggests."""
 
 
+MOST_LETTERS = 100_000
+"""Maximum number of pairs of letters that are compared; the letters of longer texts are paired as other shapes are."""
+
+
 class PointPin(NamedTuple):
     """A pin between points in A's coordinates, and the numbers of the contours it connects."""
 
@@ -76,9 +80,63 @@ def required_pairs(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> li
         if all(name.isdecimal() for name in pair):
             required.append((int(pair[0]), int(pair[1])))
         elif contours[0] and contours[1]:
-            whole = settings.replace(unmatched="point")
-            required += [(p.number, q.number) for p, q in pair_contours(contours[0], contours[1], whole)]
-    return required
+            required += _pairs_within(contours[0], contours[1], settings)
+    return required + _pairs_of_letters(a, b, settings, required)
+
+
+def _pairs_within(
+    a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Settings
+) -> list[Numbers]:
+    whole = settings.replace(unmatched="point")
+    return [(p.number, q.number) for p, q in pair_contours(a, b, whole)]
+
+
+def _pairs_of_letters(
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, required: Sequence[Numbers]
+) -> list[Numbers]:
+    """Return the pairs of contours of letters: equal ones first, and then all others, each time the nearest by place.
+
+    The place of a letter is that among all letters of its drawing, from 0 to 1.
+    """
+    ours = _letters(a, {i for i, _ in required})
+    theirs = _letters(b, {j for _, j in required})
+    pairs: list[Numbers] = []
+    for are_equal in (True, False):
+        if len(ours) * len(theirs) > MOST_LETTERS:
+            break
+        near = sorted(
+            (abs(p.place - q.place), i, j)
+            for i, p in ours.items()
+            for j, q in theirs.items()
+            if not are_equal or p.letter == q.letter
+        )
+        for _, i, j in near:
+            if i in ours and j in theirs:
+                pairs += _pairs_within(ours.pop(i).contours, theirs.pop(j).contours, settings)
+    return sorted(pairs)
+
+
+class _Letter(NamedTuple):
+    letter: str
+    place: float
+    contours: list[PlacedContour]
+
+
+def _letters(side: PlacedDrawing, taken: set[int]) -> dict[int, _Letter]:
+    """Return the letters of a drawing by the numbers of their shapes, without those that have a taken contour."""
+    shapes = {
+        k: shape.name.label or "" for k, shape in enumerate(side.drawing.shapes) if shape.element == "text"
+    }
+    contours: dict[int, list[PlacedContour]] = {k: [] for k in shapes}
+    for contour in side.contours:
+        if contour.shape in contours:
+            contours[contour.shape].append(contour)
+    most = max(len(shapes) - 1, 1)
+    return {
+        shape: _Letter(shapes[shape], place / most, members)
+        for place, (shape, members) in enumerate(contours.items())
+        if members and not taken.intersection(contour.number for contour in members)
+    }
 
 
 def _at(point: complex, contours: Sequence[PlacedContour]) -> PlacedContour:

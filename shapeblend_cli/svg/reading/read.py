@@ -26,13 +26,15 @@ def read(
     lenient: bool = False,
     select: str | None = None,
     is_to_blend: bool = False,
+    text: str = "outline",
 ) -> Drawing:
     """Return the drawing in an SVG file; without its contents as `data`, the file is opened.
 
     The file ``-`` is standard input, called ``<stdin>`` in the drawing and in messages. If `lenient`, path data and
     points that break the grammar are drawn up to the error. To `select`, by ``#id`` or a CSS selector, is to return
     only the shapes it matches, those in groups it matches, and those drawn through a ``use`` it matches; `Shape.index`
-    still counts all the file paints. A drawing that `is_to_blend` is refused early if it is too large for that.
+    still counts all the file paints. A drawing that `is_to_blend` is refused early if it is too large for that. With
+    `text` ``outline`` each letter is a shape, with ``skip`` text is left out.
 
     Raises
     ------
@@ -47,7 +49,7 @@ def read(
             tag = printable(root.tag.lstrip(":"))
             raise Problem(f"its root element is <{tag}>, not <svg>; an SVG file would work")
         box = viewports.root_box(root, notes)
-        shapes = Walk(root, notes, lenient, is_to_blend).shapes(box, select)
+        shapes = Walk(root, notes, lenient, is_to_blend, text).shapes(box, select)
     except Problem as problem:
         raise InputError(name, str(problem)) from None
     return Drawing(name, box, shapes, notes.phrases(), viewports.root_page(root, box))

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Clip, Contour, Group, Shape, Style
+from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Clip, Contour, Group, Name, Shape, Style
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.clips import Clips, covers
 from shapeblend_cli.svg.reading.elements import contours_of
@@ -25,12 +26,15 @@ from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, origin
 from shapeblend_cli.svg.xml.units import LEAST, LIMIT, Lengths
 from shapeblend_cli.svg.xml.xmltree import GROUPS, LEFT_OUT, POINT_LISTS, SHAPES, Node
 
+if TYPE_CHECKING:
+    from shapeblend_cli.svg.reading.text import Text, Texts
+
 _EFFECTS = {
     **dict.fromkeys(("mask", "filter", "backdrop-filter"), "none"),
     **dict.fromkeys(("mix-blend-mode", "paint-order"), "normal"),
 }
 """Properties that are not applied, and the values that need not be."""
-_EFFECTS |= dict.fromkeys(("marker-start", "marker-mid", "marker-end"), "not drawn")
+_EFFECTS |= dict.fromkeys(("marker-start", "marker-mid", "marker-end"), "none")
 # CSS properties that come before `transform`, in this order.
 _SINGLE_TRANSFORMS = ("translate", "rotate", "scale")
 _TRANSFORMS = frozenset(("transform", *_SINGLE_TRANSFORMS))
@@ -74,10 +78,17 @@ class Walk:
     """One walk from an ``svg`` element, with an explicit stack: a hostile file must not reach the recursion limit.
 
     `lenient` draws broken path data and points up to the error; `notes` takes phrases on elements that are left
-    out; a drawing that `is_to_blend` is refused if it is too large for that.
+    out; a drawing that `is_to_blend` is refused if it is too large for that; `text` is outlined or skipped.
     """
 
-    def __init__(self, root: Node, notes: Notes, lenient: bool = False, is_to_blend: bool = False) -> None:
+    def __init__(
+        self,
+        root: Node,
+        notes: Notes,
+        lenient: bool = False,
+        is_to_blend: bool = False,
+        text: str = "outline",
+    ) -> None:
         self._root = root
         self._notes = notes
         self._lenient = lenient
@@ -103,6 +114,8 @@ class Walk:
         self._ancestors: set[int] = set()
         self._reason: str | None = None
         self._other_names: dict[str, None] = {}
+        self._outlines_text = text == "outline"
+        self._texts: Texts | None = None
 
     def shapes(self, box: Box | None, selector: str | None = None) -> tuple[Shape, ...]:
         """Return the painted shapes, at least one, given the box of the root.
@@ -138,7 +151,10 @@ class Walk:
         if node.tag in LEFT_OUT:
             self._notes.add(f"{node.tag} left out")
         is_used_symbol = node.tag == "symbol" and visit.used[-1:] == (node,)
-        if not (node.tag in SHAPES or node.tag in GROUPS or is_used_symbol) or not _is_for_us(node):
+        if node.tag == "text" and not self._has_text():
+            return
+        is_drawn = node.tag in SHAPES or node.tag in GROUPS or node.tag == "text"
+        if not (is_drawn or is_used_symbol) or not _is_for_us(node):
             return
         declared = self._cascade.declared(node, keep=bool(visit.used))
         if declared:
@@ -155,6 +171,8 @@ class Walk:
             reason = "without extent"
         elif node.tag in SHAPES:
             reason = self._draw(visit, declared)
+        elif node.tag == "text":
+            reason = self._draw_text(visit)
         elif node.tag == "use":
             self._use(visit)
         else:
@@ -252,11 +270,22 @@ class Walk:
 
     def _draw(self, visit: _Visit, declared: Declarations) -> str | None:
         """Add a shape, or return why it is not painted."""
+        scales = declared.get("vector-effect", "").strip().lower() != "non-scaling-stroke"
+        return self._paint(visit, lambda: self._contours(visit, declared), scales)
+
+    def _paint(
+        self,
+        visit: _Visit,
+        make: Callable[[], list[Contour]],
+        scales: bool = True,
+        letters: str | None = None,
+        whole: list[Contour] | None = None,
+    ) -> str | None:
+        """Add a shape of contours in its own coordinates; gradients of letters span the `whole` text."""
         node = visit.node
         if visit.inherited.visibility != "visible":
             return "hidden"
         scale = math.sqrt(abs(visit.matrix.determinant))
-        scales = declared.get("vector-effect", "").strip().lower() != "non-scaling-stroke"
         style = self._painter.style(
             visit.inherited, visit.opacity, scale if scales else self._pixel, visit.lengths
         )
@@ -264,7 +293,7 @@ class Walk:
             style = style._replace(pixel=self._pixel)
         if style.fill is None and style.stroke is None:
             return "with neither fill nor stroke"
-        own_contours = self._contours(visit, declared)
+        own_contours = make()
         if not own_contours:
             return "without extent"
         self._segments += sum(len(contour.segments) for contour in own_contours)
@@ -284,13 +313,90 @@ class Walk:
         if not all(np.abs(contour.segments).max() < LIMIT for contour in placed):
             raise Problem(f"{node}: coordinates beyond {LIMIT:g}; smaller ones would work")
         style = self._painter.with_gradients(
-            style, visit.inherited, own_contours, visit.matrix, visit.lengths
+            style, visit.inherited, whole or own_contours, visit.matrix, visit.lengths
         )
         if style.stroke_dasharray and node.get("pathLength") is not None:
             self._notes.add("pathLength not applied to dashes")
-        called = name_of(node), visit.groups, _clips_of(visit.clips, placed, style)
-        self._shapes.append(Shape(index, name, node.tag, tuple(placed), style, *called))
+        called = name_of(node) if letters is None else Name(label=clean(letters))
+        clips = _clips_of(visit.clips, placed, style)
+        self._shapes.append(Shape(index, name, node.tag, tuple(placed), style, called, visit.groups, clips))
         return None
+
+    def _has_text(self) -> bool:
+        """Return whether text is drawn."""
+        if not self._outlines_text:
+            self._notes.add("text skipped")
+            return False
+        if self._texts is None:
+            from shapeblend_cli.svg.reading.text import Texts
+
+            sheets = [node.text for node in self._root.walk() if node.tag == "style"]
+            self._texts = Texts(sheets, self._notes)
+        return self._texts.is_available
+
+    def _draw_text(self, visit: _Visit) -> str | None:
+        """Add a shape for each letter of a text, or return why there is none."""
+        text, visits = self._text(self._grouped(visit))
+        letters = self._texts.letters(text) if self._texts else []
+        whole = [contour for letter in letters for contour in letter.contours]
+        reason: str | None = "without letters"
+        for letter in letters:
+            around = visits[letter.span]
+            # Fonts know one rule for what is inside.
+            solid = around.inherited._replace(fill_rule="nonzero")
+            here = around._replace(node=visit.node, inherited=solid)
+            skipped = self._paint(here, partial(list, letter.contours), letters=letter.letters, whole=whole)
+            reason = skipped if reason is not None else None
+        return reason
+
+    def _text(self, visit: _Visit) -> tuple[Text, list[_Visit]]:
+        """Return the characters of a text, and the visits of its spans."""
+        from shapeblend_cli.svg.reading import text as texts
+
+        text = texts.Text([], [], [])
+        visits: list[_Visit] = []
+        waiting: list[tuple[int, Iterator[str | Node], bool]] = []
+
+        def enter(inner: _Visit, path: tuple[Contour, ...] | None, keeps: bool) -> None:
+            node = inner.node
+            text.spans.append(texts.Span(node, inner.inherited, inner.lengths, len(text.characters), path))
+            text.ends.append(0)
+            keeps = texts.keeps_blanks(node, inner.inherited, keeps)
+            waiting.append((len(visits), iter(node.mixed or ()), keeps))
+            visits.append(inner)
+
+        enter(visit, None, False)
+        while waiting:
+            number, rest, keeps = waiting[-1]
+            item = next(rest, None)
+            if item is None:
+                text.ends[number] = len(text.characters)
+                waiting.pop()
+            elif isinstance(item, str):
+                text.add(item, number, keeps)
+            elif item.tag in ("tspan", "textPath", "a") and _is_for_us(item):
+                declared, inner = self._apply(
+                    self._cascade.declared(item), visits[number]._replace(node=item)
+                )
+                if declared.get("display", "").strip().lower() == "none":
+                    continue
+                check_limit(len(waiting), texts.MOST_DEPTH, "spans within each other")
+                path = self._carrier(inner) if item.tag == "textPath" else text.spans[number].path
+                # Only the style counts: spans have no transform.
+                enter(inner._replace(matrix=visit.matrix), path, keeps)
+        return text, visits
+
+    def _carrier(self, visit: _Visit) -> tuple[Contour, ...]:
+        """Return the contours of the path that a text follows, none if it is not there."""
+        link = visit.node.link().strip()
+        target = self._ids.get(link.removeprefix("#"))
+        if target is None or target.tag not in SHAPES:
+            self._notes.add(f"text along '{printable(link)}', which is no path of the file, left out")
+            return ()
+        declared = self._cascade.declared(target, keep=True)
+        matrix = parse(declared.get("transform", "none")) or IDENTITY
+        found = contours_of(target, declared, visit.lengths, self._notes, self._lenient)
+        return tuple(contours.transform(contour, matrix) for contour in found)
 
     def _check_limits(self, placed: Sequence[Contour]) -> None:
         """Refuse a drawing that is too large to blend as soon as it shows."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -11,7 +12,13 @@ from shapeblend_cli.svg.styles.declarations import KEYWORDS, Declarations, parse
 from shapeblend_cli.svg.xml.units import Measure, length
 from shapeblend_cli.svg.xml.xmltree import Node
 
-PRESENTATION = frozenset(
+TEXT = frozenset(
+    "alignment-baseline baseline-shift direction dominant-baseline font font-family font-style font-weight "
+    "letter-spacing text-anchor white-space word-spacing writing-mode".split()
+)
+"""Properties of text, which this reader keeps as they are written."""
+
+PRESENTATION = TEXT - {"font"} | frozenset(
     "clip-path clip-rule color display fill fill-opacity fill-rule filter font-size marker-end marker-mid marker-start "
     "mask opacity paint-order stop-color stop-opacity stroke stroke-dasharray stroke-dashoffset stroke-linecap "
     "stroke-linejoin stroke-miterlimit stroke-opacity stroke-width transform transform-origin vector-effect "
@@ -37,6 +44,7 @@ class Inherited(NamedTuple):
     color: colours.Colour = colours.BLACK
     visibility: str = "visible"
     font_size: float = 16.0
+    text: Mapping[str, str] = MappingProxyType({})  # properties in `TEXT`
     variables: Mapping[str, str] = MappingProxyType({})
 
 
@@ -49,11 +57,27 @@ _KEYWORDS = {
     "visibility": ("visible", "hidden", "collapse"),
 }
 _PARENTS = (KEYWORDS - {"initial"}) | {""}
-_FIELDS = {field.replace("_", "-"): field for field in Inherited._fields if field != "variables"}
+_FIELDS = {
+    field.replace("_", "-"): field for field in Inherited._fields if field not in ("text", "variables")
+}
 _MAX_DASHES_TEXT = 10_000
 _MAX_DASHES = 1000
 
 _FONT_SIZES = {"smaller": 1 / 1.2, "larger": 1.2}
+_NAMED_SIZES = {
+    "xx-small": 9.0,
+    "x-small": 10.0,
+    "small": 13.0,
+    "medium": 16.0,
+    "large": 18.0,
+    "x-large": 24.0,
+    "xx-large": 32.0,
+    "xxx-large": 48.0,
+}
+_WORDS = r"normal|italic|oblique|small-caps|bold|bolder|lighter|[1-9]00"
+_FONT = re.compile(
+    rf"((?:(?:{_WORDS})\s++)*+)([^\s/]++)(?:\s*+/\s*+\S++)?\s++(.++)", re.IGNORECASE | re.DOTALL
+)
 
 
 class Cascade:
@@ -100,6 +124,9 @@ def inherit(parent: Inherited, declared: Declarations, note: Callable[[str], Non
     """
     changed: dict[str, Any] = {}
     font_size = parent.font_size
+    if not TEXT.isdisjoint(declared):
+        declared = _with_font(declared)
+        changed["text"] = _text(parent.text, declared)
     # Lengths in em need the font size first.
     for name in sorted((name for name in declared if name in _FIELDS), key=lambda name: name != "font-size"):
         text = declared[name].strip()
@@ -138,6 +165,45 @@ def _value(name: str, text: str, parent: Inherited, font_size: float) -> Any:
     return keyword if keyword in _KEYWORDS[name] else None
 
 
+def _with_font(declared: Declarations) -> Declarations:
+    """Return declarations with those that ``font`` stands for; others of the same element come after it."""
+    match = _FONT.fullmatch(declared.get("font", "").strip())
+    if match is None:
+        return declared
+    words = match[1].lower().split()
+    weights = [word for word in words if word[0].isdigit() or word in ("bold", "bolder", "lighter")]
+    slants = [word for word in words if word in ("italic", "oblique")]
+    meant = {
+        "font-style": (slants or ["normal"])[0],
+        "font-weight": (weights or ["normal"])[0],
+        "font-size": match[2],
+        "font-family": match[3],
+    }
+    return {**meant, **declared}
+
+
+def _text(parent: Mapping[str, str], declared: Declarations) -> Mapping[str, str]:
+    """Return the properties of text; ``bolder`` and ``lighter`` go by the weight around."""
+    found = {**parent}
+    for name in TEXT.intersection(declared):
+        value = declared[name].strip()
+        keyword = value.lower()
+        if keyword == "initial":
+            found.pop(name, None)
+        elif name == "font-weight" and keyword in ("bolder", "lighter"):
+            is_bold = parent.get(name, "400").strip().lower() in ("bold", "600", "700", "800", "900")
+            found[name] = (
+                "700"
+                if (keyword == "bolder") != is_bold
+                else "900"
+                if is_bold and keyword == "bolder"
+                else "400"
+            )
+        elif keyword not in _PARENTS:
+            found[name] = value
+    return found
+
+
 def share(text: str) -> float | None:
     """Return a share between 0 and 1, written as a number or a percentage."""
     value = length(text, whole=1.0)
@@ -165,6 +231,7 @@ def _font_size(text: str, font_size: float) -> float:
     factor = _FONT_SIZES.get(text.lower())
     if factor is not None:
         return font_size * factor
+    if text.lower() in _NAMED_SIZES:
+        return _NAMED_SIZES[text.lower()]
     size = length(text, font_size, font_size)
-    # Keywords such as 'medium' are rare and only matter to lengths in em.
     return INITIAL.font_size if size is None or size < 0 else size

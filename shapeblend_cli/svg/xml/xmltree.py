@@ -50,7 +50,7 @@ SHAPES = POINT_LISTS | {"rect", "circle", "ellipse", "line"}
 GROUPS = frozenset(("g", "a", "switch", "svg", "use"))
 """Elements that draw their children, or the element that they refer to."""
 
-LEFT_OUT = frozenset(("text", "image", "foreignObject", "video", "canvas", "iframe"))
+LEFT_OUT = frozenset(("image", "foreignObject", "video", "canvas", "iframe"))
 """Elements that browsers draw and this reader does not."""
 
 WITH_TEXT = frozenset(("style", "title", "desc"))
@@ -66,6 +66,7 @@ class Node:
     line: int  # where the element begins in the file, counted from 1
     children: list[Node] = field(default_factory=list)
     text: str = ""  # directly inside, of elements in `WITH_TEXT` only
+    mixed: list[str | Node] | None = None  # words and children in order, of `text` and elements in it only
 
     def get(self, name: str, default: str | None = None) -> str | None:
         """Return the value of an attribute."""
@@ -199,18 +200,26 @@ class _Builder:
             check_limit(len(namespaces), MAX_PREFIXES, "namespaces")
         self._namespaces.append(namespaces)
         node = Node(_local(name, namespaces), attrib, self._parser.CurrentLineNumber)
-        self._open[-1].children.append(node)
+        around = self._open[-1]
+        around.children.append(node)
+        if around.mixed is not None:
+            around.mixed.append(node)
         self._open.append(node)
         if node.tag in WITH_TEXT:
             self._text = []
             self._parser.CharacterDataHandler = self._text.append
+        elif node.tag == "text" or around.mixed is not None:
+            node.mixed = []
+            self._parser.CharacterDataHandler = node.mixed.append
 
     def _end(self, name: str) -> None:
         node = self._open.pop()
         self._namespaces.pop()
         if node.tag in WITH_TEXT:
             node.text = "".join(self._text)
-            self._parser.CharacterDataHandler = None
+        if node.tag in WITH_TEXT or node.mixed is not None:
+            around = self._open[-1].mixed
+            self._parser.CharacterDataHandler = None if around is None else around.append
 
     def _default(self, *declaration: object) -> None:
         self._has_defaults = True

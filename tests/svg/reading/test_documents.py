@@ -64,7 +64,7 @@ REFUSED = {
     ),
     "web page": (b"<html><svg/></html>", "its root element is <html>, not <svg>"),
     "no shapes": (b"<svg/>", "no painted shape: it has no shape elements"),
-    "only text": (b"<svg><text>a</text></svg>", "no painted shape: text left out"),
+    "only images": (b"<svg><image/></svg>", "no painted shape: image left out"),
     "only definitions": (b"<svg><defs><path/></defs></svg>", "1 shape in defs, symbols, clip paths"),
     "damaged gzip": (gzip.compress(PLAIN)[:-20], "compressed data is damaged or cut short"),
     "gzip in gzip": (gzip.compress(gzip.compress(PLAIN)), "this is compressed twice"),

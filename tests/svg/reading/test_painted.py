@@ -204,11 +204,11 @@ NOTES = {
         ("mix-blend-mode not applied", "paint-order not applied"),
     ),
     "left out": (
-        f'<text>a</text><text>b</text><image/><g clip-path="url(#c)" filter="none">{RECT}</g>'
+        f'<image/><image/><foreignObject/><g clip-path="url(#c)" filter="none">{RECT}</g>'
         f'<use href="#x"/><use href="http://example.org/a.svg#b"/>',
         (
-            "text left out (2 times)",
-            "image left out",
+            "image left out (2 times)",
+            "foreignObject left out",
             "clip-path not applied",
             "use of '#x', which is not in the file, left out",
             "use of 'http://example.org/a.svg#b', which is not in the file, left out",

@@ -15,7 +15,7 @@ DRAWING = svg(
 <use id="u1" class="u" href="#tree"/><use id="u2" href="#tree"/>
 <circle id="path:2" r="4" class="st0"/>
 <rect id="clear" width="5" height="5" fill="none"/>
-<text id="words">a</text><g id="empty"/><linearGradient id="fade"/><use id="lost" href="#nowhere"/>
+<image id="words"/><g id="empty"/><linearGradient id="fade"/><use id="lost" href="#nowhere"/>
 """
 )
 TAKEN = {
@@ -69,11 +69,11 @@ NOTHING = {
     "#inside": "paints nothing: it is in g 'hidden' on line 4, which is not displayed; ",
     "#unused": "paints nothing: it stands in <defs> and no use draws it; ",
     "#clear": "paints nothing: it is with neither fill nor stroke; ",
-    "#words": "paints nothing: text is not read; ",
+    "#words": "paints nothing: image is not read; ",
     "#empty": "paints nothing: no shape stands in it; ",
     "#fade": "paints nothing: <linearGradient> is no shape; ",
     "#lost": "paints nothing: what it refers to is not drawn; ",
-    "defs > rect, text": "is there (rect 'unused' on line 2 and 1 more) but paints nothing",
+    "defs > rect, image": "is there (rect 'unused' on line 2 and 1 more) but paints nothing",
 }
 
 
