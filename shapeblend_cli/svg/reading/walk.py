@@ -96,6 +96,8 @@ class Walk:
         self._drawn = 0  # contours
         self._groups = 0
         self._cascade = Cascade(root)
+        if self._cascade.has_schemes:
+            notes.add("prefers-color-scheme: light taken")
         self._ids: dict[str, Node] = {}
         for node in root.walk():
             if name := node.get("id"):

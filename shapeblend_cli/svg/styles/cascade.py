@@ -86,7 +86,11 @@ class Cascade:
     def __init__(self, root: Node) -> None:
         self._rules: dict[int, tuple[Declarations, Declarations]] = {}
         self._kept: dict[int, Declarations] = {}
-        texts = [node.text for node in root.walk() if node.tag == "style" and _is_css(node)]
+        sheets = [node for node in root.walk() if node.tag == "style"]
+        texts = [node.text for node in sheets if _is_css(node)]
+        self.has_schemes = any(
+            "prefers-color-scheme" in part for node in sheets for part in (node.text, node.get("media") or "")
+        )
         if any(text.strip() for text in texts):
             from shapeblend_cli.svg.styles import stylesheets
 
@@ -114,7 +118,13 @@ class Cascade:
 def _is_css(node: Node) -> bool:
     kind = node.get("type", "") or ""
     media = (node.get("media", "") or "").strip().lower()
-    return kind.strip().lower() in ("", "text/css") and media in ("", "all", "screen")
+    if kind.strip().lower() not in ("", "text/css"):
+        return False
+    if media in ("", "all", "screen"):
+        return True
+    from shapeblend_cli.svg.styles import stylesheets
+
+    return stylesheets.medium(media) in stylesheets.MEDIA
 
 
 def inherit(parent: Inherited, declared: Declarations, note: Callable[[str], None]) -> Inherited:

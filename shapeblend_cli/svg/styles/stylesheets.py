@@ -23,7 +23,12 @@ _NEW = 3  # cost of an element that is made, not only looked at
 _MAX_SELECTOR = 2_000
 _MAX_CLASSES = 10_000
 
-_MEDIA = frozenset(("", "all", "screen", "only screen"))
+_LIGHT = "(prefers-color-scheme: light)"
+
+MEDIA = frozenset(
+    ("", "all", "screen", "only screen", _LIGHT, f"screen and {_LIGHT}", f"{_LIGHT} and screen")
+)
+"""Media of which rules count: a screen, and one that is light."""
 
 UNREADABLE = (
     cssselect2.SelectorError,
@@ -78,12 +83,22 @@ def _rules(texts: list[str]) -> Iterator[tuple[Any, tuple[Declarations, Declarat
     while waiting:
         rule = waiting.pop()
         if rule.type == "at-rule" and rule.lower_at_keyword == "media" and rule.content is not None:
-            if tinycss2.serialize(rule.prelude).strip().lower() in _MEDIA:
+            if medium(tinycss2.serialize(rule.prelude)) in MEDIA:
                 inner = tinycss2.parse_rule_list(rule.content, skip_comments=True, skip_whitespace=True)
                 waiting += inner[::-1]
         elif rule.type == "qualified-rule":
             declarations = parse(rule.content)
             yield from ((selector, declarations) for selector in _selectors(rule.prelude))
+
+
+def medium(text: str) -> str:
+    """Return a medium as `MEDIA` writes it."""
+    return (
+        " ".join(text.lower().replace(":", ": ").split())
+        .replace("( ", "(")
+        .replace(" :", ":")
+        .replace(" )", ")")
+    )
 
 
 def _without_fonts(sheet: str) -> str:

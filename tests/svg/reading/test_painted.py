@@ -222,6 +222,20 @@ def test_what_is_not_drawn_as_it_stands_is_noted(markup, notes):
     assert drawn(markup).notes == notes
 
 
+@pytest.mark.parametrize(
+    "sheet",
+    [
+        "<style>rect { fill: red } @media (prefers-color-scheme: light) { rect { fill: blue } } "
+        "@media (prefers-color-scheme:dark) { rect { fill: lime } }</style>",
+        '<style>rect { fill: red }</style><style media="( prefers-color-scheme:light )">rect { fill: blue }</style>',
+    ],
+)
+def test_of_two_colour_schemes_the_light_one_is_taken_and_said(sheet):
+    drawing = drawn(f"{sheet}{RECT}")
+    assert drawing.shapes[0].style.fill == "#0000ff"
+    assert drawing.notes == ("prefers-color-scheme: light taken",)
+
+
 def dashes(value, more=""):
     markup = f'<g stroke="red" font-size="10" stroke-dasharray="{value}" {more}>{RECT}</g>'
     painted = style(markup, 'viewBox="0 0 30 40"')
