@@ -41,7 +41,7 @@ STEP = 0.1
 MOST_SAMPLES = 8000
 """Maximum number of sample points of a region: drawings with longer outlines are no icons."""
 
-WIDEST = 0.2 * UNITS
+WIDEST = 0.14 * UNITS
 """Maximum width of a pen, in units."""
 
 MOST_WIDTHS = 4

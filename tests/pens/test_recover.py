@@ -38,6 +38,7 @@ SOLID = {
     "disc with a hole": "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2ZM8 8V9H9V8Z",
     "triangle": "M3 21L12 3L21 21Z",
     "wedge": "M2 12L22 8V16Z",
+    "thick cross": "M10 2H14V10H22V14H14V22H10V14H2V10H10Z",
 }
 
 
