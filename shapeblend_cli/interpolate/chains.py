@@ -50,13 +50,15 @@ class _ShapeChain(NamedTuple):
     clips: tuple[ClipBlend, ...] = ()
 
 
-def keyframed_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
+def keyframed_shapes(pairs: Sequence[Pair], finer: float = 1.0) -> list[KeyframedShape]:
     """Join shapes that stay together from one drawing to the next.
 
     Parameters
     ----------
     pairs : sequence of Pair
         Each begins with the drawing with which the one before it ends.
+    finer : float
+        Divides the tolerance of paths that are not straight; see `waypoints`.
 
     Returns
     -------
@@ -71,7 +73,7 @@ def keyframed_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
             for k, chain in enumerate(chains)
             if chain.fading is None and chain.first + len(chain.styles) - 1 == pair.a
         }
-        started = [_start(shape, pair.a) for shape in pair.shapes]
+        started = [_start(shape, pair.a, finer) for shape in pair.shapes]
         continued: dict[int, tuple[int, _ShapeChain]] = {}
         for k, chain in enumerate(started):
             numbers = _numbers([contour.start for contour in chain.contours])
@@ -100,7 +102,9 @@ def keyframed_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
         (span,), pace = chain.spans[:1], chain.fading.pace if chain.fading else ()
         for clip in chain.clips:
             if (id(clip), chain.first, span, pace) not in regions:
-                started = [_start(shape._replace(span=span, pace=pace), chain.first) for shape in clip.shapes]
+                started = [
+                    _start(shape._replace(span=span, pace=pace), chain.first, finer) for shape in clip.shapes
+                ]
                 regions[id(clip), chain.first, span, pace] = tuple(_coats(shape)[-1] for shape in started)
         return tuple(regions[id(clip), chain.first, span, pace] for clip in chain.clips)
 
@@ -128,8 +132,8 @@ def _numbers(keys: Sequence[Key]) -> frozenset[int | None]:
     return frozenset() if None in numbers else numbers
 
 
-def _start(shape: ShapeBlend, first: int) -> _ShapeChain:
-    points = waypoints(shape)
+def _start(shape: ShapeBlend, first: int, finer: float) -> _ShapeChain:
+    points = waypoints(shape, finer)
     contours = [
         ContourChain.of(blend, [point.paths[k].segments for point in points])
         for k, blend in enumerate(shape.contours)

@@ -58,38 +58,38 @@ def paths_at(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
     )
 
 
-def waypoints(shape: ShapeBlend) -> tuple[Waypoint, ...]:
+def waypoints(shape: ShapeBlend, finer: float = 1.0) -> tuple[Waypoint, ...]:
     """Return the waypoints between which straight paths approximate a shape's motion.
 
-    At the quarters between two waypoints no control point is off by more than a tolerance. Straight motion needs no
-    waypoints.
+    At the quarters between two waypoints no control point is off by more than a tolerance, which is divided by `finer`.
+    Straight motion needs no waypoints.
     """
     if shape.pace:
         plain = shape._replace(span=WHOLE, pace=())
         shares = [share for _, share in shape.pace]
         own = [
-            *_cuts(plain, min(shares), 0.0),
+            *_cuts(plain, min(shares), 0.0, finer),
             0.0,
-            *_cuts(plain, 0.0, 1.0),
+            *_cuts(plain, 0.0, 1.0, finer),
             1.0,
-            *_cuts(plain, 1.0, max(shares)),
+            *_cuts(plain, 1.0, max(shares), finer),
         ]
         return tuple(Waypoint(t, paths_at(shape, t)) for t in shape.times_of(own))
     if shape.span != WHOLE:
         whole = shape._replace(span=WHOLE)
-        inner = [(shape.time_of(point.t), point.paths) for point in waypoints(whole)]
+        inner = [(shape.time_of(point.t), point.paths) for point in waypoints(whole, finer)]
         ends = [(shape.span[k], paths_at(whole, float(k))) for k in (0, 1)]
         return tuple(Waypoint(t, paths) for t, paths in (ends[0], *inner, ends[1]) if 0.0 < t < 1.0)
-    return tuple(Waypoint(t, paths_at(shape, t)) for t in _cuts(shape, 0.0, 1.0))
+    return tuple(Waypoint(t, paths_at(shape, t)) for t in _cuts(shape, 0.0, 1.0, finer))
 
 
-def _cuts(shape: ShapeBlend, begin: float, until: float) -> list[float]:
+def _cuts(shape: ShapeBlend, begin: float, until: float, finer: float) -> list[float]:
     """Return the times at which a shape's motion is cut into straight steps, from one time to another."""
     if shape.motion is None or begin >= until:
         return []
     paths = [path for contour in shape.contours for path in (contour.start, contour.end)]
     tolerance = SWEEP_TOLERANCE if shape.motion_name == "sweep" else WAYPOINT_TOLERANCE
-    most = tolerance * control_box(paths).larger_side
+    most = tolerance / finer * control_box(paths).larger_side
 
     @cache
     def at(t: float) -> ComplexArray:

@@ -1,4 +1,4 @@
 """The formats: one module each, a registry, and their options.
 
-It may import frames, svg.writing, options and what is below them.
+It may import web, frames, svg.writing, options and what is below them.
 """

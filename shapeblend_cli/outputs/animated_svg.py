@@ -1,13 +1,16 @@
-"""One SVG document that moves by SMIL, by CSS, or as frames that are visible in turn."""
+"""One SVG document that moves by SMIL, by CSS, or as frames that are visible in turn; and a module of JavaScript."""
 
 from __future__ import annotations
 
 from itertools import pairwise
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+from shapeblend_cli.errors import OptionError
 from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.model import Box
-from shapeblend_cli.outputs.formats import OutputSpec, Rendered, page_of, views
+from shapeblend_cli.options.easing import FOREVER, Timing
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec, Rendered, page_of, views
 from shapeblend_cli.paint.names import page_for
 from shapeblend_cli.svg.writing.animation import Views
 
@@ -16,6 +19,10 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import Page, Pair
     from shapeblend_cli.options.easing import Knots
+
+
+FINER = 4.0
+"""Ratio of the tolerances of paths in animations and in modules, which programs may show at any size."""
 
 
 def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
@@ -46,6 +53,29 @@ def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
 
     seen = shown_views(boxes, spec.knots)
     return Rendered([smil_svg(shapes, seen, timing, decimals, page_for(page, boxes[0]))])
+
+
+def check_module(spec: OutputSpec) -> None:
+    """Raise OptionError for what a module leaves to its page."""
+    timing = spec.timing
+    if timing.rests or timing.delay or timing.repeat != FOREVER:
+        raise OptionError(
+            "a module of JavaScript plays as its page says, with the options loop and alternate; it would work "
+            "without --repeat, --hold and --delay"
+        )
+
+
+def render_module(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
+    """Return a module of JavaScript, which moves the same attributes as SMIL does."""
+    from shapeblend_cli.svg.writing.smil import smil_svg
+    from shapeblend_cli.web.module import module_js
+
+    boxes, decimals = views(pairs), spec.decimals(pairs)
+    shapes, seen = keyframed_shapes(spec.eased(pairs), FINER), shown_views(boxes, spec.knots)
+    page = page_for(page_of(pairs), boxes[0])
+    animated = smil_svg(shapes, seen, Timing(repeat=1), decimals, page)
+    name = "blend.js" if spec.path == STANDARD_OUTPUT else Path(spec.path).name
+    return Rendered([module_js(animated, spec.timing, len(pairs), decimals, name)])
 
 
 def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Rendered:

@@ -121,6 +121,17 @@ FORMATS: tuple[Format, ...] = (
         suffix=".lottie",
     ),
     Format(
+        "js",
+        "a module of JavaScript that plays the blend in web pages, without other libraries",
+        "animated_svg.render_module",
+        emit="js",
+        plays=True,
+        suffix=".js",
+        to_standard_output=True,
+        takes_stagger=True,
+        checker="animated_svg.check_module",
+    ),
+    Format(
         "avd",
         "an animated vector drawable for Android",
         "avd.render",

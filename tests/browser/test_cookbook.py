@@ -96,9 +96,8 @@ def pictures(page, *waits):
 
 @pytest.mark.parametrize("recipe", RECIPES, ids=lambda recipe: recipe.title)
 def test_a_page_of_the_cookbook_moves_and_what_waits_for_clicks_does_so_then(recipe, site, browser):
-    for name in ("GSAP", "lottie-web"):
-        if f"npm/{name.lower()}@" in recipe.page:
-            require(name)
+    if CDN in recipe.page:
+        require("what plays and morphs in pages")
     with opened(browser, site, recipe) as page:
         seen = set()
         if "click" in recipe.command + recipe.page:

@@ -15,7 +15,7 @@ from tools.quality.peers import flubber, kute, polymorph
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
 PLAYER = Path(__file__).with_name("player")
-"""The folder with the lock file of lottie-web and GSAP."""
+"""The folder with the lock file of lottie-web, GSAP, React and others."""
 INSTALLED = Path(__file__).parents[2] / "out" / "player"
 LOTTIE_WEB = INSTALLED / "node_modules" / "lottie-web" / "build" / "player" / "lottie.min.js"
 
@@ -30,8 +30,7 @@ EQUIPMENT = {
     "ffmpeg": _commands("ffmpeg", "ffprobe"),
     "Inkscape": _commands("inkscape", "xvfb-run", "xauth"),
     "Chromium": lambda: None if CHROMIUM else "apt-get install chromium",
-    "lottie-web": lambda: install(PLAYER, INSTALLED),
-    "GSAP": lambda: install(PLAYER, INSTALLED),
+    "what plays and morphs in pages": lambda: install(PLAYER, INSTALLED),
     "flubber": flubber.FINE.ready,
     "KUTE.js": kute.FINE.ready,
     "polymorph": polymorph.FINE.ready,

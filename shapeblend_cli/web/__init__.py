@@ -1,0 +1,4 @@
+"""JavaScript that plays blends in web pages.
+
+It may import options.
+"""
