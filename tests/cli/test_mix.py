@@ -44,7 +44,10 @@ def test_all_of_one_drawing_is_that_drawing(here):
 def test_none_of_a_drawing_is_the_blend_of_the_others(here, mix, pair, count):
     files = letters(B, EIGHT, EYED)
     (text,) = mixed(files, mix)
-    assert run([f"{pair[0]}.svg", f"{pair[1]}.svg", "-n", str(count), "-o", "blend", "-q"]) == 0
+    assert (
+        run([f"{pair[0]}.svg", f"{pair[1]}.svg", "-n", str(count), "-o", "blend", "-q", "--motion", "linear"])
+        == 0
+    )
     assert text == Path("blend/frame-1.svg").read_text()
 
 
