@@ -8,6 +8,7 @@ import numpy as np
 
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.polygons import winding_numbers
+from shapeblend_cli.pairing.assignment import NEVER, assign
 from shapeblend_cli.pairing.pair import pair_contours
 from shapeblend_cli.wires.constraints import Constraints, has_numbers
 
@@ -94,9 +95,9 @@ def _pairs_within(
 def _pairs_of_letters(
     a: PlacedDrawing, b: PlacedDrawing, settings: Settings, required: Sequence[Numbers]
 ) -> list[Numbers]:
-    """Return the pairs of contours of letters: equal ones first, and then all others, each time the nearest by place.
+    """Return the pairs of contours of letters: equal ones first, and then all others, in order as far as that goes.
 
-    The place of a letter is that among all letters of its drawing, from 0 to 1.
+    The place of a letter is that among all letters of its drawing, from 0 to 1. Squares of distances keep the order.
     """
     ours = _letters(a, {i for i, _ in required})
     theirs = _letters(b, {j for _, j in required})
@@ -104,15 +105,20 @@ def _pairs_of_letters(
     for are_equal in (True, False):
         if len(ours) * len(theirs) > MOST_LETTERS:
             break
-        near = sorted(
-            (abs(p.place - q.place), i, j)
-            for i, p in ours.items()
-            for j, q in theirs.items()
-            if not are_equal or p.letter == q.letter
-        )
-        for _, i, j in near:
-            if i in ours and j in theirs:
-                pairs += _pairs_within(ours.pop(i).contours, theirs.pop(j).contours, settings)
+        shapes = [*ours], [*theirs]
+        costs = np.array(
+            [
+                [
+                    NEVER if are_equal and p.letter != q.letter else (p.place - q.place) ** 2
+                    for q in theirs.values()
+                ]
+                for p in ours.values()
+            ]
+        ).reshape(len(ours), len(theirs))
+        for k, m in assign(costs):
+            if costs[k, m] < NEVER:
+                p, q = ours.pop(shapes[0][k]), theirs.pop(shapes[1][m])
+                pairs += _pairs_within(p.contours, q.contours, settings)
     return sorted(pairs)
 
 

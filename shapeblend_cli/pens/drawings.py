@@ -86,13 +86,15 @@ def pen_drawing(drawing: PlacedDrawing, scale: float, most: float = np.inf) -> P
     free = 1 + max((contour.number for contour in drawing.contours), default=0)
     for members in groups.values():
         style = members[0].style
-        clipped = bool(drawing.drawing.shapes[members[0].shape].clips)
+        shape = drawing.drawing.shapes[members[0].shape]
+        # Letters become letters, not the lines that they could be drawn with.
+        is_drawn = not shape.clips and shape.element != "text"
         found: list[PenLine] | None = None
-        if style.fill is None and style.stroke is not None and not clipped:
+        if style.fill is None and style.stroke is not None and is_drawn:
             found = [file_line(contour, scale) for contour in members]
             if max(line.length for line in found) > LONGEST:
                 found = None
-        elif style.stroke is None and style.fill is not None and not clipped:
+        elif style.stroke is None and style.fill is not None and is_drawn:
             whole = recovered_lines(members, scale) if len(lines) <= most else None
             if whole is not None:
                 found, is_recovered = whole[0], True
