@@ -84,7 +84,7 @@ def two_rows(screenshot):
 @pytest.fixture
 def played(two_rows):
     """Draw what lottie-web shows at times as shares of a Lottie, each with a frame."""
-    require("lottie-web")
+    require("what plays and morphs in pages")
 
     def draw(text, frames, times):
         script = f"""
