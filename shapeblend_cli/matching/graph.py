@@ -224,7 +224,7 @@ class Graph:
 
     def sweep(
         self, starts: Starts, limit: float = np.inf, simplified: bool = False
-    ) -> tuple[float, Dots, bool] | None:
+    ) -> tuple[float, Dots, bool, FloatArray] | None:
         """Find the least path from a set of starts to the ends that belong to them.
 
         Parameters
@@ -237,8 +237,9 @@ class Graph:
 
         Returns
         -------
-        (work, dots, is_own) or None
-            `is_own`: the path ends in the state it started from and stays in the band around its own start.
+        (work, dots, is_own, ends) or None
+            `is_own`: the path ends in the state it started from and stays in the band around its own start. `ends`: the
+            least work of paths to the end of each row of the set, wherever in it they start.
         """
         window = self.limits(starts)
         if window is None:
@@ -270,7 +271,10 @@ class Graph:
         row, step = int(window.low[-1]) + first_end + at // 3, at % 3
         dots, first_step = sweeps.backtrack(progress.parents, window, row, step)
         own = dots[0][1] + self.span == row and (first_step == step or not self.closed)
-        return work, dots, own and self._in_band(dots)
+        ends = np.full(starts.rows, np.inf)
+        first_row = int(window.low[-1]) + first_end - self.span - starts.first_row
+        ends[first_row : first_row + len(offered)] = offered.min(axis=1)
+        return work, dots, own and self._in_band(dots), ends
 
     def _blocks(self, window: Window) -> Iterable[tuple[Tables, int]]:
         """Yield tables for runs of columns of a window, and the last column of each run."""

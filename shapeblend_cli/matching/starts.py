@@ -9,8 +9,8 @@ or a Southeast step, so the rows of column 0 with these two steps are all the st
 backwards with every row as start and as end gives a lower bound on the work from every state on. A set of
 starts is then solved in one sweep, leaving out whatever cannot beat the best closed path known: if
 the best path of the set ends in the state it began in, it is the set's least, else its work is a lower
-bound and the set is cut in two. Sets are taken up in the order of their bounds, until the best closed
-path is not above the next bound.
+bound and the set is cut in two, without rows to whose ends all paths take too much. Sets are taken up in
+the order of their bounds, until the best closed path is not above the next bound.
 
 Cost: O(m n) time and memory for the tables and the first pass; a later sweep visits only the dots that could
 still matter. Where the tables would not fit into memory there is no first pass.
@@ -102,7 +102,7 @@ def simplified_of_all(graph: Graph) -> Path | None:
 
 def _simplified(graph: Graph, row: int, steps: tuple[int, ...]) -> Path | None:
     found = [graph.sweep(Starts(0.0, row, row, (step,)), simplified=True) for step in steps]
-    paths = [Path(dots, work, graph.sweeps) for work, dots, _ in filter(None, found)]
+    paths = [Path(dots, work, graph.sweeps) for work, dots, *_ in filter(None, found)]
     return min(paths, key=lambda path: path.work, default=None)
 
 
@@ -123,12 +123,18 @@ def _branch_and_bound(
         found = graph.sweep(starts, limit)
         if found is None:
             continue
-        work, dots, is_own = found
+        work, dots, is_own, ends = found
         if is_own:
             best = Path(dots, work, graph.sweeps)
             limit = work * (1.0 - ROUNDING)
         else:
             for part in starts.without(dots[0][1], dots[-1][1] - graph.span):
-                heapq.heappush(queue, part._replace(bound=max(work, starts.bound)))
-                waiting += part.rows
+                # No path of a row's own takes less than the least one to its end.
+                least = ends[part.first_row - starts.first_row :][: part.rows]
+                rows = np.flatnonzero(least < limit)
+                if len(rows):
+                    bound = max(float(least[rows].min()), starts.bound)
+                    first, last = (part.first_row + int(rows[k]) for k in (0, -1))
+                    heapq.heappush(queue, part._replace(bound=bound, first_row=first, last_row=last))
+                    waiting += last - first + 1
     return best

@@ -222,9 +222,9 @@ def test_bounds_are_those_of_the_sweep(rng):
     assert len(bounds) == 10
     for row in range(10):
         for step in ENTERING:
-            work, _, _ = Graph(wires, region).sweep(Starts(0.0, row, row, (step,)))
+            work, *_ = Graph(wires, region).sweep(Starts(0.0, row, row, (step,)))
             assert bounds[row] <= work + 1e-9
-    work, _, _ = Graph(wires, region).sweep(Starts(0.0, 0, 9, ENTERING))
+    work, *_ = Graph(wires, region).sweep(Starts(0.0, 0, 9, ENTERING))
     assert bounds.min() == pytest.approx(work)
     assert Graph(wires, region).lower_bound() == bounds.min()
     open_graph = Graph(Wires(p0, p1, False), Window.full(12, 10))
