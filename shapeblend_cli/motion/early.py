@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.geometry.polygons import signed_area
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -23,6 +25,7 @@ class Early(NamedTuple):
     """Another motion, or straight paths, in which contours without a partner are small for longer."""
 
     motion: Motion | None
+    grows: frozenset[bool]  # whether contours grow that are: those of one drawing, of both or of none
 
     @property
     def name(self) -> str:
@@ -35,7 +38,7 @@ class Early(NamedTuple):
         moved = self.motion.segments(contours, t) if self.motion else straight
         return [
             own
-            if contour.is_matched or contour.follows_edge
+            if contour.is_matched or contour.follows_edge or contour.grows not in self.grows
             else _smaller(own, t if contour.grows else 1.0 - t)
             for contour, own in zip(contours, moved, strict=True)
         ]
@@ -56,10 +59,23 @@ def changes_much(shapes: Sequence[ShapeBlend], side: float) -> bool:
 
 
 def with_early_parts(shapes: Sequence[ShapeBlend]) -> tuple[ShapeBlend, ...]:
-    """Let parts without a partner leave before all others have become other shapes, and come after that."""
+    """Let parts without a partner leave before all others have become other shapes, and come after that.
+
+    Not where most of a drawing is without a partner: that would be missed.
+    """
+    matched, alone = [0.0, 0.0], [0.0, 0.0]
+    for contour in (contour for shape in shapes for contour in shape.contours):
+        for end, polygon in enumerate((contour.polygon_a, contour.polygon_b)):
+            area = signed_area(polygon.vertices)
+            if contour.is_matched:
+                matched[end] += area
+            elif contour.grows == bool(end):
+                alone[end] += area
+    # What is beside lines has no matched area.
+    grows = frozenset(bool(end) for end in (0, 1) if abs(alone[end]) < abs(matched[end]) or not matched[end])
     return tuple(
         shape
         if all(contour.is_matched or contour.follows_edge for contour in shape.contours)
-        else shape._replace(motion=Early(shape.motion))
+        else shape._replace(motion=Early(shape.motion, grows))
         for shape in shapes
     )

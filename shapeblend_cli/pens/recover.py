@@ -89,6 +89,9 @@ MOST_REST = 0.2
 SPILL = 0.02
 """Maximum area that lines paint beyond such a region, as a share of it."""
 
+MOST_RESTS = 3
+"""Maximum number of parts that stick out of lines: a letter with serifs is no line with many of them."""
+
 MOST_BESIDE_RESTS = 4
 """Maximum number of lines of a region of which something sticks out: more are an illustration with fine lines."""
 
@@ -485,7 +488,8 @@ def _checked(
     for rest in rests:
         covered |= painted(rest, np.roll(rest, -1))
     whole = float((wanted & covered).sum() / max(1, (wanted | covered).sum()))
-    return (drawn, rests) if rests and len(drawn) <= MOST_BESIDE_RESTS and whole >= GOOD else None
+    is_drawn = 0 < len(rests) <= MOST_RESTS and len(drawn) <= MOST_BESIDE_RESTS and whole >= GOOD
+    return (drawn, rests) if is_drawn else None
 
 
 def _cap_of(line: _Stretch) -> str:
