@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.etree.ElementTree import Element, fromstring
 
 if TYPE_CHECKING:
     from shapeblend_cli.options.easing import Timing
+
+PLACES = re.compile(r'/\*[A-Z]+\*/|FILE(?=")')
+"""Places in the text of the module that are filled."""
 
 STEPS = 40
 """Number of straight pieces of an easing."""
@@ -35,12 +39,10 @@ def module_js(animated: str, timing: Timing, pairs: int, decimals: int, name: st
         "/*EASING*/": json.dumps(_stops(timing, pairs), separators=(",", ":")),
         "/*DIGITS*/": str(decimals + 1),
         "/*MILLISECONDS*/": f"{round(1000.0 * timing.seconds * pairs)}",
-        'src="FILE"': f'src="{name}"',
-        '"./FILE"': f'"./{name}"',
+        "FILE": json.dumps(name)[1:-1],
     }
-    for key, value in values.items():
-        text = text.replace(key, value.replace("</", "<\\/") if key.startswith("/*") else value)
-    return text
+    # All at once: a title may hold what looks like a place to be filled.
+    return PLACES.sub(lambda place: values[place[0]].replace("</", "<\\/"), text)
 
 
 def _stops(timing: Timing, pairs: int) -> list[list[float]]:

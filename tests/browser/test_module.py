@@ -154,6 +154,20 @@ def test_an_element_plays_by_its_attributes(module):
     )
 
 
+def test_a_title_may_look_like_a_place_to_be_filled(module):
+    title = "/*EASING*/ FILE"
+    titled = [each.replace("<path", f'<title>{title}"</title><path', 1) for each in PLACED]
+    assert (
+        module(titled)
+        .evaluate("""() => {
+        const svg = document.querySelector("svg");
+        blend.mount(svg);
+        return svg.querySelector("title").textContent;
+    }""")
+        .startswith(title)
+    )
+
+
 def test_what_is_for_the_page_is_refused(here, capsys):
     write(**dict(zip("ab", PLACED, strict=True)))
     for options in (["--repeat", "2"], ["--hold", "1"], ["--delay", "1"]):
