@@ -16,7 +16,7 @@ from shapeblend_cli.geometry.polygons import orientation, signed_area, winding_n
 from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Contour, Drawing, Polygon, Style
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from shapeblend_cli.geometry.similarity import Similarity
     from shapeblend_cli.model import ComplexArray, FloatArray
@@ -90,9 +90,12 @@ class PlacedContour(NamedTuple):
             return False
         return not self.is_piece or bool(winding_numbers(hole.polygon.vertices[:1], self.polygon.vertices)[0])
 
-    def transformed(self, by: Similarity) -> PlacedContour:
-        """Return the contour under a map that does not scale."""
-        return self._replace(contour=by.contour(self.contour), polygon=by.polygon(self.polygon))
+    def transformed(self, by: Callable[[ComplexArray], ComplexArray]) -> PlacedContour:
+        """Return the contour under a map of points that does not scale."""
+        contour = replace(self.contour, segments=by(self.contour.segments))
+        return self._replace(
+            contour=contour, polygon=replace(self.polygon, vertices=by(self.polygon.vertices))
+        )
 
 
 def holes_by_exterior(contours: Sequence[PlacedContour]) -> dict[int, list[PlacedContour]]:

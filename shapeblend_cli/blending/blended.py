@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.blending.expanded import with_outlines
@@ -9,6 +10,7 @@ from shapeblend_cli.blending.graded import grade_of_shapes
 from shapeblend_cli.blending.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
+from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.early import changes_much, with_early_parts
@@ -45,7 +47,8 @@ def blend_shapes(
 ) -> Shapes:
     """Pair the contours of two drawings, match them, and choose how their shapes move in a view.
 
-    Drawings that are mostly drawn with a pen are blended by their lines, above the rest.
+    Drawings that are mostly drawn with a pen are blended by their lines, above the rest. A drawing that is the other
+    one turned, or its mirror image, may turn as a whole.
     """
     is_named = bool(settings.match or settings.pins or settings.stiff)
     pens = _pens(a, b, settings, view)
@@ -67,6 +70,33 @@ def blend_shapes(
     if not is_named:
         lines = _lines(a, b, pens, settings, view)
     progress.clock.lap("match")
+    usual = partial(_by_lines_or_outlines, a, b, settings, view, progress, pens, lines)
+    if is_named or not _is_free(settings) or (lines is not None and lines.is_sure):
+        return usual()
+
+    def straight(a: PlacedDrawing, b: PlacedDrawing) -> Shapes:
+        asked = settings.replace(motion="linear")
+        paired = pair_drawings(*with_outlines(a, b, asked, view), asked, 0.0, progress)
+        return _moved(paired, *match_pairs(paired), view)
+
+    return turned_as_a_whole(a, b, view, usual, straight)
+
+
+def _is_free(settings: Settings) -> bool:
+    """Return whether a blend may take any motion and pace."""
+    return settings.motion == "auto" and not (settings.mix or settings.stagger)
+
+
+def _by_lines_or_outlines(
+    a: PlacedDrawing,
+    b: PlacedDrawing,
+    settings: Settings,
+    view: Box,
+    progress: Progress,
+    pens: tuple[PenDrawing, PenDrawing] | None,
+    lines: LineBlend | None,
+) -> Shapes:
+    """Blend two drawings by their pen lines and what is beside these, or by all outlines if that looks better."""
 
     def outlined(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> Shapes:
         plates = plates_of(a, b, settings, view) if wants_lines(settings) else []
@@ -79,8 +109,7 @@ def blend_shapes(
         paired = pair_drawings(*with_outlines(a, b, settings, view), settings, 0.0, progress)
         return _moved(paired, *match_pairs(paired), view)
 
-    is_free = settings.motion == "auto" and not (settings.mix or settings.stagger)
-    is_sign = is_free and pens is not None and max(pen.share for pen in pens) >= ALL
+    is_sign = _is_free(settings) and pens is not None and max(pen.share for pen in pens) >= ALL
 
     def paced(shapes: Shapes, kept: float = 1.0) -> Shapes:
         is_other = is_sign and (kept < KEPT or changes_much(shapes, view.larger_side))

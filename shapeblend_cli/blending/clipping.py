@@ -9,6 +9,7 @@ import numpy as np
 from shapeblend_cli.blending.blended import blend_shapes
 from shapeblend_cli.blending.matched import Progress
 from shapeblend_cli.blending.placing import AS_IT_IS, flattened
+from shapeblend_cli.blending.turned_drawings import carried, turned_back
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry.cubics import line
 from shapeblend_cli.model import (
@@ -23,10 +24,12 @@ from shapeblend_cli.model import (
     Style,
     control_box,
 )
+from shapeblend_cli.motion.rigid import Whole
 from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.kept import Kept
 
 if TYPE_CHECKING:
+    from shapeblend_cli.model import Motion
     from shapeblend_cli.options.settings import Settings
 
 ROOM = 0.05
@@ -47,9 +50,8 @@ def with_clips(pair: Pair, settings: Settings) -> Pair:
         regions = a or _box_around(shape, 0), b or _box_around(shape, 1)
         key = (id(a) if a else regions[0].paths, id(b) if b else regions[1].paths)
         if key not in known:
-            known[key] = ClipBlend(
-                _region_blend(_as_drawing(regions[0]), _as_drawing(regions[1]), settings, view)
-            )
+            drawings = _as_drawing(regions[0]), _as_drawing(regions[1])
+            known[key] = ClipBlend(_region_blend(drawings, settings, view, shape.motion))
         return known[key]
 
     shapes = []
@@ -66,13 +68,22 @@ def with_clips(pair: Pair, settings: Settings) -> Pair:
     return pair._replace(shapes=tuple(shapes))
 
 
-def _region_blend(a: Drawing, b: Drawing, settings: Settings, view: Box) -> tuple[ShapeBlend, ...]:
-    """Blend the regions of two clips, each a drawing of a single shape; nothing if a region is empty."""
+def _region_blend(
+    drawings: tuple[Drawing, Drawing], settings: Settings, view: Box, motion: Motion | None
+) -> tuple[ShapeBlend, ...]:
+    """Blend the regions of two clips, each a drawing of a single shape; nothing if a region is empty.
+
+    They turn with a shape whose motion turns the whole drawing.
+    """
     try:
-        flat, _ = flattened([a, b], [AS_IT_IS, AS_IT_IS], settings.vertices, Kept(0))
+        (a, b), _ = flattened(drawings, [AS_IT_IS, AS_IT_IS], settings.vertices, Kept(0))
     except InputError:
         return ()
-    return blend_shapes(flat[0], flat[1], settings, view, Progress(Clock(), Kept(0)))
+    progress = Progress(Clock(), Kept(0))
+    if not isinstance(motion, Whole):
+        return blend_shapes(a, b, settings, view, progress)
+    straight = settings.replace(motion="linear")
+    return carried(blend_shapes(a, turned_back(b, motion), straight, view, progress), motion)
 
 
 def has_clips(pair: Pair) -> bool:

@@ -174,6 +174,7 @@ class ContourBlend(NamedTuple):
     end: CubicPath
     cuts: tuple[FloatArray, FloatArray]  # ends of the segments, in vertices, rising; once round if closed
     rotation: float = 0.0  # of B against A while they were matched, in radians
+    mirrored: bool = False  # whether B was a mirror image while they were matched
     seconds: float = 0.0  # spent on matching
     reason: str = ""  # for the pair, or for the lack of a partner, a phrase
     parents: tuple[int | None, int | None] = (

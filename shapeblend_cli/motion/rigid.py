@@ -1,7 +1,9 @@
-"""Motion as if shapes were moved by hand: turned, scaled and shifted."""
+"""Motion as if shapes were moved by hand: turned, scaled and shifted, or turned over as cards are."""
 
 from __future__ import annotations
 
+import cmath
+import math
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
@@ -9,6 +11,9 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import ComplexArray, ContourBlend
     from shapeblend_cli.motion.alignment import Alignment
+
+THINNEST = 0.1
+"""Minimum size of a drawing across the axis about which it is turned over, as a share of its own: none vanishes."""
 
 
 class Rigid(NamedTuple):
@@ -35,4 +40,46 @@ class Rigid(NamedTuple):
                 t,
             )
             for contour, alignment in zip(contours, self.alignments, strict=True)
+        ]
+
+
+class Whole(NamedTuple):
+    """Motion of a drawing that is turned as a whole, or turned over; all other change is on straight paths.
+
+    It turns by `angle`, in radians, about its centre. Or what lies in the direction `over`, a unit vector, and what
+    lies opposite change places: it is turned over about the axis at a right angle to that.
+    """
+
+    centre_a: complex
+    centre_b: complex
+    angle: float = 0.0
+    over: complex = 0j
+
+    @property
+    def name(self) -> str:
+        """The name of the motion in reports."""
+        return "flip" if self.over else "rigid"
+
+    def undo(self, z: ComplexArray) -> ComplexArray:
+        """Map points of B back over A's."""
+        offsets = z - self.centre_b
+        offsets = -(self.over**2) * offsets.conj() if self.over else offsets * cmath.rect(1.0, -self.angle)
+        return self.centre_a + offsets
+
+    def apply(self, z: ComplexArray, t: float = 1.0) -> ComplexArray:
+        """Map points of A to time t."""
+        offsets = z - self.centre_a
+        if self.over:
+            seen = math.cos(math.pi * t)
+            share = math.copysign(max(abs(seen), THINNEST), seen)
+            offsets = offsets + (share - 1.0) * (offsets * self.over.conjugate()).real * self.over
+        else:
+            offsets = offsets * cmath.rect(1.0, self.angle * t)
+        return (1.0 - t) * self.centre_a + t * self.centre_b + offsets
+
+    def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
+        """Return the control points of each contour at time t."""
+        return [
+            self.apply((1.0 - t) * contour.start.segments + t * self.undo(contour.end.segments), t)
+            for contour in contours
         ]

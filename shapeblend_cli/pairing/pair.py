@@ -74,7 +74,7 @@ def pair_rotated_contours(
     upright = rotated_back(a, b, rotation)
     as_drawn = {contour.number: contour for contour in b}
     return [
-        (p, q.transformed(there) if q.is_piece else as_drawn[q.number])
+        (p, q.transformed(there.points) if q.is_piece else as_drawn[q.number])
         for p, q in pair_contours(a, upright, settings, required)
     ]
 
@@ -85,7 +85,7 @@ def rotated_back(
     """Return B's contours rotated back by an angle, the largest one laid over A's."""
     in_a, in_b = _middles(a, b)
     back = Similarity.rotation(-rotation, about=in_b, onto=in_a)
-    return [contour.transformed(back) for contour in b]
+    return [contour.transformed(back.points) for contour in b]
 
 
 def _middles(a: Sequence[PlacedContour], b: Sequence[PlacedContour]) -> tuple[complex, complex]:

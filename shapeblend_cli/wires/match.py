@@ -70,8 +70,11 @@ def match_contours(
 
 
 def solved_wires(contour: ContourBlend, settings: Settings) -> Wires:
-    """Return the wires as they were solved: in the unit box, B rotated back, A stiff where required."""
-    return wires_of(contour.polygon_a, rotated_back(contour.polygon_b, contour.rotation), settings)
+    """Return the wires as they were solved: in the unit box, B rotated or mirrored back, A stiff where required."""
+    b = contour.polygon_b
+    if contour.mirrored:
+        b = replace(b, vertices=b.vertices.conj())
+    return wires_of(contour.polygon_a, rotated_back(b, contour.rotation), settings)
 
 
 def _open_for(line: PlacedContour, exterior: PlacedContour, settings: Settings) -> PlacedContour:

@@ -1,0 +1,168 @@
+"""Drawings that are another one turned as a whole, or its mirror image, such as a thumb up and a thumb down.
+
+On their ordinary way such drawings are turned inside out. They look better if they turn as a whole, and what is left to
+do is done on the way; and where much is left, as a card that is turned over.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.blending.graded import grade_of_shapes
+from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, may_be_near, points_at
+from shapeblend_cli.model import Box
+from shapeblend_cli.motion.choose import candidate_of
+from shapeblend_cli.motion.rigid import Whole
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from shapeblend_cli.anatomy.decompose import PlacedDrawing
+    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, ShapeBlend
+
+    Shapes = tuple[ShapeBlend, ...]
+    Blend = Callable[[PlacedDrawing, PlacedDrawing], Shapes]
+
+MOST_CONTOURS = 100
+"""Maximum number of contours of a drawing that is compared with another one turned."""
+
+POINTS = 64
+"""Number of points of a drawing that are looked for in the other one."""
+
+NEAR = 0.03
+"""Maximum distance of a point from the other drawing, as a share of the drawing's size."""
+
+SAME_SIZE = 0.12
+"""Maximum difference of the sides of two drawings, as a share of their size."""
+
+STAYS = 0.6
+"""Minimum share of points that are in the other drawing as it is for these to rest on the way, too."""
+
+MOST_STAYS = 0.9
+"""Maximum share of points that are in the other drawing as it is for the drawing to be turned."""
+
+COPIED = 0.85
+"""Minimum share of points that are in the other drawing when it is turned."""
+
+FINE = 0.75
+"""Maximum grade of an ordinary blend for no other to be tried."""
+
+LITTLE_LEFT = 1.2
+"""Maximum grade of what a drawing does besides turning."""
+
+CLEAN = 0.1
+"""Maximum fault of the outlines of an ordinary blend that is preferred to turning the drawing over."""
+
+TURNED, TURNED_OVER = "B is A turned as a whole", "B is A's mirror image, turned over"
+
+
+def turned_as_a_whole(
+    a: PlacedDrawing, b: PlacedDrawing, view: Box, usual: Callable[[], Shapes], blend: Blend
+) -> Shapes:
+    """Return the blend of two drawings that looks best: as usual, turned as a whole, or turned over.
+
+    `blend` blends A with another drawing on straight paths.
+    """
+    way = way_between(a, b)
+    as_usual = usual()
+    if way is None or grade_of_shapes(as_usual, view) <= FINE:
+        return as_usual
+    turned = way if way.angle else way._replace(angle=np.pi, over=0j)
+    beside = blend(a, turned_back(b, turned))
+    if grade_of_shapes(beside, view) <= LITTLE_LEFT:
+        return carried(beside, turned)
+    if turned is way or _is_clean(as_usual, view):
+        return as_usual
+    return carried(blend(a, turned_back(b, way)), way)
+
+
+def way_between(a: PlacedDrawing, b: PlacedDrawing) -> Whole | None:
+    """Return how a drawing is turned as a whole, or turned over, to become about the other; None if it is not."""
+    if max(len(a.contours), len(b.contours)) > MOST_CONTOURS:
+        return None
+    boxes = [Box.union([contour.box for contour in side.contours]) for side in (a, b)]
+    size = max(box.larger_side for box in boxes)
+    lines = [
+        [from_end_to_end(c.polygon.vertices, c.polygon.closed) for c in side.contours] for side in (a, b)
+    ]
+    lines = [[line for line in side if len(line) > 1] for side in lines]
+    if not all(lines):
+        return None
+    points = [_points(side) for side in lines]
+    centres = boxes[0].centre, boxes[1].centre
+
+    def near(points: ComplexArray, lines: Sequence[ComplexArray]) -> BoolArray:
+        return np.any([may_be_near(points, line, NEAR * size) for line in lines], axis=0)
+
+    def differ(turned: bool) -> bool:
+        sides = [(boxes[0].width, boxes[0].height), (boxes[1].width, boxes[1].height)]
+        there = sides[1][::-1] if turned else sides[1]
+        return max(abs(p - q) for p, q in zip(sides[0], there, strict=True)) > SAME_SIZE * size
+
+    if differ(turned=False) and differ(turned=True):
+        return None
+    stays = near(points[0] - centres[0] + centres[1], lines[1])
+    if stays.mean() > MOST_STAYS:
+        return None
+    quarter = 0.5 * np.pi
+    ways = [Whole(*centres, angle=angle) for angle in (np.pi, quarter, -quarter)]
+    ways += [Whole(*centres, over=over) for over in (1.0 + 0j, 1j)]
+    for way in ways:
+        if differ(turned=abs(way.angle) == quarter):
+            continue
+        # What is in place at both ends has to be so on the way, as a face is that turns upside down.
+        if stays.mean() > STAYS and near(way.apply(points[0][stays], 0.5), lines[0]).mean() < COPIED:
+            continue
+        there = near(way.apply(points[0]), lines[1]), near(way.undo(points[1]), lines[0])
+        if min(share.mean() for share in there) >= COPIED:
+            return way
+    return None
+
+
+def _points(lines: Sequence[ComplexArray]) -> ComplexArray:
+    """Return points spread evenly along polylines."""
+    lengths = [cumulative_lengths(line) for line in lines]
+    step = sum(float(each[-1]) for each in lengths) / POINTS
+    return np.concatenate(
+        [
+            points_at(np.arange(0.5 * step, each[-1] + 0.5 * step, step).clip(max=each[-1]), line, each)
+            for line, each in zip(lines, lengths, strict=True)
+        ]
+    )
+
+
+def turned_back(b: PlacedDrawing, way: Whole) -> PlacedDrawing:
+    """Return B, laid over A."""
+    return b._replace(contours=[contour.transformed(way.undo) for contour in b.contours])
+
+
+def carried(shapes: Shapes, way: Whole) -> Shapes:
+    """Let shapes, blended with B laid over A, turn on their way and end where B has them."""
+    reason = TURNED_OVER if way.over else TURNED
+
+    def moved(contour: ContourBlend) -> ContourBlend:
+        return contour._replace(
+            end=replace(contour.end, segments=way.apply(contour.end.segments)),
+            contour_b=replace(contour.contour_b, segments=way.apply(contour.contour_b.segments)),
+            polygon_b=replace(contour.polygon_b, vertices=way.apply(contour.polygon_b.vertices)),
+            # Its mirror image across the other axis is that turned by half a turn.
+            rotation=np.pi if way.over == 1.0 else way.angle,
+            mirrored=bool(way.over),
+        )
+
+    return tuple(
+        shape._replace(contours=tuple(map(moved, shape.contours)), motion=way, reason=reason)
+        for shape in shapes
+    )
+
+
+def _is_clean(shapes: Shapes, view: Box) -> bool:
+    """Return whether shapes, no pen lines, keep their outlines on the way, on average."""
+    if any(shape.motion_name == "pen" for shape in shapes):
+        return False
+    judged = [candidate_of(shape, view) for shape in shapes]
+    faults, areas = [one.wrong for one in judged], [one.painted + 1e-9 for one in judged]
+    return float(np.average(faults, weights=areas)) <= CLEAN

@@ -1,0 +1,92 @@
+"""Drawings that are another one turned as a whole, or its mirror image."""
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.interpolate.paths import paths_at
+from shapeblend_cli.model import control_box
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.pipeline import match_all
+from shapeblend_cli.wires.match import solved_wires
+from tests.support.drawings import drawing
+
+FLAG = "M4 2H6V4L20 3L14 8L19 13L6 12V22H4Z"
+FLAG_MIRRORED = "M20 2H18V4L4 3L10 8L5 13L18 12V22H20Z"
+KEY = "M4 4H10V10H8V12H20V16H18V14H16V18H14V14H4Z"
+KEY_MIRRORED = "M20 4H14V10H16V12H4V16H6V14H8V18H10V14H20Z"
+FACE = "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2Z"
+SMILE = ("M8 7H9V10H8Z", "M15 7H16V10H15Z", "M7 14C9 18 15 18 17 14C15 16 9 16 7 14Z")
+UPSIDE_DOWN = ("M8 14H9V17H8Z", "M15 14H16V17H15Z", "M7 10C9 6 15 6 17 10C15 8 9 8 7 10Z")
+
+
+def shapes_of(a, b, **settings):
+    """Two drawings, matched."""
+    (pair,), _ = match_all([a, b], Settings(strokes="keep", **settings))
+    return pair.shapes
+
+
+def face(*features):
+    """A yellow face with dark features."""
+    return drawing(f'<path fill="#fc0" d="{FACE}"/>', *features)
+
+
+def test_a_mirror_image_turns_if_little_is_left_to_do():
+    (shape,) = shapes_of(drawing(FLAG), drawing(FLAG_MIRRORED))
+    assert (shape.motion_name, shape.reason) == ("rigid", "B is A turned as a whole")
+    half_way = control_box(paths_at(shape, 0.5))
+    assert (half_way.width, half_way.height) == pytest.approx((20.0, 16.0), abs=1.0), "it lies on its side"
+
+
+def test_a_mirror_image_that_is_unlike_the_drawing_is_turned_over():
+    (shape,) = shapes_of(drawing(KEY), drawing(KEY_MIRRORED))
+    assert (shape.motion_name, shape.reason) == ("flip", "B is A's mirror image, turned over")
+    for t in (0.2, 0.5, 0.75):
+        box = control_box(paths_at(shape, t))
+        assert box.width == pytest.approx(16.0 * max(abs(np.cos(np.pi * t)), 0.1), abs=0.01)
+        assert (box.height, box.centre) == (pytest.approx(14.0), pytest.approx(12.0 + 11.0j))
+
+
+def test_it_ends_at_the_drawing():
+    (shape,) = shapes_of(drawing(KEY), drawing(KEY_MIRRORED))
+    (almost,), (end,) = paths_at(shape, 1.0 - 1e-9), paths_at(shape, 1.0)
+    assert np.abs(almost.segments - end.segments).max() < 1e-6
+    corners = {complex(round(z.real, 6), round(z.imag, 6)) for z in end.segments[:, 0]}
+    assert corners >= {20 + 4j, 14 + 4j, 4 + 16j, 16 + 10j}
+
+
+def test_a_face_turns_upside_down_within_its_disc():
+    shapes = shapes_of(face(*SMILE), face(*UPSIDE_DOWN))
+    assert {shape.motion_name for shape in shapes} == {"rigid"}
+    disc = control_box(paths_at(shapes[0], 0.5))
+    assert disc.bounds == pytest.approx((2.0, 2.0, 22.0, 22.0), abs=0.05)
+    left, right = (control_box(paths_at(shape, 0.5)).centre for shape in shapes[1:3])
+    assert abs(left.real - right.real) < 0.5, "at half time the eyes are above each other"
+
+
+def test_what_stays_is_not_turned():
+    aligned = [f"M2 3H22V5H2Z M{left} 9H{left + 12}V11H{left}Z M2 15H22V17H2Z" for left in (2, 10)]
+    assert {shape.motion_name for shape in shapes_of(*map(drawing, aligned))} == {"linear"}
+
+
+@pytest.mark.parametrize("settings", [{"motion": "linear"}, {"stagger": 0.5}, {"pins": ((0, 0),)}])
+def test_what_is_asked_for_comes_first(settings):
+    shapes = shapes_of(drawing(KEY), drawing(KEY_MIRRORED), **settings)
+    assert "flip" not in {shape.motion_name for shape in shapes}
+
+
+def test_clips_are_turned_over_as_well():
+    clip, clipped = '<clipPath id="c"><path d="{}"/></clipPath>', '<path clip-path="url(#c)" d="{}"/>'
+    a = drawing(clip.format("M2 2H18V22H2Z"), clipped.format(KEY))
+    b = drawing(clip.format("M22 2H6V22H22Z"), clipped.format(KEY_MIRRORED))
+    (shape,) = shapes_of(a, b)
+    (clip,) = shape.clips
+    box = control_box(paths_at(clip.shapes[0], 0.5))
+    assert box.width == pytest.approx(1.6, abs=0.01)
+
+
+def test_plots_know_the_wires_as_they_were_solved():
+    (shape,) = shapes_of(drawing(KEY), drawing(KEY_MIRRORED))
+    (contour,) = shape.contours
+    assert contour.mirrored
+    found = contour.correspondence
+    assert sum(solved_wires(contour, Settings()).path_work(found.dots)) == pytest.approx(found.work, abs=1e-9)
