@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import sys
 import threading
 from typing import Any
@@ -66,11 +67,14 @@ def studio(files: tuple[str, ...], **given: Any) -> None:
     named = {name for record in RECORDS for name in record.options}
     beside = {name: value for name, value in given.items() if name in named and value not in (None, ())}
 
+    from shapeblend_cli.outputs.registry import DEFAULT
     from shapeblend_cli.rows.project import Project, is_project
     from shapeblend_cli.studio.server import Studio
     from shapeblend_cli.studio.session import Session
 
     folder = os.path.dirname(named_first) if is_project(named_first) else ""
+    if not (is_project(named_first) or {"output", "emit", "format"} & beside.keys()):
+        beside["output"] = f"{DEFAULT}.svg"  # what is seen: a blend that moves
     session = Session(Project(files, beside), folder)
     try:
         server = Studio(session, options.port or 0)
@@ -91,6 +95,8 @@ def studio(files: tuple[str, ...], **given: Any) -> None:
             webbrowser.open(server.address)
         while not ended.wait(0.2):
             pass
+    if not session.is_saved:
+        click.echo(f"What was not saved: {shlex.join(session.project.command)}")
     server.shutdown()
     server.server_close()
     session.stop()

@@ -19,24 +19,24 @@ from shapeblend_cli.svg.writing.rounding import decimals_for
 from shapeblend_cli.svg.writing.sheet import Row, sheet
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from shapeblend_cli.model import Drawing, IntArray, PaintedShape, Pair
     from shapeblend_cli.options.settings import Settings
 
-WAYS: tuple[dict[str, Any], ...] = (
-    {"strokes": "keep"},
-    {"motion": "linear"},
-    {"motion": "intrinsic"},
-    {"motion": "rigid"},
-    {"preset": "paper"},
-    {"unmatched": "point"},
-    {"unmatched": "split"},
-    {"place": "bbox"},
-    {"k_b": 0.3},
-    {"k_t": 0.0},
-)
-"""Settings that are tried one at a time, unless they are given."""
+WAYS: Mapping[str, dict[str, Any]] = {
+    "Strokes stay strokes": {"strokes": "keep"},
+    "Every point goes straight": {"motion": "linear"},
+    "Bends as limbs do": {"motion": "intrinsic"},
+    "Turns in one piece": {"motion": "rigid"},
+    "As in the paper": {"preset": "paper"},
+    "Lone parts grow from points": {"unmatched": "point"},
+    "Parts split and join": {"unmatched": "split"},
+    "B in the frame of A": {"place": "bbox"},
+    "Corners bend more easily": {"k_b": 0.3},
+    "Points may go far": {"k_t": 0.0},
+}
+"""Settings that are tried one at a time, unless they are given, by what they do."""
 
 TIMES = tuple(k / 8 for k in range(9))
 """Moments of a blend on a sheet."""
@@ -55,8 +55,9 @@ LARGER_SIDE = 96.0
 
 
 class Try(NamedTuple):
-    """A blend, the options that give it, and its grade."""
+    """A blend, what sets it apart, the options that give it, and its grade."""
 
+    name: str
     options: str
     grade: float
     pair: Pair
@@ -68,9 +69,9 @@ def tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> list[T
 
     The one at hand comes first, then the others, the best first.
     """
-    found = [Try("as it is", grade_of(pair).number, pair, {})]
+    found = [Try("As it is", "as it is", grade_of(pair).number, pair, {})]
     seen = [_pictures(pair)]
-    for changed in WAYS:
+    for name, changed in WAYS.items():
         if any(settings.is_given(name) for name in changed):
             continue
         try:
@@ -80,7 +81,7 @@ def tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> list[T
         pictures = _pictures(other)
         if all(_differ(pictures, known) for known in seen):
             seen.append(pictures)
-            found.append(Try(_as_typed(settings, changed), grade_of(other).number, other, changed))
+            found.append(Try(name, _as_typed(settings, changed), grade_of(other).number, other, changed))
     return [found[0], *sorted(found[1:], key=lambda one: one.grade)]
 
 

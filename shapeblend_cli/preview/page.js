@@ -133,7 +133,8 @@ function contourAt(event) {
     const path = new Path2D(element.getAttribute("d"));
     pen.lineWidth = 2 * reach;
     const contour = Number(element.dataset.contour);
-    const isIn = (contours()[contour].closed && pen.isPointInPath(path, x, y, "nonzero")) || pen.isPointInStroke(path, x, y);
+    const { isFilled } = scenes[seen.pair].shapes[contours()[contour].shape];
+    const isIn = ((contours()[contour].closed || isFilled) && pen.isPointInPath(path, x, y, "nonzero")) || pen.isPointInStroke(path, x, y);
     if (!isIn) continue;
     const size = order().length - order().indexOf(contour); // the largest come first in the order
     if (size < least) [best, least] = [contour, size];

@@ -20,7 +20,13 @@ from shapeblend_cli.model import Frame, Pair
 from shapeblend_cli.options.easing import Timing
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.preview.graphs import by_size, graphs, pack_json
-from shapeblend_cli.preview.pictures import correspondence_lists, picture, rounded, scale_and_shift
+from shapeblend_cli.preview.pictures import (
+    correspondence_lists,
+    picture,
+    rounded,
+    scale_and_shift,
+)
+from shapeblend_cli.preview.pictures import timing as how_it_runs
 from shapeblend_cli.svg.reading.read import title_of
 from shapeblend_cli.svg.writing.rounding import decimals_for
 
@@ -75,7 +81,7 @@ def preview(
         "names": [title_of(file) for file in report["inputs"]],
         "command": [shlex.quote(word) for word in command],
         "notes": list(notes),
-        "timing": {"seconds": timing.seconds, "ease": list(timing.ease), "repeat": timing.repeat},
+        "timing": how_it_runs(timing, settings),
         "decimals": decimals,
         "pairs": written,
     }

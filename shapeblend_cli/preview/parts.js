@@ -39,8 +39,9 @@ export function coloured(contours, order) {
 export function tinted(scene, contours, colours, order, points) {
   return order.map((k) => {
     const { shape, outline } = contours[k];
+    const { isFilled, outlines } = scene.shapes[shape];
     const data = scene.shapes[shape].path(points[shape], scene.decimals + 1, outline);
-    const fill = scene.shapes[shape].outlines[outline].closed ? tintOf(colours[k]) : "none";
+    const fill = isFilled || outlines[outline].closed ? tintOf(colours[k]) : "none";
     return drawn("path", { class: "part", d: data, fill, stroke: colours[k], "data-contour": k });
   });
 }

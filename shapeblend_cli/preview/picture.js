@@ -2,10 +2,14 @@
 
 import { drawn, mixed, sampled } from "./values.js";
 
+// Beyond the drawings outlines move on, and everything else stays.
+const within = (t) => Math.min(Math.max(t, 0), 1);
+
 export class MovingShape {
   constructor({ outlines, times, points, coats }, scale) {
     this.times = times;
     this.coats = coats;
+    this.isFilled = coats.some(({ path, fill }) => fill || path.fill.some((colour) => colour !== "none"));
     let row = new Array(points[0].length).fill(0);
     this.keys = points.map((steps) => {
       row = row.map((value, k) => value + steps[k]);
@@ -127,7 +131,8 @@ export class Scene {
   }
 
   view(t) {
-    return this.views[0].map((start, k) => (1 - t) * start + t * this.views[1][k]);
+    const u = within(t);
+    return this.views[0].map((start, k) => (1 - u) * start + u * this.views[1][k]);
   }
 
   points(t) {
@@ -152,7 +157,7 @@ export class Picture {
     const kind = t === 0 ? "first" : t === 1 ? "last" : "between";
     if (kind === "between") {
       groups.between ??= this.between();
-      groups.between.updates.forEach((update, k) => update(t, points[k]));
+      groups.between.updates.forEach((update, k) => update(within(t), points[k]));
     } else {
       groups[kind] ??= { group: still(scene.ends[t]) };
     }

@@ -19,6 +19,7 @@ from shapeblend_cli.model import (
     Style,
     unroll,
 )
+from shapeblend_cli.options.easing import Ease
 from shapeblend_cli.paint.styles import shape_styles
 from shapeblend_cli.svg.writing.paint import gradient_attributes, hyphened, paint_attributes, visible_styles
 from shapeblend_cli.svg.writing.path_data import path_data
@@ -27,6 +28,8 @@ from shapeblend_cli.svg.writing.rounding import number
 if TYPE_CHECKING:
     from shapeblend_cli.geometry.similarity import Similarity
     from shapeblend_cli.model import FloatArray, IntArray
+    from shapeblend_cli.options.easing import Timing
+    from shapeblend_cli.options.settings import Settings
 
 PAINT_STEPS = 30
 """Number of even steps in time of paint. Within a step channels and numbers change evenly."""
@@ -45,6 +48,17 @@ def picture(pair: Pair, ends: tuple[Frame, Frame], times: Sequence[float], decim
     return {
         "shapes": [_moving_shape(shape, times, decimals) for shape in pair.shapes],
         "ends": [still_paths(frame, decimals) for frame in ends],
+    }
+
+
+def timing(timing: Timing, settings: Settings) -> dict[str, Any]:
+    """Return how an animation runs, for the page: its easing as the inner points of a curve, or as knots."""
+    ease = settings.common_ease
+    return {
+        "seconds": timing.seconds,
+        "ease": list(ease if isinstance(ease, Ease) else ease.knots),
+        "repeat": timing.repeat,
+        "hold": timing.hold,
     }
 
 

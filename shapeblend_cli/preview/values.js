@@ -84,7 +84,20 @@ export function sampled(values, t) {
   return [values[k], values[k + 1], x - k];
 }
 
-export function easing([x1, y1, x2, y2]) {
+// Along lines from knot to knot, [time, share].
+function along(knots) {
+  const on = (from, to) => (value) => {
+    const k = Math.max(knots.findIndex((knot) => knot[from] >= value), 1);
+    const [first, second] = [knots[k - 1], knots[k]];
+    return first[to] + ((second[to] - first[to]) * (value - first[from])) / (second[from] - first[from] || 1);
+  };
+  return { at: on(0, 1), timeOf: on(1, 0) };
+}
+
+// A cubic curve by its inner control points, or knots, which may go beyond 0 and 1.
+export function easing(ease) {
+  if (Array.isArray(ease[0])) return along(ease);
+  const [x1, y1, x2, y2] = ease;
   if (x1 === y1 && x2 === y2) return { at: (x) => x, timeOf: (y) => y };
   const curve = (p, q, s) => 3 * (1 - s) * (1 - s) * s * p + 3 * (1 - s) * s * s * q + s * s * s;
   const solved = (p, q, r, u) => (value) => {

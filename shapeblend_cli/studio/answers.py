@@ -5,8 +5,10 @@ All of it is a function from a project and the contents of its drawings to value
 
 from __future__ import annotations
 
+import gzip
 import hashlib
 import os
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -33,6 +35,7 @@ from shapeblend_cli.preview.pictures import (
     rounded,
     scale_and_shift,
     still_paths,
+    timing,
 )
 from shapeblend_cli.studio.order import Order
 from shapeblend_cli.svg.reading.read import title_of
@@ -44,12 +47,17 @@ from shapeblend_cli.system.kept import Kept
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import Drawing, Pair
+    from shapeblend_cli.outputs.formats import OutputSpec
 
 KEPT = Kept(most=64, largest=1_000_000, steps=2000)
 """Drawings as they were read and flattened, and the parts of blends that a correction leaves unchanged."""
 
 THUMBNAIL_TIMES = (0.25, 0.5, 0.75)
 """Moments of a blend in a thumbnail."""
+
+
+PLAIN = re.compile(r"[\w .:-]{1,40}")
+"""Ids that the page shows."""
 
 
 def do(order: Order) -> Any:
@@ -73,11 +81,8 @@ def _blend(order: Order) -> dict[str, Any]:
         "drawings": [_drawing(drawing, k) for k, drawing in enumerate(drawings)],
         "pairs": [_pair(pair, ends, maps, decimals) for pair in pairs],
         "decimals": decimals,
-        "timing": {
-            "seconds": job.output.timing.seconds,
-            "ease": list(job.output.timing.ease),
-            "repeat": job.output.timing.repeat,
-        },
+        "timing": timing(job.output.timing, settings),
+        "frames": _frames(job.output),
         "settings": {
             name: value for name, value in job.reported().items() if isinstance(value, int | float | str)
         },
@@ -85,6 +90,15 @@ def _blend(order: Order) -> dict[str, Any]:
         "notes": notes,
         "seconds": sum(clock.seconds.values()),
     }
+
+
+def _frames(spec: OutputSpec) -> int:
+    """Return the number of in-betweens from one drawing to the next."""
+    if "fps" not in spec.format.defaults:
+        return spec.settings.frames
+    from shapeblend_cli.outputs.raster_animation import run_of
+
+    return run_of(spec).steps - 1
 
 
 def _pair(pair: Pair, ends: Sequence[Frame], maps: Sequence[Any], decimals: int) -> dict[str, Any]:
@@ -104,6 +118,7 @@ def _pair(pair: Pair, ends: Sequence[Frame], maps: Sequence[Any], decimals: int)
                 "motion": shape.motion_name,
                 "motion_because": shape.reason,
                 "pair_because": contour.reason,
+                "wrong": shape.taken.wrong if shape.taken else 0.0,
             }
         )
         lists.append(correspondence_lists(contour, decimals))
@@ -126,7 +141,8 @@ def _drawing(drawing: Drawing, number: int) -> dict[str, Any]:
     contours = [
         {
             "d": path_data([path], decimals),
-            "closed": path.closed,
+            "id": own.id if PLAIN.fullmatch(own.id or "") else None,
+            "filled": path.closed or shape.style.fill is not None,
             "nodes": [rounded((z.real, z.imag), decimals) for z in path.segments[:, 0].tolist()]
             + (
                 []
@@ -134,7 +150,7 @@ def _drawing(drawing: Drawing, number: int) -> dict[str, Any]:
                 else [rounded((path.segments[-1, 3].real, path.segments[-1, 3].imag), decimals)]
             ),
         }
-        for shape in shapes
+        for own, shape in zip(drawing.shapes, shapes, strict=True)
         for path in shape.paths
     ]
     found = {
@@ -143,7 +159,6 @@ def _drawing(drawing: Drawing, number: int) -> dict[str, Any]:
         "decimals": decimals,
         "paths": still_paths(Frame(0.0, 0, shapes, view), decimals),
         "contours": contours,
-        "ids": [shape.id for shape in drawing.shapes for _ in shape.contours],
     }
     return found | {"key": hashlib.sha256(repr((number, found)).encode()).hexdigest()[:16]}
 
@@ -156,6 +171,7 @@ def _others(order: Order) -> list[dict[str, Any]]:
     (pair,) = match_drawings(drawings, settings, clock, _ignore, lambda stage, share: None)
     return [
         {
+            "name": one.name,
             "options": one.options,
             "changes": {
                 settings.options[name].flags[-1].lstrip("-"): value for name, value in one.changed.items()
@@ -183,6 +199,15 @@ def _contents(order: Order) -> dict[str, Any]:
     if made.standard_output:
         files["blend.svg"] = _bytes(made.standard_output)
     return {"files": files, "notes": notes}
+
+
+def _size(order: Order) -> dict[str, int]:
+    files = _contents(order)["files"].values()
+    return {
+        "files": len(files),
+        "bytes": sum(map(len, files)),
+        "gzipped": sum(len(gzip.compress(content)) for content in files),
+    }
 
 
 def _write(order: Order) -> dict[str, Any]:
@@ -226,5 +251,6 @@ ORDERS: dict[str, Callable[[Order], Any]] = {
     "blend": _blend,
     "others": _others,
     "contents": _contents,
+    "size": _size,
     "write": _write,
 }

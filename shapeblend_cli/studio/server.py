@@ -60,7 +60,7 @@ HEADERS = {
     "Cache-Control": "no-store",
 }
 
-PAGE, SHARED = "shapeblend_cli.studio", "shapeblend_cli.preview"
+PAGE, SHARED = "studio/page", "preview"
 
 KINDS = {
     ".html": "text/html; charset=utf-8",
@@ -69,10 +69,13 @@ KINDS = {
 }
 
 ASSETS = {
-    **dict.fromkeys("studio.css main.js asking.js panel.js tools.js form.js stage.js".split(), PAGE),
+    **dict.fromkeys(
+        "studio.css main.js asking.js drawings.js panel.js tools.js zoom.js stage.js".split(), PAGE
+    ),
+    **dict.fromkeys("easing.js form.js others.js exporting.js".split(), PAGE),
     **dict.fromkeys("base.css values.js picture.js player.js parts.js".split(), SHARED),
 }
-"""Files of the page, and the package of each."""
+"""Files of the page, and the folder of each."""
 
 BUSY = b"HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n"
 
@@ -169,6 +172,7 @@ class _Handler(BaseHTTPRequestHandler):
         "begin": Session.begin,
         "look": Session.look,
         "others": Session.others,
+        "size": Session.size,
         "write": Session.write,
         "download": Session.download,
         "save": Session.save,
@@ -312,9 +316,9 @@ class _Handler(BaseHTTPRequestHandler):
             raise _Refused(HTTPStatus.BAD_REQUEST, "This is no JSON object.")
         return value
 
-    def _send_file(self, package: str, name: str, headers: dict[str, str] | None = None) -> None:
+    def _send_file(self, folder: str, name: str, headers: dict[str, str] | None = None) -> None:
         kind = KINDS[name[name.rindex(".") :]]
-        self._send(HTTPStatus.OK, kind, files(package).joinpath(name).read_bytes(), headers)
+        self._send(HTTPStatus.OK, kind, files("shapeblend_cli").joinpath(folder, name).read_bytes(), headers)
 
     def _send(
         self, status: HTTPStatus, kind: str, body: bytes, headers: dict[str, str] | None = None

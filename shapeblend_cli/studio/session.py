@@ -49,6 +49,7 @@ class Session:
         self._folder = os.path.abspath(folder)  # where files are written unasked
         self._given: dict[str, bytes] = {}  # drawings that were dropped into the page
         self._opened = set(project.files)
+        self._saved = project
         self._lock = threading.Lock()
         self._seconds = float(project.given.get("timeout") or SECONDS)
         self._megabytes = float(project.given.get("max_memory") or MEGABYTES)
@@ -71,8 +72,10 @@ class Session:
         return {
             "version": __version__,
             "project": values_of(self.project),
+            "is_saved": self.is_saved,
+            "dropped": [name for name, content in self._given.items() if not _is_file(name, content)],
             "folder": os.getcwd(),
-            "formats": [_format(format) for format in FORMATS],
+            "formats": [_format(format) for format in sorted(FORMATS, key=lambda one: not one.plays)],
             "options": [
                 _option(field)
                 for record in RECORDS
@@ -81,6 +84,11 @@ class Session:
             ],
             "default": DEFAULT,
         }
+
+    @property
+    def is_saved(self) -> bool:
+        """Whether the project is as it was opened, or saved last."""
+        return self.project == self._saved
 
     def take_drawing(self, name: str, content: bytes) -> dict[str, Any]:
         """Take a drawing that was dropped into the page; return its name here, which no other drawing has."""
@@ -108,14 +116,22 @@ class Session:
         return {"project": values_of(project._replace(files=tuple(map(self._known, project.files))))}
 
     def look(self, asked: Mapping[str, Any]) -> dict[str, Any]:
-        """Return a blend to look at, and the command line that makes it."""
+        """Return a blend to look at, and the command line that makes it; keep the present project."""
         project = self._project(asked)
+        if asked.get("is_present"):  # not one that is tried
+            self.project = project
+            self._saved = project if asked.get("is_saved") else self._saved
         return self._with_command(project, lambda: self._ask(self._live, self._order("blend", project)))
 
     def others(self, asked: Mapping[str, Any]) -> dict[str, Any]:
         """Return other blends of the two drawings, to choose from."""
         order = self._order("others", self._project(asked))
         return {"others": self._ask(self._slow, order)}
+
+    def size(self, asked: Mapping[str, Any]) -> dict[str, Any]:
+        """Return how many files would be written, and how large they would be."""
+        size: dict[str, Any] = self._ask(self._slow, self._order("size", self._project(asked)), 10)
+        return size
 
     def write(self, asked: Mapping[str, Any]) -> dict[str, Any]:
         """Write what the command line writes, where it does, or return what to ask before that."""
@@ -207,7 +223,14 @@ def _format(format: Any) -> dict[str, Any]:
         options["emit"] = format.emit
     if format.has_frame_files and format.name != FRAME_FORMATS[0]:
         options["format"] = format.name
-    return {"name": format.name, "help": format.help, "suffix": format.suffix, "options": options}
+    return {
+        "name": format.name,
+        "help": format.help,
+        "suffix": format.suffix,
+        "options": options,
+        "is_raster": "fps" in format.defaults,
+        "has_frames": format.has_frame_files or format.takes_times or "fps" in format.defaults,
+    }
 
 
 def _option(field: Option) -> dict[str, Any]:

@@ -28,8 +28,12 @@ DRAWINGS = {
     "more": [BAR, SQUARES],
     "three": [B, EIGHT, LEAF],
     "large": [LEAF, BAR],
+    "resting": [LEAF, BAR],
 }
-OPTIONS = {"large": "--vertices 420 --repeat 3 -n 0"}
+OPTIONS = {
+    "large": "--vertices 420 --repeat 3 -n 0",
+    "resting": "--ease back --duration 1 --hold 0.5,1 --repeat pingpong",
+}
 
 
 @pytest.fixture(scope="module")
@@ -43,7 +47,8 @@ def pages(tmp_path_factory):
             file.write_text(svg(path, attributes=EVENODD.format(colour)))
         page = folder / f"{name}.html"
         options = f"-n 3 --vertices {SETTINGS.vertices} -q {OPTIONS.get(name, '')} --motion linear".split()
-        outputs = ["-o", str(folder / name), "--preview", str(page)]
+        suffix = ".svg" if name == "resting" else ""
+        outputs = ["-o", str(folder / f"{name}{suffix}"), "--preview", str(page)]
         assert run([*map(str, files), *options, *outputs]) == 0
         found[name] = (page, files)
     return found
@@ -146,6 +151,19 @@ def test_at_its_end_it_does_what_was_chosen(page, repeat):
         steps = np.diff(times)
         assert steps.min() < 0
         assert (steps.min() < -0.5) == (repeat == "forever")
+
+
+def test_rests_and_easings_that_overshoot_are_played(opened):
+    page = opened("resting")
+    page.click("#play")
+    shown = []
+    for _ in range(36):  # a rest, forwards, a rest, backwards
+        page.clock.run_for(100)
+        shown.append(float(page.inner_text("#clock")))
+    assert shown[:4] == [0] * 4
+    assert max(shown) > 1.05
+    assert shown.count(1) >= 9
+    assert min(shown[25:]) == 0
 
 
 def test_the_slider_shows_what_frames_show(page, pages):

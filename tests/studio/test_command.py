@@ -94,6 +94,27 @@ def test_a_project_writes_unasked_in_its_own_folder_alone(started, here):
     assert answer == {"asks": {"outside": [str(here / "made.svg")], "existing": []}}
 
 
+def test_it_begins_with_an_animated_svg_and_tells_at_the_end_what_was_not_saved(started):
+    process, address = started("a.svg", "b.svg")
+    url = urlsplit(address)
+    connection = http.client.HTTPConnection(url.netloc, timeout=60)
+    connection.request("GET", f"/?{url.query}")
+    response = connection.getresponse()
+    response.read()
+    headers = {"Cookie": response.headers["Set-Cookie"].partition(";")[0], "Origin": f"http://{url.netloc}"}
+    headers["Content-Type"] = "application/json"
+    connection.request("POST", "/api/begin", "{}", headers)
+    project = json.loads(connection.getresponse().read())["project"]
+    assert project == {"files": ["a.svg", "b.svg"], "output": "blend.svg"}
+    asked = json.dumps({"project": project | {"kb": 2}, "is_present": True})
+    connection.request("POST", "/api/look", asked, headers)
+    assert "pairs" in json.loads(connection.getresponse().read())
+    connection.close()
+    process.send_signal(signal.SIGINT)
+    said, _ = process.communicate(timeout=30)
+    assert said.splitlines()[-1] == "What was not saved: shapeblend a.svg b.svg --kb 2.0 --output blend.svg"
+
+
 def test_a_port_may_be_asked_for(started, capsys):
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))

@@ -4,6 +4,7 @@ import { at, drawn, mixed } from "./values.js";
 import { Picture, Scene } from "./picture.js";
 import { Player, showPlaying } from "./player.js";
 import { coloured, Filmstrip, tinted } from "./parts.js";
+import { Zoom } from "./zoom.js";
 
 const SKINS = [0, 0.25, 0.5, 0.75, 1];
 const MOMENTS = 9;
@@ -19,7 +20,12 @@ export class Stage {
       shown: () => this.draw(),
       played: (playing) => showPlaying(at("play"), at("play-icon"), playing),
     });
-    this.player.now = 0.5;
+    this.player.seek(0.5);
+    this.zoom = new Zoom(at("drawing"), {
+      view: () => this.scenes[this.pair].view(this.player.t),
+      changed: () => this.draw(),
+      drags: () => true,
+    });
     this.film = new Filmstrip(at("film"), MOMENTS, (t) => this.go(this.pair + t));
     at("play").addEventListener("click", () => this.player.play(!this.player.playing));
     at("time").addEventListener("input", () => this.go(Number(at("time").value)));
@@ -37,7 +43,7 @@ export class Stage {
     this.player.to = pairs.length;
     this.player.time(timing);
     at("time").max = pairs.length;
-    this.player.now = Math.min(this.player.now, pairs.length);
+    this.player.seek(this.player.now);
     this.pair = -1;
     this.draw();
   }
@@ -62,7 +68,7 @@ export class Stage {
     const scene = this.scenes[pair];
     const over = (time, points) => tinted(scene, this.pairs[pair].contours, this.colours[pair], this.orders[pair], points);
     const points = this.pictures[pair].show(t);
-    at("drawing").setAttribute("viewBox", scene.view(t).join(" "));
+    at("drawing").setAttribute("viewBox", this.zoom.box(scene.view(t)).join(" "));
     at("picture").classList.toggle("faded", this.isTinted);
     at("parts").replaceChildren(...(this.isTinted ? over(t, points) : []));
     at("time").value = this.player.now;

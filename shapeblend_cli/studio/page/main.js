@@ -2,15 +2,18 @@
 
 import { at, copy, counted, made } from "./values.js";
 import { ALONE } from "./parts.js";
-import { ask, give, keep, Latest } from "./asking.js";
+import { ask, Latest } from "./asking.js";
+import { Drawings } from "./drawings.js";
+import { Exporting } from "./exporting.js";
 import { Form } from "./form.js";
-import { Panel } from "./panel.js";
+import { Others } from "./others.js";
+import { Panel, pointsOf, regionOf } from "./panel.js";
 import { Stage } from "./stage.js";
-import { pointsOf, regionOf, Tools } from "./tools.js";
+import { Tools } from "./tools.js";
+import { zoomAll } from "./zoom.js";
 
 const PATIENCE = 400; // milliseconds before it is said that a blend takes time
 const FRESH = 2000; // milliseconds for which nobody asks whether drawings have changed
-const QUIET = 700; // milliseconds without a change before other blends are looked for
 const isDark = () => {
   const { theme } = document.documentElement.dataset;
   return theme ? theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
@@ -23,10 +26,10 @@ class History {
     Object.assign(this, { present: first, past: [], future: [] });
   }
 
-  // Takes what is so now, and in a word what was done.
-  commit(next, what) {
+  // Takes what is so now, and in a word what was done. What merges with the step before is undone together with it.
+  commit(next, what, merges = false) {
     if (JSON.stringify(next) === JSON.stringify(this.present)) return false;
-    this.past.push({ state: this.present, what });
+    if (!merges || this.past.at(-1)?.what !== what) this.past.push({ state: this.present, what });
     this.present = next;
     this.future = [];
     return true;
@@ -51,9 +54,12 @@ class History {
 
 const history = new History({ files: [] });
 const shown = { answer: null, version: 0, attempted: null, at: Infinity };
-const dropped = new Set(); // drawings that are in no file here
+let saved = ""; // the project that a file has
 let form = null;
 let tools = null;
+let drawings = null;
+let others = null;
+let exporting = null;
 
 const panels = { a: new Panel(at("canvas-a"), "a"), b: new Panel(at("canvas-b"), "b") };
 const stage = new Stage((pair) => showPair(pair));
@@ -62,14 +68,28 @@ const stage = new Stage((pair) => showPair(pair));
 
 const app = {
   get: (name) => history.present[name],
+  project: () => history.present,
   isPair: () => history.present.files.length === 2,
   say: (text) => (at("says").textContent = text),
 
-  // Takes options, null for none, as what is so now.
-  change(options, what) {
+  complain: (text) => complain(text),
+
+  // Takes options, null for none, as what is so now; see `History.commit`.
+  change(options, what, merges = false) {
     shown.attempted = null;
-    if (history.commit(changed(history.present, options), what)) refresh();
+    if (history.commit(changed(history.present, options), what, merges)) refresh();
     else live.want(history.present);
+  },
+
+  open(project) {
+    history.commit(project, "opening of a project");
+    saved = JSON.stringify(history.present);
+    refresh();
+  },
+
+  saved(project) {
+    saved = JSON.stringify(project);
+    refresh();
   },
 
   // Shows how it would be with options, without taking them; null for how it is.
@@ -119,7 +139,7 @@ const live = new Latest(async (project, isOld) => {
   const patience = setTimeout(() => (at("busy").hidden = false), PATIENCE);
   try {
     const began = performance.now();
-    const answer = await ask("look", { project });
+    const answer = await ask("look", { project, is_present: project === history.present, is_saved: JSON.stringify(project) === saved });
     show(answer, project);
     document.documentElement.dataset.took = Math.round(performance.now() - began);
     complain(null);
@@ -146,7 +166,8 @@ function show(answer, project) {
   at("verdict").textContent = `Grade ${number.toFixed(1)} of 3, ${name}${why ? `: ${why}` : ""}`;
   at("verdict").dataset.is = number < 1.0 ? "right" : number >= 2.0 ? "poor" : "fair";
   at("notes").replaceChildren(...answer.notes.filter((note) => !note.includes("in-betweens look poor")).map((note) => made("li", {}, note)));
-  form.show(answer.settings);
+  form.show(answer);
+  pointAtFlaws();
   if (isFirst) tools.hint();
 }
 
@@ -167,10 +188,8 @@ function showPair(number) {
       if (contour[side] !== null && (colours.get(contour[side]) ?? ALONE) === ALONE) colours.set(contour[side], stage.colours[number][k]);
     });
     panel.colour(colours, at("show-parts").checked);
-    const count = counted(panel.contours.length, "part");
     at(`name-${side}`).textContent = two[side].name;
-    at(`count-${side}`).textContent = count;
-    panel.canvas.setAttribute("aria-label", `Drawing ${side.toUpperCase()}, ${two[side].name}, ${count}`);
+    panel.canvas.setAttribute("aria-label", `Drawing ${side.toUpperCase()}, ${two[side].name}, ${counted(panel.contours.length, "part")}`);
   }
   document.title = `${drawings[0].name} → ${drawings[drawings.length - 1].name} · shapeblend studio`;
   at("title").textContent = `${drawings[0].name} → ${drawings[drawings.length - 1].name}`;
@@ -193,17 +212,19 @@ function refresh() {
   at("work").hidden = present.files.length < 2;
   at("empty").hidden = present.files.length >= 2;
   at("keys").hidden = present.files.length < 2;
-  at("to-export").hidden = present.files.length < 2;
+  for (const name of ["to-export", "save"]) at(name).hidden = present.files.length < 2;
   if (present.files.length === 1) at("empty-title").textContent = `Drop the second drawing here`;
-  const absent = present.files.filter((name) => dropped.has(name));
-  at("absent").hidden = !absent.length;
-  at("absent").textContent = `It expects ${absent.join(" and ")} where it is used.`;
-  form.show(shown.answer?.settings ?? {});
+  at("unsaved").hidden = isSaved();
+  drawings.show();
+  form.show(shown.answer);
   corrections();
   tools.redraw();
   live.want(present);
-  lookForOthers();
+  others.look();
+  if (present.files.length > 1) exporting.size(form.isSlow);
 }
+
+const isSaved = () => JSON.stringify(history.present) === saved;
 
 function step(way) {
   tools.letGo();
@@ -212,6 +233,38 @@ function step(way) {
   if (what === null) return;
   refresh();
   app.say(`${way === "undo" ? "Undone" : "Done again"}: ${what}.`);
+}
+
+// ---- where to look
+
+const MANY = 3; // places that are pointed at
+const LARGE = 0.02; // share of a drawing's area from which a part without a partner is seen
+const WRONG = 0.2; // fault of an outline on its way that is seen
+
+// Beside the verdict: the parts in which a blend is likely to be wrong, and what would help.
+function pointAtFlaws() {
+  const found = [];
+  const name = (side, number) => `${panels[side].nameOf(number)} of ${side.toUpperCase()}`;
+  const add = (side, number, weight, tool, text) => found.push({ side, number, weight, tool, text });
+  contours().forEach(({ a, b, wrong }) => {
+    for (const [side, own, other] of [["a", a, b], ["b", b, a]]) {
+      if (own === null || other !== null) continue;
+      const { view } = panels[side].drawing;
+      const share = panels[side].contours[own].area / (view[2] * view[3]);
+      const verb = side === "a" ? "vanishes" : "comes from nothing";
+      if (share >= LARGE && !app.partners(side, own).length) add(side, own, 1 + share, "pair", `${name(side, own)} ${verb}: pair it`);
+    }
+    if (a !== null && b !== null && wrong >= WRONG) add("a", a, wrong, "pin", `${name("a", a)} bends out of shape: pin a point`);
+  });
+  const isRight = at("verdict").dataset.is === "right" || !app.isPair();
+  const worst = isRight ? [] : found.sort((p, q) => q.weight - p.weight).slice(0, MANY);
+  at("places").replaceChildren(...worst.map(({ side, number, tool, text }) => {
+    const button = made("button", { type: "button", class: "place" }, text[0].toUpperCase() + text.slice(1));
+    button.addEventListener("click", () => tools.lookAt(side, number, tool));
+    for (const event of ["pointerenter", "focus"]) button.addEventListener(event, () => tools.hover(side, number));
+    for (const event of ["pointerleave", "blur"]) button.addEventListener(event, () => tools.hover(null));
+    return button;
+  }));
 }
 
 // ---- corrections in a list
@@ -227,7 +280,12 @@ function corrections() {
   const pins = (present.pin ?? []).map((text, k) => {
     const points = pointsOf(text);
     const short = (point) => point.map((value) => Number(value.toPrecision(3))).join(", ");
-    return row("Pin", points ? `${k + 1}: ${points.map(short).join(" → ")}` : text, "pin", k);
+    const ends = ["a", "b"].map((side) => {
+      const button = made("button", { type: "button", class: `plain ${side}-name`, "aria-label": `Move pin ${k + 1} in ${side.toUpperCase()} by keys` }, side.toUpperCase());
+      button.addEventListener("click", () => tools.pick(side, k));
+      return button;
+    });
+    return row("Pin", points ? `${k + 1}: ${points.map(short).join(" → ")}` : text, "pin", k, ...(points && app.isPair() ? ends : []));
   });
   const matches = (present.match ?? []).map((text, k) => {
     const isNumbers = /^\d+=\d+$/.test(text);
@@ -252,125 +310,6 @@ function corrections() {
   at("corrections").replaceChildren(...all);
 }
 
-// ---- other blends
-
-let quiet = 0;
-let asked = null;
-
-function lookForOthers() {
-  clearTimeout(quiet);
-  if (!at("others-card").open || !app.isPair()) {
-    at("others").replaceChildren();
-    return;
-  }
-  const project = history.present;
-  at("others").setAttribute("aria-busy", "true");
-  quiet = setTimeout(async () => {
-    if (asked) return; // looked for again when that is done
-    asked = project;
-    try {
-      const { others } = await ask("others", { project });
-      if (project === history.present) showOthers(others);
-    } catch (error) {
-      if (project === history.present) at("others").replaceChildren(made("p", { class: "quiet small" }, error.message));
-    } finally {
-      asked = null;
-      at("others").removeAttribute("aria-busy");
-      if (project !== history.present) lookForOthers();
-    }
-  }, QUIET);
-}
-
-function showOthers(others) {
-  at("others-says").textContent = others.length > 1 ? "Each looks different. The number is its grade, 0 being best and 3 worst." : "Nothing else that was tried looks different.";
-  at("others").replaceChildren(...others.map(({ options, changes, grade, pictures }, k) => {
-    const images = pictures.map((svg) => made("img", { src: `data:image/svg+xml,${encodeURIComponent(svg)}`, alt: "" }));
-    const button = made("button", { type: "button", "aria-pressed": k === 0 },
-      made("span", { class: "pictures" }, ...images),
-      made("span", { class: "what" }, made("span", {}, options), made("span", { class: "quiet" }, grade.toFixed(1))));
-    button.addEventListener("click", () => Object.keys(changes).length && app.change(changes, options));
-    return button;
-  }));
-}
-
-// ---- files
-
-async function take(files) {
-  const named = [...files].sort((p, q) => p.name.localeCompare(q.name, undefined, { numeric: true }));
-  const [projects, drawings] = [true, false].map((isProject) => named.filter(({ name }) => name.toLowerCase().endsWith(".json") === isProject));
-  try {
-    const names = [];
-    for (const file of drawings) names.push(await given(file));
-    if (projects.length) {
-      const { project } = await give("project", projects[0]);
-      history.commit(project, "opening of a project");
-    } else {
-      const before = history.present.files;
-      const kept = names.length === 1 && before.length === 1 ? before : [];
-      // Corrections are of the drawings that were; options stay.
-      history.commit(changed(history.present, { files: [...kept, ...names], pin: null, match: null, stiff: null, start: null }), "opening of drawings");
-    }
-    complain(null);
-    refresh();
-  } catch (error) {
-    complain(error.message);
-  }
-}
-
-// Gives a drawing to the server, and returns its name there.
-async function given(file) {
-  const { name, is_here: isHere } = await give("drawing", file);
-  if (isHere) dropped.delete(name);
-  else dropped.add(name);
-  return name;
-}
-
-// A single drawing dropped onto A or B takes its place.
-async function replace(side, file) {
-  try {
-    const name = await given(file);
-    const files = [...history.present.files];
-    const pair = pairShown();
-    files[pair ? pair[side] : side === "a" ? 0 : 1] = name;
-    history.commit(changed(history.present, { files, pin: null, match: null, stiff: null, start: null }), "opening of a drawing");
-    refresh();
-  } catch (error) {
-    complain(error.message);
-  }
-}
-
-// ---- export
-
-async function exported(work) {
-  at("replace").hidden = true;
-  at("written").textContent = "Working…";
-  try {
-    at("written").textContent = await work();
-  } catch (error) {
-    at("written").textContent = error.message;
-  }
-}
-
-// Writes files; of those that were not agreed to, asks whether to.
-function write(what, more, agreed = []) {
-  return exported(async () => {
-    const { asks, written, notes } = await ask(what, { project: history.present, agreed, ...more() });
-    if (asks) {
-      const { outside, existing } = asks;
-      at("replace").textContent = existing.length ? "Replace what is there" : "Write there";
-      at("replace").onclick = () => write(what, more, [...agreed, ...outside, ...existing]);
-      at("replace").hidden = false;
-      return [
-        ...(outside.length ? [`Not in the folder of this project: ${outside.join(", ")}.`] : []),
-        ...(existing.length ? [`There already: ${existing.join(", ")}.`] : []),
-      ].join(" ");
-    }
-    return [`Wrote ${written.join(" and ")} in ${folder}.`, ...notes].join(" ");
-  });
-}
-
-let folder = "";
-
 // ---- what users do
 
 function listen() {
@@ -383,19 +322,18 @@ function listen() {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", theme);
   for (const name of ["open", "empty-open"]) at(name).addEventListener("click", () => at("files").click());
   at("files").addEventListener("change", () => {
-    take(at("files").files);
+    drawings.take(at("files").files);
     at("files").value = "";
   });
+  addEventListener("beforeunload", (event) => isSaved() || event.preventDefault());
   at("broken-close").addEventListener("click", () => complain(null));
   at("halt").addEventListener("click", () => ask("halt").catch((error) => complain(error.message)));
   at("pair").addEventListener("change", () => stage.go(Number(at("pair").value) + 0.5));
   at("show-parts").addEventListener("change", () => showPair(stage.pair));
-  at("others-card").addEventListener("toggle", lookForOthers);
+  at("others-card").addEventListener("toggle", () => others.look());
+  const zooms = [panels.a.zoom, panels.b.zoom, stage.zoom];
+  zoomAll(zooms, () => tools.redraw());
   at("copy").addEventListener("click", () => copy(at("command").textContent, at("copy")));
-  at("write").addEventListener("click", () => write("write", () => ({})));
-  at("save").addEventListener("click", () => write("save", () => ({ file: at("project").value.trim() })));
-  at("download").addEventListener("click", () => exported(async () => `${await keep("download", { project: history.present })} is in the browser's downloads.`));
-  at("keep").addEventListener("click", () => exported(async () => `${await keep("keep", { project: history.present })} is in the browser's downloads; keep it beside the drawings.`));
   addEventListener("keydown", key);
   // Drawings may have been changed in another program meanwhile.
   addEventListener("focus", () => performance.now() - shown.at > FRESH && live.want(shown.attempted ?? history.present));
@@ -440,8 +378,8 @@ function listenToDrops() {
     at("drop").hidden = true;
     const { files } = event.dataTransfer;
     const panel = files.length === 1 && shown.answer ? Object.values(panels).find((one) => one.isOver(event)) : null;
-    if (panel && files[0].name.toLowerCase().endsWith(".svg")) replace(panel.side, files[0]);
-    else take(files);
+    if (panel && files[0].name.toLowerCase().endsWith(".svg")) drawings.replace(pairShown()?.[panel.side] ?? (panel.side === "a" ? 0 : 1), files[0]);
+    else drawings.take(files);
   });
 }
 
@@ -455,9 +393,12 @@ function theme() {
 async function begin() {
   window.history.replaceState(null, "", "/"); // the token has become a cookie
   const first = await ask("begin");
-  ({ folder } = first);
   history.present = first.project;
+  saved = first.is_saved ? JSON.stringify(first.project) : "";
   form = new Form(app, first);
+  drawings = new Drawings(app, first.dropped);
+  others = new Others(app);
+  exporting = new Exporting(app, first.folder);
   tools = new Tools(panels, app);
   if (innerWidth < 900) for (const name of ["others-card", "moves-card"]) at(name).open = false;
   theme();

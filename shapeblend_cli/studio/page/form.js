@@ -1,6 +1,7 @@
 // Fields for options: what moves, the constants of the wire, all others, and export.
 
 import { at, figures, made } from "./values.js";
+import { EasingCurve } from "./easing.js";
 
 // Sliders of constants: how far they go, whether by factors, and what they are called.
 const CONSTANTS = [
@@ -11,8 +12,8 @@ const CONSTANTS = [
   { name: "smoothing", says: "Smoothing", low: 0, high: 0.1, step: 0.002 },
 ];
 const DECADES = 1.5;
-const EASES = ["linear", "ease", "ease-in", "ease-out", "ease-in-out"];
-const ELSEWHERE = new Set(["pin", "match", "stiff", "motion", "ease", "duration", "repeat", "output", "frames", "emit", "format"]);
+const EASES = ["linear", "ease", "ease-in", "ease-out", "ease-in-out", "back", "back-in", "back-in-out", "elastic", "elastic-in", "spring(1,180,12)"];
+const ELSEWHERE = new Set(["pin", "match", "stiff", "motion", "ease", "duration", "hold", "repeat", "output", "frames", "emit", "format"]);
 
 export class Form {
   // `app` has the options and takes changes: get, change, attempt.
@@ -37,14 +38,32 @@ export class Form {
     at("ease").append(...EASES.map((word) => made("option", { value: word }, word)));
     at("repeat").append(...["forever", "pingpong", "1", "2", "3"].map((word) => made("option", { value: word }, word === "1" ? "once" : Number(word) ? `${word} times` : word)));
     at("motion").addEventListener("change", () => this.set("motion", at("motion").value));
-    at("ease").addEventListener("change", () => this.set("ease", at("ease").value === "linear" ? null : at("ease").value, "easing"));
+    const ease = (text) => this.set("ease", text === "linear" ? null : text, "easing");
+    at("ease").addEventListener("change", () => ease(at("ease").value));
+    at("ease-text").addEventListener("change", () => ease(at("ease-text").value.trim() || "linear"));
+    this.curve = new EasingCurve(at("curve"), (text, isDone) => {
+      at("ease-text").value = text;
+      if (isDone) ease(text);
+    });
     at("repeat").addEventListener("change", () => this.set("repeat", at("repeat").value === "forever" ? null : at("repeat").value));
     const duration = at("duration");
     duration.addEventListener("input", () => (at("duration-says").textContent = `${duration.value} s`));
     duration.addEventListener("change", () => this.set("duration", Number(duration.value) === 2 ? null : Number(duration.value)));
-    this.fields.push(() => {
+    const rests = ["a", "b"].map((side) => at(`hold-${side}`));
+    for (const input of rests) {
+      input.addEventListener("change", () => {
+        const [first, other] = rests.map(({ value }) => Math.max(Number(value) || 0, 0));
+        this.set("hold", first || other ? `${first},${other}` : null, "rest");
+      });
+    }
+    this.fields.push((answer) => {
+      const hold = answer?.timing.hold ?? [0, 0];
+      rests.forEach((input, k) => document.activeElement === input || (input.value = hold[k] || ""));
+      const easing = this.app.get("ease") ?? "linear";
+      this.curve.show(easing, answer?.timing.ease);
+      if (document.activeElement !== at("ease-text")) at("ease-text").value = easing;
       choose(at("motion"), this.app.get("motion") ?? "auto");
-      choose(at("ease"), this.app.get("ease") ?? "linear");
+      choose(at("ease"), easing);
       choose(at("repeat"), String(this.app.get("repeat") ?? "forever"));
       duration.value = this.app.get("duration") ?? 2;
       at("duration-says").textContent = `${this.app.get("duration") ?? 2} s`;
@@ -66,8 +85,8 @@ export class Form {
       });
       input.addEventListener("change", () => this.app.change({ [constant.name]: value() }, constant.says.toLowerCase()));
       at("constants").append(made("label", { for: id, title: this.options.get(constant.name).help }, constant.says), made("span", { class: "slide" }, input, says));
-      this.fields.push((inForce) => {
-        const number = Number(this.app.get(constant.name) ?? inForce[constant.name]);
+      this.fields.push((answer) => {
+        const number = Number(this.app.get(constant.name) ?? answer?.settings[constant.name]);
         if (!Number.isFinite(number) || document.activeElement === input) return;
         input.value = isFactor ? Math.log10(Math.max(number, 1e-6) / constant.default) : number;
         show(number);
@@ -137,12 +156,14 @@ export class Form {
     });
     at("output").addEventListener("change", () => this.set("output", at("output").value.trim(), "name"));
     at("frames").addEventListener("change", () => this.set("frames", at("frames").value === "" ? null : Number(at("frames").value), "number of in-betweens"));
-    this.fields.push(() => {
+    this.fields.push((answer) => {
       const output = this.app.get("output") ?? this.name;
       at("output").value = output;
-      at("frames").value = this.app.get("frames") ?? "";
-      at("frames").placeholder = "5";
       at("format").value = this.formatOf(output.toLowerCase());
+      const { has_frames: hasFrames } = this.formats[Number(at("format").value)];
+      for (const name of ["frames", "frames-label"]) at(name).hidden = !hasFrames && this.app.get("animate") !== "frames";
+      at("frames").value = this.app.get("frames") ?? "";
+      at("frames").placeholder = answer?.frames ?? "";
     });
   }
 
@@ -155,8 +176,14 @@ export class Form {
     return (found ?? alike[0] ?? { k: 0 }).k;
   }
 
-  show(inForce) {
-    for (const field of this.fields) field(inForce);
+  // Whether it takes long to know how large the files are.
+  get isSlow() {
+    return this.formats[Number(at("format").value)].is_raster;
+  }
+
+  // Shows what is so now, and of the latest answer what is in force, if there is one.
+  show(answer) {
+    for (const field of this.fields) field(answer);
   }
 }
 

@@ -1,6 +1,7 @@
 // What users do with the drawings: pair parts, pin points, stiffen stretches of an outline; by pointer and by keys.
 
-import { at, drawn } from "./values.js";
+import { at, counted, drawn } from "./values.js";
+import { middle, pointsOf, regionOf } from "./panel.js";
 
 const HINTS = {
   pair: "Click a part of A, then the part of B that it becomes.",
@@ -9,26 +10,16 @@ const HINTS = {
 };
 const WEIGHT = 4; // how much stiffer a stretch becomes
 const SHOWN = 24; // places that are shown with where they go
-const MOST_NODES = 600;
 const hue = (k, count) => `hsl(${Math.round((330 * k) / Math.max(count, 1))} 78% 42%)`;
-const middle = (points) => {
-  const [xs, ys] = [0, 1].map((axis) => points.map((point) => point[axis]));
-  const centre = [(Math.min(...xs) + Math.max(...xs)) / 2, (Math.min(...ys) + Math.max(...ys)) / 2];
-  return { centre, radius: Math.max(...points.map(([x, y]) => Math.hypot(x - centre[0], y - centre[1]))) };
-};
-
-export const pointsOf = (pin) => (pin.includes(":") ? pin.split(":").map((side) => side.split(",").map(Number)) : null);
-export const regionOf = (stiff) => {
-  const [region, weight] = stiff.split("=");
-  const [x, y, radius] = region.split(",").map(Number);
-  return { centre: [x, y], radius, weight: Number(weight) };
-};
 
 export class Tools {
   // `app` has the options in force and takes changes: get, change, attempt, say, partners.
   constructor(panels, app) {
-    Object.assign(this, { panels, app, tool: "pair", held: null, drag: null, pointed: null, cursor: { a: null, b: null } });
-    for (const panel of Object.values(panels)) this.listen(panel);
+    Object.assign(this, { panels, app, tool: "pair", held: null, drag: null, pointed: null, picked: null, cursor: { a: null, b: null } });
+    for (const panel of Object.values(panels)) {
+      this.listen(panel);
+      panel.redraw = () => this.redraw();
+    }
     for (const button of document.querySelectorAll("[data-tool]")) {
       button.addEventListener("click", () => this.choose(button.dataset.tool));
       button.addEventListener("keydown", (event) => this.chooseByKey(event));
@@ -41,8 +32,9 @@ export class Tools {
   }
 
   choose(tool) {
+    this.letGo(); // what is held belongs to the tool before
+    this.pointed = null;
     this.tool = tool;
-    this.letGo();
     for (const button of document.querySelectorAll("[data-tool]")) {
       const isIt = button.dataset.tool === tool;
       button.setAttribute("aria-checked", isIt);
@@ -70,7 +62,7 @@ export class Tools {
 
   letGo() {
     const had = this.held || this.drag;
-    Object.assign(this, { held: null, drag: null });
+    Object.assign(this, { held: null, drag: null, picked: null });
     if (had) {
       this.app.attempt(null);
       this.hint();
@@ -149,7 +141,7 @@ export class Tools {
       const { pressed } = this;
       this.pressed = null;
       const number = panel.partAt(panel.point(event));
-      if (!this.canCorrect || !pressed || pressed.panel !== panel || pressed.number !== number) return;
+      if (!this.canCorrect || panel.zoom.moved || !pressed || pressed.panel !== panel || pressed.number !== number) return;
       if (number === null) this.letGo();
       else this.take(panel, { number });
       return;
@@ -161,7 +153,8 @@ export class Tools {
       if (drag.moved) this.stiffen(drag.path);
       else this.app.say("Drag along the outline, from where it begins to be stiff to where it ends.");
     } else if (!drag.moved) {
-      if (!drag.pin) this.take(panel, drag.from.spot);
+      if (drag.pin) this.pick(panel.side, drag.pin.index);
+      else this.take(panel, drag.from.spot);
     } else if (drag.to) {
       this.pin(drag.from, drag.to, drag.pin);
     } else {
@@ -239,7 +232,7 @@ export class Tools {
 
   pin(from, to, pin) {
     this.app.change(this.withPin(from, to, pin), pin ? "move of a pin" : "pin");
-    this.app.say("Pinned. Drag either end to move it.");
+    this.app.say("Pinned. Drag either end to move it, or click it and press arrow keys.");
   }
 
   stiffen(path) {
@@ -249,6 +242,41 @@ export class Tools {
     const reach = Number(Math.max(radius, width / 100).toFixed(a.drawing.decimals + 1));
     this.app.change({ stiff: [...(this.app.get("stiff") ?? []), `${a.text(centre)},${reach}=${WEIGHT}`] }, "stiff region");
     this.app.say(`Within this circle the wire is ${WEIGHT} times as stiff.`);
+  }
+
+  // One end of a pin, to be moved by keys.
+  pick(side, index) {
+    if (this.tool !== "pin") this.choose("pin");
+    this.picked = { side, index };
+    this.panels[side].canvas.focus();
+    this.app.say(`Arrow keys move the end of pin ${index + 1} in ${side.toUpperCase()} by a pixel, with Shift by ten.`);
+    this.redraw();
+  }
+
+  nudge(right, down) {
+    const { side, index } = this.picked;
+    const pins = [...(this.app.get("pin") ?? [])];
+    const points = pointsOf(pins[index] ?? "");
+    if (!points) return;
+    const { scale } = this.panels[side];
+    const end = points[side === "a" ? 0 : 1];
+    end[0] += right / scale;
+    end[1] += down / scale;
+    pins[index] = `${this.panels.a.text(points[0])}:${this.panels.b.text(points[1])}`;
+    this.app.change({ pin: pins }, `nudge of pin ${index + 1}`, true);
+  }
+
+  // A part that somebody is told of: shown as if it were pointed at, and with the tool that helps.
+  hover(side, number) {
+    this.pointed = side ? { panel: this.panels[side], number } : null;
+    this.redraw();
+  }
+
+  lookAt(side, number, tool) {
+    this.choose(tool);
+    if (tool === "pair") this.take(this.panels[side], { number });
+    else this.hover(side, number);
+    at("panels").scrollIntoView({ block: "nearest" });
   }
 
   // ---- by keys
@@ -280,6 +308,13 @@ export class Tools {
 
   key(panel, event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const way = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowDown: [0, 1], ArrowUp: [0, -1] }[event.key];
+    if (way && this.picked) {
+      this.nudge(...way.map((step) => step * (event.shiftKey ? 10 : 1)));
+      event.preventDefault();
+      event.stopPropagation();
+      return;
+    }
     const cursor = (this.cursor[panel.side] ??= { part: 0, node: 0 });
     const parts = panel.order.length;
     const turn = (step) => () => {
@@ -362,6 +397,7 @@ export class Tools {
     for (const panel of Object.values(this.panels)) {
       const chosen = this.held?.panel === panel && this.tool === "pair" ? [this.held.what.number] : [];
       panel.light(chosen, this.lit(panel));
+      at(`count-${panel.side}`).textContent = this.caption(panel);
       panel.mark(...this.marks(panel));
     }
     this.line();
@@ -372,6 +408,17 @@ export class Tools {
     if (!this.isByKeys) return null;
     const panel = Object.values(this.panels).find(({ canvas }) => canvas === document.activeElement);
     return panel ? { panel, number: this.at(panel).number, spot: { at: this.at(panel).at } } : null;
+  }
+
+  // Which part is pointed at, and what becomes of it; else how many there are.
+  caption(panel) {
+    const { current } = this;
+    if (current?.number === undefined) return counted(panel.contours.length, "part");
+    const isOwn = current.panel === panel;
+    const numbers = isOwn ? [current.number] : this.app.partners(current.panel.side, current.number);
+    const isAlone = isOwn && !this.app.partners(panel.side, current.number).length;
+    const names = numbers.map((number) => panel.nameOf(number));
+    return (names.join(", ") || "no part") + (isAlone ? ", alone" : "");
   }
 
   lit(panel) {
@@ -391,12 +438,13 @@ export class Tools {
         marks.push(drawn("circle", { class: "stiff", cx: centre[0], cy: centre[1], r: Math.max(radius, 3 / panel.scale) }));
       }
     }
-    if (this.tool !== "pair") marks.push(...this.nodes(panel));
+    if (this.tool === "pin" || (this.tool === "stiff" && panel.side === "a")) marks.push(...panel.nodes());
     if (this.tool === "pin") marks.push(...this.goesWhere(panel));
     for (const [k, text] of (this.app.get("pin") ?? []).entries()) {
       const points = pointsOf(text);
       if (!points || this.drag?.pin?.index === k) continue;
-      marks.push(panel.dot(points[side], 7, { class: "pin" }), this.number(panel, points[side], k + 1));
+      const isPicked = this.picked?.index === k && this.picked.side === panel.side;
+      marks.push(panel.dot(points[side], isPicked ? 10 : 7, { class: isPicked ? "pin picked" : "pin" }), panel.number(points[side], k + 1));
     }
     const ends = [];
     if (this.drag && this.tool === "pin") {
@@ -406,25 +454,11 @@ export class Tools {
       ends.push({ panel: this.held.panel, spot: this.held.what });
     }
     const { current } = this;
-    if (this.tool !== "pair" && current && !this.drag) ends.push({ ...current, isCursor: true });
+    if (this.tool !== "pair" && current?.spot && !this.drag) ends.push({ ...current, isCursor: true });
     for (const { panel: one, spot, isCursor } of ends) {
       if (one === panel) marks.push(panel.dot(spot.at, isCursor ? 6 : 8, { class: isCursor ? "cursor" : "end" }));
     }
     return marks;
-  }
-
-  number(panel, [x, y], number) {
-    const size = 9.5 / panel.scale;
-    const label = drawn("text", { class: "pin-number", x, y: y + 0.36 * size, "font-size": size, "text-anchor": "middle" });
-    label.textContent = number;
-    return label;
-  }
-
-  nodes(panel) {
-    const count = panel.contours.reduce((sum, { nodes }) => sum + nodes.length, 0);
-    if (count > MOST_NODES || (this.tool === "stiff" && panel.side === "b")) return [];
-    const data = panel.contours.flatMap(({ nodes }) => nodes.map(([x, y]) => `M${x} ${y}h0`)).join("");
-    return [drawn("path", { class: "nodes under", d: data }), drawn("path", { class: "nodes", d: data })];
   }
 
   // Places of the part at hand, each in the colour of the place where it goes.

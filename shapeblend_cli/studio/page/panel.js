@@ -3,15 +3,40 @@
 import { drawn } from "./values.js";
 import { still } from "./picture.js";
 import { ALONE, tintOf } from "./parts.js";
+import { Zoom } from "./zoom.js";
 
 const SAMPLES = 160; // places along an outline at which it is looked at
 const squared = ([x, y], [u, v]) => (x - u) ** 2 + (y - v) ** 2;
+const MOST_NODES = 600; // that are drawn
+
+// What corrections say: the two ends of a pin, a stiff region; and the circle around points.
+
+export const pointsOf = (pin) => (pin.includes(":") ? pin.split(":").map((side) => side.split(",").map(Number)) : null);
+export const regionOf = (stiff) => {
+  const [region, weight] = stiff.split("=");
+  const [x, y, radius] = region.split(",").map(Number);
+  return { centre: [x, y], radius, weight: Number(weight) };
+};
+
+export const middle = (points) => {
+  const [xs, ys] = [0, 1].map((axis) => points.map((point) => point[axis]));
+  const centre = [(Math.min(...xs) + Math.max(...xs)) / 2, (Math.min(...ys) + Math.max(...ys)) / 2];
+  return { centre, radius: Math.max(...points.map(([x, y]) => Math.hypot(x - centre[0], y - centre[1]))) };
+};
 
 export class Panel {
   constructor(canvas, side) {
     Object.assign(this, { canvas, side, key: null, contours: [], colours: [] });
     this.layers = Object.fromEntries(["parts", "paper", "marks"].map((name) => [name, drawn("g", { class: name })]));
     canvas.append(...Object.values(this.layers));
+    this.zoom = new Zoom(canvas, {
+      view: () => this.drawing.view,
+      changed: () => {
+        canvas.setAttribute("viewBox", this.zoom.box(this.drawing.view).join(" "));
+        this.redraw?.();
+      },
+      drags: () => canvas.closest("[data-using]").dataset.using === "pair",
+    });
   }
 
   // Shows a drawing; one that is shown already is left as it is.
@@ -19,11 +44,11 @@ export class Panel {
     if (drawing.key === this.key) return;
     this.key = drawing.key;
     this.drawing = drawing;
-    this.canvas.setAttribute("viewBox", drawing.view.join(" "));
+    this.zoom.go(1, [0.5, 0.5]);
     this.layers.paper.replaceChildren(still(drawing.paths));
-    this.contours = drawing.contours.map(({ d, closed, nodes }, number) => {
+    this.contours = drawing.contours.map(({ d, id, filled, nodes }, number) => {
       const element = drawn("path", { class: "part", d, "data-number": number });
-      return { number, element, closed, nodes, samples: null };
+      return { number, id, element, filled, nodes, samples: null };
     });
     this.layers.parts.replaceChildren(...this.contours.map(({ element }) => element));
     for (const contour of this.contours) {
@@ -36,10 +61,10 @@ export class Panel {
   // Colours by number of contour; what has none has no partner.
   colour(colours, isShown) {
     this.canvas.classList.toggle("coloured", isShown);
-    for (const { number, element, closed } of this.contours) {
+    for (const { number, element, filled } of this.contours) {
       const colour = colours.get(number) ?? ALONE;
       element.setAttribute("stroke", colour);
-      element.setAttribute("fill", closed ? tintOf(colour) : "none");
+      element.setAttribute("fill", filled ? tintOf(colour) : "none");
     }
     // The largest lie lowest, so that each can be seen; of two as large the one with a partner is.
     const height = ({ number, area }) => area * ((colours.get(number) ?? ALONE) === ALONE ? 1.2 : 1);
@@ -53,6 +78,11 @@ export class Panel {
       element.classList.toggle("chosen", chosen.includes(number));
       element.classList.toggle("pointed", pointed.includes(number));
     }
+  }
+
+  nameOf(number) {
+    const { id } = this.contours[number];
+    return `part ${number}${id ? ` (${id})` : ""}`;
   }
 
   mark(...elements) {
@@ -87,10 +117,10 @@ export class Panel {
   // The smallest part around a point, or else the nearest within reach, in pixels.
   partAt(point, reach = 16) {
     const place = new DOMPoint(...point);
-    const around = this.contours.filter(({ closed, element }) => closed && element.isPointInFill(place));
-    const lines = this.contours.filter(({ closed }) => !closed);
+    const around = this.contours.filter(({ filled, element }) => filled && element.isPointInFill(place));
+    const lines = this.contours.filter(({ filled }) => !filled);
     const near = this.nearest(point, around.length ? lines : this.contours, around.length ? reach / 2 : reach);
-    if (near && (!around.length || !near.contour.closed)) return near.contour.number;
+    if (near && (!around.length || !near.contour.filled)) return near.contour.number;
     return around.length ? around.reduce((p, q) => (q.area <= p.area ? q : p)).number : null;
   }
 
@@ -135,6 +165,20 @@ export class Panel {
 
   dot(at, pixels, attributes) {
     return drawn("circle", { cx: at[0], cy: at[1], r: pixels / this.scale, ...attributes });
+  }
+
+  number([x, y], number) {
+    const size = 9.5 / this.scale;
+    const label = drawn("text", { class: "pin-number", x, y: y + 0.36 * size, "font-size": size, "text-anchor": "middle" });
+    label.textContent = number;
+    return label;
+  }
+
+  nodes() {
+    const count = this.contours.reduce((sum, { nodes }) => sum + nodes.length, 0);
+    if (count > MOST_NODES) return [];
+    const data = this.contours.flatMap(({ nodes }) => nodes.map(([x, y]) => `M${x} ${y}h0`)).join("");
+    return [drawn("path", { class: "nodes under", d: data }), drawn("path", { class: "nodes", d: data })];
   }
 
   text([x, y]) {
