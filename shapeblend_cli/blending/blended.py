@@ -173,9 +173,7 @@ def _moved(paired: PairedDrawings, shapes: Shapes, places: list[Place], view: Bo
 
 
 def _draws_strokes(paired: PairedDrawings) -> bool:
-    """Return whether strokes without a partner may be drawn on and back."""
+    """Return whether strokes and slashes without a partner may be drawn on and back."""
     settings = paired.settings
-    is_free = settings.motion == "auto" and settings.unmatched == "auto" and not paired.rotation
-    if not is_free or settings.mix or settings.stagger or not wants_lines(settings):
-        return False
-    return any(each.style.stroke is not None for side in (paired.a, paired.b) for each in side.contours)
+    is_free = _is_free(settings) and settings.unmatched == "auto" and not paired.rotation
+    return is_free and wants_lines(settings) and paired.copies is None

@@ -1,4 +1,4 @@
-"""Straight strokes without a partner beside fills: drawn on or back at their width, as a slash is.
+"""Straight strokes and slashes without a partner beside fills: drawn on or back at their width.
 
 Others, which may run along the edge of a fill that changes, grow from a point.
 """
@@ -9,28 +9,35 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.model import Box, Place
 from shapeblend_cli.motion.pen import Pen, Riding, Straight
 from shapeblend_cli.pairing.growth import MatchedPoints, carried
-from shapeblend_cli.pens.drawings import file_line
+from shapeblend_cli.pens.drawings import file_line, recovered_lines
 from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.line_blends import without_dots
 from shapeblend_cli.pens.moves import SHORT, STRAIGHT, Move, alone, crossing_out, is_slash
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.blending.matched import PairedDrawings
     from shapeblend_cli.model import ContourBlend, ShapeBlend
     from shapeblend_cli.pens.line import PenLine
 
+SLASH = 0.2
+"""Maximum area of a filled slash, as a share of the square of its length."""
+
 
 def with_drawn_strokes(
     paired: PairedDrawings, shapes: Sequence[ShapeBlend], places: Sequence[Place], view: Box
 ) -> tuple[list[ShapeBlend], list[Place]]:
-    """Let straight strokes that would grow from points be drawn on or back. Return all shapes with their places."""
+    """Let straight strokes and slashes that would grow from points be drawn on or back.
+
+    Return all shapes with their places.
+    """
     scale = UNITS / view.larger_side
     carriers = [_carrier(each, scale) for shape in shapes for each in shape.contours if each.is_matched]
     strokes = [shape for shape in shapes if len(shape.contours) == 1 and shape.style_a.stroke is not None]
@@ -68,17 +75,27 @@ def _carrier(contour: ContourBlend, scale: float) -> Pen:
 def _loose_line(
     contour: ContourBlend, placed: Sequence[dict[int, PlacedContour]], scale: float
 ) -> PenLine | None:
-    """Return a straight stroke that grows from a point, or shrinks to one, as a line; None for all others."""
+    """Return a straight stroke or a slash that grows from a point, or shrinks to one, as a line; else None."""
     if contour.is_matched or not (contour.start if contour.a is None else contour.end).is_point:
         return None
     number, here = (contour.b, 1) if contour.a is None else (contour.a, 0)
     own = placed[here].get(number) if number is not None else None
-    if own is None or own.style.fill is not None or own.style.stroke is None:
-        return None
-    line = file_line(own, scale)
-    if line.closed or line.length < SHORT * line.width:
+    line = None if own is None else _stroke_or_slash(own, placed[here].values(), scale)
+    if line is None or line.closed or line.length < SHORT * line.width:
         return None
     return line if abs(line.points[-1] - line.points[0]) > STRAIGHT * line.length else None
+
+
+def _stroke_or_slash(own: PlacedContour, others: Iterable[PlacedContour], scale: float) -> PenLine | None:
+    """Return a stroke, or a filled slash, as a line; None for all others."""
+    if own.style.fill is None:
+        return None if own.style.stroke is None else file_line(own, scale)
+    if own.style.stroke is not None or own.role != EXTERIOR or own.area > SLASH * own.size**2:
+        return None
+    if any(other.exterior == own.number for other in others):
+        return None
+    lines, rests = recovered_lines([own], scale) or ([], [])
+    return lines[0] if len(lines) == 1 and not rests and is_slash(lines[0]) else None
 
 
 def _drawn(line: PenLine, carriers: Sequence[Pen], *, is_new: bool) -> Move:

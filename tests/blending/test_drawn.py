@@ -1,4 +1,4 @@
-"""Straight strokes without a partner, beside fills."""
+"""Straight strokes and slashes without a partner, beside fills."""
 
 import numpy as np
 import pytest
@@ -40,3 +40,15 @@ def test_a_stick_is_drawn_on_from_where_it_touches_and_stays_in_touch():
 
 def test_a_bent_stroke_grows_from_a_point():
     assert loose_line("M24 10H18V14", 0.5, backwards=False)[1] == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(("bar", "is_drawn"), [("M3 4L5 2L23 20L21 22Z", True), ("M8 10H16V12H8Z", False)])
+def test_a_filled_slash_is_drawn_on_and_other_bars_grow(bar, is_drawn):
+    plain = BELL.format(x=6, y=16)
+    pair = blend(drawing(plain), drawing(plain + f'<path fill="#f00" d="{bar}"/>'))
+    (shape,) = [shape for shape in shapes_at(pair, 0.5) if "#ff0000" in (shape.style.fill, shape.style.stroke)]
+    assert (shape.style.fill is None) == is_drawn
+    if is_drawn:
+        assert shape.style.stroke_width == pytest.approx(abs(2 + 2j), rel=0.01)
+        ends = shape.paths[0].segments[0, 0], shape.paths[0].segments[-1, 3]
+        assert abs(ends[1] - ends[0]) == pytest.approx(abs(9 + 9j), rel=0.02)
