@@ -9,7 +9,7 @@ import numpy as np
 from shapeblend_cli.blending.blended import blend_shapes
 from shapeblend_cli.blending.matched import Progress
 from shapeblend_cli.blending.placing import AS_IT_IS, flattened
-from shapeblend_cli.blending.turned_drawings import carried, turned_back
+from shapeblend_cli.blending.turned_drawings import TURNED, carried, turned_back
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry.cubics import line
 from shapeblend_cli.model import (
@@ -83,7 +83,7 @@ def _region_blend(
     if not isinstance(motion, Whole):
         return blend_shapes(a, b, settings, view, progress)
     straight = settings.replace(motion="linear")
-    return carried(blend_shapes(a, turned_back(b, motion), straight, view, progress), motion)
+    return carried(blend_shapes(a, turned_back(b, motion), straight, view, progress), motion, TURNED)
 
 
 def has_clips(pair: Pair) -> bool:

@@ -1,7 +1,8 @@
 """Drawings that are another one turned as a whole, or its mirror image, such as a thumb up and a thumb down.
 
 On their ordinary way such drawings are turned inside out. They look better if they turn as a whole, and what is left to
-do is done on the way; and where much is left, as a card that is turned over.
+do is done on the way; and where much is left, as a card that is turned over. Long drawings that point in different
+directions, such as a pencil and a brush, turn as well where that looks better.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.choose import candidate_of
 from shapeblend_cli.motion.rigid import Whole
+from shapeblend_cli.pairing.same import same_pairs
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -56,7 +58,20 @@ LITTLE_LEFT = 1.2
 CLEAN = 0.1
 """Maximum fault of the outlines of an ordinary blend that is preferred to turning the drawing over."""
 
-TURNED, TURNED_OVER = "B is A turned as a whole", "B is A's mirror image, turned over"
+LONG = 2.0
+"""Minimum ratio of the spreads of a long drawing along and across its axis."""
+
+LEAST_TURN = np.radians(20.0)
+"""Minimum angle between the axes of two long drawings for one to turn, in radians."""
+
+BETTER = 0.2
+"""Minimum advantage of a long drawing that turns over the ordinary blend, in grades."""
+
+TURNED, TURNED_OVER, POINTS_ELSEWHERE = (
+    "B is A turned as a whole",
+    "B is A's mirror image, turned over",
+    "a long drawing turns as a whole",
+)
 
 
 def turned_as_a_whole(
@@ -66,29 +81,60 @@ def turned_as_a_whole(
 
     `blend` blends A with another drawing on straight paths.
     """
-    way = way_between(a, b)
     as_usual = usual()
-    if way is None or grade_of_shapes(as_usual, view) <= FINE:
+    if max(len(a.contours), len(b.contours)) > MOST_CONTOURS:
+        return as_usual
+    way = way_between(a, b)
+    if way is None:
+        return _turned_to_its_axis(a, b, view, as_usual, blend)
+    if grade_of_shapes(as_usual, view) <= FINE:
         return as_usual
     turned = way if way.angle else way._replace(angle=np.pi, over=0j)
     beside = blend(a, turned_back(b, turned))
     if grade_of_shapes(beside, view) <= LITTLE_LEFT:
-        return carried(beside, turned)
+        return carried(beside, turned, TURNED)
     if turned is way or _is_clean(as_usual, view):
         return as_usual
-    return carried(blend(a, turned_back(b, way)), way)
+    return carried(blend(a, turned_back(b, way)), way, TURNED_OVER)
+
+
+def _turned_to_its_axis(
+    a: PlacedDrawing, b: PlacedDrawing, view: Box, as_usual: Shapes, blend: Blend
+) -> Shapes:
+    """Return the blend of two long drawings that looks best: as usual, or turned from one axis to the other."""
+    lines = _lines(a), _lines(b)
+    if not all(lines):
+        return as_usual
+    axis_a, axis_b = _axis(_points(lines[0])), _axis(_points(lines[1]))
+    if axis_a is None or axis_b is None or same_pairs(a.contours, b.contours, ()):
+        return as_usual
+    angle = float(np.angle(axis_b / axis_a))  # axes have no direction, so it is a quarter turn at most
+    angle -= np.pi * round(angle / np.pi)
+    if abs(angle) < LEAST_TURN:
+        return as_usual
+    in_a, in_b = (Box.union([contour.box for contour in side.contours]).centre for side in (a, b))
+    tried = [(grade_of_shapes(as_usual, view), as_usual)]
+    for turn in (angle, angle - np.copysign(np.pi, angle)):
+        way = Whole(in_a, in_b, float(turn))
+        beside = blend(a, turned_back(b, way))
+        tried.append((grade_of_shapes(beside, view) + BETTER, carried(beside, way, POINTS_ELSEWHERE)))
+    return min(tried, key=lambda one: one[0])[1]
+
+
+def _axis(points: ComplexArray) -> complex | None:
+    """Return the direction in which points spread most, if they spread far less across it."""
+    offsets = points - points.mean()
+    square, both = complex((offsets**2).mean()), float((np.abs(offsets) ** 2).mean())
+    if both + abs(square) < LONG**2 * (both - abs(square)):
+        return None
+    return complex(np.sqrt(square))
 
 
 def way_between(a: PlacedDrawing, b: PlacedDrawing) -> Whole | None:
     """Return how a drawing is turned as a whole, or turned over, to become about the other; None if it is not."""
-    if max(len(a.contours), len(b.contours)) > MOST_CONTOURS:
-        return None
     boxes = [Box.union([contour.box for contour in side.contours]) for side in (a, b)]
     size = max(box.larger_side for box in boxes)
-    lines = [
-        [from_end_to_end(c.polygon.vertices, c.polygon.closed) for c in side.contours] for side in (a, b)
-    ]
-    lines = [[line for line in side if len(line) > 1] for side in lines]
+    lines = _lines(a), _lines(b)
     if not all(lines):
         return None
     points = [_points(side) for side in lines]
@@ -122,6 +168,12 @@ def way_between(a: PlacedDrawing, b: PlacedDrawing) -> Whole | None:
     return None
 
 
+def _lines(drawing: PlacedDrawing) -> list[ComplexArray]:
+    """Return the outlines of a drawing as polylines."""
+    lines = (from_end_to_end(c.polygon.vertices, c.polygon.closed) for c in drawing.contours)
+    return [line for line in lines if len(line) > 1]
+
+
 def _points(lines: Sequence[ComplexArray]) -> ComplexArray:
     """Return points spread evenly along polylines."""
     lengths = [cumulative_lengths(line) for line in lines]
@@ -139,9 +191,8 @@ def turned_back(b: PlacedDrawing, way: Whole) -> PlacedDrawing:
     return b._replace(contours=[contour.transformed(way.undo) for contour in b.contours])
 
 
-def carried(shapes: Shapes, way: Whole) -> Shapes:
+def carried(shapes: Shapes, way: Whole, reason: str) -> Shapes:
     """Let shapes, blended with B laid over A, turn on their way and end where B has them."""
-    reason = TURNED_OVER if way.over else TURNED
 
     def moved(contour: ContourBlend) -> ContourBlend:
         return contour._replace(

@@ -46,7 +46,9 @@ def test_a_bent_stroke_grows_from_a_point():
 def test_a_filled_slash_is_drawn_on_and_other_bars_grow(bar, is_drawn):
     plain = BELL.format(x=6, y=16)
     pair = blend(drawing(plain), drawing(plain + f'<path fill="#f00" d="{bar}"/>'))
-    (shape,) = [shape for shape in shapes_at(pair, 0.5) if "#ff0000" in (shape.style.fill, shape.style.stroke)]
+    (shape,) = [
+        shape for shape in shapes_at(pair, 0.5) if "#ff0000" in (shape.style.fill, shape.style.stroke)
+    ]
     assert (shape.style.fill is None) == is_drawn
     if is_drawn:
         assert shape.style.stroke_width == pytest.approx(abs(2 + 2j), rel=0.01)

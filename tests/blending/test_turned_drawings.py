@@ -90,3 +90,20 @@ def test_plots_know_the_wires_as_they_were_solved():
     assert contour.mirrored
     found = contour.correspondence
     assert sum(solved_wires(contour, Settings()).path_work(found.dots)) == pytest.approx(found.work, abs=1e-9)
+
+
+PENCIL = "M2 5L5 2L17 14L20 20L14 17Z"
+BRUSH = "M22 3L20 1L9 11C6 10 6 15 2 20C7 19 12 17 11 14Z"
+
+
+def test_a_long_drawing_turns_where_that_looks_better():
+    (shape,) = shapes_of(drawing(PENCIL), drawing(BRUSH))
+    assert (shape.motion_name, shape.reason) == ("rigid", "a long drawing turns as a whole")
+    box = control_box(paths_at(shape, 0.5))
+    assert max(box.width, box.height) > 18.0, "it keeps its length"
+    assert min(box.width, box.height) < 9.0
+
+
+def test_a_long_drawing_that_becomes_another_in_its_place_does_not_turn():
+    (shape,) = shapes_of(drawing(PENCIL), drawing("M2 4L4 2L18 15L21 21L15 18Z"))
+    assert shape.motion_name == "linear"

@@ -84,18 +84,18 @@ def test_what_is_the_same_stays_while_the_rest_moves():
 
 
 def test_what_is_added_grows_from_its_middle_where_it_is():
-    # A slash over a face, and what lies within something that is added too grows as a part of it.
-    face, slash = FACE.format("#fc0"), '<path d="M3 2L22 21L21 22L2 3Z" fill="#f00"/>'
+    # A bar over a face, and what lies within something that is added too grows as a part of it.
+    face, bar = FACE.format("#fc0"), '<path d="M2 11H22V13H2Z" fill="#f00"/>'
     badge, mark = (
         '<rect x="24" width="8" height="8" fill="#00f"/>',
         '<rect x="25" y="1" width="2" height="2"/>',
     )
     for t, boxes in zip(
-        (0.25, 0.75), in_betweens([face], [face, slash, badge, mark], (0.25, 0.75)), strict=True
+        (0.25, 0.75), in_betweens([face], [face, bar, badge, mark], (0.25, 0.75)), strict=True
     ):
-        _, bar, rectangle, part = boxes
-        assert bar.centre == pytest.approx(12 + 12j, abs=0.1)
-        assert bar.width == pytest.approx(20 * t)
+        _, across, rectangle, part = boxes
+        assert across.centre == pytest.approx(12 + 12j, abs=0.1)
+        assert across.width == pytest.approx(20 * t)
         assert rectangle.bounds == pytest.approx((28 - 4 * t, 4 - 4 * t, 28 + 4 * t, 4 + 4 * t))
         assert part.bounds == pytest.approx((28 - 3 * t, 4 - 3 * t, 28 - t, 4 - t))
 
