@@ -83,10 +83,13 @@ def match_all(
         pairs = [with_clips(pair, settings) if has_clips(pair) else pair for pair in pairs]
     elif any(map(has_clips, pairs)):
         notes = [*notes, "clip paths are left out of mixtures and states; frames and animated SVGs have them"]
-    if settings.stagger:
-        from shapeblend_cli.frames.stagger import eased, staggered
+    if settings.has_spans:
+        from shapeblend_cli.frames.stagger import eased, staggered, timed
 
-        pairs = [staggered(pair, settings.stagger, settings.stagger_by) for pair in pairs]
+        if settings.stagger:
+            pairs = [staggered(pair, settings.stagger, settings.stagger_by) for pair in pairs]
+        else:
+            pairs = timed(pairs, drawings, settings.timing)
         if settings.eases_parts:
             pairs = [eased(pair, knots_of(settings.ease), each=True) for pair in pairs]
     return with_names(pairs, drawings), [*specks, *notes]

@@ -40,7 +40,7 @@ ROOMS = {
     "preview": "wires matching svg.writing options svg.reading interpolate geometry paint model",
     "outputs": "web frames svg.writing options interpolate paint system errors model",
     "wires": "matching options anatomy geometry errors model",
-    "frames": "options interpolate geometry paint model",
+    "frames": "options interpolate geometry paint errors model",
     "matching": "options _cython errors model",
     "svg.writing": "options paint model",
     "web": "options",

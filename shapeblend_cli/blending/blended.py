@@ -84,7 +84,7 @@ def blend_shapes(
 
 def _is_free(settings: Settings) -> bool:
     """Return whether a blend may take any motion and pace."""
-    return settings.motion == "auto" and not (settings.mix or settings.stagger)
+    return settings.motion == "auto" and not (settings.mix or settings.has_spans)
 
 
 def _by_lines_or_outlines(

@@ -156,7 +156,7 @@ def pair_drawings(
         pairs = pair_rotated_contours(*rest, settings, required, rotation, frames=frames)
     riders: tuple[dict[int, int], dict[int, int]] = {}, {}
     # With --stagger, strokes have times of their own.
-    if settings.motion in ("auto", "linear") and not rotation and not settings.stagger:
+    if settings.motion in ("auto", "linear") and not rotation and not settings.has_spans:
         riders = riders_of_pairs(rest, pairs, required)
     pairs = [(p, q) for p, q in pairs if p.number not in riders[0] and q.number not in riders[1]]
     progress.clock.lap("match")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from shapeblend_cli.errors import InputError
 from shapeblend_cli.options.types import FLAG, FieldType
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 NAME = click.Path(readable=False)
 """Name of a file to read. It is checked when it is read, so that every error has the same form."""
 
-ABOUT_FRAMES = ("frames", "ends", "times", "mix", "curves", "ease", "stagger", "stagger_by")
+ABOUT_FRAMES = ("frames", "ends", "times", "mix", "curves", "ease", "stagger", "stagger_by", "timing")
 """Settings that change no correspondence, for commands that draw no frames."""
 
 
@@ -36,6 +37,8 @@ class FieldText(click.ParamType):  # type: ignore[type-arg]  # generic only in n
         """Read a value; an error names the option and says what would work."""
         try:
             return self.kind.parse(value)
+        except InputError:
+            raise
         except ValueError as error:
             # The last of several names is the one that documents have.
             name = max(reversed(param.opts), key=lambda name: name.startswith("--")) if param else ""
@@ -47,7 +50,7 @@ class FieldText(click.ParamType):  # type: ignore[type-arg]  # generic only in n
         """Offer the words that a value may be, or files."""
         from click.shell_completion import CompletionItem
 
-        if self.kind.is_file:
+        if self.kind.is_file or self.kind.is_read:
             return [CompletionItem(incomplete, type="file")]
         return [CompletionItem(word) for word in self.kind.choices if word.startswith(incomplete)]
 

@@ -23,8 +23,8 @@ EXAMPLES = (
 )
 
 WITHOUT = (
-    "frames ends motion unmatched start pins stiff match mix times stagger stagger_by curves verbose".split()
-)
+    "frames ends motion unmatched start pins stiff match mix times stagger stagger_by timing curves verbose"
+).split()
 """Settings of motion and of single pairs, which states have no use for."""
 
 

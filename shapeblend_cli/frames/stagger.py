@@ -4,10 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from shapeblend_cli.errors import OptionError
 from shapeblend_cli.model import WHOLE, Pair, ShapeBlend, control_box
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+
+    from shapeblend_cli.model import Drawing
+    from shapeblend_cli.options.timetable import Timetable
+
+MOST_LISTED = 5
+"""Maximum number of ids, and of numbers, that an error lists."""
 
 
 def staggered(pair: Pair, stagger: float, by: str) -> Pair:
@@ -30,9 +37,50 @@ def staggered(pair: Pair, stagger: float, by: str) -> Pair:
     return pair._replace(shapes=tuple(shapes))
 
 
+def timed(pairs: Sequence[Pair], drawings: Sequence[Drawing], timetable: Timetable) -> list[Pair]:
+    """Return pairs whose parts move when a timetable says so; raise OptionError for a part that no drawing has."""
+    spans = {name.removeprefix("#"): (begin, until) for name, begin, until in timetable.parts}
+    used: set[str] = set()
+    names: dict[str, None] = {}
+
+    def span_of(pair: Pair, shape: ShapeBlend) -> tuple[float, float]:
+        found: list[str | None] = []
+        around: list[str | None] = []  # names of groups, the innermost first
+        for side, number, source in zip(("", "B"), (pair.a, pair.b), shape.sources, strict=True):
+            if source is not None:
+                own = drawings[number].shapes[source]
+                found += [own.id, f"{side}{own.index}"]
+                around += [group.name.id for group in reversed(own.groups)]
+        called = [name for name in (*found, *around) if name is not None]
+        names.update(dict.fromkeys(called))
+        named = [name for name in called if name in spans]
+        used.update(named)
+        return spans[named[0]] if named else WHOLE
+
+    found = [
+        pair._replace(shapes=tuple(shape._replace(span=span_of(pair, shape)) for shape in pair.shapes))
+        for pair in pairs
+    ]
+    for name, *_ in timetable.parts:
+        if name.removeprefix("#") not in used:
+            numbers = [part for part in names if part.removeprefix("B").isdigit()]
+            listed = [f"#{part}" for part in names if part not in numbers][:MOST_LISTED] + numbers[
+                :MOST_LISTED
+            ]
+            raise OptionError(f"--timing: no part is called {name!r:.60}; {', '.join(listed)} would work")
+    return found
+
+
 def eased(pair: Pair, knots: Sequence[tuple[float, float]], *, each: bool) -> Pair:
     """Return a pair whose shapes have the pace of an easing: each within its own span, or all of them together."""
     return pair._replace(shapes=tuple(_eased(shape, knots, each=each) for shape in pair.shapes))
+
+
+def paced(pair: Pair) -> Pair:
+    """Return a pair in which spans of shapes are paces, which keyframes of other programs can have."""
+    even = (0.0, 0.0), (1.0, 1.0)
+    shapes = (shape if shape.span == WHOLE else _eased(shape, even, each=True) for shape in pair.shapes)
+    return pair._replace(shapes=tuple(shapes))
 
 
 def _eased(shape: ShapeBlend, knots: Sequence[tuple[float, float]], *, each: bool) -> ShapeBlend:

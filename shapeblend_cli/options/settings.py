@@ -13,6 +13,7 @@ from shapeblend_cli.options import types
 from shapeblend_cli.options.constants import PRESETS, WIRE, WorkConstants
 from shapeblend_cli.options.easing import LINEAR, Curve, Easing
 from shapeblend_cli.options.fields import Record, option
+from shapeblend_cli.options.timetable import Timetable
 
 Vertices = tuple[int, int] | tuple[complex, complex]
 Contours = tuple[str, str] | tuple[complex, complex]
@@ -246,6 +247,15 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         section=IN_BETWEENS,
         help="Which shape starts first: the lowest in the order of paint, the largest, or the one furthest to a side.",
     )
+    timing: Timetable = option(
+        types.TIMING,
+        default=Timetable(),
+        section=IN_BETWEENS,
+        help="When each part moves: a file of JSON, or JSON itself, with starts and lengths as shares of the time: "
+        '{"#sun": {"start": 0.2, "length": 0.5}}. A key is the #id of a shape or a group, or the number of a shape of '
+        "A as inspect prints it; B3 is shape 3 of B.",
+        default_text="all move all the time",
+    )
     ease: Easing = option(
         types.EASE,
         default=LINEAR,
@@ -273,6 +283,10 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
             raise OptionError("--stagger-by sets the order of --stagger, and needs it")
         if self.stagger and self.mix:
             raise OptionError("--stagger is for blends from drawing to drawing; --mix makes mixtures")
+        if self.stagger and self.timing.parts:
+            raise OptionError("--stagger and --timing both say when parts move; one is enough")
+        if self.timing.parts and self.mix:
+            raise OptionError("--timing is for blends from drawing to drawing; --mix makes mixtures")
         if self.times and count > 2:
             raise OptionError(f"--times applies to two files; {count} given")
         if self.times and (self.is_given("frames") or self.ends or self.mix):
@@ -287,7 +301,17 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
     @property
     def eases_parts(self) -> bool:
         """Whether each part is eased by itself, and time as a whole is not."""
-        return bool(self.stagger) and isinstance(self.ease, Curve)
+        return self.has_spans and isinstance(self.ease, Curve)
+
+    @property
+    def has_spans(self) -> bool:
+        """Whether parts have times of their own."""
+        return bool(self.stagger or self.timing.parts)
+
+    @property
+    def spans_by(self) -> str:
+        """The option that gives parts times of their own."""
+        return "--stagger" if self.stagger else "--timing"
 
     @property
     def common_ease(self) -> Easing:

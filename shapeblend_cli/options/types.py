@@ -11,7 +11,8 @@ from collections.abc import Callable
 from operator import index
 from typing import Any, NamedTuple
 
-from shapeblend_cli.options import easing, triggers
+from shapeblend_cli.errors import InputError
+from shapeblend_cli.options import easing, timetable, triggers
 
 
 class Unfit(ValueError):
@@ -30,6 +31,7 @@ class FieldType(NamedTuple):
     split: Callable[[str], Any] = str  # turns what is typed into a value for `canonical`
     choices: tuple[str, ...] = ()  # all values, if they are a few words
     is_file: bool = False  # whether a value names a file
+    is_read: bool = False  # whether a text names a file with the value
     words: int = 1  # how many words on the command line make a value
 
     def check(self, value: Any) -> Any:
@@ -48,6 +50,8 @@ class FieldType(NamedTuple):
     def _try(self, read: Callable[[Any], Any], value: Any, shown: str) -> Any:
         try:
             return read(value)
+        except InputError:
+            raise
         except Unfit as error:
             raise ValueError(f"must be {error}") from None
         except (ValueError, TypeError, OverflowError):
@@ -182,6 +186,15 @@ def _repeat(value: Any) -> Any:
     if not 1 <= _integer(value) <= MOST_RUNS:
         raise ValueError
     return index(value)
+
+
+def _timing(value: Any) -> timetable.Timetable:
+    try:
+        return timetable.parse(value) if isinstance(value, str) else timetable.timetable(value)
+    except InputError:
+        raise
+    except ValueError as error:
+        raise Unfit(str(error)) from None
 
 
 def _colour(value: Any) -> str:
@@ -332,6 +345,7 @@ REPEAT = FieldType(
     lambda text: int(text) if text.isdecimal() else text,
 )
 COLOUR = FieldType("transparent, or an opaque CSS colour such as white or #f4f4f0", _colour, "COLOUR")
+TIMING = FieldType("", _timing, "FILE", str, is_read=True)
 TRIGGER = FieldType(
     "load, click, hover, or the id of an element and an event of it, such as menu.click",
     lambda value: value if isinstance(value, triggers.Trigger) else triggers.parse(str(value)),

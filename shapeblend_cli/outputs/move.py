@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 import numpy as np
 
 from shapeblend_cli.frames.frames import fading_styles, shapes_at
+from shapeblend_cli.frames.stagger import paced
 from shapeblend_cli.interpolate.paths import waypoints
 from shapeblend_cli.model import Box, CubicPath, PaintedShape, Pair, ShapeBlend, Style, Waypoint
 from shapeblend_cli.svg.writing.ids import Ids
@@ -128,6 +129,7 @@ def moves_of(pairs: Sequence[Pair], *, trims: bool = False) -> list[Move]:
     """Return the move from each drawing to the next; lines that are drawn on or back as `trims` or as paths."""
     moves = []
     for pair in pairs:
+        pair = paced(pair)
         trimmed = [_trims(shape) if trims else () for shape in pair.shapes]
         if trims:
             pair = pair._replace(shapes=tuple(map(_whole, pair.shapes)))

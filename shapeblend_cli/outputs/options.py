@@ -191,10 +191,8 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
         defaults.pop("fps", None)
         if options.fps is not None:
             raise OptionError("--frames and --fps both set how many pictures there are; one is enough")
-    if settings.stagger and not format.takes_stagger:
-        raise OptionError(
-            f"--stagger is for frames, animated SVGs, raster animations and videos, not for {asked}"
-        )
+    if settings.has_spans and not format.takes_stagger:
+        raise OptionError(f"{settings.spans_by} is for frames and what plays, not for {asked}")
     for name, is_asked in {"hold": any(options.hold), "delay": options.delay > 0.0}.items():
         if is_asked and not (format.plays and options.trigger.is_load):
             raise OptionError(f"--{name} is for animations that start by themselves, not for {asked}")
@@ -204,7 +202,9 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
     if settings.mix:
         _check_mix(options, settings, format, asked)
     if not options.trigger.is_load:
-        _check_trigger(options, format, drawings, asked, staggered=settings.stagger > 0.0)
+        _check_trigger(
+            options, format, drawings, asked, staggered=settings.spans_by if settings.has_spans else ""
+        )
     if settings.motion == "auto":
         # CSS transitions go straight from value to value.
         is_transition = options.animate == "css" and not options.trigger.is_load
@@ -239,7 +239,7 @@ def _check_mix(options: OutputOptions, settings: Settings, format: Format, asked
 
 
 def _check_trigger(
-    options: OutputOptions, format: Format, drawings: int, asked: str, *, staggered: bool
+    options: OutputOptions, format: Format, drawings: int, asked: str, *, staggered: str
 ) -> None:
     given = f"--trigger {options.trigger}"
     if not format.takes_triggers or options.animate == "frames":
@@ -254,7 +254,7 @@ def _check_trigger(
     if options.animate == "css" and options.trigger.name:
         raise OptionError(f"{given}: CSS knows no events of other elements; --animate smil does")
     if options.animate == "css" and staggered:
-        raise OptionError(f"--stagger with {given} needs --animate smil: CSS transitions all start at once")
+        raise OptionError(f"{staggered} with {given} needs --animate smil: CSS transitions all start at once")
     if options.animate == "css" and drawings > 2:
         raise OptionError(
             f"{given} with --animate css takes two files; {drawings} given. --animate smil takes more, and "

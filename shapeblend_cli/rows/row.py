@@ -11,6 +11,7 @@ from shapeblend_cli.errors import OptionError
 from shapeblend_cli.job.job import RECORDS
 from shapeblend_cli.options.easing import Easing
 from shapeblend_cli.options.fields import Option
+from shapeblend_cli.options.timetable import Timetable
 from shapeblend_cli.options.types import FLAG
 
 LETTERS = "abcdefghijklm"
@@ -90,6 +91,8 @@ def options_of(values: Mapping[str, Any], where: str, base: str) -> dict[str, An
             )
         if field.name in given:
             raise OptionError(f"{where}: {key} is given twice")
+        if field.kind.is_read and isinstance(value, str) and not value.lstrip().startswith("{"):
+            value = os.path.join(base, value)
         try:
             given[field.name] = _value(field, value, meaning)
         except ValueError as error:
@@ -131,7 +134,7 @@ def typed(value: Any) -> str:
     """Return a value as it is typed on the command line."""
     if isinstance(value, complex):
         return f"{value.real!r},{value.imag!r}"
-    if not isinstance(value, tuple) or isinstance(value, Easing):
+    if not isinstance(value, tuple) or isinstance(value, Easing | Timetable):
         return str(value)
     parts = [typed(part) for part in value]
     if isinstance(value[0], complex):  # points of A and of B, or a region of A
