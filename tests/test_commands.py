@@ -24,6 +24,7 @@ import yaml
 
 from shapeblend_cli.cli import run
 from tests.support.documents import ROOT, blocks, commands, furnish
+from tests.support.drawings import svg
 
 PLACEHOLDERS = {"FILE": "a.svg", "KIND": "graph", "COMMAND": "plot"}
 
@@ -236,6 +237,15 @@ def test_what_scripts_and_pages_say_to_states_is_there(kitchen):
         assert f'"{word}"' in module
 
 
+def test_the_timetable_of_the_guide_is_taken(here):
+    for name, y in {"a": 2, "b": 12}.items():
+        shapes = (f'<path id="{id}" d="M{x} {y}h6v6h-6z"/>' for id, x in {"sun": 2, "moon": 12}.items())
+        Path(f"{name}.svg").write_text(svg(*shapes), "utf-8")
+    Path("timing.json").write_text(of("json", "docs/guide.md"), "utf-8")
+    assert run("a.svg b.svg --timing timing.json -o moving.svg".split()) == 0
+    assert re.findall('keyTimes="(.*?)"', Path("moving.svg").read_text("utf-8")) == ["0;0.5;1"] * 2
+
+
 def test_every_block_is_of_a_language_that_is_run():
     """Those of `docs/api.md` are from docstrings, which are run as tests.
 
@@ -252,6 +262,7 @@ def test_every_block_is_of_a_language_that_is_run():
         ("css", "docs/cookbook.md"),
         ("html", "docs/cookbook.md"),
         ("css", "docs/guide.md"),
+        ("json", "docs/guide.md"),
         ("js", "docs/states.md"),
         ("html", "docs/states.md"),
         ("json", "docs/studio.md"),
