@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -24,8 +23,12 @@ class Timetable(NamedTuple):
 
     def __str__(self) -> str:
         """As it is typed, without a file."""
+        if not self.parts:
+            return ""
+        import json
+
         rows = {name: {"start": start, "length": round(end - start, 12)} for name, start, end in self.parts}
-        return json.dumps(rows, ensure_ascii=False) if rows else ""
+        return json.dumps(rows, ensure_ascii=False)
 
 
 def parse(text: str) -> Timetable:
@@ -58,6 +61,8 @@ def timetable(value: Any) -> Timetable:
 
 
 def _json(text: str) -> Any:
+    import json
+
     def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         found = dict(pairs)
         if len(found) < len(pairs):
