@@ -153,14 +153,18 @@ def way_between(a: PlacedDrawing, b: PlacedDrawing) -> Whole | None:
     stays = near(points[0] - centres[0] + centres[1], lines[1])
     if stays.mean() > MOST_STAYS:
         return None
+
+    def rests(way: Whole) -> bool:
+        """Return whether what is in place at both ends is so on the way, as a face is that turns upside down."""
+        return min(near(way.apply(points[0][stays], t), lines[0]).mean() for t in (1 / 3, 1 / 2)) >= COPIED
+
     quarter = 0.5 * np.pi
     ways = [Whole(*centres, angle=angle) for angle in (np.pi, quarter, -quarter)]
     ways += [Whole(*centres, over=over) for over in (1.0 + 0j, 1j)]
     for way in ways:
         if differ(turned=abs(way.angle) == quarter):
             continue
-        # What is in place at both ends has to be so on the way, as a face is that turns upside down.
-        if stays.mean() > STAYS and near(way.apply(points[0][stays], 0.5), lines[0]).mean() < COPIED:
+        if stays.mean() > STAYS and not (way.angle and rests(way)):
             continue
         there = near(way.apply(points[0]), lines[1]), near(way.undo(points[1]), lines[0])
         if min(share.mean() for share in there) >= COPIED:

@@ -3,10 +3,13 @@
 import numpy as np
 import pytest
 
+from shapeblend_cli.blending.placing import AS_IT_IS, flattened
+from shapeblend_cli.blending.turned_drawings import way_between
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import control_box
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pipeline import match_all
+from shapeblend_cli.system.kept import Kept
 from shapeblend_cli.wires.match import solved_wires
 from tests.support.drawings import drawing
 
@@ -107,3 +110,15 @@ def test_a_long_drawing_turns_where_that_looks_better():
 def test_a_long_drawing_that_becomes_another_in_its_place_does_not_turn():
     (shape,) = shapes_of(drawing(PENCIL), drawing("M2 4L4 2L18 15L21 21L15 18Z"))
     assert shape.motion_name == "linear"
+
+
+def test_what_is_its_own_mirror_image_and_stays_is_not_turned_over():
+    bars = [f"M11 {y}H13V{y + 1}H11Z" for y in range(2, 23, 3)]
+    a, b = drawing(" ".join(bars)), drawing(" ".join([*bars[:2], "M11 9.9H13V10.1H11Z", *bars[3:]]))
+    assert "flip" not in {shape.motion_name for shape in shapes_of(a, b)}
+    assert way_between(*laid(a, b)) is None
+
+
+def laid(*drawings):
+    """Drawings, flattened as they lie."""
+    return flattened(drawings, [AS_IT_IS] * len(drawings), 0, Kept(0))[0]
