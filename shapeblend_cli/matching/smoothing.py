@@ -26,12 +26,21 @@ else:
     from shapeblend_cli._cython import look_for_signals
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray
+    from shapeblend_cli.model import ComplexArray, FloatArray
 
 COMPILED = cython.compiled
 
 REACH = cython.declare(cython.double, 7.0)
 """Maximum distance at which a corner is felt, in standard deviations: beyond, it moves less than rounding does."""
+
+GRID = 16
+"""Number of places in a standard deviation at which the outline of many vertices is smoothed."""
+
+MANY = 4
+"""Minimum number of vertices for that, as a multiple of such places."""
+
+ORDER = 10
+"""Number of such places from which the outline between them is interpolated: with this grid to about ten digits."""
 
 OUTLINE = 1e-3
 """Share of the outline itself in the smoothed one, so that neighbours stay distinct."""
@@ -61,7 +70,8 @@ def smoothed(vertices: ComplexArray, closed: bool, sigma: float) -> ComplexArray
     -----
     Along its length a polygon is a sum of a line and, for each corner, a ramp that begins there with the change of
     direction as its slope. So nothing has to be sampled: a corner moves a vertex by how much a smoothed ramp lies above
-    the ramp.
+    the ramp. A smoothed outline hardly bends between two places of a fine grid, and where there are far more vertices
+    it is interpolated between these: each corner is felt at `GRID` times twice `REACH` of them.
     """
     edges = np.diff(np.append(vertices, vertices[0]) if closed else vertices)
     lengths = np.abs(edges)
@@ -76,9 +86,29 @@ def smoothed(vertices: ComplexArray, closed: bool, sigma: float) -> ComplexArray
         turn = np.diff(direction, prepend=direction[:1], append=direction[-1:])
         turns = np.concatenate([-turn[:0:-1], turn, -turn[-2::-1]])
         corners = np.concatenate([-at[:0:-1], at, 2.0 - at[-2::-1]])
-    moves = np.zeros(len(vertices), np.complex128)
-    _add_moves(at, corners, turns, sigma, moves)
-    return vertices + (1.0 - OUTLINE) * sigma * length * moves
+    count = int(np.ceil(GRID / sigma))
+    if len(vertices) <= MANY * count:
+        moves = np.zeros(len(vertices), np.complex128)
+        _add_moves(at, corners, turns, sigma, moves)
+        return vertices + (1.0 - OUTLINE) * sigma * length * moves
+    grid, moves = np.arange(count + 1) / count, np.zeros(count + 1, np.complex128)
+    _add_moves(grid, corners, turns, sigma, moves)
+    outline = np.append(vertices, vertices[0]) if closed else vertices
+    smooth = np.interp(grid, ends / length, outline) + sigma * length * moves
+    return vertices + (1.0 - OUTLINE) * (_interpolated(smooth, count * at) - vertices)
+
+
+def _interpolated(values: ComplexArray, at: FloatArray) -> ComplexArray:
+    """Return values between those at whole numbers, by the polynomials through `ORDER` of these."""
+    first = np.clip(at.astype(np.intp) - (ORDER // 2 - 1), 0, len(values) - ORDER)
+    sought = np.zeros(len(at), np.complex128)
+    for k in range(ORDER):
+        weight = np.ones(len(at))
+        for other in range(ORDER):
+            if other != k:
+                weight *= (at - first - other) / (k - other)
+        sought += weight * values[first + k]
+    return sought
 
 
 @cython.cfunc

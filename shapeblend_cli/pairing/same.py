@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
-from shapeblend_cli.geometry.polyline import may_be_near, nearest_places
+from shapeblend_cli.geometry.polyline import may_be_near, nearest_places, thin
 from shapeblend_cli.model import Box
 from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
 
@@ -25,6 +25,9 @@ TOLERANCE = 2e-3
 
 OWN_TOLERANCE = 1e-2
 """Maximum distance of contours that are the same, as a share of their own diagonal."""
+
+LOOKED_AT_FIRST = 32
+"""Maximum number of points of a contour that are looked at before all: most contours differ in one of these."""
 
 
 def same_pairs(
@@ -142,6 +145,9 @@ def are_same(p: PlacedContour, q: PlacedContour, distance: float) -> bool:
         return False
     distance = min(distance, OWN_TOLERANCE * max(p.size, q.size))
     lines = p.polygon.line, q.polygon.line
+    some = ((thin(points, LOOKED_AT_FIRST), line) for points, line in (lines, lines[::-1]))
+    if not all(may_be_near(points, line, distance).all() for points, line in some):
+        return False
     if not all(may_be_near(points, line, distance).all() for points, line in (lines, lines[::-1])):
         return False
     return all(nearest_places(points, line)[0].max() <= distance for points, line in (lines, lines[::-1]))
