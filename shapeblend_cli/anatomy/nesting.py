@@ -9,7 +9,7 @@ import numpy as np
 from shapeblend_cli.geometry.crossings import polygon_crossings
 from shapeblend_cli.geometry.polygons import orientation
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
-from shapeblend_cli.geometry.raster import Bands, winding_table
+from shapeblend_cli.geometry.raster import Bands, winding_sums, winding_table
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -46,7 +46,7 @@ def nest(polygons: Sequence[Polygon], rule: str, exterior_orientation: int = 1) 
     directions paint the same, the fill rule is the given one; then, under ``nonzero``, all are reversed or none.
     """
     signs = [orientation(polygon) for polygon in polygons]
-    is_simple = polygon_crossings(polygons) == 0
+    is_simple = polygon_crossings(polygons, most=1) == 0
     if len(polygons) == 1:
         is_reversed = signs[0] == -exterior_orientation
         return Nesting((None,), (is_reversed,), "nonzero" if is_simple else rule, is_simple)
@@ -56,32 +56,29 @@ def nest(polygons: Sequence[Polygon], rule: str, exterior_orientation: int = 1) 
     first: dict[bytes, int] = {}
     # Of contours that are drawn again and again, one is looked at.
     copied = [first.setdefault(polygon.vertices.tobytes(), k) for k, polygon in enumerate(polygons)]
-    windings = {
-        k: [_around(points, bands) for points in _both_sides(polygons[k], boxes[k], signs[k])]
-        for k in first.values()
+    kinds = list(first.values())
+    sides = np.array([_both_sides(polygons[k], boxes[k], signs[k]) for k in kinds])
+
+    def windings(factors: IntArray) -> IntArray:
+        return winding_sums(sides.ravel(), bands, factors).reshape(sides.shape)
+
+    paint = _painted(windings(np.ones(len(polygons), np.intp)), rule)
+    inside, outside = paint[:, 0], paint[:, 1]
+    hollow = (~inside & outside).sum(axis=1) > (inside & ~outside).sum(axis=1)
+    is_hollow = dict(zip(kinds, hollow.tolist(), strict=True))
+    is_hole = [is_hollow[k] for k in copied]
+    around = {
+        k: _smallest_around(points, bands, is_hole, boxes)
+        for k, (points, _) in zip(kinds, sides, strict=True)
+        if is_hollow[k]
     }
-    painted = {
-        k: tuple(_painted(side.numbers.sum(axis=0), rule) for side in both) for k, both in windings.items()
-    }
-    hollow = {
-        k: bool((~inside & outside).sum() > (inside & ~outside).sum())
-        for k, (inside, outside) in painted.items()
-    }
-    is_hole = [hollow[k] for k in copied]
-    exterior = tuple(_smallest_around(windings[k][0], is_hole, boxes) if hollow[k] else None for k in copied)
+    exterior = tuple(around.get(k) for k in copied)
     reverse = [
         sign == (-exterior_orientation if parent is None else exterior_orientation)
         for sign, parent in zip(signs, exterior, strict=True)
     ]
-    factors = np.where(reverse, -1, 1)
-    paints_the_same = {
-        new: all(
-            np.array_equal(_painted(factors[side.polygons] @ side.numbers, new), paint)
-            for k, both in windings.items()
-            for side, paint in zip(both, painted[k], strict=True)
-        )
-        for new in ("nonzero", "evenodd")
-    }
+    directed = windings(np.where(reverse, -1, 1))
+    paints_the_same = {new: np.array_equal(_painted(directed, new), paint) for new in ("nonzero", "evenodd")}
     if is_simple and paints_the_same["nonzero"]:
         return Nesting(exterior, tuple(reverse), "nonzero", paints_the_same["evenodd"])
     if rule == "nonzero":
@@ -108,26 +105,9 @@ def _both_sides(polygon: Polygon, box: Box, sign: int) -> tuple[ComplexArray, Co
     return points + step, points - step
 
 
-class _Around(NamedTuple):
-    """Winding numbers of polygons around points, (k, points) int, and the numbers of these polygons, (k,) int.
-
-    All others wind round none of the points.
-    """
-
-    polygons: IntArray
-    numbers: IntArray
-
-
-def _around(points: ComplexArray, bands: Bands) -> _Around:
-    """Return the winding numbers around points."""
-    numbers = winding_table(points, bands)
-    found = np.flatnonzero(numbers.any(axis=1))
-    some = numbers[found]
-    small = np.abs(some).max(initial=0) < 128  # of a thousand in each other there are many
-    return _Around(found, some.astype(np.int8 if small else np.int32))
-
-
-def _smallest_around(side: _Around, is_hole: Sequence[bool], boxes: Sequence[Box]) -> int | None:
-    """Return the smallest exterior around most of a hole."""
-    around = side.polygons[(side.numbers != 0).sum(axis=1) * 2 > SAMPLES].tolist()
+def _smallest_around(
+    points: ComplexArray, bands: Bands, is_hole: Sequence[bool], boxes: Sequence[Box]
+) -> int | None:
+    """Return the smallest exterior around most of the points just inside a hole."""
+    around = np.flatnonzero((winding_table(points, bands) != 0).sum(axis=1) * 2 > SAMPLES).tolist()
     return min((k for k in around if not is_hole[k]), key=lambda k: boxes[k].area, default=None)

@@ -94,11 +94,11 @@ def _coincident(
     """Return the first closed contour that each coincides with, by their boxes and areas."""
     same = list(range(len(contours)))
     sizes = np.abs(highs - lows)
-    apart = np.maximum(np.abs(lows[:, None] - lows), np.abs(highs[:, None] - highs))
     for k, contour in enumerate(contours):
         if not contour.polygon.closed:
             continue
-        near = np.flatnonzero((apart[k, :k] <= ALIKE * sizes[k]) & (areas[:k] > 0.0))
+        apart = np.maximum(np.abs(lows[k] - lows[:k]), np.abs(highs[k] - highs[:k]))
+        near = np.flatnonzero((apart <= ALIKE * sizes[k]) & (areas[:k] > 0.0))
         equal = near[np.abs(areas[near] - areas[k]) <= (LARGER - 1.0) * areas[k]]
         if len(equal):
             same[k] = same[int(equal[0])]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -29,6 +30,9 @@ MOST_AXES = 12
 
 AT_ONCE = 1 << 15
 """Number of pairs of boxes that are compared at once."""
+
+SORTED_AT_ONCE = 1 << 11
+"""Number of pairs that are gone through before those of contours that have a twin by then are left out."""
 
 LEAST = 0.5
 """Minimum share of contours, by their sizes, whose mirror image is in a drawing that has an axis."""
@@ -71,9 +75,12 @@ def mirror_of(contours: Sequence[PlacedContour], structure: Structure) -> Mirror
     twin = _twins(contours, (lows, highs), x, tolerance)
     if sum(sizes[k] for k, j in enumerate(twin) if j is not None) < LEAST * sizes.sum():
         return None
+    children: defaultdict[int | None, list[int]] = defaultdict(list)
+    for k, parent in enumerate(structure.parent):
+        children[parent].append(k)
     for i, j in enumerate(list(twin)):
         if j is not None and i < j:
-            _add_repeated(twin, contours, structure, (i, j))
+            _add_repeated(twin, contours, (i, j), (children[i], children[j]))
     return Mirror(x, twin)
 
 
@@ -114,34 +121,42 @@ def _twins(
     """Return the mirror image of each contour, none twice: of several the nearest, and of one kind and paint."""
     sizes = np.abs(boxes[1] - boxes[0])
     points = [along(contour.polygon, SAMPLES) for contour in contours]
-    twin: list[int | None] = [None] * len(contours)
-    close: list[tuple[float, int, int]] = []
-    for some in _runs(len(contours)):
-        away = _mirrored_boxes(*boxes, x, some)
-        rows, columns = np.nonzero(np.triu(away <= tolerance, some.start))
-        close += zip(
-            away[rows, columns].tolist(), (rows + some.start).tolist(), columns.tolist(), strict=True
-        )
-    for _, i, j in sorted(close):
-        p, q = contours[i], contours[j]
-        if twin[i] is not None or twin[j] is not None or not _are_of_one_kind(p, q):
-            continue
+
+    def is_mirrored(i: int, j: int) -> bool:
+        """Return whether contour j is the mirror image of contour i, and of its kind."""
+        if not _are_of_one_kind(contours[i], contours[j]):
+            return False
         mirrored = 2 * x - points[i].conj()
         apart = np.abs(mirrored[:, None] - points[j])
         spread = (apart.min(axis=0).mean() + apart.min(axis=1).mean()) / 2
-        if spread <= OFF * max(sizes[i], sizes[j]):
-            twin[i], twin[j] = j, i
+        return bool(spread <= OFF * max(sizes[i], sizes[j]))
+
+    twin: list[int | None] = [None] * len(contours)
+    close: list[FloatArray] = []
+    for some in _runs(len(contours)):
+        away = _mirrored_boxes(*boxes, x, some)
+        rows, columns = np.nonzero(np.triu(away <= tolerance, some.start))
+        close.append(np.array([columns, rows + some.start, away[rows, columns]]))
+    found = np.concatenate(close, axis=1)
+    is_free = np.ones(len(contours), np.bool_)
+    order = np.lexsort(found)
+    for first in range(0, len(order), SORTED_AT_ONCE):
+        pairs = found[:2, order[first : first + SORTED_AT_ONCE]].astype(np.intp)
+        for j, i in pairs[:, is_free[pairs].all(axis=0)].T.tolist():
+            if is_free[i] and is_free[j] and is_mirrored(i, j):
+                twin[i], twin[j] = j, i
+                is_free[[i, j]] = False
     return twin
 
 
 def _add_repeated(
-    twin: list[int | None], contours: Sequence[PlacedContour], structure: Structure, parts: tuple[int, int]
+    twin: list[int | None],
+    contours: Sequence[PlacedContour],
+    parts: tuple[int, int],
+    children: tuple[Sequence[int], Sequence[int]],
 ) -> None:
-    """Make twins of contours without a mirror image that lie in the same place of two twins."""
-    inner = [
-        [k for k, parent in enumerate(structure.parent) if parent == part and twin[k] is None]
-        for part in parts
-    ]
+    """Make twins of contours without a mirror image that lie in the same place of two twins, their children."""
+    inner = [[k for k in some if twin[k] is None] for some in children]
     for k in inner[0]:
         p, around = contours[k], [contours[part] for part in parts]
         near = OFF * around[0].size

@@ -21,8 +21,14 @@ if TYPE_CHECKING:
     from shapeblend_cli.anatomy.decompose import ContourPair, PlacedContour
     from shapeblend_cli.model import Box, ContourBlend
 
+MATCHED_ONE_BY_ONE = 150
+"""Maximum number of contours of a drawing that are all matched, whether they are copies or not."""
+
 CROWD = 600
-"""Maximum number of contours of a drawing that are all matched one by one."""
+"""Maximum number of contours of a shape whose motion is chosen, and of a drawing with plates: more move straight."""
+
+STEPS = 4
+"""Number of ratios of two sizes that are told apart, in a factor of two."""
 
 
 class Copies:
@@ -42,7 +48,8 @@ class Copies:
 
     def curved(self, blend: ContourBlend, curve: Callable[[ContourBlend], ContourBlend]) -> ContourBlend:
         """Return a matched blend with its curves, likewise."""
-        ratio = float(np.round(blend.scale_b / max(blend.scale_a, 1e-300), DECIMALS))
+        # The sizes matter only for how far curves may be from the polygons' lines.
+        ratio = float(np.round(STEPS * np.log2((blend.scale_b + 1e-300) / (blend.scale_a + 1e-300))))
         # What is moved keeps its correspondence, and the blend in the table keeps that alive.
         key = id(blend.correspondence), ratio
         found = self._moved(key, (blend.polygon_a.box, blend.polygon_b.box), lambda: curve(blend), blend)

@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.anatomy.decompose import PlacedDrawing
-from shapeblend_cli.blending.copies import CROWD, Copies
+from shapeblend_cli.blending.copies import MATCHED_ONE_BY_ONE, Copies
 from shapeblend_cli.interpolate.paths import with_curves
 from shapeblend_cli.model import Box, ShapeBlend
 from shapeblend_cli.options.settings import Settings
@@ -161,7 +161,7 @@ def pair_drawings(
     pairs = [(p, q) for p, q in pairs if p.number not in riders[0] and q.number not in riders[1]]
     progress.clock.lap("match")
     constrained = constrain(pairs, settings, pins)
-    copies = Copies() if max(map(len, (a.contours, b.contours))) > CROWD else None
+    copies = Copies() if max(map(len, (a.contours, b.contours))) > MATCHED_ONE_BY_ONE else None
     return PairedDrawings(a, b, rotation, constrained, changed, riders, asked, settings, progress, copies)
 
 

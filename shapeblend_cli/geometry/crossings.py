@@ -76,11 +76,11 @@ cython.declare(APART=cython.int, CROSSING=cython.int, TOUCHING=cython.int)
 APART, CROSSING, TOUCHING = 0, 1, 2
 
 
-def polygon_crossings(polygons: Sequence[Polygon]) -> int:
-    """Count how often polygons cross themselves and each other, see `path_crossings`."""
+def polygon_crossings(polygons: Sequence[Polygon], most: int | None = None) -> int:
+    """Count how often polygons cross themselves and each other, up to `most`, see `path_crossings`."""
     points = [from_end_to_end(polygon.vertices, polygon.closed) for polygon in polygons]
     starts = np.concatenate([[0], np.cumsum([len(chain) for chain in points])])
-    return _count(np.concatenate(points), starts, NOISE, None)
+    return _count(np.concatenate(points), starts, NOISE, most)
 
 
 def path_crossings(paths: Sequence[CubicPath], most: int | None = None) -> int:

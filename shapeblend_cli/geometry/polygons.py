@@ -54,7 +54,7 @@ def orientation(polygon: Polygon) -> int:
         return 0
     vertices = polygon.vertices
     sign = int(np.sign(signed_area(vertices)))
-    if polygon_crossings([polygon]):
+    if polygon_crossings([polygon], most=1):
         edges = np.roll(vertices, -1) - vertices
         turns = np.angle(edges * np.roll(edges, 1).conj()).sum() / (2.0 * np.pi)
         if sign * round(float(turns)) <= 0 and _share_with_sign(vertices, sign) < NEARLY_ALL:

@@ -96,7 +96,10 @@ class Bands(NamedTuple):
     """The edges of closed polygons by the bands of y that they reach, so that a point is compared with few of them."""
 
     edges: IntArray  # (e, 3), the vertices at both ends and the polygon of each edge in each band, band after band
-    starts: IntArray  # (b + 1,), where each band begins there
+    starts: IntArray  # (b + 1,), where each band begins there: first with edges across all of it, by their lowest x
+    middles: IntArray  # (b,), where other edges begin
+    lefts: FloatArray  # (e,), the lowest x of each edge
+    reaches: FloatArray  # (e,), the highest x of each edge and those before it in the band
     low: float  # the lowest y
     scale: float  # bands per unit
     vertices: ComplexArray  # of all polygons
@@ -121,16 +124,111 @@ class Bands(NamedTuple):
         heights = np.where(y[begins] == y[ends], 0, last - first + 1)
         each = np.repeat(ends, heights)
         reached = np.arange(len(each)) - np.repeat(np.cumsum(heights) - heights - first, heights)
-        order = np.argsort(reached, kind="stable")
+        x = vertices.real
+        left, right = (pick(x[begins], x[ends])[each] for pick in (np.minimum, np.maximum))
+        above, below = (pick(y[begins], y[ends])[each] for pick in (np.minimum, np.maximum))
+        is_partial = ((above - low) * scale >= reached) | ((below - low) * scale <= reached + 1)
+        order = np.lexsort((left, is_partial, reached))
         starts = np.searchsorted(reached[order], np.arange(count + 1))
-        return cls(edges[each[order]], starts, low, scale, vertices, boxes)
+        middles = starts[:count] + np.bincount(reached[~is_partial], minlength=count)
+        reaches = [np.maximum.accumulate(run) for run in np.split(right[order], starts[1:count])]
+        return cls(
+            edges[each[order]],
+            starts,
+            middles,
+            left[order],
+            np.concatenate(reaches),
+            low,
+            scale,
+            vertices,
+            boxes,
+        )
 
 
 def winding_table(points: ComplexArray, bands: Bands) -> IntArray:
     """Return the winding numbers of the polygons of bands around points, (k, p), see `polygons.winding_numbers`."""
     numbers: IntArray = np.zeros((len(bands.boxes), len(points)), np.intc)
-    _add_windings_in_bands(np.ascontiguousarray(points), *bands, numbers)
+    edges, starts, low, scale = bands.edges, bands.starts, bands.low, bands.scale
+    points = np.ascontiguousarray(points)
+    _add_windings_in_bands(points, edges, starts, low, scale, bands.vertices, bands.boxes, numbers)
     return numbers
+
+
+def winding_sums(points: ComplexArray, bands: Bands, factors: IntArray) -> IntArray:
+    """Return the sum of these winding numbers around each point, (p,), each times the factor of its polygon.
+
+    Of the edges across all of a point's band only those beside it are looked at: thousands may lie in each other.
+    """
+    begins, ends, polygons = bands.edges.T
+    y = bands.vertices.imag
+    values = np.where(y[begins] <= y[ends], factors[polygons], -factors[polygons])
+    beyond = np.append(np.flip(np.cumsum(np.flip(values))), 0)
+    sums: IntArray = np.zeros(len(points), np.intp)
+    _sum_windings(np.ascontiguousarray(points), *bands[:8], values, beyond, sums)
+    return sums
+
+
+@cython.cfunc
+@cython.inline
+@cython.exceptval(check=False)
+def _is_crossed(point: cython.doublecomplex, z: cython.doublecomplex, w: cython.doublecomplex) -> cython.bint:
+    """Return whether the ray from a point along +x crosses the edge from z to w."""
+    below: cython.bint = z.imag <= point.imag
+    if below == (w.imag <= point.imag):
+        return False
+    # On which side of the edge the point lies.
+    side: cython.double = (w.real - z.real) * (point.imag - z.imag) - (point.real - z.real) * (
+        w.imag - z.imag
+    )
+    return side > 0.0 if below else side < 0.0
+
+
+def _sum_windings(
+    points: cython.const[cython.doublecomplex][::1],
+    edges: cython.const[cython.Py_ssize_t][:, ::1],
+    starts: cython.const[cython.Py_ssize_t][::1],
+    middles: cython.const[cython.Py_ssize_t][::1],
+    lefts: cython.const[cython.double][::1],
+    reaches: cython.const[cython.double][::1],
+    low: cython.double,
+    scale: cython.double,
+    vertices: cython.const[cython.doublecomplex][::1],
+    values: cython.const[cython.Py_ssize_t][::1],
+    beyond: cython.const[cython.Py_ssize_t][::1],
+    sums: cython.Py_ssize_t[::1],
+) -> None:
+    """Add up the values of the edges that cross the ray from each point along +x."""
+    p: cython.Py_ssize_t
+    e: cython.Py_ssize_t
+    first: cython.Py_ssize_t
+    last: cython.Py_ssize_t
+    half: cython.Py_ssize_t
+    band: cython.Py_ssize_t
+    for p in range(points.shape[0]):
+        if p % 64 == 0:
+            look_for_signals()
+        x: cython.double = points[p].real
+        at: cython.double = (points[p].imag - low) * scale
+        if not 0.0 <= at <= starts.shape[0] - 1:
+            continue
+        band = min(cython.cast(cython.Py_ssize_t, at), starts.shape[0] - 2)
+        # Of the edges across the band, all that begin beyond the point are crossed.
+        first, last = starts[band], middles[band]
+        while first < last:
+            half = (first + last) // 2
+            if lefts[half] > x:
+                last = half
+            else:
+                first = half + 1
+        sums[p] = beyond[first] - beyond[middles[band]]
+        e = first - 1
+        while e >= starts[band] and reaches[e] >= x:
+            if _is_crossed(points[p], vertices[edges[e, 0]], vertices[edges[e, 1]]):
+                sums[p] += values[e]
+            e -= 1
+        for e in range(middles[band], starts[band + 1]):
+            if _is_crossed(points[p], vertices[edges[e, 0]], vertices[edges[e, 1]]):
+                sums[p] += values[e]
 
 
 def _add_windings_in_bands(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -78,6 +78,9 @@ MOST_COMPARED = 40_000
 LOOK_AHEAD = 2
 """Number of levels inside the open contours that are compared where there are more pairs: a nest has hundreds."""
 
+AT_ONCE = 1 << 16
+"""Number of pairs whose costs are computed at once: few enough to stay in the cache, and of little memory."""
+
 NEVER = 1e6
 """Cost of a pair that cannot be: more than the cost of any number of others."""
 
@@ -127,7 +130,7 @@ class _Side:
         furthest = [
             max(away[i] for i in (k, *outer)) if outer else FOCUS_REACH for k, outer in enumerate(around)
         ]
-        return np.clip(FOCUS_REACH - np.array(furthest), 0.0, None)
+        return np.clip(FOCUS_REACH - np.array(furthest, self.alone.dtype), 0.0, None)
 
     def _inner(self, away: Sequence[float]) -> FloatArray:
         """Return 1 for twins that are both the nearest to the middle of their parents on their sides, else 0."""
@@ -137,7 +140,7 @@ class _Side:
                 side = parent, bool(self.described.boxes.centres[k].real > self.mirror.x)
                 nearest[side] = min(nearest.get(side, (np.inf, k)), (away[k], k))
         found = {k for _, k in nearest.values()}
-        inner = np.zeros(len(away))
+        inner = np.zeros(len(away), self.alone.dtype)
         inner[[k for twins in self.twins if found.issuperset(twins) for k in twins]] = 1.0
         return inner
 
@@ -203,14 +206,42 @@ class _Side:
         alike = (kinds[some][:, None] == kinds[others]) & (apart <= np.log(KIN_SIZE))
         return alike, (described.paint[some][:, None] == described.paint[others]).all(axis=(2, 3))
 
-    def boxes_of(self, parts: Sequence[int]) -> Boxes:
+    def boxes_of(self, parts: IntArray) -> Boxes:
         """Return the boxes of parts; for -1 the box of the drawing."""
         boxes = self.described.boxes
-        known = np.array(parts, np.intp)
         return Boxes(
-            np.where(known < 0, self.whole.centres, boxes.centres[known]),
-            np.where(known < 0, self.whole.halves, boxes.halves[known]),
+            np.where(parts < 0, self.whole.centres, boxes.centres[parts]),
+            np.where(parts < 0, self.whole.halves, boxes.halves[parts]),
         )
+
+
+class _Seen(NamedTuple):
+    """Some contours of a side, with the parts around them and what these are laid over, an array or `Boxes` each."""
+
+    described: Described
+    depths: IntArray  # how many contours lie between each and the part
+    onto: IntArray  # the partner of the part, -1 for the whole drawing
+    same: IntArray  # the first contour of one outline
+    becomes: IntArray  # its partner, or -1
+    frames: Boxes  # of the parts
+    there: Boxes  # the contours themselves, with their frames laid over the partners of these
+
+    @classmethod
+    def of(cls, side: _Side, other: _Side, some: Sequence[int]) -> _Seen:
+        """Look at some contours of a side."""
+        described = side.described.take(some)
+        parts, depths = np.array([side.part(k) for k in some], np.intp).T
+        onto = np.array([side.onto.get(part, -1) for part in parts.tolist()])
+        same = [side.structure.same[k] for k in some]
+        becomes = np.array([side.onto.get(k, -1) for k in same])
+        frames = side.boxes_of(parts)
+        there = laid(described.boxes, frames, other.boxes_of(onto))
+        return cls(described, depths, onto, np.array(same), becomes, frames, there)
+
+    def take(self, part: slice) -> _Seen:
+        """Return a part of these contours."""
+        numbers = (self.depths[part], self.onto[part], self.same[part], self.becomes[part])
+        return _Seen(self.described.take(part), *numbers, self.frames.take(part), self.there.take(part))
 
 
 class Pairing:
@@ -270,8 +301,8 @@ class Pairing:
         a, b = self.a, self.b
         part_a, _ = a.part(i)
         box_a, box_b = a.described.boxes.take([i]), b.described.boxes.take([j])
-        onto = b.boxes_of([a.onto.get(part_a, -1)])
-        there = laid(box_a, a.boxes_of([part_a]), onto)
+        onto = b.boxes_of(np.array([a.onto.get(part_a, -1)]))
+        there = laid(box_a, a.boxes_of(np.array([part_a])), onto)
         reach = np.abs(onto.halves)
         return float(max(overlaps(box, box_b, reach)[0, 0] for box in (box_a, there)))
 
@@ -296,11 +327,12 @@ class Pairing:
         alone = 1.5 * np.minimum(*both) + 0.5 * np.maximum(*both)
         focus = FOCUS_GAIN * np.minimum(self.a.focus[rows][:, None], self.b.focus[columns])
         focus += INNER_GAIN * self.a.inner[rows][:, None] * self.b.inner[columns]
-        cheap = self._cheap_costs(rows, columns)
+        excess = self._cheap_costs(rows, columns)
         fit = self._fit[some] & self._inside_partners(rows, columns)
-        costs = cheap + self._works.costs(rows, columns, np.where(fit & (cheap < alone), cheap, np.inf))
-        costs += self._axis_costs(rows, columns) - self._kin_gain * self._kin(rows, columns)
-        excess = np.where(fit, costs - alone, NEVER)
+        excess += self._works.costs(rows, columns, np.where(fit & (excess < alone), excess, np.inf))
+        excess += self._axis_costs(rows, columns) - self._kin_gains(rows, columns)
+        excess -= alone
+        excess[~fit] = NEVER
         twins = [side.twins_among(some) for side, some in ((self.a, rows), (self.b, columns))]
         found = _twins_with_twins(excess, focus, *twins)
         left = excess.copy()
@@ -313,8 +345,7 @@ class Pairing:
         found = _outer_first(found, excess, *sides)
         found = [(i, j) for j, i in _outer_first([(j, i) for i, j in found], excess.T, *sides[::-1])]
         if not found and not self.partner and not self._is_rest:
-            best = int(np.where(fit, costs - alone, np.inf).argmin())
-            found = [divmod(best, len(columns))]
+            found = [divmod(int(excess.argmin()), len(columns))]
         return [(rows[i], columns[j]) for i, j in found]
 
     def _likely(self) -> tuple[list[int], list[int]]:
@@ -327,8 +358,10 @@ class Pairing:
             return new_a, columns
         return (rows, new_b) if new_b and not new_a else (rows, columns)
 
-    def _kin(self, rows: Sequence[int], columns: Sequence[int]) -> BoolArray:
-        """Return which pairs resemble a decided pair, with both of its colours or neither."""
+    def _kin_gains(self, rows: Sequence[int], columns: Sequence[int]) -> FloatArray | float:
+        """Return the gains of pairs that resemble a decided pair, with both of its colours or neither."""
+        if not self._kin_gain:
+            return 0.0
         near_a, near_b = (
             set(side.kinds[some].tolist()) for side, some in ((self.a, rows), (self.b, columns))
         )
@@ -341,7 +374,7 @@ class Pairing:
         )
         both = (kin_a & same_a).astype(np.float32) @ (kin_b & same_b).astype(np.float32).T
         neither = (kin_a & ~same_a).astype(np.float32) @ (kin_b & ~same_b).astype(np.float32).T
-        return np.array(both + neither > 0.0)
+        return np.where(both + neither > 0.0, self.a.alone.dtype.type(self._kin_gain), 0)
 
     def _inside_partners(self, rows: Sequence[int], columns: Sequence[int]) -> BoolArray:
         """Return which contours may be partners: not holes in exteriors that have other partners."""
@@ -353,49 +386,45 @@ class Pairing:
         return (becomes[:, None] == around_b) | (around_a[:, None] < 0) | (around_b < 0)
 
     def _cheap_costs(self, rows: Sequence[int], columns: Sequence[int]) -> FloatArray:
-        """Return the costs of pairs without their work."""
+        """Return the costs of pairs without their work, computed for some rows after the others."""
         a, b = self.a, self.b
-        (parts_a, depths_a), (parts_b, depths_b) = (
-            np.array([side.part(k) for k in some], np.intp).T for side, some in ((a, rows), (b, columns))
-        )
-        onto_b = [a.onto.get(part, -1) for part in parts_a.tolist()]
-        onto_a = [b.onto.get(part, -1) for part in parts_b.tolist()]
-        strays = _out_of(b, columns, onto_b) + _out_of(a, rows, onto_a).T
-        # An outline that is drawn twice becomes one that is drawn twice.
-        same_a, same_b = ([side.structure.same[k] for k in some] for side, some in ((a, rows), (b, columns)))
-        becomes = np.array([a.onto.get(k, -1) for k in same_a])[:, None]
-        known = (becomes >= 0) | (np.array([b.onto.get(k, -1) for k in same_b]) >= 0)
-        strays = strays + (known & (becomes != same_b))
-        levels = np.abs(depths_a[:, None] - depths_b)
-        some_a, some_b = a.described.take(rows), b.described.take(columns)
-        frame_a, frame_b = a.boxes_of(parts_a), b.boxes_of(parts_b)
-        beyond_a, beyond_b = b.boxes_of(onto_b), a.boxes_of(onto_a)
-        there = laid(some_a.boxes, frame_a, beyond_a)
-        back = laid(some_b.boxes, frame_b, beyond_b)
-        carried = (
-            place_costs(there, some_b.boxes, np.abs(frame_b.halves))
-            + place_costs(back, some_a.boxes, np.abs(frame_a.halves)).T
-            + size_costs(some_a, some_b, there)
-            + size_costs(some_b, some_a, back).T
-        ) / 2
-        reach = np.sqrt(np.abs(frame_a.halves)[:, None] * np.abs(frame_b.halves))
-        at_rest = place_costs(some_a.boxes, some_b.boxes, reach) + size_costs(some_a, some_b, some_a.boxes)
-        return (
-            np.minimum(carried, at_rest)
-            + self._paint[np.ix_(rows, columns)]
-            + LEVEL_COST * np.minimum(levels, 2)
-            + STRAY_COST * strays
-        )
+        seen_a, seen_b = _Seen.of(a, b, rows), _Seen.of(b, a, columns)
+        costs = np.empty((len(rows), len(columns)), a.described.areas.dtype)
+        step = 1 + AT_ONCE // len(columns)
+        for first in range(0, len(rows), step):
+            part = slice(first, first + step)
+            p, q = seen_a.take(part), seen_b
+            strays = _out_of(b, columns, p.onto) + _out_of(a, rows[part], q.onto).T
+            # An outline that is drawn twice becomes one that is drawn twice.
+            known = (p.becomes >= 0)[:, None] | (q.becomes >= 0)
+            strays = strays + (known & (p.becomes[:, None] != q.same))
+            levels = np.abs(p.depths[:, None] - q.depths)
+            half_p, half_q = np.abs(p.frames.halves), np.abs(q.frames.halves)
+            carried = (
+                place_costs(p.there, q.described.boxes, half_q)
+                + place_costs(q.there, p.described.boxes, half_p).T
+                + size_costs(p.described, q.described, p.there)
+                + size_costs(q.described, p.described, q.there).T
+            ) / 2
+            reach = np.sqrt(half_p[:, None] * half_q)
+            at_rest = place_costs(p.described.boxes, q.described.boxes, reach)
+            at_rest += size_costs(p.described, q.described, p.described.boxes)
+            costs[part] = (
+                np.minimum(carried, at_rest)
+                + self._paint[np.ix_(rows[part], columns)]
+                + LEVEL_COST * np.minimum(levels, 2)
+                + STRAY_COST * strays
+            )
+        return costs
 
-    def _axis_costs(self, rows: Sequence[int], columns: Sequence[int]) -> FloatArray:
+    def _axis_costs(self, rows: Sequence[int], columns: Sequence[int]) -> FloatArray | float:
         """Return costs of pairs that leave an axis or come to it, less the gains of pairs whose twins are paired."""
-        sides = (self.a, rows), (self.b, columns)
-        costs = np.zeros((len(rows), len(columns)))
         if self.a.mirror is None or self.b.mirror is None:
-            return costs
-        on_axis = [np.array([float(side.is_on_axis(k)) for k in some]) for side, some in sides]
-        beside = [np.array([side.beside_axis(k) for k in some]) for side, some in sides]
-        costs += AXIS_COST * (on_axis[0][:, None] * beside[1] + beside[0][:, None] * on_axis[1])
+            return 0.0
+        sides, dtype = ((self.a, rows), (self.b, columns)), self.a.alone.dtype
+        on_axis = [np.array([side.is_on_axis(k) for k in some], dtype) for side, some in sides]
+        beside = [np.array([side.beside_axis(k) for k in some], dtype) for side, some in sides]
+        costs = AXIS_COST * (on_axis[0][:, None] * beside[1] + beside[0][:, None] * on_axis[1])
         row, column = ({k: at for at, k in enumerate(some)} for some in (rows, columns))
         for i, j in self.partner.items():
             image_a, image_b = self.a.mirror.twin[i], self.b.mirror.twin[j]
@@ -465,9 +494,9 @@ def _outer_first(
     return found
 
 
-def _out_of(side: _Side, contours: Sequence[int], parts: Sequence[int]) -> FloatArray:
+def _out_of(side: _Side, contours: Sequence[int], parts: IntArray) -> FloatArray:
     """Return the shares of contours outside of parts, (parts, contours); nothing is outside of the drawing, -1."""
-    known = np.array(parts)[:, None]
+    known = parts[:, None]
     shares: FloatArray = side.structure.within[known, contours].astype(side.described.areas.dtype)
     return np.where(known < 0, 0.0, 1.0 - shares)
 

@@ -78,7 +78,7 @@ class Boxes(NamedTuple):
     centres: ComplexArray
     halves: ComplexArray
 
-    def take(self, chosen: Sequence[int]) -> Boxes:
+    def take(self, chosen: Sequence[int] | slice) -> Boxes:
         """Return some of the boxes."""
         return Boxes(self.centres[chosen], self.halves[chosen])
 
@@ -111,9 +111,9 @@ class Described(NamedTuple):
             numbers = numbers[0].astype(np.float32), numbers[1].astype(np.float32)
         return cls(contours, boxes, *numbers)
 
-    def take(self, chosen: Sequence[int]) -> Described:
+    def take(self, chosen: Sequence[int] | slice) -> Described:
         """Return some of the contours."""
-        some = [self.contours[k] for k in chosen]
+        some = self.contours[chosen] if isinstance(chosen, slice) else [self.contours[k] for k in chosen]
         return Described(some, self.boxes.take(chosen), self.areas[chosen], self.paint[chosen])
 
     def alone(self, whole: Boxes) -> FloatArray:
@@ -141,7 +141,7 @@ def overlaps(a: Boxes, b: Boxes, reach: FloatArray) -> FloatArray:
     """Return the common share of each box of `a` and each of `b`, (a, b), with margins in frames of half diagonals."""
     margin = MARGIN * 2.0 * reach
     away = a.centres[:, None] - b.centres
-    area_a, area_b, shared = (np.ones(away.shape) for _ in range(3))
+    area_a, area_b, shared = (np.ones(away.shape, margin.dtype) for _ in range(3))
     for offset, p, q in (
         (np.abs(away.real), a.halves.real, b.halves.real),
         (np.abs(away.imag), a.halves.imag, b.halves.imag),

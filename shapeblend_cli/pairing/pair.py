@@ -133,11 +133,12 @@ def _required_partners(
     """Return B's numbers by A's of required pairs, and of the exteriors around required holes."""
     in_a, in_b = ({contour.number: contour for contour in side} for side in (a, b))
     partners: dict[int, int] = {}
+    taken: dict[int, int] = {}
 
     def add(i: int, j: int) -> None:
-        if partners.get(i, j) != j or any(other != i and partners[other] == j for other in partners):
+        if partners.get(i, j) != j or taken.get(j, i) != i:
             raise MatchError(f"{i}={j} contradicts another pair; each contour has one partner")
-        partners[i] = j
+        partners[i], taken[j] = j, i
 
     for i, j in required:
         for number, side, name in ((i, in_a, "A"), (j, in_b, "B")):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.pairing.assignment import Pairing
@@ -65,9 +66,10 @@ def reasons_for(
         for p, q in pairs
         if p.is_piece or q.is_piece
     }
+    inside = Counter(pairing.a.structure.parent), Counter(pairing.b.structure.parent)
     for i, j in pairing.partner.items():
         numbers = a[i].number, b[j].number
-        found[numbers] = "asked for" if numbers in required else _reason(pairing, i, j)
+        found[numbers] = "asked for" if numbers in required else _reason(pairing, i, j, inside)
     parents = [
         {
             contour.number: contours[parent].number
@@ -79,20 +81,16 @@ def reasons_for(
     return Reasons(found, (parents[0], parents[1]), riders)
 
 
-def _reason(pairing: Pairing, i: int, j: int) -> str:
+def _reason(pairing: Pairing, i: int, j: int, inside: tuple[Counter[int | None], Counter[int | None]]) -> str:
+    """Return the reason for a pair, given the numbers of contours that lie directly inside each."""
     a, b = pairing.a, pairing.b
-    numbers = [[contour.number for contour in side.described.contours] for side in (a, b)]
+    contours_a, contours_b = a.described.contours, b.described.contours
     if a.mirror and b.mirror and a.has_twin(i) and b.has_twin(j):
         other = a.mirror.twin[i]
         if other is not None and pairing.partner.get(other) == b.mirror.twin[j]:
-            return f"twin of {numbers[0][other]}={numbers[1][pairing.partner[other]]}"
+            return f"twin of {contours_a[other].number}={contours_b[pairing.partner[other]].number}"
     (part_a, _), (part_b, _) = a.part(i), b.part(j)
-    if part_a >= 0 and a.onto[part_a] == part_b:
-        inside = [
-            sum(parent == part for parent in side.structure.parent)
-            for side, part in ((a, part_a), (b, part_b))
-        ]
-        if inside == [1, 1]:
-            return f"the only ones inside {numbers[0][part_a]}={numbers[1][part_b]}"
+    if part_a >= 0 and a.onto[part_a] == part_b and inside[0][part_a] == inside[1][part_b] == 1:
+        return f"the only ones inside {contours_a[part_a].number}={contours_b[part_b].number}"
     share = round(100 * pairing.overlap(i, j))
     return f"overlaps {share} %" if share else "the nearest of its kind"

@@ -144,6 +144,8 @@ def are_same(p: PlacedContour, q: PlacedContour, distance: float) -> bool:
     if p.role != q.role or p.polygon.closed != q.polygon.closed:
         return False
     distance = min(distance, OWN_TOLERANCE * max(p.size, q.size))
+    if np.array_equal(p.polygon.vertices, q.polygon.vertices):
+        return True
     lines = p.polygon.line, q.polygon.line
     some = ((thin(points, LOOKED_AT_FIRST), line) for points, line in (lines, lines[::-1]))
     if not all(may_be_near(points, line, distance).all() for points, line in some):

@@ -213,9 +213,10 @@ def _growth_points(
     lies in a paired contour grows from there, carried along. Others stay in touch: see `_points_of_contact`.
     """
     paired = {match.pair[here].number: match for match in matches}
-    hosts = [c for c in contours if c.polygon.closed and (c.number in paired or c.role != HOLE)]
-    touching = TOUCHING * Box.union([contour.box for contour in contours]).diagonal
     areas = {contour.number: contour.area for contour in contours}
+    hosts = [c for c in contours if c.polygon.closed and (c.number in paired or c.role != HOLE)]
+    hosts.sort(key=lambda host: areas[host.number])
+    touching = TOUCHING * Box.union([contour.box for contour in contours]).diagonal
     bounds = np.array([contour.box.bounds for contour in hosts]).reshape(-1, 4)
     spots: dict[int, complex] = {}
     beside: dict[int, PlacedContour] = {}
@@ -228,8 +229,7 @@ def _growth_points(
         inside = (
             (left <= middle.real) & (middle.real <= right) & (top <= middle.imag) & (middle.imag <= bottom)
         )
-        near = sorted((hosts[k] for k in np.flatnonzero(inside)), key=lambda host: areas[host.number])
-        for host in near:
+        for host in map(hosts.__getitem__, np.flatnonzero(inside)):
             match = paired.get(host.number)
             if match is None:
                 if host.number in seen and _lies_in(contour, host, touching):

@@ -37,6 +37,9 @@ TOLERANCE = 0.02
 """Maximum distance of an outline from its mirror image, as a share of its size; and of a node from the mirror image of
 another node, as a share of the outline's length."""
 
+AT_ONCE = 512
+"""Number of places where an outline meets a line that are compared at once: an outline may have thousands."""
+
 DIRECTIONS = (1j, 1.0)
 """Directions of axes besides the long and the short one of an outline: upright first."""
 
@@ -169,11 +172,13 @@ def _axes(polygon: Polygon) -> Iterator[Axis]:
         across = ((outline - middle) * np.conj(along)).imag
         at = np.flatnonzero((across[:-1] < 0.0) != (across[1:] < 0.0))
         met = places[at] + (places[at + 1] - places[at]) * across[at] / (across[at] - across[at + 1])
-        off = [
-            float(np.abs(points_at((2.0 * end - even) % 1.0, outline, places) - images).max()) for end in met
+        away = [
+            np.abs(points_at((2.0 * some[:, None] - even) % 1.0, outline, places) - images).max(axis=1)
+            for some in np.array_split(met, 1 + len(met) // AT_ONCE)
         ]
-        if off and min(off) <= tolerance:
-            end = float(met[int(np.argmin(off))])
+        off = np.concatenate(away)
+        if len(off) and off.min() <= tolerance:
+            end = float(met[int(off.argmin())])
             ends = np.array([end, (end + 0.5) % 1.0])
             ends = ends[np.argsort(-(points_at(ends, outline, places) * np.conj(along)).real)]
             yield Axis(along, (float(ends[0]), float(ends[1])))

@@ -37,7 +37,7 @@ def squares(count, side, step=0.0):
 
 def test_of_copies_in_a_crowd_one_is_matched(monkeypatch):
     count, matched = 91, []
-    monkeypatch.setattr("shapeblend_cli.blending.matched.CROWD", count - 1)
+    monkeypatch.setattr("shapeblend_cli.blending.matched.MATCHED_ONE_BY_ONE", count - 1)
     monkeypatch.setattr(
         "shapeblend_cli.blending.matched.match_contours",
         lambda *given: matched.append(1) or match_contours(*given),
