@@ -14,7 +14,7 @@ from shapeblend_cli.geometry.raster import Bands, winding_sums, winding_table
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, Box, ComplexArray, IntArray, Polygon
+    from shapeblend_cli.model import BoolArray, Box, ComplexArray, FloatArray, IntArray, Polygon
 
 SAMPLES = 32
 """Number of points of a contour beside which paint is looked for."""
@@ -66,9 +66,10 @@ def nest(polygons: Sequence[Polygon], rule: str, exterior_orientation: int = 1) 
     inside, outside = paint[:, 0], paint[:, 1]
     hollow = (~inside & outside).sum(axis=1) > (inside & ~outside).sum(axis=1)
     is_hollow = dict(zip(kinds, hollow.tolist(), strict=True))
-    is_hole = [is_hollow[k] for k in copied]
+    is_hole = np.array([is_hollow[k] for k in copied])
+    areas = np.array([box.area for box in boxes])
     around = {
-        k: _smallest_around(points, bands, is_hole, boxes)
+        k: _smallest_around(points, bands, is_hole, areas)
         for k, (points, _) in zip(kinds, sides, strict=True)
         if is_hollow[k]
     }
@@ -82,8 +83,7 @@ def nest(polygons: Sequence[Polygon], rule: str, exterior_orientation: int = 1) 
     if is_simple and paints_the_same["nonzero"]:
         return Nesting(exterior, tuple(reverse), "nonzero", paints_the_same["evenodd"])
     if rule == "nonzero":
-        largest = max(range(len(boxes)), key=lambda k: boxes[k].area)
-        reverse = [reverse[largest]] * len(polygons)
+        reverse = [reverse[int(areas.argmax())]] * len(polygons)
     return Nesting(exterior, tuple(reverse), rule, False)
 
 
@@ -105,9 +105,8 @@ def _both_sides(polygon: Polygon, box: Box, sign: int) -> tuple[ComplexArray, Co
     return points + step, points - step
 
 
-def _smallest_around(
-    points: ComplexArray, bands: Bands, is_hole: Sequence[bool], boxes: Sequence[Box]
-) -> int | None:
+def _smallest_around(points: ComplexArray, bands: Bands, is_hole: BoolArray, areas: FloatArray) -> int | None:
     """Return the smallest exterior around most of the points just inside a hole."""
-    around = np.flatnonzero((winding_table(points, bands) != 0).sum(axis=1) * 2 > SAMPLES).tolist()
-    return min((k for k in around if not is_hole[k]), key=lambda k: boxes[k].area, default=None)
+    around = np.flatnonzero((winding_table(points, bands) != 0).sum(axis=1) * 2 > SAMPLES)
+    around = around[~is_hole[around]]
+    return int(around[areas[around].argmin()]) if len(around) else None

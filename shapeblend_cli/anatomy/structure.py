@@ -114,19 +114,19 @@ def _inside(
     """Return the share of contour j that is in contour i, (i, j) float; 0 in contours that are no larger."""
     lows, highs = boxes
     sampled = np.array(points)
+    x, y = sampled.real.copy(), sampled.imag.copy()
     inside = np.zeros((len(contours), len(contours)), np.float32)  # whole sixteenths
     for i, contour in enumerate(contours):
         if not contour.polygon.closed:
             continue
-        near = (
-            (sampled.real > lows[i].real)
-            & (sampled.real < highs[i].real)
-            & (sampled.imag > lows[i].imag)
-            & (sampled.imag < highs[i].imag)
-        )
-        likely = near.any(axis=1) & (areas[i] > LARGER * areas)
-        likely[i] = False
-        if likely.any():
+        low, high = lows[i], highs[i]
+        meets = (lows.real < high.real) & (highs.real > low.real)
+        meets &= (lows.imag < high.imag) & (highs.imag > low.imag) & (areas[i] > LARGER * areas)
+        meets[i] = False
+        some = np.flatnonzero(meets)
+        near = (x[some] > low.real) & (x[some] < high.real) & (y[some] > low.imag) & (y[some] < high.imag)
+        likely = some[near.any(axis=1)]
+        if len(likely):
             wound = winding_numbers(sampled[likely].ravel(), thin(contour.polygon.vertices, WOUND)) != 0
             inside[i, likely] = wound.reshape(-1, SAMPLES).mean(axis=1)
     return inside

@@ -12,7 +12,6 @@ import numpy as np
 
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.model import CubicPath
-from shapeblend_cli.pairing.costs import DECIMALS
 from shapeblend_cli.wires.stretches import mostly_shared
 
 if TYPE_CHECKING:
@@ -27,6 +26,12 @@ MATCHED_ONE_BY_ONE = 150
 CROWD = 600
 """Maximum number of contours of a shape whose motion is chosen, and of a drawing with plates: more move straight."""
 
+DECIMALS = 5
+"""Number of decimals of coordinates in which copies agree, in sizes of the contour: what is written is rounded more."""
+
+PLACES = 3
+"""Number of decimals in which places agree, in sizes of the contour: less than the tolerance of what two share."""
+
 STEPS = 4
 """Number of ratios of two sizes that are told apart, in a factor of two."""
 
@@ -40,11 +45,12 @@ class Copies:
     def matched(self, pair: ContourPair, given: Hashable, match: Callable[[], ContourBlend]) -> ContourBlend:
         """Return the match of a pair: that of a copy moved to its place, if there is one."""
         a, b = pair
+        place = None
         if mostly_shared([a.flat], [b.flat]) is not None:
-            return match()  # which depends on places
-        return self._moved((_outline(a), _outline(b), given), (a.box, b.box), match)._replace(
-            a=a.number, b=b.number
-        )
+            # Its match depends on how one lies on the other.
+            place = np.round(np.subtract(b.box.bounds, a.box.bounds) / (a.size or 1.0), PLACES).tobytes()
+        key = _outline(a), _outline(b), given, place
+        return self._moved(key, (a.box, b.box), match)._replace(a=a.number, b=b.number)
 
     def curved(self, blend: ContourBlend, curve: Callable[[ContourBlend], ContourBlend]) -> ContourBlend:
         """Return a matched blend with its curves, likewise."""

@@ -164,7 +164,7 @@ def winding_sums(points: ComplexArray, bands: Bands, factors: IntArray) -> IntAr
     values = np.where(y[begins] <= y[ends], factors[polygons], -factors[polygons])
     beyond = np.append(np.flip(np.cumsum(np.flip(values))), 0)
     sums: IntArray = np.zeros(len(points), np.intp)
-    _sum_windings(np.ascontiguousarray(points), *bands[:8], values, beyond, sums)
+    _sum_windings(np.ascontiguousarray(points), bands, values, beyond, sums)
     return sums
 
 
@@ -185,19 +185,20 @@ def _is_crossed(point: cython.doublecomplex, z: cython.doublecomplex, w: cython.
 
 def _sum_windings(
     points: cython.const[cython.doublecomplex][::1],
-    edges: cython.const[cython.Py_ssize_t][:, ::1],
-    starts: cython.const[cython.Py_ssize_t][::1],
-    middles: cython.const[cython.Py_ssize_t][::1],
-    lefts: cython.const[cython.double][::1],
-    reaches: cython.const[cython.double][::1],
-    low: cython.double,
-    scale: cython.double,
-    vertices: cython.const[cython.doublecomplex][::1],
+    bands: Bands,
     values: cython.const[cython.Py_ssize_t][::1],
     beyond: cython.const[cython.Py_ssize_t][::1],
     sums: cython.Py_ssize_t[::1],
 ) -> None:
     """Add up the values of the edges that cross the ray from each point along +x."""
+    edges: cython.const[cython.Py_ssize_t][:, ::1] = bands.edges
+    starts: cython.const[cython.Py_ssize_t][::1] = bands.starts
+    middles: cython.const[cython.Py_ssize_t][::1] = bands.middles
+    lefts: cython.const[cython.double][::1] = bands.lefts
+    reaches: cython.const[cython.double][::1] = bands.reaches
+    vertices: cython.const[cython.doublecomplex][::1] = bands.vertices
+    low: cython.double = bands.low
+    scale: cython.double = bands.scale
     p: cython.Py_ssize_t
     e: cython.Py_ssize_t
     first: cython.Py_ssize_t

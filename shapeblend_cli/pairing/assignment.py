@@ -14,11 +14,13 @@ from shapeblend_cli.pairing.costs import (
     Boxes,
     Described,
     Works,
+    assign,
     laid,
     overlaps,
     paint_costs,
     place_costs,
     size_costs,
+    values_of,
 )
 
 if TYPE_CHECKING:
@@ -339,7 +341,7 @@ class Pairing:
         for i, j in found:
             left[i], left[:, j] = NEVER, NEVER
         left[np.ix_(*(pairs.ravel() for pairs in twins))] += LONELY_COST
-        value = _values(left, focus)
+        value = values_of(left, focus)
         found += [(i, j) for i, j in assign(value) if value[i, j] < 0.0]
         sides = (self.a, rows), (self.b, columns)
         found = _outer_first(found, excess, *sides)
@@ -433,14 +435,6 @@ class Pairing:
         return costs
 
 
-def _values(excess: FloatArray, focus: FloatArray) -> FloatArray:
-    """Return the values of pairs to be minimised, given their costs above having no partner: 0 for no gain.
-
-    Gains are squared, so that one good pair is worth more than two poor ones.
-    """
-    return -(np.where(excess < 0.0, focus - excess, 0.0) ** 2)
-
-
 def _twins_with_twins(excess: FloatArray, focus: FloatArray, a: IntArray, b: IntArray) -> list[Numbers]:
     """Return the pairs of twins, (p, 2) rows, with twins, (q, 2) columns, at the least total with all other contours.
 
@@ -451,11 +445,14 @@ def _twins_with_twins(excess: FloatArray, focus: FloatArray, a: IntArray, b: Int
     straight = excess[np.ix_(a[:, 0], b[:, 0])] + excess[np.ix_(a[:, 1], b[:, 1])]
     crossed = excess[np.ix_(a[:, 0], b[:, 1])] + excess[np.ix_(a[:, 1], b[:, 0])] + 2.0 * SIDE_COST
     together = np.minimum(straight, crossed) / 2.0 - TWIN_GAIN
-    value = _values(excess, focus)
+    value = values_of(excess, focus)
     others = [np.delete(np.arange(n), twins.ravel()) for n, twins in zip(value.shape, (a, b), strict=True)]
     units = np.block(
         [
-            [2.0 * _values(together, focus[np.ix_(a[:, 0], b[:, 0])]), value[a][:, :, others[1]].min(axis=1)],
+            [
+                2.0 * values_of(together, focus[np.ix_(a[:, 0], b[:, 0])]),
+                value[a][:, :, others[1]].min(axis=1),
+            ],
             [value[others[0]][:, b].min(axis=2), value[np.ix_(*others)]],
         ]
     )
@@ -499,15 +496,3 @@ def _out_of(side: _Side, contours: Sequence[int], parts: IntArray) -> FloatArray
     known = parts[:, None]
     shares: FloatArray = side.structure.within[known, contours].astype(side.described.areas.dtype)
     return np.where(known < 0, 0.0, 1.0 - shares)
-
-
-def assign(costs: FloatArray) -> list[tuple[int, int]]:
-    """Pair rows with columns at the least total of finite costs, as many as there are of the fewer; by row."""
-    if min(costs.shape) == 0:
-        return []
-    if 1 in costs.shape:
-        return [divmod(int(costs.argmin()), costs.shape[1])]
-    import lap  # drawings with one exterior do without it
-
-    _, columns, _ = lap.lapjv(np.ascontiguousarray(costs), extend_cost=True)
-    return [(i, int(j)) for i, j in enumerate(columns) if j >= 0]

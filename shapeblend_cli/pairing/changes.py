@@ -20,8 +20,7 @@ from shapeblend_cli.geometry.polyline import distances_to
 from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.motion.slash import paint_the_same, slash_axis
 from shapeblend_cli.motion.sweep import Sweep, window_along, windows_of
-from shapeblend_cli.pairing.assignment import assign
-from shapeblend_cli.pairing.costs import channels
+from shapeblend_cli.pairing.costs import assign, channels
 from shapeblend_cli.wires.contour_blends import grow_from, keep_still
 from shapeblend_cli.wires.stretches import TOLERANCE, mostly_shared, shared_stretches
 

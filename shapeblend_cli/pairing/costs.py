@@ -1,4 +1,4 @@
-"""Costs of turning one contour into another: place, size, paint and work; and the cost of having no partner."""
+"""Costs of turning one contour into another: place, size, paint and work; of having no partner; and the least total."""
 
 from __future__ import annotations
 
@@ -242,3 +242,23 @@ def channels(colour: str | None) -> tuple[float, float, float]:
         return -1.0, -1.0, -1.0
     red, green, blue = bytes.fromhex(colour[1:])
     return red / 255, green / 255, blue / 255
+
+
+def values_of(excess: FloatArray, focus: FloatArray) -> FloatArray:
+    """Return the values of pairs to be minimised, given their costs above having no partner: 0 for no gain.
+
+    Gains are squared, so that one good pair is worth more than two poor ones.
+    """
+    return -(np.where(excess < 0.0, focus - excess, 0.0) ** 2)
+
+
+def assign(costs: FloatArray) -> list[tuple[int, int]]:
+    """Pair rows with columns at the least total of finite costs, as many as there are of the fewer; by row."""
+    if min(costs.shape) == 0:
+        return []
+    if 1 in costs.shape:
+        return [divmod(int(costs.argmin()), costs.shape[1])]
+    import lap  # drawings with one exterior do without it
+
+    _, columns, _ = lap.lapjv(np.ascontiguousarray(costs), extend_cost=True)
+    return [(i, int(j)) for i, j in enumerate(columns) if j >= 0]

@@ -152,9 +152,11 @@ def _nearest(contour: PlacedContour, owners: Sequence[PlacedContour], bounds: Fl
         if best[0] == 0.0 and sizes[k] < (1.0 - 1e-9) * -best[1]:
             continue
         owner = owners[k]
-        inside = winding_numbers(watched, owner.polygon.vertices) != 0
-        away = np.abs(owner.polygon.vertices[:, None] - watched).min(axis=0)
-        best = min(best, (float(np.where(inside, 0.0, away).min()), -owner.size, k))
+        if gaps[k] == 0.0 and winding_numbers(watched, owner.polygon.vertices).any():
+            away = 0.0
+        else:
+            away = float(np.abs(owner.polygon.vertices[:, None] - watched).min())
+        best = min(best, (away, -owner.size, k))
     return best[2]
 
 

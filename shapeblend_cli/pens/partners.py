@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.pairing.assignment import assign
+from shapeblend_cli.pairing.costs import assign
 from shapeblend_cli.pens.line import at, corners, evenly, foot_points, length
 from shapeblend_cli.pens.line_costs import alone_cost, best_halves, partner_cost, ways_between
 
