@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from shapeblend_cli.blending.expanded import with_outlines
 from shapeblend_cli.blending.graded import grade_of_shapes
 from shapeblend_cli.blending.inlays import plates_of, with_inlays, without_inlays
+from shapeblend_cli.blending.inverted import with_signs_inverted
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
@@ -79,7 +80,8 @@ def blend_shapes(
         paired = pair_drawings(*with_outlines(a, b, asked, view), asked, 0.0, progress)
         return _moved(paired, *match_pairs(paired), view)
 
-    return turned_as_a_whole(a, b, view, usual, straight)
+    shapes = turned_as_a_whole(a, b, view, usual, straight)
+    return with_signs_inverted(a, b, settings, view, shapes)
 
 
 def _is_free(settings: Settings) -> bool:
