@@ -73,7 +73,7 @@ def render_module(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     boxes, decimals = views(pairs), spec.decimals(pairs)
     shapes, seen = keyframed_shapes(spec.eased(pairs), FINER), shown_views(boxes, spec.knots)
     page = page_for(page_of(pairs), boxes[0])
-    animated = smil_svg(shapes, seen, Timing(repeat=1), decimals, page)
+    animated = smil_svg(shapes, seen, Timing(repeat=1), decimals, page, stops=False)
     name = "blend.js" if spec.path == STANDARD_OUTPUT else Path(spec.path).name
     return Rendered([module_js(animated, spec.timing, len(pairs), decimals, name)])
 

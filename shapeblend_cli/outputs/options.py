@@ -92,7 +92,7 @@ class OutputOptions(Record, section=PICTURES):
         default="smil",
         section=ANIMATIONS,
         help="How an animated SVG moves: SMIL or CSS animations of its paths, or all frames in turn, which works "
-        "everywhere. CSS animations respect prefers-reduced-motion; Safari does not play them.",
+        "everywhere. All stand still for those who prefer reduced motion. Safari does not play CSS animations.",
     )
     duration: float = option(
         seconds(0.01, 3600.0),

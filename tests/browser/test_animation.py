@@ -4,11 +4,13 @@ Every comparison is of pixels. A browser takes a second or two to start, so all 
 """
 
 import base64
+import io
 import re
 from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.frames.frames import frame_at
@@ -24,6 +26,7 @@ from shapeblend_cli.svg.writing.smil import smil_svg
 from tests.support.commands import write
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
 from tests.support.ends import ENDS, SHADED, card, emitted_ends
+from tests.support.equipment import CHROMIUM
 from tests.support.motions import rotated
 
 SIZE = 120
@@ -33,9 +36,11 @@ EVENODD = 'fill-rule="evenodd"'
 STOP = """<script>
 onload = () => {
   for (const box of document.querySelectorAll("[data-time]")) {
-    const time = Number(box.dataset.time), drawing = box.querySelector("svg");
-    drawing.pauseAnimations();
-    drawing.setCurrentTime(time);
+    const time = Number(box.dataset.time);
+    for (const drawing of box.querySelectorAll("svg")) { // one inside another has a time of its own
+      drawing.pauseAnimations();
+      drawing.setCurrentTime(time);
+    }
     for (const animation of box.getAnimations({subtree: true})) {
       animation.pause();
       animation.currentTime = 1000 * time;
@@ -306,6 +311,47 @@ def test_css_stands_still_for_who_prefers_reduced_motion(here, assert_shown):
     # What the media query holds is applied here to all.
     text = animated(*names, "--animate", "css").replace("(prefers-reduced-motion:reduce)", "all")
     assert_shown([(text, None, frames[0])])
+
+
+@pytest.fixture(scope="module")
+def still_browser(browser):
+    """Chromium of somebody who prefers reduced motion; emulation of that does not reach images."""
+    arguments = ["--no-sandbox", "--disable-gpu", "--force-prefers-reduced-motion"]
+    started = browser.browser_type.launch(executable_path=CHROMIUM, args=arguments)
+    yield started
+    started.close()
+
+
+@pytest.mark.parametrize(
+    "options", ["--animate smil", "--animate frames -n 3", "--repeat pingpong", "--animate css"]
+)
+def test_for_who_prefers_reduced_motion_only_the_first_drawing_is_shown(
+    here, browser, still_browser, options
+):
+    names, _ = blended(here, *CASES["one after the other"])
+    text = animated(*names, *options.split(), "--duration", "1").replace(
+        "<svg", '<svg width="99" height="99"', 1
+    )
+    (here / "m.svg").write_text(text)
+    (here / "img.html").write_text('<body style="margin:0"><img src="m.svg">')
+    (here / "inline.html").write_text(f'<body style="margin:0">{text}')
+    (here / "first.svg").write_text(re.sub(r"<animate[^>]*/>", "", text).replace("animation:", "no:"))
+
+    def pictures(one, motion, name):
+        with one.new_context(viewport={"width": 99, "height": 99}, reduced_motion=motion) as context:
+            page = context.new_page()
+            page.goto((here / name).as_uri())
+            for _ in range(6):
+                page.wait_for_timeout(60)
+                with Image.open(io.BytesIO(page.screenshot())) as image:
+                    yield np.asarray(image.convert("RGB"), float) / 255.0
+
+    first = next(pictures(browser, "no-preference", "first.svg"))
+    for name in ("m.svg", "img.html", "inline.html"):
+        moved = max(np.abs(picture - first).mean() for picture in pictures(browser, "no-preference", name))
+        still = list(pictures(still_browser, "null", name))
+        assert moved > 0.05
+        assert np.abs(still[-1] - first).max() < 1e-9
 
 
 @pytest.mark.parametrize("method", ["smil", "css", "frames"])

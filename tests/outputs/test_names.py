@@ -29,9 +29,12 @@ def walker(
 
 
 def written(*options, files=("a.svg", "b.svg"), file="out.svg"):
-    """The root of what a run writes into one file."""
+    """The root of what a run writes into one file, without what only serves to stop it."""
     assert run([*files, "-o", file, "-f", "-q", *options]) == 0
-    return ElementTree.parse(file).getroot()
+    root = ElementTree.parse(file).getroot()
+    for timer in root.findall(f"{SVG}g[{SVG}set]"):
+        root.remove(timer)
+    return root
 
 
 def frame(*options, t=0.5, **drawings):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Sequence
 from itertools import pairwise
 from xml.etree.ElementTree import Element
@@ -35,6 +36,9 @@ from shapeblend_cli.svg.writing.rounding import number
 DISCRETE = frozenset(("fill_rule", "stroke_linecap", "stroke_linejoin", "vector_effect", "spreadMethod"))
 """Attributes without values in between, which switch at half time."""
 
+TICKS = ".02s 500"
+"""Length and number of the events that end animations: in ten seconds most pages are loaded."""
+
 
 def smil_svg(
     shapes: Sequence[KeyframedShape],
@@ -42,13 +46,50 @@ def smil_svg(
     timing: Timing,
     decimals: int,
     page: Page | None = None,
+    *,
+    stops: bool = True,
 ) -> str:
-    """Return an SVG document in which paths, in paint order, are animated by SMIL; it shows its views."""
+    """Return an SVG document in which paths, in paint order, are animated by SMIL; it shows its views.
+
+    For those who prefer reduced motion it `stops`, unless others play it.
+    """
     drawing = document.empty(views.boxes[0], decimals, page)
     timeline = Timeline(views.pairs, timing)
     timeline.add_views(drawing, views, decimals)
     gradients = add_animated(document.Tree.of(drawing, shapes), shapes, timeline, decimals)
-    return document.text(drawing, definitions=gradients)
+    rule = _stop(drawing, gradients, timing) if stops else None
+    return document.text(drawing, style=rule, definitions=gradients)
+
+
+def _stop(drawing: Element, definitions: Sequence[Element], timing: Timing) -> str | None:
+    """Have animations that play forever end at once for those who prefer reduced motion; return the style sheet for it.
+
+    SMIL itself knows no such preference. A style sheet does: it lets an element run an empty animation, whose events
+    begin a timer, and with that everything else ends, so that the first drawing is left. Events are repeated, since
+    pages begin to play when all of them is loaded.
+    """
+    animations = [
+        element
+        for root in (drawing, *definitions)
+        for element in root.iter()
+        if element.tag in ("animate", "animateTransform")
+    ]
+    if not animations or timing.repeat not in (
+        FOREVER,
+        PINGPONG,
+    ):  # what freezes at its end would do so on its way
+        return None
+    digest = 0
+    for element in animations:
+        digest = zlib.crc32(repr(element.attrib).encode(), digest)
+    own = f"b{digest:08x}"  # so that several drawings can stand in one page
+    for element in animations:
+        document.put(element, {"end": f"{own}s.begin"})
+    holder = document.new("g", {"id": own})
+    events = {"attributeName": "x", "begin": "animationstart;animationiteration"}
+    holder.append(document.new("set", {"id": f"{own}s", **events}))
+    drawing.append(holder)
+    return f"@media(prefers-reduced-motion){{#{own}{{animation:{own} {TICKS}}}}}@keyframes {own}{{}}"
 
 
 def add_animated(
@@ -129,7 +170,8 @@ def stacked_svg(
             for style in visible_styles(shape, frame.t):
                 layer.append(document.new("path", {"d": data, **gradients.attributes(style)}))
         drawing.append(layer)
-    return document.text(drawing, definitions=gradients.elements)
+    rule = _stop(drawing, gradients.elements, timing)
+    return document.text(drawing, style=rule, definitions=gradients.elements)
 
 
 def _extend(shape: KeyframedShape, drawings: int) -> KeyframedShape:

@@ -63,7 +63,7 @@ def test_every_waypoint_has_its_value_time_and_spline(paths, repeat, ease):
 def test_without_waypoints_there_is_a_value_for_each_drawing_and_no_word_of_time():
     (found,) = animations(smil(pairs_of(LEAF, BAR, LEAF), Timing()), "d")
     assert len(found.get("values").split(";")) == 3
-    assert set(found.keys()) == {"attributeName", "values", "dur", "repeatCount"}
+    assert set(found.keys()) == {"attributeName", "values", "dur", "repeatCount", "end"}
 
 
 def test_only_the_path_has_keyframes_at_waypoints():
