@@ -90,6 +90,11 @@ class PlacedContour(NamedTuple):
             return False
         return not self.is_piece or bool(winding_numbers(hole.polygon.vertices[:1], self.polygon.vertices)[0])
 
+    def reversed(self) -> PlacedContour:
+        """Return the contour traversed in reverse."""
+        back = self.flat.reversed()
+        return self._replace(contour=back.contour, polygon=back.polygon)
+
     def transformed(self, by: Callable[[ComplexArray], ComplexArray]) -> PlacedContour:
         """Return the contour under a map of points that does not scale."""
         contour = replace(self.contour, segments=by(self.contour.segments))
@@ -257,10 +262,7 @@ def _with_roles(contours: Sequence[PlacedContour], exterior_orientation: int) ->
         contour = placed[number]
         if parent is not None:
             contour = contour._replace(role=HOLE, exterior=closed[parent].number)
-        if is_reversed:
-            back = contour.flat.reversed()
-            contour = contour._replace(contour=back.contour, polygon=back.polygon)
-        placed[number] = contour
+        placed[number] = contour.reversed() if is_reversed else contour
     return list(placed.values())
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
 from shapeblend_cli.anatomy.structure import along
-from shapeblend_cli.geometry.polygons import centroid, winding_numbers
+from shapeblend_cli.geometry.polygons import centroid, orientation, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places, thin
 from shapeblend_cli.model import Box, ContourBlend, Fade, ShapeBlend, Style
 from shapeblend_cli.pairing.changes import Change, unchanged
@@ -122,7 +122,7 @@ def shape_blends(
             add(group, stroke.blend, _from_a(stroke.contour.style, stroke.style, here))
         rides = {stroke.contour.number for stroke in riding}
         contours = [contour for contour in contours if contour.number not in rides]
-        for loose, group, point in _unmatched(contours, matches, here):
+        for loose, group, point in _unmatched(_as_their_exteriors(contours, matches, here), matches, here):
             nothing = loose.style._replace(stroke_width=0.0)
             blend = grow_from_point(loose, point, of_b=bool(here))
             add(group, blend, _from_a(loose.style, nothing, here))
@@ -162,6 +162,18 @@ def _styles(a: PlacedContour, b: PlacedContour) -> tuple[Style, Style]:
     if rule is None:
         return a.style, b.style
     return a.style._replace(fill_rule=rule), b.style._replace(fill_rule=rule)
+
+
+def _as_their_exteriors(
+    contours: Sequence[PlacedContour], matches: Sequence[Match], here: int
+) -> list[PlacedContour]:
+    """Reverse the holes of exteriors that were reversed to be matched, or these would be no holes on the way."""
+    turned = {
+        match.pair[1].number
+        for match in matches
+        if here and orientation(match.blend.polygon_b) == -orientation(match.pair[1].polygon)
+    }
+    return [contour.reversed() if contour.exterior in turned else contour for contour in contours]
 
 
 def _unmatched(contours: Sequence[PlacedContour], matches: Sequence[Match], here: int) -> list[_Unmatched]:
