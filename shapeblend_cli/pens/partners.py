@@ -35,6 +35,9 @@ SHORTEST = 4.0
 SYMMETRY_BONUS = 1.6
 """Maximum work of an assignment that keeps a symmetry of both drawings, as a multiple of the least."""
 
+MOST_MITRE = 1.5
+"""Maximum length of a piece beyond the corner at which it was cut, in half widths: a sharper corner is bevelled."""
+
 TWIN_DISTANCE = 0.6
 """Maximum distance of a line's mirror image from its twin, in units."""
 
@@ -121,6 +124,24 @@ def _cut(lines: Sequence[PenLine]) -> list[PenLine]:
         for begin, end in pairwise(ends):
             share = begin / line.length, end / line.length
             found.append(line._replace(points=line.part(begin, end), is_piece=True, share=share))
+        if line.style.stroke_linecap == "butt" and line.style.stroke_linejoin == "miter":
+            found[-len(ends) + 1 :] = _mitred(found[-len(ends) + 1 :])
+    return found
+
+
+def _mitred(pieces: Sequence[PenLine]) -> list[PenLine]:
+    """Lengthen the pieces of a line at the corners between them, so that they paint its mitres."""
+    ways = [[p[1] - p[0], p[-1] - p[-2]] for p in (piece.points for piece in pieces)]
+    before, after = [0.0] * len(pieces), [0.0] * len(pieces)
+    for k, (one, other) in enumerate(pairwise(ways)):
+        turn = abs(float(np.angle(other[0] / one[1])))
+        after[k] = before[k + 1] = 0.5 * pieces[k].width * min(np.tan(0.5 * turn), MOST_MITRE)
+    found = []
+    for piece, (first, last), back, on in zip(pieces, ways, before, after, strict=True):
+        points = piece.points.copy()
+        points[0] -= back * first / abs(first)
+        points[-1] += on * last / abs(last)
+        found.append(piece._replace(points=points))
     return found
 
 

@@ -264,3 +264,21 @@ def test_a_middle_bar_does_not_become_boxes_on_either_side_of_it():
     middle = [each for shape in pair.shapes for each in shape.contours if each.reason == DRAWN_BACK]
     assert len(middle) == 2
     assert all(np.allclose(each.start.segments.imag, 128.0) for each in middle)
+
+
+def test_pieces_of_a_line_paint_its_mitre_where_they_meet():
+    plus = '<path d="M12 4V20 M4 12H20" fill="none" stroke="#000" stroke-width="2"/>'
+    check = '<path d="M4 12L9 17L20 6" fill="none" stroke="#000" stroke-width="2"/>'
+    pair = blend(drawing(plus), drawing(check))
+    ends = [
+        path.segments[k, m]
+        for shape in shapes_at(pair, 1.0 - 1e-9)
+        for path in shape.paths
+        for k, m in ((0, 0), (-1, 3))
+    ]
+    corner = 9 + 17j
+    # Each leg ends half a width beyond the corner, in its own direction.
+    beyond = sorted((end - corner for end in ends), key=abs)[:2]
+    assert sorted(beyond, key=lambda z: z.real) == pytest.approx(
+        [(-1 + 1j) / 2**0.5, (1 + 1j) / 2**0.5], abs=1e-3
+    )
