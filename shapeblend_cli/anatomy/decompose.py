@@ -18,6 +18,7 @@ from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Contour, Dra
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from shapeblend_cli.geometry.flatten import Known
     from shapeblend_cli.geometry.similarity import Similarity
     from shapeblend_cli.model import ComplexArray, FloatArray
 
@@ -27,6 +28,9 @@ EXTERIOR, HOLE, LINE = "exterior", "hole", "line"
 
 CROWD = 40
 """Maximum number of contours that get all the vertices that their sizes ask for."""
+
+CUT_ONE_BY_ONE = 150
+"""Maximum number of contours that are all cut into edges, whether they are of one form or not."""
 
 LEAST_SHARE = 0.15
 """Minimum share of the wanted vertices that any contour gets."""
@@ -182,7 +186,9 @@ def _flatten_shapes(
     """Return the contours of each shape, all closed ones as exteriors, and phrases that name those without extent."""
     by_shape: list[list[PlacedContour]] = []
     left_out: list[str] = []
-    counts = iter(_vertex_counts(drawing, vertices))
+    every = _vertex_counts(drawing, vertices)
+    counts = iter(every)
+    known: Known | None = {} if len(every) > CUT_ONE_BY_ONE else None
     number = 0
     for index, shape in enumerate(drawing.shapes):
         by_shape.append([])
@@ -192,10 +198,10 @@ def _flatten_shapes(
         for drawn in shape.contours:
             contour = to_a.contour(_close_if_filled(drawn, shape.style))
             count = next(counts)
-            polygon = flatten(contour, count)
+            polygon = flatten(contour, count, known)
             if contour.closed and len(polygon.vertices) < 3 and style.stroke is not None:
                 contour = Contour(contour.segments, contour.straight, closed=False)  # a line there and back
-                polygon = flatten(contour, count)
+                polygon = flatten(contour, count, known)
             if len(polygon.vertices) < (3 if contour.closed else 2):
                 kind = "closed" if contour.closed else "open"
                 left_out.append(f"contour {number}, {kind} with {len(polygon.vertices)} distinct vertices")

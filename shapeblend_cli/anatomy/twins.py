@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.anatomy.structure import along, corners
+from shapeblend_cli.anatomy.structure import along, corners, structure_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -34,6 +35,9 @@ AT_ONCE = 1 << 15
 SORTED_AT_ONCE = 1 << 11
 """Number of pairs that are gone through before those of contours that have a twin by then are left out."""
 
+FEW = 4
+"""Maximum number of contours whose anatomy is not kept: it is soon found again."""
+
 LEAST = 0.5
 """Minimum share of contours, by their sizes, whose mirror image is in a drawing that has an axis."""
 
@@ -51,6 +55,19 @@ class Mirror(NamedTuple):
         """Return the pairs that mirror each other, the left contour first."""
         pairs = [(i, j) for i, j in enumerate(self.twin) if j is not None and i < j]
         return [(i, j) if contours[i].centre.real <= contours[j].centre.real else (j, i) for i, j in pairs]
+
+
+def anatomy_of(contours: Sequence[PlacedContour]) -> tuple[Structure, Mirror | None]:
+    """Return the structure of a drawing, and its axis: to pair contours, and to tell the reasons."""
+    return _kept_anatomy(tuple(contours)) if len(contours) > FEW else _anatomy(contours)
+
+
+def _anatomy(contours: Sequence[PlacedContour]) -> tuple[Structure, Mirror | None]:
+    structure = structure_of(contours)
+    return structure, mirror_of(contours, structure)
+
+
+_kept_anatomy = lru_cache(maxsize=2)(_anatomy)
 
 
 def mirror_of(contours: Sequence[PlacedContour], structure: Structure) -> Mirror | None:

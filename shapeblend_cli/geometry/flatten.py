@@ -11,7 +11,11 @@ from shapeblend_cli.geometry.polyline import distinct
 from shapeblend_cli.model import Contour, Polygon
 
 if TYPE_CHECKING:
+    from collections.abc import Hashable
+
     from shapeblend_cli.model import FloatArray, IntArray
+
+    Known = dict[Hashable, tuple[IntArray, FloatArray]]
 
 TOLERANCE = 5e-4
 """Maximum distance of a polygon from its curve, as a share of the larger side of the contour's box."""
@@ -26,7 +30,12 @@ COINCIDENT = 1e-9
 """Maximum distance of vertices that are one, as a share of the larger side of the box."""
 
 
-def flatten(contour: Contour, vertices: int) -> Polygon:
+DECIMALS = 5
+"""Number of decimals of coordinates in which outlines agree that are cut alike, in sizes of their boxes: far less than
+`TOLERANCE`."""
+
+
+def flatten(contour: Contour, vertices: int, known: Known | None = None) -> Polygon:
     """Flatten a contour to about `vertices` vertices.
 
     Parameters
@@ -35,6 +44,9 @@ def flatten(contour: Contour, vertices: int) -> Polygon:
     vertices : int >= 0
         How many vertices are wanted. Every node of the drawing is one in any case; the others are spread evenly by
         arc length over curves and long edges. 0 adds only those that a curve needs.
+    known : dict, optional
+        The vertices of outlines that were flattened before, on their segments. Others of that form, wherever they lie
+        and however large they are, get the same.
 
     Returns
     -------
@@ -44,6 +56,27 @@ def flatten(contour: Contour, vertices: int) -> Polygon:
     """
     segments = contour.segments
     size = cubics.bounds(segments).larger_side
+    if known is None:
+        segment, parameter = _vertices(contour, vertices, size)
+    else:
+        form = np.round((segments - segments[0, 0]) / (size or 1.0), DECIMALS) + 0.0
+        key = vertices, contour.closed, contour.straight.tobytes(), form.tobytes()
+        if key not in known:
+            known[key] = _vertices(contour, vertices, size)
+        segment, parameter = known[key]
+    points = cubics.evaluate(segments[segment], parameter)
+    points = np.where(parameter == 0.0, segments[segment, 0], points)
+    if not contour.closed:  # nothing begins at the end of the last segment, so it is added by itself
+        points = np.append(points, segments[-1, 3])
+        segment = np.append(segment, len(segments) - 1)
+        parameter = np.append(parameter, 1.0)
+    kept = distinct(points, contour.closed, COINCIDENT * size)
+    return Polygon(points[kept], segment[kept], parameter[kept], contour.closed)
+
+
+def _vertices(contour: Contour, vertices: int, size: float) -> tuple[IntArray, FloatArray]:
+    """Return the segment and the parameter of each vertex, but for the end of an open contour, given its size."""
+    segments = contour.segments
     tolerance = TOLERANCE * size
     ladders = _length_ladders(segments)
     counts = _share_out(ladders[:, -1], vertices - (0 if contour.closed else 1))
@@ -67,15 +100,7 @@ def flatten(contour: Contour, vertices: int) -> Polygon:
         share = np.repeat(share, parts) + _numbered(parts) * np.repeat((following - share) / parts, parts)
         segment = np.repeat(segment, parts)
         parameter, deviation = _measure(contour, ladders, segment, share)
-
-    points = cubics.evaluate(segments[segment], parameter)
-    points = np.where(parameter == 0.0, segments[segment, 0], points)
-    if not contour.closed:  # nothing begins at the end of the last segment, so it is added by itself
-        points = np.append(points, segments[-1, 3])
-        segment = np.append(segment, len(segments) - 1)
-        parameter = np.append(parameter, 1.0)
-    kept = distinct(points, contour.closed, COINCIDENT * size)
-    return Polygon(points[kept], segment[kept], parameter[kept], contour.closed)
+    return segment, parameter
 
 
 def edge_parts(contour: Contour, polygon: Polygon) -> tuple[IntArray, FloatArray, FloatArray]:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
-from shapeblend_cli.anatomy.structure import structure_of
-from shapeblend_cli.anatomy.twins import mirror_of
+from shapeblend_cli.anatomy.twins import anatomy_of
 from shapeblend_cli.pairing.costs import (
     Boxes,
     Described,
@@ -26,8 +24,6 @@ from shapeblend_cli.pairing.costs import (
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.anatomy.structure import Structure
-    from shapeblend_cli.anatomy.twins import Mirror
     from shapeblend_cli.model import BoolArray, Box, FloatArray, IntArray
 
     Numbers = tuple[int, int]
@@ -87,13 +83,6 @@ NEVER = 1e6
 """Cost of a pair that cannot be: more than the cost of any number of others."""
 
 
-@lru_cache(maxsize=2)
-def _anatomy(contours: tuple[PlacedContour, ...]) -> tuple[Structure, Mirror | None]:
-    """Return the structure of a drawing, and its axis: to pair contours, and to tell the reasons."""
-    structure = structure_of(contours)
-    return structure, mirror_of(contours, structure)
-
-
 class _Side:
     """One drawing's contours and the decisions on them, by places in the sequence."""
 
@@ -103,7 +92,7 @@ class _Side:
         if frame is not None:
             half = complex(frame.width, frame.height) / 2
             self.whole = Boxes(np.array([frame.centre]), np.array([half]))
-        self.structure, self.mirror = _anatomy(tuple(contours))
+        self.structure, self.mirror = anatomy_of(contours)
         codes: dict[object, int] = {}
         kinds = (
             (c.role, c.style.fill is None, c.style.stroke is None, parent)
