@@ -56,6 +56,10 @@ CORRIDOR_ROWS = 120
 MOST_WIDENINGS = 6
 """Maximum number of times that a corridor is searched."""
 
+HUGE = 10_000
+"""Minimum number of vertices of polygons whose corridor has half the rows and is searched twice at the most: what is
+beyond cannot be seen."""
+
 MOST_SWEPT_UNPROVEN = 50_000_000
 """Maximum size of a corridor, or of a problem that was thinned out, in dots times sweeps: nothing is proven there."""
 
@@ -206,7 +210,8 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Grap
     def around(pad: IntArray) -> Window:
         return corridor(columns, rows, pad, (m, n) if wires.closed else None, inside)
 
-    room = max(CORRIDOR_DOTS, CORRIDOR_ROWS * m)
+    is_huge = max(m, n) >= HUGE
+    room = max(CORRIDOR_DOTS, CORRIDOR_ROWS * m // (2 if is_huge else 1))
     pads = [np.full(len(walls.low), pad) for pad in PADS]
     for slack, reach in FOLLOWED:
         covered = coarse_graph.rows_near(path, slack, None if pins is not None else reach)
@@ -217,7 +222,7 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Grap
     del coarse_graph  # its tables are not needed beside those of the corridor
 
     sweeps = path.sweeps
-    for _ in range(MOST_WIDENINGS):
+    for _ in range(2 if is_huge else MOST_WIDENINGS):
         region = around(pad)
         found, graph = _search(problem, region, pins)
         widen = np.ones(len(pad), bool)

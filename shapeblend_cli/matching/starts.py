@@ -70,7 +70,7 @@ def least_of_all(graph: Graph, known: float = np.inf, most_swept: float = np.inf
     rows = np.flatnonzero(bounds < limit)
     runs = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1) if len(rows) else []
     sets = [Starts(float(bounds[r].min()), first + int(r[0]), first + int(r[-1]), ENTERING) for r in runs]
-    found = _branch_and_bound(graph, sets, limit, np.inf if best is None else most_swept)
+    found = _branch_and_bound(graph, sets, limit, most_swept)
     if found is None and best is not None and graph.swept >= most_swept:
         best = best._replace(is_least=False)
     best = found or best
@@ -116,9 +116,12 @@ def _branch_and_bound(
     waiting = sum(starts.rows for starts in queue)
     while queue and queue[0].bound < limit:
         if graph.swept >= most_swept:
-            return best._replace(is_least=False) if best else None
+            if limit < np.inf:
+                return best._replace(is_least=False) if best else None
+            # Any path will do, and of a few starts one is found soonest.
+            queue.sort(key=lambda starts: (starts.rows, starts.bound))
         graph.watch(1.0 - (1.0 - FIRST_SWEPT) * min(waiting / graph.wires.n, 1.0))
-        starts = heapq.heappop(queue)
+        starts = heapq.heappop(queue) if graph.swept < most_swept else queue.pop(0)
         waiting -= starts.rows
         found = graph.sweep(starts, limit)
         if found is None:

@@ -32,6 +32,9 @@ WIDTH = 0.5
 NARROW = 1e-3
 """Minimum width of a ring, as a share of its size: a narrower one counts as so wide."""
 
+CROWD = 100
+"""Maximum number of pairs among which rings are opened: each is tried at many places, and no one looks at so many."""
+
 CLEAR = 0.6
 """Maximum work of an opened ring, as a share of the work of its outer edge alone."""
 
@@ -46,8 +49,10 @@ def open_rings(
     """Open paired rings whose partner has no hole, if that takes far less work. Return all pairs.
 
     An opened ring has the number of its outer edge, and its hole is part of it. Rings with a stroke, which would show
-    the cut, and rings of required pairs, B's numbers by A's, stay closed.
+    the cut, rings of required pairs, B's numbers by A's, and those of a crowd stay closed.
     """
+    if len(pairs) > CROWD:
+        return list(pairs)
     opened = []
     holes_a, holes_b = holes_by_exterior(a), holes_by_exterior(b)
     for p, q in pairs:

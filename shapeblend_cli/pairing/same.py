@@ -26,8 +26,11 @@ TOLERANCE = 2e-3
 OWN_TOLERANCE = 1e-2
 """Maximum distance of contours that are the same, as a share of their own diagonal."""
 
-LOOKED_AT_FIRST = 32
-"""Maximum number of points of a contour that are looked at before all: most contours differ in one of these."""
+LOOKED_AT_FIRST = (32, 1024)
+"""Maximum numbers of points of a contour that are looked at before all: most contours differ in one of these."""
+
+MEASURED = 4096
+"""Maximum number of points whose distances are measured: of more it is only told whether they are small enough."""
 
 
 def same_pairs(
@@ -147,9 +150,11 @@ def are_same(p: PlacedContour, q: PlacedContour, distance: float) -> bool:
     if np.array_equal(p.polygon.vertices, q.polygon.vertices):
         return True
     lines = p.polygon.line, q.polygon.line
-    some = ((thin(points, LOOKED_AT_FIRST), line) for points, line in (lines, lines[::-1]))
-    if not all(may_be_near(points, line, distance).all() for points, line in some):
-        return False
-    if not all(may_be_near(points, line, distance).all() for points, line in (lines, lines[::-1])):
-        return False
+    many = max(map(len, lines))
+    for most in (*LOOKED_AT_FIRST, many):
+        some = ((thin(points, most), line) for points, line in (lines, lines[::-1]))
+        if not all(may_be_near(points, line, distance).all() for points, line in some):
+            return False
+    if many > MEASURED:
+        return True
     return all(nearest_places(points, line)[0].max() <= distance for points, line in (lines, lines[::-1]))

@@ -20,7 +20,7 @@ from shapeblend_cli.pens.line import UNITS, PenDrawing, PenLine, length
 from shapeblend_cli.pens.recover import recover
 
 if TYPE_CHECKING:
-    from collections.abc import Hashable, Sequence
+    from collections.abc import Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import ComplexArray, CubicPath, Drawing
@@ -46,9 +46,6 @@ MOST_LINES = 60
 
 LEAST_VERTICES = 12
 """Minimum number of vertices of what sticks out of a line."""
-
-DECIMALS = 6
-"""Number of decimals in which outlines agree that are copies, in units."""
 
 MITER_LIMIT = 4.0
 """Maximum miter limit of recovered lines, in widths: sharper corners come only on the way, and would be spikes."""
@@ -76,7 +73,10 @@ def file_pens(drawing: Drawing) -> tuple[PenDrawing, float]:
 
 
 def pen_drawing(drawing: PlacedDrawing, scale: float, most: float = np.inf) -> PenDrawing:
-    """Return the lines of a drawing: strokes, and those that are recovered from fills until there are too many."""
+    """Return the lines of a drawing: strokes, and those that are recovered from fills until there are too many.
+
+    Nothing is recovered from a crowd of more than twice as many exteriors.
+    """
     groups: dict[tuple[int, int], list[PlacedContour]] = defaultdict(list)
     for contour in drawing.contours:
         exterior = contour.exterior if contour.exterior is not None else contour.number
@@ -86,7 +86,7 @@ def pen_drawing(drawing: PlacedDrawing, scale: float, most: float = np.inf) -> P
     bodies: list[PlacedContour] = []
     ink = rest = 0.0
     is_recovered = False
-    solid: set[Hashable] = set()  # outlines that no lines are recovered from; a crowd has many of one kind
+    is_crowd = len(groups) > 2 * most  # of which at least half are no lines, or there are too many
     free = 1 + max((contour.number for contour in drawing.contours), default=0)
     for members in groups.values():
         style = members[0].style
@@ -99,11 +99,8 @@ def pen_drawing(drawing: PlacedDrawing, scale: float, most: float = np.inf) -> P
             if max(line.length for line in found) > LONGEST:
                 found = None
         elif style.stroke is None and style.fill is not None and is_drawn:
-            outline = style.fill_opacity, style.fill_gradient is None, *_outlines(members, scale)
-            whole = recovered_lines(members, scale) if len(lines) <= most and outline not in solid else None
-            if whole is None:
-                solid.add(outline)
-            else:
+            whole = recovered_lines(members, scale) if len(lines) <= most and not is_crowd else None
+            if whole is not None:
                 found, is_recovered = whole[0], True
                 for each in whole[1]:
                     bodies.append(each._replace(number=free))
@@ -121,12 +118,6 @@ def pen_drawing(drawing: PlacedDrawing, scale: float, most: float = np.inf) -> P
     return PenDrawing(
         [*joined(strokes), *lines], bodies, ink / (ink + rest) if ink > 0.0 else 0.0, is_recovered
     )
-
-
-def _outlines(members: Sequence[PlacedContour], scale: float) -> list[bytes]:
-    """Return the outlines of an exterior and its holes in units, wherever they lie."""
-    origin = members[0].contour.segments[0, 0]
-    return [np.round((one.contour.segments - origin) * scale, DECIMALS).tobytes() for one in members]
 
 
 def file_line(contour: PlacedContour, scale: float) -> PenLine:

@@ -90,13 +90,7 @@ class PenLine(NamedTuple):
 
     def part(self, begin: float, end: float) -> ComplexArray:
         """Return the polyline between two lengths along the line; of a closed line also through its beginning."""
-        points, whole = self.outline, self.length
-        if self.closed and (end <= begin + 1e-9 or end > whole):
-            points = np.concatenate([points[:-1], points])
-            end += whole if end <= begin + 1e-9 else 0.0
-        along = cumulative_lengths(points)
-        inner = points[(along > begin + 1e-6) & (along < end - 1e-6)]
-        return np.concatenate([at(points, [begin]), inner, at(points, [end])])
+        return part_of(self.outline, self.closed, begin, end)
 
 
 class PenDrawing(NamedTuple):
@@ -111,6 +105,17 @@ class PenDrawing(NamedTuple):
 def length(points: ComplexArray) -> float:
     """Return the length of a polyline."""
     return float(np.abs(np.diff(points)).sum())
+
+
+def part_of(points: ComplexArray, closed: bool, begin: float, end: float) -> ComplexArray:
+    """Return the part of a line between two lengths along it; a closed one may pass its end."""
+    whole = length(points)
+    if closed and (end <= begin + 1e-9 or end > whole):
+        points = np.concatenate([points[:-1], points])
+        end += whole if end <= begin + 1e-9 else 0.0
+    along = cumulative_lengths(points)
+    inner = points[(along > begin + 1e-6) & (along < end - 1e-6)]
+    return np.concatenate([at(points, [begin]), inner, at(points, [end])])
 
 
 def at(points: ComplexArray, lengths: FloatArray | list[float]) -> ComplexArray:

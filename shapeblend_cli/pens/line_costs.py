@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -9,12 +10,12 @@ import numpy as np
 
 from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import Box
-from shapeblend_cli.pens.line import at, corners, evenly, length
+from shapeblend_cli.pens.line import at, corners, evenly, length, part_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from shapeblend_cli.model import ComplexArray
+    from shapeblend_cli.model import ComplexArray, FloatArray
     from shapeblend_cli.pens.line import PenLine
 
 REACH = 8.0
@@ -47,6 +48,9 @@ CLOSING_COST = 0.25
 STARTS = 24
 """Starts of a closed line that are compared."""
 
+WATCHED = 17
+"""Number of points of a line that are compared."""
+
 PRESSED_STEP = 0.3
 """Distance of the points of a closed line that is pressed flat, in units."""
 
@@ -63,19 +67,44 @@ MOST_CORNERS = 8
 """Maximum number of corners of a closed line that may be cut at two of them."""
 
 
-def ways_between(p: PenLine, q: PenLine) -> Iterator[tuple[ComplexArray, ComplexArray]]:
-    """Yield the polylines as which two lines may be matched: both directions, and the starts of a closed one."""
-    one, other = p.outline, q.outline
-    if q.closed:
-        for start in np.arange(STARTS) * q.length / STARTS:
-            rolled = q.part(start, start)
-            yield one, rolled
-            yield one, rolled[::-1]
-    elif p.closed:
-        yield from ((rolled, other) for other, rolled in ways_between(q, p))
-    else:
-        yield one, other
-        yield one, other[::-1]
+def ways_between(p: PenLine, q: PenLine) -> list[tuple[ComplexArray, ComplexArray]]:
+    """Return the polylines as which two lines may be matched: both directions, and the starts of a closed one."""
+    if p.closed and not q.closed:
+        return [(one, q.outline) for one in _turned(p).outlines]
+    return [(p.outline, other) for other in _turned(q).outlines]
+
+
+class _Turned(NamedTuple):
+    """A line in both directions, a closed one from several starts, and points along each."""
+
+    outlines: list[ComplexArray]
+    points: ComplexArray  # (outlines, WATCHED)
+
+    @classmethod
+    def of(cls, outlines: Sequence[ComplexArray]) -> _Turned:
+        """Put points along polylines."""
+        both = [each for outline in outlines for each in (outline, outline[::-1])]
+        return cls(both, np.array([_watched(each) for each in both]))
+
+
+def _turned(line: PenLine) -> _Turned:
+    return _turned_once(line.points.tobytes(), line.closed)
+
+
+@lru_cache(maxsize=256)
+def _turned_once(points: bytes, closed: bool) -> _Turned:
+    """Turn a line, which may become any of many others, once."""
+    outline = np.frombuffer(points, np.complex128)
+    if not closed:
+        return _Turned.of([outline])
+    outline = np.append(outline, outline[0])
+    starts = np.arange(STARTS) * length(outline) / STARTS
+    return _Turned.of([part_of(outline, True, start, start) for start in starts])
+
+
+def _watched(outline: ComplexArray) -> ComplexArray:
+    """Return points evenly along a polyline."""
+    return at(outline, np.linspace(0.0, 1.0, WATCHED) * length(outline))
 
 
 def _pressed(ring: PenLine, line: PenLine) -> tuple[ComplexArray, ComplexArray]:
@@ -88,16 +117,21 @@ def _pressed(ring: PenLine, line: PenLine) -> tuple[ComplexArray, ComplexArray]:
     return points, at(other, shares * length(other))
 
 
-def work_between(points: ComplexArray, images: ComplexArray) -> float:
-    """Return what it costs to move points, which follow each other along a line, to others; for a line of length 1."""
-    distance = float(np.mean(np.abs(points - images) ** 2))
-    distance -= (1.0 - SHIFT) * abs(complex(np.mean(points - images))) ** 2
+def work_between(points: ComplexArray, images: ComplexArray) -> FloatArray:
+    """Return what it costs to move points, which follow each other along a line, to others; for a line of length 1.
+
+    Points lie along the last axis.
+    """
+    apart = points - images
+    shift = np.mean(apart, axis=-1)
+    distance = np.mean(np.abs(apart) ** 2, axis=-1) - (1.0 - SHIFT) * np.hypot(shift.real, shift.imag) ** 2
     turns = np.angle((np.diff(images) + 1e-9) / (np.diff(points) + 1e-9))
-    whole = float(np.angle(np.exp(1j * turns).mean()))
-    bends = BEND_COST * np.abs(turns).mean()
-    turned = BEND_COST * np.abs(np.angle(np.exp(1j * (turns - whole)))).mean() + TURN_COST * abs(whole)
-    distance /= REACH**2
-    return distance / (1.0 + distance / FARTHEST) + min(float(bends), float(turned)) / np.pi
+    whole = np.angle(np.exp(1j * turns).mean(axis=-1))
+    bends = BEND_COST * np.abs(turns).mean(axis=-1)
+    rest = np.angle(np.exp(1j * (turns - whole[..., None])))
+    turned = BEND_COST * np.abs(rest).mean(axis=-1) + TURN_COST * np.abs(whole)
+    distance = distance / REACH**2
+    return np.asarray(distance / (1.0 + distance / FARTHEST) + np.minimum(bends, turned) / np.pi)
 
 
 def partner_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexArray]:
@@ -106,25 +140,23 @@ def partner_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexAr
     A closed line opens to become an open one, or is pressed flat.
     """
     mean = (p.length + q.length) / 2.0
-    ways = list(ways_between(p, q))
-    shares = np.linspace(0.0, 1.0, 17)
+    ways = ways_between(p, q)
     short, long = sorted((p.length, q.length))
     stretch = STRETCH_COST * (long - short)
     if short > p.width:
         stretch += CRUMPLE_COST * max(0.0, long - CRUMPLES * short)
     closing = CLOSING_COST * mean if p.closed != q.closed else 0.0
-    costs = [
-        mean * work_between(at(one, shares * length(one)), at(other, shares * length(other)))
-        + stretch
-        + closing
-        for one, other in ways
-    ]
+    if p.closed and not q.closed:
+        works = work_between(_turned(p).points, _watched(q.outline))
+    else:
+        works = work_between(_watched(p.outline), _turned(q).points)
+    costs = (mean * works + stretch + closing).tolist()
     if p.closed != q.closed:
         pressed = _pressed(p, q) if p.closed else _pressed(q, p)[::-1]
         ways.append(pressed)
         ring, line = (p, q) if p.closed else (q, p)
-        steps = np.linspace(0, len(pressed[0]) - 1, len(shares)).round().astype(np.intp)
-        work = mean * work_between(pressed[0][steps], pressed[1][steps])
+        steps = np.linspace(0, len(pressed[0]) - 1, WATCHED).round().astype(np.intp)
+        work = mean * float(work_between(pressed[0][steps], pressed[1][steps]))
         costs.append(work + STRETCH_COST * abs(ring.length - 2.0 * line.length) + closing)
     best = int(np.argmin(costs))
     return costs[best], *ways[best]
@@ -201,10 +233,9 @@ def _half(line: PenLine, piece: ComplexArray, target: PenLine) -> Half:
     low, high = (middle - share * whole / 2.0) % whole, (middle + share * whole / 2.0) % whole
     rest = target.part(high, low)
     tails = target.part(middle, high)[::-1], target.part(low, middle)
-    shares = np.linspace(0.0, 1.0, 17)
-    own = at(piece, shares * length(piece))
+    own = _watched(piece)
     tries = [
-        (work_between(own, at(each, shares * length(each))), each, closing)
+        (float(work_between(own, _watched(each))), each, closing)
         for each, closing in ((rest, tails), (rest[::-1], tails[::-1]))
     ]
     work, rest, tails = min(tries, key=lambda each: each[0])

@@ -37,6 +37,9 @@ BASE = 1e-2
 FIXED = 1e6
 """Weight of the ends of open outlines, in radians."""
 
+FAR_MORE = 1.1
+"""Maximum work that is found everywhere, as a multiple of the work found near a path: more was not searched in full."""
+
 SHORTEST_STEP = 1e-15
 """Minimum step along an outline, as a share of its length: shorter ones are rounding."""
 
@@ -70,7 +73,9 @@ def refine(match: ContourMatch, start: Solved, solve: Solve) -> Solved:
         solved = again
     a, b, found = solved
     if is_proven(len(a.polygon.vertices), len(b.polygon.vertices), match.settings.effort):
-        solved = solve(a, b, None, found.work)
+        everywhere = solve(a, b, None, found.work)
+        if everywhere.correspondence.work <= FAR_MORE * found.work:  # else there was too much to search
+            solved = everywhere
     return solved
 
 
