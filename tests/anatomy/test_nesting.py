@@ -8,7 +8,9 @@ from shapeblend_cli.anatomy.nesting import nest
 from shapeblend_cli.geometry import raster
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import reverse_polygon, winding_numbers
+from shapeblend_cli.model import Box
 from tests.support.contours import circle_contour, polygon_contour
+from tests.support.shapes import random_polygon
 
 
 def square(x, y, size, step=1):
@@ -56,6 +58,23 @@ def test_of_contours_drawn_again_and_again_one_is_looked_at(monkeypatch):
     squares = [square(0, 0, 9)] * 50 + [square(3, 3, 3)] * 50
     assert nest(squares, "evenodd").exterior == (None,) * 100
     assert set(looked) == {2 * 2 * nesting.SAMPLES}
+
+
+def test_winding_numbers_are_added_up(rng):
+    """Of polygons in each other, across all of the bands or parts of them, whichever way round they run."""
+    sizes = np.append(np.linspace(0.2, 12, 40), rng.uniform(0.05, 2, 40))
+    middles = np.append(np.zeros(40), rng.normal(0, 5, 40) + 1j * rng.normal(0, 5, 40))
+    polygons = [
+        middle + size * random_polygon(rng, 7)
+        for middle, size in zip(middles.tolist(), sizes.tolist(), strict=True)
+    ]
+    bands = raster.Bands.of(polygons, np.array([Box.around(vertices) for vertices in polygons]))
+    points = rng.normal(0, 6, 400) + 1j * rng.normal(0, 6, 400)
+    factors = rng.integers(-3, 4, len(polygons))
+    table = np.array([winding_numbers(points, vertices) for vertices in polygons])
+    assert np.unique(table).size > 2
+    np.testing.assert_array_equal(raster.winding_table(points, bands), table)
+    np.testing.assert_array_equal(raster.winding_sums(points, bands, factors), factors @ table)
 
 
 def test_a_pentagram_keeps_its_rule():

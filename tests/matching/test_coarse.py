@@ -7,7 +7,7 @@ from shapeblend_cli.errors import MatchError
 from shapeblend_cli.matching import coarse, graph, solve
 from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.options.constants import WorkConstants
-from tests.support.shapes import gear, star_polygon, wavy
+from tests.support.shapes import gear, random_polygon, star_polygon, wavy
 from tests.support.solver import find_least
 
 
@@ -160,3 +160,11 @@ def test_a_search_that_ends_early_says_how_far_it_can_be_from_the_least(rng, mon
     assert early.lower_bound < least.work <= early.work
     assert least.lower_bound == least.work
     assert find_least(*polygons, effort="exact").work == least.work
+
+
+def test_some_path_is_found_however_little_may_be_searched(rng):
+    wires = Wires(random_polygon(rng, 40), random_polygon(rng, 50))
+    least, _ = coarse.solve(coarse.Problem(wires), None, 1e9)
+    some, lower_bound = coarse.solve(coarse.Problem(wires, most_swept=1.0), None, 1e9)
+    assert lower_bound <= least.work <= some.work < np.inf
+    assert not some.is_least

@@ -43,6 +43,16 @@ def test_vertices_on_straight_lines_change_nothing(rng, m, closed, sigma):
     np.testing.assert_allclose(smoothed(more, closed, sigma)[::2], smoothed(p, closed, sigma), atol=1e-12)
 
 
+@pytest.mark.parametrize("closed", [True, False])
+def test_many_vertices_are_smoothed_on_a_grid(rng, closed, monkeypatch):
+    p = random_polygon(rng, 90)
+    one_by_one = smoothed(p, closed, 0.02)
+    monkeypatch.setattr("shapeblend_cli.matching.smoothing.MANY", 0)
+    on_grid = smoothed(p, closed, 0.02)
+    assert (on_grid != one_by_one).any()
+    np.testing.assert_allclose(on_grid, one_by_one, atol=1e-8)
+
+
 def test_ends_of_open_outlines_stay(rng):
     p = random_polygon(rng, 12)
     smooth = smoothed(p, False, 0.05)
