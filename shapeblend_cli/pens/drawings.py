@@ -32,6 +32,9 @@ CURVE_POINTS = 12
 CURVE_STEP = 1.0
 """Maximum distance of these, in units."""
 
+ROUND = 0.02
+"""Maximum difference of a disc's area from a circle's, as a share of the square around it."""
+
 LONGEST = 800.0
 """Maximum length of a line, in units: what goes far beyond its viewBox is no icon, and would take gigabytes."""
 
@@ -99,7 +102,8 @@ def pen_drawing(drawing: PlacedDrawing, scale: float, most: float = np.inf) -> P
             if max(line.length for line in found) > LONGEST:
                 found = None
         elif style.stroke is None and style.fill is not None and is_drawn:
-            whole = recovered_lines(members, scale) if len(lines) <= most and not is_crowd else None
+            is_free = len(lines) <= most and not is_crowd and not _lies_below(members, drawing.contours)
+            whole = recovered_lines(members, scale) if is_free else None
             if whole is not None:
                 found, is_recovered = whole[0], True
                 for each in whole[1]:
@@ -117,6 +121,20 @@ def pen_drawing(drawing: PlacedDrawing, scale: float, most: float = np.inf) -> P
     # Recovered lines are joined by the region that they paint.
     return PenDrawing(
         [*joined(strokes), *lines], bodies, ink / (ink + rest) if ink > 0.0 else 0.0, is_recovered
+    )
+
+
+def _lies_below(members: Sequence[PlacedContour], contours: Sequence[PlacedContour]) -> bool:
+    """Return whether a disc lies below what has another paint, as a wheel below its tyre: lines lie above all else."""
+    own = members[0]
+    size = max(own.box.width, own.box.height)
+    if len(members) > 1 or abs(own.area / size**2 - np.pi / 4.0) > ROUND:
+        return False
+    return any(
+        other.shape > own.shape
+        and own.style.fill not in (other.style.fill, other.style.stroke)
+        and own.box.overlaps(other.box)
+        for other in contours
     )
 
 

@@ -161,3 +161,10 @@ def test_a_knob_as_wide_as_another_pen_is_no_line():
     found = lines_of("M1 11H9V10A1 1 0 0 1 10 9H13A1 1 0 0 1 14 10V11H23V13H1Z")
     assert [round(line.width, 1) for line in found.lines] == [2.0]
     assert len(found.bodies) == 1
+
+
+@pytest.mark.parametrize(("colour", "count"), [("#ddd", 1), ("#000", 2)])
+def test_a_disc_below_a_ring_of_another_colour_is_no_line(colour, count):
+    wheel = f'<circle cx="12" cy="12" r="1.5" fill="{colour}"/>'
+    tyre = '<circle cx="12" cy="12" r="1.5" fill="none" stroke="#000" stroke-width="1"/>'
+    assert len(lines_of(wheel, tyre).lines) == count
