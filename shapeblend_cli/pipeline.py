@@ -80,7 +80,7 @@ def match_all(
         pairs = matched(settings.replace(strokes="keep")) if found is None else found
     pairs = with_room(pairs, settings.viewbox)
     if not is_star:
-        pairs = [with_clips(pair, settings) if has_clips(pair) else pair for pair in pairs]
+        pairs = [with_clips(pair, settings, watch) if has_clips(pair) else pair for pair in pairs]
     elif any(map(has_clips, pairs)):
         notes = [*notes, "clip paths are left out of mixtures and states; frames and animated SVGs have them"]
     if settings.has_spans:

@@ -29,6 +29,8 @@ from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.kept import Kept
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from shapeblend_cli.model import Motion
     from shapeblend_cli.options.settings import Settings
 
@@ -36,11 +38,15 @@ ROOM = 0.05
 """Margin of the box around a shape that stands for a missing clip, as a share of the shape's larger side."""
 
 
-def with_clips(pair: Pair, settings: Settings) -> Pair:
+def with_clips(
+    pair: Pair, settings: Settings, watch: Callable[[str, float], None] = lambda stage, share: None
+) -> Pair:
     """Return a pair whose shapes have the clips of both drawings, outermost with outermost.
 
-    A box around the shape stands for a missing clip. Clips that cannot be blended clip nothing on the way.
+    A box around the shape stands for a missing clip. Clips that cannot be blended clip nothing on the way. The observer
+    is told the stages that clips go through.
     """
+    progress = Progress(Clock(), Kept(0), lambda stage, share: watch(f"clips: {stage}", share))
     settings = settings.replace(**dict.fromkeys(("match", "pins", "start", "stiff", "mix", "specks")))
     settings = settings.replace(strokes="keep")  # what is clipped is seen in regions, and not in lines
     view = Box.union(list(pair.views))
@@ -51,7 +57,7 @@ def with_clips(pair: Pair, settings: Settings) -> Pair:
         key = (id(a) if a else regions[0].paths, id(b) if b else regions[1].paths)
         if key not in known:
             drawings = _as_drawing(regions[0]), _as_drawing(regions[1])
-            known[key] = ClipBlend(_region_blend(drawings, settings, view, shape.motion))
+            known[key] = ClipBlend(_region_blend(drawings, settings, view, shape.motion, progress))
         return known[key]
 
     shapes = []
@@ -69,17 +75,21 @@ def with_clips(pair: Pair, settings: Settings) -> Pair:
 
 
 def _region_blend(
-    drawings: tuple[Drawing, Drawing], settings: Settings, view: Box, motion: Motion | None
+    drawings: tuple[Drawing, Drawing],
+    settings: Settings,
+    view: Box,
+    motion: Motion | None,
+    progress: Progress,
 ) -> tuple[ShapeBlend, ...]:
     """Blend the regions of two clips, each a drawing of a single shape; nothing if a region is empty.
 
     They turn with a shape whose motion turns the whole drawing.
     """
+    progress.tell("flattening", 0.0)
     try:
         (a, b), _ = flattened(drawings, [AS_IT_IS, AS_IT_IS], settings.vertices, Kept(0))
     except InputError:
         return ()
-    progress = Progress(Clock(), Kept(0))
     if not isinstance(motion, Whole):
         return blend_shapes(a, b, settings, view, progress)
     straight = settings.replace(motion="linear")

@@ -7,6 +7,9 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.pipeline import match_all
+from shapeblend_cli.svg.reading.read import read
 from tests.support.commands import points, write
 from tests.support.drawings import svg
 from tests.support.pictures import pixels
@@ -102,3 +105,10 @@ def test_states_say_so_too(here, capsys):
     write(a=clipped(LEFT), b=clipped(RIGHT), c=clipped(RIGHT))
     assert run("states a.svg b.svg c.svg".split()) == 0
     assert "clip paths are left out of mixtures and states" in capsys.readouterr().err
+
+
+def test_progress_names_the_stages_of_clips():
+    told = []
+    a, b = (read(name, clipped(region).encode()) for name, region in (("a.svg", LEFT), ("b.svg", RIGHT)))
+    match_all([a, b], Settings(), watch=lambda stage, share: told.append(stage))
+    assert {"clips: flattening", "clips: matching", "clips: moving"} <= set(told)
