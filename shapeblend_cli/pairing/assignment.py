@@ -9,6 +9,7 @@ import numpy as np
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
 from shapeblend_cli.anatomy.twins import anatomy_of
 from shapeblend_cli.pairing.costs import (
+    CROWD,
     Boxes,
     Described,
     Works,
@@ -250,6 +251,7 @@ class Pairing:
         self.partner: dict[int, int] = {}
         self._is_rest = frames is not None
         self._kin_gain = 0.0
+        self._is_crowd = min(len(a), len(b)) > CROWD  # where kin of kin are not looked for
         self._works = Works(self.a.described, self.b.described)
         self._paint = paint_costs(self.a.described, self.b.described)
         roles = np.array([contour.role for contour in a]), np.array([contour.role for contour in b])
@@ -284,7 +286,7 @@ class Pairing:
             fresh = [some - side.passed for side, some in zip((self.a, self.b), now_open, strict=True)]
             for side, some in zip((self.a, self.b), fresh, strict=True):
                 side.passed |= some
-            if not any(fresh) and not (found and self._kin_gain):
+            if not any(fresh) and (not found or not self._kin_gain or self._is_crowd):
                 break
 
     def overlap(self, i: int, j: int) -> float:
