@@ -34,6 +34,19 @@ def contours_of(
     return [] if contour is None else [contour]
 
 
+def is_for_us(node: Node) -> bool:
+    """Return whether a conditional element is drawn.
+
+    https://www.w3.org/TR/SVG2/struct.html#ConditionalProcessing; the language is English.
+    """
+    if "requiredExtensions" in node.attrib:
+        return False
+    languages = node.get("systemLanguage")
+    return languages is None or any(
+        tag.strip().lower().split("-")[0] == "en" for tag in languages[:1000].split(",")
+    )
+
+
 def _path(node: Node, declared: Declarations, notes: Notes, lenient: bool) -> list[Contour]:
     data = node.get("d") or ""
     if "d" in declared:

@@ -7,12 +7,14 @@ from __future__ import annotations
 
 import base64
 import binascii
+import os
 import re
 import struct
 import subprocess
+import sys
 import zlib
-from collections.abc import Iterable
-from functools import lru_cache
+from collections.abc import Iterable, Iterator
+from functools import cache, lru_cache
 from typing import Any, NamedTuple
 from urllib.parse import unquote_to_bytes
 
@@ -32,6 +34,9 @@ MOST_TABLES = 256
 MOST_FAMILIES = 20
 """Maximum number of families in a list of fonts that are tried."""
 
+MOST_FILES = 3_000
+"""Maximum number of font files that are looked at."""
+
 SLANT = 0.25
 """Slope of letters that are slanted for want of an italic font, as in browsers."""
 
@@ -50,6 +55,16 @@ _SAME_WIDTHS = {
     "courier": ("liberation mono", "cousine"),
     "courier new": ("liberation mono", "cousine"),
 }
+_FOLDERS = {
+    "win32": (r"%WINDIR%\Fonts", r"%LOCALAPPDATA%\Microsoft\Windows\Fonts"),
+    "darwin": ("~/Library/Fonts", "/Library/Fonts", "/System/Library/Fonts"),
+}
+_ELSEWHERE = ("~/.fonts", "~/.local/share/fonts", "/usr/local/share/fonts", "/usr/share/fonts")
+_STAND_INS = {
+    "serif": ("times new roman", "times", "dejavu serif"),
+    "monospace": ("courier new", "menlo", "dejavu sans mono"),
+}
+_SANS = ("arial", "helvetica", "dejavu sans")
 _FONT_FACE = re.compile(r"@font-face\s*+\{([^}]*+)\}", re.IGNORECASE)
 _PROPERTY = re.compile(r"""([-\w]++)\s*+:\s*+((?:"[^"]*+"|'[^']*+'|url\([^)]*+\)|[^;"'])++)""")
 _DATA = re.compile(r"""url\(\s*+["']?data:([^,"')]*+),([^"')]*+)["']?\s*+\)""", re.IGNORECASE)
@@ -320,9 +335,7 @@ def _installed(family: str, weight: int, is_slanted: bool) -> _FontFile | None:
         ).stdout.decode("utf-8", "replace")
         file, index, names, heavy, slant = answer.split("\t")
     except (OSError, ValueError, subprocess.SubprocessError):
-        from shapeblend_cli.svg.reading.font_folders import look_for
-
-        return look_for(name, weight, is_slanted, chr(int(charset[8:], 16)) if charset else "")
+        return _look_for(name, weight, is_slanted, chr(int(charset[8:], 16)) if charset else "")
     is_bold = heavy.isdecimal() and int(heavy) >= 180
     return file, int(index) & 0xFFFF, names.split(","), 700 if is_bold else 400, slant != "0"
 
@@ -331,3 +344,61 @@ def _fontconfig_weight(weight: int) -> int:
     """Return a weight of CSS on fontconfig's scale."""
     scale = {100: 0, 200: 40, 300: 50, 400: 80, 500: 100, 600: 180, 700: 200, 800: 205, 900: 210}
     return scale[min(max(round(weight / 100) * 100, 100), 900)]
+
+
+def _look_for(family: str, weight: int, is_slanted: bool, character: str = "") -> _FontFile | None:
+    """Return the file of the font nearest to what is wanted, of any family if it has to draw a character."""
+    names = (family.lower(), *_STAND_INS.get(family.lower(), _SANS))
+    known = [font for font in _known() if character or font[2][0].lower() in names]
+
+    def distance(font: _FontFile) -> tuple[int, bool, int]:
+        name = font[2][0].lower()
+        place = names.index(name) if name in names else len(names)
+        return place, font[4] != is_slanted, abs(font[3] - weight)
+
+    ordered = sorted(known, key=distance)
+    return next((font for font in ordered if not character or _draws(font[0], font[1], character)), None)
+
+
+def _files() -> Iterator[str]:
+    for folder in _FOLDERS.get(sys.platform, _ELSEWHERE):
+        for around, _, names in os.walk(os.path.expanduser(os.path.expandvars(folder))):
+            yield from (
+                os.path.join(around, name)
+                for name in sorted(names)
+                if name.lower().endswith((".ttf", ".otf", ".ttc"))
+            )
+
+
+@cache
+def _known() -> tuple[_FontFile, ...]:
+    import itertools
+
+    import uharfbuzz as hb
+
+    found = []
+    for file in itertools.islice(_files(), MOST_FILES):
+        try:
+            blob = hb.Blob.from_file_path(file)
+            for index in range(hb.Face(blob).count if file.lower().endswith(".ttc") else 1):
+                face = hb.Face(blob, index)
+                # 16 and 17 are the family and the style with more than four faces, 1 and 2 those of before.
+                name, style = (
+                    face.get_name(new, "en") or face.get_name(old, "en") or ""
+                    for new, old in ((16, 1), (17, 2))
+                )
+                font = hb.Font(face)
+                weight = int(font.get_style_value(hb.StyleTag.WEIGHT))
+                found.append(
+                    (file, index, [name], weight, "ital" in style.lower() or "obli" in style.lower())
+                )
+        except (OSError, ValueError, hb.HarfBuzzError):
+            continue
+    return tuple(found)
+
+
+def _draws(file: str, index: int, character: str) -> bool:
+    import uharfbuzz as hb
+
+    font = hb.Font(hb.Face(hb.Blob.from_file_path(file), index))
+    return bool(font.get_nominal_glyph(ord(character)))

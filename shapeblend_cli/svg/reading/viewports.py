@@ -54,7 +54,7 @@ def root_pixel(root: Node, box: Box | None) -> float:
     width, height = width or height * box.width / box.height, height or width * box.height / box.width
     if min(width, height) < LEAST:
         return 1.0
-    return abs(_fit(box, width, height, root.get("preserveAspectRatio") or "").determinant) ** -0.5
+    return abs(fit(box, width, height, root.get("preserveAspectRatio") or "").determinant) ** -0.5
 
 
 def _written(text: str) -> Length | None:
@@ -85,8 +85,8 @@ def nested(
     box = viewbox(node, notes)
     if box is None:
         return matrix, outer._replace(width=width, height=height)
-    fit = _fit(box, width, height, node.get("preserveAspectRatio") or "")
-    return matrix @ fit, outer._replace(width=box.width, height=box.height)
+    matrix = matrix @ fit(box, width, height, node.get("preserveAspectRatio") or "")
+    return matrix, outer._replace(width=box.width, height=box.height)
 
 
 def offset(node: Node, lengths: Lengths) -> tuple[float, float]:
@@ -94,7 +94,7 @@ def offset(node: Node, lengths: Lengths) -> tuple[float, float]:
     return lengths.x(node.get("x") or "") or 0.0, lengths.y(node.get("y") or "") or 0.0
 
 
-def _fit(box: Box, width: float, height: float, preserve_aspect_ratio: str) -> Affine:
+def fit(box: Box, width: float, height: float, preserve_aspect_ratio: str) -> Affine:
     """Return the map of a viewBox onto a viewport at the origin.
 
     https://www.w3.org/TR/SVG2/coords.html#ComputingAViewportsTransform

@@ -14,7 +14,8 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Clip, Contour, Group, Name, Shape, Style
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.clips import Clips, covers
-from shapeblend_cli.svg.reading.elements import contours_of
+from shapeblend_cli.svg.reading.elements import contours_of, is_for_us
+from shapeblend_cli.svg.reading.markers import MARKED, marks
 from shapeblend_cli.svg.reading.painter import Painter
 from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
 from shapeblend_cli.svg.reading.titles import clean, group_of, name_of
@@ -34,7 +35,6 @@ _EFFECTS = {
     **dict.fromkeys(("mix-blend-mode", "paint-order"), "normal"),
 }
 """Properties that are not applied, and the values that need not be."""
-_EFFECTS |= dict.fromkeys(("marker-start", "marker-mid", "marker-end"), "none")
 # CSS properties that come before `transform`, in this order.
 _SINGLE_TRANSFORMS = ("translate", "rotate", "scale")
 _TRANSFORMS = frozenset(("transform", *_SINGLE_TRANSFORMS))
@@ -152,11 +152,11 @@ class Walk:
             check_limit(self._visits_by_use, MAX_USED, "elements drawn through use")
         if node.tag in LEFT_OUT:
             self._notes.add(f"{node.tag} left out")
-        is_used_symbol = node.tag == "symbol" and visit.used[-1:] == (node,)
+        is_used_symbol = node.tag in ("symbol", "marker") and visit.used[-1:] == (node,)
         if node.tag == "text" and not self._has_text():
             return
         is_drawn = node.tag in SHAPES or node.tag in GROUPS or node.tag == "text"
-        if not (is_drawn or is_used_symbol) or not _is_for_us(node):
+        if not (is_drawn or is_used_symbol) or not is_for_us(node):
             return
         declared = self._cascade.declared(node, keep=bool(visit.used))
         if declared:
@@ -228,8 +228,9 @@ class Walk:
             visit = visit.transformed(matrix)._replace(lengths=lengths)
         children = node.children
         if node.tag == "switch":
-            children = [child for child in children if ":" not in child.tag and _is_for_us(child)][:1]
-        visit = self._grouped(visit._replace(given=(None, None)))
+            children = [child for child in children if ":" not in child.tag and is_for_us(child)][:1]
+        visit = visit._replace(given=(None, None))
+        visit = visit if node.tag == "marker" else self._grouped(visit)
         self._stack.extend(visit._replace(node=child) for child in reversed(children))
 
     def _use(self, visit: _Visit) -> None:
@@ -273,7 +274,26 @@ class Walk:
     def _draw(self, visit: _Visit, declared: Declarations) -> str | None:
         """Add a shape, or return why it is not painted."""
         scales = declared.get("vector-effect", "").strip().lower() != "non-scaling-stroke"
-        return self._paint(visit, lambda: self._contours(visit, declared), scales)
+        reason = self._paint(visit, lambda: self._contours(visit, declared), scales)
+        if visit.node.tag in MARKED and visit.inherited.visibility == "visible":
+            self._mark(visit, declared)
+        return reason
+
+    def _mark(self, visit: _Visit, declared: Declarations) -> None:
+        """Let the markers of an element follow it, each as if it were used there."""
+        inherited = visit.inherited
+        if {inherited.marker_start, inherited.marker_mid, inherited.marker_end} == {"none"}:
+            return
+        found = marks(self._contours(visit, declared), inherited, visit.lengths, self._ids, self._notes)
+        for mark in reversed(found):
+            if mark.node in visit.used or len(visit.used) >= MAX_USE_DEPTH:
+                continue
+            around = INITIAL._replace(context=(inherited.fill, inherited.stroke))
+            for node in ancestors(self._root, mark.node):
+                around = inherit(around, self._cascade.declared(node, keep=True), self._notes.add)
+            clips = (*visit.clips, *mark.clips(visit.matrix))
+            inner = visit.transformed(mark.matrix)._replace(node=mark.node, inherited=around, clips=clips)
+            self._stack.append(inner._replace(lengths=mark.lengths, used=(*visit.used, mark.node)))
 
     def _paint(
         self,
@@ -376,7 +396,7 @@ class Walk:
                 waiting.pop()
             elif isinstance(item, str):
                 text.add(item, number, keeps)
-            elif item.tag in ("tspan", "textPath", "a") and _is_for_us(item):
+            elif item.tag in ("tspan", "textPath", "a") and is_for_us(item):
                 declared, inner = self._apply(
                     self._cascade.declared(item), visits[number]._replace(node=item)
                 )
@@ -444,19 +464,6 @@ class Walk:
 
 def _shapes(count: int) -> str:
     return "1 shape" if count == 1 else f"{count} shapes"
-
-
-def _is_for_us(node: Node) -> bool:
-    """Return whether a conditional element is drawn.
-
-    https://www.w3.org/TR/SVG2/struct.html#ConditionalProcessing; the language is English.
-    """
-    if "requiredExtensions" in node.attrib:
-        return False
-    languages = node.get("systemLanguage")
-    return languages is None or any(
-        tag.strip().lower().split("-")[0] == "en" for tag in languages[:1000].split(",")
-    )
 
 
 def _clips_of(clips: Sequence[Clip], placed: Sequence[Contour], style: Style) -> tuple[Clip, ...]:

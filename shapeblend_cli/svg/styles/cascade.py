@@ -44,6 +44,13 @@ class Inherited(NamedTuple):
     color: colours.Colour = colours.BLACK
     visibility: str = "visible"
     font_size: float = 16.0
+    marker_start: str = "none"
+    marker_mid: str = "none"
+    marker_end: str = "none"
+    context: tuple[colours.Paint, colours.Paint] = (
+        colours.NONE,
+        colours.NONE,
+    )  # fill and stroke of a marked line
     text: Mapping[str, str] = MappingProxyType({})  # properties in `TEXT`
     variables: Mapping[str, str] = MappingProxyType({})
 
@@ -58,10 +65,15 @@ _KEYWORDS = {
 }
 _PARENTS = (KEYWORDS - {"initial"}) | {""}
 _FIELDS = {
-    field.replace("_", "-"): field for field in Inherited._fields if field not in ("text", "variables")
+    field.replace("_", "-"): field
+    for field in Inherited._fields
+    if field not in ("text", "variables", "context")
 }
 _MAX_DASHES_TEXT = 10_000
 _MAX_DASHES = 1000
+
+_MARKERS = ("marker-start", "marker-mid", "marker-end")
+_CONTEXT = {"context-fill": 0, "context-stroke": 1}
 
 _FONT_SIZES = {"smaller": 1 / 1.2, "larger": 1.2}
 _NAMED_SIZES = {
@@ -134,6 +146,8 @@ def inherit(parent: Inherited, declared: Declarations, note: Callable[[str], Non
     """
     changed: dict[str, Any] = {}
     font_size = parent.font_size
+    if "marker" in declared:
+        declared = {**dict.fromkeys(_MARKERS, declared["marker"]), **declared}
     if not TEXT.isdisjoint(declared):
         declared = _with_font(declared)
         changed["text"] = _text(parent.text, declared)
@@ -156,7 +170,10 @@ def inherit(parent: Inherited, declared: Declarations, note: Callable[[str], Non
 
 def _value(name: str, text: str, parent: Inherited, font_size: float) -> Any:
     if name in ("fill", "stroke"):
-        return colours.parse(text)
+        context = _CONTEXT.get(text.lower())
+        return colours.parse(text) if context is None else parent.context[context]
+    if name in _MARKERS:
+        return text
     if name == "color":
         return parent.color if text.lower() == "currentcolor" else colours.parse_colour(text)
     if name in ("fill-opacity", "stroke-opacity"):
