@@ -38,6 +38,9 @@ LEAST_SHARE = 0.15
 LARGE = 0.25
 """Minimum size of a contour that gets all the wanted vertices, as a share of the drawing's diagonal."""
 
+SLENDER = 0.2
+"""Maximum area of a slender exterior, such as a slash, as a share of the square of its diagonal."""
+
 STRAIGHT = 1e-9
 """Tolerance of a contour that encloses nothing, as a share of its length."""
 
@@ -82,6 +85,11 @@ class PlacedContour(NamedTuple):
     def area(self) -> float:
         """Area within the polygon; 0 for an open one."""
         return abs(signed_area(self.polygon.vertices)) if self.polygon.closed else 0.0
+
+    @property
+    def is_slender(self) -> bool:
+        """Whether it is an exterior that is small for its length."""
+        return self.role == EXTERIOR and self.area <= SLENDER * self.size**2
 
     @property
     def centre(self) -> complex:

@@ -178,4 +178,10 @@ def _draws_strokes(paired: PairedDrawings) -> bool:
     """Return whether strokes and slashes without a partner may be drawn on and back."""
     settings = paired.settings
     is_free = _is_free(settings) and settings.unmatched == "auto" and not paired.rotation
-    return is_free and wants_lines(settings) and paired.copies is None
+    if not is_free or not wants_lines(settings) or paired.copies is not None:
+        return False
+    return any(
+        each.style.stroke is not None or each.is_slender
+        for side in (paired.a, paired.b)
+        for each in side.contours
+    )

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.model import Box, Place
 from shapeblend_cli.motion.pen import Pen, Riding, Straight
@@ -26,9 +25,6 @@ if TYPE_CHECKING:
     from shapeblend_cli.blending.matched import PairedDrawings
     from shapeblend_cli.model import ContourBlend, ShapeBlend
     from shapeblend_cli.pens.line import PenLine
-
-SLASH = 0.2
-"""Maximum area of a filled slash, as a share of the square of its length."""
 
 
 def with_drawn_strokes(
@@ -90,7 +86,7 @@ def _stroke_or_slash(own: PlacedContour, others: Iterable[PlacedContour], scale:
     """Return a stroke, or a filled slash, as a line; None for all others."""
     if own.style.fill is None:
         return None if own.style.stroke is None else file_line(own, scale)
-    if own.style.stroke is not None or own.role != EXTERIOR or own.area > SLASH * own.size**2:
+    if own.style.stroke is not None or not own.is_slender:
         return None
     if any(other.exterior == own.number for other in others):
         return None

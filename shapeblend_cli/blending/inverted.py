@@ -13,10 +13,8 @@ import numpy as np
 from shapeblend_cli.anatomy.decompose import HOLE, LINE
 from shapeblend_cli.blending.expanded import with_outlines
 from shapeblend_cli.blending.graded import grade_of_shapes
-from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.geometry.polygons import centroid, winding_numbers
 from shapeblend_cli.geometry.polyline import from_end_to_end, nearest_places
-from shapeblend_cli.grading.painting import picture
 from shapeblend_cli.interpolate.paths import with_curves
 from shapeblend_cli.model import Box, PaintedShape, Pair, ShapeBlend
 from shapeblend_cli.pairing.growth import MatchedPoints, growth_point_inside
@@ -145,6 +143,9 @@ def _growing(
 
 def _paints_alike(shape: ShapeBlend, t: float, drawing: PlacedDrawing, view: Box) -> bool:
     """Return whether a shape paints what a drawing does."""
+    from shapeblend_cli.frames.frames import shapes_at
+    from shapeblend_cli.grading.painting import picture  # few blends come so far
+
     pair = Pair(0, 1, (shape,), ((), ()), (view, view))
     whole: dict[int, list[PlacedContour]] = {}
     for contour in drawing.contours:
