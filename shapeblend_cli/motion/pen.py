@@ -24,6 +24,9 @@ PRESSED = 0.8
 TURNS_OVER = np.radians(30.0)
 """Maximum turn of a line as a whole that turns over, in radians, as from ] to [."""
 
+FARTHEST = 1.25
+"""Maximum distance from the middle of a line that turns as it goes, as a share of that of its ends."""
+
 FLATTENS = 0.3
 """Minimum length half way of a line that turns over, as a share of its shorter end."""
 
@@ -239,7 +242,12 @@ def between(a: ComplexArray, b: ComplexArray, *, closed: bool = False) -> Moving
     if abs(whole) < TURNS_OVER and sizes[2] >= FLATTENS * min(sizes[:2]):
         return Straight(a, b)  # it turns over in place, through a straight line
     angles = np.where(np.abs(edges_a) > 1e-9, np.angle(edges_a), np.angle(edges_b))
-    return Turning(a, b, lengths, (angles, turns))
+    turning = Turning(a, b, lengths, (angles, turns))
+    # A line with many corners, such as a book, would unroll far across the drawing.
+    middle = np.concatenate([a, b]).mean()
+    reach = max(np.abs(each - middle).max() for each in (a, b))
+    far = max(np.abs(turning.points(t) - middle).max() for t in (0.25, 0.5, 0.75))
+    return turning if far <= FARTHEST * reach else Straight(a, b)
 
 
 class Pen(NamedTuple):

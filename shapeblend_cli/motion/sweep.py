@@ -62,7 +62,7 @@ class Window(NamedTuple):
 class Sweep(NamedTuple):
     """Motion of contours that are seen through windows, which open where a contour grows and close where it shrinks."""
 
-    windows: tuple[Window | None, ...]  # of each contour; None for one that stays
+    windows: tuple[Window | None, ...]  # of each contour; None for one that stays, or grows as a whole
 
     @property
     def name(self) -> str:
@@ -72,7 +72,11 @@ class Sweep(NamedTuple):
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Return the control points of each contour at time t."""
         return [
-            contour.start.segments
+            (
+                contour.start.segments
+                if contour.is_matched
+                else (1.0 - t) * contour.start.segments + t * contour.end.segments
+            )
             if window is None
             else window.clip(contour.end.segments, t)
             if contour.grows

@@ -3,7 +3,8 @@
 Such shapes share most of their outlines, and the rest cuts a contour into pieces, so that contours cannot become each
 other. Instead the contours of one drawing stay. Where both have a stretch of outline it cancels; the rest of B's
 outlines, and the rest of A's in reverse, join up to loops. These wind round the parts that B adds, and the other way
-round the parts that it removes. They open through windows: together along a bar, else each from its middle.
+round the parts that it removes. They open through windows: together along a bar, else each from its middle. A sign that
+is beside the others, as a plus in a bag, grows from its middle.
 """
 
 from __future__ import annotations
@@ -13,9 +14,10 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import LINE
+from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.polygons import reverse_contour
+from shapeblend_cli.geometry.polygons import centroid, reverse_contour
 from shapeblend_cli.geometry.polyline import distances_to
 from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.motion.slash import paint_the_same, slash_axis
@@ -42,6 +44,9 @@ LIKE_PAINT = 0.25
 STEP = 1.5e-2
 """Length of the pieces into which outlines that slant through a window are cut, as a share of the diagonal."""
 
+SPECK = 1e-4
+"""Maximum area of a loop that is none, as a share of the square of the diagonal: outlines are rounded differently."""
+
 STAYS = "unchanged except where parts are added or removed"
 """Reason for the pairs of such shapes."""
 
@@ -54,12 +59,13 @@ class _Loop(NamedTuple):
 
     contour: Contour
     pieces: tuple[int, int]  # numbers of rests of A and of B
+    is_whole: bool = False  # whether it is all of an outline
 
 
 def _loops(shared: Shared) -> list[_Loop]:
     """Join up the rests between shared stretches, B's forwards and A's backwards."""
     loops = [
-        _Loop(_closed([outline.between(0.0, outline.total)], backwards=not side), (1 - side, side))
+        _Loop(_closed([outline.between(0.0, outline.total)], backwards=not side), (1 - side, side), True)
         for side, every in enumerate(shared.outlines)
         for k, outline in enumerate(every)
         if all(stretch.outlines[side] != k for stretch in shared.stretches)
@@ -263,8 +269,20 @@ def _change(
     # The simpler drawing stays.
     length_a, length_b = (sum(flat.total for flat in side) for side in sides)
     shrinks = length_b < length_a
-    windows = windows_of([_turned(loop, shrinks=shrinks) for loop in loops])
+    windows = _windows([_turned(loop, shrinks=shrinks) for loop in loops], loops, SPECK * diagonal**2)
     return _opening(shared, (a, b), loops, windows, settings, shrinks=shrinks)
+
+
+def _windows(contours: Sequence[Contour], loops: Sequence[_Loop], speck: float) -> list[Window | None]:
+    """Return the windows of loops; None for a sign beside all others, as a plus in a bag, and for a speck."""
+    large = [k for k, contour in enumerate(contours) if abs(cubics.signed_area(contour.segments)) > speck]
+    opening = windows_of([contours[k] for k in large]) if large else []
+    found: list[Window | None] = [None] * len(loops)
+    for k, window in zip(large, opening, strict=True):
+        is_bar = window.start == window.ends[0]
+        if is_bar or not loops[k].is_whole or opening.count(window) > 1:
+            found[k] = window
+    return found
 
 
 def _turned(loop: _Loop, *, shrinks: bool) -> Contour:
@@ -275,27 +293,35 @@ def _opening(
     shared: Shared,
     sides: tuple[Sequence[PlacedContour], Sequence[PlacedContour]],
     found: Sequence[_Loop],
-    windows: Sequence[Window],
+    windows: Sequence[Window | None],
     settings: Settings,
     *,
     shrinks: bool,
 ) -> Change:
-    """Return the change in which loops open through windows; they close where the contours of B stay: it shrinks."""
+    """Return the change in which loops open through windows, or grow from their middles where there is None.
+
+    They close, or shrink, where the contours of B stay.
+    """
     still, others = sides[::-1] if shrinks else sides
     step = STEP / TOLERANCE * shared.distance
+    bars = list({window: None for window in windows if window is not None})
     loops = [_turned(loop, shrinks=shrinks) for loop in found]
     numbers = _numbers([*(c.polygon.vertices for c in still), *(c.segments[:, 0] for c in loops)], others)
     contours = []
     for k, (contour, number) in enumerate(zip(still, numbers, strict=False)):
         both = (number, contour.number) if shrinks else (contour.number, number)
-        if len(set(windows)) == 1:
-            cut = _cut_alike(shared, int(shrinks), k, windows[0], step)
+        if len(bars) == 1:
+            cut = _cut_alike(shared, int(shrinks), k, bars[0], step)
             contour = contour._replace(contour=cut, polygon=flatten(cut, settings.vertices))
         contours.append(keep_still(contour, both)._replace(reason=STAYS))
     for loop, window, number in zip(loops, windows, numbers[len(still) :], strict=True):
-        cut = window.cut(loop, step)
+        cut = loop if window is None else window.cut(loop, step)
         flat = FlatContour(cut, flatten(cut, settings.vertices))
-        grown = grow_from(window.clip(cut.segments, 0.0), flat, number, of_b=not shrinks)
+        if window is None:
+            nothing = np.full_like(cut.segments, centroid(flat.polygon.vertices))
+        else:
+            nothing = window.clip(cut.segments, 0.0)
+        grown = grow_from(nothing, flat, number, of_b=not shrinks)
         contours.append(grown._replace(reason=ADDED))
     motion = Sweep((*(None for _ in still), *windows)) if settings.motion == "auto" else None
     return Change(sides, tuple(contours), motion)

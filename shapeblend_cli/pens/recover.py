@@ -18,22 +18,15 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polyline import cumulative_lengths
-from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.pens.balls import ball_diameters
-from shapeblend_cli.pens.line import UNITS, chains, evenly, length, needed
-from shapeblend_cli.pens.region import (
-    Recovered,
-    Region,
-    distance_ahead,
-    nearest_edge,
-    rests_of,
-    stroke_edges,
-)
+from shapeblend_cli.pens.line import UNITS, chains, evenly, length, needed, part_of
+from shapeblend_cli.pens.region import Region, Stretch, checked, distance_ahead, nearest_edge
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.pens.region import Recovered
 
 STEP = 0.1
 """Distance of sample points along an outline, in units."""
@@ -74,32 +67,20 @@ SHORTEST = 0.3
 THINNED = 0.012
 """Tolerance of the polylines of centre lines, in units: a quarter of a pixel where 24 units are 512."""
 
+WIDEST_CUT = 0.1 * UNITS
+"""Maximum width of a line with a cut end and a round cap, in units: wider ones are limbs."""
+
+COVERED = 0.25
+"""Maximum distance from others of a short line that they cover, in widths."""
+
+CUT_BACK = np.pi / 8.0
+"""Length by which a line with a round cap is shorter than a line of the same area with a cut end, in widths."""
+
 OVER = 0.03
 """Maximum distance that a round join sticks out of the region, in widths: a sharper corner is rounded."""
 
 ROUND_POINTS = 9
 """Number of points of a corner that is rounded."""
-
-GOOD = 0.97
-"""Minimum overlap of a region and its lines, drawn again, as a share of both together."""
-
-MOST_REST = 0.2
-"""Maximum share of a region that sticks out of its lines: a solid shape with lines beside it is an outline."""
-
-SPILL = 0.02
-"""Maximum area that lines paint beyond such a region, as a share of it."""
-
-MOST_RESTS = 3
-"""Maximum number of parts that stick out of lines: a letter with serifs is no line with many of them."""
-
-MOST_BESIDE_RESTS = 4
-"""Maximum number of lines of a region of which something sticks out: more are an illustration with fine lines."""
-
-KNOB_SPILL = 0.1
-"""Maximum area that one of its lines paints beyond it, as a share of the line's: a wider one is a knob."""
-
-GRID = 192
-"""Points along the side of the grid on which these are compared."""
 
 
 class _Samples(NamedTuple):
@@ -109,27 +90,6 @@ class _Samples(NamedTuple):
     normals: ComplexArray
     contour: IntArray
     spacing: FloatArray
-
-
-class _Stretch:
-    """A stretch of centre line, its pen, and what is known of its ends: a cap, a joint, or nothing yet."""
-
-    def __init__(
-        self,
-        points: ComplexArray,
-        width: float,
-        closed: bool = False,
-        ends: Sequence[str | None] = (None, None),
-    ) -> None:
-        self.points, self.width, self.closed, self.ends = points, width, closed, list(ends)
-
-    @property
-    def outline(self) -> ComplexArray:
-        return np.append(self.points, self.points[0]) if self.closed or len(self.points) == 1 else self.points
-
-    def ending(self, side: int) -> ComplexArray:
-        """The points towards one of the ends, that end last."""
-        return self.points if side else self.points[::-1]
 
 
 def recover(contours: Sequence[ComplexArray]) -> tuple[list[Recovered], list[ComplexArray]] | None:
@@ -159,9 +119,11 @@ def recover(contours: Sequence[ComplexArray]) -> tuple[list[Recovered], list[Com
         return None
     lines = _joined(_once(stretches), region)
     _end(lines, region)
+    lines = _seen(lines)
     for line in lines:
+        _round_off(line)
         line.points = _thinned(line)
-    return _checked(lines, region, contours)
+    return checked(lines, region, contours)
 
 
 def _sampled(contours: Sequence[ComplexArray]) -> _Samples:
@@ -204,7 +166,7 @@ def _pen_widths(diameters: FloatArray, spacing: FloatArray) -> FloatArray:
     return np.array(found)
 
 
-def _stretches(samples: _Samples, pen: IntArray, widths: FloatArray) -> list[_Stretch]:
+def _stretches(samples: _Samples, pen: IntArray, widths: FloatArray) -> list[Stretch]:
     """String up the centres of balls of a pen's width, in the order of the outline, and cut them at caps."""
     found = []
     centres = samples.points + samples.normals * np.where(pen >= 0, widths[pen], 0.0) / 2.0
@@ -228,7 +190,7 @@ def _stretches(samples: _Samples, pen: IntArray, widths: FloatArray) -> list[_St
 
 def _cut_at_caps(
     run: IntArray, centres: ComplexArray, samples: _Samples, width: float, is_ring: bool
-) -> list[_Stretch]:
+) -> list[Stretch]:
     """Cut a run of sample points where the centre rests while the normal turns by the angle of a cap."""
     following = np.roll(run, -1)
     spacing = 0.5 * (samples.spacing[run] + samples.spacing[following])
@@ -236,7 +198,7 @@ def _cut_at_caps(
     if not is_ring:
         rests[-1] = False
     elif rests.all():
-        return [_Stretch(np.array([centres[run].mean()]), width, ends=("round", "round"))]
+        return [Stretch(np.array([centres[run].mean()]), width, ends=("round", "round"))]
     else:
         start = int(np.flatnonzero(~rests)[0]) + 1
         run, rests = np.roll(run, -start), np.roll(rests, -start)
@@ -248,20 +210,20 @@ def _cut_at_caps(
     steps = np.where(rests[:-1], np.angle(normals[1:] * normals[:-1].conj()), 0.0)
     caps = np.flatnonzero(np.abs(np.add.reduceat(np.append(steps, 0.0), starts)) > CAP_TURN).tolist()
     if is_ring and not caps:
-        return [_Stretch(points, width, closed=True)]
-    parts = [_Stretch(points[k : j + 1], width, ends=("round", "round")) for k, j in pairwise(caps)]
+        return [Stretch(points, width, closed=True)]
+    parts = [Stretch(points[k : j + 1], width, ends=("round", "round")) for k, j in pairwise(caps)]
     if is_ring:
         around = np.concatenate([points[caps[-1] :], points[: caps[0] + 1]])
-        parts.insert(0, _Stretch(around, width, ends=("round", "round")))
+        parts.insert(0, Stretch(around, width, ends=("round", "round")))
     elif caps:
-        parts.insert(0, _Stretch(points[: caps[0] + 1], width, ends=(None, "round")))
-        parts.append(_Stretch(points[caps[-1] :], width, ends=("round", None)))
+        parts.insert(0, Stretch(points[: caps[0] + 1], width, ends=(None, "round")))
+        parts.append(Stretch(points[caps[-1] :], width, ends=("round", None)))
     else:
-        parts.append(_Stretch(points, width))
+        parts.append(Stretch(points, width))
     return [part for part in parts if len(part.points) > 1]
 
 
-def _edges(stretches: Sequence[_Stretch]) -> tuple[ComplexArray, ComplexArray, IntArray]:
+def _edges(stretches: Sequence[Stretch]) -> tuple[ComplexArray, ComplexArray, IntArray]:
     """Return the starts and ends of the edges of stretches, and whose they are."""
     outlines = [stretch.outline for stretch in stretches]
     owner = np.repeat(np.arange(len(outlines)), [len(points) - 1 for points in outlines])
@@ -269,9 +231,9 @@ def _edges(stretches: Sequence[_Stretch]) -> tuple[ComplexArray, ComplexArray, I
     return np.concatenate(starts), np.concatenate(ends), owner
 
 
-def _once(stretches: Sequence[_Stretch]) -> list[_Stretch]:
+def _once(stretches: Sequence[Stretch]) -> list[Stretch]:
     """Keep each stretch of centre line once, of both sides of the stroke: the longest first."""
-    kept: list[_Stretch] = []
+    kept: list[Stretch] = []
     for one in sorted(stretches, key=lambda each: (not each.closed, -round(length(each.points), 3))):
         if not kept:
             kept.append(one)
@@ -296,7 +258,7 @@ def _once(stretches: Sequence[_Stretch]) -> list[_Stretch]:
             part = points[first:beyond]
             if length(part) > SHORTEST * one.width:
                 known = one.ends[0] if first == 0 else None, one.ends[1] if beyond == len(points) else None
-                kept.append(_Stretch(part, one.width, ends=known))
+                kept.append(Stretch(part, one.width, ends=known))
     return kept
 
 
@@ -321,7 +283,7 @@ def _direction(points: ComplexArray, width: float) -> complex:
     return complex(ahead * np.exp(0.9j * turn) if abs(turn) < 0.5 else ahead)
 
 
-def _joined(stretches: Sequence[_Stretch], region: Region) -> list[_Stretch]:
+def _joined(stretches: Sequence[Stretch], region: Region) -> list[Stretch]:
     """Join stretches whose ends face each other, or meet at a corner: the least turn first."""
     ends = [
         _End(k, side, complex(one.ending(side)[-1]), _direction(one.ending(side), one.width))
@@ -343,7 +305,7 @@ def _joined(stretches: Sequence[_Stretch], region: Region) -> list[_Stretch]:
 
 
 def _joint(
-    a: _End, b: _End, stretches: Sequence[_Stretch], region: Region
+    a: _End, b: _End, stretches: Sequence[Stretch], region: Region
 ) -> tuple[float, list[complex]] | None:
     """Return what joining two ends costs, and the corner between them if there is one; None if they do not fit."""
     p, q = stretches[a.stretch], stretches[b.stretch]
@@ -389,8 +351,8 @@ def _rounded(a: _End, b: _End, corner: complex, over: float, near: float) -> lis
 
 
 def _strung(
-    stretches: Sequence[_Stretch], ends: Sequence[_End], partner: dict[int, tuple[int, list[complex]]]
-) -> list[_Stretch]:
+    stretches: Sequence[Stretch], ends: Sequence[_End], partner: dict[int, tuple[int, list[complex]]]
+) -> list[Stretch]:
     """String joined stretches up to lines."""
     sides = [(end.stretch, end.side) for end in ends]
     joined = {sides[i]: sides[j] for i, (j, _) in partner.items()}
@@ -405,11 +367,11 @@ def _strung(
         (first, start), (last, end) = chain[0], chain[-1]
         known = stretches[first].ends[start], stretches[last].ends[1 - end]
         one = stretches[min(k for k, _ in chain)]
-        lines.append(_Stretch(np.concatenate(parts), one.width, closed or one.closed, known))
+        lines.append(Stretch(np.concatenate(parts), one.width, closed or one.closed, known))
     return lines
 
 
-def _end(lines: Sequence[_Stretch], region: Region) -> None:
+def _end(lines: Sequence[Stretch], region: Region) -> None:
     """Draw the ends of lines that are still open on to what they run into: another line, or the outline, by a cap."""
     for number, line in enumerate(lines):
         for side in (0, 1):
@@ -431,6 +393,33 @@ def _end(lines: Sequence[_Stretch], region: Region) -> None:
             line.points = points if side else points[::-1]
 
 
+def _seen(lines: Sequence[Stretch]) -> list[Stretch]:
+    """Return lines without the short ones that others cover, at corners rounder outside than inside."""
+    found = []
+    for number, line in enumerate(lines):
+        if length(line.outline) < line.width and len(line.points) > 1:
+            starts, ends, owner = _edges(lines)
+            others = owner != number
+            if (
+                others.any()
+                and nearest_edge(line.points, starts[others], ends[others])[0].max() < COVERED * line.width
+            ):
+                continue
+        found.append(line)
+    return found
+
+
+def _round_off(line: Stretch) -> None:
+    """Let a line with a round cap and a cut end have round caps at both, with the same area: strokes have one cap."""
+    if line.closed or set(line.ends) != {"round", "butt"} or line.width > WIDEST_CUT:
+        return
+    whole = length(line.points)
+    back = min(CUT_BACK * line.width, 0.9 * whole)
+    low, high = (0.0, whole - back) if line.ends[1] == "butt" else (back, whole)
+    line.points = part_of(line.points, False, low, high)
+    line.ends = ["cut" if end == "butt" else end for end in line.ends]
+
+
 def _cap(region: Region, place: complex, ahead: complex, width: float, rim: float) -> tuple[str, float]:
     """Return the cap of a line that ends ahead, and how far from here the line ends."""
     aside = [place + 0.42j * ahead * sign * width for sign in (1.0, -1.0)]
@@ -441,7 +430,7 @@ def _cap(region: Region, place: complex, ahead: complex, width: float, rim: floa
     return "butt", min((rim + at_sides) / 2.0, 1.2 * width)
 
 
-def _thinned(line: _Stretch) -> ComplexArray:
+def _thinned(line: Stretch) -> ComplexArray:
     points = line.points
     if len(points) < 3:
         return points
@@ -450,47 +439,3 @@ def _thinned(line: _Stretch) -> ComplexArray:
     far = int(np.abs(points - points[0]).argmax())
     halves = points[: far + 1], np.append(points[far:], points[0])
     return np.concatenate([half[needed(half, THINNED)][:-1] for half in halves])
-
-
-def _checked(
-    lines: Sequence[_Stretch], region: Region, contours: Sequence[ComplexArray]
-) -> tuple[list[Recovered], list[ComplexArray]] | None:
-    """Return the lines with the join with which they cover the region best, and its rests; None if they do not."""
-    low = min(region.starts.real), min(region.starts.imag)
-    corner = complex(*low) - 0.5 - 0.5j
-    size = max(max(region.starts.real) - low[0], max(region.starts.imag) - low[1]) + 1.0
-
-    def painted(starts: ComplexArray, ends: ComplexArray) -> BoolArray:
-        return winding_grid(starts, ends, corner, size / GRID, GRID) != 0
-
-    wanted = painted(region.starts, region.ends)
-    best, covered, drawn = 0.0, wanted, list[Recovered]()
-    for join in ("round", "miter"):
-        some = [Recovered(line.points, line.closed, line.width, _cap_of(line), join) for line in lines]
-        cells = painted(*stroke_edges(some))
-        overlap = float((wanted & cells).sum() / max(1, (wanted | cells).sum()))
-        if overlap > best + 1e-4:
-            best, covered, drawn = overlap, cells, some
-    if best >= GOOD:
-        return drawn, []
-    # A wide line that is none, but a knob, leaves the region at its corners.
-    own = [painted(*stroke_edges([line])) for line in drawn]
-    is_inside = [(cells & ~wanted).sum() <= KNOB_SPILL * cells.sum() for cells in own]
-    drawn = [line for line, is_line in zip(drawn, is_inside, strict=True) if is_line]
-    covered = np.logical_or.reduce(
-        [cells for cells, is_line in zip(own, is_inside, strict=True) if is_line] or [~wanted]
-    )
-    if (wanted & ~covered).sum() > MOST_REST * wanted.sum() or (
-        covered & ~wanted
-    ).sum() > SPILL * wanted.sum():
-        return None
-    rests = rests_of(contours, drawn)
-    for rest in rests:
-        covered |= painted(rest, np.roll(rest, -1))
-    whole = float((wanted & covered).sum() / max(1, (wanted | covered).sum()))
-    is_drawn = 0 < len(rests) <= MOST_RESTS and len(drawn) <= MOST_BESIDE_RESTS and whole >= GOOD
-    return (drawn, rests) if is_drawn else None
-
-
-def _cap_of(line: _Stretch) -> str:
-    return "butt" if "butt" in line.ends and "round" not in line.ends else "round"

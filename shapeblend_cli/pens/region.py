@@ -1,4 +1,4 @@
-"""Filled regions, those that lines paint, and what sticks out of lines: by the edges of polygons."""
+"""Filled regions, what lines paint of them when drawn again, and what sticks out: by the edges of polygons."""
 
 from __future__ import annotations
 
@@ -8,12 +8,13 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import ring_edges, signed_area
+from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.pens.line import evenly
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
 
 DISC = np.exp(2j * np.pi * np.arange(24) / 24.0) / np.sqrt(np.cos(np.pi / 24.0))
 """Vertices of a round cap or join of radius 1; the area is a circle's."""
@@ -29,11 +30,45 @@ SHARPEST = np.radians(150.0)
 OUTLINE_STEP = 0.1
 """Distance of sample points along an outline, in units."""
 
+CURVE_POINTS = 8
+"""Minimum number of points on each segment of an outline."""
+
+CURVE_STEP = 0.4
+"""Maximum distance of these, in units: a heart may be drawn with two segments."""
+
 OFF = 0.03
 """Maximum distance of an outline from what a line paints where it is the line's edge, in widths."""
 
 STICKS_OUT = 0.12
 """Minimum distance by which something sticks out of a line, in widths."""
+
+
+GOOD = 0.97
+"""Minimum overlap of a region and its lines, drawn again, as a share of both together."""
+
+SLANT = 0.3
+"""Maximum area by which a cut end may differ from the line's cap, in square widths: many are cut along a slash."""
+
+MOST_SLANT = 0.07
+"""Maximum area by which all cut ends of a region may, as a share of it."""
+
+MOST_REST = 0.2
+"""Maximum share of a region that sticks out of its lines: a solid shape with lines beside it is an outline."""
+
+SPILL = 0.02
+"""Maximum area that lines paint beyond such a region, as a share of it."""
+
+MOST_RESTS = 3
+"""Maximum number of parts that stick out of lines: a letter with serifs is no line with many of them."""
+
+MOST_BESIDE_RESTS = 4
+"""Maximum number of lines of a region of which something sticks out: more are an illustration with fine lines."""
+
+KNOB_SPILL = 0.1
+"""Maximum area that one of its lines paints beyond it, as a share of the line's: a wider one is a knob."""
+
+GRID = 192
+"""Points along the side of the grid on which these are compared."""
 
 
 class Recovered(NamedTuple):
@@ -46,11 +81,33 @@ class Recovered(NamedTuple):
     join: str
 
 
+class Stretch:
+    """A stretch of centre line, its pen, and what is known of its ends: a cap, a cut, a joint, or nothing yet."""
+
+    def __init__(
+        self,
+        points: ComplexArray,
+        width: float,
+        closed: bool = False,
+        ends: Sequence[str | None] = (None, None),
+    ) -> None:
+        self.points, self.width, self.closed, self.ends = points, width, closed, list(ends)
+
+    @property
+    def outline(self) -> ComplexArray:
+        """The polyline from end to end; a closed one ends where it begins."""
+        return np.append(self.points, self.points[0]) if self.closed or len(self.points) == 1 else self.points
+
+    def ending(self, side: int) -> ComplexArray:
+        """The points towards one of the ends, that end last."""
+        return self.points if side else self.points[::-1]
+
+
 class Region:
     """A filled region, by the edges of its outlines."""
 
     def __init__(self, contours: Sequence[ComplexArray]) -> None:
-        self.starts, self.ends = ring_edges([cubics.polyline(each, 8) for each in contours])
+        self.starts, self.ends = ring_edges([_polyline(each) for each in contours])
 
     def holds(self, point: complex) -> bool:
         """Return whether a point is inside, by the even-odd rule."""
@@ -62,6 +119,16 @@ class Region:
     def ahead(self, point: complex, direction: complex) -> float:
         """Return how far the outline is from a point in a direction; infinite if it is not there."""
         return distance_ahead(point, direction, self.starts, self.ends)[0]
+
+
+def _polyline(segments: ComplexArray) -> ComplexArray:
+    """Return points along an outline, without its end."""
+    lengths = cubics.lengths(segments)
+    is_curved = lengths > (1.0 + 1e-6) * np.abs(segments[:, 3] - segments[:, 0])
+    counts = np.where(is_curved, np.ceil(lengths / CURVE_STEP), 0).clip(CURVE_POINTS).astype(np.intp)
+    segment = np.repeat(np.arange(len(segments)), counts)
+    within = np.arange(len(segment)) - np.repeat(np.cumsum(counts) - counts, counts)
+    return cubics.evaluate(segments[segment], within / counts[segment])
 
 
 def nearest_edge(
@@ -143,7 +210,7 @@ def rests_of(contours: Sequence[ComplexArray], lines: Sequence[Recovered]) -> li
     """
     found = []
     for segments in contours:
-        polyline = cubics.polyline(segments, 8)
+        polyline = _polyline(segments)
         points = evenly(np.append(polyline, polyline[0]), OUTLINE_STEP)[:-1]
         away, feet, width = _from_lines(points, lines)
         is_out = away > OFF * width
@@ -185,3 +252,53 @@ def _from_lines(
         best = np.where(is_nearer, away - line.width / 2.0, best)
         feet, widths = np.where(is_nearer, own, feet), np.where(is_nearer, line.width, widths)
     return best, feet, widths
+
+
+def checked(
+    lines: Sequence[Stretch], region: Region, contours: Sequence[ComplexArray]
+) -> tuple[list[Recovered], list[ComplexArray]] | None:
+    """Return the lines with the join with which they cover the region best, and its rests; None if they do not."""
+    low = min(region.starts.real), min(region.starts.imag)
+    corner = complex(*low) - 0.5 - 0.5j
+    size = max(max(region.starts.real) - low[0], max(region.starts.imag) - low[1]) + 1.0
+
+    def painted(starts: ComplexArray, ends: ComplexArray) -> BoolArray:
+        return winding_grid(starts, ends, corner, size / GRID, GRID) != 0
+
+    wanted = painted(region.starts, region.ends)
+    best, covered, drawn = 0.0, wanted, list[Recovered]()
+    for join in ("round", "miter"):
+        some = [Recovered(line.points, line.closed, line.width, _cap_of(line), join) for line in lines]
+        cells = painted(*stroke_edges(some))
+        overlap = float((wanted & cells).sum() / max(1, (wanted | cells).sum()))
+        if overlap > best + 1e-4:
+            best, covered, drawn = overlap, cells, some
+    if best >= GOOD - _slanted(lines, float(wanted.sum()) * (size / GRID) ** 2):
+        return drawn, []
+    # A wide line that is none, but a knob, leaves the region at its corners.
+    own = [painted(*stroke_edges([line])) for line in drawn]
+    is_inside = [(cells & ~wanted).sum() <= KNOB_SPILL * cells.sum() for cells in own]
+    drawn = [line for line, is_line in zip(drawn, is_inside, strict=True) if is_line]
+    covered = np.logical_or.reduce(
+        [cells for cells, is_line in zip(own, is_inside, strict=True) if is_line] or [~wanted]
+    )
+    if (wanted & ~covered).sum() > MOST_REST * wanted.sum() or (
+        covered & ~wanted
+    ).sum() > SPILL * wanted.sum():
+        return None
+    rests = rests_of(contours, drawn)
+    for rest in rests:
+        covered |= painted(rest, np.roll(rest, -1))
+    whole = float((wanted & covered).sum() / max(1, (wanted | covered).sum()))
+    is_drawn = 0 < len(rests) <= MOST_RESTS and len(drawn) <= MOST_BESIDE_RESTS and whole >= GOOD
+    return (drawn, rests) if is_drawn else None
+
+
+def _slanted(lines: Sequence[Stretch], area: float) -> float:
+    """Return the largest share of a region that one line may leave or paint beyond it at cut ends."""
+    cuts = sum(end in ("butt", "cut") for end in lines[0].ends)
+    return min(MOST_SLANT, SLANT * cuts * lines[0].width ** 2 / max(area, 1e-9)) if len(lines) == 1 else 0.0
+
+
+def _cap_of(line: Stretch) -> str:
+    return "butt" if "butt" in line.ends and "round" not in line.ends else "round"

@@ -149,3 +149,11 @@ def test_a_drawing_that_is_crossed_out_stays_whatever_it_is_cut_into(backwards):
 def test_other_bars_cross_nothing_out(parts):
     pair = crossed_bookmark(middle=parts)
     assert "sweep" not in {shape.motion_name for shape in pair.shapes}
+
+
+def test_a_sign_beside_other_changes_grows_from_its_middle():
+    pair = pair_of(LOCK, UNLOCKED + "M11 13V19H15V13Z")
+    boxes = [Box.around(path.segments) for path in shapes_at(pair, 0.5)[0].paths]
+    assert [box.bounds for box in boxes if box.contains(Box(13, 16, 0, 0)) and box.width < 6.0] == [
+        pytest.approx((12.0, 14.5, 14.0, 17.5))
+    ]

@@ -214,3 +214,9 @@ def test_what_is_crossed_out_and_moves_stays_but_for_that():
             assert shape.reason == STAYS
             assert shape.motion.shift == pytest.approx(2j, abs=0.05)
             assert line_at(shape, 0.0).imag.min() >= 2.9
+
+
+def test_a_line_that_goes_nearly_round_does_not_unroll_across_the_drawing():
+    around = np.exp(1.9j * np.pi * np.linspace(0.0, 1.0, 25))
+    moving = between(around, 1j * around.conj())
+    assert max(np.abs(moving.points(t)).max() for t in TIMES) < 1.25

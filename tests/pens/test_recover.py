@@ -106,6 +106,31 @@ def test_icons_drawn_with_a_pen_come_back_as_lines_that_paint_the_same(path):
     assert (wanted & covered).sum() / (wanted | covered).sum() > 0.985
 
 
+def test_regions_follow_long_curves():
+    segment = np.array([2 + 22j, 2 - 8j, 22 - 8j, 22 + 22j])
+    t = 0.44
+    on_it = complex(np.array([(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t**3]) @ segment)
+    region = Region([np.stack([segment, np.linspace(22 + 22j, 2 + 22j, 4)])])
+    assert region.holds(on_it + 0.02j)
+    assert not region.holds(on_it - 0.02j)
+
+
+def test_a_line_with_a_round_cap_that_is_cut_along_a_slash_has_the_same_area():
+    found = lines_of("M4 11H18L16 13H4A1 1 0 0 1 4 11Z")
+    (line,) = found.lines
+    assert found.bodies == []
+    assert line.style.stroke_linecap == "round"
+    assert (line.length + np.pi / 2.0) * 2.0 == pytest.approx(26.0 + np.pi / 2.0, rel=0.01)
+
+
+def test_corners_rounder_outside_than_inside_are_no_lines_of_their_own():
+    plane = (
+        "M1.5 2A1.4 1.4 0 0 1 3 1.75L22.3 11A1.15 1.15 0 0 1 22.3 13L3 22.25A1.4 1.4 0 0 1 1.1 20.8L2.5 12L1.1 3.2"
+        "A1.4 1.4 0 0 1 1.5 2ZM3.9 12.75L2.6 20.8L21 12L2.6 3.2L3.9 11.25H11.2A.75 .75 0 0 1 11.2 12.75Z"
+    )
+    assert min(line.length for line in lines_of(plane).lines) > 5.0
+
+
 def test_a_second_pen_may_be_hardly_wider_than_the_first():
     found = lines_of("M3 3H21V5H13.1V21H10.9V5H3Z")
     assert sorted(round(line.width, 2) for line in found.lines) == [2.0, 2.2]
