@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 STEPS = 6
 """Number of steps between the pictures that are graded."""
 
+FINE = 0.75
+"""Maximum grade of a blend for no other to be tried."""
+
 SUSPECT = 0.2
 """Minimum fault of a shape's outlines for a blend to be graded that nobody asked about."""
 

@@ -12,9 +12,9 @@ import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, LINE
 from shapeblend_cli.blending.expanded import with_outlines
-from shapeblend_cli.blending.graded import grade_of_shapes
+from shapeblend_cli.blending.graded import FINE, grade_of_shapes
 from shapeblend_cli.geometry.polygons import centroid, winding_numbers
-from shapeblend_cli.geometry.polyline import from_end_to_end, nearest_places
+from shapeblend_cli.geometry.polyline import nearest_places
 from shapeblend_cli.interpolate.paths import with_curves
 from shapeblend_cli.model import Box, PaintedShape, Pair, ShapeBlend
 from shapeblend_cli.pairing.growth import MatchedPoints, growth_point_inside
@@ -36,9 +36,6 @@ MOST_CONTOURS = 60
 
 NEAR = 0.04
 """Maximum mean distance of contours in one place, as a share of the drawing's size."""
-
-FINE = 0.75
-"""Maximum grade of an ordinary blend for no other to be tried."""
 
 SAME_PICTURE = 0.02
 """Maximum difference of a drawing and its contours painted by the even-odd rule, as a share of its ink."""
@@ -119,8 +116,8 @@ def _apart(p: PlacedContour, q: PlacedContour, most: float) -> float | None:
     """Return the mean distance of two contours; None if it is too large for one place."""
     if max(abs(x - y) for x, y in zip(p.box.bounds, q.box.bounds, strict=True)) > 2.0 * most:
         return None
-    lines = [from_end_to_end(each.polygon.vertices, each.polygon.closed) for each in (p, q)]
-    apart = max(float(nearest_places(one, other)[0].mean()) for one, other in (lines, reversed(lines)))
+    lines = p.polygon.line, q.polygon.line
+    apart = max(float(nearest_places(one, other)[0].mean()) for one, other in (lines, lines[::-1]))
     return apart if apart <= min(most, 0.2 * p.box.larger_side) else None
 
 

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.blending.graded import grade_of_shapes
-from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, may_be_near, points_at
+from shapeblend_cli.blending.graded import FINE, grade_of_shapes
+from shapeblend_cli.geometry.polyline import cumulative_lengths, may_be_near, points_at
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.choose import candidate_of
 from shapeblend_cli.motion.rigid import Whole
@@ -48,9 +48,6 @@ MOST_STAYS = 0.9
 
 COPIED = 0.85
 """Minimum share of points that are in the other drawing when it is turned."""
-
-FINE = 0.75
-"""Maximum grade of an ordinary blend for no other to be tried."""
 
 LITTLE_LEFT = 1.2
 """Maximum grade of what a drawing does besides turning."""
@@ -174,8 +171,7 @@ def way_between(a: PlacedDrawing, b: PlacedDrawing) -> Whole | None:
 
 def _lines(drawing: PlacedDrawing) -> list[ComplexArray]:
     """Return the outlines of a drawing as polylines."""
-    lines = (from_end_to_end(c.polygon.vertices, c.polygon.closed) for c in drawing.contours)
-    return [line for line in lines if len(line) > 1]
+    return [c.polygon.line for c in drawing.contours if len(c.polygon.line) > 1]
 
 
 def _points(lines: Sequence[ComplexArray]) -> ComplexArray:

@@ -247,7 +247,6 @@ def _add_windings_in_bands(
     e: cython.Py_ssize_t
     k: cython.Py_ssize_t
     band: cython.Py_ssize_t
-    below: cython.bint
     for p in range(points.shape[0]):
         x: cython.double = points[p].real
         y: cython.double = points[p].imag
@@ -258,21 +257,13 @@ def _add_windings_in_bands(
         for e in range(starts[band], starts[band + 1]):
             z: cython.doublecomplex = vertices[edges[e, 0]]
             w: cython.doublecomplex = vertices[edges[e, 1]]
-            below = z.imag <= y
-            if below == (w.imag <= y):
-                continue
             k = edges[e, 2]
-            if not (
-                fabs(x - boxes[k, 0] - boxes[k, 2] / 2) <= boxes[k, 2] / 2
+            if (
+                _is_crossed(points[p], z, w)
+                and fabs(x - boxes[k, 0] - boxes[k, 2] / 2) <= boxes[k, 2] / 2
                 and fabs(y - boxes[k, 1] - boxes[k, 3] / 2) <= boxes[k, 3] / 2
             ):
-                continue
-            # On which side of the edge the point lies.
-            side: cython.double = (w.real - z.real) * (y - z.imag) - (x - z.real) * (w.imag - z.imag)
-            if below and side > 0.0:
-                numbers[k, p] += 1
-            elif not below and side < 0.0:
-                numbers[k, p] -= 1
+                numbers[k, p] += 1 if z.imag <= y else -1
         look_for_signals()
 
 

@@ -75,10 +75,8 @@ def test_it_says_where_it_is_and_leaves_nothing_behind(started, ending):
     assert not any(map(is_there, found))
 
 
-def test_a_project_writes_unasked_in_its_own_folder_alone(started, here):
-    (here / "own").mkdir()
-    (here / "own" / "blend.json").write_text('{"files": ["../a.svg", "../b.svg"], "output": "../made.svg"}')
-    _, address = started("own/blend.json")
+def page_of(address):
+    """Open the studio's page; return the connection, and the headers of what it asks for."""
     url = urlsplit(address)
     connection = http.client.HTTPConnection(url.netloc, timeout=60)
     connection.request("GET", f"/?{url.query}")
@@ -86,6 +84,14 @@ def test_a_project_writes_unasked_in_its_own_folder_alone(started, here):
     response.read()
     headers = {"Cookie": response.headers["Set-Cookie"].partition(";")[0], "Origin": f"http://{url.netloc}"}
     headers["Content-Type"] = "application/json"
+    return connection, headers
+
+
+def test_a_project_writes_unasked_in_its_own_folder_alone(started, here):
+    (here / "own").mkdir()
+    (here / "own" / "blend.json").write_text('{"files": ["../a.svg", "../b.svg"], "output": "../made.svg"}')
+    _, address = started("own/blend.json")
+    connection, headers = page_of(address)
     answer = {}
     for what in ("begin", "write"):
         connection.request("POST", f"/api/{what}", json.dumps({"project": answer.get("project")}), headers)
@@ -96,13 +102,7 @@ def test_a_project_writes_unasked_in_its_own_folder_alone(started, here):
 
 def test_it_begins_with_an_animated_svg_and_tells_at_the_end_what_was_not_saved(started):
     process, address = started("a.svg", "b.svg")
-    url = urlsplit(address)
-    connection = http.client.HTTPConnection(url.netloc, timeout=60)
-    connection.request("GET", f"/?{url.query}")
-    response = connection.getresponse()
-    response.read()
-    headers = {"Cookie": response.headers["Set-Cookie"].partition(";")[0], "Origin": f"http://{url.netloc}"}
-    headers["Content-Type"] = "application/json"
+    connection, headers = page_of(address)
     connection.request("POST", "/api/begin", "{}", headers)
     project = json.loads(connection.getresponse().read())["project"]
     assert project == {"files": ["a.svg", "b.svg"], "output": "blend.svg"}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,14 +13,12 @@ from shapeblend_cli.svg.reading.elements import contours_of
 from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
 from shapeblend_cli.svg.xml.messages import Notes, check_limit
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, parse, translation
-from shapeblend_cli.svg.xml.xmltree import SHAPES, Node
+from shapeblend_cli.svg.xml.xmltree import SHAPES, Node, named
 
 if TYPE_CHECKING:
     from shapeblend_cli.svg.styles.cascade import Cascade
     from shapeblend_cli.svg.styles.declarations import Declarations
     from shapeblend_cli.svg.xml.units import Lengths
-
-_LINK = re.compile(r"""\s*url\(\s*["']?#([^"')]{1,1000})["']?\s*\)\s*""")
 
 SLACK = 1e-6
 """Tolerance of a shape that reaches out of its clip, as a share of the diagonal of the clip."""
@@ -46,8 +43,7 @@ class Clips:
         The `matrix` maps the coordinates of the clipped element to the root's; the `box` is around it, unless it is a
         group.
         """
-        match = _LINK.fullmatch(value)
-        node = self._ids.get(match[1]) if match else None
+        node = self._ids.get(named(value))
         if node is None or node.tag != "clipPath" or "clip-path" in self._cascade.declared(node):
             self._notes.add(NOT_APPLIED)
             return None

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import cmath
 import math
-import re
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -16,12 +15,13 @@ from shapeblend_cli.geometry.cubics import lines
 from shapeblend_cli.model import Clip, Contour
 from shapeblend_cli.svg.reading import contours as outlines
 from shapeblend_cli.svg.reading import viewports
-from shapeblend_cli.svg.xml.transforms import Affine, rotation, translation
+from shapeblend_cli.svg.xml.transforms import Affine, angle, rotation, translation
+from shapeblend_cli.svg.xml.xmltree import named
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from shapeblend_cli.svg.styles.cascade import Inherited
+    from shapeblend_cli.svg.styles.cascade import Cascade, Inherited
     from shapeblend_cli.svg.xml.messages import Notes
     from shapeblend_cli.svg.xml.units import Lengths
     from shapeblend_cli.svg.xml.xmltree import Node
@@ -31,12 +31,6 @@ MARKED = frozenset(("path", "line", "polyline", "polygon"))
 
 MOST = 500
 """Maximum number of markers of an element."""
-
-_LINK = re.compile(r"""\s*url\(\s*["']?#([^"')]{1,1000})["']?\s*\)\s*""")
-_ANGLE = re.compile(
-    r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d{1,3})?)\s*(deg|rad|grad|turn)?\s*", re.IGNORECASE
-)
-_DEGREES = {"deg": 1.0, "rad": 180.0 / math.pi, "grad": 0.9, "turn": 360.0}
 
 
 class Mark(NamedTuple):
@@ -59,7 +53,12 @@ class _Vertex(NamedTuple):
 
 
 def marks(
-    contours: Sequence[Contour], inherited: Inherited, lengths: Lengths, ids: Mapping[str, Node], notes: Notes
+    contours: Sequence[Contour],
+    inherited: Inherited,
+    lengths: Lengths,
+    ids: Mapping[str, Node],
+    cascade: Cascade,
+    notes: Notes,
 ) -> list[Mark]:
     """Return the markers of an element with contours in its own coordinates, in the order of paint."""
     values = inherited.marker_start, inherited.marker_mid, inherited.marker_end
@@ -74,13 +73,12 @@ def marks(
         notes.add(f"more than {MOST} markers of an element left out")
         return []
     width = lengths.resolve(inherited.stroke_width)
-    made = (_mark(node, vertex, first, width, lengths, notes) for node, vertex, first in found)
+    made = (_mark(node, vertex, first, width, lengths, cascade, notes) for node, vertex, first in found)
     return [mark for mark in made if mark is not None]
 
 
 def _named(value: str, ids: Mapping[str, Node], notes: Notes) -> Node | None:
-    match = _LINK.fullmatch(value)
-    node = ids.get(match[1]) if match else None
+    node = ids.get(named(value))
     if node is not None and node.tag == "marker":
         return node
     if value != "none":
@@ -109,7 +107,13 @@ def _ways(segment: np.ndarray) -> tuple[complex, complex]:
 
 
 def _mark(
-    node: Node, vertex: _Vertex, is_first: bool, width: float, lengths: Lengths, notes: Notes
+    node: Node,
+    vertex: _Vertex,
+    is_first: bool,
+    width: float,
+    lengths: Lengths,
+    cascade: Cascade,
+    notes: Notes,
 ) -> Mark | None:
     """Return a marker at a vertex of a line of a width; None if it has no extent."""
     size = [lengths.x(node.get("markerWidth") or "3"), lengths.y(node.get("markerHeight") or "3")]
@@ -131,16 +135,11 @@ def _mark(
         @ translation(-reference.real, -reference.imag)
     )
     window = None
-    if (node.get("overflow") or "hidden").strip() not in ("visible", "auto") and not _is_visible(node):
+    if cascade.declared(node).get("overflow", "hidden").strip() not in ("visible", "auto"):
         corners = np.array([0.0, wide, wide + 1j * high, 1j * high])
         window = Contour(lines(corners, closed=True), np.ones(4, bool), closed=True)
         window = outlines.transform(window, matrix)
     return Mark(node, matrix @ fit, inner, window)
-
-
-def _is_visible(node: Node) -> bool:
-    """Return whether a style attribute shows what lies outside of a marker's box."""
-    return re.search(r"overflow\s*:\s*(visible|auto)", (node.get("style") or "")[:1000]) is not None
 
 
 def _reference(node: Node, inner: Lengths) -> tuple[float, float]:
@@ -155,8 +154,7 @@ def _angle(node: Node, vertex: _Vertex, is_first: bool) -> float:
     """Return by how much a marker is turned, in radians."""
     orient = (node.get("orient") or "0").strip()
     if orient not in ("auto", "auto-start-reverse"):
-        match = _ANGLE.fullmatch(orient)
-        return math.radians(float(match[1]) * _DEGREES[(match[2] or "deg").lower()]) if match else 0.0
+        return angle(orient) or 0.0
     both = vertex.before + vertex.after
-    angle = cmath.phase(both if abs(both) > 1e-9 else 1j * vertex.before)
-    return angle + math.pi if is_first and orient == "auto-start-reverse" else angle
+    ahead = cmath.phase(both if abs(both) > 1e-9 else 1j * vertex.before)
+    return ahead + math.pi if is_first and orient == "auto-start-reverse" else ahead

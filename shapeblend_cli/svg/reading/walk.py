@@ -284,7 +284,9 @@ class Walk:
         inherited = visit.inherited
         if {inherited.marker_start, inherited.marker_mid, inherited.marker_end} == {"none"}:
             return
-        found = marks(self._contours(visit, declared), inherited, visit.lengths, self._ids, self._notes)
+        found = marks(
+            self._contours(visit, declared), inherited, visit.lengths, self._ids, self._cascade, self._notes
+        )
         for mark in reversed(found):
             if mark.node in visit.used or len(visit.used) >= MAX_USE_DEPTH:
                 continue

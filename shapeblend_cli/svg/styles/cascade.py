@@ -19,10 +19,10 @@ TEXT = frozenset(
 """Properties of text, which this reader keeps as they are written."""
 
 PRESENTATION = TEXT - {"font"} | frozenset(
-    "clip-path clip-rule color display fill fill-opacity fill-rule filter font-size marker-end marker-mid marker-start "
-    "mask opacity paint-order stop-color stop-opacity stroke stroke-dasharray stroke-dashoffset stroke-linecap "
-    "stroke-linejoin stroke-miterlimit stroke-opacity stroke-width transform transform-origin vector-effect "
-    "visibility".split()
+    "clip-path clip-rule color display fill fill-opacity fill-rule filter font-size marker-end marker-mid "
+    "marker-start mask opacity overflow paint-order stop-color stop-opacity stroke stroke-dasharray stroke-dashoffset "
+    "stroke-linecap stroke-linejoin stroke-miterlimit stroke-opacity stroke-width transform transform-origin "
+    "vector-effect visibility".split()
 )
 """Presentation attributes: properties that this reader knows, and that may be written as attributes."""
 
@@ -47,10 +47,7 @@ class Inherited(NamedTuple):
     marker_start: str = "none"
     marker_mid: str = "none"
     marker_end: str = "none"
-    context: tuple[colours.Paint, colours.Paint] = (
-        colours.NONE,
-        colours.NONE,
-    )  # fill and stroke of a marked line
+    context: tuple[colours.Paint, colours.Paint] = (colours.NONE,) * 2  # fill and stroke of a marked line
     text: Mapping[str, str] = MappingProxyType({})  # properties in `TEXT`
     variables: Mapping[str, str] = MappingProxyType({})
 

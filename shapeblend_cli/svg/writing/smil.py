@@ -74,10 +74,8 @@ def _stop(drawing: Element, definitions: Sequence[Element], timing: Timing) -> s
         for element in root.iter()
         if element.tag in ("animate", "animateTransform")
     ]
-    if not animations or timing.repeat not in (
-        FOREVER,
-        PINGPONG,
-    ):  # what freezes at its end would do so on its way
+    # Of those that play a number of times the last picture freezes; it would be one on the way.
+    if not animations or timing.repeat not in (FOREVER, PINGPONG):
         return None
     digest = 0
     for element in animations:

@@ -137,6 +137,12 @@ def _function(name: str, text: str, viewport: Lengths | None) -> Affine | None:
     return None if None in values else affine(*values)
 
 
+def angle(text: str) -> float | None:
+    """Return an angle, in degrees or with a unit, in radians; None if it cannot be read."""
+    found = _split(_ARGUMENT, text)
+    return _argument("a", float(found[0][1]), found[0][2].lower(), None) if len(found) == 1 else None
+
+
 def _argument(kind: str, value: float, unit: str, viewport: Lengths | None) -> float | None:
     """Return an argument of some kind in user units or radians, or None when it is of another."""
     if kind in "xya" and viewport is not None and not unit and value:
