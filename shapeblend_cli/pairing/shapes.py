@@ -34,6 +34,9 @@ T = TypeVar("T")
 TOUCHING = 0.02
 """Maximum distance of contours that touch, as a share of the drawing's diagonal."""
 
+GAP = 0.06
+"""Maximum gap between contours of one paint that belong together, as a share of the drawing's diagonal."""
+
 CONTACTS = 48
 """Number of points of a contour that may touch another one."""
 
@@ -269,7 +272,8 @@ def _points_of_contact(
 
     A contour that touches paired ones grows from the middle of the places where it does, carried along by the one that
     it touches most, and so stays in touch. A contour that touches such a contour grows with it, from the same point,
-    and so on. All others grow from their middle.
+    and so on. A closed one beside a paired one of its paint grows out of that, as a plume on a helmet. All others grow
+    from their middle.
     """
     outer = [match for match in matches if match.pair[here].role != HOLE]
     sides = [match.pair[here] for match in outer]
@@ -289,7 +293,27 @@ def _points_of_contact(
             if beside[k].number not in spots and len(_contacts(samples[k], beside[leader], touching)):
                 spots[beside[k].number] = spots[beside[leader].number]
                 leaders.append(k)
-    return {contour.number: spots.get(contour.number, _middle(contour)) for contour in beside}
+    rest = [k for k, contour in enumerate(beside) if contour.number not in spots]
+    gap = GAP / TOUCHING * touching
+    for k, near in zip(rest, _near([beside[k] for k in rest], sides, gap), strict=True):
+        contour = beside[k]
+        hosts = [outer[m].points(here) for m in near if sides[m].style.fill == contour.style.fill]
+        place = _place_across(samples[k], hosts, gap, touching) if contour.polygon.closed else None
+        spots[contour.number] = _middle(contour) if place is None else place
+    return spots
+
+
+def _place_across(
+    points: ComplexArray, hosts: Sequence[MatchedPoints], gap: float, touching: float
+) -> complex | None:
+    """Return the place of the nearest host that faces points across a gap, carried along; None if all are far."""
+    place = None
+    for host in hosts:
+        apart = np.abs(host.here[:, None] - points).min(axis=1)
+        if apart.min() < gap:
+            gap = float(apart.min())
+            place = complex(host.there[apart <= gap + touching].mean())
+    return place
 
 
 def _near(some: Sequence[PlacedContour], others: Sequence[PlacedContour], distance: float) -> list[list[int]]:

@@ -50,3 +50,14 @@ def test_a_shape_that_touches_nothing_shrinks_in_its_place():
     for t in TIMES:
         (outline,) = outlines_at(pair, (1,), t)
         assert outline.mean() == pytest.approx(88 + 6j)
+
+
+def test_a_shape_across_a_small_gap_shrinks_towards_what_it_belongs_to():
+    plume = "M30 10H40V27H30Z"
+    pair = pair_of(drawing(BODY, plume), drawing(NARROW), motion="linear")
+    first, late = (outlines_at(pair, (0, 1), t) for t in (0.0, 0.99))
+    assert gap(*late) < gap(*first) / 3
+    of_another_paint = drawing(f'<path d="{BODY}" fill="red"/><path d="{plume}"/>')
+    pair = pair_of(of_another_paint, drawing(f'<path d="{NARROW}" fill="red"/>'), motion="linear")
+    (late,) = outlines_at(pair, (1,), 0.99)
+    assert late.mean() == pytest.approx(35 + 18.5j, abs=0.1)
