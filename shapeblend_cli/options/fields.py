@@ -58,6 +58,8 @@ class Option(NamedTuple):
         try:
             if not self.many:
                 return self.kind.check(value)
+            if isinstance(value, str):
+                value = (value,)
             if not isinstance(value, Iterable):
                 raise ValueError(f"must be a sequence, not {value!r}")
             return tuple(self.kind.check(one) for one in value)

@@ -35,8 +35,9 @@ class FieldType(NamedTuple):
     words: int = 1  # how many words on the command line make a value
 
     def check(self, value: Any) -> Any:
-        """Return a value in its canonical form, or raise ValueError."""
-        return self._try(self.canonical, value, repr(value))
+        """Return a value in its canonical form, or raise ValueError. A text may have the form of what is typed."""
+        is_typed = isinstance(value, str) and self.split not in (str, int, float)
+        return self._try(self._typed if is_typed else self.canonical, value, repr(value))
 
     def parse(self, text: str) -> Any:
         """Return the value that a typed text stands for, or raise ValueError.
@@ -44,8 +45,11 @@ class FieldType(NamedTuple):
         A word for None stays that word, as None would say that nothing was typed.
         """
         shown = text if self.split in (int, float) else repr(text)
-        value = self._try(lambda typed: self.canonical(self.split(typed)), text, shown)
+        value = self._try(self._typed, text, shown)
         return text if value is None else value
+
+    def _typed(self, text: str) -> Any:
+        return self.canonical(self.split(text))
 
     def _try(self, read: Callable[[Any], Any], value: Any, shown: str) -> Any:
         try:

@@ -68,6 +68,11 @@ def test_values_are_kept_in_one_form():
     assert kinds == [int, float, int]
 
 
+def test_values_may_have_the_form_of_the_command_line():
+    typed = Settings(match=["0=1"], pins="1,2:3,4", stiff="10,20,5=3", start="0,3")
+    assert typed == Settings(match=[(0, 1)], pins=[((1, 2), (3, 4))], stiff=[(10 + 20j, 5, 3)], start=(0, 3))
+
+
 def test_settings_are_values():
     settings = Settings(vertices=50, k_b=0.3)
     with pytest.raises(AttributeError, match="frozen"):
