@@ -1,8 +1,11 @@
-"""Clip paths: the region of an element, or of a group, outside of which nothing is painted."""
+"""Clip paths and masks: the region of an element, or of a group, outside of which nothing is painted.
+
+A mask is such a region if its shapes are opaque: what design programs write where somebody "uses a shape as a mask".
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -11,12 +14,16 @@ from shapeblend_cli.model import Box, Clip, Contour
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.elements import contours_of
 from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
+from shapeblend_cli.svg.styles.cascade import INITIAL, inherit, share
 from shapeblend_cli.svg.xml.messages import Notes, check_limit
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, parse, translation
+from shapeblend_cli.svg.xml.units import length
 from shapeblend_cli.svg.xml.xmltree import SHAPES, Node, named
 
 if TYPE_CHECKING:
-    from shapeblend_cli.svg.styles.cascade import Cascade
+    from collections.abc import Callable, Iterator
+
+    from shapeblend_cli.svg.styles.cascade import Cascade, Inherited
     from shapeblend_cli.svg.styles.declarations import Declarations
     from shapeblend_cli.svg.xml.units import Lengths
 
@@ -24,6 +31,24 @@ SLACK = 1e-6
 """Tolerance of a shape that reaches out of its clip, as a share of the diagonal of the clip."""
 
 NOT_APPLIED = "clip-path not applied"
+NO_MASK = "mask not applied"
+
+MOST_GROUPS = 16
+"""Maximum depth of groups in a mask."""
+
+WHITE, BLACK = "#ffffff", "#000000"
+
+
+class _SoftMaskError(Exception):
+    """A mask that is no region: something in it is half transparent, grey, a picture or text."""
+
+
+class _Painted(NamedTuple):
+    """A shape in a mask."""
+
+    contours: list[Contour]
+    colour: str
+    rule: str
 
 
 class Clips:
@@ -34,43 +59,135 @@ class Clips:
         self._cascade = cascade
         self._notes = notes
         self._lenient = lenient
-        self._known: dict[tuple[int, Affine], Clip | None] = {}
+        self._known: dict[tuple[int, Affine], tuple[Clip, ...]] = {}
         self._segments = 0
 
-    def find(self, value: str, matrix: Affine, lengths: Lengths, box: Box | None) -> Clip | None:
-        """Return the region that a value of ``clip-path`` names, in the root's coordinates; None without one.
+    def of(
+        self, declared: Declarations, matrix: Affine, lengths: Lengths, box: Callable[[], Box | None]
+    ) -> list[Clip]:
+        """Return the regions of an element outside of which it is not painted, in the root's coordinates.
 
-        The `matrix` maps the coordinates of the clipped element to the root's; the `box` is around it, unless it is a
-        group.
+        The `matrix` maps its coordinates to the root's; `box` finds the box around it, unless it is a group.
         """
+        ways = {"clip-path": self._clip, "mask": self._mask}
+        values = {name: declared.get(name, "none").strip() for name in ways}
+        wanted = [name for name, value in values.items() if value != "none"]
+        around = box() if wanted else None
+        return [clip for name in wanted for clip in ways[name](values[name], matrix, lengths, around)]
+
+    def _clip(self, value: str, matrix: Affine, lengths: Lengths, box: Box | None) -> tuple[Clip, ...]:
+        """Return the region that a value of ``clip-path`` names; nothing without one."""
         node = self._ids.get(named(value))
         if node is None or node.tag != "clipPath" or "clip-path" in self._cascade.declared(node):
             self._notes.add(NOT_APPLIED)
-            return None
+            return ()
         if (node.get("clipPathUnits") or "").strip() == "objectBoundingBox":
             if box is None:
                 self._notes.add(NOT_APPLIED)
-                return None
-            matrix = matrix @ Affine(box.width, 0.0, 0.0, box.height, box.x, box.y)
+                return ()
+            matrix = matrix @ _unit_square_to(box)
         key = id(node), matrix
         if key not in self._known:
             self._known[key] = self._read(node, matrix, lengths)
         return self._known[key]
 
-    def _read(self, node: Node, matrix: Affine, lengths: Lengths) -> Clip | None:
+    def _mask(self, value: str, matrix: Affine, lengths: Lengths, box: Box | None) -> tuple[Clip, ...]:
+        """Return the regions that together are what a value of ``mask`` shows; nothing if it is no region."""
+        node = self._ids.get(named(value))
+        try:
+            if node is None or node.tag != "mask" or "mask" in self._cascade.declared(node):
+                raise _SoftMaskError
+            inner, units = matrix, (node.get("maskContentUnits") or "").strip()
+            if units == "objectBoundingBox":
+                if box is None:
+                    raise _SoftMaskError
+                inner = matrix @ _unit_square_to(box)
+            key = id(node), inner
+            if key not in self._known:
+                self._known[key] = self._shown(node, inner, lengths)
+            return *self._known[key], *_frame(node, matrix, lengths, box)
+        except _SoftMaskError:
+            self._notes.add(NO_MASK)
+            return ()
+
+    def _shown(self, node: Node, matrix: Affine, lengths: Lengths) -> tuple[Clip, ...]:
+        """Return what a mask shows: the inside of its shapes, or of white ones, and the outside of each black one."""
+        declared = self._cascade.declared(node)
+        painted = list(self._painted(node, inherit(INITIAL, declared, self._notes.add), matrix, lengths))
+        shown, hidden = painted, list[_Painted]()
+        if declared.get("mask-type", "luminance").strip() != "alpha":
+            shown = [each for each in painted if each.colour == WHITE]
+            hidden = painted[len(shown) :]
+            # What is white above something black would show again.
+            if painted[: len(shown)] != shown or any(each.colour != BLACK for each in hidden):
+                raise _SoftMaskError
+        if not shown:
+            raise _SoftMaskError
+        inside = Clip(tuple(c for each in shown for c in each.contours), shown[0].rule)
+        around = Box.union([cubics.bounds(c.segments) for each in painted for c in each.contours])
+        width, height = around.width, around.height
+        wide = Box(around.x - width, around.y - height, 3.0 * width, 3.0 * height)
+        outside = (Clip((contours.rectangle(wide), *each.contours), "evenodd") for each in hidden)
+        return inside, *outside
+
+    def _painted(
+        self, node: Node, around: Inherited, matrix: Affine, lengths: Lengths, depth: int = 0
+    ) -> Iterator[_Painted]:
+        """Yield the shapes below an element of a mask, in the root's coordinates."""
+        for each in node.children:
+            child, declared, inner = self._placed(each, matrix, lengths)
+            inherited = inherit(around, declared, self._notes.add)
+            if child.tag in ("title", "desc", "defs", "style") or _is_hidden(declared):
+                continue
+            opacity = share(declared.get("opacity", "1"))
+            if opacity != 1.0 or any(
+                declared.get(name, "none") != "none" for name in ("mask", "clip-path", "filter")
+            ):
+                raise _SoftMaskError
+            if child.tag == "g" and child is each and depth < MOST_GROUPS:
+                yield from self._painted(child, inherited, inner, lengths, depth + 1)
+                continue
+            fill, colour = inherited.fill, inherited.fill.colour
+            colour = inherited.color if fill.kind == "current" else colour
+            is_opaque = colour is not None and colour.alpha * inherited.fill_opacity >= 1.0
+            if (
+                child.tag not in SHAPES
+                or inherited.stroke.kind != "none"
+                or not is_opaque
+                or not is_sound(inner)
+            ):
+                raise _SoftMaskError
+            assert colour is not None  # as it is opaque
+            yield _Painted(self._closed_in(child, declared, inner, lengths), colour.rgb, inherited.fill_rule)
+
+    def _placed(self, child: Node, matrix: Affine, lengths: Lengths) -> tuple[Node, Declarations, Affine]:
+        """Return an element of a region, or what it uses, its declarations, and the map to the root's coordinates."""
+        declared = self._cascade.declared(child)
+        inner = matrix @ (parse(child.get("transform") or "none") or IDENTITY)
+        if child.tag == "use":
+            inner = inner @ translation(*viewports.offset(child, lengths))
+            used = self._ids.get(child.link().strip().removeprefix("#"))
+            child = used if used is not None else child
+            declared = {**declared, **self._cascade.declared(child)}
+            inner = inner @ (parse(child.get("transform") or "none") or IDENTITY)
+        return child, declared, inner
+
+    def _closed_in(
+        self, child: Node, declared: Declarations, matrix: Affine, lengths: Lengths
+    ) -> list[Contour]:
+        """Return the contours of a shape in a region, closed, in the root's coordinates."""
+        found = contours_of(child, declared, lengths, self._notes, self._lenient)
+        self._segments += sum(len(contour.segments) for contour in found)
+        check_limit(self._segments, MAX_SEGMENTS, "segments of clip paths")
+        return [_closed(contours.transform(contour, matrix)) for contour in found]
+
+    def _read(self, node: Node, matrix: Affine, lengths: Lengths) -> tuple[Clip, ...]:
         matrix = matrix @ (parse(node.get("transform") or "none") or IDENTITY)
         outer = self._cascade.declared(node)
         found: list[Contour] = []
         rules = []
-        for child in node.children:
-            declared = self._cascade.declared(child)
-            inner = matrix @ (parse(child.get("transform") or "none") or IDENTITY)
-            if child.tag == "use":
-                inner = inner @ translation(*viewports.offset(child, lengths))
-                used = self._ids.get(child.link().strip().removeprefix("#"))
-                child = used if used is not None else child
-                declared = {**declared, **self._cascade.declared(child)}
-                inner = inner @ (parse(child.get("transform") or "none") or IDENTITY)
+        for each in node.children:
+            child, declared, inner = self._placed(each, matrix, lengths)
             if child.tag in ("title", "desc") or _is_hidden(declared):
                 continue
             if child.tag not in SHAPES:
@@ -78,15 +195,36 @@ class Clips:
                 continue
             if not is_sound(inner):
                 continue
-            for contour in contours_of(child, declared, lengths, self._notes, self._lenient):
-                self._segments += len(contour.segments)
-                check_limit(self._segments, MAX_SEGMENTS, "segments of clip paths")
-                found.append(_closed(contours.transform(contour, inner)))
+            found += self._closed_in(child, declared, inner, lengths)
             rules.append(declared.get("clip-rule") or outer.get("clip-rule") or "nonzero")
         if not found:
             self._notes.add(NOT_APPLIED)
-            return None
-        return Clip(tuple(found), "evenodd" if rules[0].strip() == "evenodd" else "nonzero")
+            return ()
+        return (Clip(tuple(found), "evenodd" if rules[0].strip() == "evenodd" else "nonzero"),)
+
+
+def _frame(node: Node, matrix: Affine, lengths: Lengths, box: Box | None) -> tuple[Clip, ...]:
+    """Return the rectangle beyond which a mask shows nothing; nothing if that is not known."""
+    given = [node.get(name) for name in ("x", "y", "width", "height")]
+    if (node.get("maskUnits") or "").strip() == "userSpaceOnUse":
+        read = lengths.x, lengths.y, lengths.x, lengths.y
+        sides = [by(text or "") for by, text in zip(read, given, strict=True)]
+    elif box is not None:
+        sides = [
+            length(text or default, whole=1.0)
+            for text, default in zip(given, ("-10%", "-10%", "120%", "120%"), strict=True)
+        ]
+        matrix = matrix @ _unit_square_to(box)
+    else:
+        return ()
+    x, y, width, height = (0.0 if side is None else side for side in sides)
+    if width <= 0.0 or height <= 0.0:
+        return ()
+    return (Clip((contours.transform(contours.rectangle(Box(x, y, width, height)), matrix),)),)
+
+
+def _unit_square_to(box: Box) -> Affine:
+    return Affine(box.width, 0.0, 0.0, box.height, box.x, box.y)
 
 
 def _is_hidden(declared: Declarations) -> bool:

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.cubics import lines
-from shapeblend_cli.model import Clip, Contour
+from shapeblend_cli.model import Box, Clip, Contour
 from shapeblend_cli.svg.reading import contours as outlines
 from shapeblend_cli.svg.reading import viewports
 from shapeblend_cli.svg.xml.transforms import Affine, angle, rotation, translation
@@ -136,9 +135,7 @@ def _mark(
     )
     window = None
     if cascade.declared(node).get("overflow", "hidden").strip() not in ("visible", "auto"):
-        corners = np.array([0.0, wide, wide + 1j * high, 1j * high])
-        window = Contour(lines(corners, closed=True), np.ones(4, bool), closed=True)
-        window = outlines.transform(window, matrix)
+        window = outlines.transform(outlines.rectangle(Box(0.0, 0.0, wide, high)), matrix)
     return Mark(node, matrix @ fit, inner, window)
 
 

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.svg.reading.text import Text, Texts
 
 _EFFECTS = {
-    **dict.fromkeys(("mask", "filter", "backdrop-filter"), "none"),
+    **dict.fromkeys(("filter", "backdrop-filter"), "none"),
     **dict.fromkeys(("mix-blend-mode", "paint-order"), "normal"),
 }
 """Properties that are not applied, and the values that need not be."""
@@ -161,8 +161,8 @@ class Walk:
         declared = self._cascade.declared(node, keep=bool(visit.used))
         if declared:
             declared, visit = self._apply(declared, visit)
-            if declared.get("clip-path", "none").strip() != "none":
-                visit = self._clipped(visit, declared)
+            clips = self._clips.of(declared, visit.matrix, visit.lengths, partial(self._box, visit, declared))
+            visit = visit._replace(clips=(*visit.clips, *clips))
         reason = None
         if declared.get("display", "").strip().lower() == "none":
             reason = "not displayed"
@@ -256,13 +256,12 @@ class Walk:
             )
         )
 
-    def _clipped(self, visit: _Visit, declared: Declarations) -> _Visit:
-        box = None
-        if visit.node.tag in SHAPES and visit.matrix.determinant != 0:
-            own = self._contours(visit, declared)
-            box = cubics.bounds(np.concatenate([contour.segments for contour in own])) if own else None
-        clip = self._clips.find(declared["clip-path"], visit.matrix, visit.lengths, box)
-        return visit if clip is None else visit._replace(clips=(*visit.clips, clip))
+    def _box(self, visit: _Visit, declared: Declarations) -> Box | None:
+        """Return the box around a shape, in its own coordinates."""
+        if visit.node.tag not in SHAPES or visit.matrix.determinant == 0:
+            return None
+        own = self._contours(visit, declared)
+        return cubics.bounds(np.concatenate([contour.segments for contour in own])) if own else None
 
     def _grouped(self, visit: _Visit) -> _Visit:
         """Return the visit with its element as a group around the next ones."""

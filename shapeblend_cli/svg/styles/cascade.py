@@ -20,9 +20,9 @@ TEXT = frozenset(
 
 PRESENTATION = TEXT - {"font"} | frozenset(
     "clip-path clip-rule color display fill fill-opacity fill-rule filter font-size marker-end marker-mid "
-    "marker-start mask opacity overflow paint-order stop-color stop-opacity stroke stroke-dasharray stroke-dashoffset "
-    "stroke-linecap stroke-linejoin stroke-miterlimit stroke-opacity stroke-width transform transform-origin "
-    "vector-effect visibility".split()
+    "marker-start mask mask-type opacity overflow paint-order stop-color stop-opacity stroke stroke-dasharray "
+    "stroke-dashoffset stroke-linecap stroke-linejoin stroke-miterlimit stroke-opacity stroke-width transform "
+    "transform-origin vector-effect visibility".split()
 )
 """Presentation attributes: properties that this reader knows, and that may be written as attributes."""
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.polygons import winding_numbers
 from tests.support.drawings import drawing
 
 RECT = '<rect x="2" y="2" width="20" height="20"/>'
@@ -83,3 +84,57 @@ def test_what_cannot_be_read_clips_nothing_and_is_noted(value):
     found = drawing(known, f'<g clip-path="{value}">{RECT}</g>')
     assert found.shapes[0].clips == ()
     assert "clip-path not applied" in found.notes
+
+
+def mask(shapes, attributes='style="mask-type:alpha"'):
+    """The clips of a square from 2 to 22 behind a mask of shapes."""
+    return clips(f'<mask id="m" {attributes}>{shapes}</mask>', f'<g mask="url(#m)">{RECT}</g>')
+
+
+ALPHA = 'style="mask-type:alpha" maskUnits="userSpaceOnUse" x="0" y="0" width="9" height="24"'
+WHITE_DOT = '<circle cx="8" cy="8" r="4" fill="white"/>'
+
+
+@pytest.mark.parametrize(
+    ("shapes", "attributes", "boxes"),
+    [
+        ('<circle cx="8" cy="8" r="4" fill="#d9d9d9"/>', 'style="mask-type:alpha"', [(4, 4, 12, 12)]),
+        (WHITE_DOT, "", [(4, 4, 12, 12)]),
+        ('<circle cx="8" cy="8" r="4"/>', 'fill="#fff"', [(4, 4, 12, 12)]),
+        (f'<g transform="translate(2 0)">{WHITE_DOT}</g>', "", [(6, 4, 14, 12)]),
+        ('<defs><path id="p" d="M4 4H8V8"/></defs><use href="#p" fill="white"/>', "", [(4, 4, 8, 8)]),
+        (WHITE_DOT, ALPHA, [(4, 4, 12, 12), (0, 0, 9, 24)]),
+        # What is painted black is hidden: it is a hole in a rectangle around all.
+        ('<path fill="#fff" d="M0 0H24V24H0Z"/><path d="M8 8H16V16H8Z"/>', "", [(-24, -24, 48, 48)]),
+    ],
+)
+def test_a_mask_of_opaque_shapes_is_a_region(shapes, attributes, boxes):
+    assert mask(shapes, attributes) == [boxes]
+
+
+def test_what_a_mask_shows_is_what_browsers_show():
+    shapes = '<path fill="#fff" d="M0 0H24V24H0Z"/><path d="M8 8H16V16H8Z"/>'
+    found = drawing(f'<mask id="m">{shapes}</mask>', f'<g mask="url(#m)">{RECT}</g>')
+    (clip,) = found.shapes[0].clips
+    rings = [cubics.polyline(path.segments, 1) for path in clip.paths]
+    points = np.array([12 + 12j, 4 + 4j, 15 + 9j, 17 + 9j])
+    inside = sum(abs(winding_numbers(points, ring)) for ring in rings) % 2
+    assert (clip.rule, inside.tolist()) == ("evenodd", [0, 1, 0, 1])
+
+
+@pytest.mark.parametrize(
+    "shapes",
+    [
+        "",
+        '<circle r="9" fill="grey"/>',
+        '<circle r="9" fill="white" opacity=".5"/>',
+        '<circle r="9" fill="none" stroke="white"/>',
+        '<path d="M8 8H16V16H8Z"/><circle r="9" fill="white"/>',
+        '<image href="x.png"/>',
+        '<use href="#none"/>',
+    ],
+)
+def test_a_mask_that_is_no_region_is_not_applied_and_noted(shapes):
+    found = drawing(f'<mask id="m">{shapes}</mask>', f'<g mask="url(#m)">{RECT}</g>')
+    assert found.shapes[0].clips == ()
+    assert "mask not applied" in found.notes
