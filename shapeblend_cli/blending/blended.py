@@ -5,8 +5,9 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
+from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.blending.expanded import with_outlines
-from shapeblend_cli.blending.graded import grade_of_shapes
+from shapeblend_cli.blending.graded import FINE, grade_of_shapes
 from shapeblend_cli.blending.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.inverted import with_signs_inverted
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
@@ -16,7 +17,7 @@ from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.early import changes_much, with_early_parts
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
-from shapeblend_cli.pairing.changes import crossed_out
+from shapeblend_cli.pairing.changes import are_painted_alike, crossed_out
 from shapeblend_cli.pens.drawings import MOST_LINES, pen_drawing
 from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.named_lines import wants_lines
@@ -38,6 +39,9 @@ ALL = 0.9
 
 KEPT = 0.3
 """Minimum share of lines that stay for what sticks out of the others to take all of the time to come or go."""
+
+BETTER = 0.2
+"""Minimum advantage of the blend in which the largest fills become each other over the ordinary one, in grades."""
 
 MARGIN = 0.5
 """Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in grades."""
@@ -109,7 +113,7 @@ def _by_lines_or_outlines(
             if inlaid is not None:
                 return tuple(inlaid)
         paired = pair_drawings(*with_outlines(a, b, settings, view), settings, 0.0, progress)
-        return _moved(paired, *match_pairs(paired), view)
+        return _with_bodies(paired, _moved(paired, *match_pairs(paired), view), view)
 
     is_sign = _is_free(settings) and pens is not None and max(pen.share for pen in pens) >= ALL
 
@@ -127,6 +131,31 @@ def _by_lines_or_outlines(
         return shapes
     outlines = paced(outlined(a, b, settings))
     return outlines if grade_of_shapes(outlines, view) < grade_of_shapes(shapes, view) - MARGIN else shapes
+
+
+def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:
+    """Return the blend in which the largest fills become each other, if one was alone and that looks better.
+
+    They have about one colour.
+    """
+    a, b, settings, progress = paired.a, paired.b, paired.settings, paired.progress
+    if not _is_free(settings) or paired.copies is not None or paired.changes or paired.required:
+        return usual
+    fills = [[c for c in side.contours if c.role == EXTERIOR and c.style.fill is not None] for side in (a, b)]
+    if not all(fills):
+        return usual
+    largest = [max(side, key=lambda contour: contour.area) for side in fills]
+    numbers = largest[0].number, largest[1].number
+    known = {i for i, _ in paired.pairs}, {j for _, j in paired.pairs}
+    are_paired = all(number in side for number, side in zip(numbers, known, strict=True))
+    if are_paired or not are_painted_alike(largest[0].style, largest[1].style):
+        return usual
+    grade = grade_of_shapes(usual, view)
+    if grade <= FINE:
+        return usual
+    other = pair_drawings(a, b, settings, 0.0, progress, wanted=[numbers])
+    shapes = _moved(other, *match_pairs(other), view)
+    return shapes if grade_of_shapes(shapes, view) < grade - BETTER else usual
 
 
 def _pens(

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.motion.alignment import Alignment
     from shapeblend_cli.pairing.changes import Change
     from shapeblend_cli.pairing.required import ConstrainedPairs, NumbersOrNone
+    from shapeblend_cli.wires.constraints import Numbers
     from shapeblend_cli.wires.direction import Watch
 
 
@@ -138,19 +139,23 @@ def pair_drawings(
     rotation: float,
     progress: Progress,
     changed: Sequence[Change] = (),
+    wanted: Sequence[Numbers] = (),
 ) -> PairedDrawings:
-    """Pair the contours of two drawings as if B were rotated back by an angle, except where a change is known."""
+    """Pair the contours of two drawings as if B were rotated back by an angle, except where a change is known.
+
+    `wanted` are numbers of contours that are paired besides those that the settings name.
+    """
     progress.tell("pairing", 0.0)
     pins = point_pins(a, b, settings)
     asked = required_pairs(a, b, settings) + [pin.pair for pin in pins]
     if not (changed or rotation or is_star(settings)):
         changed = changes(a.contours, b.contours, settings)
     rest = unchanged(a.contours, changed, 0), unchanged(b.contours, changed, 1)
-    required = asked
+    required = [*asked, *wanted]
     pairs: Sequence[ContourPair] = ()
     if all(rest):
         if not rotation:
-            required = asked + same_pairs(*rest, asked)
+            required += same_pairs(*rest, required)
         boxes = Box.union([c.box for c in a.contours]), Box.union([c.box for c in b.contours])
         frames = boxes if changed else None
         pairs = pair_rotated_contours(*rest, settings, required, rotation, frames=frames)

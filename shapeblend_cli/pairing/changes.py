@@ -162,7 +162,7 @@ def changes(a: Sequence[PlacedContour], b: Sequence[PlacedContour], settings: Se
         if i in taken_a or j in taken_b or key in unlike:
             continue
         p, q = shapes[0][i], shapes[1][j]
-        change = _change(p, q, diagonal, settings) if _is_alike(p[0].style, q[0].style) else None
+        change = _change(p, q, diagonal, settings) if are_painted_alike(p[0].style, q[0].style) else None
         if change is None:
             unlike.add(key)
         else:
@@ -177,7 +177,7 @@ def _is_free(settings: Settings) -> bool:
     return free and settings.unmatched != "split" and settings.motion in ("auto", "linear")
 
 
-def _is_alike(a: Style, b: Style) -> bool:
+def are_painted_alike(a: Style, b: Style) -> bool:
     """Return whether two fills have nearly the same colour."""
     return bool(np.abs(np.subtract(channels(a.fill), channels(b.fill))).mean() <= LIKE_PAINT)
 
@@ -189,7 +189,7 @@ def crossed_out(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> list[
     paints = [_paints(side) for side in (a, b)]
     if not paints[0] or len(paints[0]) != len(paints[1]):
         return []
-    if not all(_is_alike(p[0].style, q[0].style) for p, q in zip(*paints, strict=True)):
+    if not all(are_painted_alike(p[0].style, q[0].style) for p, q in zip(*paints, strict=True)):
         return []
     outlines = [[c.contour for c in side[-1]] for side in paints]  # the uppermost: it has the slash
     axis = slash_axis(*outlines)
