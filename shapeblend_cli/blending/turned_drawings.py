@@ -62,7 +62,7 @@ LEAST_TURN = np.radians(20.0)
 """Minimum angle between the axes of two long drawings for one to turn, in radians."""
 
 BETTER = 0.2
-"""Minimum advantage of a long drawing that turns over the ordinary blend, in grades."""
+"""Minimum advantage of a long drawing that turns over the ordinary blend, in grades; more beyond a right angle."""
 
 TURNED, TURNED_OVER, POINTS_ELSEWHERE = (
     "B is A turned as a whole",
@@ -114,7 +114,8 @@ def _turned_to_its_axis(
     for turn in (angle, angle - np.copysign(np.pi, angle)):
         way = Whole(in_a, in_b, float(turn))
         beside = blend(a, turned_back(b, way))
-        tried.append((grade_of_shapes(beside, view) + BETTER, carried(beside, way, POINTS_ELSEWHERE)))
+        margin = BETTER * max(1.0, abs(turn) / (0.5 * np.pi))
+        tried.append((grade_of_shapes(beside, view) + margin, carried(beside, way, POINTS_ELSEWHERE)))
     return min(tried, key=lambda one: one[0])[1]
 
 

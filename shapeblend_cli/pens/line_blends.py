@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.geometry.cubics import directions
 from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import WHOLE, Box
 from shapeblend_cli.motion.pen import Pen, Together, Whole, between
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
-    from shapeblend_cli.model import ComplexArray, ShapeBlend
+    from shapeblend_cli.model import ComplexArray, Contour, ShapeBlend
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.pens.line import PenDrawing, PenLine
     from shapeblend_cli.pens.named_lines import Pins, Required
@@ -64,6 +65,9 @@ LEAST_COPIED = 0.9
 
 EXACT = 0.01
 """Maximum distance of lines that are the same, in units."""
+
+CORNER = np.radians(20.0)
+"""Minimum turn at a corner of an outline, in radians."""
 
 SAME_WEIGHT = 0.97
 """Minimum ratio of the widths of two drawings in one weight of line."""
@@ -117,12 +121,23 @@ def blend_lines(
     return LineBlend(_shapes(moves, scale, settings), rest, required.left, is_sure, kept)
 
 
-def _are_two_weights(a: PlacedDrawing, b: PlacedDrawing, one: PenDrawing, other: PenDrawing) -> bool:
-    """Return whether outlines have the same segments and lines other widths, as a letter in two weights of a typeface.
+def _corners(contour: Contour) -> int:
+    """Return the number of corners of a contour."""
+    starts, ends = directions(contour.segments)
+    turns = np.abs(np.angle(np.roll(starts, -1) / ends))
+    return int((turns > CORNER).sum())
 
-    Outlines that were made from each other are best matched segment by segment.
+
+def _are_two_weights(a: PlacedDrawing, b: PlacedDrawing, one: PenDrawing, other: PenDrawing) -> bool:
+    """Return whether outlines are built alike and lines have other widths, as a letter in two weights of a typeface.
+
+    Outlines that were made from each other are best matched segment by segment, or corner by corner if pieces are cut.
     """
     counts = [sorted(len(contour.contour.segments) for contour in drawing.contours) for drawing in (a, b)]
+    if counts[0] != counts[1]:
+        counts = [sorted(_corners(contour.contour) for contour in drawing.contours) for drawing in (a, b)]
+        if not any(counts[0]):
+            return False
     widths = [float(np.median([line.width for line in drawing.lines])) for drawing in (one, other)]
     return counts[0] == counts[1] and min(widths) < SAME_WEIGHT * max(widths)
 

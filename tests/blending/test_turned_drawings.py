@@ -107,6 +107,15 @@ def test_a_long_drawing_turns_where_that_looks_better():
     assert min(box.width, box.height) < 9.0
 
 
+def test_a_long_drawing_whose_ends_are_alike_turns_the_short_way():
+    sloping = (
+        "M22 4C21 2 18 4 15 6C11 8 5 12 5 12C5 12 2 13 3 15C4 16 8 13 8 13C8 13 12 10 16 8C19 7 23 6 22 4Z"
+    )
+    level = "M2 10H18Q22 10 22 12Q22 14 18 14L4 13Q2 12 2 10Z"
+    (shape,) = shapes_of(drawing(sloping), drawing(level))
+    assert [abs(contour.rotation) < 1.0 for contour in shape.contours] == [True]
+
+
 def test_a_long_drawing_that_becomes_another_in_its_place_does_not_turn():
     (shape,) = shapes_of(drawing(PENCIL), drawing("M2 4L4 2L18 15L21 21L15 18Z"))
     assert shape.motion_name == "linear"

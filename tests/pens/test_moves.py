@@ -220,3 +220,11 @@ def test_a_line_that_goes_nearly_round_does_not_unroll_across_the_drawing():
     around = np.exp(1.9j * np.pi * np.linspace(0.0, 1.0, 25))
     moving = between(around, 1j * around.conj())
     assert max(np.abs(moving.points(t)).max() for t in TIMES) < 1.25
+
+
+def test_letters_of_two_weights_become_each_other_by_corners_though_their_lines_are_cut():
+    thin = drawing("M12 0V-73H51V-68.4H17V-40.3H47.5V-35.8H17V-4.6H51V0Z", viewbox="8 -77 47 81")
+    cut = "M42 -29V-5H74V3H34V-32V-67H46H74V-63V-59H54H42V-37H71V-29Z"
+    (shape,) = shapes_of(thin, drawing(cut, viewbox="30 -71 49 79"))
+    assert [(contour.a, contour.b) for contour in shape.contours] == [(0, 0)]
+    assert BECOMES not in shape.reason
