@@ -60,6 +60,7 @@ class Clips:
         self._notes = notes
         self._lenient = lenient
         self._known: dict[tuple[int, Affine], tuple[Clip, ...]] = {}
+        self._soft: set[str] = set()
         self._segments = 0
 
     def of(
@@ -93,20 +94,29 @@ class Clips:
 
     def _mask(self, value: str, matrix: Affine, lengths: Lengths, box: Box | None) -> tuple[Clip, ...]:
         """Return the regions that together are what a value of ``mask`` shows; nothing if it is no region."""
-        node = self._ids.get(named(value))
+        name, before = named(value), self._segments
+        node = self._ids.get(name)
         try:
-            if node is None or node.tag != "mask" or "mask" in self._cascade.declared(node):
+            if (
+                node is None
+                or name in self._soft
+                or node.tag != "mask"
+                or "mask" in self._cascade.declared(node)
+            ):
                 raise _SoftMaskError
             inner, units = matrix, (node.get("maskContentUnits") or "").strip()
             if units == "objectBoundingBox":
                 if box is None:
-                    raise _SoftMaskError
+                    self._notes.add(NO_MASK)
+                    return ()
                 inner = matrix @ _unit_square_to(box)
             key = id(node), inner
             if key not in self._known:
                 self._known[key] = self._shown(node, inner, lengths)
             return *self._known[key], *_frame(node, matrix, lengths, box)
         except _SoftMaskError:
+            self._soft.add(name)  # not to be read again for each shape behind it
+            self._segments = before
             self._notes.add(NO_MASK)
             return ()
 
@@ -119,7 +129,7 @@ class Clips:
             shown = [each for each in painted if each.colour == WHITE]
             hidden = painted[len(shown) :]
             # What is white above something black would show again.
-            if painted[: len(shown)] != shown or any(each.colour != BLACK for each in hidden):
+            if [each.colour for each in painted] != [WHITE] * len(shown) + [BLACK] * len(hidden):
                 raise _SoftMaskError
         if not shown:
             raise _SoftMaskError

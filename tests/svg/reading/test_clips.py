@@ -138,3 +138,10 @@ def test_a_mask_that_is_no_region_is_not_applied_and_noted(shapes):
     found = drawing(f'<mask id="m">{shapes}</mask>', f'<g mask="url(#m)">{RECT}</g>')
     assert found.shapes[0].clips == ()
     assert "mask not applied" in found.notes
+
+
+def test_a_mask_that_is_not_applied_counts_towards_no_limit(monkeypatch):
+    monkeypatch.setattr("shapeblend_cli.svg.reading.clips.MAX_SEGMENTS", 20)
+    known = f'<mask id="m">{WHITE_DOT}<circle r="9" fill="grey"/></mask>'
+    found = drawing(known, *(f'<g mask="url(#m)" transform="scale({k})">{RECT}</g>' for k in range(1, 20)))
+    assert len(found.shapes) == 19
