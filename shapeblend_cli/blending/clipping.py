@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from shapeblend_cli.blending.blended import blend_shapes
 from shapeblend_cli.blending.matched import Progress
 from shapeblend_cli.blending.placing import AS_IT_IS, flattened
 from shapeblend_cli.blending.turned_drawings import TURNED, carried, turned_back
 from shapeblend_cli.errors import InputError
-from shapeblend_cli.geometry.cubics import line
+from shapeblend_cli.geometry.polygons import rectangle
 from shapeblend_cli.model import (
     Box,
     Clip,
@@ -112,7 +110,4 @@ def _box_around(shape: ShapeBlend, end: int) -> Clip:
     style = shape.style_b if end else shape.style_a
     box = control_box(paths)
     box = box.expanded(ROOM * box.larger_side + (style.stroke_width if style.stroke else 0.0))
-    left, top, right, bottom = box.bounds
-    corners = [complex(left, top), complex(right, top), complex(right, bottom), complex(left, bottom)]
-    segments = np.array([line(p, q) for p, q in zip(corners, [*corners[1:], corners[0]], strict=True)])
-    return Clip((Contour(segments, np.ones(4, bool), True),))
+    return Clip((rectangle(box),))

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import polygon_crossings
 from shapeblend_cli.geometry.raster import windings
 from shapeblend_cli.model import Box, Contour, Polygon
@@ -67,6 +68,13 @@ def _share_with_sign(vertices: ComplexArray, sign: int) -> float:
     numbers = winding_numbers(Box.around(vertices).grid(GRID), vertices)
     inside = np.count_nonzero(numbers)
     return float(np.count_nonzero(numbers * sign > 0) / inside) if inside else 0.0
+
+
+def rectangle(box: Box) -> Contour:
+    """Return the outline of a box, from its first corner along its width."""
+    left, top, right, bottom = box.bounds
+    corners = [complex(left, top), complex(right, top), complex(right, bottom), complex(left, bottom)]
+    return Contour(cubics.lines(np.array(corners), closed=True), np.ones(4, bool), closed=True)
 
 
 def reverse_contour(contour: Contour) -> Contour:

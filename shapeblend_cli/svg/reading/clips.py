@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.polygons import rectangle
 from shapeblend_cli.model import Box, Clip, Contour
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.elements import contours_of
 from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
 from shapeblend_cli.svg.styles.cascade import INITIAL, inherit, share
 from shapeblend_cli.svg.xml.messages import Notes, check_limit
-from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, parse, translation
+from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, onto, parse, translation
 from shapeblend_cli.svg.xml.units import length
 from shapeblend_cli.svg.xml.xmltree import SHAPES, Node, named
 
@@ -29,6 +30,9 @@ if TYPE_CHECKING:
 
 SLACK = 1e-6
 """Tolerance of a shape that reaches out of its clip, as a share of the diagonal of the clip."""
+
+REGIONS = frozenset(("clip-path", "mask"))
+"""Properties that confine what an element paints to a region."""
 
 NOT_APPLIED = "clip-path not applied"
 NO_MASK = "mask not applied"
@@ -71,54 +75,46 @@ class Clips:
         The `matrix` maps its coordinates to the root's; `box` finds the box around it, unless it is a group.
         """
         ways = {"clip-path": self._clip, "mask": self._mask}
-        values = {name: declared.get(name, "none").strip() for name in ways}
-        wanted = [name for name, value in values.items() if value != "none"]
+        wanted = [name for name in ways if declared.get(name, "none").strip() != "none"]
         around = box() if wanted else None
-        return [clip for name in wanted for clip in ways[name](values[name], matrix, lengths, around)]
+        return [clip for name in wanted for clip in ways[name](declared[name], matrix, lengths, around)]
 
     def _clip(self, value: str, matrix: Affine, lengths: Lengths, box: Box | None) -> tuple[Clip, ...]:
         """Return the region that a value of ``clip-path`` names; nothing without one."""
         node = self._ids.get(named(value))
         if node is None or node.tag != "clipPath" or "clip-path" in self._cascade.declared(node):
-            self._notes.add(NOT_APPLIED)
-            return ()
-        if (node.get("clipPathUnits") or "").strip() == "objectBoundingBox":
-            if box is None:
-                self._notes.add(NOT_APPLIED)
-                return ()
-            matrix = matrix @ _unit_square_to(box)
-        key = id(node), matrix
+            return self._none(NOT_APPLIED)
+        inner = _in_units(node.get("clipPathUnits"), matrix, box)
+        if inner is None:
+            return self._none(NOT_APPLIED)
+        key = id(node), inner
         if key not in self._known:
-            self._known[key] = self._read(node, matrix, lengths)
+            self._known[key] = self._read(node, inner, lengths)
         return self._known[key]
 
     def _mask(self, value: str, matrix: Affine, lengths: Lengths, box: Box | None) -> tuple[Clip, ...]:
         """Return the regions that together are what a value of ``mask`` shows; nothing if it is no region."""
-        name, before = named(value), self._segments
+        name = named(value)
         node = self._ids.get(name)
-        try:
-            if (
-                node is None
-                or name in self._soft
-                or node.tag != "mask"
-                or "mask" in self._cascade.declared(node)
-            ):
-                raise _SoftMaskError
-            inner, units = matrix, (node.get("maskContentUnits") or "").strip()
-            if units == "objectBoundingBox":
-                if box is None:
-                    self._notes.add(NO_MASK)
-                    return ()
-                inner = matrix @ _unit_square_to(box)
-            key = id(node), inner
-            if key not in self._known:
+        if node is None or node.tag != "mask" or "mask" in self._cascade.declared(node) or name in self._soft:
+            return self._none(NO_MASK)
+        inner = _in_units(node.get("maskContentUnits"), matrix, box)
+        if inner is None:
+            return self._none(NO_MASK)
+        key = id(node), inner
+        if key not in self._known:
+            before = self._segments
+            try:
                 self._known[key] = self._shown(node, inner, lengths)
-            return *self._known[key], *_frame(node, matrix, lengths, box)
-        except _SoftMaskError:
-            self._soft.add(name)  # not to be read again for each shape behind it
-            self._segments = before
-            self._notes.add(NO_MASK)
-            return ()
+            except _SoftMaskError:
+                self._soft.add(name)  # not to be read again for each shape behind it
+                self._segments = before
+                return self._none(NO_MASK)
+        return *self._known[key], *_frame(node, matrix, lengths, box)
+
+    def _none(self, note: str) -> tuple[Clip, ...]:
+        self._notes.add(note)
+        return ()
 
     def _shown(self, node: Node, matrix: Affine, lengths: Lengths) -> tuple[Clip, ...]:
         """Return what a mask shows: the inside of its shapes, or of white ones, and the outside of each black one."""
@@ -133,12 +129,12 @@ class Clips:
                 raise _SoftMaskError
         if not shown:
             raise _SoftMaskError
-        inside = Clip(tuple(c for each in shown for c in each.contours), shown[0].rule)
+        inside = tuple(contour for each in shown for contour in each.contours)
         around = Box.union([cubics.bounds(c.segments) for each in painted for c in each.contours])
         width, height = around.width, around.height
         wide = Box(around.x - width, around.y - height, 3.0 * width, 3.0 * height)
-        outside = (Clip((contours.rectangle(wide), *each.contours), "evenodd") for each in hidden)
-        return inside, *outside
+        outside = (Clip((rectangle(wide), *each.contours), "evenodd") for each in hidden)
+        return Clip(inside, shown[0].rule), *outside
 
     def _painted(
         self, node: Node, around: Inherited, matrix: Affine, lengths: Lengths, depth: int = 0
@@ -208,8 +204,7 @@ class Clips:
             found += self._closed_in(child, declared, inner, lengths)
             rules.append(declared.get("clip-rule") or outer.get("clip-rule") or "nonzero")
         if not found:
-            self._notes.add(NOT_APPLIED)
-            return ()
+            return self._none(NOT_APPLIED)
         return (Clip(tuple(found), "evenodd" if rules[0].strip() == "evenodd" else "nonzero"),)
 
 
@@ -224,17 +219,20 @@ def _frame(node: Node, matrix: Affine, lengths: Lengths, box: Box | None) -> tup
             length(text or default, whole=1.0)
             for text, default in zip(given, ("-10%", "-10%", "120%", "120%"), strict=True)
         ]
-        matrix = matrix @ _unit_square_to(box)
+        matrix = matrix @ onto(box)
     else:
         return ()
     x, y, width, height = (0.0 if side is None else side for side in sides)
     if width <= 0.0 or height <= 0.0:
         return ()
-    return (Clip((contours.transform(contours.rectangle(Box(x, y, width, height)), matrix),)),)
+    return (Clip((contours.transform(rectangle(Box(x, y, width, height)), matrix),)),)
 
 
-def _unit_square_to(box: Box) -> Affine:
-    return Affine(box.width, 0.0, 0.0, box.height, box.x, box.y)
+def _in_units(units: str | None, matrix: Affine, box: Box | None) -> Affine | None:
+    """Return the map from a region's own units to the root's; None if they are of a box that is not known."""
+    if (units or "").strip() != "objectBoundingBox":
+        return matrix
+    return None if box is None else matrix @ onto(box)
 
 
 def _is_hidden(declared: Declarations) -> bool:

@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.geometry.cubics import lines
 from shapeblend_cli.model import Contour
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import Box, ComplexArray
+    from shapeblend_cli.model import ComplexArray
 
 Segment = tuple[complex, ...]  # the four control points of a cubic
 _CLOSE = 1e-9  # ends closer than this share of the largest coordinate coincide
@@ -26,13 +25,6 @@ def line(start: complex, end: complex) -> Segment:
     """Return a straight line as a cubic with its inner points at thirds."""
     third = (end - start) / 3
     return (start, start + third, end - third, end)
-
-
-def rectangle(box: Box) -> Contour:
-    """Return the outline of a box."""
-    x, y, width, height = box.x, box.y, box.width, box.height
-    corners = [complex(x, y), complex(x + width, y), complex(x + width, y + height), complex(x, y + height)]
-    return Contour(lines(np.array(corners), closed=True), np.ones(4, bool), closed=True)
 
 
 def quadratic(start: complex, control: complex, end: complex) -> Segment:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.geometry.polygons import rectangle
 from shapeblend_cli.model import Box, Clip, Contour
 from shapeblend_cli.svg.reading import contours as outlines
 from shapeblend_cli.svg.reading import viewports
@@ -135,7 +136,7 @@ def _mark(
     )
     window = None
     if cascade.declared(node).get("overflow", "hidden").strip() not in ("visible", "auto"):
-        window = outlines.transform(outlines.rectangle(Box(0.0, 0.0, wide, high)), matrix)
+        window = outlines.transform(rectangle(Box(0.0, 0.0, wide, high)), matrix)
     return Mark(node, matrix @ fit, inner, window)
 
 

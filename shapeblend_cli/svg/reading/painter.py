@@ -14,7 +14,7 @@ from shapeblend_cli.svg.styles import css_colours as colours
 from shapeblend_cli.svg.styles.cascade import Cascade, Inherited, share
 from shapeblend_cli.svg.styles.declarations import substitute
 from shapeblend_cli.svg.xml.messages import Notes, check_limit
-from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound
+from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, onto
 from shapeblend_cli.svg.xml.transforms import parse as parse_transform
 from shapeblend_cli.svg.xml.units import Lengths, length
 from shapeblend_cli.svg.xml.xmltree import Node
@@ -182,7 +182,7 @@ def _resolve(
     if attributes.in_box:
         if box.width <= 0.0 or box.height <= 0.0:
             return None
-        matrix = matrix @ Affine(box.width, 0.0, 0.0, box.height, box.x, box.y)
+        matrix = matrix @ onto(box)
     spread = attributes.get("spreadMethod").strip()
     spread = spread if spread in ("reflect", "repeat") else "pad"
     is_linear = links[0].tag == "linearGradient"

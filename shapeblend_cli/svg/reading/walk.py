@@ -13,7 +13,7 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Clip, Contour, Group, Name, Shape, Style
 from shapeblend_cli.svg.reading import contours, viewports
-from shapeblend_cli.svg.reading.clips import Clips, covers
+from shapeblend_cli.svg.reading.clips import REGIONS, Clips, covers
 from shapeblend_cli.svg.reading.elements import contours_of, is_for_us
 from shapeblend_cli.svg.reading.markers import MARKED, marks
 from shapeblend_cli.svg.reading.painter import Painter
@@ -161,8 +161,10 @@ class Walk:
         declared = self._cascade.declared(node, keep=bool(visit.used))
         if declared:
             declared, visit = self._apply(declared, visit)
-            clips = self._clips.of(declared, visit.matrix, visit.lengths, partial(self._box, visit, declared))
-            visit = visit._replace(clips=(*visit.clips, *clips))
+            if not REGIONS.isdisjoint(declared):
+                box = partial(self._box, visit, declared)
+                clips = self._clips.of(declared, visit.matrix, visit.lengths, box)
+                visit = visit._replace(clips=(*visit.clips, *clips))
         reason = None
         if declared.get("display", "").strip().lower() == "none":
             reason = "not displayed"

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from shapeblend_cli.svg.xml.units import BLANK, GAP, LIMIT, NUMBER, Lengths, length
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray
+    from shapeblend_cli.model import Box, ComplexArray
 
 # Left as text: `re` compiles them when the first transform is read.
 _CALL = rf"{GAP}([a-zA-Z]++){BLANK}*+\(([^()]*+)\)"
@@ -61,6 +61,11 @@ IDENTITY = Affine()
 def translation(x: float, y: float = 0.0) -> Affine:
     """Return the map that moves by ``(x, y)``."""
     return Affine(1.0, 0.0, 0.0, 1.0, x, y)
+
+
+def onto(box: Box) -> Affine:
+    """Return the map of the unit square onto a box."""
+    return Affine(box.width, 0.0, 0.0, box.height, box.x, box.y)
 
 
 def rotation(angle: float, *centre: float) -> Affine:
@@ -139,8 +144,10 @@ def _function(name: str, text: str, viewport: Lengths | None) -> Affine | None:
 
 def angle(text: str) -> float | None:
     """Return an angle, in degrees or with a unit, in radians; None if it cannot be read."""
-    found = _split(_ARGUMENT, text)
-    return _argument("a", float(found[0][1]), found[0][2].lower(), None) if len(found) == 1 else None
+    arguments = [(float(match[1]), match[2].lower()) for match in _split(_ARGUMENT, text)]
+    if len(arguments) != 1:
+        return None
+    return _argument("a", *arguments[0], None)
 
 
 def _argument(kind: str, value: float, unit: str, viewport: Lengths | None) -> float | None:
