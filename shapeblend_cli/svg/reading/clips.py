@@ -127,9 +127,9 @@ class Clips:
             # What is white above something black would show again.
             if [each.colour for each in painted] != [WHITE] * len(shown) + [BLACK] * len(hidden):
                 raise _SoftMaskError
-        if not shown:
-            raise _SoftMaskError
         inside = tuple(contour for each in shown for contour in each.contours)
+        if not inside:
+            raise _SoftMaskError
         around = Box.union([cubics.bounds(c.segments) for each in painted for c in each.contours])
         width, height = around.width, around.height
         wide = Box(around.x - width, around.y - height, 3.0 * width, 3.0 * height)

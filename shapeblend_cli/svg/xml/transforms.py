@@ -145,7 +145,7 @@ def _function(name: str, text: str, viewport: Lengths | None) -> Affine | None:
 def angle(text: str) -> float | None:
     """Return an angle, in degrees or with a unit, in radians; None if it cannot be read."""
     arguments = [(float(match[1]), match[2].lower()) for match in _split(_ARGUMENT, text)]
-    if len(arguments) != 1:
+    if len(arguments) != 1 or not abs(arguments[0][0]) < LIMIT:
         return None
     return _argument("a", *arguments[0], None)
 

@@ -126,6 +126,7 @@ def test_what_a_mask_shows_is_what_browsers_show():
     "shapes",
     [
         "",
+        '<path d="" fill="white"/>',
         '<circle r="9" fill="grey"/>',
         '<circle r="9" fill="white" opacity=".5"/>',
         '<circle r="9" fill="none" stroke="white"/>',

@@ -36,6 +36,7 @@ def test_an_arrowhead_ends_at_the_end_and_is_as_large_as_the_stroke_is_wide():
         ('orient="auto"', "start", (-4.0, 9.0, 2.0, 15.0)),
         ('orient="auto-start-reverse"', "start", (2.0, 9.0, 8.0, 15.0)),
         ('orient="90"', "end", (17.0, 6.0, 23.0, 12.0)),
+        ('orient="1e999"', "end", (14.0, 9.0, 20.0, 15.0)),
         ('orient="1.5707963rad"', "end", (17.0, 6.0, 23.0, 12.0)),
         ('markerUnits="userSpaceOnUse" markerWidth="4" markerHeight="4"', "end", (16.0, 10.0, 20.0, 14.0)),
         ('markerWidth="6" markerHeight="3"', "end", (14.0, 9.0, 20.0, 15.0)),
