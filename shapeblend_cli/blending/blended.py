@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.blending.expanded import with_outlines
-from shapeblend_cli.blending.graded import FINE, grade_of_shapes
+from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.blending.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.inverted import with_signs_inverted
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
@@ -39,9 +39,6 @@ ALL = 0.9
 
 KEPT = 0.3
 """Minimum share of lines that stay for what sticks out of the others to take all of the time to come or go."""
-
-BETTER = 0.2
-"""Minimum advantage of the blend in which the largest fills become each other over the ordinary one, in grades."""
 
 MARGIN = 0.5
 """Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in grades."""

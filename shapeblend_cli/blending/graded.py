@@ -18,6 +18,9 @@ STEPS = 6
 FINE = 0.75
 """Maximum grade of a blend for no other to be tried."""
 
+BETTER = 0.2
+"""Minimum advantage of another blend over the ordinary one for it to be taken, in grades."""
+
 SUSPECT = 0.2
 """Minimum fault of a shape's outlines for a blend to be graded that nobody asked about."""
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.blending.graded import FINE, grade_of_shapes
+from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.geometry.polyline import cumulative_lengths, may_be_near, points_at
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.choose import candidate_of
@@ -60,9 +60,6 @@ LONG = 2.0
 
 LEAST_TURN = np.radians(20.0)
 """Minimum angle between the axes of two long drawings for one to turn, in radians."""
-
-BETTER = 0.2
-"""Minimum advantage of a long drawing that turns over the ordinary blend, in grades; more beyond a right angle."""
 
 TURNED, TURNED_OVER, POINTS_ELSEWHERE = (
     "B is A turned as a whole",
@@ -114,6 +111,7 @@ def _turned_to_its_axis(
     for turn in (angle, angle - np.copysign(np.pi, angle)):
         way = Whole(in_a, in_b, float(turn))
         beside = blend(a, turned_back(b, way))
+        # The long way round must gain more.
         margin = BETTER * max(1.0, abs(turn) / (0.5 * np.pi))
         tried.append((grade_of_shapes(beside, view) + margin, carried(beside, way, POINTS_ELSEWHERE)))
     return min(tried, key=lambda one: one[0])[1]

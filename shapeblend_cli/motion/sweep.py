@@ -71,18 +71,14 @@ class Sweep(NamedTuple):
 
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Return the control points of each contour at time t."""
-        return [
-            (
-                contour.start.segments
-                if contour.is_matched
-                else (1.0 - t) * contour.start.segments + t * contour.end.segments
-            )
-            if window is None
-            else window.clip(contour.end.segments, t)
-            if contour.grows
-            else window.clip(contour.start.segments, 1.0 - t)
-            for contour, window in zip(contours, self.windows, strict=True)
-        ]
+        return [_seen(*each, t) for each in zip(contours, self.windows, strict=True)]
+
+
+def _seen(contour: ContourBlend, window: Window | None, t: float) -> ComplexArray:
+    start, end = contour.start.segments, contour.end.segments
+    if window is not None:
+        return window.clip(end, t) if contour.grows else window.clip(start, 1.0 - t)
+    return start if contour.is_matched else (1.0 - t) * start + t * end
 
 
 def windows_of(loops: Sequence[Contour]) -> list[Window]:

@@ -42,7 +42,6 @@ OFF = 0.03
 STICKS_OUT = 0.12
 """Minimum distance by which something sticks out of a line, in widths."""
 
-
 GOOD = 0.97
 """Minimum overlap of a region and its lines, drawn again, as a share of both together."""
 
