@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import threading
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -49,13 +48,14 @@ def studio(browser: Browser, project: Project, look: Mapping[str, Any]) -> Itera
 
 def draw(browser: Browser, screen: str) -> None:
     """Keep a picture of the page with a correction in it."""
+    from tests.support.chromium import picture_of
+
     with beside("docs/studio"), studio(browser, CORRECTED, SCREENS[screen]) as page:
         page.wait_for_function("() => !document.documentElement.dataset.asking")
         if screen != "phone":
             page.wait_for_selector("#others:not([aria-busy]) button", timeout=120_000)
         page.wait_for_timeout(300)
-        image = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
-        image.quantize(255, dither=Image.Dither.NONE).save(
+        picture_of(page).quantize(255, dither=Image.Dither.NONE).save(
             DOCS / "studio" / f"page-{screen}.png", optimize=True
         )
 
@@ -63,10 +63,10 @@ def draw(browser: Browser, screen: str) -> None:
 def main() -> None:
     from playwright.sync_api import sync_playwright
 
-    from tests.support.equipment import CHROMIUM
+    from tests.support.chromium import start_chromium
 
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
+        browser = start_chromium(playwright.chromium)
         for screen in SCREENS:
             draw(browser, screen)
         browser.close()

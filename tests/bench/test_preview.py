@@ -3,6 +3,7 @@
 import pytest
 
 from shapeblend_cli.cli import run
+from tests.support.chromium import start_chromium
 from tests.support.equipment import CHROMIUM
 
 pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium here: apt-get install chromium")
@@ -16,7 +17,7 @@ def test_opening_a_page(benchmark, tmp_path, samples, names):
     drawings = [str(samples / f"{name}.svg") for name in names.split()]
     assert run([*drawings, "-n", "9", "-q", "-o", str(tmp_path / "out"), "--preview", str(file)]) == 0
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
+        browser = start_chromium(playwright.chromium)
         page = browser.new_page(reduced_motion="reduce")
 
         def open_():

@@ -1,12 +1,10 @@
 """One Chromium for all tests in a browser."""
 
-import io
-
 import numpy as np
 import pytest
-from PIL import Image
 
-from tests.support.equipment import CHROMIUM, require
+from tests.support.chromium import picture_of, start_chromium
+from tests.support.equipment import require
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -16,7 +14,7 @@ def browser():
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as playwright:
-        started = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
+        started = start_chromium(playwright.chromium)
         yield started
         started.close()
 
@@ -33,7 +31,6 @@ def screenshot(browser, tmp_path):
         ) as context:
             page = context.new_page()
             page.goto(file.as_uri())
-            with Image.open(io.BytesIO(page.screenshot())) as image:
-                return np.asarray(image.convert("RGB").reduce(finer), float)
+            return np.asarray(picture_of(page).reduce(finer), float)
 
     return draw

@@ -4,13 +4,11 @@ Every comparison is of pixels. A browser takes a second or two to start, so all 
 """
 
 import base64
-import io
 import re
 from pathlib import Path
 
 import numpy as np
 import pytest
-from PIL import Image
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.frames.frames import frame_at
@@ -23,10 +21,10 @@ from shapeblend_cli.svg.writing.animation import Views
 from shapeblend_cli.svg.writing.css import css_svg
 from shapeblend_cli.svg.writing.document import frame_svg
 from shapeblend_cli.svg.writing.smil import smil_svg
+from tests.support.chromium import picture_of, start_chromium
 from tests.support.commands import write
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
 from tests.support.ends import ENDS, SHADED, card, emitted_ends
-from tests.support.equipment import CHROMIUM
 from tests.support.motions import rotated
 
 SIZE = 120
@@ -316,8 +314,7 @@ def test_css_stands_still_for_who_prefers_reduced_motion(here, assert_shown):
 @pytest.fixture(scope="module")
 def still_browser(browser):
     """Chromium of somebody who prefers reduced motion; emulation of that does not reach images."""
-    arguments = ["--no-sandbox", "--disable-gpu", "--force-prefers-reduced-motion"]
-    started = browser.browser_type.launch(executable_path=CHROMIUM, args=arguments)
+    started = start_chromium(browser.browser_type, "--force-prefers-reduced-motion")
     yield started
     started.close()
 
@@ -343,8 +340,7 @@ def test_for_who_prefers_reduced_motion_only_the_first_drawing_is_shown(
             page.goto((here / name).as_uri())
             for _ in range(6):
                 page.wait_for_timeout(60)
-                with Image.open(io.BytesIO(page.screenshot())) as image:
-                    yield np.asarray(image.convert("RGB"), float) / 255.0
+                yield np.asarray(picture_of(page), float) / 255.0
 
     first = next(pictures(browser, "no-preference", "first.svg"))
     for name in ("m.svg", "img.html", "inline.html"):

@@ -1,7 +1,6 @@
 """The pages of docs/cookbook.md in Chromium, each with what the command above it has written."""
 
 import contextlib
-import io
 import re
 import threading
 from functools import partial
@@ -14,6 +13,7 @@ import pytest
 from PIL import Image
 
 from shapeblend_cli.cli import run
+from tests.support.chromium import picture_of
 from tests.support.documents import FENCE, ROOT, Command, furnish
 from tests.support.equipment import INSTALLED, require
 
@@ -90,7 +90,7 @@ def pictures(page, *waits):
     found = []
     for wait in waits:
         page.wait_for_timeout(wait)
-        found.append(page.screenshot())
+        found.append(picture_of(page).tobytes())
     return found
 
 
@@ -122,8 +122,6 @@ def test_the_sprite_shows_one_cell_after_the_other(site, browser):
             page.evaluate(
                 f"const [moving] = document.getAnimations(); moving.pause(); moving.currentTime = {100 * k + 50}"
             )
-            shown = Image.open(io.BytesIO(page.screenshot(clip={"x": 0, "y": 0, "width": 64, "height": 64})))
+            shown = picture_of(page, clip={"x": 0, "y": 0, "width": 64, "height": 64})
             cell = white.crop((3 + 67 * k, 3, 67 + 67 * k, 67))
-            assert (
-                np.abs(np.asarray(shown.convert("RGB"), float) - np.asarray(cell.convert("RGB"))).mean() < 1.0
-            )
+            assert np.abs(np.asarray(shown, float) - np.asarray(cell.convert("RGB"))).mean() < 1.0

@@ -1,19 +1,18 @@
 """The page of `--preview` in a real browser, used by mouse, by finger and by keyboard."""
 
-import io
 import itertools
 import json
 import re
 
 import numpy as np
 import pytest
-from PIL import Image
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.matching.landscape import landscape
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.svg.reading.read import read
 from shapeblend_cli.wires.match import solved_wires
+from tests.support.chromium import picture_of
 from tests.support.commands import points
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, SQUARES, B, svg
 from tests.support.motions import blend
@@ -543,8 +542,7 @@ def test_the_onion_skin_is_seen_on_a_dark_drawing(page):
 
 
 def pixels_of(page, selector):
-    with Image.open(io.BytesIO(page.locator(selector).screenshot())) as image:
-        return np.asarray(image.convert("RGB"), int)
+    return np.asarray(picture_of(page.locator(selector)), int)
 
 
 def test_a_dot_of_the_graph_is_copied_as_a_pin_that_the_command_takes(

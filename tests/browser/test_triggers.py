@@ -1,13 +1,12 @@
 """Animated SVGs that wait for a click, for being pointed at, for the keyboard or for another element, in Chromium."""
 
-import io
 from pathlib import Path
 
 import numpy as np
 import pytest
-from PIL import Image
 
 from shapeblend_cli.cli import run
+from tests.support.chromium import picture_of
 from tests.support.commands import write
 from tests.support.drawings import EYED, LEAF, svg
 
@@ -84,8 +83,7 @@ class Shown:
         return self.moments()[:, 1]
 
     def picture(self):
-        with Image.open(io.BytesIO(self.page.screenshot())) as image:
-            return np.asarray(image.convert("L"), float)
+        return np.asarray(picture_of(self.page, "L"), float)
 
     def point(self):
         self.page.mouse.move(60, 60)
