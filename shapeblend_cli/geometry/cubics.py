@@ -1,6 +1,7 @@
 """Cubic Bezier segments, all in one array and computed at once.
 
-A chain of k segments is a (k, 4) complex array of control points, as in `model.Contour`.
+A chain of k segments is a (k, 4) complex array of control points, as in `model.Contour`. This file is compiled by
+Cython and runs uncompiled as well.
 """
 
 from __future__ import annotations
@@ -11,8 +12,20 @@ import numpy as np
 
 from shapeblend_cli.model import Box
 
+try:
+    import cython
+except ImportError:  # Cython is needed to build, not to run
+    from shapeblend_cli import _cython as cython
+
+if cython.compiled:
+    from cython.cimports.libc.math import sqrt
+else:
+    from math import sqrt
+
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import ComplexArray, FloatArray
+
+COMPILED = cython.compiled
 
 ARC_PIECES = 32
 """Number of pieces of equal parameter on which a segment's length is summed."""
@@ -28,9 +41,42 @@ _THIRDS = np.array([0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0])
 
 def evaluate(segments: ComplexArray, t: FloatArray) -> ComplexArray:
     """Return points at parameters `t`, which broadcast against the segments' leading axes."""
+    if segments.ndim == 2 and np.shape(t) == segments.shape[:1]:
+        found = np.empty(len(segments), np.complex128)
+        _evaluate(segments, t, found.view(np.float64))
+        return found
     p0, p1, p2, p3 = np.moveaxis(segments, -1, 0)
     u = 1.0 - t
     return u * u * (u * p0 + 3.0 * t * p1) + t * t * (3.0 * u * p2 + t * p3)
+
+
+@cython.cfunc
+@cython.inline
+@cython.exceptval(check=False)
+def _at(
+    a: cython.double, b: cython.double, c: cython.double, d: cython.double, t: cython.double
+) -> cython.double:
+    """Return a coordinate of a segment at a parameter."""
+    u: cython.double = 1.0 - t
+    return u * u * (u * a + 3.0 * t * b) + t * t * (3.0 * u * c + t * d)
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+def _evaluate(
+    segments: cython.const[cython.doublecomplex][:, :],
+    t: cython.const[cython.double][:],
+    found: cython.double[::1],
+) -> None:
+    """Fill in x and y of each segment at its parameter, one after the other."""
+    k: cython.Py_ssize_t
+    for k in range(segments.shape[0]):
+        found[2 * k] = _at(
+            segments[k, 0].real, segments[k, 1].real, segments[k, 2].real, segments[k, 3].real, t[k]
+        )
+        found[2 * k + 1] = _at(
+            segments[k, 0].imag, segments[k, 1].imag, segments[k, 2].imag, segments[k, 3].imag, t[k]
+        )
 
 
 def polyline(segments: ComplexArray, parts: int) -> ComplexArray:
@@ -57,22 +103,45 @@ def lengths(segments: ComplexArray) -> FloatArray:
 
 def pieces(segments: ComplexArray, start: FloatArray, end: FloatArray) -> ComplexArray:
     """Return the part of each segment between two parameters in [0, 1], (k, 4) complex, by blossoming."""
+    found = np.empty((len(segments), 4), np.complex128)
+    _cut(segments, start, end, found.view(np.float64))
+    return found
 
-    def blossom(r: FloatArray, s: FloatArray, t: FloatArray) -> ComplexArray:
-        points = segments
-        for parameter in (r, s, t):
-            points = points[:, :-1] + (points[:, 1:] - points[:, :-1]) * parameter[:, None]
-        return points[:, 0]
 
-    return np.stack(
-        [
-            blossom(start, start, start),
-            blossom(start, start, end),
-            blossom(start, end, end),
-            blossom(end, end, end),
-        ],
-        axis=1,
-    )
+@cython.boundscheck(False)
+@cython.wraparound(False)
+def _cut(
+    segments: cython.const[cython.doublecomplex][:, :],
+    start: cython.const[cython.double][:],
+    end: cython.const[cython.double][:],
+    found: cython.double[:, ::1],
+) -> None:
+    """Fill in x and y of the points of the parts of segments between two parameters."""
+    k: cython.Py_ssize_t
+    which: cython.int
+    for k in range(segments.shape[0]):
+        for which in range(4):
+            r: cython.double = end[k] if which > 2 else start[k]
+            s: cython.double = end[k] if which > 1 else start[k]
+            t: cython.double = end[k] if which > 0 else start[k]
+            x0, x1, x2, x3 = (
+                segments[k, 0].real,
+                segments[k, 1].real,
+                segments[k, 2].real,
+                segments[k, 3].real,
+            )
+            y0, y1, y2, y3 = (
+                segments[k, 0].imag,
+                segments[k, 1].imag,
+                segments[k, 2].imag,
+                segments[k, 3].imag,
+            )
+            x0, x1, x2 = x0 + (x1 - x0) * r, x1 + (x2 - x1) * r, x2 + (x3 - x2) * r
+            y0, y1, y2 = y0 + (y1 - y0) * r, y1 + (y2 - y1) * r, y2 + (y3 - y2) * r
+            x0, x1 = x0 + (x1 - x0) * s, x1 + (x2 - x1) * s
+            y0, y1 = y0 + (y1 - y0) * s, y1 + (y2 - y1) * s
+            found[k, 2 * which] = x0 + (x1 - x0) * t
+            found[k, 2 * which + 1] = y0 + (y1 - y0) * t
 
 
 def chord_deviation(segments: ComplexArray) -> FloatArray:
@@ -91,28 +160,42 @@ def chord_deviation(segments: ComplexArray) -> FloatArray:
     return 0.75 * np.abs(inner - foot).max(axis=1)
 
 
-def extremal_parameters(segments: ComplexArray) -> tuple[IntArray, FloatArray]:
-    """Return where x or y is extremal inside a segment: segment numbers, and parameters in (0, 1)."""
-    d0, d1, d2 = np.moveaxis(np.diff(segments, axis=1), -1, 0)
-    found: list[tuple[IntArray, FloatArray]] = []
-    for part in (np.real, np.imag):
-        # The derivative in monomial form: a t^2 + 2 b t + c. Written so that neither root cancels.
-        c, b = part(d0), part(d1) - part(d0)
-        a = part(d2) - 2.0 * part(d1) + c
-        root = np.sqrt(np.maximum(b * b - a * c, 0.0))
-        big = -(b + np.where(b >= 0.0, root, -root))
-        with np.errstate(divide="ignore", invalid="ignore"):
-            candidates = np.stack([big / a, c / big], axis=1)
-        inside = (candidates > 0.0) & (candidates < 1.0) & (b * b >= a * c)[:, None]
-        found.append((np.nonzero(inside)[0], candidates[inside]))
-    return np.concatenate([s for s, _ in found]), np.concatenate([t for _, t in found])
-
-
 def bounds(segments: ComplexArray) -> Box:
     """Return the smallest box around the curves."""
-    which, t = extremal_parameters(segments)
-    points = np.concatenate([segments[:, 0], segments[:, 3], evaluate(segments[which], t)])
-    return Box.around(points)
+    left, right = _range(segments.real)
+    top, bottom = _range(segments.imag)
+    return Box(left, top, right - left, bottom - top)
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
+def _range(points: cython.const[cython.double][:, :]) -> tuple[float, float]:
+    """Return the least and the largest value of one coordinate of the curves."""
+    low: cython.double = points[0, 0]
+    high: cython.double = low
+    k: cython.Py_ssize_t
+    which: cython.int
+    for k in range(points.shape[0]):
+        p0, p1, p2, p3 = points[k, 0], points[k, 1], points[k, 2], points[k, 3]
+        low, high = min(low, p0, p3), max(high, p0, p3)
+        if low <= p1 <= high and low <= p2 <= high:
+            continue  # the curve lies between its control points
+        # The derivative in monomial form: a t^2 + 2 b t + c. Written so that neither root cancels.
+        c: cython.double = p1 - p0
+        b: cython.double = (p2 - p1) - c
+        a: cython.double = (p3 - p2) - 2.0 * (p2 - p1) + c
+        discriminant: cython.double = b * b - a * c
+        if discriminant < 0.0:
+            continue
+        big: cython.double = -b - sqrt(discriminant) if b >= 0.0 else -b + sqrt(discriminant)
+        for which in range(2):
+            above: cython.double = c if which else big
+            below: cython.double = big if which else a
+            if below != 0.0 and 0.0 < above / below < 1.0:
+                value: cython.double = _at(p0, p1, p2, p3, above / below)
+                low, high = min(low, value), max(high, value)
+    return low, high
 
 
 def signed_area(segments: ComplexArray) -> float:
@@ -141,13 +224,42 @@ def directions(segments: ComplexArray) -> tuple[ComplexArray, ComplexArray]:
     Where a handle has no length the next control point that lies elsewhere gives the direction, as it does in
     the limit. A segment that is a point has none: zero.
     """
-    extent = np.abs(segments - segments[:, :1]).max(axis=1)
-    return _towards(segments, extent), -_towards(segments[:, ::-1], extent)
+    found = np.empty((2, len(segments)), np.complex128)
+    _find_directions(segments, found.view(np.float64))
+    return found[0], found[1]
 
 
-def _towards(segments: ComplexArray, extent: FloatArray) -> ComplexArray:
-    ahead = segments[:, 1:] - segments[:, :1]
-    apart = np.abs(ahead) > 1e-6 * extent[:, None]
-    chosen = ahead[np.arange(len(segments)), apart.argmax(axis=1)]
-    length = np.abs(chosen)
-    return np.where(apart.any(axis=1), chosen / np.where(length > 0.0, length, 1.0), 0.0)
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
+def _find_directions(
+    segments: cython.const[cython.doublecomplex][:, :], found: cython.double[:, ::1]
+) -> None:
+    """Fill in x and y of the unit tangents at the starts, and of those at the ends."""
+    k: cython.Py_ssize_t
+    i: cython.Py_ssize_t
+    end: cython.int
+    for k in range(segments.shape[0]):
+        extent: cython.double = 0.0
+        for i in range(1, 4):
+            x: cython.double = segments[k, i].real - segments[k, 0].real
+            y: cython.double = segments[k, i].imag - segments[k, 0].imag
+            extent = max(extent, sqrt(x * x + y * y))
+        for end in range(2):
+            found[end, 2 * k] = found[end, 2 * k + 1] = 0.0
+            for i in range(1, 4):
+                x = (
+                    segments[k, 3 - i].real - segments[k, 3].real
+                    if end
+                    else segments[k, i].real - segments[k, 0].real
+                )
+                y = (
+                    segments[k, 3 - i].imag - segments[k, 3].imag
+                    if end
+                    else segments[k, i].imag - segments[k, 0].imag
+                )
+                length: cython.double = sqrt(x * x + y * y)
+                if length > 1e-6 * extent:
+                    found[end, 2 * k] = -x / length if end else x / length
+                    found[end, 2 * k + 1] = -y / length if end else y / length
+                    break

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,7 +12,7 @@ from shapeblend_cli.interpolate.parametrization import ContourParameter, is_amon
 from shapeblend_cli.model import unroll
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import BoolArray, FloatArray, IntArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
 
 LONG_HOLD = 2
 """Minimum hold of a corner that is meant, in edges of the other contour; shorter holds are rounding."""
@@ -23,7 +24,7 @@ START_SNAP = 0.5
 """Maximum distance of a node of B from the partner of A's first node to become that partner, in mean edges."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class ContinuousMatch:
     """A monotone correspondence of two contours from start to end, once round where they are closed.
 
@@ -42,6 +43,21 @@ class ContinuousMatch:
     positions: FloatArray
     fixed: BoolArray
 
+    @cached_property
+    def lengths(self) -> tuple[FloatArray, FloatArray]:
+        """Lengths along A and B up to the positions, (l,) each."""
+        return self.a.length_at(self.positions[:, 0]), self.b.length_at(self.positions[:, 1])
+
+    @cached_property
+    def vertices(self) -> tuple[ComplexArray, ComplexArray]:
+        """Points of A and B at the positions, (l,) each."""
+        return self.a.points(self.positions[:, 0]), self.b.points(self.positions[:, 1])
+
+    @cached_property
+    def own_progress(self) -> FloatArray:
+        """Progress of the match's own positions, (l,)."""
+        return self.progress(self.positions)
+
     def progress(self, positions: FloatArray) -> FloatArray:
         """Return the progress of positions along both contours: 0 at vertices 0, 2 once round."""
         a, b = self.a, self.b
@@ -50,7 +66,7 @@ class ContinuousMatch:
     def with_partners(self, side: int, positions: FloatArray) -> FloatArray:
         """Return positions on A, side 0, or B, side 1, with the corresponding positions on the other, (k, 2) float."""
         sides = self.a, self.b
-        known = [one.length_at(self.positions[:, k]) for k, one in enumerate(sides)]
+        known = self.lengths
         lengths = np.interp(sides[side].length_at(positions), known[side], known[1 - side])
         partners = sides[1 - side].position_at(lengths)
         return np.stack([positions, partners] if side == 0 else [partners, positions], axis=1)
