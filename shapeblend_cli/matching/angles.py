@@ -115,6 +115,8 @@ class Corners:
         Their angles in [-pi, pi].
     heading : (m,) float
         The angle of -B, the way in, in [-pi, pi]; the way out is this and the turn.
+    ahead, aside : (m,) float
+        The parts of conj(F) B.
     """
 
     theta = cython.declare(cython.double[::1], visibility="readonly")
@@ -126,6 +128,8 @@ class Corners:
     fwd_arg: cython.double[::1]
     base_arg: cython.double[::1]
     heading: cython.double[::1]
+    ahead: cython.double[::1]
+    aside: cython.double[::1]
 
     def __init__(self, vertices: ComplexArray, closed: bool) -> None:
         last = len(vertices) - 1
@@ -141,6 +145,8 @@ class Corners:
         self.back, self.fwd, self.base = back, fwd, base
         self.back_arg, self.fwd_arg, self.base_arg = _arg(back), _arg(fwd), _arg(base)
         self.heading = _arg(-back)
+        self.ahead = fwd.real * back.real + fwd.imag * back.imag
+        self.aside = fwd.real * back.imag - fwd.imag * back.real
 
 
 @cython.cfunc
@@ -295,6 +301,67 @@ class Bending:
 
     @cython.cfunc
     @cython.exceptval(check=False)
+    def add_powers(
+        self,
+        k_b: cython.double,
+        turn: cython.double,
+        others: cython.double[::1],
+        j: cython.Py_ssize_t,
+        work: cython.double[:, ::1],
+        first: cython.Py_ssize_t,
+        beyond: cython.Py_ssize_t,
+    ) -> cython.void:
+        """Do the same as `_add_turns` with any exponent."""
+        alone: cython.double = self.power(k_b, fabs(turn))
+        k: cython.Py_ssize_t
+        for k in range(first, beyond):
+            other: cython.double = others[j]
+            beside: cython.double = self.power(k_b, fabs(turn - 0.5 * other))
+            other_beside: cython.double = self.power(k_b, fabs(other - 0.5 * turn))
+            work[k, EE] += alone
+            work[k, ED] += beside
+            work[k, DE] += beside
+            work[k, SS] += self.power(k_b, fabs(other))
+            work[k, SD] += other_beside
+            work[k, DS] += other_beside
+            work[k, DD] += self.power(k_b, fabs(turn - other))
+            j += 1
+            if j == others.shape[0]:
+                j = 0
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def add_motions(
+        self,
+        k_b: cython.double,
+        p: Corners,
+        i: cython.Py_ssize_t,
+        q: Corners,
+        j: cython.Py_ssize_t,
+        work: cython.double[:, ::1],
+        first: cython.Py_ssize_t,
+        beyond: cython.Py_ssize_t,
+    ) -> cython.void:
+        """Add the work of the angles' motions to the dots of a column, from vertex j of the second wire on."""
+        k: cython.Py_ssize_t
+        n: cython.Py_ssize_t = q.theta.shape[0]
+        turn: cython.double = p.turn[i]
+        heading: cython.double = p.heading[i]
+        for k in range(first, beyond):
+            work[k, EE] += self.inside_run(k_b, p, i, q, j)
+            work[k, SS] += self.inside_run(k_b, q, j, p, i)
+            if not (self.by_turning and _all_ahead(heading, turn, q.heading[j], q.turn[j])):
+                work[k, ED] += self.at_run(k_b, p.theta[i], _out_of_run(p, i, q, j))
+                work[k, DE] += self.at_run(k_b, p.theta[i], _into_run(p, i, q, j))
+                work[k, SD] += self.at_run(k_b, q.theta[j], _out_of_run(q, j, p, i))
+                work[k, DS] += self.at_run(k_b, q.theta[j], _into_run(q, j, p, i))
+                work[k, DD] += self.moving(k_b, p, i, q, j)
+            j += 1
+            if j == n:
+                j = 0
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
     def of_motion(
         self,
         k_b: cython.double,
@@ -396,7 +463,6 @@ class Bending:
         return self.of_motion(k_b, theta, s1, _short_way(_short_way(_short_way(net) - s1) - s3), s3)
 
     @cython.cfunc
-    @cython.inline
     @cython.exceptval(check=False)
     def inside_run(
         self, k_b: cython.double, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t
@@ -407,19 +473,12 @@ class Bending:
         the angle only goes on to pi, the angle of Q2.
         """
         d, b, f = q.base[j], p.back[i], p.fwd[i]
-        x0, y0 = _dot(f, b), _cross(f, b)
-        x1, y1 = _dot(d, b) - _dot(f, d), _cross(d, b) - _cross(f, d)
-        if (
-            self.by_turning
-        ):  # whether the way from Q0 to Q1 passes right of the origin, where rounding does not decide
-            if x0 < 0.0 and x1 < 0.0:
-                return 0.0
-            noise: cython.double = ANGLE_NOISE * (fabs(x0) + fabs(y0) + fabs(x1) + fabs(y1))
-            if (y0 > noise and y1 > noise) or (y0 < -noise and y1 < -noise):
-                return 0.0
-            right: cython.double = x0 * fabs(y1) + x1 * fabs(y0)
-            if fabs(y0) > noise and fabs(y1) > noise and fabs(right) > noise * (fabs(y0) + fabs(y1)):
-                return self.p_b if right > 0.0 else 0.0
+        x1: cython.double = _dot(d, b) - _dot(f, d)
+        y1: cython.double = _cross(d, b) - _cross(f, d)
+        if self.by_turning:
+            meets: cython.int = _meets_zero_inside(p.ahead[i], p.aside[i], x1, y1)
+            if meets >= 0:
+                return meets * self.p_b
         theta: cython.double = p.theta[i]
         if x1 * x1 + y1 * y1 <= CROSS_NOISE * CROSS_NOISE * (
             _dot(b, b) + _dot(f, f)
@@ -429,6 +488,28 @@ class Bending:
         if theta1 < 0.0:
             theta1 += TWO_PI
         return self.at_run(k_b, theta, Turns(_short_way(theta1 - theta), _short_way(PI - theta1)))
+
+
+@cython.cfunc
+@cython.inline
+@cython.exceptval(check=False)
+def _meets_zero_inside(
+    x0: cython.double, y0: cython.double, x1: cython.double, y1: cython.double
+) -> cython.int:
+    """Return whether the way from Q0 to Q1 passes right of the origin: 1 or 0, or -1 where rounding might decide."""
+    if x0 < 0.0 and x1 < 0.0:
+        return 0
+    noise: cython.double = ANGLE_NOISE * (fabs(x0) + fabs(y0) + fabs(x1) + fabs(y1))
+    if (y0 > noise and y1 > noise) or (y0 < -noise and y1 < -noise):
+        return 0
+    if fabs(y1) > noise >= fabs(y0) and x0 < -noise:  # it begins or ends left of the origin
+        return 0
+    if fabs(y0) > noise >= fabs(y1) and x1 < -noise:
+        return 0
+    right: cython.double = x0 * fabs(y1) + x1 * fabs(y0)
+    if fabs(y0) > noise and fabs(y1) > noise and fabs(right) > noise * (fabs(y0) + fabs(y1)):
+        return 1 if right > 0.0 else 0
+    return -1
 
 
 def fill_bends(
@@ -460,39 +541,49 @@ def fill_bends(
     high: cython.Py_ssize_t[::1] = window.high
     column_offset: cython.Py_ssize_t[::1] = window.column_offset
     work: cython.double[:, ::1] = bends
-    n: cython.Py_ssize_t = q.theta.shape[0]
     by_turning: cython.bint = bending.by_turning
     has_motions: cython.bint = not by_turning or bending.p_b != 0.0
-    cython.declare(c=cython.Py_ssize_t, i=cython.Py_ssize_t, j=cython.Py_ssize_t, k=cython.Py_ssize_t)
+    cython.declare(c=cython.Py_ssize_t, i=cython.Py_ssize_t, j=cython.Py_ssize_t, first=cython.Py_ssize_t)
     for c in range(vertices.shape[0]):
         if c % 8 == 0:
             look_for_signals()
-        i, j = vertices[c], low[c] % n
-        k_turn: cython.double = bending.k_b * stiffness[c] if by_turning else 0.0
-        k_b: cython.double = 0.0 if by_turning else bending.k_b * stiffness[c]
-        turn: cython.double = p.turn[i]
-        alone: cython.double = bending.power(k_turn, fabs(turn))
-        for k in range(column_offset[c], column_offset[c] + high[c] - low[c] + 1):
-            other: cython.double = q.turn[j]
-            if k_turn != 0.0:  # else the power may be infinite
-                beside: cython.double = bending.power(k_turn, fabs(turn - 0.5 * other))
-                other_beside: cython.double = bending.power(k_turn, fabs(other - 0.5 * turn))
-                work[k, EE] += alone
-                work[k, ED] += beside
-                work[k, DE] += beside
-                work[k, SS] += bending.power(k_turn, fabs(other))
-                work[k, SD] += other_beside
-                work[k, DS] += other_beside
-                work[k, DD] += bending.power(k_turn, fabs(turn - other))
-            if has_motions:
-                work[k, EE] += bending.inside_run(k_b, p, i, q, j)
-                work[k, SS] += bending.inside_run(k_b, q, j, p, i)
-            if has_motions and not (by_turning and _all_ahead(p.heading[i], turn, q.heading[j], other)):
-                work[k, ED] += bending.at_run(k_b, p.theta[i], _out_of_run(p, i, q, j))
-                work[k, DE] += bending.at_run(k_b, p.theta[i], _into_run(p, i, q, j))
-                work[k, SD] += bending.at_run(k_b, q.theta[j], _out_of_run(q, j, p, i))
-                work[k, DS] += bending.at_run(k_b, q.theta[j], _into_run(q, j, p, i))
-                work[k, DD] += bending.moving(k_b, p, i, q, j)
-            j += 1
-            if j == n:
-                j = 0
+        i, j, first = vertices[c], low[c] % q.turn.shape[0], column_offset[c]
+        beyond: cython.Py_ssize_t = first + high[c] - low[c] + 1
+        k_b: cython.double = bending.k_b * stiffness[c]
+        if by_turning and k_b != 0.0:  # else the power may be infinite
+            if bending.e_b == 1.0:
+                _add_turns(k_b, p.turn[i], q.turn, j, work, first, beyond)
+            else:
+                bending.add_powers(k_b, p.turn[i], q.turn, j, work, first, beyond)
+        if has_motions:
+            bending.add_motions(0.0 if by_turning else k_b, p, i, q, j, work, first, beyond)
+
+
+@cython.cfunc
+@cython.exceptval(check=False)
+def _add_turns(
+    k_b: cython.double,
+    turn: cython.double,
+    others: cython.double[::1],
+    j: cython.Py_ssize_t,
+    work: cython.double[:, ::1],
+    first: cython.Py_ssize_t,
+    beyond: cython.Py_ssize_t,
+) -> cython.void:
+    """Add the work of the changes of turning to the dots of a column, from vertex j of the second wire on."""
+    alone: cython.double = k_b * fabs(turn)
+    k: cython.Py_ssize_t
+    for k in range(first, beyond):
+        other: cython.double = others[j]
+        beside: cython.double = k_b * fabs(turn - 0.5 * other)
+        other_beside: cython.double = k_b * fabs(other - 0.5 * turn)
+        work[k, EE] += alone
+        work[k, ED] += beside
+        work[k, DE] += beside
+        work[k, SS] += k_b * fabs(other)
+        work[k, SD] += other_beside
+        work[k, DS] += other_beside
+        work[k, DD] += k_b * fabs(turn - other)
+        j += 1
+        if j == others.shape[0]:
+            j = 0
