@@ -43,11 +43,16 @@ def evaluate(segments: ComplexArray, t: FloatArray) -> ComplexArray:
     """Return points at parameters `t`, which broadcast against the segments' leading axes."""
     if segments.ndim == 2 and np.shape(t) == segments.shape[:1]:
         found = np.empty(len(segments), np.complex128)
-        _evaluate(segments, t, found.view(np.float64))
+        _evaluate(_coordinates(segments), t, found.view(np.float64))
         return found
     p0, p1, p2, p3 = np.moveaxis(segments, -1, 0)
     u = 1.0 - t
     return u * u * (u * p0 + 3.0 * t * p1) + t * t * (3.0 * u * p2 + t * p3)
+
+
+def _coordinates(segments: ComplexArray) -> FloatArray:
+    """Return x and y of the control points by turns, (k, 8)."""
+    return np.ascontiguousarray(segments).view(np.float64)
 
 
 @cython.cfunc
@@ -64,19 +69,15 @@ def _at(
 @cython.boundscheck(False)
 @cython.wraparound(False)
 def _evaluate(
-    segments: cython.const[cython.doublecomplex][:, :],
+    segments: cython.const[cython.double][:, ::1],
     t: cython.const[cython.double][:],
     found: cython.double[::1],
 ) -> None:
     """Fill in x and y of each segment at its parameter, one after the other."""
     k: cython.Py_ssize_t
     for k in range(segments.shape[0]):
-        found[2 * k] = _at(
-            segments[k, 0].real, segments[k, 1].real, segments[k, 2].real, segments[k, 3].real, t[k]
-        )
-        found[2 * k + 1] = _at(
-            segments[k, 0].imag, segments[k, 1].imag, segments[k, 2].imag, segments[k, 3].imag, t[k]
-        )
+        found[2 * k] = _at(segments[k, 0], segments[k, 2], segments[k, 4], segments[k, 6], t[k])
+        found[2 * k + 1] = _at(segments[k, 1], segments[k, 3], segments[k, 5], segments[k, 7], t[k])
 
 
 def polyline(segments: ComplexArray, parts: int) -> ComplexArray:
@@ -104,14 +105,14 @@ def lengths(segments: ComplexArray) -> FloatArray:
 def pieces(segments: ComplexArray, start: FloatArray, end: FloatArray) -> ComplexArray:
     """Return the part of each segment between two parameters in [0, 1], (k, 4) complex, by blossoming."""
     found = np.empty((len(segments), 4), np.complex128)
-    _cut(segments, start, end, found.view(np.float64))
+    _cut(_coordinates(segments), start, end, found.view(np.float64))
     return found
 
 
 @cython.boundscheck(False)
 @cython.wraparound(False)
 def _cut(
-    segments: cython.const[cython.doublecomplex][:, :],
+    segments: cython.const[cython.double][:, ::1],
     start: cython.const[cython.double][:],
     end: cython.const[cython.double][:],
     found: cython.double[:, ::1],
@@ -125,16 +126,16 @@ def _cut(
             s: cython.double = end[k] if which > 1 else start[k]
             t: cython.double = end[k] if which > 0 else start[k]
             x0, x1, x2, x3 = (
-                segments[k, 0].real,
-                segments[k, 1].real,
-                segments[k, 2].real,
-                segments[k, 3].real,
+                segments[k, 0],
+                segments[k, 2],
+                segments[k, 4],
+                segments[k, 6],
             )
             y0, y1, y2, y3 = (
-                segments[k, 0].imag,
-                segments[k, 1].imag,
-                segments[k, 2].imag,
-                segments[k, 3].imag,
+                segments[k, 1],
+                segments[k, 3],
+                segments[k, 5],
+                segments[k, 7],
             )
             x0, x1, x2 = x0 + (x1 - x0) * r, x1 + (x2 - x1) * r, x2 + (x3 - x2) * r
             y0, y1, y2 = y0 + (y1 - y0) * r, y1 + (y2 - y1) * r, y2 + (y3 - y2) * r
@@ -207,8 +208,8 @@ def signed_area(segments: ComplexArray) -> float:
     return 0.5 * float(swept + (segments[-1, 3].conj() * segments[0, 0]).imag)
 
 
-def line(start: complex, end: complex) -> ComplexArray:
-    """Return a straight segment, (4,) complex, its inner points at thirds."""
+def line(start: complex | ComplexArray, end: complex | ComplexArray) -> ComplexArray:
+    """Return a straight segment, (4,) complex, its inner points at thirds; or several, from (k, 1) to (k, 1)."""
     return start + (end - start) * _THIRDS
 
 
@@ -225,16 +226,14 @@ def directions(segments: ComplexArray) -> tuple[ComplexArray, ComplexArray]:
     the limit. A segment that is a point has none: zero.
     """
     found = np.empty((2, len(segments)), np.complex128)
-    _find_directions(segments, found.view(np.float64))
+    _find_directions(_coordinates(segments), found.view(np.float64))
     return found[0], found[1]
 
 
 @cython.boundscheck(False)
 @cython.wraparound(False)
 @cython.cdivision(True)
-def _find_directions(
-    segments: cython.const[cython.doublecomplex][:, :], found: cython.double[:, ::1]
-) -> None:
+def _find_directions(segments: cython.const[cython.double][:, ::1], found: cython.double[:, ::1]) -> None:
     """Fill in x and y of the unit tangents at the starts, and of those at the ends."""
     k: cython.Py_ssize_t
     i: cython.Py_ssize_t
@@ -242,21 +241,17 @@ def _find_directions(
     for k in range(segments.shape[0]):
         extent: cython.double = 0.0
         for i in range(1, 4):
-            x: cython.double = segments[k, i].real - segments[k, 0].real
-            y: cython.double = segments[k, i].imag - segments[k, 0].imag
+            x: cython.double = segments[k, 2 * i] - segments[k, 0]
+            y: cython.double = segments[k, 2 * i + 1] - segments[k, 1]
             extent = max(extent, sqrt(x * x + y * y))
         for end in range(2):
             found[end, 2 * k] = found[end, 2 * k + 1] = 0.0
             for i in range(1, 4):
-                x = (
-                    segments[k, 3 - i].real - segments[k, 3].real
-                    if end
-                    else segments[k, i].real - segments[k, 0].real
-                )
+                x = segments[k, 6 - 2 * i] - segments[k, 6] if end else segments[k, 2 * i] - segments[k, 0]
                 y = (
-                    segments[k, 3 - i].imag - segments[k, 3].imag
+                    segments[k, 7 - 2 * i] - segments[k, 7]
                     if end
-                    else segments[k, i].imag - segments[k, 0].imag
+                    else segments[k, 2 * i + 1] - segments[k, 1]
                 )
                 length: cython.double = sqrt(x * x + y * y)
                 if length > 1e-6 * extent:

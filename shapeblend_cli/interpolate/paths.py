@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
 from typing import TYPE_CHECKING
 
@@ -38,6 +37,14 @@ def paths_at(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
 
     Without a motion every point moves straight, eq (2), also before 0 and after 1.
     """
+    return tuple(
+        CubicPath(segments, contour.start.straight, contour.start.closed)
+        for contour, segments in zip(shape.contours, _segments_at(shape, t), strict=True)
+    )
+
+
+def _segments_at(shape: ShapeBlend, t: float) -> list[ComplexArray]:
+    """Return the control points of a shape's paths at time t."""
     t = shape.own_time(t)
     if shape.motion_name == "sweep":  # it ends at the drawings
         t = min(max(t, 0.0), 1.0)
@@ -52,10 +59,7 @@ def paths_at(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
             else segments
             for contour, segments in zip(shape.contours, every, strict=True)
         ]
-    return tuple(
-        replace(contour.start, segments=segments)
-        for contour, segments in zip(shape.contours, every, strict=True)
-    )
+    return every
 
 
 def waypoints(shape: ShapeBlend, finer: float = 1.0) -> tuple[Waypoint, ...]:
@@ -93,15 +97,13 @@ def _cuts(shape: ShapeBlend, begin: float, until: float, finer: float) -> list[f
 
     @cache
     def at(t: float) -> ComplexArray:
-        return np.concatenate([path.segments for path in paths_at(shape, t)])
+        return np.concatenate(_segments_at(shape, t))
 
     def cut(low: float, high: float, depth: int) -> list[float]:
         """Return the times at which an interval is to be cut."""
-        off = max(
-            float(np.abs(at(low) + u * (at(high) - at(low)) - at(low + u * (high - low))).max())
-            for u in (0.25, 0.5, 0.75)
-        )
-        if off <= most or depth == 0:
+        first, ahead = at(low), at(high) - at(low)
+        off = (np.abs(first + u * ahead - at(low + u * (high - low))).max() for u in (0.5, 0.25, 0.75))
+        if depth == 0 or all(one <= most for one in off):
             return []
         middle = 0.5 * (low + high)
         return [*cut(low, middle, depth - 1), middle, *cut(middle, high, depth - 1)]

@@ -24,7 +24,8 @@ class Box(NamedTuple):
     def around(cls, points: ComplexArray) -> Box:
         """Return the smallest box around points."""
         x, y = points.real, points.imag
-        return cls(float(x.min()), float(y.min()), float(np.ptp(x)), float(np.ptp(y)))
+        left, top = float(x.min()), float(y.min())
+        return cls(left, top, float(x.max()) - left, float(y.max()) - top)
 
     @classmethod
     def union(cls, boxes: Sequence[Box]) -> Box:

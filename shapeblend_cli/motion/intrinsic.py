@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.geometry.closing import closing_lengths
 from shapeblend_cli.motion.alignment import PointPairs, resting
 from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.motion.turning import FULL_TURN, directions
@@ -23,17 +24,8 @@ if TYPE_CHECKING:
 LEAST_CHANGE = 0.2
 """Minimum relative change of length in an edge's compliance, the paper's ``L_tol``."""
 
-MULTIPLIER_LIMIT = 4.0
-"""Approximate maximum of the multipliers; an edge of mean compliance then changes by a factor of 50."""
-
-NEWTON_STEPS = 40
-"""Maximum number of Newton steps; four to six are usual."""
-
 POINT = 1e-9
 """Maximum length of an edge that counts as a point, as a share of the chain's length."""
-
-CLOSED = 1e-13
-"""Maximum gap after Newton's method, as a share of the chain's length; the chain is closed exactly then."""
 
 
 class ControlPolygons(NamedTuple):
@@ -195,58 +187,3 @@ def _moving(polygon: ControlPolygons, alignment: Alignment) -> MovingPolygon:
     a, b = polygon.points[0] - alignment.centre_a, alignment.undo(polygon.points[1])
     positions = complex((weight * a).sum()), complex((weight * b).sum())
     return MovingPolygon(polygon, end, change, compliance, weight, positions)
-
-
-def closing_lengths(length: FloatArray, u: ComplexArray, compliance: FloatArray) -> FloatArray:
-    """Return lengths near given ones that close a polygon of given directions.
-
-    Parameters
-    ----------
-    length : (m,) float >= 0
-    u : (m,) complex
-        Directions, of length 1.
-    compliance : (m,) float > 0
-
-    Returns
-    -------
-    (m,) float >= 0
-        ``L_i exp(σ_i u_i·λ)``, with ``u_i·λ`` the inner product. Zero stays zero.
-
-    Notes
-    -----
-    ``λ`` minimises ``Σ (L_i / σ_i) exp(σ_i u_i·λ)``, a convex function whose gradient is the gap of the polygon.
-    Newton's first step from zero solves the paper's two linear equations.
-
-    A minimum exists if the directions do not all lie in one half of the circle: for turns of less than half a round
-    each that make one round together. For others ``λ`` would go to infinity. Therefore
-    ``|λ|⁸ / (8 MULTIPLIER_LIMIT⁸)``, times the whole length, is added. For the ``|λ|`` of common shapes, less than 1,
-    that is less than rounding in a drawing, 1e-5 of the length; otherwise it leaves a gap that is continuous in time,
-    which the caller has to distribute.
-    """
-    total = float(length.sum())
-    x = y = 0.0
-    cos, sin = u.real, u.imag
-    longest_step = 2.0 / float(compliance.max())
-    closing = length
-    for _ in range(NEWTON_STEPS):
-        closing = length * np.exp(compliance * (cos * x + sin * y))
-        square = x * x + y * y
-        hold = total * square**3 / MULTIPLIER_LIMIT**8
-        open_x, open_y = float(closing @ cos) + hold * x, float(closing @ sin) + hold * y
-        if abs(open_x) + abs(open_y) <= CLOSED * total:
-            break
-        weight = compliance * closing
-        growth = 6.0 * total * square * square / MULTIPLIER_LIMIT**8
-        weight_sum = float(weight.sum())
-        cos_squared = float(weight @ (cos * cos))
-        # The small share avoids a division by zero for directions that are all alike, or opposite.
-        xx = cos_squared + hold + growth * x * x + 1e-12 * weight_sum
-        yy = weight_sum - cos_squared + hold + growth * y * y + 1e-12 * weight_sum
-        xy = float(weight @ (cos * sin)) + growth * x * y
-        determinant = xx * yy - xy * xy
-        step_x = (xy * open_y - yy * open_x) / determinant
-        step_y = (xy * open_x - xx * open_y) / determinant
-        size = float(np.hypot(step_x, step_y))
-        shorter = min(1.0, longest_step / size) if size > 0.0 else 1.0
-        x, y = x + shorter * step_x, y + shorter * step_y
-    return closing
