@@ -228,7 +228,7 @@ def _refine(problem: Problem, pins: list[Dot] | None) -> tuple[Path | None, Grap
         widen = np.ones(len(pad), bool)
         if found is not None:
             sweeps += found.sweeps
-            touching = _touching(np.array(found.dots), region, inside)
+            touching = _touching(found.dots, region, inside)
             near = np.arange(-2 * PADS[0], 2 * PADS[0] + 1) + np.flatnonzero(touching)[:, None]
             widen[:] = False
             widen[np.clip(near, 0, len(pad) - 1)] = True

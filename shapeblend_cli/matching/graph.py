@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -15,8 +16,6 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import FloatArray, IntArray
-
-Dots = list[tuple[int, int]]
 
 ROUNDING = 1e-12
 """Maximum difference of sums of work taken in another order, as a share of them."""
@@ -42,10 +41,33 @@ FIRST_SWEPT = 0.6
 class Path(NamedTuple):
     """A path in columns and rows from its start to its end, the number of sweeps, and whether no other takes less."""
 
-    dots: Dots
+    dots: IntArray  # (k, 2)
     work: float
     sweeps: int
     is_least: bool = True
+
+
+class Found(NamedTuple):
+    """The least path of a sweep, from the first row to the last, and the least work to the end of each row of the set.
+
+    Its dots are known only if it ends `span` rows below its start. It is its own if it ends in the state it started
+    from, and stays in the band around its own start.
+    """
+
+    work: float
+    first_row: int
+    last_row: int
+    dots: IntArray | None
+    is_own: bool
+    ends: FloatArray
+
+
+@cache
+def _work_of(steps: tuple[int, ...]) -> FloatArray:
+    """Return the work before some steps, and any other."""
+    work = np.full(3, np.inf)
+    work[list(steps)] = 0.0
+    return work
 
 
 class Starts(NamedTuple):
@@ -63,9 +85,7 @@ class Starts(NamedTuple):
 
     def terminals(self, below: int = 0) -> Terminals:
         """Return these states, or the same ones a number of rows below."""
-        work = np.full(3, np.inf)
-        work[list(self.steps)] = 0.0
-        return Terminals(self.first_row + below, self.last_row + below, work)
+        return Terminals(self.first_row + below, self.last_row + below, _work_of(self.steps))
 
     def without(self, start: int, end: int) -> tuple[Starts, Starts]:
         """Cut the set in two such that neither has both rows of a path that ends in another state than its start's.
@@ -209,22 +229,20 @@ class Graph:
             How far from its start others may start, as a share of the second polygon's vertices; None where there is
             one start, with any step.
         """
-        row = path.dots[0][1]
+        row = int(path.dots[0, 1])
         away = int((reach or 0.0) * self.wires.n)
         first = max(row - away, int(self.region.low[0]))
         last = min(row + away, int(self.region.high[0]), first + self.wires.n - 1)
         near = Starts(0.0, first, last, STEPS if reach is None else ENTERING)
         self._bound_states(near)
-        columns, rows = np.array(path.dots).T
+        columns, rows = path.dots.T
         self._visited[:] = rows.max(), rows.min()
         self.sweep(near, path.work * (1.0 + slack) + ROUNDING)
         np.minimum.at(self._visited[:, 0], columns, rows)
         np.maximum.at(self._visited[:, 1], columns, rows)
         return self._visited.copy()
 
-    def sweep(
-        self, starts: Starts, limit: float = np.inf, simplified: bool = False
-    ) -> tuple[float, Dots, bool, FloatArray] | None:
+    def sweep(self, starts: Starts, limit: float = np.inf, simplified: bool = False) -> Found | None:
         """Find the least path from a set of starts to the ends that belong to them.
 
         Parameters
@@ -234,18 +252,13 @@ class Graph:
             The path costs less.
         simplified : bool
             Use the simplified algorithm (section 4.1).
-
-        Returns
-        -------
-        (work, dots, is_own, ends) or None
-            `is_own`: the path ends in the state it started from and stays in the band around its own start. `ends`: the
-            least work of paths to the end of each row of the set, wherever in it they start.
         """
-        window = self.limits(starts)
+        is_stored = self._tables is not None
+        window = self.region if is_stored and self.band is None else self.limits(starts)
         if window is None:
             return None
-        sources = starts.terminals()
-        progress = Progress(window, sources, self._visited)
+        sources, rows = starts.terminals(), (starts.first_row, starts.last_row + self.span)
+        progress = Progress(window, sources, self._visited, rows)
         bounds = Bounds(self.region, self._to_go[:0] if simplified else self._to_go, limit)
         for tables, last_column in self._blocks(window):
             sweeps.sweep(tables, window, sources, bounds, progress, last_column, simplified)
@@ -254,27 +267,33 @@ class Graph:
             if self.sweeps == 0:
                 self.watch(FIRST_SWEPT * last_column / self.columns)
         self.sweeps += 1
-        if progress.is_dead:
-            return None
+        return None if progress.is_dead else self._least_end(starts, window, progress, limit)
 
-        # The ends that belong to the starts lie `span` rows further down.
-        first_end = max(starts.first_row + self.span - int(window.low[-1]), 0)
-        offered = progress.ends[first_end:].copy()
+    def _least_end(self, starts: Starts, window: Window, progress: Progress, limit: float) -> Found | None:
+        """Return the least path to the ends that belong to the starts, `span` rows further down."""
+        low = int(window.low[-1])
+        first_end = max(starts.first_row + self.span - low, 0)
+        offered = progress.ends[first_end : starts.last_row + self.span - low + 1]
         if not len(offered):
             return None
-        if self.closed:
-            offered[:, [step for step in STEPS if step not in starts.steps]] = np.inf
+        for step in STEPS if self.closed else ():
+            if step not in starts.steps:
+                offered[:, step] = np.inf
         at = int(offered.argmin())
         work = float(offered.flat[at])
         if not work < limit:
             return None
-        row, step = int(window.low[-1]) + first_end + at // 3, at % 3
-        dots, first_step = sweeps.backtrack(progress.parents, window, row, step)
-        own = dots[0][1] + self.span == row and (first_step == step or not self.closed)
+        row, step = low + first_end + at // 3, at % 3
+        first_row, first_step, count = sweeps.origin(progress.parents, window, row, step, starts.first_row)
+        dots = None
+        if first_row + self.span == row:
+            dots = np.empty((count + 1, 2), np.intp)
+            sweeps.backtrack(progress.parents, window, row, step, dots)
+        own = dots is not None and (first_step == step or not self.closed) and self._in_band(dots)
         ends = np.full(starts.rows, np.inf)
-        first_row = int(window.low[-1]) + first_end - self.span - starts.first_row
-        ends[first_row : first_row + len(offered)] = offered.min(axis=1)
-        return work, dots, own and self._in_band(dots), ends
+        before = low + first_end - self.span - starts.first_row
+        np.minimum.reduce(offered, axis=1, out=ends[before : before + len(offered)])
+        return Found(work, first_row, row, dots, own, ends)
 
     def _blocks(self, window: Window) -> Iterable[tuple[Tables, int]]:
         """Yield tables for runs of columns of a window, and the last column of each run."""
@@ -286,9 +305,8 @@ class Graph:
             period = Window.between(low, np.minimum(high, low + self.wires.n - 1))
             yield self._without_forbidden(self.wires.tables(period, part.start)), part.stop - 1
 
-    def _in_band(self, dots: Dots) -> bool:
+    def _in_band(self, dots: IntArray) -> bool:
         if self.band is None:
             return True
-        path: IntArray = np.array(dots)
-        gone = (path - path[0]) / (self.columns - 1, self.span)
+        gone = (dots - dots[0]) / (self.columns - 1, self.span)
         return bool(np.abs(gone[:, 0] - gone[:, 1]).max() <= self.band + 1e-9 / self.span)

@@ -117,7 +117,7 @@ def least_work(
             if search.band is not None
             else "no path goes through these pins without a turn of 90 degrees; others would work"
         )
-    dots = np.array(found.dots, np.intp)
+    dots = found.dots
     if closed:
         dots = dots[:-1]  # the end is the start again
     own = (dots + first) % (m, n)

@@ -39,7 +39,7 @@ def least_from(graph: Graph) -> Path | None:
     if graph.closed:
         return _branch_and_bound(graph, [Starts(0.0, row, row, STEPS)], np.inf)
     found = graph.sweep(Starts(0.0, row, row, STEPS))
-    return Path(found[1], found[0], graph.sweeps) if found else None
+    return Path(found.dots, found.work, graph.sweeps) if found and found.dots is not None else None
 
 
 def least_of_all(graph: Graph, known: float = np.inf, most_swept: float = np.inf) -> Path | None:
@@ -102,7 +102,7 @@ def simplified_of_all(graph: Graph) -> Path | None:
 
 def _simplified(graph: Graph, row: int, steps: tuple[int, ...]) -> Path | None:
     found = [graph.sweep(Starts(0.0, row, row, (step,)), simplified=True) for step in steps]
-    paths = [Path(dots, work, graph.sweeps) for work, dots, *_ in filter(None, found)]
+    paths = [Path(one.dots, one.work, graph.sweeps) for one in found if one and one.dots is not None]
     return min(paths, key=lambda path: path.work, default=None)
 
 
@@ -126,14 +126,13 @@ def _branch_and_bound(
         found = graph.sweep(starts, limit)
         if found is None:
             continue
-        work, dots, is_own, ends = found
-        if is_own:
-            best = Path(dots, work, graph.sweeps)
-            limit = work * (1.0 - ROUNDING)
+        if found.is_own and found.dots is not None:
+            best = Path(found.dots, found.work, graph.sweeps)
+            limit = found.work * (1.0 - ROUNDING)
         else:
-            for part in starts.without(dots[0][1], dots[-1][1] - graph.span):
+            for part in starts.without(found.first_row, found.last_row - graph.span):
                 # No path of a row's own takes less than the least one to its end.
-                least = ends[part.first_row - starts.first_row :][: part.rows]
+                least = found.ends[part.first_row - starts.first_row :][: part.rows]
                 rows = np.flatnonzero(least < limit)
                 if len(rows):
                     bound = max(float(least[rows].min()), starts.bound)

@@ -211,6 +211,8 @@ def sweep(
     parents: cython.uchar[::1] = progress.parents
     visited: cython.Py_ssize_t[:, ::1] = progress.visited
     ends: cython.double[:, ::1] = progress.ends
+    lowest: cython.Py_ssize_t = progress.rows[0]
+    highest: cython.Py_ssize_t = progress.rows[1]
     columns: cython.Py_ssize_t = low.shape[0]
     m: cython.Py_ssize_t = weight.shape[0]
     n: cython.Py_ssize_t = south.shape[0]
@@ -221,7 +223,9 @@ def sweep(
     last: cython.Py_ssize_t = progress.live_rows[1]
     previous: cython.Py_ssize_t = progress.current
     cython.declare(c=cython.Py_ssize_t, r=cython.Py_ssize_t, i=cython.Py_ssize_t, j=cython.Py_ssize_t)
-    cython.declare(k=cython.Py_ssize_t, t=cython.Py_ssize_t, current=cython.Py_ssize_t)
+    cython.declare(
+        k=cython.Py_ssize_t, t=cython.Py_ssize_t, current=cython.Py_ssize_t, beyond=cython.Py_ssize_t
+    )
     cython.declare(new_first=cython.Py_ssize_t, new_last=cython.Py_ssize_t)
     cython.declare(w_e=cython.double, w_s=cython.double, w_d=cython.double, leaving_south=cython.double)
     cython.declare(by_e=cython.double, by_s=cython.double, by_d=cython.double)
@@ -237,13 +241,14 @@ def sweep(
         new_first = -1
         new_last = -1
         leaving_south = INFINITY
-        r = max(low[c], first)
+        r = max(low[c], first, lowest)
+        beyond = min(high[c], highest) + 1
         j = r % n
         t = (r - origin[i]) % n
         k = offset[i] + t
         if pruning:
             g = to_go_offset[c] + r - to_go_low[c]
-        while r <= high[c]:
+        while r < beyond:
             w_e = INFINITY
             w_s = leaving_south
             w_d = INFINITY
@@ -340,29 +345,56 @@ def sweep(
     progress.current = previous
 
 
-def backtrack(
-    parents: cython.uchar[::1], window: Window, row: cython.Py_ssize_t, step: cython.int
-) -> tuple[list[tuple[int, int]], int]:
+def origin(
+    parents: cython.uchar[::1],
+    window: Window,
+    row: cython.Py_ssize_t,
+    step: cython.int,
+    lowest: cython.Py_ssize_t,
+) -> tuple[int, int, int]:
     """Follow the parents of a sweep from a row of the last column, and the step into it, back to a start.
 
     Returns
     -------
-    dots : list of (int, int)
-        Columns and rows from the start to the end, both included.
+    row : int
+        The start, `lowest` or below.
     step : int
-        The step into the start.
+        The step into it.
+    steps : int
+        The number of steps from there.
     """
     low: cython.Py_ssize_t[::1] = window.low
     offset: cython.Py_ssize_t[::1] = window.column_offset
     c: cython.Py_ssize_t = low.shape[0] - 1
-    r: cython.Py_ssize_t = row
-    dots: list[tuple[int, int]] = [(c, r)]
-    while c > 0 or (step == SOUTH and r > low[0]):
+    steps_back: cython.Py_ssize_t = 0
+    while c > 0 or (step == SOUTH and row > lowest):
         if step != SOUTH:
             c -= 1
         if step != EAST:
-            r -= 1
-        step = parents[offset[c] + r - low[c]] >> 2 * step & 3
-        dots.append((c, r))
-    dots.reverse()
-    return dots, step
+            row -= 1
+        step = parents[offset[c] + row - low[c]] >> 2 * step & 3
+        steps_back += 1
+    return row, step, steps_back
+
+
+def backtrack(
+    parents: cython.uchar[::1],
+    window: Window,
+    row: cython.Py_ssize_t,
+    step: cython.int,
+    dots: cython.Py_ssize_t[:, ::1],
+) -> None:
+    """Fill in the columns and rows of a path from its start to its end, both included: one dot more than steps."""
+    low: cython.Py_ssize_t[::1] = window.low
+    offset: cython.Py_ssize_t[::1] = window.column_offset
+    c: cython.Py_ssize_t = low.shape[0] - 1
+    k: cython.Py_ssize_t
+    for k in range(dots.shape[0] - 1, -1, -1):
+        dots[k, 0] = c
+        dots[k, 1] = row
+        if k > 0:
+            if step != SOUTH:
+                c -= 1
+            if step != EAST:
+                row -= 1
+            step = parents[offset[c] + row - low[c]] >> 2 * step & 3

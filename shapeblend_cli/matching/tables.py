@@ -118,13 +118,18 @@ class Progress:
         First and last row of each column that paths can reach.
     ends : (rows, 3) float
         Work at the dots of the last column, by the step in.
+    rows : (int, int)
+        First and last row of all columns where paths may run.
     """
 
-    __slots__ = ("column", "current", "ends", "leaving", "live_rows", "parents", "visited")
+    __slots__ = ("column", "current", "ends", "leaving", "live_rows", "parents", "rows", "visited")
 
-    def __init__(self, window: Window, starts: Terminals, visited: IntArray) -> None:
+    def __init__(
+        self, window: Window, starts: Terminals, visited: IntArray, rows: tuple[int, int] | None = None
+    ) -> None:
         self.column = self.current = 0
         self.live_rows = starts.first_row, starts.last_row
+        self.rows = rows or (int(window.low[0]), int(window.high[-1]))
         self.leaving = np.empty((4, int(window.high[-1] - window.low[0]) + 1))
         self.parents = np.empty(window.dots, np.uint8)
         self.visited = visited
