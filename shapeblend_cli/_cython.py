@@ -5,6 +5,7 @@ where Cython is not installed: every declaration below then means nothing, and t
 """
 
 from collections import namedtuple
+from math import trunc
 from typing import Any, Final
 
 compiled: Final = False
@@ -42,7 +43,8 @@ def _directive(*_settings: object, **_named: object) -> Any:
     return _unchanged
 
 
-const = int = bint = uchar = longlong = p_char = Py_ssize_t = double = doublecomplex = void = _Type()
+const = int = bint = uchar = longlong = p_char = double = doublecomplex = void = _Type()
+Py_ssize_t = _Type()
 nogil = _Unlocked()
 
 cclass = final = cfunc = inline = _unchanged
@@ -53,9 +55,9 @@ def look_for_signals() -> None:
     """Do what Python does by itself between its instructions, and compiled code does not."""
 
 
-def cast(_type: object, value: Any) -> Any:
-    """Return the value as it is."""
-    return value
+def cast(new_type: object, value: Any) -> Any:
+    """Return the value as it is; as an index, without what lies behind the point."""
+    return trunc(value) if new_type is Py_ssize_t else value
 
 
 def declare(_type: object = None, value: Any = None, **_variables: object) -> Any:

@@ -29,6 +29,12 @@ BLOCK_DOTS = 1_000_000
 BOUND_DOTS = 100_000
 """Maximum number of dots whose tables are made for a lower bound alone."""
 
+KEPT = 31 << 20
+"""Maximum size of memory that the C library keeps for the next tables where it is glibc, in bytes: half of what it then
+keeps. It gives the rest back to the system, and taking that again page by page costs as much as a search."""
+
+np.empty(KEPT, np.uint8)  # glibc learns from the largest block that was freed, which is not touched
+
 NOT_KEPT = np.empty(0, np.uint8)
 
 PRICED = 0.5

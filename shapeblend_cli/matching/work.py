@@ -22,6 +22,7 @@ import numpy as np
 from shapeblend_cli.matching.angles import Bending, Corners, fill_bends
 from shapeblend_cli.matching.smoothing import smoothed
 from shapeblend_cli.matching.steps import BEND_OF_STEPS, NO_BEND
+from shapeblend_cli.matching.stretching import fill_stretching, stretching_work
 from shapeblend_cli.matching.tables import Tables, Window
 from shapeblend_cli.matching.travel import Stations, add_travel, places
 from shapeblend_cli.model import Work
@@ -34,9 +35,6 @@ if TYPE_CHECKING:
 
     AddWork = Callable[[IntArray, Window, FloatArray], None]
 
-STRETCHING_DOTS = 1 << 18
-"""Number of dots whose stretching work is computed at once: few enough to stay in the cache."""
-
 SMOOTH_SHARE = 0.7
 """Share of bending that is measured on smoothed outlines, if they are smoothed; the outlines have the corners."""
 
@@ -47,38 +45,6 @@ def edge_lengths(vertices: ComplexArray, closed: bool) -> FloatArray:
     if not closed:
         edges[-1] = 0.0
     return np.abs(edges)
-
-
-def stretching_work(len0: FloatArray, len1: FloatArray, constants: WorkConstants) -> FloatArray:
-    """Return the work to stretch edges of one wire onto edges of the other: equation (16), section 3.1.
-
-    Parameters
-    ----------
-    len0, len1 : ndarray of float, mutually broadcastable
-        Edge lengths L0 and L1 in unit-box lengths (section 3.3), >= 0.
-    constants : WorkConstants
-        Reads k_s, e_s, c_s.
-
-    Returns
-    -------
-    ndarray of the broadcast shape, >= 0
-
-    Notes
-    -----
-    Symmetric in the two lengths. Departure: L0 = L1 = 0 is 0/0 in (16); here it is 0.
-
-    Examples
-    --------
-    Leg 1-2 of figure 23 (section 3.4):
-
-    >>> w = stretching_work(0.5**0.5, 1.0, WorkConstants(k_s=0.5, c_s=0.5, e_s=1))
-    >>> round(float(w), 4)
-    0.1716
-    """
-    k_s, e_s, c_s = constants.k_s, constants.e_s, constants.c_s
-    delta = np.abs(np.subtract(len1, len0))
-    resistance = (1.0 - c_s) * np.minimum(len0, len1) + c_s * np.maximum(len0, len1)
-    return k_s * delta**e_s / np.where(resistance > 0.0, resistance, 1.0)
 
 
 class Wire(NamedTuple):
@@ -188,19 +154,12 @@ class Wires:
 
         Rows of the window, and its `first_column` in the graph, are counted on beyond n and m.
         """
-        is_whole = window is None
         window = window or Window.full(self.m, self.n)
         columns = (first_column + np.arange(len(window.low))) % self.m
         southeast = np.empty(window.dots)
-        for part in window.blocks(STRETCHING_DOTS):
-            i, j = columns[part, None], np.arange(self.n)
-            if not is_whole:
-                heights = window.high[part] - window.low[part] + 1
-                i = np.repeat(columns[part], heights)
-                j = np.arange(len(i)) - np.repeat(np.cumsum(heights) - heights - window.low[part], heights)
-            work = stretching_work(self.len0[i], self.len1[j % self.n], self.constants) * self.edge_weight[i]
-            first = int(window.column_offset[part.start])
-            southeast[first : first + work.size] = work.ravel()
+        fill_stretching(
+            (self.len0, self.len1), self.constants, columns, self.edge_weight[columns], window, southeast
+        )
         bends = np.zeros((window.dots, 7))
         for add in self._terms_of_bends:
             add(columns, window, bends)
