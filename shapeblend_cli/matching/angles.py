@@ -347,10 +347,19 @@ class Bending:
         n: cython.Py_ssize_t = q.theta.shape[0]
         turn: cython.double = p.turn[i]
         heading: cython.double = p.heading[i]
+        p_ahead: cython.double = p.ahead[i]
+        p_aside: cython.double = p.aside[i]
+        p_b: cython.double = self.p_b
+        by_turning: cython.bint = self.by_turning
         for k in range(first, beyond):
-            work[k, EE] += self.inside_run(k_b, p, i, q, j)
-            work[k, SS] += self.inside_run(k_b, q, j, p, i)
-            if not (self.by_turning and _all_ahead(heading, turn, q.heading[j], q.turn[j])):
+            p_rests: cython.int = -1
+            q_rests: cython.int = -1
+            if by_turning:
+                q_rests = _meets_zero_inside(p_ahead, p_aside, p.back[i], p.fwd[i], q.base[j])
+                p_rests = _meets_zero_inside(q.ahead[j], q.aside[j], q.back[j], q.fwd[j], p.base[i])
+            work[k, EE] += self.inside_run(k_b, p, i, q, j) if q_rests < 0 else q_rests * p_b
+            work[k, SS] += self.inside_run(k_b, q, j, p, i) if p_rests < 0 else p_rests * p_b
+            if not (by_turning and _all_ahead(heading, turn, q.heading[j], q.turn[j])):
                 work[k, ED] += self.at_run(k_b, p.theta[i], _out_of_run(p, i, q, j))
                 work[k, DE] += self.at_run(k_b, p.theta[i], _into_run(p, i, q, j))
                 work[k, SD] += self.at_run(k_b, q.theta[j], _out_of_run(q, j, p, i))
@@ -467,18 +476,13 @@ class Bending:
     def inside_run(
         self, k_b: cython.double, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t
     ) -> cython.double:
-        """Return the work where q rests on the way in and on the way out.
+        """Return the work where q rests on the way in and on the way out, by the motion from Q0 to Q1 to Q2.
 
         F1 := base, B1 := minus base, so both products of Q1 are of one order: Q1 = conj(d) B0 - conj(F0) d. From there
         the angle only goes on to pi, the angle of Q2.
         """
         d, b, f = q.base[j], p.back[i], p.fwd[i]
-        x1: cython.double = _dot(d, b) - _dot(f, d)
-        y1: cython.double = _cross(d, b) - _cross(f, d)
-        if self.by_turning:
-            meets: cython.int = _meets_zero_inside(p.ahead[i], p.aside[i], x1, y1)
-            if meets >= 0:
-                return meets * self.p_b
+        x1, y1 = _dot(d, b) - _dot(f, d), _cross(d, b) - _cross(f, d)
         theta: cython.double = p.theta[i]
         if x1 * x1 + y1 * y1 <= CROSS_NOISE * CROSS_NOISE * (
             _dot(b, b) + _dot(f, f)
@@ -494,11 +498,20 @@ class Bending:
 @cython.inline
 @cython.exceptval(check=False)
 def _meets_zero_inside(
-    x0: cython.double, y0: cython.double, x1: cython.double, y1: cython.double
+    x0: cython.double,
+    y0: cython.double,
+    b: cython.doublecomplex,
+    f: cython.doublecomplex,
+    d: cython.doublecomplex,
 ) -> cython.int:
-    """Return whether the way from Q0 to Q1 passes right of the origin: 1 or 0, or -1 where rounding might decide."""
+    """Return whether the way from Q0 to Q1 passes right of the origin: 1 or 0, or -1 where rounding might decide.
+
+    Q0 is given by its parts, Q1 as in `Bending.inside_run`.
+    """
+    x1: cython.double = _dot(d, b) - _dot(f, d)
     if x0 < 0.0 and x1 < 0.0:
         return 0
+    y1: cython.double = _cross(d, b) - _cross(f, d)
     noise: cython.double = ANGLE_NOISE * (fabs(x0) + fabs(y0) + fabs(x1) + fabs(y1))
     if (y0 > noise and y1 > noise) or (y0 < -noise and y1 < -noise):
         return 0
