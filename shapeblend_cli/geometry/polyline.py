@@ -14,10 +14,19 @@ try:
 except ImportError:  # Cython is needed to build, not to run
     from shapeblend_cli import _cython as cython
 
+if cython.compiled:
+    from cython.cimports.libc.math import sqrt
+else:
+    from math import sqrt
+
 if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
 
 COMPILED = cython.compiled
+
+cython.declare(REACH=cython.Py_ssize_t)
+REACH = 3
+"""Number of edges to either side of a place that are near it."""
 
 AT_ONCE = 1 << 20
 """Maximum number of distances computed at once: arrays of sixteen times as many bytes."""
@@ -152,3 +161,68 @@ def _find_near(
             if x * x + y * y <= limit:
                 found[p] = 1
                 break
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
+def add_distances(
+    points: cython.double[:, ::1],
+    line: cython.double[:, ::1],
+    places: cython.const[cython.double][::1],
+    lengths: cython.const[cython.double][::1],
+    closed: cython.bint,
+    at_points: cython.bint,
+    far: cython.double[::1],
+) -> None:
+    """Take the distances of points from the edges of a line near some places, `REACH` to either side; keep the largest.
+
+    Parameters
+    ----------
+    points, line : (p, 2) and (n, 2) float
+        x and y.
+    places : (p,) float
+        The length along the line near which each point lies.
+    lengths : (n,) float
+        The length up to each vertex of the line.
+    closed : bool
+    at_points : bool
+        Keep the distance at the point, else at the last vertex of the line before its place.
+    far : (p,) or (n,) float
+        The largest distances so far, by points or vertices.
+    """
+    edges: cython.Py_ssize_t = line.shape[0] - 1
+    p: cython.Py_ssize_t
+    k: cython.Py_ssize_t
+    for p in range(points.shape[0]):
+        first: cython.Py_ssize_t = 0  # the number of lengths up to this place
+        last: cython.Py_ssize_t = lengths.shape[0]
+        while first < last:
+            middle: cython.Py_ssize_t = (first + last) // 2
+            if lengths[middle] <= places[p]:
+                first = middle + 1
+            else:
+                last = middle
+        near: cython.Py_ssize_t = first - 1
+        least: cython.double = -1.0
+        for k in range(near - REACH, near + REACH + 1):
+            number: cython.Py_ssize_t = min(max(k, 0), edges - 1)
+            if closed:
+                number = (k + REACH * edges) % edges
+            x: cython.double = points[p, 0] - line[number, 0]
+            y: cython.double = points[p, 1] - line[number, 1]
+            dx: cython.double = line[number + 1, 0] - line[number, 0]
+            dy: cython.double = line[number + 1, 1] - line[number, 1]
+            square: cython.double = dx * dx + dy * dy
+            along: cython.double = x * dx + y * dy
+            if along > 0.0:
+                share: cython.double = min(along / square, 1.0)
+                x -= share * dx
+                y -= share * dy
+            apart: cython.double = x * x + y * y
+            if least < 0.0 or apart < least:
+                least = apart
+        least = sqrt(least)
+        k = p if at_points else min(max(near, 0), far.shape[0] - 1)
+        if least > far[k]:
+            far[k] = least

@@ -1,7 +1,4 @@
-"""The deviation of in-betweens of curves from in-betweens of polygons.
-
-This file is compiled by Cython and runs uncompiled as well.
-"""
+"""The deviation of in-betweens of curves from in-betweens of polygons."""
 
 from __future__ import annotations
 
@@ -10,30 +7,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.polyline import cumulative_lengths
-
-try:
-    import cython
-except ImportError:  # Cython is needed to build, not to run
-    from shapeblend_cli import _cython as cython
-
-if cython.compiled:
-    from cython.cimports.libc.math import sqrt
-else:
-    from math import sqrt
+from shapeblend_cli.geometry.polyline import add_distances, cumulative_lengths
 
 if TYPE_CHECKING:
     from shapeblend_cli.interpolate.continuous_match import ContinuousMatch
     from shapeblend_cli.model import ComplexArray, FloatArray
 
-COMPILED = cython.compiled
-
 TIMES = (0.25, 0.5, 0.75)
 """Times at which in-betweens are compared."""
-
-cython.declare(REACH=cython.Py_ssize_t)
-REACH = 3
-"""Number of edges to either side among which the nearest is looked for."""
 
 LEAST_SAMPLES = 4
 """Minimum number of edges that approximate a piece."""
@@ -81,71 +62,6 @@ def deviation(
         on_curve = np.interp(length_polygon, polygon_at_cuts, curve_at_cuts)
         on_polygon = np.interp(length_curve, curve_at_cuts, polygon_at_cuts)
         outlines = [points.view(np.float64).reshape(-1, 2) for points in (polygon, curve)]
-        _add_distances(*outlines, on_curve, length_curve, match.a.closed, True, far)
-        _add_distances(*outlines[::-1], on_polygon, length_polygon, match.a.closed, False, far)
+        add_distances(*outlines, on_curve, length_curve, match.a.closed, True, far)
+        add_distances(*outlines[::-1], on_polygon, length_polygon, match.a.closed, False, far)
     return far
-
-
-@cython.boundscheck(False)
-@cython.wraparound(False)
-@cython.cdivision(True)
-def _add_distances(
-    points: cython.double[:, ::1],
-    line: cython.double[:, ::1],
-    places: cython.const[cython.double][::1],
-    lengths: cython.const[cython.double][::1],
-    closed: cython.bint,
-    at_points: cython.bint,
-    far: cython.double[::1],
-) -> None:
-    """Take the distances of points from the edges of a line near some places, and keep the largest.
-
-    Parameters
-    ----------
-    points, line : (p, 2) and (n, 2) float
-        x and y.
-    places : (p,) float
-        The length along the line near which each point lies.
-    lengths : (n,) float
-        The length up to each vertex of the line.
-    closed : bool
-    at_points : bool
-        Keep the distance at the point, else at the last vertex of the line before its place.
-    far : (p,) or (n,) float
-        The largest distances so far, by points or vertices.
-    """
-    edges: cython.Py_ssize_t = line.shape[0] - 1
-    p: cython.Py_ssize_t
-    k: cython.Py_ssize_t
-    for p in range(points.shape[0]):
-        first: cython.Py_ssize_t = 0  # the number of lengths up to this place
-        last: cython.Py_ssize_t = lengths.shape[0]
-        while first < last:
-            middle: cython.Py_ssize_t = (first + last) // 2
-            if lengths[middle] <= places[p]:
-                first = middle + 1
-            else:
-                last = middle
-        near: cython.Py_ssize_t = first - 1
-        least: cython.double = -1.0
-        for k in range(near - REACH, near + REACH + 1):
-            number: cython.Py_ssize_t = min(max(k, 0), edges - 1)
-            if closed:
-                number = (k + REACH * edges) % edges
-            x: cython.double = points[p, 0] - line[number, 0]
-            y: cython.double = points[p, 1] - line[number, 1]
-            dx: cython.double = line[number + 1, 0] - line[number, 0]
-            dy: cython.double = line[number + 1, 1] - line[number, 1]
-            square: cython.double = dx * dx + dy * dy
-            along: cython.double = x * dx + y * dy
-            if along > 0.0:
-                share: cython.double = min(along / square, 1.0)
-                x -= share * dx
-                y -= share * dy
-            apart: cython.double = x * x + y * y
-            if least < 0.0 or apart < least:
-                least = apart
-        least = sqrt(least)
-        k = p if at_points else min(max(near, 0), far.shape[0] - 1)
-        if least > far[k]:
-            far[k] = least
