@@ -58,3 +58,24 @@ def test_a_circle_has_its_length_area_and_box():
 
 def test_area_closes_an_open_chain():
     assert cubics.signed_area(np.array([cubics.line(0, 4), cubics.line(4, 4 + 2j)])) == pytest.approx(4.0)
+
+
+@given(segments, st.floats(0.0, 1.0), st.floats(0.0, 1.0))
+def test_segments_with_a_parameter_each_are_evaluated_as_those_with_many(segments, first, second):
+    t = np.array([first, second, 0.5])
+    one_by_one = [
+        cubics.evaluate(segment[None, None, :], t[k : k + 1])[0, 0] for k, segment in enumerate(segments)
+    ]
+    np.testing.assert_allclose(cubics.evaluate(segments, t), one_by_one, atol=1e-12)
+
+
+def test_compiled_and_uncompiled_kernels_agree_to_the_bit(rng, load_uncompiled):
+    segments = rng.normal(size=(30, 4)) + 1j * rng.normal(size=(30, 4))
+    segments[3, 1], segments[7, 2], segments[9] = segments[3, 0], segments[7, 3], 1.0
+    start, end = np.sort(rng.random((2, 30)), axis=0)
+    found = []
+    for module in (cubics, load_uncompiled("shapeblend_cli.geometry.cubics")):
+        points = module.evaluate(segments, start), module.pieces(segments, start, end)
+        found.append((*points, *module.directions(segments), np.array(module.bounds(segments))))
+    for one, other in zip(*found, strict=True):
+        assert np.array_equal(one, other)

@@ -104,3 +104,10 @@ def test_without_stiffness_there_is_no_travel(rng):
     dots = np.arange(9)[:, None].repeat(2, axis=1)
     for constants in (WorkConstants(k_t=0.0), WorkConstants(**PAPER)):
         assert Wires(p, q, True, constants).path_work(dots).travel == 0.0
+
+
+def test_compiled_and_uncompiled_kernels_agree_to_the_bit(rng, load_uncompiled):
+    uncompiled = load_uncompiled("shapeblend_cli.matching.smoothing")
+    for closed in (True, False):
+        p = random_polygon(rng, 30)
+        assert np.array_equal(uncompiled.smoothed(p, closed, 0.01), smoothed(p, closed, 0.01))
