@@ -29,7 +29,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels test-cluster docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui judge-weights pictures studio options api install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels test-cluster docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-stages bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui judge-weights pictures studio options api install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -113,6 +113,9 @@ mutate: install ## break the package in COUNT (60) random places, and list the b
 # The usual options say --benchmark-skip, which contradicts --benchmark-only: hence the empty addopts.
 bench: install ## time the solver, whole commands and batches
 	$(BIN)/python -m pytest tests/bench -o addopts= --benchmark-only
+
+bench-stages: install npm ## time the stages of a plain blend in a warm process, beside other tools
+	$(BIN)/python -m tools.stages
 
 pictures: install npm ## draw the pictures of the documents, but for those of the studio
 	$(BIN)/python -m tools.pictures

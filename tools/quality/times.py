@@ -114,12 +114,12 @@ def _shapeblend(*arguments: str, folder: Path) -> float:
     return _run(command, cwd=folder)
 
 
-def theirs(library: Library) -> Way:
-    """Return what blends pairs with a library."""
+def theirs(library: Library, times: Sequence[float] = TIMES) -> Way:
+    """Return what blends pairs with a library, and writes in-betweens at these times."""
 
     def run(pairs: Sequence[Pair], folder: Path) -> float:
         with (folder / "frames").open("w", encoding="utf-8") as out:
-            text = library.lines(pairs, TIMES)
+            text = library.lines(pairs, times)
             return _run(library.command, cwd=INSTALLED, input=text, stdout=out, text=True)
 
     return run
