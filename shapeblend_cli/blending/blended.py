@@ -15,7 +15,7 @@ from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
-from shapeblend_cli.motion.early import changes_much, with_early_parts
+from shapeblend_cli.motion.early import alone_in, alone_in_the_way, changes_much, with_early_parts
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pairing.changes import are_painted_alike, crossed_out
 from shapeblend_cli.pens.drawings import MOST_LINES, pen_drawing
@@ -115,8 +115,13 @@ def _by_lines_or_outlines(
     is_sign = _is_free(settings) and pens is not None and max(pen.share for pen in pens) >= ALL
 
     def paced(shapes: Shapes, kept: float = 1.0) -> Shapes:
+        if not _is_free(settings):
+            return shapes
         is_other = is_sign and (kept < KEPT or changes_much(shapes, view.larger_side))
-        return with_early_parts(shapes) if is_other else shapes
+        early = alone_in(shapes)
+        if not is_other:
+            early &= alone_in_the_way(shapes, view.larger_side)
+        return with_early_parts(shapes, early)
 
     if lines is None:
         return paced(outlined(a, b, settings))

@@ -6,12 +6,17 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import signed_area
+from shapeblend_cli.geometry.polyline import may_be_near
+from shapeblend_cli.interpolate.paths import paths_at
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import ComplexArray, ContourBlend, Motion, ShapeBlend
+
+    Numbers = tuple[int | None, int | None]  # of a contour in both drawings
 
 EARLY = 0.5
 """Share of the time by which a part without a partner is gone before the end, or comes after the start."""
@@ -20,12 +25,27 @@ CHANGES = 0.1
 """Minimum mean distance that places of a shape move, beside its shift, for its parts to leave early, as a share of the
 view."""
 
+WATCHED = (0.0, 0.25, 0.5, 0.75, 1.0)
+"""Times at which parts without a partner are looked at, their own end among them."""
+
+PIECES = 4
+"""Number of straight pieces of a curve that is looked at."""
+
+TOUCHING = 0.01
+"""Maximum distance of outlines that touch, as a share of the view."""
+
+AFFORDABLE = 60
+"""Maximum number of contours of a blend whose parts are looked at."""
+
+ALIKE = 3.0
+"""Maximum ratio of the areas of parts that go together."""
+
 
 class Early(NamedTuple):
     """Another motion, or straight paths, in which contours without a partner are small for longer."""
 
     motion: Motion | None
-    grows: frozenset[bool]  # whether contours grow that are: those of one drawing, of both or of none
+    small: frozenset[Numbers]  # the contours that are
 
     @property
     def name(self) -> str:
@@ -38,7 +58,7 @@ class Early(NamedTuple):
         moved = self.motion.segments(contours, t) if self.motion else straight
         return [
             own
-            if contour.is_matched or contour.follows_edge or contour.grows not in self.grows
+            if (contour.a, contour.b) not in self.small
             else _smaller(own, t if contour.grows else 1.0 - t)
             for contour, own in zip(contours, moved, strict=True)
         ]
@@ -58,12 +78,68 @@ def changes_much(shapes: Sequence[ShapeBlend], side: float) -> bool:
     return bool(ways) and float(np.mean([np.abs(way - way.mean()).mean() for way in ways])) > CHANGES * side
 
 
-def with_early_parts(shapes: Sequence[ShapeBlend]) -> tuple[ShapeBlend, ...]:
-    """Let parts without a partner leave before all others have become other shapes, and come after that.
+def alone_in_the_way(shapes: Sequence[ShapeBlend], side: float) -> frozenset[Numbers]:
+    """Return the parts without a partner that lie apart and yet come to be touched by what moves; in a view of a side.
 
-    Not where most of a drawing is without a partner: that would be missed.
+    They would stand out of its edge then, as the rays of a sun that becomes a moon. Others like these go with them: of
+    the same paint, and of about the same area.
     """
+    fills = [shape for shape in shapes if shape.style_a.fill is not None and not shape.pace]
+    if sum(len(shape.contours) for shape in fills) > AFFORDABLE or all(map(_is_paired, fills)):
+        return frozenset()
+    moving: list[list[ComplexArray]] = []
+    alone: list[tuple[ShapeBlend, ContourBlend, list[ComplexArray]]] = []
+    for shape in fills:
+        at = [paths_at(shape, t) for t in WATCHED]
+        for k, contour in enumerate(shape.contours):
+            outlines = [cubics.polyline(paths[k].segments, PIECES) for paths in at]
+            if contour.is_matched:
+                moving.append([np.append(outline, outline[0]) for outline in outlines])
+            elif not contour.follows_edge:
+                alone.append((shape, contour, outlines))
+
+    def touches(outline: ComplexArray, t: int) -> bool:
+        return any(may_be_near(outline, other[t], TOUCHING * side).any() for other in moving)
+
+    def is_met(contour: ContourBlend, outlines: list[ComplexArray]) -> bool:
+        own = len(WATCHED) - 1 if contour.grows else 0
+        between = range(1, len(WATCHED) - 1)
+        return any(touches(outlines[t], t) for t in between) and not touches(outlines[own], own)
+
+    met = [(shape, contour) for shape, contour, outlines in alone if is_met(contour, outlines)]
+    return frozenset(
+        (contour.a, contour.b)
+        for shape, contour, _ in alone
+        if any(_are_alike(shape, contour, *other) for other in met)
+    )
+
+
+def _is_paired(shape: ShapeBlend) -> bool:
+    return all(contour.is_matched or contour.follows_edge for contour in shape.contours)
+
+
+def _are_alike(
+    shape: ShapeBlend, contour: ContourBlend, other_shape: ShapeBlend, other: ContourBlend
+) -> bool:
+    """Return whether two contours come or go alike, have the same paint, and about the same area."""
+    if contour.grows != other.grows or (shape.style_a, shape.style_b) != (
+        other_shape.style_a,
+        other_shape.style_b,
+    ):
+        return False
+    areas = [_area(contour), _area(other)]
+    return min(areas) * max(areas) > 0.0 and max(map(abs, areas)) <= ALIKE * min(map(abs, areas))
+
+
+def _area(contour: ContourBlend) -> float:
+    """Return the signed area where it is not a point."""
+    return signed_area((contour.polygon_b if contour.grows else contour.polygon_a).vertices)
+
+
+def alone_in(shapes: Sequence[ShapeBlend]) -> frozenset[Numbers]:
+    """Return the parts without a partner, but not where most of a drawing has none: that would be missed."""
     matched, alone = [0.0, 0.0], [0.0, 0.0]
+    found: list[ContourBlend] = []
     for contour in (contour for shape in shapes for contour in shape.contours):
         for end, polygon in enumerate((contour.polygon_a, contour.polygon_b)):
             area = signed_area(polygon.vertices)
@@ -71,11 +147,18 @@ def with_early_parts(shapes: Sequence[ShapeBlend]) -> tuple[ShapeBlend, ...]:
                 matched[end] += area
             elif contour.grows == bool(end):
                 alone[end] += area
+        if not (contour.is_matched or contour.follows_edge):
+            found.append(contour)
     # What is beside lines has no matched area.
-    grows = frozenset(bool(end) for end in (0, 1) if abs(alone[end]) < abs(matched[end]) or not matched[end])
+    ends = {bool(end) for end in (0, 1) if abs(alone[end]) < abs(matched[end]) or not matched[end]}
+    return frozenset((contour.a, contour.b) for contour in found if contour.grows in ends)
+
+
+def with_early_parts(shapes: Sequence[ShapeBlend], parts: frozenset[Numbers]) -> tuple[ShapeBlend, ...]:
+    """Let parts without a partner leave before all others have become other shapes, and come after that."""
     return tuple(
-        shape
-        if all(contour.is_matched or contour.follows_edge for contour in shape.contours)
-        else shape._replace(motion=Early(shape.motion, grows))
+        shape._replace(motion=Early(shape.motion, parts))
+        if any((contour.a, contour.b) in parts for contour in shape.contours)
+        else shape
         for shape in shapes
     )

@@ -36,3 +36,32 @@ def test_what_is_filled_is_so_all_of_the_time():
     (pair,), _ = match_all([frame, box], Settings())
     assert not any(isinstance(shape.motion, Early) for shape in pair.shapes)
     assert min(sizes(frame, box, 0.8)[0]) > 1.0
+
+
+RAYS = "".join(
+    f'<path d="M{x} {y}h1v1h-1z"/>' for x, y in ((11.5, 2.5), (11.5, 20.5), (2.5, 11.5), (20.5, 11.5))
+)
+
+
+def disc(x, radius):
+    return f'<circle cx="{x}" cy="12" r="{radius}"/>'
+
+
+def test_parts_that_what_moves_would_touch_are_gone_before_and_others_like_them_too():
+    sun, moon = drawing(disc(12, 5), RAYS), drawing(disc(15, 7))
+    for pair, late in (((sun, moon), 0.6), ((moon, sun), 0.4)):
+        rays, others = sizes(*pair, late)
+        assert len(rays) == 4
+        assert max(rays) < 0.01 < min(others)
+
+
+def test_parts_that_nothing_comes_near_take_all_of_the_time():
+    rays, _ = sizes(drawing(disc(12, 5), RAYS), drawing(disc(12, 6)), 0.6)
+    assert len(rays) == 4
+    assert min(rays) > 0.5
+
+
+def test_parts_of_another_size_do_not_go_with_those_that_are_touched():
+    sun = drawing(disc(12, 5), RAYS, '<path d="M1 1h3v3h-3z"/>')
+    rays, _ = sizes(sun, drawing(disc(15, 7)), 0.6)
+    assert sorted(size > 1.0 for size in rays) == [False] * 4 + [True]
