@@ -107,11 +107,16 @@ def alone_in_the_way(shapes: Sequence[ShapeBlend], side: float) -> frozenset[Num
         return any(touches(outlines[t], t) for t in between) and not touches(outlines[own], own)
 
     met = [(shape, contour) for shape, contour, outlines in alone if is_met(contour, outlines)]
-    return frozenset(
+    found = {
         (contour.a, contour.b)
         for shape, contour, _ in alone
         if any(_are_alike(shape, contour, *other) for other in met)
-    )
+    }
+    for _, contour, _ in alone:  # and what is inside, as a hole is
+        around = contour.parents[int(contour.grows)]
+        if around is not None and ((None, around) if contour.grows else (around, None)) in found:
+            found.add((contour.a, contour.b))
+    return frozenset(found)
 
 
 def _is_paired(shape: ShapeBlend) -> bool:

@@ -41,6 +41,9 @@ LEAST_BOX = 0.6
 LIKE_PAINT = 0.25
 """Maximum difference of two fills: the mean over their channels, from 0 to 1."""
 
+LEAST_SHARED = 0.25
+"""Minimum share of an outline that is one of the other drawing's, too, if that is no chance."""
+
 STEP = 1.5e-2
 """Length of the pieces into which outlines that slant through a window are cut, as a share of the diagonal."""
 
@@ -263,6 +266,7 @@ def _change(
     shared = mostly_shared(*sides, diagonal)
     if shared is None:
         return None
+    shared = _without_signs(shared)
     loops = _loops(shared)
     if max((max(loop.pieces) for loop in loops), default=0) < 2:
         return None
@@ -271,6 +275,17 @@ def _change(
     shrinks = length_b < length_a
     windows = _windows([_turned(loop, shrinks=shrinks) for loop in loops], loops, SPECK * diagonal**2)
     return _opening(shared, (a, b), loops, windows, settings, shrinks=shrinks)
+
+
+def _without_signs(shared: Shared) -> Shared:
+    """Leave out what outlines share by chance: the edge of a plus may continue that of a bag that is behind it."""
+    stretches = list(shared.stretches)
+    for side, outlines in enumerate(shared.outlines):
+        for number, outline in enumerate(outlines):
+            own = [one for one in stretches if one.outlines[side] == number]
+            if sum(one.end[side] - one.start[side] for one in own) < LEAST_SHARED * outline.total:
+                stretches = [one for one in stretches if one not in own]
+    return shared._replace(stretches=stretches)
 
 
 def _windows(contours: Sequence[Contour], loops: Sequence[_Loop], speck: float) -> list[Window | None]:

@@ -104,7 +104,8 @@ def _with_pieces(
     outer = [pair for pair in pairs if pair[0].role != HOLE]
     split = split_exteriors(a, b, outer, settings, fixed)
     split = open_rings(a, b, split, settings, fixed)
-    cut = [pair for pair in split if pair[0].is_piece or pair[1].is_piece]
+    before = {(p.number, q.number) for p, q in outer}
+    cut = [(p, q) for p, q in split if p.is_piece or q.is_piece or (p.number, q.number) not in before]
     if not cut:
         return list(pairs)
     numbers = [{pair[side].number for pair in cut} for side in (0, 1)]

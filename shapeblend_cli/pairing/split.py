@@ -11,7 +11,7 @@ from shapeblend_cli.anatomy.decompose import EXTERIOR, PlacedContour
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
-from shapeblend_cli.geometry.polyline import thin
+from shapeblend_cli.geometry.polyline import may_be_near, thin
 from shapeblend_cli.model import Box, Contour, Polygon
 from shapeblend_cli.pairing.growth import WATCHED
 
@@ -53,6 +53,15 @@ MOST_LIKE = 0.6
 MOST_OF_ALL = 0.8
 """Minimum area of such a part, as a share of the area of all parts."""
 
+SAME_OUTLINE = 0.015
+"""Maximum distance of outlines that are the same, as a share of the size."""
+
+MOST_KEPT = 0.35
+"""Minimum share of the outline of a whole that a part has, if the part is the whole but for a bite."""
+
+LEAST_KEPT = 0.15
+"""Maximum share of the outline of a whole that what fills the bite has."""
+
 AXES = (1.0 + 0.0j, 1.0j, 1.0 + 1.0j, 1.0 - 1.0j)
 """Directions along which partners are divided into two halves."""
 
@@ -77,7 +86,7 @@ def split_exteriors(
 
     Pieces have the number of the exterior that is cut. Unless ``unmatched="split"``, an exterior is cut only if its
     partner and the others tile it, see `_tiles`, and no required pair, B's numbers by A's, is cut. An exterior that no
-    straight cut divides stays whole.
+    straight cut divides stays whole. One that is bitten, and has a sign in the bite, becomes what is left of it.
     """
     always, vertices = settings.unmatched == "split", settings.vertices
     split = list(pairs)
@@ -97,6 +106,10 @@ def split_exteriors(
             if not always:
                 is_required = required.get(pair[0].number) == pair[1].number
                 partners = [] if is_required else _tiles(partners, owner)
+                bitten = _bitten(partners, owner)
+                if bitten is not None:
+                    split[split.index(pair)] = (bitten, owner) if owner_side else (owner, bitten)
+                    continue
             if len(partners) < 2:
                 continue
             holes = [contour.polygon for contour in (a, b)[owner_side] if contour.exterior == owner.number]
@@ -131,6 +144,19 @@ def _tiles(parts: Sequence[PlacedContour], whole: PlacedContour) -> list[PlacedC
         and sum(p.intersection(q) for p, q in combinations(boxes, 2)) < MOST_SHARED * union.area
     )
     return tiles if fit else []
+
+
+def _bitten(parts: Sequence[PlacedContour], whole: PlacedContour) -> PlacedContour | None:
+    """Return the part that is the whole but for a bite, where what fills the bite is nothing of the whole: a sign.
+
+    Most of the whole's outline is that of this part, and hardly any of it that of another.
+    """
+    distance = SAME_OUTLINE * whole.box.larger_side
+    kept = [float(may_be_near(whole.polygon.vertices, part.polygon.line, distance).mean()) for part in parts]
+    order = np.argsort(kept)
+    if len(parts) < 2 or kept[order[-1]] < MOST_KEPT or kept[order[-2]] > LEAST_KEPT:
+        return None
+    return parts[order[-1]]
 
 
 def _is_like(part: Box, whole: Box) -> bool:

@@ -157,3 +157,12 @@ def test_a_sign_beside_other_changes_grows_from_its_middle():
     assert [box.bounds for box in boxes if box.contains(Box(13, 16, 0, 0)) and box.width < 6.0] == [
         pytest.approx((12.0, 14.5, 14.0, 17.5))
     ]
+
+
+def test_a_sign_whose_edge_continues_that_of_a_bag_by_chance_grows_from_its_middle():
+    bag = "M2 4H18V18H2Z M4 6H16V8H4Z"
+    plus = "M15 13H17V16H20V18H17V21H15V18H12V16H15Z"  # its bar goes on where the bag's lower edge ends
+    pair = pair_of(bag, f"M2 4H18V10A6 6 0 0 0 10 18H2Z M4 6H16V8H4Z {plus}")
+    (sign,) = [contour for shape in pair.shapes for contour in shape.contours if not contour.is_matched]
+    assert sign.b == 2
+    assert np.ptp(sign.start.segments.real) == 0.0

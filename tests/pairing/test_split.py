@@ -112,3 +112,12 @@ def test_an_outline_that_moves_aside_gives_no_piece_to_what_comes_beside_it():
     plus = "M18.75 6.75H17.25V9.75H14.25V11.25H17.25V14.25H18.75V11.25H21.75V9.75H18.75Z"
     found = pairs(whole, head + body + plus, unmatched="auto")
     assert [(p.number, q.number, p.is_piece) for p, q in found] == [(0, 0, False), (1, 1, False)]
+
+
+def test_a_shape_with_a_sign_in_a_bite_is_what_is_left_of_it_and_not_cut():
+    whole = "M2 8H18V17H2Z"
+    bitten, sign = "M2 8H11V11H9V17H2Z", "M10 12H20V21H10Z"
+    for one, other in ((whole, f"{bitten}{sign}"), (f"{sign}{bitten}", whole)):
+        ((p, q),) = pairs(one, other, "auto")
+        assert (p.is_piece, q.is_piece) == (False, False)
+        assert {len(p.contour.segments), len(q.contour.segments)} == {4, 6}
