@@ -3,8 +3,8 @@
 Such shapes share most of their outlines, and the rest cuts a contour into pieces, so that contours cannot become each
 other. Instead the contours of one drawing stay. Where both have a stretch of outline it cancels; the rest of B's
 outlines, and the rest of A's in reverse, join up to loops. These wind round the parts that B adds, and the other way
-round the parts that it removes. They open through windows: together along a bar, else each from its middle. A sign that
-is beside the others, as a plus in a bag, grows from its middle.
+round the parts that it removes. They open through windows: together along a bar, else each from its middle. A sign,
+as a plus in a bag, grows from its middle.
 """
 
 from __future__ import annotations
@@ -289,13 +289,13 @@ def _without_signs(shared: Shared) -> Shared:
 
 
 def _windows(contours: Sequence[Contour], loops: Sequence[_Loop], speck: float) -> list[Window | None]:
-    """Return the windows of loops; None for a sign beside all others, as a plus in a bag, and for a speck."""
+    """Return the windows of loops; None for a sign, as a plus in a bag or in a bite of it, and for a speck."""
     large = [k for k, contour in enumerate(contours) if abs(cubics.signed_area(contour.segments)) > speck]
     opening = windows_of([contours[k] for k in large]) if large else []
     found: list[Window | None] = [None] * len(loops)
     for k, window in zip(large, opening, strict=True):
         is_bar = window.start == window.ends[0]
-        if is_bar or not loops[k].is_whole or opening.count(window) > 1:
+        if is_bar or not loops[k].is_whole:
             found[k] = window
     return found
 

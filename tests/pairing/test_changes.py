@@ -166,3 +166,13 @@ def test_a_sign_whose_edge_continues_that_of_a_bag_by_chance_grows_from_its_midd
     (sign,) = [contour for shape in pair.shapes for contour in shape.contours if not contour.is_matched]
     assert sign.b == 2
     assert np.ptp(sign.start.segments.real) == 0.0
+
+
+def test_a_sign_in_a_bite_that_opens_a_window_grows_from_its_middle():
+    card = "M2 4H18V18H2Z M10 8V14H13V8Z"
+    plus = "M15 12H16V14H18V15H16V17H15V15H13V14H15Z"
+    pair = pair_of(card, f"M2 4H18V11H13V8H10V18H2Z {plus}")
+    added = [contour for shape in pair.shapes for contour in shape.contours if not contour.is_matched]
+    points = [contour for contour in added if np.ptp(contour.start.segments) == 0.0]
+    assert len(added) == 2
+    assert [contour.b for contour in points] == [1]
