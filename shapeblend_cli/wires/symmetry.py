@@ -58,6 +58,9 @@ NEAR = 0.3
 SAME = 1e-9
 """Maximum difference of shares of a part that are one."""
 
+POINT = 1e-12
+"""Maximum distance of vertices in one place, as a share of the outline's size."""
+
 
 class Axis(NamedTuple):
     """An axis of an outline: its direction, and the places where the outline meets it, as shares of its length.
@@ -115,10 +118,14 @@ class Parts(NamedTuple):
         )
 
 
+class CutsMeet(Exception):
+    """Two places where a contour was to be cut are one."""
+
+
 def solve_with_symmetry(match: ContourMatch) -> Solved | None:
     """Solve two contours that have an axis each, with common cuts, such that both halves do the same.
 
-    None without such axes, or if that takes far more work than other matches.
+    None without such axes, if cuts of the halves meet, or if that takes far more work than other matches.
     """
     axes = common_axes(match.a.polygon, match.rotated_back(match.b.polygon))
     if not axes:
@@ -132,7 +139,10 @@ def solve_with_symmetry(match: ContourMatch) -> Solved | None:
         flats = parts[0].flat, parts[1].flat
         return Solved(*flats, _solve_parts(parts, match.wires(*flats), match.settings.effort))
 
-    solved = refine(match, solve_part(match.a, match.b), solve_part)
+    try:
+        solved = refine(match, solve_part(match.a, match.b), solve_part)
+    except CutsMeet:
+        return None
     return match.unless_far_more(solved, MOST, match.first.work)
 
 
@@ -196,6 +206,8 @@ def cut_in_parts(flat: FlatContour, axes: Sequence[Axis]) -> Parts:
 
     All nodes stay vertices. A node of one part is the mirror image of the nearest node of another part, if it is near;
     else that part gets a vertex. Further vertices come from the first part.
+
+    CutsMeet is raised where a vertex would be in the place of another.
     """
     own = flat.shares[: len(flat.polygon.vertices)]
     is_node = flat.polygon.parameter == 0.0
@@ -303,6 +315,8 @@ def _cut(
         [number[ends.index(end)] for end in some] for some in zip(*(part[:2] for part in parts), strict=True)
     )
     cut = Polygon(points[order], segment[order], parameter[order], polygon.closed)
+    if np.abs(np.diff(cut.line)).min() <= POINT * cut.box.larger_side:
+        raise CutsMeet
     return Parts(
         replace(flat, polygon=cut),
         [np.concatenate([[first[k]], inner[k], [last[k]]]) for k in range(len(parts))],

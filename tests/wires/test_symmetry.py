@@ -10,7 +10,7 @@ from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.svg.reading.read import read
-from shapeblend_cli.wires.symmetry import TOLERANCE, common_axes, cut_in_parts
+from shapeblend_cli.wires.symmetry import TOLERANCE, Axis, CutsMeet, common_axes, cut_in_parts
 from tests.support.contours import polygon_contour
 from tests.support.drawings import svg
 from tests.support.motions import pair_of
@@ -174,3 +174,28 @@ def test_halves_mirror_each_other_and_have_all_nodes(heights, nodes, first, vert
     for node in outline:
         assert np.abs(z - node).min() < 1e-12
     assert np.abs(cut.vertices - cubics.evaluate(contour.segments[cut.segment], cut.parameter)).max() < 1e-9
+
+
+def test_where_vertices_of_both_halves_would_be_one_another_way_is_taken(tmp_path, monkeypatch):
+    def in_one_place(flat, shares):
+        return np.full(len(shares), flat.polygon.vertices[0]), *np.zeros((2, len(shares)), np.intp)
+
+    contour = svg_contour(HEART, tmp_path)
+    flat = FlatContour(contour, flatten(contour, 40))
+    with monkeypatch.context() as patched:
+        patched.setattr(FlatContour, "points_at", in_one_place)
+        with pytest.raises(CutsMeet):
+            cut_in_parts(flat, [Axis(1j, (0.13, 0.63))])
+
+    def cut(flat, axes):
+        raise CutsMeet
+
+    monkeypatch.setattr("shapeblend_cli.wires.symmetry.cut_in_parts", cut)
+    (found,) = blended(HEART, STAR, tmp_path).contours
+    assert found.is_matched
+
+
+def svg_contour(path, tmp_path):
+    file = tmp_path / "one.svg"
+    file.write_text(svg(f'<path d="{path}"/>'))
+    return read(str(file)).shapes[0].contours[0]
