@@ -253,7 +253,9 @@ def smooth(points: ComplexArray) -> ComplexArray:
 
 def becoming(p: PenLine, q: PenLine, a: ComplexArray, b: ComplexArray) -> Move:
     """Return how a line becomes another, from one polyline to the other."""
-    if p.closed == q.closed or not all(abs(each[0] - each[-1]) < 1e-9 for each in (a, b)):
+    # An open line that goes there and back has as many points as the ring; one that ends where it begins need not.
+    is_doubled = len(a) == len(b) and all(abs(each[0] - each[-1]) < 1e-9 for each in (a, b))
+    if p.closed == q.closed or not is_doubled:
         closed = p.closed and q.closed
         return Move(p, q, Pen((between(*alike(a, b), closed=closed),), closed=closed), BECOMES)
     # Pressed flat, vertex by vertex: where the open line ends both sides would make a spike.

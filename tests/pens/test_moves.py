@@ -11,7 +11,7 @@ from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.motion.pen import Turning, between
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pens.drawings import file_lines
-from shapeblend_cli.pens.moves import BECOMES, DRAWN_BACK, DRAWN_ON, STAYS
+from shapeblend_cli.pens.moves import BECOMES, DRAWN_BACK, DRAWN_ON, STAYS, becoming
 from shapeblend_cli.pens.splits import COPY
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.reading.read import read
@@ -228,3 +228,13 @@ def test_letters_of_two_weights_become_each_other_by_corners_though_their_lines_
     (shape,) = shapes_of(thin, drawing(cut, viewbox="30 -71 49 79"))
     assert [(contour.a, contour.b) for contour in shape.contours] == [(0, 0)]
     assert BECOMES not in shape.reason
+
+
+def test_an_open_line_that_ends_where_it_begins_becomes_a_ring_of_any_number_of_points():
+    ring, bow = (pen(path) for path in ("M4 4H20V20H4Z", "M4 4L20 20"))
+    (closed,), (open_,) = map(file_lines, (ring, bow))
+    square, loop = np.array([0, 1, 1 + 1j, 1j, 0j]), np.array([0, 2, 1 + 2j, 0j])
+    for lines, points in (((closed, open_), (square, loop)), ((open_, closed), (loop, square))):
+        motion = becoming(*lines, *points).motion
+        for t, end in ((0.0, points[0]), (1.0, points[1])):
+            assert np.abs(end[:, None] - motion.points(t)).min(axis=1).max() < 0.1
