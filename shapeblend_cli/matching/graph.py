@@ -54,16 +54,21 @@ class Path(NamedTuple):
 
 
 class Found(NamedTuple):
-    """The least path of a sweep, from the first row to the last, and the least work to the end of each row of the set.
+    """The least path of a sweep.
 
-    Its dots are known only if it ends `span` rows below its start. It is its own if it ends in the state it started
-    from, and stays in the band around its own start.
+    Attributes
+    ----------
+    work : float
+    dots : (k, 2) int
+        Columns and rows.
+    is_own : bool
+        Whether it ends in the state it started from, and stays in the band around its own start.
+    ends : (rows,) float
+        The least work of paths to the end of each row of the set, wherever in it they start.
     """
 
     work: float
-    first_row: int
-    last_row: int
-    dots: IntArray | None
+    dots: IntArray
     is_own: bool
     ends: FloatArray
 
@@ -290,16 +295,12 @@ class Graph:
         if not work < limit:
             return None
         row, step = low + first_end + at // 3, at % 3
-        first_row, first_step, count = sweeps.origin(progress.parents, window, row, step, starts.first_row)
-        dots = None
-        if first_row + self.span == row:
-            dots = np.empty((count + 1, 2), np.intp)
-            sweeps.backtrack(progress.parents, window, row, step, dots)
-        own = dots is not None and (first_step == step or not self.closed) and self._in_band(dots)
+        dots, first_step = sweeps.backtrack(progress.parents, window, row, step, starts.first_row)
+        own = int(dots[0, 1]) + self.span == row and (first_step == step or not self.closed)
         ends = np.full(starts.rows, np.inf)
         before = low + first_end - self.span - starts.first_row
         np.minimum.reduce(offered, axis=1, out=ends[before : before + len(offered)])
-        return Found(work, first_row, row, dots, own, ends)
+        return Found(work, dots, own and self._in_band(dots), ends)
 
     def _blocks(self, window: Window) -> Iterable[tuple[Tables, int]]:
         """Yield tables for runs of columns of a window, and the last column of each run."""

@@ -39,7 +39,7 @@ def least_from(graph: Graph) -> Path | None:
     if graph.closed:
         return _branch_and_bound(graph, [Starts(0.0, row, row, STEPS)], np.inf)
     found = graph.sweep(Starts(0.0, row, row, STEPS))
-    return Path(found.dots, found.work, graph.sweeps) if found and found.dots is not None else None
+    return Path(found.dots, found.work, graph.sweeps) if found else None
 
 
 def least_of_all(graph: Graph, known: float = np.inf, most_swept: float = np.inf) -> Path | None:
@@ -102,7 +102,7 @@ def simplified_of_all(graph: Graph) -> Path | None:
 
 def _simplified(graph: Graph, row: int, steps: tuple[int, ...]) -> Path | None:
     found = [graph.sweep(Starts(0.0, row, row, (step,)), simplified=True) for step in steps]
-    paths = [Path(one.dots, one.work, graph.sweeps) for one in found if one and one.dots is not None]
+    paths = [Path(one.dots, one.work, graph.sweeps) for one in filter(None, found)]
     return min(paths, key=lambda path: path.work, default=None)
 
 
@@ -126,11 +126,12 @@ def _branch_and_bound(
         found = graph.sweep(starts, limit)
         if found is None:
             continue
-        if found.is_own and found.dots is not None:
+        if found.is_own:
             best = Path(found.dots, found.work, graph.sweeps)
             limit = found.work * (1.0 - ROUNDING)
         else:
-            for part in starts.without(found.first_row, found.last_row - graph.span):
+            first, last = found.dots[[0, -1], 1].tolist()
+            for part in starts.without(first, last - graph.span):
                 # No path of a row's own takes less than the least one to its end.
                 least = found.ends[part.first_row - starts.first_row :][: part.rows]
                 rows = np.flatnonzero(least < limit)

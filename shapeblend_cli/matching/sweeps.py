@@ -29,6 +29,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from shapeblend_cli.matching import steps
 
 try:
@@ -43,6 +45,7 @@ else:
 
 if TYPE_CHECKING:
     from shapeblend_cli.matching.tables import Bounds, Progress, Tables, Terminals, Window
+    from shapeblend_cli.model import IntArray
 
 COMPILED = cython.compiled
 
@@ -345,56 +348,43 @@ def sweep(
     progress.current = previous
 
 
-def origin(
+def backtrack(
     parents: cython.uchar[::1],
     window: Window,
     row: cython.Py_ssize_t,
     step: cython.int,
     lowest: cython.Py_ssize_t,
-) -> tuple[int, int, int]:
+) -> tuple[IntArray, int]:
     """Follow the parents of a sweep from a row of the last column, and the step into it, back to a start.
+
+    Parameters
+    ----------
+    parents, window
+        Of the sweep.
+    row, step : int
+    lowest : int
+        The first row of the starts.
 
     Returns
     -------
-    row : int
-        The start, `lowest` or below.
+    dots : (k, 2) int
+        Columns and rows from the start to the end, both included.
     step : int
-        The step into it.
-    steps : int
-        The number of steps from there.
+        The step into the start.
     """
     low: cython.Py_ssize_t[::1] = window.low
     offset: cython.Py_ssize_t[::1] = window.column_offset
     c: cython.Py_ssize_t = low.shape[0] - 1
-    steps_back: cython.Py_ssize_t = 0
+    k: cython.Py_ssize_t = c + row - lowest
+    found = np.empty((k + 1, 2), np.intp)  # the longest path goes East and South alone
+    dots: cython.Py_ssize_t[:, ::1] = found
+    dots[k, 0], dots[k, 1] = c, row
     while c > 0 or (step == SOUTH and row > lowest):
         if step != SOUTH:
             c -= 1
         if step != EAST:
             row -= 1
         step = parents[offset[c] + row - low[c]] >> 2 * step & 3
-        steps_back += 1
-    return row, step, steps_back
-
-
-def backtrack(
-    parents: cython.uchar[::1],
-    window: Window,
-    row: cython.Py_ssize_t,
-    step: cython.int,
-    dots: cython.Py_ssize_t[:, ::1],
-) -> None:
-    """Fill in the columns and rows of a path from its start to its end, both included: one dot more than steps."""
-    low: cython.Py_ssize_t[::1] = window.low
-    offset: cython.Py_ssize_t[::1] = window.column_offset
-    c: cython.Py_ssize_t = low.shape[0] - 1
-    k: cython.Py_ssize_t
-    for k in range(dots.shape[0] - 1, -1, -1):
-        dots[k, 0] = c
-        dots[k, 1] = row
-        if k > 0:
-            if step != SOUTH:
-                c -= 1
-            if step != EAST:
-                row -= 1
-            step = parents[offset[c] + row - low[c]] >> 2 * step & 3
+        k -= 1
+        dots[k, 0], dots[k, 1] = c, row
+    return found[k:], step
