@@ -272,6 +272,14 @@ def _out_of_run(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize
     )
 
 
+@cython.cfunc
+@cython.inline
+@cython.exceptval(check=False)
+def _power(k_b: cython.double, e_b: cython.double, change: cython.double) -> cython.double:
+    """Return the work of a change."""
+    return k_b * (change if e_b == 1.0 else pow(change, e_b))
+
+
 @cython.final
 @cython.cclass
 class Bending:
@@ -291,43 +299,6 @@ class Bending:
     def __init__(self, constants: WorkConstants, k_b: float, p_b: float) -> None:
         self.by_turning = constants.bending == "turn"
         self.k_b, self.m_b, self.e_b, self.p_b = k_b, constants.m_b, constants.e_b, p_b
-
-    @cython.cfunc
-    @cython.inline
-    @cython.exceptval(check=False)
-    def power(self, k_b: cython.double, change: cython.double) -> cython.double:
-        """Return the work of a change."""
-        return k_b * (change if self.e_b == 1.0 else pow(change, self.e_b))
-
-    @cython.cfunc
-    @cython.exceptval(check=False)
-    def add_powers(
-        self,
-        k_b: cython.double,
-        turn: cython.double,
-        others: cython.double[::1],
-        j: cython.Py_ssize_t,
-        work: cython.double[:, ::1],
-        first: cython.Py_ssize_t,
-        beyond: cython.Py_ssize_t,
-    ) -> cython.void:
-        """Do the same as `_add_turns` with any exponent."""
-        alone: cython.double = self.power(k_b, fabs(turn))
-        k: cython.Py_ssize_t
-        for k in range(first, beyond):
-            other: cython.double = others[j]
-            beside: cython.double = self.power(k_b, fabs(turn - 0.5 * other))
-            other_beside: cython.double = self.power(k_b, fabs(other - 0.5 * turn))
-            work[k, EE] += alone
-            work[k, ED] += beside
-            work[k, DE] += beside
-            work[k, SS] += self.power(k_b, fabs(other))
-            work[k, SD] += other_beside
-            work[k, DS] += other_beside
-            work[k, DD] += self.power(k_b, fabs(turn - other))
-            j += 1
-            if j == others.shape[0]:
-                j = 0
 
     @cython.cfunc
     @cython.exceptval(check=False)
@@ -384,7 +355,7 @@ class Bending:
         if k_b != 0.0:
             delta_theta: cython.double = fabs(s1 + s2 + s3)
             delta_theta_star: cython.double = 0.5 * (fabs(s1) + fabs(s2) + fabs(s3) - delta_theta)
-            work = self.power(k_b, delta_theta + self.m_b * delta_theta_star)
+            work = _power(k_b, self.e_b, delta_theta + self.m_b * delta_theta_star)
         first: cython.double = theta + s1
         second: cython.double = first + s2
         third: cython.double = second + s3
@@ -564,10 +535,7 @@ def fill_bends(
         beyond: cython.Py_ssize_t = first + high[c] - low[c] + 1
         k_b: cython.double = bending.k_b * stiffness[c]
         if by_turning and k_b != 0.0:  # else the power may be infinite
-            if bending.e_b == 1.0:
-                _add_turns(k_b, p.turn[i], q.turn, j, work, first, beyond)
-            else:
-                bending.add_powers(k_b, p.turn[i], q.turn, j, work, first, beyond)
+            _add_turns(k_b, bending.e_b, p.turn[i], q.turn, j, work, first, beyond)
         if has_motions:
             bending.add_motions(0.0 if by_turning else k_b, p, i, q, j, work, first, beyond)
 
@@ -576,6 +544,7 @@ def fill_bends(
 @cython.exceptval(check=False)
 def _add_turns(
     k_b: cython.double,
+    e_b: cython.double,
     turn: cython.double,
     others: cython.double[::1],
     j: cython.Py_ssize_t,
@@ -584,19 +553,19 @@ def _add_turns(
     beyond: cython.Py_ssize_t,
 ) -> cython.void:
     """Add the work of the changes of turning to the dots of a column, from vertex j of the second wire on."""
-    alone: cython.double = k_b * fabs(turn)
+    alone: cython.double = _power(k_b, e_b, fabs(turn))
     k: cython.Py_ssize_t
     for k in range(first, beyond):
         other: cython.double = others[j]
-        beside: cython.double = k_b * fabs(turn - 0.5 * other)
-        other_beside: cython.double = k_b * fabs(other - 0.5 * turn)
+        beside: cython.double = _power(k_b, e_b, fabs(turn - 0.5 * other))
+        other_beside: cython.double = _power(k_b, e_b, fabs(other - 0.5 * turn))
         work[k, EE] += alone
         work[k, ED] += beside
         work[k, DE] += beside
-        work[k, SS] += k_b * fabs(other)
+        work[k, SS] += _power(k_b, e_b, fabs(other))
         work[k, SD] += other_beside
         work[k, DS] += other_beside
-        work[k, DD] += k_b * fabs(turn - other)
+        work[k, DD] += _power(k_b, e_b, fabs(turn - other))
         j += 1
         if j == others.shape[0]:
             j = 0
