@@ -52,7 +52,7 @@ def evaluate(segments: ComplexArray, t: FloatArray) -> ComplexArray:
 
 def _coordinates(segments: ComplexArray) -> FloatArray:
     """Return x and y of the control points by turns, (k, 8)."""
-    return np.ascontiguousarray(segments).view(np.float64)
+    return np.ascontiguousarray(segments, np.complex128).view(np.float64)
 
 
 @cython.cfunc
