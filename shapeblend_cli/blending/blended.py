@@ -118,9 +118,7 @@ def _by_lines_or_outlines(
         if not _is_free(settings):
             return shapes
         is_other = is_sign and (kept < KEPT or changes_much(shapes, view.larger_side))
-        early = alone_in(shapes)
-        if not is_other:
-            early &= alone_in_the_way(shapes, view.larger_side)
+        early = alone_in(shapes) if is_other else alone_in_the_way(shapes, view.larger_side)
         return with_early_parts(shapes, early)
 
     if lines is None:

@@ -85,7 +85,8 @@ def alone_in_the_way(shapes: Sequence[ShapeBlend], side: float) -> frozenset[Num
     the same paint, and of about the same area.
     """
     fills = [shape for shape in shapes if shape.style_a.fill is not None and not shape.pace]
-    if sum(len(shape.contours) for shape in fills) > AFFORDABLE or all(map(_is_paired, fills)):
+    contours = [contour for shape in fills for contour in shape.contours]
+    if len(contours) > AFFORDABLE or not any(map(_is_alone, contours)):
         return frozenset()
     moving: list[list[ComplexArray]] = []
     alone: list[tuple[ShapeBlend, ContourBlend, list[ComplexArray]]] = []
@@ -95,7 +96,7 @@ def alone_in_the_way(shapes: Sequence[ShapeBlend], side: float) -> frozenset[Num
             outlines = [cubics.polyline(paths[k].segments, PIECES) for paths in at]
             if contour.is_matched:
                 moving.append([np.append(outline, outline[0]) for outline in outlines])
-            elif not contour.follows_edge:
+            elif _is_alone(contour):
                 alone.append((shape, contour, outlines))
 
     def touches(outline: ComplexArray, t: int) -> bool:
@@ -116,11 +117,12 @@ def alone_in_the_way(shapes: Sequence[ShapeBlend], side: float) -> frozenset[Num
         around = contour.parents[int(contour.grows)]
         if around is not None and ((None, around) if contour.grows else (around, None)) in found:
             found.add((contour.a, contour.b))
-    return frozenset(found)
+    return alone_in(shapes) & found
 
 
-def _is_paired(shape: ShapeBlend) -> bool:
-    return all(contour.is_matched or contour.follows_edge for contour in shape.contours)
+def _is_alone(contour: ContourBlend) -> bool:
+    """Return whether a contour comes or goes at a point."""
+    return not (contour.is_matched or contour.follows_edge)
 
 
 def _are_alike(
@@ -152,7 +154,7 @@ def alone_in(shapes: Sequence[ShapeBlend]) -> frozenset[Numbers]:
                 matched[end] += area
             elif contour.grows == bool(end):
                 alone[end] += area
-        if not (contour.is_matched or contour.follows_edge):
+        if _is_alone(contour):
             found.append(contour)
     # What is beside lines has no matched area.
     ends = {bool(end) for end in (0, 1) if abs(alone[end]) < abs(matched[end]) or not matched[end]}
