@@ -18,9 +18,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 import shapeblend_cli
-from tools.quality.data import icon_pairs, svg
+from tools.quality.data import icon_pairs
 from tools.quality.peers import LIBRARIES, arc_length, flubber, ready
-from tools.quality.times import theirs
+from tools.quality.times import theirs, written
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -91,11 +91,7 @@ class Stages:
 
 def ours(pairs: Sequence[Pair], folder: Path) -> dict[str, float]:
     """Return the seconds of the stages of a blend, the rest and the whole: means over the pairs."""
-    drawings = []
-    for k, pair in enumerate(pairs):
-        drawings.append((folder / f"{k}-a.svg", folder / f"{k}-b.svg"))
-        for file, data in zip(drawings[-1], pair[1:], strict=True):
-            file.write_text(svg(data), encoding="utf-8")
+    drawings = [(folder / row["a"], folder / row["b"]) for row in written(pairs, folder)]
 
     def blend(a: Path, b: Path) -> float:
         began = process_time()

@@ -88,18 +88,18 @@ def _worked() -> float:
 
 def ours(pairs: Sequence[Pair], folder: Path) -> float:
     """Blend one pair by the command."""
-    (row,) = _written(pairs, folder)
+    (row,) = written(pairs, folder)
     return _shapeblend(row["a"], row["b"], "--output", row["o"], folder=folder)
 
 
 def ours_in_bulk(pairs: Sequence[Pair], folder: Path) -> float:
     """Blend all pairs by the command, in one process that works."""
-    rows = "".join(f"{json.dumps(row)}\n" for row in _written(pairs, folder))
+    rows = "".join(f"{json.dumps(row)}\n" for row in written(pairs, folder))
     (folder / "jobs.jsonl").write_text(rows, encoding="utf-8")
     return _shapeblend("batch", "jobs.jsonl", "--jobs", "1", folder=folder)
 
 
-def _written(pairs: Sequence[Pair], folder: Path) -> list[dict[str, str]]:
+def written(pairs: Sequence[Pair], folder: Path) -> list[dict[str, str]]:
     """Write the drawings, and return what becomes of them as rows of a manifest."""
     rows = []
     for k, pair in enumerate(pairs):
