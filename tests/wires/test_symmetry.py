@@ -12,7 +12,7 @@ from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.svg.reading.read import read
 from shapeblend_cli.wires.symmetry import TOLERANCE, Axis, CutsMeet, common_axes, cut_in_parts
 from tests.support.contours import polygon_contour
-from tests.support.drawings import svg
+from tests.support.drawings import drawing, svg
 from tests.support.motions import pair_of
 
 TIMES = np.linspace(0.0, 1.0, 9)
@@ -180,7 +180,7 @@ def test_where_vertices_of_both_halves_would_be_one_another_way_is_taken(tmp_pat
     def in_one_place(flat, shares):
         return np.full(len(shares), flat.polygon.vertices[0]), *np.zeros((2, len(shares)), np.intp)
 
-    contour = svg_contour(HEART, tmp_path)
+    contour = drawing(f'<path d="{HEART}"/>').shapes[0].contours[0]
     flat = FlatContour(contour, flatten(contour, 40))
     with monkeypatch.context() as patched:
         patched.setattr(FlatContour, "points_at", in_one_place)
@@ -193,9 +193,3 @@ def test_where_vertices_of_both_halves_would_be_one_another_way_is_taken(tmp_pat
     monkeypatch.setattr("shapeblend_cli.wires.symmetry.cut_in_parts", cut)
     (found,) = blended(HEART, STAR, tmp_path).contours
     assert found.is_matched
-
-
-def svg_contour(path, tmp_path):
-    file = tmp_path / "one.svg"
-    file.write_text(svg(f'<path d="{path}"/>'))
-    return read(str(file)).shapes[0].contours[0]
