@@ -149,7 +149,7 @@ def _tiles(parts: Sequence[PlacedContour], whole: PlacedContour) -> list[PlacedC
 def _bitten(parts: Sequence[PlacedContour], whole: PlacedContour) -> PlacedContour | None:
     """Return the part that is the whole but for a bite, where what fills the bite is nothing of the whole: a sign.
 
-    Most of the whole's outline is that of this part, and hardly any of it that of another.
+    It has much of the whole's outline, and no other part has more than a little.
     """
     distance = SAME_OUTLINE * whole.box.larger_side
     kept = [float(may_be_near(whole.polygon.vertices, part.polygon.line, distance).mean()) for part in parts]
