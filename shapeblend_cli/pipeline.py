@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.anatomy.decompose import without_specks
+from shapeblend_cli.anatomy import decompose
 from shapeblend_cli.blending.blended import blend_shapes, with_lines_in_common
 from shapeblend_cli.blending.clipping import has_clips, with_clips
 from shapeblend_cli.blending.matched import Progress
@@ -25,8 +25,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.blending.placing import LaidDrawing
     from shapeblend_cli.model import Drawing
-    from shapeblend_cli.options.easing import knots_of
-from shapeblend_cli.options.settings import Settings
+    from shapeblend_cli.options.settings import Settings
 
 
 def match_all(
@@ -57,7 +56,7 @@ def match_all(
         What was left out, one phrase each.
     """
     clock, kept = clock or Clock(), kept or Kept(0)
-    drawings, specks = _without_specks(drawings, settings)
+    drawings, specks = without_specks(drawings, settings)
     if settings.mix:
         drawings, settings = _mixed(drawings, settings)
     watch("flattening", 0.0)
@@ -103,11 +102,11 @@ def _pair(laid: Sequence[LaidDrawing], i: int, k: int, settings: Settings, progr
     return Pair(i, k, shapes, (a.painted, b.painted), (a.view, b.view), (a.page, b.page))
 
 
-def _without_specks(drawings: Sequence[Drawing], settings: Settings) -> tuple[Sequence[Drawing], list[str]]:
+def without_specks(drawings: Sequence[Drawing], settings: Settings) -> tuple[Sequence[Drawing], list[str]]:
     """Return drawings without their specks, if these are left out, and notes on them."""
     if settings.specks is None:
         return drawings, []
-    found = [without_specks(drawing, settings.specks) for drawing in drawings]
+    found = [decompose.without_specks(drawing, settings.specks) for drawing in drawings]
     return [drawing for drawing, _ in found], [note for _, notes in found for note in notes]
 
 
