@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.model import WHOLE, Pair, ShapeBlend, control_box
@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from shapeblend_cli.model import Drawing
+    from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.options.timetable import Timetable
 
 MOST_LISTED = 5
@@ -40,35 +41,87 @@ def staggered(pair: Pair, stagger: float, by: str) -> Pair:
 def timed(pairs: Sequence[Pair], drawings: Sequence[Drawing], timetable: Timetable) -> list[Pair]:
     """Return pairs whose parts move when a timetable says so; raise OptionError for a part that no drawing has."""
     spans = {name.removeprefix("#"): (begin, until) for name, begin, until in timetable.parts}
-    used: set[str] = set()
-    names: dict[str, None] = {}
-
-    def span_of(pair: Pair, shape: ShapeBlend) -> tuple[float, float]:
-        found: list[str | None] = []
-        around: list[str | None] = []  # names of groups, the innermost first
-        for side, number, source in zip(("", "B"), (pair.a, pair.b), shape.sources, strict=True):
-            if source is not None:
-                own = drawings[number].shapes[source]
-                found += [own.id, f"{side}{own.index}"]
-                around += [group.name.id for group in reversed(own.groups)]
-        called = [name for name in (*found, *around) if name is not None]
-        names.update(dict.fromkeys(called))
-        named = [name for name in called if name in spans]
-        used.update(named)
-        return spans[named[0]] if named else WHOLE
-
-    found = [
-        pair._replace(shapes=tuple(shape._replace(span=span_of(pair, shape)) for shape in pair.shapes))
-        for pair in pairs
-    ]
+    called = [[_names(shape, pair, drawings) for shape in pair.shapes] for pair in pairs]
+    names = dict.fromkeys(name for own in called for found in own for name in found.all)
     for name, *_ in timetable.parts:
-        if name.removeprefix("#") not in used:
-            numbers = [part for part in names if part.removeprefix("B").isdigit()]
-            listed = [f"#{part}" for part in names if part not in numbers][:MOST_LISTED] + numbers[
-                :MOST_LISTED
-            ]
-            raise OptionError(f"--timing: no part is called {name!r:.60}; {', '.join(listed)} would work")
-    return found
+        if name.removeprefix("#") not in names:
+            numbers = [part for part in names if _is_number(part)]
+            ids = [_key_of(part) for part in names if part not in numbers]
+            listed = ", ".join(ids[:MOST_LISTED] + numbers[:MOST_LISTED])
+            raise OptionError(f"--timing: no part is called {name!r:.60}; {listed} would work")
+
+    def timed_shape(shape: ShapeBlend, found: _Names) -> ShapeBlend:
+        return shape._replace(span=next((spans[name] for name in found.all if name in spans), WHOLE))
+
+    return [
+        pair._replace(shapes=tuple(map(timed_shape, pair.shapes, own)))
+        for pair, own in zip(pairs, called, strict=True)
+    ]
+
+
+class Part(NamedTuple):
+    """What one line of a timetable is about: shapes that move together."""
+
+    name: str
+    shapes: tuple[int, ...]  # numbers of shapes of the pair
+    span: tuple[float, float]
+    is_grouped: bool  # whether a line about a group around it holds where there is none of its own
+
+
+def parts_of(
+    pair: Pair, drawings: Sequence[Drawing], settings: Settings, is_plain: Callable[[str], object]
+) -> list[Part]:
+    """Return the parts of a pair, in paint order, each by the name that the timetable has for it.
+
+    Those that it does not name go by their id, if that is plain, or else by their number.
+    """
+    if settings.stagger:
+        pair = staggered(pair, settings.stagger, settings.stagger_by)
+    elif settings.timing.parts:
+        pair = timed([pair], drawings, settings.timing)[0]
+    listed = {name.removeprefix("#"): name for name, *_ in settings.timing.parts}
+    parts: dict[str, Part] = {}
+    for k, shape in enumerate(pair.shapes):
+        own, around = _names(shape, pair, drawings)
+        if not own:
+            continue  # it is of neither drawing
+        name = next((listed[name] for name in own if name in listed), None) or _key_of(
+            next(filter(is_plain, own))
+        )
+        known = parts.get(name) or Part(name, (), shape.span, any(group in listed for group in around))
+        parts[name] = known._replace(shapes=(*known.shapes, k))
+    return list(parts.values())
+
+
+def _key_of(name: str) -> str:
+    return name if _is_number(name) else f"#{name}"
+
+
+def _is_number(name: str) -> bool:
+    return name.removeprefix("B").isdigit()
+
+
+class _Names(NamedTuple):
+    """What a shape is called in a timetable, by itself and by the groups around it, the name that counts most first."""
+
+    own: list[str]
+    around: list[str]
+
+    @property
+    def all(self) -> list[str]:
+        return [*self.own, *self.around]
+
+
+def _names(shape: ShapeBlend, pair: Pair, drawings: Sequence[Drawing]) -> _Names:
+    names = _Names([], [])
+    for side, number, source in zip(("", "B"), (pair.a, pair.b), shape.sources, strict=True):
+        if source is not None:
+            drawn = drawings[number].shapes[source]
+            names.own.extend([*([drawn.id] if drawn.id is not None else []), f"{side}{drawn.index}"])
+            names.around.extend(
+                group.name.id for group in reversed(drawn.groups) if group.name.id is not None
+            )
+    return names
 
 
 def eased(pair: Pair, knots: Sequence[tuple[float, float]], *, each: bool) -> Pair:

@@ -16,11 +16,13 @@ from shapeblend_cli.blending.graded import grade_of
 from shapeblend_cli.blending.placing import as_drawn, place
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.frames.frames import end_frames, frame_at
+from shapeblend_cli.frames.stagger import parts_of
 from shapeblend_cli.frames.views import view_of
 from shapeblend_cli.job.job import Job, all_targets, job_of
 from shapeblend_cli.job.make import (
     check_files_of,
     check_libraries,
+    kept_of,
     make,
     match_drawings,
     read_files,
@@ -47,6 +49,7 @@ from shapeblend_cli.system.kept import Kept
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import Drawing, Pair
+    from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.outputs.formats import OutputSpec
 
 KEPT = Kept(most=64, largest=1_000_000, steps=2000)
@@ -71,7 +74,7 @@ def _blend(order: Order) -> dict[str, Any]:
     notes: list[str] = []
     note = notes.append
     settings = job.output.settings
-    drawings = read_files(job.files, job.read, clock, note, order.sources, KEPT)
+    drawings = kept_of(read_files(job.files, job.read, clock, note, order.sources, KEPT), settings, note)
     pairs = match_drawings(drawings, settings, clock, note, lambda stage, share: None, KEPT)
     ends = end_frames(pairs, settings)
     decimals = decimals_for([frame.view for frame in ends])
@@ -79,7 +82,9 @@ def _blend(order: Order) -> dict[str, Any]:
     worst = max((grade_of(pair) for pair in pairs), key=lambda grade: grade.number)
     return {
         "drawings": [_drawing(drawing, k) for k, drawing in enumerate(drawings)],
-        "pairs": [_pair(pair, ends, maps, decimals) for pair in pairs],
+        "pairs": [
+            _pair(pair, ends, maps, decimals) | {"parts": _parts(pair, drawings, settings)} for pair in pairs
+        ],
         "decimals": decimals,
         "timing": timing(job.output.timing, settings),
         "frames": _frames(job.output),
@@ -131,6 +136,16 @@ def _pair(pair: Pair, ends: Sequence[Frame], maps: Sequence[Any], decimals: int)
         **picture(pair, (ends[pair.a], ends[pair.b]), (), decimals),
         "lists": lists,
     }
+
+
+def _parts(pair: Pair, drawings: Sequence[Drawing], settings: Settings) -> list[dict[str, Any]]:
+    """Return what the timeline of a pair shows: parts by name, with the times of their start and their end."""
+    if settings.mix:
+        return []
+    return [
+        {"name": part.name, "shapes": part.shapes, "span": part.span, "is_grouped": part.is_grouped}
+        for part in parts_of(pair, drawings, settings, PLAIN.fullmatch)
+    ]
 
 
 def _drawing(drawing: Drawing, number: int) -> dict[str, Any]:

@@ -72,7 +72,7 @@ ASSETS = {
     **dict.fromkeys(
         "studio.css main.js asking.js drawings.js panel.js tools.js zoom.js stage.js".split(), PAGE
     ),
-    **dict.fromkeys("easing.js form.js others.js exporting.js".split(), PAGE),
+    **dict.fromkeys("easing.js timeline.js form.js others.js exporting.js".split(), PAGE),
     **dict.fromkeys("base.css values.js picture.js player.js parts.js".split(), SHARED),
 }
 """Files of the page, and the folder of each."""

@@ -1,5 +1,6 @@
 """The studio in a real browser: drawings are corrected by mouse, by finger and by keyboard, and exported."""
 
+import json
 import re
 import shlex
 import threading
@@ -742,6 +743,105 @@ def test_an_easing_is_shaped_by_its_handles_and_played_beyond_the_drawings(studi
     )
     page.click("#play")
     page.wait_for_function("() => Math.max(...seen) > 1.05")
+
+
+def timeline(page):
+    """Open the timeline; return where the track of a part is."""
+    page.locator("#timeline-card > summary").click()
+
+    def track(name):
+        return page.locator(".part-row", has=page.get_by_role("slider", name=f"All of {name}")).locator(
+            ".track"
+        )
+
+    return track
+
+
+def timing_of(page):
+    return json.loads(re.search(r"--timing '(.*?)'", command(page))[1])
+
+
+def pull(page, grip, track, share, *, by_alt=False):
+    """Drag a grip along a track, by a share of it."""
+    box, width = grip.bounding_box(), track.bounding_box()["width"]
+    start = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    drag(page, start, (start[0] + share * width, start[1]))
+    if by_alt:
+        page.keyboard.down("Alt")
+        page.mouse.move(start[0] + share * width + 1, start[1])
+    page.mouse.up()
+    page.keyboard.up("Alt")
+
+
+@pytest.mark.parametrize("width", [1440, 390])
+def test_bars_of_parts_are_dragged_and_snap(studio, width):
+    page = studio("two.svg", "swapped.svg", width=width)
+    still = shape(page)
+    track = timeline(page)
+    start, whole = page.get_by_label("Start of 0"), page.get_by_label("All of 1")
+    start.scroll_into_view_if_needed()
+    changed(page, lambda: pull(page, start, track("0"), 0.495))
+    assert timing_of(page) == {"0": {"start": 0.5, "length": 0.5}}  # of the middle of the time
+    assert shape(page) != still
+    changed(page, lambda: pull(page, start, track("0"), -0.2, by_alt=True))
+    assert timing_of(page)["0"]["start"] == pytest.approx(0.3, abs=0.02)
+    assert timing_of(page)["0"]["start"] % 0.25 > 0
+    changed(page, lambda: pull(page, page.get_by_label("End of 1"), track("1"), -0.3))
+    changed(page, lambda: pull(page, whole, track("1"), 0.297))  # its end comes near the end of all
+    assert timing_of(page)["1"]["start"] == pytest.approx(0.3, abs=0.02)
+    assert timing_of(page)["1"]["start"] + timing_of(page)["1"]["length"] == pytest.approx(1.0)
+    for _ in range(4):
+        changed(page, lambda: page.click("#undo"))
+    assert "--timing" not in command(page)
+    assert shape(page) == still
+
+
+def test_bars_are_moved_by_keys_and_what_is_written_moves_so(studio, here):
+    page = studio("two.svg", "swapped.svg")
+    timeline(page)
+    end = page.get_by_label("End of 0")
+    changed(page, lambda: end.press("Shift+ArrowLeft"))
+    for _ in range(3):
+        changed(page, lambda: end.press("Shift+ArrowLeft"))
+    assert timing_of(page) == {"0": {"start": 0.0, "length": 0.6}}
+    assert end.get_attribute("aria-valuetext") == "1.2 s"
+    assert page.evaluate("document.activeElement.getAttribute('aria-label')") == "End of 0"
+    run(shlex.split(command(page))[1:])
+    assert len(list((here / "blend").iterdir())) == 5
+    changed(page, lambda: page.keyboard.press("Delete"))
+    assert "--timing" not in command(page)
+    changed(page, lambda: page.keyboard.press("Control+z"))
+    changed(page, lambda: page.keyboard.press("Control+z"))  # all four steps are one
+    assert "--timing" not in command(page)
+    assert page.is_disabled("#undo")
+
+
+def test_a_drag_of_a_bar_is_let_go_by_escape(studio):
+    page = studio("two.svg", "swapped.svg")
+    before = shape(page)
+    track = timeline(page)
+    box, width = page.get_by_label("Start of 0").bounding_box(), track("0").bounding_box()["width"]
+    start = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    changed(page, lambda: drag(page, start, (start[0] + 0.6 * width, start[1])))
+    assert shape(page) != before
+    changed(page, lambda: page.keyboard.press("Escape"))
+    page.mouse.up()
+    assert shape(page) == before
+    assert "--timing" not in command(page)
+
+
+def test_parts_start_one_after_the_other_until_one_is_moved_by_hand(studio):
+    page = studio("two.svg", "swapped.svg")
+    timeline(page)
+    changed(page, lambda: page.fill("#stagger", "0.4"))
+    changed(page, lambda: page.select_option("#stagger-by", "right"))
+    assert "--stagger 0.4 --stagger-by right" in command(page)
+    assert page.get_by_label("Start of 0").get_attribute("aria-valuenow") == "0.4"
+    changed(page, lambda: page.get_by_label("End of 1").press("ArrowRight"))
+    assert "--stagger" not in command(page)
+    assert timing_of(page) == {"0": {"start": 0.4, "length": 0.6}, "1": {"start": 0.0, "length": 0.61}}
+    changed(page, lambda: page.click("#at-once"))
+    assert "--timing" not in command(page)
 
 
 def test_rests_are_set_and_kept(studio):

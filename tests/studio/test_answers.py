@@ -46,3 +46,43 @@ def test_a_blend_is_the_same_whatever_was_looked_at_before(here, monkeypatch, a,
         monkeypatch.setattr(answers, "KEPT", Kept(0))
         assert looked(values) == found
     assert len(set(after_others)) > 5
+
+
+def asked(values):
+    return answers.do(Order("blend", project_of({"files": ["a.svg", "b.svg"], **values}, "", ""), {}))
+
+
+def parts(**values):
+    """The parts of the timeline by name, each with its span."""
+    (pair,) = asked(values)["pairs"]
+    return {part["name"]: tuple(part["span"]) for part in pair["parts"]}
+
+
+def grouped(shift):
+    """Three shapes: one with an id in a group with an id, one without, and one whose id the page does not show."""
+    return svg(
+        f'<g id="sky"><path id="sun" d="M{1 + shift} 1h5v5h-5z"/></g>'
+        f'<path d="M{9 + shift} 9h6v6h-6z"/><path id="&lt;x&gt;" d="M{17 + shift} 17h6v6h-6z"/>'
+    )
+
+
+def test_the_parts_of_a_timeline_go_by_what_a_timetable_may_call_them(here):
+    (here / "a.svg").write_text(grouped(0))
+    (here / "b.svg").write_text(grouped(1))
+    assert parts() == {"#sun": (0, 1), "1": (0, 1), "2": (0, 1)}
+    timetable = {"1": {"start": 0.5}, "#<x>": {"length": 0.25}, "sky": {"start": 0.1}}
+    assert parts(timing=timetable, ease="back") == {"#sun": (0.1, 1), "1": (0.5, 1), "#<x>": (0, 0.25)}
+    (sun, *others) = asked({"timing": timetable})["pairs"][0]["parts"]
+    assert sun["is_grouped"]
+    assert not any(part["is_grouped"] for part in others)
+    assert parts(stagger=0.5) == {"#sun": (0, 0.5), "1": (0.25, 0.75), "2": (0.5, 1)}
+
+
+def test_where_specks_are_left_out_parts_have_the_numbers_of_those_that_remain(here):
+    speck = "M0 0h.1v.1h-.1z"
+    (here / "a.svg").write_text(svg(f"{speck}M1 1h5v5h-5z", "M9 9h6v6h-6z"))
+    (here / "b.svg").write_text(svg("M2 2h5v5h-5z", "M9 9h7v7h-7z"))
+    answer = asked({"specks": 1})
+    assert [len(drawing["contours"]) for drawing in answer["drawings"]] == [2, 2]
+    assert [(contour["a"], contour["b"]) for contour in answer["pairs"][0]["contours"]] == [(0, 0), (1, 1)]
+    assert any("left out" in note for note in answer["notes"])

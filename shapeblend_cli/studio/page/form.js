@@ -13,7 +13,7 @@ const CONSTANTS = [
 ];
 const DECADES = 1.5;
 const EASES = ["linear", "ease", "ease-in", "ease-out", "ease-in-out", "back", "back-in", "back-in-out", "elastic", "elastic-in", "spring(1,180,12)"];
-const ELSEWHERE = new Set(["pin", "match", "stiff", "motion", "ease", "duration", "hold", "repeat", "output", "frames", "emit", "format"]);
+const ELSEWHERE = new Set(["pin", "match", "stiff", "motion", "ease", "duration", "hold", "repeat", "timing", "stagger", "stagger-by", "output", "frames", "emit", "format"]);
 
 export class Form {
   // `app` has the options and takes changes: get, change, attempt.
@@ -35,6 +35,7 @@ export class Form {
   moves() {
     const { choices } = this.options.get("motion");
     at("motion").append(...choices.map((word) => made("option", { value: word }, word)));
+    at("stagger-by").append(...this.options.get("stagger-by").choices.map((word) => made("option", { value: word }, word)));
     at("ease").append(...EASES.map((word) => made("option", { value: word }, word)));
     at("repeat").append(...["forever", "pingpong", "1", "2", "3"].map((word) => made("option", { value: word }, word === "1" ? "once" : Number(word) ? `${word} times` : word)));
     at("motion").addEventListener("change", () => this.set("motion", at("motion").value));

@@ -9,6 +9,7 @@ import { Form } from "./form.js";
 import { Others } from "./others.js";
 import { Panel, pointsOf, regionOf } from "./panel.js";
 import { Stage } from "./stage.js";
+import { Timeline } from "./timeline.js";
 import { Tools } from "./tools.js";
 import { zoomAll } from "./zoom.js";
 
@@ -60,6 +61,7 @@ let tools = null;
 let drawings = null;
 let others = null;
 let exporting = null;
+let timeline = null;
 
 const panels = { a: new Panel(at("canvas-a"), "a"), b: new Panel(at("canvas-b"), "b") };
 const stage = new Stage((pair) => showPair(pair));
@@ -193,6 +195,7 @@ function showPair(number) {
   }
   document.title = `${drawings[0].name} → ${drawings[drawings.length - 1].name} · shapeblend studio`;
   at("title").textContent = `${drawings[0].name} → ${drawings[drawings.length - 1].name}`;
+  timeline?.show(pair, stage.colours[number], shown.answer.timing);
   tools?.redraw();
   corrections();
 }
@@ -348,7 +351,7 @@ function key(event) {
   if (command && (letter === "z" || letter === "y") && !isTyping) {
     step(letter === "y" || event.shiftKey ? "redo" : "undo");
   } else if (event.key === "Escape") {
-    tools.letGo();
+    timeline.letGo() || tools.letGo();
   } else if (command || event.altKey || isTyping) {
     return;
   } else if ("123".includes(event.key)) {
@@ -400,6 +403,7 @@ async function begin() {
   others = new Others(app);
   exporting = new Exporting(app, first.folder);
   tools = new Tools(panels, app);
+  timeline = new Timeline(app, (side, number) => tools.hover(side, number));
   if (innerWidth < 900) for (const name of ["others-card", "moves-card"]) at(name).open = false;
   theme();
   listen();

@@ -80,6 +80,7 @@ export class Stage {
       this.chosen(pair);
     }
     this.film.mark(t);
+    at("timeline").style.setProperty("--now", Math.min(Math.max(t, 0), 1));
   }
 
   onion() {
