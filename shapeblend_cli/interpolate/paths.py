@@ -23,6 +23,9 @@ on the outlines still, a moment behind the others; their edges along the way are
 MOST_HALVINGS = 6
 """Maximum number of times that the time between two drawings is halved into straight steps."""
 
+MOST_FINER_HALVINGS = 11
+"""Maximum number of times where finer steps are asked for: as short as the moment in which a line turns a corner."""
+
 
 def with_curves(blend: ContourBlend) -> ContourBlend:
     """Return a blend of the drawings' own curves in place of the polygons' lines, see `common_segments`."""
@@ -93,6 +96,7 @@ def _cuts(shape: ShapeBlend, begin: float, until: float, finer: float) -> list[f
         return []
     paths = [path for contour in shape.contours for path in (contour.start, contour.end)]
     tolerance = SWEEP_TOLERANCE if shape.motion_name == "sweep" else WAYPOINT_TOLERANCE
+    halvings = MOST_HALVINGS if finer == 1.0 else MOST_FINER_HALVINGS
     most = tolerance / finer * control_box(paths).larger_side
 
     @cache
@@ -108,4 +112,4 @@ def _cuts(shape: ShapeBlend, begin: float, until: float, finer: float) -> list[f
         middle = 0.5 * (low + high)
         return [*cut(low, middle, depth - 1), middle, *cut(middle, high, depth - 1)]
 
-    return cut(begin, until, MOST_HALVINGS)
+    return cut(begin, until, halvings)

@@ -2,6 +2,7 @@
 
 import contextlib
 import re
+import subprocess
 import threading
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -73,7 +74,8 @@ def installed(route):
 @contextlib.contextmanager
 def opened(browser, site, recipe):
     """The page of a recipe, after its command."""
-    assert run(Command("", recipe.command).stages[0][1:]) == 0
+    if recipe.command:
+        assert run(Command("", recipe.command).stages[0][1:]) == 0
     Path("index.html").write_text(f"<!doctype html><style>body {{margin: 0}}</style>{recipe.page}", "utf-8")
     with browser.new_context(viewport={"width": 100, "height": 100}) as context:
         page, wrong = context.new_page(), []
@@ -110,6 +112,37 @@ def test_a_page_of_the_cookbook_moves_and_what_waits_for_clicks_does_so_then(rec
 
 def test_all_recipes_for_pages_are_here():
     assert len(RECIPES) == TEXT.count("```html") >= 6
+
+
+BUNDLE = """
+import { build } from "esbuild";
+import { compile } from "svelte/compiler";
+import { readFileSync, writeFileSync } from "node:fs";
+const folder = process.argv[1];
+writeFileSync(`${folder}/Component.js`, compile(readFileSync(`${folder}/Component.svelte`, "utf-8"), {}).js.code);
+await build({
+  entryPoints: [`${folder}/app.js`], outfile: `${folder}/bundle.js`, bundle: true, conditions: ["svelte", "browser"],
+  format: "esm", nodePaths: ["node_modules"], logLevel: "error",
+});
+"""
+
+
+def test_the_component_for_svelte_moves(here, site, browser):
+    require("what plays and morphs in pages")
+    component = re.search(r"^```svelte\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)[1]
+    Path("Component.svelte").write_text(component, "utf-8")
+    Path("app.js").write_text(
+        'import { mount } from "svelte"; import Component from "./Component.js"; mount(Component, { target: document.body });',
+        "utf-8",
+    )
+    (module,) = {recipe.command for recipe in RECIPES if recipe.title == "A blend in a web page"}
+    page = '<body></body><script type="module" src="bundle.js"></script>'
+    assert run(Command("", module).stages[0][1:]) == 0
+    bundle = ["node", "--input-type=module", "-e", BUNDLE, str(here)]
+    subprocess.run(bundle, cwd=INSTALLED, check=True)
+    Path("blend.js").unlink()  # it is in the bundle
+    with opened(browser, site, Recipe("Svelte", "", page)) as shown:
+        assert len(set(pictures(shown, 60, 60, 60, 60))) > 1
 
 
 def test_the_sprite_shows_one_cell_after_the_other(site, browser):
