@@ -261,6 +261,8 @@ def test_every_block_is_of_a_language_that_is_run():
         ("yaml", "docs/cookbook.md"),
         ("css", "docs/cookbook.md"),
         ("html", "docs/cookbook.md"),
+        ("html", "docs/coming-from.md"),
+        ("svelte", "docs/cookbook.md"),
         ("css", "docs/guide.md"),
         ("json", "docs/guide.md"),
         ("js", "docs/states.md"),

@@ -1,4 +1,4 @@
-"""The pages of docs/cookbook.md in Chromium, each with what the command above it has written."""
+"""The pages of docs/cookbook.md and coming-from.md in Chromium, each with what the command above it has written."""
 
 import contextlib
 import re
@@ -18,7 +18,7 @@ from tests.support.chromium import picture_of
 from tests.support.documents import FENCE, ROOT, Command, furnish
 from tests.support.equipment import INSTALLED, require
 
-TEXT = (ROOT / "docs" / "cookbook.md").read_text("utf-8")
+TEXT = "".join((ROOT / "docs" / f"{page}.md").read_text("utf-8") for page in ("cookbook", "coming-from"))
 CDN = "https://cdn.jsdelivr.net/npm/"
 
 
@@ -132,7 +132,8 @@ def test_the_component_for_svelte_moves(here, site, browser):
     component = re.search(r"^```svelte\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)[1]
     Path("Component.svelte").write_text(component, "utf-8")
     Path("app.js").write_text(
-        'import { mount } from "svelte"; import Component from "./Component.js"; mount(Component, { target: document.body });',
+        'import { mount } from "svelte"; import Component from "./Component.js";'
+        "mount(Component, { target: document.body });",
         "utf-8",
     )
     (module,) = {recipe.command for recipe in RECIPES if recipe.title == "A blend in a web page"}
