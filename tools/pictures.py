@@ -51,8 +51,11 @@ CONSTANTS = {
 }
 """For each constant of the wire the samples that show it, and its values from above to below."""
 
-README = "cow deer --duration 1.6 --ease ease-in-out --repeat pingpong"
-"""The animation at the top of the README."""
+README = ("cow deer", "envelope envelope-open")
+"""The animations at the top of the README, side by side."""
+
+TALL = (240, 110)
+"""Their heights, in units of the picture."""
 
 MOVING = "--duration 1.2 --ease ease-in-out --repeat pingpong"
 PAIRS = (
@@ -78,7 +81,7 @@ STEPS = 6
 """Steps from the first drawing of a row of the gallery to the last."""
 
 SHOWN = re.compile(r"^!\[[^\]]+\]\(([^)]+)\)\n\n```sh\nshapeblend ([^`]+)\n```$", re.MULTILINE)
-"""A picture of docs/paper.md or docs/plots.md, and below it the command that draws it."""
+"""A picture of docs/paper.md, docs/plots.md or docs/guide.md, and below it the command that draws it."""
 
 CORRECTED = re.compile(r"^!\[[^\]]+\]\(([^)]+)\)\n\n    shapeblend (\S+ \S+) (.*)$", re.MULTILINE)
 """A picture of docs/studio.md, and below it the command of its lower row."""
@@ -102,9 +105,9 @@ def line(blend: str) -> list[str]:
     return [f"{a}.svg", f"{b}.svg", *options]
 
 
-def written(words: Sequence[str], name: str, folder: str = "samples") -> bytes:
-    """Return the file that a command writes."""
-    with beside(folder):
+def written(words: Sequence[str], name: str, *folders: str) -> bytes:
+    """Return the file that a command writes beside the drawings of some folders."""
+    with beside(*folders):
         if run([*words, "--quiet", "--force", "-o", name]) != 0:
             raise SystemExit(f"{' '.join(words)}: nothing was drawn")
         return Path(name).read_bytes()
@@ -148,6 +151,21 @@ def beside_flubber(name: str, number: int) -> bytes:
     return png(sheet([*ours, *(f'{start}"{data}"/></svg>' for data in theirs or ())], STEPS + 1, 110), 16)
 
 
+def side_by_side() -> bytes:
+    """Return the animations of the README as one."""
+    found, x, tallest = [], 0.0, max(TALL)
+    for blend, height in zip(README, TALL, strict=True):
+        words = line(f"{blend} --duration 1.6 --ease ease-in-out --repeat pingpong --hold 0.4")
+        text = icons.without_size(written(words, "moving.svg", "docs/moving/drawings").decode())
+        (box,) = re.findall(r'viewBox="([^"]+)"', text)
+        width = height * float(box.split()[2]) / float(box.split()[3])
+        place = f'x="{x:g}" y="{(tallest - height) / 2:g}" width="{width:g}" height="{height:g}"'
+        found.append(text.replace("<svg ", f"<svg {place} ", 1))
+        x += width + 40
+    start = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {x - 40:g} {tallest}">'
+    return f"{start}{''.join(found)}</svg>".encode()
+
+
 def shown(page: str) -> dict[str, list[str]]:
     """Return the words of the command below each picture of a page, without what it writes."""
     found = {}
@@ -165,7 +183,7 @@ def pictures() -> dict[str, Callable[[], bytes]]:
     for name, samples in CONSTANTS.items():
         blends = [f"{blend} --{name} {value}" for blend, values in samples.items() for value in values]
         found[f"constant-{name}.png"] = partial(rows, blends, 90, 64)
-    found["moving.svg"] = partial(written, line(README), "moving.svg")
+    found["moving.svg"] = side_by_side
     for pair in PAIRS:
         name = f"moving/{pair.replace(' ', '-')}"
         drawings = "docs/moving/drawings"
@@ -177,8 +195,14 @@ def pictures() -> dict[str, Callable[[], bytes]]:
     for name in icons.SETS:
         found[f"icons/{name}.webp"] = partial(icons.moving_sheet, name)
         found[f"icons/{name}.png"] = partial(icons.still_sheet, name)
-    for page in ("paper.md", "plots.md"):
-        found |= {link: partial(written, words, Path(link).name) for link, words in shown(page).items()}
+    for page, folders in {
+        "paper.md": (),
+        "plots.md": (),
+        "guide.md": ("docs/studio", "docs/moving/drawings"),
+    }.items():
+        found |= {
+            link: partial(written, words, Path(link).name, *folders) for link, words in shown(page).items()
+        }
     for link, files, options in CORRECTED.findall((DOCS / "studio.md").read_text("utf-8")):
         pair = files.replace(".svg", "")
         found[link] = partial(rows, [pair, f"{pair} {options}"], 110, 255, "docs/studio", options="-n 5")

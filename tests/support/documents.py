@@ -31,8 +31,10 @@ STAND_INS = {
     "samples/step-1": "c oblique icons/3 3",
     "samples/e": "e",
     "samples/f": "f",
-    "docs/moving/drawings/fox": "fox",
-    "docs/moving/drawings/wolf": "wolf",
+    **{
+        f"docs/moving/drawings/{name}": name
+        for name in "fox wolf cat-face dog-face egg hatching-chick tulip sunflower".split()
+    },
     **{f"docs/studio/{path.stem}": path.stem for path in (ROOT / "docs" / "studio").glob("*.svg")},
 }
 """Drawings of the repository, and what pages call drawings for which they are taken."""

@@ -196,7 +196,7 @@ that people graded differently, the last column counts those in the right order.
 {checks}
 
 The report of a blend has its grade; `--fail-on poor`, `--try`, `rank` and the studio use it, too. The judge that
-chooses motions, [motion.md](motion.md), looks at outlines, not at pictures. Its number is another one.
+chooses motions, [the page on motion](motion.md), looks at outlines, not at pictures. Its number is another one.
 """
 
 
