@@ -796,6 +796,15 @@ def test_bars_of_parts_are_dragged_and_snap(studio, width):
     assert shape(page) == still
 
 
+def test_a_part_that_is_pointed_at_is_forgotten_with_its_drawing(studio, here):
+    (here / "three.svg").write_text(svg(*TWO, "M14 3H21V9H14Z", attributes='fill="#222"'))
+    page = studio("three.svg", "two.svg")
+    page.mouse.move(*screen(page, "a", (17, 6)))  # the third part, which the other drawing does not have
+    page.wait_for_function("() => document.getElementById('count-a').textContent.includes('part 2')")
+    changed(page, lambda: page.evaluate("document.getElementById('swap').click()"))
+    assert page.inner_text("#count-a") == "2 parts"
+
+
 def test_bars_are_moved_by_keys_and_what_is_written_moves_so(studio, here):
     page = studio("two.svg", "swapped.svg")
     timeline(page)

@@ -188,11 +188,14 @@ export class Form {
   }
 }
 
-const WRITTEN = { svg: "SVG", png: "PNG", gif: "GIF", webp: "WebP", apng: "APNG", avd: "AVD", mp4: "MP4", webm: "WebM" };
+const WRITTEN = {
+  svg: "SVG", png: "PNG", gif: "GIF", webp: "WebP", apng: "APNG", mp4: "MP4", webm: "WebM",
+  js: "JavaScript module", avd: "Android vector drawable", lottie: "Lottie", dotlottie: "dotLottie",
+};
 
 function titleOf({ name, suffix, options }) {
   const words = name.split(" ").map((word) => WRITTEN[word] ?? word).join(" ");
-  const title = words[0].toUpperCase() + words.slice(1);
+  const title = name in WRITTEN ? words : words[0].toUpperCase() + words.slice(1);
   if (suffix) return `${title} (${suffix})`;
   return options.emit ? `${title} of SVG files` : `${title} frames, a folder`;
 }

@@ -183,6 +183,7 @@ function showPair(number) {
     at("pair").replaceChildren(...pairs.map(({ a, b }, k) => made("option", { value: k }, `${drawings[a].name} → ${drawings[b].name}`)));
   }
   at("pair").value = number;
+  if (Object.entries(panels).some(([side, { key }]) => key !== two[side].key)) tools?.forget();
   for (const [side, panel] of Object.entries(panels)) {
     panel.show(two[side]);
     const colours = new Map();

@@ -71,6 +71,11 @@ export class Tools {
     return Boolean(had);
   }
 
+  // What is held, pointed at or chosen belongs to drawings that are gone.
+  forget() {
+    Object.assign(this, { held: null, drag: null, pointed: null, picked: null, cursor: { a: null, b: null }, isByKeys: false });
+  }
+
   other(panel) {
     return this.panels[panel.side === "a" ? "b" : "a"];
   }
