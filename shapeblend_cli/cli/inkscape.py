@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
 import sys
 from typing import Any
 
@@ -47,7 +49,8 @@ def install(**given: Any) -> None:
 def blend(file: str, **given: Any) -> None:
     """Print an Inkscape document with in-betweens of two objects. The extension calls this.
 
-    Two dots or a line labelled "pin 1" are a pin: a point of one object that becomes a point of the other.
+    Two dots or a line labelled "pin 1" are a pin: a point of one object that becomes a point of the other. Parts of
+    both that are labelled "pair 1" become each other.
     """
     options, settings = InkscapeOptions.of(given), Settings.of(given)
     if not (settings.frames or settings.ends):
@@ -86,6 +89,27 @@ def animate(file: str, **given: Any) -> None:
 
     force = WriteOptions.of(given).force
     _print(animate_objects(file, options.ids, output, force=force, note=_noter()))
+
+
+@inkscape.command(cls=SectionedCommand, params=options_of(InkscapeOptions, without=("frames_as",)))
+@click.argument("file", type=NAME, metavar="FILE")
+def studio(file: str, **given: Any) -> None:
+    """Open objects of an Inkscape document in the studio. The extension calls this.
+
+    The document itself is printed unchanged. The studio goes on by itself, and ends some time after its page is closed.
+    """
+    from shapeblend_cli.inkscape.objects import open_objects
+
+    words, document = open_objects(file, InkscapeOptions.of(given).ids, _noter())
+    subprocess.Popen(
+        [sys.executable, "-m", "shapeblend_cli", "studio", *words, "--place", "asis", "--until-closed"],
+        cwd=os.path.dirname(words[0]),
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+    _print(document)
 
 
 def _noter() -> Any:

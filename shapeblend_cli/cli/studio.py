@@ -26,6 +26,10 @@ EXAMPLES = (
     ("shapeblend studio", "an empty page to drop drawings into"),
 )
 
+PATIENCE = 600.0
+"""Number of seconds without a sign of the page after which it is taken for closed. A page in the background gives one
+every minute."""
+
 HELPS = {
     "timeout": "Stop a blend after S seconds, and files after ten times as many.  [default: 60]",
     "max_memory": "Stop a blend at so many megabytes of memory.  [default: 2000]",
@@ -44,6 +48,11 @@ class StudioOptions(Record, section=STUDIO):
         flags=("--open/--no-open",),
         help="Open the page in the browser, or only print its address.",
         default_text="open, if there is a screen",
+    )
+    until_closed: bool = option(
+        types.FLAG,
+        default=False,
+        help="End by itself ten minutes after the page was closed, for programs that start a studio.",
     )
 
 
@@ -94,7 +103,8 @@ def studio(files: tuple[str, ...], **given: Any) -> None:
 
             webbrowser.open(server.address)
         while not ended.wait(0.2):
-            pass
+            if options.until_closed and server.quiet_for > PATIENCE:
+                break
     if not session.is_saved:
         click.echo(f"What was not saved: {shlex.join(session.project.command)}")
     server.shutdown()

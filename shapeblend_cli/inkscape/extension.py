@@ -32,7 +32,7 @@ INX = """\
   <id>org.shapeblend.{what}</id>
   <param name="what" type="string" gui-hidden="true">{what}</param>
 {params}
-  <label appearance="header">Pins</label>
+  <label appearance="header">Pins and pairs</label>
   <label>{pins}</label>
   <effect{live}>
     <object-type>all</object-type>
@@ -44,7 +44,8 @@ INX = """\
 
 PINS = (
     "Two dots labelled 'pin 1', or a line with that label from one object to the other, mark points that become "
-    "each other. Further pins are 'pin 2' and so on."
+    "each other. Further pins are 'pin 2' and so on. Parts of two groups that are both labelled 'pair 1' become each "
+    "other."
 )
 
 FILE_TYPES = "svg,gif,webp,apng,json,xml"
@@ -71,6 +72,7 @@ def files() -> dict[str, str]:
         "shapeblend_animate.inx": _inx(
             "animate", "Write an animation", [path, force, seconds, repeat, trigger, *choices], is_live=False
         ),
+        "shapeblend_studio.inx": _inx("studio", "Open in the studio", [], is_live=False),
         SCRIPT: _script(),
     }
 

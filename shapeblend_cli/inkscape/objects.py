@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import tempfile
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -13,11 +14,11 @@ from shapeblend_cli.errors import InputError, unreadable
 from shapeblend_cli.frames.frames import make_frames
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.inkscape.source import Document
-from shapeblend_cli.model import Box, Drawing, Frame, Name, Page, Pair
+from shapeblend_cli.model import Box, CubicPath, Drawing, Frame, Name, Page, PaintedShape, Pair
 from shapeblend_cli.outputs.formats import views
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.reading.read import read
-from shapeblend_cli.svg.writing.document import frames_in_groups
+from shapeblend_cli.svg.writing.document import frame_svg, frames_in_groups
 from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.rounding import decimals_for
 from shapeblend_cli.system.write import check_targets, write_files
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.svg.xml.transforms import Affine
 
 _PIN = re.compile(r"\s*pin\s*(\w*)\s*", re.IGNORECASE)
+_PAIR = re.compile(r"\s*pair\s*(\w*)\s*", re.IGNORECASE)
 
 MARGIN = 0.02
 """Margin around the shapes of an animation, as a share of their larger side."""
@@ -39,12 +41,13 @@ Pin = tuple[complex, complex]
 
 
 class Selected(NamedTuple):
-    """The objects that are blended, the lowest first, as drawings of one document, and the points that are pinned."""
+    """The objects that are blended, the lowest first, as drawings of one document, and what becomes what."""
 
     document: Document
     numbers: list[int]  # of the elements
     drawings: list[Drawing]
-    pins: tuple[Pin, ...]
+    pins: tuple[Pin, ...]  # points
+    match: tuple[tuple[str, str], ...]  # ids of parts
 
 
 def blend_objects(
@@ -94,16 +97,51 @@ def animate_objects(
         raise InputError(file, f"{_objects(len(selected.numbers))} selected; two or more would work")
     output.format.check_libraries()
     check_targets([Path(name) for name in output.files()], [Path(file)], force)
-    every = [shape for drawing in selected.drawings for shape in drawing.shapes]
-    shown = Box.union([_painted(shape) for shape in every])
-    shown = shown.expanded(MARGIN * shown.larger_side)
-    drawings = [drawing._replace(viewbox=shown, page=Page()) for drawing in selected.drawings]
+    drawings, _ = _in_one_view(selected)
     pairs = _matched(selected._replace(drawings=drawings), output.settings, note)
     rendered = output.format.render(output, pairs)
     for text in rendered.notes:
         note(text)
     write_files(output.by_target(rendered), force)
     return selected.document.data
+
+
+def open_objects(file: str, ids: Sequence[str], note: Callable[[str], None]) -> tuple[list[str], bytes]:
+    """Write objects as drawings into a folder of their own, for the studio.
+
+    Returns
+    -------
+    words : list of str
+        The names of the drawings, and the options that say what becomes what.
+    document : bytes
+        The document as it is.
+    """
+    selected = _selected(file, ids, note)
+    if len(selected.numbers) < 2:
+        raise InputError(file, f"{_objects(len(selected.numbers))} selected; two or more would work")
+    folder = Path(tempfile.mkdtemp(prefix="shapeblend-"))
+    names = []
+    drawings, shown = _in_one_view(selected)
+    for k, drawing in enumerate(drawings):
+        frame = Frame(0.0, 0, tuple(map(_painted_shape, drawing.shapes)), shown)
+        called = selected.document.elements[selected.numbers[k]].id or ""
+        name = f"{k + 1}-{re.sub(r'[^A-Za-z0-9-]', '-', called)}.svg"
+        (folder / name).write_text(frame_svg(frame, decimals_for([frame.view])), encoding="utf-8")
+        names.append(str(folder / name))
+    pins = [f"{p.real:g},{p.imag:g}:{q.real:g},{q.imag:g}" for p, q in selected.pins]
+    words = [*names, *(word for pin in pins for word in ("--pin", pin))]
+    return [
+        *words,
+        *(word for a, b in selected.match for word in ("--match", f"{a}={b}")),
+    ], selected.document.data
+
+
+def _in_one_view(selected: Selected) -> tuple[list[Drawing], Box]:
+    """Return objects as drawings that show the box around them all, and this."""
+    every = [shape for drawing in selected.drawings for shape in drawing.shapes]
+    shown = Box.union([_painted(shape) for shape in every])
+    shown = shown.expanded(MARGIN * shown.larger_side)
+    return [drawing._replace(viewbox=shown, page=Page()) for drawing in selected.drawings], shown
 
 
 def _selected(file: str, ids: Sequence[str], note: Callable[[str], None]) -> Selected:
@@ -135,7 +173,9 @@ def _selected(file: str, ids: Sequence[str], note: Callable[[str], None]) -> Sel
         drawings.append(drawing._replace(shapes=shapes, page=Page()))
     for text in every.notes:
         note(text)
-    return Selected(document, numbers, drawings, _pins(pins, drawings, file) if len(drawings) == 2 else ())
+    if len(drawings) != 2:
+        return Selected(document, numbers, drawings, (), ())
+    return Selected(document, numbers, drawings, _pins(pins, drawings, file), _pairs(drawings, file))
 
 
 def _without(shape: Shape, depth: int) -> Shape:
@@ -145,11 +185,35 @@ def _without(shape: Shape, depth: int) -> Shape:
 
 
 def _matched(selected: Selected, settings: Settings, note: Callable[[str], None]) -> list[Pair]:
-    settings = settings.replace(place="asis", pins=(*settings.pins, *selected.pins))
+    settings = settings.replace(
+        place="asis", pins=(*settings.pins, *selected.pins), match=(*settings.match, *selected.match)
+    )
     pairs, notes = match_all(selected.drawings, settings)
     for text in notes:
         note(text)
     return pairs
+
+
+def _pairs(drawings: Sequence[Drawing], file: str) -> tuple[tuple[str, str], ...]:
+    """Return the ids of parts of two objects that have the same label."""
+    marked: dict[str, tuple[list[str], list[str]]] = {}
+    for side, drawing in enumerate(drawings):
+        for shape in drawing.shapes:
+            match = _PAIR.fullmatch(shape.name.label or "")
+            if match and shape.id is not None:
+                marked.setdefault(match[1], ([], []))[side].append(shape.id)
+    for label, (first, second) in marked.items():
+        if not (len(first) == len(second) == 1):
+            raise InputError(
+                file,
+                f"'pair {label}' marks {_parts(first)} of the lower object and {_parts(second)} of the upper one; "
+                "one of each with that label would work",
+            )
+    return tuple((first[0], second[0]) for first, second in marked.values())
+
+
+def _parts(ids: Sequence[str]) -> str:
+    return "one part" if len(ids) == 1 else f"{len(ids) or 'no'} parts"
 
 
 def _pin_shapes(drawing: Drawing) -> list[Shape]:
@@ -192,6 +256,11 @@ def _points(drawing: Drawing) -> ComplexArray:
 
 def _away(point: complex, outline: ComplexArray) -> float:
     return float(np.abs(outline - point).min())
+
+
+def _painted_shape(shape: Shape) -> PaintedShape:
+    paths = tuple(CubicPath(path.segments, path.straight, path.closed) for path in shape.contours)
+    return PaintedShape(paths, shape.style, name=shape.name, groups=shape.groups, clips=shape.clips)
 
 
 def _painted(shape: Shape) -> Box:

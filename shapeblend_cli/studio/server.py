@@ -93,6 +93,12 @@ class Studio(ThreadingHTTPServer):
         self.session = session
         self.token = secrets.token_urlsafe(32)
         self._free = threading.Semaphore(MOST_CONNECTIONS)
+        self._heard = time.monotonic()
+
+    @property
+    def quiet_for(self) -> float:
+        """The seconds since somebody asked for something."""
+        return time.monotonic() - self._heard
 
     @property
     def hosts(self) -> tuple[str, ...]:
@@ -108,6 +114,10 @@ class Studio(ThreadingHTTPServer):
     def address(self) -> str:
         """What a browser opens."""
         return f"http://{self.hosts[0]}/?token={self.token}"
+
+    def hear(self) -> None:
+        """Take note of a request."""
+        self._heard = time.monotonic()
 
     def process_request(self, request: Any, client_address: Any) -> None:
         """Answer a connection, unless there are too many."""
@@ -178,6 +188,7 @@ class _Handler(BaseHTTPRequestHandler):
         "save": Session.save,
         "keep": Session.keep,
         "halt": Session.halt,
+        "here": Session.here,
     }
     TAKEN: ClassVar[dict[str, Callable[[Session, str, bytes], Any]]] = {
         "drawing": Session.take_drawing,
@@ -209,6 +220,7 @@ class _Handler(BaseHTTPRequestHandler):
         self._answer(self._post)
 
     def _answer(self, respond: Callable[[], None]) -> None:
+        self.server.hear()
         try:
             respond()
         except _Refused as refused:

@@ -168,6 +168,10 @@ class Session:
         files = tuple(map(os.path.basename, project.files))
         return Download(f"{DEFAULT}.json", project_text(project._replace(files=files), "").encode())
 
+    def here(self, _: Mapping[str, Any]) -> dict[str, Any]:
+        """Answer the page's sign that it is still open."""
+        return {}
+
     def halt(self, _: Mapping[str, Any]) -> dict[str, Any]:
         """Stop the blend that is being made."""
         self._live.stop("stopped")

@@ -77,6 +77,44 @@ def test_pins_by_dots_and_by_lines(here):
     assert np.abs(free - corner).min() > 1.0
 
 
+TWO_PARTS = f"""<svg {NAMESPACES} viewBox="0 0 100 50">
+<g id="low"><path id="p" d="M5 5H15V15H5Z"/><path id="q" inkscape:label="pair 1" d="M5 30H12V37H5Z"/></g>
+<g id="high"><path id="r" inkscape:label="Pair 1" d="M70 5H80V15H70Z"/><path id="s" d="M70 30H77V37H70Z"/></g></svg>
+"""
+
+
+def test_parts_of_one_label_become_each_other(here):
+    def middles(document):
+        (frame,) = frames(blended("-n", "1", document=document))
+        return sorted(round(points(path.get("d")).mean().imag) for path in frame.iter(f"{SVG}path"))
+
+    assert middles(TWO_PARTS.replace("air 1", "art")) == [10, 34]
+    assert middles(TWO_PARTS) == [10, 22, 34]  # the others shrink and grow
+
+
+def test_a_pair_needs_a_part_of_each_object(here, capsys):
+    Path("document.svg").write_text(TWO_PARTS.replace("Pair 1", "part"))
+    assert run("inkscape blend document.svg --id low --id high".split()) == 1
+    told = "'pair 1' marks one part of the lower object and no parts of the upper one; one of each with that label"
+    assert told in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("document", [DOCUMENT, TWO_PARTS])
+def test_the_studio_opens_with_what_was_selected_and_marked(here, monkeypatch, capfdbinary, document):
+    called = []
+    monkeypatch.setattr(subprocess, "Popen", lambda words, **given: called.append((words, given)))
+    Path("document.svg").write_text(document)
+    assert run("inkscape studio document.svg --id low --id high".split()) == 0
+    assert capfdbinary.readouterr().out.decode() == document
+    ((python, dash, module, studio, a, b, *options), given) = called[0]
+    assert (python, dash, module, studio) == (sys.executable, "-m", "shapeblend_cli", "studio")
+    assert [Path(file).name for file in (a, b)] == ["1-low.svg", "2-high.svg"]
+    assert given["start_new_session"]
+    options.remove("--until-closed")
+    assert ("--pin" in options, "--match" in options) == (document == DOCUMENT, document == TWO_PARTS)
+    assert run([a, b, *options, "-n", "1", "-o", "frames", "-q"]) == 0
+
+
 def test_layers_are_put_into_layers_only(here):
     inside = DOCUMENT.replace('<path id="low"', '<g id="inner"><path id="low"').replace(
         'H 5 Z"/>', 'H 5 Z"/></g>'
@@ -157,7 +195,10 @@ def test_the_extension_is_installed_where_inkscape_looks(here, monkeypatch, caps
         assert run(["inkscape", "install"]) == 0
         assert "restart Inkscape" in capsys.readouterr().err
     names = sorted(path.name for path in (here / "profile" / "extensions").iterdir())
-    assert names == ["shapeblend.py", "shapeblend_animate.inx", "shapeblend_blend.inx"]
+    assert names == [
+        "shapeblend.py",
+        *(f"shapeblend_{what}.inx" for what in ("animate", "blend", "studio")),
+    ]
     assert run(["inkscape", "install", "--folder", "other"]) == 0
     assert sorted(os.listdir("other")) == names
 

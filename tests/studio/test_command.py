@@ -55,6 +55,33 @@ def is_there(pid):
         return stream.read().split()[2] != "Z"
 
 
+UNTIL_CLOSED = """
+import sys
+from shapeblend_cli.cli import run, studio
+studio.PATIENCE = 1.5
+sys.exit(run(["studio", "--no-open", "--until-closed", "a.svg", "b.svg"]))
+"""
+
+
+def test_it_ends_by_itself_after_its_page_if_that_is_asked_for(here):
+    for name, data in {"a": BAR, "b": LEAF}.items():
+        (here / f"{name}.svg").write_text(svg(data))
+    process = subprocess.Popen([sys.executable, "-c", UNTIL_CLOSED], stdout=subprocess.PIPE, text=True)
+    try:
+        address = urlsplit(re.search(r"http:\S+", process.stdout.readline()).group())
+        for _ in range(5):
+            connection = http.client.HTTPConnection(address.netloc)
+            connection.request("GET", f"/?{address.query}")
+            assert connection.getresponse().status == 200
+            connection.close()
+            time.sleep(0.5)
+        assert process.poll() is None
+        assert process.wait(timeout=20) == 0
+    finally:
+        process.kill()
+        process.communicate()
+
+
 @pytest.mark.skipif(not os.path.exists("/proc/self/task"), reason="no /proc here")
 @pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGTERM])
 def test_it_says_where_it_is_and_leaves_nothing_behind(started, ending):

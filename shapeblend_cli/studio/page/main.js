@@ -14,6 +14,7 @@ import { Tools } from "./tools.js";
 import { zoomAll } from "./zoom.js";
 
 const PATIENCE = 400; // milliseconds before it is said that a blend takes time
+const SIGN = 30_000; // milliseconds after which the studio hears that the page is still there
 const FRESH = 2000; // milliseconds for which nobody asks whether drawings have changed
 const isDark = () => {
   const { theme } = document.documentElement.dataset;
@@ -410,6 +411,7 @@ async function begin() {
   listen();
   document.documentElement.dataset.version = 0;
   refresh();
+  setInterval(() => ask("here").catch(() => {}), SIGN);
   if (first.project.files.length < 2) document.documentElement.dataset.ready = "yes";
 }
 
