@@ -403,6 +403,7 @@ function listen() {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", repaint);
   at("back").addEventListener("click", back);
   at("copy").addEventListener("click", () => copy(data.command.join(" "), at("copy")));
+  at("copy-studio").addEventListener("click", () => copy(data.studio.join(" "), at("copy-studio")));
   at("copy-pin").addEventListener("click", () => copy(pinOf(state.chosen), at("copy-pin")));
   at("zoom-in").addEventListener("click", () => graph.zoomBy(1.6));
   at("zoom-out").addEventListener("click", () => graph.zoomBy(1 / 1.6));

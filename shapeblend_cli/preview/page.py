@@ -47,6 +47,15 @@ STYLES = ("base.css", "page.css")
 LINKS = re.compile(r"^import .*\n|^export (?=const |class |function |async )", re.MULTILINE)
 """Imports and exports of modules, which a single script does without."""
 
+FOLDERS = re.compile(r"(?:[A-Za-z]:)?[^\s:;,'\"]*[/\\\\](?=[^/\\\\\s]+\.\w{2,7}\b)")
+"""The folders before the name of a file, in a text."""
+
+PATH = re.compile(r"(?!-)[^\s{}<>#,=]*[/\\][^/\\\s{}<>#,=]+")
+"""A word of a command line that names a file or a folder within folders."""
+
+NOT_OF_STUDIO = ("-f", "--force", "-q", "--quiet", "-v", "--verbose")
+"""Options that the studio does not have."""
+
 LISTS = ("vertices_a", "vertices_b", "dots")
 """Long lists in the report of a contour, which are packed."""
 
@@ -64,7 +73,7 @@ def preview(
     """Return a page that shows a run.
 
     The `ends` are the drawings, as frames show them; the `command` is in words; the `notes` were printed by the run;
-    the `maps` lay each drawing over the first.
+    the `maps` lay each drawing over the first. Files are named without their folders: the page is shown to others.
     """
     decimals = decimals_for([frame.view for frame in ends])
     landscapes = iter(graphs([contour for pair in pairs for contour in pair.contours], settings))
@@ -79,8 +88,9 @@ def preview(
     data = {
         **{name: report[name] for name in ("version", "settings", "frames", "seconds")},
         "names": [title_of(file) for file in report["inputs"]],
-        "command": [shlex.quote(word) for word in command],
-        "notes": list(notes),
+        "command": [shlex.quote(_without_folder(word)) for word in command],
+        "studio": [shlex.quote(word) for word in _in_studio(command)],
+        "notes": [FOLDERS.sub("", note) for note in notes],
         "timing": how_it_runs(timing, settings),
         "decimals": decimals,
         "pairs": written,
@@ -96,6 +106,22 @@ def preview(
         # Of all characters of JSON this one alone can end a script element, or begin another.
         data=text.replace("<", "\\u003c"),
     )
+
+
+def _without_folder(word: str) -> str:
+    """Return a word of a command line without the folders of the file or the folder that it names, if it names one."""
+    return re.split(r"[/\\]", word)[-1] if PATH.fullmatch(word) else word
+
+
+def _in_studio(command: Sequence[str]) -> list[str]:
+    """Return the words that open the same blend in the studio; none if no command line has made it."""
+    if list(command[:1]) != ["shapeblend"]:
+        return []
+    return [
+        "shapeblend",
+        "studio",
+        *(_without_folder(word) for word in command[1:] if word not in NOT_OF_STUDIO),
+    ]
 
 
 def _pair(

@@ -36,10 +36,10 @@ export function showRun(data) {
   at("summary").textContent = [
     counted(data.pairs.length, "pair"), counted(data.frames.length, "frame"),
     counted(data.pairs.reduce((sum, pair) => sum + pair.contours.length, 0), "contour"),
-    `work ${figures(data.pairs.reduce((sum, pair) => sum + pair.contours.reduce((s, c) => s + c.work, 0), 0))}`,
   ].join(" · ");
   at("version").textContent = `shapeblend ${data.version}`;
-  at("command").replaceChildren(...data.command.flatMap((word) => [made("span", {}, word), " "]));
+  for (const name of ["command", "studio"]) at(name).replaceChildren(...data[name].flatMap((word) => [made("span", {}, word), " "]));
+  at("correct").hidden = !data.studio.length;
   at("notes").replaceChildren(...data.notes.map((note) => made("li", {}, note)));
   entries(at("constants"), [
     ...CONSTANTS.map((name) => [name, figures(settings[name])]),

@@ -75,8 +75,11 @@ def opened(browser, pages):
         page.goto(address)
         page.wait_for_selector("html[data-ready]")
         assert not page.is_visible("#graph")  # the words of the method are folded away
+        assert not page.is_visible("#command")
+        page.click("#run > summary")
         page.click("#method > summary")
         page.locator("body").click(position={"x": 2, "y": 2})
+        page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
         return page
 
     yield open_
@@ -582,4 +585,9 @@ def test_the_command_is_copied(page, pages):
     page.wait_for_selector("#copy:text-is('Copied')")
     copied = page.evaluate("navigator.clipboard.readText()")
     assert copied.startswith("shapeblend ")
-    assert copied.endswith(f"--preview {pages['one'][0]}")
+    assert copied.endswith("-o one --preview one.html")  # without folders
+    page.click("#copy-studio")
+    page.wait_for_selector("#copy-studio:text-is('Copied')")
+    assert page.evaluate("navigator.clipboard.readText()").startswith(
+        "shapeblend studio one-a.svg one-b.svg "
+    )

@@ -220,6 +220,18 @@ def test_the_command_is_what_was_typed_quoted_for_a_shell(here):
     assert data["names"] == ["it's a.svg", "b.svg"]
 
 
+def test_others_are_told_no_folders(here):
+    (here / "secret").mkdir()
+    for name in "ab":
+        (here / "secret" / f"{name}.svg").write_text((here / f"{name}.svg").read_text())
+    (here / "secret" / "a.svg").write_text(
+        svg("M0 0h9v9z", '<image href="x.png"/>').replace('<path d="<image', "<image")
+    )
+    page = previewed(str(here / "secret" / "a.svg"), "secret/b.svg")
+    assert page.data["studio"][:4] == ["shapeblend", "studio", "a.svg", "b.svg"]
+    assert "secret" not in Path("x.html").read_text(encoding="utf-8")
+
+
 def test_what_files_say_does_no_harm(here):
     evil = "</script><script>alert(1)</script><!--"
     name = evil.replace("/", "_") + "&.svg"
