@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import click
 
-from shapeblend_cli.cli.group import Commands, DefaultGroup, in_other_words
+from shapeblend_cli.cli.group import Commands, DefaultGroup, in_other_words, with_value
 from shapeblend_cli.cli.terminal import say
 from shapeblend_cli.errors import OptionError, ShapeblendError, in_words
 from shapeblend_cli.system.interrupts import Interrupted, listening
@@ -50,6 +50,10 @@ def run(arguments: Sequence[str], began: float | None = None) -> int:
             return status or 0
     except click.NoSuchOption as error:
         say(f"{in_other_words(error)} (shapeblend --help lists the options)")
+        return USAGE
+    except click.BadOptionUsage as error:
+        named = arguments[0] if arguments[0] in shapeblend.commands else DefaultGroup.default
+        say(f"{with_value(error, shapeblend.commands[named])} (shapeblend --help lists the options)")
         return USAGE
     except click.ClickException as error:
         say(f"{error.format_message()} (shapeblend --help lists the options)")

@@ -43,6 +43,11 @@ MEANT = {
     "--quiet": "silent",
     "--output NAME.gif": "gif",
     "--output NAME.mp4": "video mp4",
+    "--output NAME.png": "png sprite contact-sheet",
+    "--output NAME.svg": "svg animation animated-svg smil",
+    "--output NAME.js": "js javascript react vue svelte component web",
+    "--stagger": "sequence cascade one-by-one",
+    "--select-a": "select only",
     "--emit lottie": "lottie json",
     "--trigger hover": "hover",
     "--trigger click": "click",
@@ -60,6 +65,13 @@ def in_other_words(error: click.NoSuchOption) -> str:
         if meant
         else error.format_message()
     )
+
+
+def with_value(error: click.BadOptionUsage, command: click.Command) -> str:
+    """Return the message of an option without its value, with what that has to be."""
+    found = [option for option in command.params if error.option_name in option.opts]
+    takes = f" '{error.option_name} {found[0].metavar}' would work." if found and found[0].metavar else ""
+    return error.format_message() + takes
 
 
 class SectionedCommand(click.Command):
@@ -124,6 +136,8 @@ class DefaultGroup(click.Group):
     def _refuse_misspelt(self, args: Sequence[str]) -> None:
         """Raise UsageError where the first word is no file, and almost a command."""
         word = args[0] if args else ""
+        if word == "help" and not os.path.exists(word):
+            raise click.UsageError("No such command or file 'help'. Did you mean the option '--help'?")
         if not word.isalpha() or os.path.exists(word):
             return
         from difflib import get_close_matches

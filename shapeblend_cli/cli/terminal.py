@@ -209,12 +209,14 @@ def _duration(seconds: float) -> str:
 def results(job: Job, seconds: float) -> Iterator[str]:
     """Yield what a run has written, and what shows it."""
     output, files = job.output, job.output.files()
-    if not files:
-        return
+    others = [name for name in (job.write.report, job.write.tries) if name is not None]
     took = f"in {seconds:.1f} s"
-    if output.format.has_frame_files:
-        named = files[0] if len(files) == 1 else f"{files[0]} to {os.path.basename(files[-1])}"
-        yield f"wrote {_count(len(files), 'frame')}, {named}, {took}"
+    if not files:
+        if not (job.write.preview or others or output.path == "-"):
+            yield "wrote nothing: --frames 0 asks for no in-betweens; --ends would write the drawings"
+    elif output.format.has_frame_files:
+        which = files[0] if len(files) == 1 else f"{files[0]} to {os.path.basename(files[-1])}"
+        yield f"wrote {_count(len(files), 'frame')}, {which}, {took}"
     elif output.format.suffix:
         size = os.path.getsize(output.path) / 1000.0
         shown = "; a browser plays it" if output.format.takes_triggers else ""
@@ -223,9 +225,8 @@ def results(job: Job, seconds: float) -> Iterator[str]:
         yield f"wrote {' and '.join(files)}, {took}"
     if job.write.preview:
         yield f"wrote {job.write.preview}; a browser shows it"
-    others = [name for name in (job.write.report, job.write.tries) if name not in (None, "-")]
-    if others:
-        yield f"wrote {' and '.join(map(str, others))}"
+    if named := [str(name) for name in others if name != "-"]:
+        yield f"wrote {' and '.join(named)}"
 
 
 def details(run: Run, began: float | None) -> Iterator[str]:

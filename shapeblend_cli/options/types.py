@@ -62,9 +62,9 @@ class FieldType(NamedTuple):
             raise ValueError(f"must be {self.expected}, not {shown}") from None
 
 
-def choice(*words: str) -> FieldType:
-    """One of a few words."""
-    expected = f"{', '.join(words[:-1])} or {words[-1]}"
+def choice(*words: str, elsewhere: str = "") -> FieldType:
+    """One of a few words; errors may say what would do what other words ask for."""
+    expected = f"{', '.join(words[:-1])} or {words[-1]}{elsewhere}"
     return FieldType(expected, lambda value: words[words.index(value)], f"[{'|'.join(words)}]", choices=words)
 
 

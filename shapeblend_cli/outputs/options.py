@@ -14,6 +14,9 @@ from shapeblend_cli.outputs.formats import FASTEST, Format, OutputSpec
 from shapeblend_cli.outputs.pixels import MOST_SIDE
 from shapeblend_cli.outputs.registry import DEFAULT, EMITS, FORMATS, FRAME_FORMATS, alternatives, choose
 
+BY_SUFFIX = ", or --output with a suffix such as .gif in its place"
+"""What errors say of formats that have no word."""
+
 SHARED = {
     "columns": "a contact sheet",
     "fps": "a raster animation",
@@ -71,7 +74,7 @@ class OutputOptions(Record, section=PICTURES):
         ),
     )
     emit: str = option(
-        choice(*EMITS),
+        choice(*EMITS, elsewhere=BY_SUFFIX),
         default=EMITS[0],
         section=OUTPUT,
         help="; ".join(
@@ -131,7 +134,7 @@ class OutputOptions(Record, section=PICTURES):
         default_text="load",
     )
     format: str | None = option(
-        choice(*FRAME_FORMATS),
+        choice(*FRAME_FORMATS, elsewhere=BY_SUFFIX),
         default=None,
         help="Format of the files in a folder of frames.",
         default_text=FRAME_FORMATS[0],

@@ -47,7 +47,7 @@ OPTIONS = {
     "-q -v": "--quiet and --verbose contradict each other",
     "c.svg --start 0,0": "--start, --pin, --match and --stiff apply to two files; 3 given",
     "c.svg --match 0=0": "apply to two files; 3 given",
-    "--emit gif": "--emit must be frames, pair, layers, lottie, js or avd, not 'gif'",
+    "--emit gif": "--emit must be frames, pair, layers, lottie, js or avd, or --output with a suffix such as .gif in its place, not 'gif'",
     "--emit pair -o -": "writes a.svg and b.svg, so --output takes a folder; - given",
     "--emit pair -o x.svg": "a folder; x.svg given",
     "--emit pair -o x.png": "a folder; x.png given",
@@ -102,6 +102,9 @@ OPTIONS = {
     "-o x.webm --repeat 101": "a video has 100 runs at most",
     "-o x.mp4 --duration 3600": "pictures are more than 20000",
     "-o x.apng --repeat 65536": "65535 times at most",
+    "--loop": "Option '--loop' requires an argument. '--loop N|forever|pingpong' would work.",
+    "--format gif": "--format must be svg or png, or --output with a suffix such as .gif in its place, not 'gif'",
+    "--react": "Did you mean '--output NAME.js'?",
     "--times 3": "--times must be at most 2, not 3",
     "--times 0,x": "--times must be times between -1 and 2, such as",
     "--times 0,1 -n 3": "--times sets the frames itself",
@@ -132,6 +135,7 @@ OPTIONS = {
 
 COMMANDS = {
     "": "A.svg B.svg",
+    "help": "Did you mean the option '--help'?",
     "a.svg": "a blend needs two files or more, A.svg and B.svg; 1 given",
     "- -": "only one of the files can be standard input",
     "nowhere.svg b.svg --select-b 'g >'": "--select-b must be",
