@@ -27,6 +27,11 @@ def read_manifest(file: str) -> tuple[list[Row], dict[str, Any]]:
     InputError
         If the manifest itself cannot be read.
     """
+    if os.path.isdir(file):
+        raise OptionError(
+            f"{file}: is a folder, not a manifest; --chain {file} would blend each drawing in it with the next one, "
+            f"and --pairs {file} OTHER those of two folders that have one name"
+        )
     if not is_manifest(file):
         raise OptionError(f"{file}: a manifest ends in .jsonl, .csv or .toml, or is - for JSON lines")
     is_standard_input = file == STANDARD_INPUT

@@ -149,6 +149,10 @@ def test_what_is_wrong_in_other_manifests(name, text, words, here, capsys):
         ("jobs.csv --all in", "a batch is one of"),
         ("--pairs in in in/1.svg", "a batch is one of"),
         ("--all in --chain in", "a batch is one of"),
+        (
+            "in",
+            "in: is a folder, not a manifest; --chain in would blend each drawing in it with the next one",
+        ),
         ("--all none", "--all none: no drawings found; it takes two"),
         ("--pairs in none", "--pairs: none is no folder"),
         ("--chain in -o in/{a}-{b}.svg", "in/1-2.svg would be taken for one of the drawings the next time"),

@@ -47,7 +47,7 @@ OPTIONS = {
     "-q -v": "--quiet and --verbose contradict each other",
     "c.svg --start 0,0": "--start, --pin, --match and --stiff apply to two files; 3 given",
     "c.svg --match 0=0": "apply to two files; 3 given",
-    "--emit gif": "--emit must be frames, pair, layers, lottie, js or avd, or --output with a suffix such as .gif in its place, not 'gif'",
+    "--emit gif": "layers, lottie, js or avd, or --output with a suffix such as .gif in its place, not 'gif'",
     "--emit pair -o -": "writes a.svg and b.svg, so --output takes a folder; - given",
     "--emit pair -o x.svg": "a folder; x.svg given",
     "--emit pair -o x.png": "a folder; x.png given",
