@@ -15,7 +15,7 @@ from shapeblend_cli.outputs.pixels import MOST_SIDE
 from shapeblend_cli.outputs.registry import DEFAULT, EMITS, FORMATS, FRAME_FORMATS, alternatives, choose
 
 BY_SUFFIX = ", or --output with a suffix such as .gif in its place"
-"""What errors say of formats that have no word."""
+"""The end of errors about formats that have no word."""
 
 SHARED = {
     "columns": "a contact sheet",
