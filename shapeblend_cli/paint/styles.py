@@ -38,10 +38,11 @@ def painted_as(a: Style, b: Style, style: str) -> tuple[Style, Style]:
 def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
     """Return the paint at time t.
 
-    Colours blend in OKLab, and so do gradients of one kind, and a plain colour with a gradient; paint that only one
-    side has fades in or out as it is. Widths, dashes and opacities change evenly; joins, caps and the fill rule, which
-    have nothing in between, change at half time. So do widths and dashes if one stroke scales with its drawing and the
-    other does not; if neither does, they change evenly on the screen.
+    Colours blend in OKLab, and so do gradients of one kind, and a plain colour with a gradient. Paint that only one
+    side has fades in or out as it is, but for a stroke that only makes its fill larger, which gets thin. Widths, dashes
+    and opacities change evenly; joins, caps and the fill rule, which have nothing in between, change at half time. So do
+    widths and dashes if one stroke scales with its drawing and the other does not; if neither does, they change evenly
+    on the screen.
 
     The second style, if any, is painted below. A linear and a radial gradient have nothing in between, so B's dissolves
     into view over A's, which weighs 1 - t everywhere. If both are opaque, A's stays opaque until it is covered: the
@@ -103,10 +104,22 @@ def _coats(samples: Sequence[tuple[Style, Style | None]]) -> list[list[Style]]:
 
 
 def _with_stroke_of(style: Style, other: Style) -> Style:
-    """Give a style without a stroke the width, dashes and so on of another, whose stroke then fades unchanged."""
+    """Give a style without a stroke the width, dashes and so on of another, whose stroke then fades unchanged.
+
+    A stroke that only makes its fill larger does not fade, as a grey edge would be seen: it gets thin.
+    """
     if style.stroke is not None:
         return style
-    return other.painted(*style.paints)._replace(fill_rule=style.fill_rule)
+    fill, stroke = style.paints
+    if style.fill is None or not _enlarges(other):
+        return other.painted(fill, stroke)._replace(fill_rule=style.fill_rule)
+    return other.painted(fill, fill)._replace(fill_rule=style.fill_rule, stroke_width=0.0)
+
+
+def _enlarges(style: Style) -> bool:
+    """Return whether a stroke cannot be told from the fill that it surrounds."""
+    fill, stroke = style.paints
+    return fill == stroke == Paint(fill.colour, 1.0) and not style.stroke_dasharray and style.pixel is None
 
 
 def _blend_paint(a: Paint, b: Paint, t: float) -> tuple[Paint, Paint | None]:
@@ -216,6 +229,8 @@ def keyed_styles(styles: Sequence[Style]) -> list[list[Style]] | None:
             style = style._replace(fill=near.fill, fill_opacity=0.0)
         if style.stroke is None and stroked:
             near = styles[min(stroked, key=lambda other: abs(other - k))]
-            style = _with_stroke_of(style, near)._replace(stroke=near.stroke, stroke_opacity=0.0)
+            style = _with_stroke_of(style, near)
+            if style.stroke is None:
+                style = style._replace(stroke=near.stroke, stroke_opacity=0.0)
         keyed.append(style)
     return [keyed] if len({len(style.stroke_dasharray) for style in keyed}) == 1 else None

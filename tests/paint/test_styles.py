@@ -3,7 +3,7 @@
 import pytest
 
 from shapeblend_cli.model import LinearGradient, RadialGradient, Stop, Style
-from shapeblend_cli.paint.styles import MOST_DASHES, blend_styles, common_dashes, painted_as
+from shapeblend_cli.paint.styles import MOST_DASHES, blend_styles, common_dashes, keyed_styles, painted_as
 
 LINE = Style(fill=None, stroke="#000000")
 FADE = (Stop(0.0, "#ff0000"), Stop(1.0, "#0000ff"))
@@ -44,6 +44,35 @@ def test_a_stroke_that_scales_becomes_one_that_does_not_at_half_time():
             style.pixel,
         )
     assert at(Style(), b, 0.25).pixel == 0.1
+
+
+FILL = Style(fill="#000000", stroke=None)
+ENLARGED = FILL._replace(stroke="#000000", stroke_width=2.0, stroke_linejoin="round")
+
+
+def test_a_stroke_that_only_makes_its_fill_larger_gets_thin():
+    for a, b, width in ((ENLARGED, FILL, 1.5), (FILL, ENLARGED, 0.5)):
+        found, _ = blend_styles(a, b, 0.25)
+        assert (found.stroke, found.stroke_opacity, found.stroke_width) == ("#000000", 1.0, width)
+        assert found.stroke_linejoin == "round"
+    red = FILL._replace(fill="#ff0000")
+    found, _ = blend_styles(ENLARGED, red, 0.5)
+    assert found.stroke == found.fill not in ("#000000", "#ff0000")
+
+
+@pytest.mark.parametrize(
+    "other", [{"stroke": "#ff0000"}, {"fill": None}, {"fill_opacity": 0.5, "stroke_opacity": 0.5}]
+)
+def test_strokes_that_are_seen_beside_their_fill_fade(other):
+    found, _ = blend_styles(ENLARGED._replace(**other), FILL, 0.25)
+    assert found.stroke_width == 2.0
+    assert found.stroke_opacity == 0.75 * other.get("stroke_opacity", 1.0)
+
+
+def test_of_several_drawings_it_gets_thin_where_there_is_none():
+    (keyed,) = keyed_styles([ENLARGED, FILL, ENLARGED])
+    assert [style.stroke_width for style in keyed] == [2.0, 0.0, 2.0]
+    assert [style.stroke_opacity for style in keyed] == [1.0, 1.0, 1.0]
 
 
 def test_a_stroke_that_fades_in_has_its_own_shape_all_along():
