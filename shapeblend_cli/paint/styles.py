@@ -40,9 +40,9 @@ def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
 
     Colours blend in OKLab, and so do gradients of one kind, and a plain colour with a gradient. Paint that only one
     side has fades in or out as it is, but for a stroke that only makes its fill larger, which gets thin. Widths, dashes
-    and opacities change evenly; joins, caps and the fill rule, which have nothing in between, change at half time. So do
-    widths and dashes if one stroke scales with its drawing and the other does not; if neither does, they change evenly
-    on the screen.
+    and opacities change evenly; joins, caps and the fill rule, which have nothing in between, change at half time. So
+    do widths and dashes if one stroke scales with its drawing and the other does not; if neither does, they change
+    evenly on the screen.
 
     The second style, if any, is painted below. A linear and a radial gradient have nothing in between, so B's dissolves
     into view over A's, which weighs 1 - t everywhere. If both are opaque, A's stays opaque until it is covered: the
