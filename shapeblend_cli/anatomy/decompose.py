@@ -44,6 +44,8 @@ SLENDER = 0.2
 STRAIGHT = 1e-9
 """Tolerance of a contour that encloses nothing, as a share of its length."""
 
+HIDDEN_GAP = 0.05
+"""Maximum distance of the ends of a stroke that looks closed, in widths: editors round the coordinates of paths."""
 
 MOST_LARGE = 200
 """Maximum number of large contours that get all the wanted vertices; more of them get as many together."""
@@ -204,7 +206,7 @@ def _flatten_shapes(
         if style.stroke is not None and all(_is_straight(each.segments.ravel()) for each in shape.contours):
             style = style._replace(fill=None, fill_gradient=None)  # which paints nothing
         for drawn in shape.contours:
-            contour = to_a.contour(_close_if_filled(drawn, shape.style))
+            contour = to_a.contour(_closed_as_seen(drawn, shape.style))
             count = next(counts)
             polygon = flatten(contour, count, known)
             if contour.closed and len(polygon.vertices) < 3 and style.stroke is not None:
@@ -220,11 +222,12 @@ def _flatten_shapes(
     return by_shape, left_out
 
 
-def _is_straight(points: ComplexArray) -> bool:
-    """Return whether points lie on one line."""
+def _is_straight(points: ComplexArray, breadth: float = 0.0) -> bool:
+    """Return whether points lie on one line, or within a distance of it."""
     offsets = points - points[0]
     longest = offsets[np.abs(offsets).argmax()]
-    return bool(np.abs((offsets * longest.conjugate()).imag).max() <= STRAIGHT * abs(longest) ** 2)
+    most = STRAIGHT * abs(longest) ** 2 + breadth * abs(longest)
+    return bool(np.abs((offsets * longest.conjugate()).imag).max() <= most)
 
 
 def _vertex_counts(drawing: Drawing, vertices: int) -> list[int]:
@@ -252,16 +255,24 @@ def _vertex_counts(drawing: Drawing, vertices: int) -> list[int]:
     return np.ceil(vertices * counts(low)).astype(int).tolist()
 
 
-def _close_if_filled(contour: Contour, style: Style) -> Contour:
-    """Close an open contour that is only filled, as filling does."""
-    if contour.closed or style.fill is None or style.stroke is not None:
+def _closed_as_seen(contour: Contour, style: Style) -> Contour:
+    """Close an open contour that is only filled, as filling does, and a stroke whose gap cannot be seen."""
+    if contour.closed:
         return contour
-    start, end = contour.segments[0, 0], contour.segments[-1, 3]
-    return Contour(
-        segments=np.vstack([contour.segments, cubics.line(end, start)]),
-        straight=np.append(contour.straight, True),
-        closed=True,
-    )
+    segments, (start, end) = contour.segments, (contour.segments[0, 0], contour.segments[-1, 3])
+    if style.stroke is None:
+        closing = np.vstack([segments, cubics.line(end, start)])
+        return Contour(closing, np.append(contour.straight, True), closed=True) if style.fill else contour
+    is_far = abs(end - start) > HIDDEN_GAP * style.stroke_width
+    if (
+        len(segments) < 2
+        or is_far
+        or style.stroke_dasharray
+        or _is_straight(segments.ravel(), style.stroke_width)
+    ):
+        return contour
+    last = cubics.line(segments[-1, 0], start) if contour.straight[-1] else [*segments[-1, :3], start]
+    return Contour(np.vstack([segments[:-1], last]), contour.straight, closed=True)
 
 
 def _with_roles(contours: Sequence[PlacedContour], exterior_orientation: int) -> list[PlacedContour]:

@@ -38,9 +38,6 @@ ROUND = 0.02
 LONGEST = 800.0
 """Maximum length of a line, in units: what goes far beyond its viewBox is no icon, and would take gigabytes."""
 
-HIDDEN_GAP = 0.05
-"""Maximum distance of the ends of a stroke that looks closed, in widths: editors round the coordinates of paths."""
-
 TINT = 0.5
 """Maximum opacity of a fill that only tints a drawing, beneath its lines."""
 
@@ -141,12 +138,12 @@ def _lies_below(members: Sequence[PlacedContour], contours: Sequence[PlacedConto
 def file_line(contour: PlacedContour, scale: float) -> PenLine:
     """Return a stroke as a line."""
     points = _flat(contour.contour, scale) * scale
-    gap, width = abs(points[0] - points[-1]), contour.style.stroke_width * scale
-    closed = contour.contour.closed or (len(points) > 3 and bool(gap < HIDDEN_GAP * width + 1e-6))
+    closed = contour.contour.closed or (len(points) > 3 and bool(abs(points[0] - points[-1]) < 1e-6))
     if closed and len(points) > 1 and abs(points[0] - points[-1]) < 1e-6:
         points = points[:-1]
     style = contour.style
     name = str(contour.number)
+    width = contour.style.stroke_width * scale
     return PenLine(points, closed, style, width, contour.number, contour.shape, name=name)
 
 
