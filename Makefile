@@ -217,6 +217,7 @@ $(VENV)/.compiled: $(VENV)/.runs setup.py $(KERNEL_SOURCES)
 	touch $@
 
 # Where one of them cannot be installed, the tests that need it are skipped. In CI `docs-check` fails then, and nothing else.
+# An installation that was interrupted is finished first, and a server that does not answer is asked again.
 .PHONY: chromium npm inkscape xvfb xauth ffmpeg
 chromium: COMMANDS := chromium chromium-browser google-chrome
 npm: COMMANDS := npm
@@ -229,7 +230,11 @@ chromium npm inkscape xvfb xauth ffmpeg:
 	have && exit 0; \
 	if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
 	    echo "installing $@"; \
-	    { timeout 60 apt-get update -qq && DEBIAN_FRONTEND=noninteractive \
-	        timeout 400 apt-get install -y -qq --no-install-recommends $@; } </dev/null >/dev/null || true; \
+	    export DEBIAN_FRONTEND=noninteractive; \
+	    for attempt in 1 2 3; do \
+	        dpkg --configure -a && timeout 60 apt-get update -qq -o Acquire::Retries=3 \
+	            && timeout 400 apt-get install -y -qq -o Acquire::Retries=3 --no-install-recommends $@ && break; \
+	        sleep 5; \
+	    done </dev/null >/dev/null; \
 	fi; \
 	have || echo "no $@ here, so tests that need it are skipped. On Debian or Ubuntu: apt-get install $@" >&2
