@@ -83,13 +83,19 @@ OFF = """([text, share]) => {
     const [shown, wanted] = [visible(svg), visible(board)].map(bare);
     const point = (path, share) => path.getPointAtLength(path.getTotalLength() * share);
     // Chromium's strokes of nearly flat curves have holes: there the nearest of many points counts.
-    const isNear = ({x, y}, other) => Array.from({length: 2000}, (_, k) => point(other, k / 2000))
-        .some((one) => Math.hypot(one.x - x, one.y - y) < reach);
-    const isOn = (one, others) => others.some((other) => other.isPointInStroke(one))
-        || others.some((other) => isNear(one, other));
+    const dots = new Map();
+    const dotsOf = (path) => {
+        if (!dots.has(path))
+            dots.set(path, Array.from({length: 2000}, (_, k) => point(path, k / 2000)).map(({x, y}) => [x, y]));
+        return dots.get(path);
+    };
+    const isNear = ({x, y}, other) => dotsOf(other).some(([u, v]) => Math.hypot(u - x, v - y) < reach);
+    // A path of the same place in the order is most likely the one.
+    const isOn = (one, others, k) => others[k]?.isPointInStroke(one)
+        || others.some((other) => other.isPointInStroke(one)) || others.some((other) => isNear(one, other));
     // Points of the one that lie on no outline of the other.
-    const off = (some, others) => some.filter((path) => path.getTotalLength() > reach).flatMap((path) =>
-        Array.from({length: 100}, (_, k) => point(path, k / 100)).filter((one) => !isOn(one, others))
+    const off = (some, others) => some.flatMap((path, place) => path.getTotalLength() <= reach ? [] :
+        Array.from({length: 100}, (_, k) => point(path, k / 100)).filter((one) => !isOn(one, others, place))
             .map(({x, y}) => [x, y]));
     const found = [...off(shown, wanted), ...off(wanted, shown)];
     board.remove();
