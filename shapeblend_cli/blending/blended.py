@@ -15,7 +15,13 @@ from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
-from shapeblend_cli.motion.early import alone_in, alone_in_the_way, changes_much, with_early_parts
+from shapeblend_cli.motion.early import (
+    alone_in,
+    alone_in_the_way,
+    carried_by_lines,
+    changes_much,
+    with_early_parts,
+)
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pairing.changes import are_painted_alike, crossed_out
 from shapeblend_cli.pens.drawings import MOST_LINES, pen_drawing
@@ -119,7 +125,8 @@ def _by_lines_or_outlines(
             return shapes
         is_other = is_sign and (kept < KEPT or changes_much(shapes, view.larger_side))
         early = alone_in(shapes) if is_other else alone_in_the_way(shapes, view.larger_side)
-        return with_early_parts(shapes, early)
+        shapes = with_early_parts(shapes, early)
+        return carried_by_lines(shapes) if is_sign else shapes
 
     if lines is None:
         return paced(outlined(a, b, settings))
@@ -127,6 +134,8 @@ def _by_lines_or_outlines(
     is_all = not any(side.contours for side in rest)
     solid = () if is_all else paced(outlined(rest[0], rest[1], lines.settings), lines.kept)
     shapes = (*solid, *lines.shapes)
+    if _is_free(settings):
+        shapes = carried_by_lines(shapes)
     if lines.is_sure:
         return shapes
     outlines = paced(outlined(a, b, settings))

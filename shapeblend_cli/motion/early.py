@@ -1,21 +1,24 @@
-"""Motion of shapes of which parts without a partner leave early, or come late: they ride on what becomes another."""
+"""Motion of shapes of which parts without a partner leave early, come late, or go with the pen line that they touch."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from dataclasses import replace
+from types import MappingProxyType
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import signed_area
-from shapeblend_cli.geometry.polyline import may_be_near
+from shapeblend_cli.geometry.polyline import may_be_near, nearest_places
 from shapeblend_cli.interpolate.paths import paths_at
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
-    from shapeblend_cli.model import ComplexArray, ContourBlend, Motion, ShapeBlend
+    from shapeblend_cli.model import ComplexArray, ContourBlend, CubicPath, Motion, ShapeBlend
 
+    Path = TypeVar("Path", bound=CubicPath)
     Numbers = tuple[int | None, int | None]  # of a contour in both drawings
 
 EARLY = 0.5
@@ -34,6 +37,9 @@ PIECES = 4
 TOUCHING = 0.01
 """Maximum distance of outlines that touch, as a share of the view."""
 
+ON_LINE = 0.55
+"""Maximum distance of an outline from the centre of a line that it touches, in widths of the line."""
+
 AFFORDABLE = 60
 """Maximum number of contours of a blend whose parts are looked at."""
 
@@ -41,11 +47,24 @@ ALIKE = 3.0
 """Maximum ratio of the areas of parts that go together."""
 
 
+class Ride(NamedTuple):
+    """A place on a pen line, and the line on its way."""
+
+    line: ShapeBlend
+    place: float  # in points of the line, from 0
+
+    def at(self, t: float) -> complex:
+        """Return where the place is at time t."""
+        points = _points(self.line, t)
+        return complex(np.interp(self.place, np.arange(len(points)), points))
+
+
 class Early(NamedTuple):
-    """Another motion, or straight paths, in which contours without a partner are small for longer."""
+    """Another motion, or straight paths, in which contours without a partner are small for longer, or ride on lines."""
 
     motion: Motion | None
     small: frozenset[Numbers]  # the contours that are
+    rides: Mapping[Numbers, Ride] = MappingProxyType({})
 
     @property
     def name(self) -> str:
@@ -56,19 +75,20 @@ class Early(NamedTuple):
         """Return the control points of each contour at time t."""
         straight = [(1.0 - t) * contour.start.segments + t * contour.end.segments for contour in contours]
         moved = self.motion.segments(contours, t) if self.motion else straight
-        return [
-            own
-            if (contour.a, contour.b) not in self.small
-            else _smaller(own, t if contour.grows else 1.0 - t)
-            for contour, own in zip(contours, moved, strict=True)
-        ]
+        return [self._own(contour, own, t) for contour, own in zip(contours, moved, strict=True)]
 
-
-def _smaller(segments: ComplexArray, size: float) -> ComplexArray:
-    """Return a contour that has a share of its size as it is if all of its growth is in the last part of the time."""
-    middle = segments[:, 0].mean()
-    share = max(0.0, (size - EARLY) / (1.0 - EARLY)) / max(size, 1e-9)
-    return np.asarray(middle + share * (segments - middle))
+    def _own(self, contour: ContourBlend, segments: ComplexArray, t: float) -> ComplexArray:
+        """Return the control points of a contour at time t, which would otherwise be these."""
+        numbers = contour.a, contour.b
+        size = t if contour.grows else 1.0 - t
+        left = max(0.0, (size - EARLY) / (1.0 - EARLY)) if numbers in self.small else size
+        if numbers in self.rides:
+            ride, whole = self.rides[numbers], contour.end if contour.grows else contour.start
+            return np.asarray(ride.at(t) + left * (whole.segments - ride.at(float(contour.grows))))
+        if numbers in self.small:
+            middle = segments[:, 0].mean()
+            return np.asarray(middle + left / max(size, 1e-9) * (segments - middle))
+        return segments
 
 
 def changes_much(shapes: Sequence[ShapeBlend], side: float) -> bool:
@@ -169,3 +189,74 @@ def with_early_parts(shapes: Sequence[ShapeBlend], parts: frozenset[Numbers]) ->
         else shape
         for shape in shapes
     )
+
+
+def carried_by_lines(shapes: Sequence[ShapeBlend]) -> tuple[ShapeBlend, ...]:
+    """Let parts without a partner that touch a pen line go with it, as the head of an arrow with its shaft.
+
+    Parts that move straight only.
+    """
+    lines = [shape for shape in shapes if _is_line(shape)]
+    found = []
+    for shape in shapes:
+        motion = Early(None, frozenset()) if shape.motion is None else shape.motion
+        if isinstance(motion, Early) and motion.motion is None and not _is_line(shape):
+            alone = [contour for contour in shape.contours if _is_alone(contour)]
+            rides = {(contour.a, contour.b): ride for contour in alone if (ride := _ride(contour, lines))}
+            if rides:
+                contours = tuple(_to_line(contour, rides) for contour in shape.contours)
+                shape = shape._replace(contours=contours, motion=motion._replace(rides=rides))
+        found.append(shape)
+    return tuple(found)
+
+
+def _is_line(shape: ShapeBlend) -> bool:
+    """Return whether a shape is one stroke."""
+    return len(shape.contours) == 1 and shape.style_a.fill is shape.style_b.fill is None
+
+
+def _ride(contour: ContourBlend, lines: Sequence[ShapeBlend]) -> Ride | None:
+    """Return the place on the nearest line that a contour touches where it is whole."""
+    path, polygon = (contour.end, contour.polygon_b) if contour.grows else (contour.start, contour.polygon_a)
+    middle = path.segments[:, 0].mean()
+    best: tuple[float, Ride] | None = None
+    for line in lines:
+        points = _points(line, float(contour.grows))
+        width = (line.style_b if contour.grows else line.style_a).stroke_width
+        (away,), (place,) = nearest_places(middle[None], points)
+        between = min(
+            nearest_places(polygon.line, points)[0].min(), nearest_places(points, polygon.line)[0].min()
+        )
+        if between <= ON_LINE * width and (best is None or away < best[0]):
+            best = float(away), Ride(line, float(place))
+    return best[1] if best else None
+
+
+def _points(line: ShapeBlend, t: float) -> ComplexArray:
+    """Return the points of a pen line at time t, always as many."""
+    (path,) = paths_at(line, t)
+    return np.append(cubics.polyline(path.segments, PIECES), path.segments[-1, 3])
+
+
+def _to_line(contour: ContourBlend, rides: Mapping[Numbers, Ride]) -> ContourBlend:
+    """Return a contour that comes of its place on a line, or goes to it."""
+    ride = rides.get((contour.a, contour.b))
+    if ride is None:
+        return contour
+    there = ride.at(1.0 - float(contour.grows))
+    if contour.grows:
+        return contour._replace(
+            contour_a=_all_at(contour.contour_a, there),
+            polygon_a=replace(contour.polygon_a, vertices=np.array([there])),
+            start=_all_at(contour.start, there),
+        )
+    return contour._replace(
+        contour_b=_all_at(contour.contour_b, there),
+        polygon_b=replace(contour.polygon_b, vertices=np.array([there])),
+        end=_all_at(contour.end, there),
+    )
+
+
+def _all_at(path: Path, place: complex) -> Path:
+    """Return a path that is a point, at another place."""
+    return replace(path, segments=np.full_like(path.segments, place))

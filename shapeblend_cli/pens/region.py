@@ -51,7 +51,7 @@ SLANT = 0.3
 MOST_SLANT = 0.07
 """Maximum area by which all cut ends of a region may, as a share of it."""
 
-MOST_REST = 0.2
+MOST_REST = 0.3
 """Maximum share of a region that sticks out of its lines: a solid shape with lines beside it is an outline."""
 
 SPILL = 0.02

@@ -1,6 +1,7 @@
 """Parts without a partner that leave early."""
 
 import numpy as np
+import pytest
 
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.motion.early import Early
@@ -65,3 +66,18 @@ def test_parts_of_another_size_do_not_go_with_those_that_are_touched():
     sun = drawing(disc(12, 5), RAYS, '<path d="M1 1h3v3h-3z"/>')
     rays, _ = sizes(sun, drawing(disc(15, 7)), 0.6)
     assert sorted(size > 1.0 for size in rays) == [False] * 4 + [True]
+
+
+@pytest.mark.parametrize("arc", ["M12 20A8 8 0 1 0 4 12", "M4 12A8 8 0 1 1 12 20"])
+def test_what_sticks_out_of_a_line_and_has_no_partner_goes_with_the_line(arc):
+    arrow = drawing(
+        f'<path d="{arc}" fill="none" stroke="#000" stroke-width="2"/>', '<path d="M1 12H7L4 16Z"/>'
+    )
+    for k, pair in enumerate(((arrow, drawing(CHECK)), (drawing(CHECK), arrow))):
+        (match,), _ = match_all([*pair], Settings())
+        (head,) = (shape for shape in match.shapes if not shape.is_matched)
+        (line,) = (shape for shape in match.shapes if shape.is_matched)
+        for t in (0.1, 0.3, 0.45):
+            own, stroke = (paths_at(shape, 1.0 - t if k else t)[0].segments for shape in (head, line))
+            ends = stroke[0, 0], stroke[-1, 3]
+            assert min(abs(own[:, 0].mean() - place) for place in ends) < 1.4  # as where it is whole
