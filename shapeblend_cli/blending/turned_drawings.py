@@ -52,7 +52,11 @@ COPIED = 0.85
 LITTLE_LEFT = 1.2
 """Maximum grade of what a drawing does besides turning."""
 
-CLEAN = 0.1
+LITTLE_MOVED = 0.25
+"""Maximum mean distance that points of a drawing move besides turning, as a share of its size; or else of their
+partners from their own mirror images. Further away, a head becomes a tail, and another head grows."""
+
+CLEAN = 0.05
 """Maximum fault of the outlines of an ordinary blend that is preferred to turning the drawing over."""
 
 LONG = 2.0
@@ -85,7 +89,8 @@ def turned_as_a_whole(
         return as_usual
     turned = way if way.angle else way._replace(angle=np.pi, over=0j)
     beside = blend(a, turned_back(b, turned))
-    if grade_of_shapes(beside, view) <= LITTLE_LEFT:
+    keeps = turned is way or _keeps_its_parts(beside, lambda points: turned.undo(way.apply(points)))
+    if keeps and grade_of_shapes(beside, view) <= LITTLE_LEFT:
         return carried(beside, turned, TURNED)
     if turned is way or _is_clean(as_usual, view):
         return as_usual
@@ -207,6 +212,18 @@ def carried(shapes: Shapes, way: Whole, reason: str) -> Shapes:
         shape._replace(contours=tuple(map(moved, shape.contours)), motion=way, reason=reason)
         for shape in shapes
     )
+
+
+def _keeps_its_parts(shapes: Shapes, image: Callable[[ComplexArray], ComplexArray]) -> bool:
+    """Return whether points of a drawing become about themselves, or their own images, on average."""
+    contours = [contour for shape in shapes for contour in shape.contours if contour.is_matched]
+    if not contours:
+        return False
+    size = max(contour.polygon_a.box.larger_side for contour in contours)
+    dots = [contour.correspondence.dots.T for contour in contours]
+    points = np.concatenate([c.polygon_a.vertices[i] for c, (i, _) in zip(contours, dots, strict=True)])
+    partners = np.concatenate([c.polygon_b.vertices[j] for c, (_, j) in zip(contours, dots, strict=True)])
+    return any(np.abs(there - partners).mean() <= LITTLE_MOVED * size for there in (points, image(points)))
 
 
 def _is_clean(shapes: Shapes, view: Box) -> bool:

@@ -15,6 +15,8 @@ from tests.support.drawings import drawing
 
 FLAG = "M4 2H6V4L20 3L14 8L19 13L6 12V22H4Z"
 FLAG_MIRRORED = "M20 2H18V4L4 3L10 8L5 13L18 12V22H20Z"
+THUMB = "M3 9H8L11 2H13L14 10H21L20 20H3Z"
+THUMB_MIRRORED = "M3 15H8L11 22H13L14 14H21L20 4H3Z"
 KEY = "M4 4H10V10H8V12H20V16H18V14H16V18H14V14H4Z"
 KEY_MIRRORED = "M20 4H14V10H16V12H4V16H6V14H8V18H10V14H20Z"
 FACE = "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2Z"
@@ -34,10 +36,15 @@ def face(*features):
 
 
 def test_a_mirror_image_turns_if_little_is_left_to_do():
-    (shape,) = shapes_of(drawing(FLAG), drawing(FLAG_MIRRORED))
+    (shape,) = shapes_of(drawing(THUMB), drawing(THUMB_MIRRORED))
     assert (shape.motion_name, shape.reason) == ("rigid", "B is A turned as a whole")
     half_way = control_box(paths_at(shape, 0.5))
-    assert (half_way.width, half_way.height) == pytest.approx((20.0, 16.0), abs=1.0), "it lies on its side"
+    assert (half_way.width, half_way.height) == pytest.approx((18.0, 18.0), abs=1.0), "it lies on its side"
+
+
+def test_a_pole_that_would_become_the_other_side_of_its_flag_is_turned_over():
+    (shape,) = shapes_of(drawing(FLAG), drawing(FLAG_MIRRORED))
+    assert shape.reason == "B is A's mirror image, turned over"
 
 
 def test_a_mirror_image_that_is_unlike_the_drawing_is_turned_over():
