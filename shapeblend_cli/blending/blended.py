@@ -79,7 +79,8 @@ def blend_shapes(
         lines = _lines(a, b, pens, settings, view)
     progress.clock.lap("match")
     usual = partial(_by_lines_or_outlines, a, b, settings, view, progress, pens, lines)
-    if is_named or not _is_free(settings) or (lines is not None and lines.is_sure):
+    is_all_lines = lines is not None and lines.is_sure and not any(lines.rest)
+    if is_named or not _is_free(settings) or is_all_lines:
         return usual()
 
     def straight(a: PlacedDrawing, b: PlacedDrawing) -> Shapes:

@@ -73,6 +73,17 @@ def test_a_face_turns_upside_down_within_its_disc():
     assert abs(left.real - right.real) < 0.5, "at half time the eyes are above each other"
 
 
+def test_lines_above_a_tint_are_turned_over_with_it():
+    def tinted(tint, *lines):
+        strokes = "".join(f'<path fill="none" stroke="#000" stroke-width="1.5" d="{line}"/>' for line in lines)
+        return drawing(f'<path opacity="0.2" d="{tint}"/>', strokes)
+
+    a = tinted("M4 4H10V10H4Z", KEY, "M7 4V10")
+    b = tinted("M20 4H14V10H20Z", KEY_MIRRORED, "M17 4V10")
+    (pair,), _ = match_all([a, b], Settings())
+    assert {shape.motion_name for shape in pair.shapes} == {"flip"}
+
+
 def test_what_stays_is_not_turned():
     aligned = [f"M2 3H22V5H2Z M{left} 9H{left + 12}V11H{left}Z M2 15H22V17H2Z" for left in (2, 10)]
     assert {shape.motion_name for shape in shapes_of(*map(drawing, aligned))} == {"linear"}
