@@ -29,6 +29,12 @@ UPRIGHT = 0.1
 PARALLEL = np.radians(10.0)
 """Maximum angle between a bar's axis and the outlines along it, in radians."""
 
+AT_END = 0.05
+"""Maximum distance of a joint from the end of a window, as a share of the window's length."""
+
+JOINED = 0.8
+"""Minimum width of the joint at the end of a window, as a share of the width of all joints."""
+
 ROUNDING = 1e-6
 """Tolerance of an upright unit vector."""
 
@@ -81,18 +87,32 @@ def _seen(contour: ContourBlend, window: Window | None, t: float) -> ComplexArra
     return start if contour.is_matched else (1.0 - t) * start + t * end
 
 
-def windows_of(loops: Sequence[Contour]) -> list[Window]:
+def windows_of(loops: Sequence[Contour], joints: Sequence[ComplexArray]) -> list[Window]:
     """Return the windows of loops: one along all, from its left end, if they are a bar; else one for each group.
 
-    Loops that overlap are a group: where they cancel they must open together.
+    Loops that overlap are a group: where they cancel they must open together. Its window opens from the end at which
+    the group is joined to what stays, as the leg of a lock to its shackle, else from the middle. `joints` are the
+    segments of each loop, (k, 4) each, that border on what stays.
     """
     window = _window(loops, from_middle=False)
     if window is not None:
         return [window] * len(loops)
     found: dict[int, Window | None] = {}
     for group in grouped(overlaps([cubics.bounds(loop.segments) for loop in loops])):
-        found.update(dict.fromkeys(group, _window([loops[k] for k in group], from_middle=True)))
+        window = _window([loops[k] for k in group], from_middle=True)
+        found.update(dict.fromkeys(group, window and _from_joint(window, [joints[k] for k in group])))
     return [window for k in range(len(loops)) if (window := found[k])]
+
+
+def _from_joint(window: Window, joints: Sequence[ComplexArray]) -> Window:
+    """Return a window that opens from an end at which its loops are joined to what stays, the first one if at both."""
+    turned = np.concatenate(joints) * window.axis.conjugate()
+    low, high = window.ends
+    for end in window.ends:
+        at_end = turned[np.abs(turned.real - end).max(axis=1) <= AT_END * (high - low)]
+        if len(at_end) and np.ptp(at_end.imag) >= JOINED * np.ptp(turned.imag):
+            return window._replace(start=end)
+    return window
 
 
 def window_along(axis: complex, loops: Sequence[Contour]) -> Window:

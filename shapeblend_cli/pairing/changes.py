@@ -61,14 +61,18 @@ class _Loop(NamedTuple):
     """Rests of outlines joined up to a closed contour."""
 
     contour: Contour
-    pieces: tuple[int, int]  # numbers of rests of A and of B
+    rests: tuple[Sequence[ComplexArray], Sequence[ComplexArray]]  # of A and of B, (k, 4) each
     is_whole: bool = False  # whether it is all of an outline
+
+    def joints(self, side: int) -> ComplexArray:
+        """Return the segments, (k, 4), on the outlines of A, 0, or of B, 1."""
+        return np.concatenate([np.empty((0, 4), np.complex128), *self.rests[side]])
 
 
 def _loops(shared: Shared) -> list[_Loop]:
     """Join up the rests between shared stretches, B's forwards and A's backwards."""
     loops = [
-        _Loop(_closed([outline.between(0.0, outline.total)], backwards=not side), (1 - side, side), True)
+        _Loop(_closed([outline.between(0.0, outline.total)], backwards=not side), ((), ()), True)
         for side, every in enumerate(shared.outlines)
         for k, outline in enumerate(every)
         if all(stretch.outlines[side] != k for stretch in shared.stretches)
@@ -77,7 +81,8 @@ def _loops(shared: Shared) -> list[_Loop]:
     waiting = set(after)
     while waiting:
         first = k = min(waiting)
-        pieces, counts = [], [0, 0]
+        pieces: list[tuple[ComplexArray, BoolArray]] = []
+        rests: tuple[list[ComplexArray], list[ComplexArray]] = ([], [])
         while True:
             waiting.discard(k)
             beyond = after[k]
@@ -85,13 +90,13 @@ def _loops(shared: Shared) -> list[_Loop]:
             for side, ends in ((1, (k, beyond)), (0, (back, beyond))):
                 piece = shared.between(side, *ends)
                 if piece is not None:
-                    counts[side] += 1
+                    rests[side].append(piece[0])
                     pieces.append(piece if side else (piece[0][::-1, ::-1], piece[1][::-1]))
             k = back
             if k == first:
                 break
         if pieces:
-            loops.append(_Loop(_closed(pieces), (counts[0], counts[1])))
+            loops.append(_Loop(_closed(pieces), rests))
     return loops
 
 
@@ -268,12 +273,12 @@ def _change(
         return None
     shared = _without_signs(shared)
     loops = _loops(shared)
-    if max((max(loop.pieces) for loop in loops), default=0) < 2:
+    if max((len(rests) for loop in loops for rests in loop.rests), default=0) < 2:
         return None
     # The simpler drawing stays.
     length_a, length_b = (sum(flat.total for flat in side) for side in sides)
     shrinks = length_b < length_a
-    windows = _windows([_turned(loop, shrinks=shrinks) for loop in loops], loops, SPECK * diagonal**2)
+    windows = _windows(loops, SPECK * diagonal**2, shrinks=shrinks)
     return _opening(shared, (a, b), loops, windows, settings, shrinks=shrinks)
 
 
@@ -288,10 +293,12 @@ def _without_signs(shared: Shared) -> Shared:
     return shared._replace(stretches=stretches)
 
 
-def _windows(contours: Sequence[Contour], loops: Sequence[_Loop], speck: float) -> list[Window | None]:
+def _windows(loops: Sequence[_Loop], speck: float, *, shrinks: bool) -> list[Window | None]:
     """Return the windows of loops; None for a sign, as a plus in a bag or in a bite of it, and for a speck."""
+    contours = [_turned(loop, shrinks=shrinks) for loop in loops]
     large = [k for k, contour in enumerate(contours) if abs(cubics.signed_area(contour.segments)) > speck]
-    opening = windows_of([contours[k] for k in large]) if large else []
+    joints = [loops[k].joints(int(shrinks)) for k in large]
+    opening = windows_of([contours[k] for k in large], joints) if large else []
     found: list[Window | None] = [None] * len(loops)
     for k, window in zip(large, opening, strict=True):
         is_bar = window.start == window.ends[0]

@@ -75,7 +75,9 @@ def test_a_face_turns_upside_down_within_its_disc():
 
 def test_lines_above_a_tint_are_turned_over_with_it():
     def tinted(tint, *lines):
-        strokes = "".join(f'<path fill="none" stroke="#000" stroke-width="1.5" d="{line}"/>' for line in lines)
+        strokes = "".join(
+            f'<path fill="none" stroke="#000" stroke-width="1.5" d="{line}"/>' for line in lines
+        )
         return drawing(f'<path opacity="0.2" d="{tint}"/>', strokes)
 
     a = tinted("M4 4H10V10H4Z", KEY, "M7 4V10")

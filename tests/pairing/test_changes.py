@@ -63,6 +63,13 @@ def test_what_is_added_grows_from_one_end_to_the_other(a, b):
         assert set(fewer) <= set(more)
 
 
+@pytest.mark.parametrize("t", [0.2, 0.5, 0.8])
+def test_the_leg_of_a_lock_draws_back_to_its_shackle(t):
+    leg = painted(pair_of(LOCK, UNLOCKED), t)[np.abs(POINTS.real - 8.0) < 0.2].astype(int)
+    below_the_bow = np.diff(leg[POINTS.imag[np.abs(POINTS.real - 8.0) < 0.2] > 5.0])
+    assert np.abs(below_the_bow).sum() == 3, "it ends, the body begins, and ends: no piece is left between"
+
+
 @pytest.mark.parametrize(("a", "b"), PAIRS)
 def test_it_shrinks_as_it_grew(a, b):
     there, back = pair_of(a, b), pair_of(b, a)
