@@ -135,8 +135,10 @@ def _mirrored_boxes(lows: ComplexArray, highs: ComplexArray, x: float, some: sli
 def _twins(
     contours: Sequence[PlacedContour], boxes: tuple[ComplexArray, ComplexArray], x: float, tolerance: float
 ) -> list[int | None]:
-    """Return the mirror image of each contour, none twice: of several the nearest, and of one kind and paint."""
+    """Return the mirror image of each contour, none twice: of several of one kind one of its paint, and the nearest."""
     sizes = np.abs(boxes[1] - boxes[0])
+    codes: dict[object, int] = {}
+    paint = np.array([codes.setdefault((c.style.fill, c.style.stroke), len(codes)) for c in contours])
     points = [along(contour.polygon, SAMPLES) for contour in contours]
 
     def is_mirrored(i: int, j: int) -> bool:
@@ -153,7 +155,8 @@ def _twins(
     for some in _runs(len(contours)):
         away = _mirrored_boxes(*boxes, x, some)
         rows, columns = np.nonzero(np.triu(away <= tolerance, some.start))
-        close.append(np.array([columns, rows + some.start, away[rows, columns]]))
+        is_other = paint[rows + some.start] != paint[columns]
+        close.append(np.array([columns, rows + some.start, away[rows, columns], is_other]))
     found = np.concatenate(close, axis=1)
     is_free = np.ones(len(contours), np.bool_)
     order = np.lexsort(found)
