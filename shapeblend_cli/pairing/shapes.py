@@ -8,6 +8,7 @@ import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
 from shapeblend_cli.anatomy.structure import along
+from shapeblend_cli.anatomy.twins import anatomy_of
 from shapeblend_cli.geometry.polygons import centroid, orientation, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places, thin
 from shapeblend_cli.model import Box, ContourBlend, Fade, ShapeBlend, Style
@@ -125,7 +126,8 @@ def shape_blends(
             add(group, stroke.blend, _from_a(stroke.contour.style, stroke.style, here))
         rides = {stroke.contour.number for stroke in riding}
         contours = [contour for contour in contours if contour.number not in rides]
-        for loose, group, point in _unmatched(_as_their_exteriors(contours, matches, here), matches, here):
+        growing = _unmatched(_as_their_exteriors(contours, matches, here), matches, here)
+        for loose, group, point in _mirrored(growing, (a, b), matches, here):
             nothing = loose.style._replace(stroke_width=0.0)
             blend = grow_from_point(loose, point, of_b=bool(here))
             add(group, blend, _from_a(loose.style, nothing, here))
@@ -217,6 +219,39 @@ def _unmatched(contours: Sequence[PlacedContour], matches: Sequence[Match], here
         point = growth_point_inside(contour.polygon.vertices, match.points(here), siblings)
         holes.append(_Unmatched(contour, match.group, point))
     return [*growing.values(), *holes]
+
+
+def _mirrored(
+    growing: list[_Unmatched],
+    sides: tuple[Sequence[PlacedContour], Sequence[PlacedContour]],
+    matches: Sequence[Match],
+    here: int,
+) -> list[_Unmatched]:
+    """Let outlines of A, 0, or B, 1, that mirror each other grow from points that do so, as both drawings do.
+
+    These are the means of the two points and each other's mirror images. Points of holes stay: they lie in outlines.
+    """
+    outlines = [k for k, one in enumerate(growing) if one.contour.role != HOLE]
+    if len(outlines) < 2 or not all(sides):
+        return growing
+    mirrors = [anatomy_of(side)[1] for side in sides]
+    for k, (side, mirror) in enumerate(zip(sides, mirrors, strict=True)):
+        paired = {match.pair[k].number for match in matches}
+        if mirror is None or any(
+            contour.number in paired and twin is None for contour, twin in zip(side, mirror.twin, strict=True)
+        ):
+            return growing
+    own, other = mirrors[here], mirrors[1 - here]
+    assert own is not None
+    assert other is not None
+    at = {growing[k].contour.number: k for k in outlines}
+    for twins in own.twins(sides[here]):
+        i, j = (at.get(sides[here][k].number) for k in twins)
+        if i is not None and j is not None:
+            left = 0.5 * (growing[i].point + 2.0 * other.x - growing[j].point.conjugate())
+            growing[i] = growing[i]._replace(point=left)
+            growing[j] = growing[j]._replace(point=2.0 * other.x - left.conjugate())
+    return growing
 
 
 def _growth_points(

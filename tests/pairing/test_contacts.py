@@ -61,3 +61,12 @@ def test_a_shape_across_a_small_gap_shrinks_towards_what_it_belongs_to():
     pair = pair_of(of_another_paint, drawing(f'<path d="{NARROW}" fill="red"/>'), motion="linear")
     (late,) = outlines_at(pair, (1,), 0.99)
     assert late.mean() == pytest.approx(35 + 18.5j, abs=0.1)
+
+
+def test_wings_that_touch_a_body_differently_shrink_to_places_that_mirror_each_other():
+    left, right = "M40 40L10 50L12 70L40 60Z", "M62.3 40L90 50L88 70L60 60Z"
+    pair = pair_of(drawing("M40 20H60V80H40Z", left, right), drawing("M42 10H58V90H42Z"), motion="linear")
+    (one, other) = (
+        contour.end.segments[0, 0] for shape in pair.shapes for contour in shape.contours if contour.a
+    )
+    assert one == pytest.approx(100.0 - other.conjugate(), abs=1e-9)
