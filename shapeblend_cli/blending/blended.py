@@ -16,10 +16,14 @@ from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.early import (
+    EARLY,
+    LEAVES,
     alone_in,
     alone_in_the_way,
     carried_by_lines,
     changes_much,
+    is_of_one_colour,
+    leaving,
     with_early_parts,
 )
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
@@ -124,8 +128,11 @@ def _by_lines_or_outlines(
     def paced(shapes: Shapes, kept: float = 1.0) -> Shapes:
         if not _is_free(settings):
             return shapes
-        is_other = is_sign and (kept < KEPT or changes_much(shapes, view.larger_side))
-        early = alone_in(shapes) if is_other else alone_in_the_way(shapes, view.larger_side)
+        early = dict.fromkeys(alone_in_the_way(shapes, view.larger_side), EARLY)
+        if is_sign and (kept < KEPT or changes_much(shapes, view.larger_side)):
+            early = dict.fromkeys(alone_in(shapes), EARLY)
+        elif not is_sign and is_of_one_colour(shapes) and changes_much(shapes, view.larger_side):
+            early = dict.fromkeys(leaving(shapes), LEAVES) | early
         shapes = with_early_parts(shapes, early)
         return carried_by_lines(shapes) if is_sign else shapes
 

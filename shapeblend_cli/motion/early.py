@@ -24,6 +24,10 @@ if TYPE_CHECKING:
 EARLY = 0.5
 """Share of the time by which a part without a partner is gone before the end, or comes after the start."""
 
+LEAVES = 0.3
+"""Share of the time by which a part of a silhouette without a partner is gone before the end: shrunk, it would be a
+crumb in another shape. What comes takes all of the time: in a shape that is still plain it is read at once."""
+
 CHANGES = 0.1
 """Minimum mean distance that places of a shape move, beside its shift, for its parts to leave early, as a share of the
 view."""
@@ -60,10 +64,10 @@ class Ride(NamedTuple):
 
 
 class Early(NamedTuple):
-    """Another motion, or straight paths, in which contours without a partner are small for longer, or ride on lines."""
+    """Another motion, or straight paths, in which parts without a partner are points for longer, or ride on lines."""
 
     motion: Motion | None
-    small: frozenset[Numbers]  # the contours that are
+    small: Mapping[Numbers, float]  # the contours that are, each for this share of the time
     rides: Mapping[Numbers, Ride] = MappingProxyType({})
 
     @property
@@ -81,11 +85,12 @@ class Early(NamedTuple):
         """Return the control points of a contour at time t, which would otherwise be these."""
         numbers = contour.a, contour.b
         size = t if contour.grows else 1.0 - t
-        left = max(0.0, (size - EARLY) / (1.0 - EARLY)) if numbers in self.small else size
+        share = self.small.get(numbers, 0.0)
+        left = max(0.0, (size - share) / (1.0 - share))
         if numbers in self.rides:
             ride, whole = self.rides[numbers], contour.end if contour.grows else contour.start
             return np.asarray(ride.at(t) + left * (whole.segments - ride.at(float(contour.grows))))
-        if numbers in self.small:
+        if share:
             middle = segments[:, 0].mean()
             return np.asarray(middle + left / max(size, 1e-9) * (segments - middle))
         return segments
@@ -96,6 +101,15 @@ def changes_much(shapes: Sequence[ShapeBlend], side: float) -> bool:
     pairs = [contour.dot_points() for shape in shapes for contour in shape.contours if contour.is_matched]
     ways = [b - a for a, b in pairs]
     return bool(ways) and float(np.mean([np.abs(way - way.mean()).mean() for way in ways])) > CHANGES * side
+
+
+def is_of_one_colour(shapes: Sequence[ShapeBlend]) -> bool:
+    """Return whether all shapes are fills of one colour in each drawing: what comes or goes in them stands out."""
+    styles = [style for shape in shapes for style in (shape.style_a, shape.style_b)]
+    if any(style.stroke is not None or style.fill_gradient is not None for style in styles):
+        return False
+    fills = ({style.fill for style in styles[end::2]} for end in (0, 1))
+    return all(len(colours - {None}) == 1 for colours in fills)
 
 
 def alone_in_the_way(shapes: Sequence[ShapeBlend], side: float) -> frozenset[Numbers]:
@@ -181,8 +195,16 @@ def alone_in(shapes: Sequence[ShapeBlend]) -> frozenset[Numbers]:
     return frozenset((contour.a, contour.b) for contour in found if contour.grows in ends)
 
 
-def with_early_parts(shapes: Sequence[ShapeBlend], parts: frozenset[Numbers]) -> tuple[ShapeBlend, ...]:
-    """Let parts without a partner leave before all others have become other shapes, and come after that."""
+def leaving(shapes: Sequence[ShapeBlend]) -> frozenset[Numbers]:
+    """Return the parts that shrink to a point, but not where most of a drawing does."""
+    return frozenset((a, b) for a, b in alone_in(shapes) if b is None)
+
+
+def with_early_parts(shapes: Sequence[ShapeBlend], parts: Mapping[Numbers, float]) -> tuple[ShapeBlend, ...]:
+    """Let parts without a partner leave before all others have become other shapes, and come after that.
+
+    The parts have the shares of the time by which they do.
+    """
     return tuple(
         shape._replace(motion=Early(shape.motion, parts))
         if any((contour.a, contour.b) in parts for contour in shape.contours)
@@ -199,7 +221,7 @@ def carried_by_lines(shapes: Sequence[ShapeBlend]) -> tuple[ShapeBlend, ...]:
     lines = [shape for shape in shapes if _is_line(shape)]
     found = []
     for shape in shapes:
-        motion = Early(None, frozenset()) if shape.motion is None else shape.motion
+        motion = Early(None, {}) if shape.motion is None else shape.motion
         if isinstance(motion, Early) and motion.motion is None and not _is_line(shape):
             alone = [contour for contour in shape.contours if _is_alone(contour)]
             rides = {(contour.a, contour.b): ride for contour in alone if (ride := _ride(contour, lines))}

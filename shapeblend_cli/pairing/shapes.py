@@ -44,6 +44,9 @@ CONTACTS = 48
 LEAST_HOST = 0.5
 """Minimum area of a contour that carries another along, as a share of the other one's area."""
 
+SAME_AXIS = 0.02
+"""Maximum distance of the axes of two drawings that are one, as a share of a drawing's diagonal."""
+
 NEARLY_ALL = 0.9
 """Minimum share of points inside of a contour that lies in another."""
 
@@ -227,7 +230,7 @@ def _mirrored(
     matches: Sequence[Match],
     here: int,
 ) -> list[_Unmatched]:
-    """Let outlines of A, 0, or B, 1, that mirror each other grow from points that do so, as both drawings do.
+    """Let outlines of A, 0, or B, 1, that mirror each other grow from points that do so; the drawings share an axis.
 
     These are the means of the two points and each other's mirror images. Points of holes stay: they lie in outlines.
     """
@@ -244,6 +247,8 @@ def _mirrored(
     own, other = mirrors[here], mirrors[1 - here]
     assert own is not None
     assert other is not None
+    if abs(own.x - other.x) > SAME_AXIS * Box.union([contour.box for contour in sides[here]]).diagonal:
+        return growing
     at = {growing[k].contour.number: k for k in outlines}
     for twins in own.twins(sides[here]):
         i, j = (at.get(sides[here][k].number) for k in twins)

@@ -81,3 +81,12 @@ def test_what_sticks_out_of_a_line_and_has_no_partner_goes_with_the_line(arc):
             own, stroke = (paths_at(shape, 1.0 - t if k else t)[0].segments for shape in (head, line))
             ends = stroke[0, 0], stroke[-1, 3]
             assert min(abs(own[:, 0].mean() - place) for place in ends) < 1.4  # as where it is whole
+
+
+def test_what_leaves_a_silhouette_that_changes_much_is_gone_early_and_what_comes_takes_all_of_the_time():
+    mug, glass = "M3 4H15V20H3ZM5 8V10H7V8Z", "M2 3H22L13 14V20H11V14Z"
+    assert sizes(drawing(mug), drawing(glass), 0.5)[0][0] > 0.5
+    assert sizes(drawing(mug), drawing(glass), 0.72)[0][0] < 0.01
+    assert sizes(drawing(glass), drawing(mug), 0.28)[0][0] > 0.5
+    beside = [drawing(each, '<path fill="#c00" d="M17 16H20V19H17Z"/>') for each in (mug, glass)]
+    assert sizes(*beside, 0.72)[0][0] > 0.5, "in drawings of several colours it takes all of the time, too"
