@@ -15,11 +15,12 @@ from shapeblend_cli.errors import InputError, OptionError, ShapeblendError
 from shapeblend_cli.frames.frames import frame_at, make_frames
 from shapeblend_cli.job.options import report_settings
 from shapeblend_cli.job.report import measure, report
-from shapeblend_cli.model import Correspondence, Drawing, Frame, PaintedShape, Polygon
+from shapeblend_cli.model import Correspondence, Drawing, Frame, PaintedShape, Pair, Polygon
 from shapeblend_cli.options.easing import frame_times
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, views
 from shapeblend_cli.outputs.options import OutputOptions, specify
+from shapeblend_cli.paint.page_colour import with_page_colour
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.reading.read import read as read_file
 from shapeblend_cli.svg.writing.document import frame_svg
@@ -200,9 +201,12 @@ class Blend:
         """
         if not 0.0 <= t <= len(self.pairs):
             raise ValueError(f"t must lie between 0 and {len(self.pairs)}, not {t}")
-        pair = self.pairs[min(int(t), len(self.pairs) - 1)]
-        decimals = decimals_for(views(self.pairs))
-        return Picture(frame_at(pair, t - pair.a, as_drawn=self.settings.draws_ends), decimals)
+        number = min(int(t), len(self.pairs) - 1)
+
+        def shown(pairs: Sequence[Pair]) -> Frame:
+            return frame_at(pairs[number], t - number, as_drawn=self.settings.draws_ends)
+
+        return self._picture(self.pairs, self.settings, shown)
 
     @_in_python
     def mix(self, *weights: float) -> Picture:
@@ -224,8 +228,16 @@ class Blend:
         settings = self.settings.replace(mix=(weights,), frames=None, ends=None, ease=None)
         settings.check_drawings(len(self.drawings))
         pairs, _ = match_all(self.drawings, settings)
-        (frame,) = make_frames(pairs, settings)
-        return Picture(frame, decimals_for(views(pairs)))
+        return self._picture(pairs, settings, lambda pairs: make_frames(pairs, settings)[0])
+
+    def _picture(
+        self, pairs: Sequence[Pair], settings: Settings, shown: Callable[[Sequence[Pair]], Frame]
+    ) -> Picture:
+        """Return a picture whose document may have the colour of a page, and whose shapes have colours alone."""
+        frame = shown(pairs)
+        in_page, _ = with_page_colour(pairs, settings.style)
+        drawn = frame if in_page is pairs else shown(in_page)
+        return Picture(frame, frame_svg(drawn, decimals_for(views(pairs))))
 
     @_in_python
     def save(
@@ -342,13 +354,13 @@ class Picture:
     shapes : tuple of PaintedShape
         Paths of cubic Bézier segments with their paint, the lowest first.
     svg : str
-        An SVG document.
+        An SVG document. Where both drawings have ``currentColor``, it has that too, and `shapes` are black.
     """
 
-    def __init__(self, frame: Frame, decimals: int) -> None:
+    def __init__(self, frame: Frame, svg: str) -> None:
         self.t: float = frame.t
         self.shapes: tuple[PaintedShape, ...] = frame.shapes
-        self.svg: str = frame_svg(frame, decimals)
+        self.svg: str = svg
 
     def __repr__(self) -> str:
         return f"<Picture at t = {self.t:g}>"

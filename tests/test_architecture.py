@@ -25,11 +25,11 @@ ROOMS = {
     "__init__": "api outputs options errors model version",
     "studio": "rows job blending preview outputs frames svg.writing options svg.reading system errors "
     "model version",
-    "api": "job pipeline outputs wires frames svg.writing options svg.reading system errors model version",
+    "api": "job pipeline outputs wires frames svg.writing options svg.reading paint system errors model version",
     "batch": "rows job blending outputs svg.writing options svg.reading system errors model version",
     "plot": "job pens wires matching svg.writing options svg.reading geometry system errors model",
     "rows": "job options system errors",
-    "inkscape": "pipeline outputs frames svg.writing options svg.reading geometry svg.xml system errors model",
+    "inkscape": "pipeline outputs frames svg.writing options svg.reading geometry paint svg.xml system errors model",
     "job": "pipeline blending grading pens preview outputs frames matching svg.writing options svg.reading "
     "interpolate geometry paint system errors model version",
     "pipeline": "blending wires frames options anatomy interpolate paint system model",

@@ -105,6 +105,7 @@ def as_drawn(drawing: Drawing, to_a: Similarity = AS_IT_IS) -> tuple[PaintedShap
             name=shape.name,
             groups=shape.groups,
             clips=tuple(clips[id(clip)] for clip in shape.clips),
+            page_coloured=shape.page_coloured,
         )
         for shape in drawing.shapes
     )

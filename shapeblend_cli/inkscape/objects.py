@@ -16,6 +16,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.inkscape.source import Document
 from shapeblend_cli.model import Box, CubicPath, Drawing, Frame, Name, Page, PaintedShape, Pair
 from shapeblend_cli.outputs.formats import views
+from shapeblend_cli.paint.page_colour import with_page_colour
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.reading.read import read
 from shapeblend_cli.svg.writing.document import frame_svg, frames_in_groups
@@ -64,7 +65,10 @@ def blend_objects(
             f"{_objects(len(selected.numbers))} selected; two, or two groups, and dots for pins, would work",
         )
     pairs = _matched(selected, settings, note)
-    frames = [_inside(frame) for frame in make_frames(pairs, settings)]
+    shown, notes = with_page_colour(pairs, settings.style)
+    for text in notes:
+        note(text)
+    frames = [_inside(frame) for frame in make_frames(shown, settings)]
     document, (lower, upper) = selected.document, selected.numbers
     around = document.ancestors(lower)
     after = lower

@@ -13,6 +13,7 @@ from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.model import Box
 from shapeblend_cli.outputs.formats import page_of, views
 from shapeblend_cli.paint.names import page_for
+from shapeblend_cli.paint.page_colour import with_page_colour
 from shapeblend_cli.svg.writing.rounding import decimals_for
 from shapeblend_cli.svg.writing.state_document import States, states_js, states_svg
 from shapeblend_cli.system.clock import Clock
@@ -39,7 +40,10 @@ def write_states(
     check_output(options.output, files, options.force)
     alone = [tuple(float(k == j) for j in range(len(files))) for k in range(len(files))]
     settings = settings.replace(mix=alone, motion="linear", unmatched="point")
-    pairs = match_files(files, read, settings, Clock(), note, progress)
+    matched = match_files(files, read, settings, Clock(), note, progress)
+    pairs, notes = with_page_colour(matched, settings.style)
+    for text in notes:
+        note(text)
     shown = Box.union(views(pairs))
     shapes = star_shapes(pairs)
     if any(key.style.fill_gradient or key.style.stroke_gradient for shape in shapes for key in shape.keys):
@@ -55,8 +59,8 @@ def write_states(
         decimals,
     )
     trigger = None if options.trigger == "none" else options.trigger
-    text = states_js(states, element) if element else states_svg(states, trigger)
-    write_output(options.output, text, options.force)
+    written = states_js(states, element) if element else states_svg(states, trigger)
+    write_output(options.output, written, options.force)
 
 
 def names_of(files: Sequence[str]) -> list[str]:

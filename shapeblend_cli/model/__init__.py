@@ -29,6 +29,7 @@ from shapeblend_cli.model.drawing import Page as Page
 from shapeblend_cli.model.drawing import Polygon as Polygon
 from shapeblend_cli.model.drawing import Shape as Shape
 from shapeblend_cli.model.drawing import control_box as control_box
+from shapeblend_cli.model.style import PAGE_COLOUR as PAGE_COLOUR
 from shapeblend_cli.model.style import Gradient as Gradient
 from shapeblend_cli.model.style import LinearGradient as LinearGradient
 from shapeblend_cli.model.style import Paint as Paint
@@ -358,6 +359,7 @@ class PaintedShape(NamedTuple):
     name: Name = UNNAMED
     groups: tuple[Group, ...] = ()  # the outermost first
     clips: tuple[Clip, ...] = ()
+    page_coloured: tuple[str, ...] = ()  # of a drawing's own shape
 
 
 class Waypoint(NamedTuple):

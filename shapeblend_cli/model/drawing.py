@@ -125,6 +125,7 @@ class Shape:
     name: Name = UNNAMED
     groups: tuple[Group, ...] = ()  # around it, the outermost first
     clips: tuple[Clip, ...] = ()  # only the region common to all is painted
+    page_coloured: tuple[str, ...] = ()  # of ``fill`` and ``stroke``, those that the file leaves to its page
 
 
 class Drawing(NamedTuple):

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+PAGE_COLOUR = "currentColor"
+"""The text colour of the page that a drawing stands in; black where there is none."""
+
 
 class Stop(NamedTuple):
     """A colour ``#rrggbb`` of a gradient at an offset from 0, its beginning, to 1, its end."""
@@ -53,6 +56,7 @@ class Style(NamedTuple):
     """The paint of a shape, by the properties of SVG.
 
     Colours are ``#rrggbb``; None is no paint. A gradient is painted instead of the plain colour that stands for it.
+    Only what is about to be written has `PAGE_COLOUR` for a colour, by `paint.page_colour`: until then it is black.
     """
 
     fill: str | None = "#000000"

@@ -58,6 +58,7 @@ class Format(NamedTuple):
     plays: bool = False  # whether it is an animation
     takes_triggers: bool = False  # whether it may wait for an event
     mixtures: Literal["none", "one", "several"] = "none"  # how many of --mix it shows
+    takes_page_colour: bool = False  # whether what it shows may have the colour of a page around
     defaults: Mapping[str, str | int | None] = {}  # of the shared options that it takes
     motion: str = "auto"  # what the motion auto stands for
     checker: str = ""
@@ -65,8 +66,13 @@ class Format(NamedTuple):
 
     def render(self, spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
         """Return the contents of an output."""
+        notes: Sequence[str] = ()
+        if self.takes_page_colour:
+            from shapeblend_cli.paint.page_colour import with_page_colour
+
+            pairs, notes = with_page_colour(pairs, spec.settings.style)
         rendered: Rendered = named(self.renderer)(spec, pairs)
-        return rendered
+        return rendered._replace(notes=[*rendered.notes, *notes])
 
     def check(self, spec: OutputSpec) -> None:
         """Raise OptionError for options that it cannot be written with."""

@@ -26,7 +26,9 @@ _PICTURES = Format(
     libraries="pixels.check_libraries",
 )
 
-_FRAMES = _PICTURES._replace(name="svg", renderer="frame_files.render_svg", defaults={}, libraries="")
+_FRAMES = _PICTURES._replace(
+    name="svg", renderer="frame_files.render_svg", defaults={}, libraries="", takes_page_colour=True
+)
 
 _GIF = Format(
     "gif",
@@ -65,6 +67,7 @@ FORMATS: tuple[Format, ...] = (
         plays=True,
         takes_triggers=True,
         mixtures="one",
+        takes_page_colour=True,
     ),
     Format(
         "contact sheet",
@@ -91,6 +94,7 @@ FORMATS: tuple[Format, ...] = (
         files=("a.svg", "b.svg"),
         takes_sequences=False,
         motion="linear",  # as programs move between two files
+        takes_page_colour=True,
     ),
     Format(
         "layers",
@@ -102,6 +106,7 @@ FORMATS: tuple[Format, ...] = (
         takes_times=True,
         takes_stagger=True,
         checker="frame_files.check_layers",
+        takes_page_colour=True,
     ),
     Format(
         "lottie",
@@ -132,6 +137,7 @@ FORMATS: tuple[Format, ...] = (
         to_standard_output=True,
         takes_stagger=True,
         checker="animated_svg.check_module",
+        takes_page_colour=True,
     ),
     Format(
         "avd",

@@ -14,6 +14,8 @@ from collections.abc import Sequence
 from functools import cache
 from itertools import pairwise
 
+from shapeblend_cli.model import PAGE_COLOUR
+
 TOLERANCE = 0.02
 """Maximum difference of colours that look alike, in delta E OK."""
 
@@ -61,7 +63,7 @@ _XYZ_TO_RGB = (
 
 
 def blend_colours(a: str, b: str, t: float, opacity_a: float = 1.0, opacity_b: float = 1.0) -> str:
-    """Return the colour ``#rrggbb`` at time t, clipped to sRGB; between two greys a grey.
+    """Return the colour ``#rrggbb`` at time t, clipped to sRGB; between two greys a grey. `PAGE_COLOUR` stays alone.
 
     Colours weigh by their opacities: an invisible colour has no weight, not even at its own end.
     """
@@ -70,6 +72,7 @@ def blend_colours(a: str, b: str, t: float, opacity_a: float = 1.0, opacity_b: f
         return a
     if share == 1.0:
         return b
+    a, b = _seen(a), _seen(b)
     roots = _product(_LAB_TO_ROOTS, _mixed(_oklab(a), _oklab(b), share))
     xyz = _product(_LMS_TO_XYZ, [root**3 for root in roots])
     channels = [_encoded(value) for value in _product(_XYZ_TO_RGB, xyz)]
@@ -95,8 +98,13 @@ def _mixed(a: tuple[float, ...], b: tuple[float, ...], share: float) -> list[flo
 
 def blend_in_srgb(a: str, b: str, t: float) -> str:
     """Return the colour at time t as SVG interpolates between two stops: each channel by itself."""
-    pairs = zip(bytes.fromhex(a[1:]), bytes.fromhex(b[1:]), strict=True)
+    pairs = zip(bytes.fromhex(_seen(a)[1:]), bytes.fromhex(_seen(b)[1:]), strict=True)
     return "#" + bytes(round((1.0 - t) * p + t * q) for p, q in pairs).hex()
+
+
+def _seen(colour: str) -> str:
+    """Return what is seen of a colour where there is no page."""
+    return "#000000" if colour == PAGE_COLOUR else colour
 
 
 def colour_stops(a: str, b: str) -> list[str]:

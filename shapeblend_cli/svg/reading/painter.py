@@ -63,6 +63,17 @@ class Painter:
             stroke_dashoffset=scale * lengths.resolve(inherited.stroke_dashoffset),
         )
 
+    def page_coloured(self, style: Style, inherited: Inherited) -> tuple[str, ...]:
+        """Return which of fill and stroke are `currentColor` of the page, as the file sets no colour."""
+        if inherited.has_color:
+            return ()
+        given = {"fill": inherited.fill, "stroke": inherited.stroke}
+        return tuple(
+            name
+            for name, paint in given.items()
+            if getattr(style, name) is not None and (self._fallback(paint) or paint).kind == "current"
+        )
+
     def with_gradients(
         self,
         style: Style,

@@ -319,8 +319,6 @@ class Walk:
         if style.fill is None and style.stroke is None:
             return "with neither fill nor stroke"
         own_contours = make()
-        if not own_contours:
-            return "without extent"
         self._segments += sum(len(contour.segments) for contour in own_contours)
         check_limit(self._segments, MAX_SEGMENTS, "segments")
         placed = [each for contour in own_contours if (each := _placed(contour, visit.matrix)) is not None]
@@ -344,7 +342,9 @@ class Walk:
             self._notes.add("pathLength not applied to dashes")
         called = name_of(node) if letters is None else Name(label=clean(letters))
         clips = _clips_of(visit.clips, placed, style)
-        self._shapes.append(Shape(index, name, node.tag, tuple(placed), style, called, visit.groups, clips))
+        left = self._painter.page_coloured(style, visit.inherited)
+        drawn = tuple(placed), style, called, visit.groups, clips, left
+        self._shapes.append(Shape(index, name, node.tag, *drawn))
         return None
 
     def _has_text(self) -> bool:

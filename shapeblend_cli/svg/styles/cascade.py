@@ -42,6 +42,7 @@ class Inherited(NamedTuple):
     stroke_dasharray: tuple[Measure, ...] = ()
     stroke_dashoffset: Measure = (0.0, False)
     color: colours.Colour = colours.BLACK
+    has_color: bool = False  # whether the file sets it; else the page does
     visibility: str = "visible"
     font_size: float = 16.0
     marker_start: str = "none"
@@ -64,7 +65,7 @@ _PARENTS = (KEYWORDS - {"initial"}) | {""}
 _FIELDS = {
     field.replace("_", "-"): field
     for field in Inherited._fields
-    if field not in ("text", "variables", "context")
+    if field not in ("text", "variables", "context", "has_color")
 }
 _MAX_DASHES_TEXT = 10_000
 _MAX_DASHES = 1000
@@ -161,6 +162,8 @@ def inherit(parent: Inherited, declared: Declarations, note: Callable[[str], Non
             continue
         if name == "font-size":
             font_size = value
+        if name == "color" and keyword != "currentcolor":
+            changed["has_color"] = True
         changed[field] = value
     return parent._replace(**changed) if changed else parent
 
