@@ -1,19 +1,18 @@
-// A blend of drawings, made by shapeblend, with types in JSDoc. Times are shares of the way, from 0 to 1.
+// A blend of drawings, made by shapeblend. Times are shares of the way, from 0 to 1.
 //   <script type="module" src="FILE"></script>  <shape-blend autoplay loop></shape-blend>
 //   import { animate, at, define, ease, interpolate, mount } from "./FILE";
-const drawing = /*DRAWING*/, stops = /*EASING*/, digits = /*DIGITS*/;
+const drawing = /*DRAWING*/, sizes = /*SIZES*/, stops = /*EASING*/, digits = /*DIGITS*/;
 /** Milliseconds from the first drawing to the last. */
 export const duration = /*MILLISECONDS*/;
 
-const NUMBER = /-?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?/gi, OPAQUE = /^#([0-9a-f]{3}|[0-9a-f]{6})$/i;
+const NUMBER = /-?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?/gi, OPAQUE = /^#(..)(..)(..)$/;
 const known = new Map();
 
-// The texts around the numbers of a value, the numbers, and their decimals.
+// The texts around numbers, the numbers, and their decimals.
 const parsed = (text) => {
   if (!known.has(text)) {
-    const [, hex] = OPAQUE.exec(text) ?? [];
-    const pairs = hex?.length === 3 ? [...hex].map((digit) => digit + digit) : hex?.match(/../g);
-    known.set(text, pairs
+    const [, ...pairs] = OPAQUE.exec(text) ?? [];
+    known.set(text, pairs.length
       ? [["rgb(", ",", ",", ")"], pairs.map((pair) => parseInt(pair, 16)), 0]
       : [text.split(NUMBER), (text.match(NUMBER) ?? []).map(Number), digits]);
   }
@@ -24,38 +23,29 @@ const between = (from, to, share) => {
   if (from === to || share <= 0) return from;
   const [texts, starts, places] = parsed(from), ends = parsed(to)[1];
   if (share >= 1 || starts.length !== ends.length || !starts.length) return share < 0.5 ? from : to;
-  let found = texts[0];
-  starts.forEach((start, k) => {
-    found += +(start + share * (ends[k] - start)).toFixed(places) + (texts[k + 1] || " ");
-  });
-  return found.trim();
+  return starts.reduce((found, start, k) =>
+    found + +(start + share * (ends[k] - start)).toFixed(places) + (texts[k + 1] || " "), texts[0]).trim();
 };
 
-// Of values, their times unless these are even, and whether they jump.
+const clamped = (t, most = 1) => Math.min(Math.max(Number(t) || 0, 0), most);
+const place = (times, t) => clamped(times.findLastIndex((time) => time <= t), times.length - 2);
+const way = (start, end, t) => t < end ? (t - start) / (end - start) : 1;
+
+// Of values, their times unless even, and whether they jump.
 const valueAt = ([, values, times, jumps], t) => {
-  const last = values.length - 1;
-  let k, share;
-  if (times) {
-    k = Math.max(times.findLastIndex((time) => time <= t), 0);
-    share = k < last && !jumps ? (t - times[k]) / (times[k + 1] - times[k]) : 0;
-  } else {
-    k = Math.min(Math.floor(t * last), last - 1);
-    share = t * last - k;
-  }
-  return jumps ? values[k] : between(values[k], values[Math.min(k + 1, last)], share);
+  times ||= values.map((_, k) => k / (values.length - 1));
+  const k = place(times, t), share = way(times[k], times[k + 1], t);
+  return between(values[k], values[k + 1], jumps ? share === 1 : share);
 };
 
 const attributesAt = ([, given, moves], t) => {
   const found = { ...given };
   for (const move of moves) {
-    const value = valueAt(move, t), kind = move[4];
-    if (!kind) found[move[0]] = value;
-    else found[move[0]] = (kind === "translate" ? "" : found[move[0]] + " ") + `${kind}(${value})`;
+    const [name, , , , kind] = move, value = valueAt(move, t);
+    found[name] = kind ? (kind === "translate" ? "" : found[name] + " ") + `${kind}(${value})` : value;
   }
   return found;
 };
-
-const clamped = (t) => Math.min(Math.max(Number(t) || 0, 0), 1);
 
 /** The attributes of each path, the lowest first. @param {number} t @returns {Record<string, string>[]} */
 export function at(t) {
@@ -74,9 +64,8 @@ export const interpolate = (shape = 0) => (/** @type {number} */ t) => at(t)[sha
 
 /** Progress after a share of the time. @returns {number} */
 export function ease(time) {
-  const k = Math.min(Math.max(stops.findLastIndex(([x]) => x <= time), 0), stops.length - 2);
-  const [[x0, y0], [x1, y1]] = stops.slice(k, k + 2);
-  return x1 > x0 ? y0 + ((time - x0) / (x1 - x0)) * (y1 - y0) : y1;
+  const k = place(stops.map(([x]) => x), time), [[start, from], [end, to]] = stops.slice(k);
+  return from + way(start, end, time) * (to - from);
 }
 
 let count = 0;
@@ -98,6 +87,12 @@ export function mount(svg) {
     return element;
   };
   fill(svg, drawing);
+  // A size in CSS stays, too.
+  if (!svg.matches("[width],[height]")) {
+    for (const [name, size] of sizes) svg.setAttribute(name, size);
+    if (sizes.some(([name]) => Math.abs(parseFloat(getComputedStyle(svg)[name]) - svg[name].baseVal.value) >= 1))
+      for (const [name] of sizes) svg.removeAttribute(name);
+  }
   return (t) => moving.forEach(([element, node]) => show(element, node, clamped(t)));
 }
 
@@ -164,7 +159,7 @@ export class Player extends (globalThis.EventTarget ?? Object) {
     this.seek(time);
     if (time > 0 && time < 1 || (time <= 0) === (this.#way > 0)) return;
     this.#runs += 1;
-    if (loop !== true && this.#runs >= Number(loop || (alternate ? 2 : 1))) {
+    if (loop !== true && this.#runs >= (loop || (alternate ? 2 : 1))) {
       this.pause();
       this.#tell("finish");
     } else {
@@ -184,10 +179,9 @@ export function define(name = "shape-blend") {
     connectedCallback() {
       if (this.player) return;
       const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-      const root = this.attachShadow({ mode: "open" });
-      root.append(svg);
+      this.attachShadow({ mode: "open" }).append(svg);
       const [loop, alternate] = ["loop", "alternate"].map((each) => this.hasAttribute(each));
-      this.player = animate(svg, { duration: Number(this.getAttribute("duration")) || duration, loop, alternate });
+      this.player = animate(svg, { duration: +this.getAttribute("duration") || duration, loop, alternate });
       svg.style.cssText = "display:block;width:100%;height:100%";
       this.style.display ||= "inline-block";
       if (this.hasAttribute("autoplay")) this.player.play();

@@ -34,8 +34,14 @@ def module_js(animated: str, timing: Timing, pairs: int, decimals: int, name: st
         Name of the file, for the examples in its head.
     """
     text = Path(__file__).with_suffix(".js").read_text(encoding="utf-8")
+    drawing = _node(fromstring(animated))
+    root = drawing[1]
+    # The svg element of the page has a name of its own, and may have a size.
+    root.pop("id", None)
+    sizes = [[name, root.pop(name)] for name in ("width", "height") if name in root]
     values = {
-        "/*DRAWING*/": json.dumps(_node(fromstring(animated)), separators=(",", ":"), ensure_ascii=False),
+        "/*DRAWING*/": json.dumps(drawing, separators=(",", ":"), ensure_ascii=False),
+        "/*SIZES*/": json.dumps(sizes, separators=(",", ":")),
         "/*EASING*/": json.dumps(_stops(timing, pairs), separators=(",", ":")),
         "/*DIGITS*/": str(decimals + 1),
         "/*MILLISECONDS*/": f"{round(1000.0 * timing.seconds * pairs)}",

@@ -137,6 +137,62 @@ def test_several_in_a_page_have_gradients_of_their_own(module):
     ) == page.evaluate("document.querySelectorAll('[id]').length")
 
 
+SIZED = [(ICONS / "lucide" / f"{name}.svg").read_text() for name in ("menu", "x")]
+SIZES = {
+    "no size": ("<svg></svg>", "", [28, 28]),
+    "a width": ('<svg width="96"></svg>', "", [96, 96]),
+    "a height": ('<svg height="48"></svg>', "", [48, 48]),
+    "a width and a height": ('<svg width="96" height="48"></svg>', "", [96, 48]),
+    "a width in an attribute style": ('<svg style="width: 6em; font-size: 10px"></svg>', "", [60, 60]),
+    "a height in a sheet": ("<svg></svg>", "svg { height: 40px }", [40, 40]),
+    "an item that grows": ("<svg></svg>", "body { display: flex; width: 80px } svg { flex: 1 }", [80, 80]),
+}
+
+
+@pytest.mark.parametrize(("markup", "rules", "size"), SIZES.values(), ids=SIZES)
+def test_a_size_in_the_page_is_kept_else_there_is_that_of_the_file(markup, rules, size, module):
+    wide = SIZED[0].replace('"24"', '"28"').replace('"0 0 24 24"', '"-2 -2 28 28"')  # the view moves, too
+    page = module((wide, SIZED[1]), "--place", "asis")
+    page.set_content(f"<!doctype html><style>body {{ margin: 0 }} {rules}</style>{markup}")
+    found = page.evaluate("""() => {
+        const svg = document.querySelector("svg");
+        const size = () => { const { width, height } = svg.getBoundingClientRect(); return [width, height]; };
+        const show = blend.mount(svg), first = size();
+        show(0.5);
+        const second = size();
+        blend.animate(svg).seek(1);  // as React does in strict mode
+        return [first, second, size(), svg.getAttribute("viewBox")];
+    }""")
+    assert found == [size, size, size, "0 0 24 24"]
+
+
+def test_the_svg_element_of_a_page_keeps_its_name(module):
+    named = [each.replace("<svg ", '<svg id="drawing" ') for each in SIZED]
+    assert (
+        module(named).evaluate("""() => {
+        const svg = document.querySelector("svg");
+        svg.id = "icon";
+        blend.mount(svg)(0.5);
+        return svg.id;
+    }""")
+        == "icon"
+    )
+
+
+def test_it_has_the_text_colour_of_its_page(module):
+    page = module(SIZED)
+    page.set_content('<body style="color: #06c"><svg></svg><shape-blend></shape-blend></body>')
+    assert (
+        page.evaluate("""() => {
+        blend.mount(document.querySelector("svg"))(0.5);
+        document.querySelector("shape-blend").player.seek(0.5);
+        return [document, document.querySelector("shape-blend").shadowRoot]
+            .map((root) => getComputedStyle(root.querySelector("path")).stroke);
+    }""")
+        == ["rgb(0, 102, 204)"] * 2
+    )
+
+
 def test_it_plays_turns_round_and_ends(module):
     page = module(PLACED, "--duration", "0.3", "--easing", "ease-in")
     assert page.evaluate("blend.duration") == 300
