@@ -262,6 +262,7 @@ def test_every_block_is_of_a_language_that_is_run():
         ("css", "docs/cookbook.md"),
         ("html", "docs/cookbook.md"),
         ("html", "docs/coming-from.md"),
+        ("jsx", "docs/cookbook.md"),
         ("svelte", "docs/cookbook.md"),
         ("css", "docs/guide.md"),
         ("json", "docs/guide.md"),

@@ -108,6 +108,8 @@ def test_a_page_of_the_cookbook_moves_and_what_waits_for_clicks_does_so_then(rec
             page.mouse.click(24, 24)
         seen.update(pictures(page, 60, 60, 60, 60))
         assert len(seen) > 1
+        if re.search(r'width="96"|width: 96\b', recipe.page):
+            assert page.evaluate("document.querySelector('svg').getBoundingClientRect().width") == 96
 
 
 def test_all_recipes_for_pages_are_here():
@@ -117,33 +119,63 @@ def test_all_recipes_for_pages_are_here():
 BUNDLE = """
 import { build } from "esbuild";
 import { compile } from "svelte/compiler";
-import { readFileSync, writeFileSync } from "node:fs";
-const folder = process.argv[1];
-writeFileSync(`${folder}/Component.js`, compile(readFileSync(`${folder}/Component.svelte`, "utf-8"), {}).js.code);
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+const folder = process.argv[1], svelte = `${folder}/Component.svelte`;
+if (existsSync(svelte))
+  writeFileSync(`${folder}/Component.js`, compile(readFileSync(svelte, "utf-8"), {}).js.code);
 await build({
   entryPoints: [`${folder}/app.js`], outfile: `${folder}/bundle.js`, bundle: true, conditions: ["svelte", "browser"],
-  format: "esm", nodePaths: ["node_modules"], logLevel: "error",
+  format: "esm", jsx: "automatic", nodePaths: ["node_modules"], logLevel: "error",
 });
 """
 
 
-def test_the_component_for_svelte_moves(here, site, browser):
+@contextlib.contextmanager
+def bundled(browser, here, site, file, app):
+    """A page with the component of the cookbook for a kind of file, which a bundler has put together."""
     require("what plays and morphs in pages")
-    component = re.search(r"^```svelte\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)[1]
-    Path("Component.svelte").write_text(component, "utf-8")
-    Path("app.js").write_text(
-        'import { mount } from "svelte"; import Component from "./Component.js";'
-        "mount(Component, { target: document.body });",
-        "utf-8",
-    )
+    component = re.search(rf"^```{file.suffix[1:]}\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)[1]
+    file.write_text(component, "utf-8")
+    Path("app.js").write_text(app, "utf-8")
     (module,) = {recipe.command for recipe in RECIPES if recipe.title == "A blend in a web page"}
     page = '<body></body><script type="module" src="bundle.js"></script>'
     assert run(Command("", module).stages[0][1:]) == 0
     bundle = ["node", "--input-type=module", "-e", BUNDLE, str(here)]
     subprocess.run(bundle, cwd=INSTALLED, check=True)
     Path("blend.js").unlink()  # it is in the bundle
-    with opened(browser, site, Recipe("Svelte", "", page)) as shown:
-        assert len(set(pictures(shown, 60, 60, 60, 60))) > 1
+    with opened(browser, site, Recipe(file.name, "", page)) as shown:
+        yield shown
+
+
+def test_the_component_for_svelte_moves(here, site, browser):
+    app = (
+        'import { mount } from "svelte"; import Component from "./Component.js";'
+        "mount(Component, { target: document.body });"
+    )
+    with bundled(browser, here, site, Path("Component.svelte"), app) as page:
+        assert len(set(pictures(page, 60, 60, 60, 60))) > 1
+
+
+def test_the_component_for_react_goes_on_and_back_as_it_is_pointed_at(here, site, browser):
+    app = (
+        'import { StrictMode, createElement } from "react"; import { createRoot } from "react-dom/client";'
+        'import PlayPause from "./PlayPause.jsx";'
+        "createRoot(document.body).render(createElement(StrictMode, {},"
+        'createElement(PlayPause, { color: "#06c", display: "block" })));'
+    )
+    with bundled(browser, here, site, Path("PlayPause.jsx"), app) as page:
+        page.mouse.move(99, 99)
+        (first,) = set(pictures(page, 100, 200))
+        page.mouse.move(2, 48)
+        assert len(set(pictures(page, 60, 60, 60, 60))) > 1
+        (second,) = set(pictures(page, 800, 200))
+        assert second != first
+        box = page.locator("svg").bounding_box()
+        assert (box["width"], box["height"]) == (96, 96)
+        stroke = "getComputedStyle(document.querySelector('path')).stroke"
+        assert page.evaluate(stroke) == "rgb(0, 102, 204)"
+        page.mouse.move(99, 99)
+        assert set(pictures(page, 1000, 200)) == {first}
 
 
 def test_the_sprite_shows_one_cell_after_the_other(site, browser):

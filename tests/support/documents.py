@@ -26,11 +26,13 @@ PROGRAMS = (
 
 
 STAND_INS = {
-    "samples/triangle": "a light play hen off/wifi walk-1 icons/1 icons/arrow-1 1 menu coast-1900",
-    "samples/square": "b bold pause pecking on/wifi walk-2 icons/2 icons/arrow-2 2 cross close stop coast-2000",
+    "samples/triangle": "a light hen off/wifi walk-1 icons/1 icons/arrow-1 1 menu coast-1900",
+    "samples/square": "b bold pecking on/wifi walk-2 icons/2 icons/arrow-2 2 cross close stop coast-2000",
     "samples/step-1": "c oblique icons/3 3",
     "samples/e": "e",
     "samples/f": "f",
+    "samples/play": "play",
+    "samples/pause": "pause",
     **{
         f"docs/moving/drawings/{name}": name
         for name in "fox wolf cat-face dog-face egg hatching-chick tulip sunflower".split()
