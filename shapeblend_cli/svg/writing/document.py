@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import zlib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import MappingProxyType
 from xml.etree.ElementTree import Element, tostring
 
@@ -55,9 +55,13 @@ def empty_and_called(viewbox: Box, decimals: int, page: Page) -> Element:
 
 def fingerprint(shapes: Iterable[KeyframedShape], *others: object) -> str:
     """Return a hash of shapes and other values, for names that are unique among the drawings of a page."""
+    return fingerprint_of([shape.keys for shape in shapes], *others)
+
+
+def fingerprint_of(painted: Iterable[Iterable[PaintedShape]], *others: object) -> str:
+    """Return such a hash of groups of shapes."""
     drawn = [
-        [([path.segments.tolist() for path in key.paths], key.style) for key in shape.keys]
-        for shape in shapes
+        [([path.segments.tolist() for path in key.paths], key.style) for key in keys] for keys in painted
     ]
     text = repr((drawn, *others)).replace(", pixel=None", "")
     return f"{zlib.crc32(text.encode()):08x}"
@@ -72,9 +76,11 @@ def _texts(name: Name) -> list[Element]:
     return texts
 
 
-def ids_of(drawing: Element, shapes: Iterable[PaintedShape | KeyframedShape]) -> Ids:
-    """Return the ids of a drawing of some shapes; so far only its own id is taken."""
-    ids = Ids.of(shapes)
+def ids_of(
+    drawing: Element, shapes: Iterable[PaintedShape | KeyframedShape], own: Callable[[], str] = str
+) -> Ids:
+    """Return the ids of a drawing of some shapes; so far only its own id is taken. See `Ids` for `own`."""
+    ids = Ids.of(shapes, own)
     ids.take(drawing.get("id"))
     return ids
 

@@ -79,7 +79,7 @@ def reacting_smil(reaction: Reaction, timing: Timing, decimals: int) -> str:
     drawing.append(around)
     area = {**_area(Box.union(reaction.views.boxes), decimals), "fill": "none", "pointer-events": "all"}
     around.append(document.new("rect", area))
-    ids = document.ids_of(drawing, reaction.shapes)
+    ids = document.ids_of(drawing, reaction.shapes, lambda: f"{name}-")
     moving = document.new("g", {"class": f"{name}-moving"})
     around.append(moving)
     gradients = add_animated(document.Tree(moving, ids), reaction.shapes, timeline, decimals)

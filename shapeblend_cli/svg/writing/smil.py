@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Sequence
+from functools import cache
 from itertools import pairwise
 from xml.etree.ElementTree import Element
 
@@ -22,6 +23,7 @@ from shapeblend_cli.svg.writing.animation import (
     resting,
     values_between,
 )
+from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.paint import (
     Gradients,
     Regions,
@@ -56,7 +58,8 @@ def smil_svg(
     drawing = document.empty(views.boxes[0], decimals, page)
     timeline = Timeline(views.pairs, timing)
     timeline.add_views(drawing, views, decimals)
-    gradients = add_animated(document.Tree.of(drawing, shapes), shapes, timeline, decimals)
+    ids = document.ids_of(drawing, shapes, cache(lambda: f"b{document.fingerprint(shapes)}-"))
+    gradients = add_animated(document.Tree(drawing, ids), shapes, timeline, decimals)
     rule = _stop(drawing, gradients, timing) if stops else None
     return document.text(drawing, style=rule, definitions=gradients)
 
@@ -148,7 +151,8 @@ def stacked_svg(
     view = frames[0].view
     drawing = document.empty(view, decimals, page)
     timeline = Timeline(pairs, timing)
-    gradients = Gradients(decimals)
+    own = cache(lambda: f"b{document.fingerprint_of([frame.shapes for frame in frames])}-")
+    gradients = Gradients(decimals, Ids(own=own))
     for k, frame in enumerate(frames):
         if frame.view == view:
             layer = document.new("g")
