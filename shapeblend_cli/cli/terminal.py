@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.job.job import Job
     from shapeblend_cli.job.make import Run
+    from shapeblend_cli.outputs.formats import OutputSpec
 
 PATIENCE = 1.0  # seconds before a terminal shows how far a run is, and between two looks
 OFTEN, SELDOM = (
@@ -220,13 +221,21 @@ def results(job: Job, seconds: float) -> Iterator[str]:
     elif output.format.suffix:
         size = os.path.getsize(output.path) / 1000.0
         shown = "; a browser plays it" if output.format.takes_triggers else ""
-        yield f"wrote {output.path}, {output.format.help}, {size:.3g} kB, {took}{shown}"
+        yield f"wrote {output.path}, {output.format.help}, {_length(output)}{size:.3g} kB, {took}{shown}"
     else:
         yield f"wrote {' and '.join(files)}, {took}"
     if job.write.preview:
         yield f"wrote {job.write.preview}; a browser shows it"
     if named := [str(name) for name in others if name != "-"]:
         yield f"wrote {' and '.join(named)}"
+
+
+def _length(output: OutputSpec) -> str:
+    """Say how long a run of an animation is; there and back if it plays so."""
+    if not output.format.plays or output.settings.mix:
+        return ""
+    seconds = output.timing.seconds * output.timing.length(output.drawings - 1)
+    return f"{_duration(seconds) if seconds >= 120.0 else f'{seconds:.3g} s'} long, "
 
 
 def details(run: Run, began: float | None) -> Iterator[str]:

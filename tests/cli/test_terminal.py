@@ -42,7 +42,10 @@ def files(here):
         ("-n 1", ["wrote 1 frame, blend/frame-1.svg, in"]),
         ("-n 0", ["wrote nothing: --frames 0 asks for no in-betweens; --ends would write the drawings"]),
         ("-n 0 --preview look.html", ["wrote look.html; a browser shows it"]),
-        ("-o m.svg", ["wrote m.svg, one animated SVG, ", "; a browser plays it"]),
+        ("-o m.svg", ["wrote m.svg, one animated SVG, 2 s long, ", "; a browser plays it"]),
+        ("-o m.svg --duration 300ms", ["wrote m.svg, one animated SVG, 0.3 s long, "]),
+        ("-o m.svg --duration 300", ["wrote m.svg, one animated SVG, 5 min long, "]),
+        ("-o m.svg --hold 0.5 --repeat pingpong", ["wrote m.svg, one animated SVG, 5 s long, "]),
         (
             "-o m.json --preview look.html",
             ["wrote m.json, a Lottie", "\r\nshapeblend: wrote look.html; a browser shows it"],
@@ -57,6 +60,11 @@ def test_a_run_says_what_it_wrote(files, asked, said):
     seen = on_screen(lambda: run([*files, *asked.split()])).decode()
     seen = seen[seen.index("shapeblend: wrote ") :]  # after how far it is, which a slow machine shows
     assert all(text in seen for text in said)
+
+
+@pytest.mark.parametrize("asked", ["-o m.svg --mix .5,.5", "-o m.png", ""])
+def test_what_stands_still_has_no_length(files, asked):
+    assert b" long, " not in on_screen(lambda: run([*files, *asked.split()]))
 
 
 @pytest.mark.parametrize("asked", ["-q", "-o -"])
