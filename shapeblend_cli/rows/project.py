@@ -112,9 +112,15 @@ def values_of(project: Project) -> dict[str, Any]:
         elif field.many:
             values[yes.lstrip("-")] = [typed(one) for one in value]
         else:
-            plain = isinstance(value, int | float) and not isinstance(value, bool)
-            values[yes.lstrip("-")] = value if plain else typed(value)
+            values[yes.lstrip("-")] = _plain(value)
     return values
+
+
+def _plain(value: Any) -> Any:
+    """Return a number as it is typed, without a point if it is whole, and anything else as the text that is typed."""
+    if isinstance(value, float) and value.is_integer():
+        return int(value)
+    return value if isinstance(value, int | float) else typed(value)
 
 
 def project_text(project: Project, folder: str) -> str:

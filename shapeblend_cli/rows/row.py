@@ -9,9 +9,7 @@ from typing import Any, NamedTuple
 
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.job.job import RECORDS
-from shapeblend_cli.options.easing import Easing
 from shapeblend_cli.options.fields import Option
-from shapeblend_cli.options.timetable import Timetable
 from shapeblend_cli.options.types import FLAG
 
 LETTERS = "abcdefghijklm"
@@ -133,8 +131,10 @@ def fields_of(given: Mapping[str, Any]) -> Iterator[tuple[Option, Any]]:
 def typed(value: Any) -> str:
     """Return a value as it is typed on the command line."""
     if isinstance(value, complex):
-        return f"{value.real!r},{value.imag!r}"
-    if not isinstance(value, tuple) or isinstance(value, Easing | Timetable):
+        return f"{typed(value.real)},{typed(value.imag)}"
+    if isinstance(value, float):
+        return repr(value).removesuffix(".0")
+    if type(value) is not tuple:  # an easing, a timetable and a trigger are tuples that have a text of their own
         return str(value)
     parts = [typed(part) for part in value]
     if isinstance(value[0], complex):  # points of A and of B, or a region of A

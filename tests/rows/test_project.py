@@ -1,6 +1,7 @@
 """A project in a file does what its command line does."""
 
 import json
+import re
 
 import pytest
 
@@ -10,9 +11,9 @@ from tests.support.drawings import BAR, EYED, LEAF, svg
 
 OPTIONS = {
     "files": ["a.svg", "b.svg"],
-    "pin": ["2.0,6.0:3.0,14.0"],
+    "pin": ["2,6:3,14"],
     "match": ["0=0"],
-    "stiff": ["12.0,6.0,20.0=3.0"],
+    "stiff": ["12,6,20=3"],
     "polygons": True,
     "ends": True,
     "motion": "linear",
@@ -24,7 +25,7 @@ OPTIONS = {
     "output": "moving.svg",
 }
 TYPED = (
-    "a.svg b.svg --pin 2.0,6.0:3.0,14.0 --match 0=0 --stiff 12.0,6.0,20.0=3.0 --polygons --ends --motion linear "
+    "a.svg b.svg --pin 2,6:3,14 --match 0=0 --stiff 12,6,20=3 --polygons --ends --motion linear "
     "--kb 0.5 --band 0.75 --ease cubic-bezier(0.4,0,0.6,1) --duration 1.5 --repeat pingpong -o typed.svg"
 )
 
@@ -70,6 +71,26 @@ def test_it_is_read_as_it_was_written():
         .given["output"]
         .endswith("moving.svg")
     )
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "words"),
+    [
+        ("trigger", "hover", "--trigger hover"),
+        ("trigger", "menu.click", "--trigger menu.click"),
+        ("ks", 2.0, "--ks 2"),
+        ("timeout", 30, "--timeout 30"),
+        ("hold", "0,1.5", "--hold 0,1.5"),
+        ("kt", 1e-05, "--kt 1e-05"),
+        ("specks", "1%", "--specks 1%"),
+    ],
+)
+def test_values_are_written_as_they_are_typed(name, value, words):
+    project = parse_project(json.dumps({"files": ["a.svg", "b.svg"], name: value}).encode(), "", "")
+    assert " ".join(project.command[3:]) == words
+    text = project_text(project, "")
+    assert not re.search(r"\.0\b", text)
+    assert parse_project(text.encode(), "", "") == project
 
 
 def test_no_option_gets_lost(folder):

@@ -139,7 +139,7 @@ def test_it_begins_with_an_animated_svg_and_tells_at_the_end_what_was_not_saved(
     connection.close()
     process.send_signal(signal.SIGINT)
     said, _ = process.communicate(timeout=30)
-    assert said.splitlines()[-1] == "What was not saved: shapeblend a.svg b.svg --kb 2.0 --output blend.svg"
+    assert said.splitlines()[-1] == "What was not saved: shapeblend a.svg b.svg --kb 2 --output blend.svg"
 
 
 def test_a_port_may_be_asked_for(started, capsys):

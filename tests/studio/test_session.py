@@ -176,7 +176,7 @@ def test_a_pin_goes_where_it_was_dragged(client):
     plain = client.ask("look", project={"files": ["a.svg", "b.svg"]})
     pinned = client.ask("look", project={"files": ["a.svg", "b.svg"], "pin": ["22,18:3,14"]})
     assert plain["pairs"][0]["shapes"] != pinned["pairs"][0]["shapes"]
-    assert pinned["command"] == "shapeblend a.svg b.svg --pin 22.0,18.0:3.0,14.0"
+    assert pinned["command"] == "shapeblend a.svg b.svg --pin 22,18:3,14"
     (lists,) = pinned["pairs"][0]["lists"]
     ends = [(lists["vertices_a"][i], lists["vertices_b"][j]) for i, j in lists["dots"]]
     assert any(a == [22, 18] and abs(complex(*b) - (3 + 14j)) < 0.1 for a, b in ends)
