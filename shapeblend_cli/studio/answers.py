@@ -70,7 +70,7 @@ def do(order: Order) -> Any:
 
 def _blend(order: Order) -> dict[str, Any]:
     """Return a blend to look at: the drawings, what moves, what becomes what, and what the judge says."""
-    job, clock = _job(order), Clock()
+    job, clock = _shown_job(order), Clock()
     notes: list[str] = []
     note = notes.append
     settings = job.output.settings
@@ -180,7 +180,7 @@ def _drawing(drawing: Drawing, number: int) -> dict[str, Any]:
 
 def _others(order: Order) -> list[dict[str, Any]]:
     """Return other blends of two drawings: the options that give each, its grade, and pictures of moments."""
-    job, clock = _job(order), Clock()
+    job, clock = _shown_job(order), Clock()
     settings = job.output.settings
     drawings = read_files(job.files, job.read, clock, _ignore, order.sources)
     (pair,) = match_drawings(drawings, settings, clock, _ignore, lambda stage, share: None)
@@ -252,6 +252,14 @@ def _write(order: Order) -> dict[str, Any]:
 def _job(order: Order) -> Job:
     project = order.project
     return job_of(project.files, project.given, project.command)
+
+
+def _shown_job(order: Order) -> Job:
+    """Return a job whose blend goes from drawing to drawing; raise OptionError for a mixture, which is none."""
+    job = _job(order)
+    if job.output.settings.mix:
+        raise OptionError("--mix makes mixtures, which the studio does not show; Write writes them")
+    return job
 
 
 def _bytes(content: str | bytes) -> bytes:

@@ -4,9 +4,10 @@ import json
 
 import pytest
 
+from shapeblend_cli.errors import OptionError
 from shapeblend_cli.rows.project import project_of
 from shapeblend_cli.studio import answers
-from shapeblend_cli.studio.order import Order
+from shapeblend_cli.studio.order import Consent, Order
 from shapeblend_cli.system.kept import Kept
 from tests.support.drawings import EYED, RING, SQUARES, svg
 
@@ -86,3 +87,14 @@ def test_where_specks_are_left_out_parts_have_the_numbers_of_those_that_remain(h
     assert [len(drawing["contours"]) for drawing in answer["drawings"]] == [2, 2]
     assert [(contour["a"], contour["b"]) for contour in answer["pairs"][0]["contours"]] == [(0, 0), (1, 1)]
     assert any("left out" in note for note in answer["notes"])
+
+
+@pytest.mark.parametrize("what", ["blend", "others"])
+def test_a_mixture_is_refused_in_a_line_and_written_all_the_same(here, what):
+    for name, drawing in {"a": "ring", "b": "eyed"}.items():
+        (here / f"{name}.svg").write_text(DRAWINGS[drawing])
+    project = project_of({"files": ["a.svg", "b.svg"], "mix": ".5,.5", "output": "mixed.svg"}, "", "")
+    with pytest.raises(OptionError, match="^--mix makes mixtures, which the studio does not show"):
+        answers.do(Order(what, project, {}))
+    assert answers.do(Order("write", project, {}, Consent(str(here))))["written"] == ["mixed.svg"]
+    assert (here / "mixed.svg").exists()
