@@ -825,6 +825,23 @@ def test_bars_are_moved_by_keys_and_what_is_written_moves_so(studio, here):
     assert page.is_disabled("#undo")
 
 
+def test_bars_are_swapped_with_the_drawings(studio, here):
+    (here / "three.svg").write_text(svg(*TWO, "M14 3H21V9H14Z", attributes='fill="#222"'))
+    page = studio("three.svg", "swapped.svg", style="a")
+    timeline(page)
+    changed(page, lambda: page.get_by_label("Start of 1").press("Shift+ArrowRight"))
+    before = timing_of(page)
+    assert list(before) == ["1"]
+    changed(page, lambda: page.click("#swap"))
+    assert not page.is_visible("#broken")
+    assert page.inner_text("#name-a") == "swapped.svg"
+    assert timing_of(page) == {"B1": before["1"]}
+    assert "--style b" in command(page)
+    assert page.get_by_label("Start of B1").get_attribute("aria-valuenow") == "0.1"
+    changed(page, lambda: page.click("#swap"))
+    assert timing_of(page) == before
+
+
 def test_a_drag_of_a_bar_is_let_go_by_escape(studio):
     page = studio("two.svg", "swapped.svg")
     before = shape(page)

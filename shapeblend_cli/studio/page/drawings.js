@@ -9,6 +9,13 @@ const OF_PLACES = { pin: null, match: null, stiff: null, start: null };
 // What says which place of A is which of B, the other way round.
 const turned = (text) => text.replace(/^(.*?)([:=])(.*)$/, "$3$2$1");
 const swapped = (pair) => pair.replace(/^(\d+),(\d+)$/, "$2,$1");
+const OTHER_STYLE = { a: "b", b: "a" };
+
+// A timetable whose shapes by number are those of the other drawing; ids stay.
+function timed(text) {
+  const other = (name) => name.replace(/^(B?)(\d+)$/, (_, side, number) => (side ? number : `B${number}`));
+  return JSON.stringify(Object.fromEntries(Object.entries(JSON.parse(text)).map(([name, span]) => [other(name), span])));
+}
 
 const svg = (...elements) => `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 48 48">${elements.join("")}</svg>`;
 const path = (d, fill) => `<path d="${d}" fill="${fill}"/>`;
@@ -101,6 +108,8 @@ export class Drawings {
       pin: each("pin", (text) => (text.includes(":") ? turned(text) : swapped(text))),
       stiff: null,
       start: app.get("start") ? swapped(app.get("start")) : null,
+      timing: app.get("timing") ? timed(app.get("timing")) : null,
+      style: OTHER_STYLE[app.get("style")] ?? app.get("style") ?? null,
       "select-a": app.get("select-b") ?? null,
       "select-b": app.get("select-a") ?? null,
     }, "swap");
