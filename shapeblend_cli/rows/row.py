@@ -134,7 +134,9 @@ def typed(value: Any) -> str:
         return f"{typed(value.real)},{typed(value.imag)}"
     if isinstance(value, float):
         return repr(value).removesuffix(".0")
-    if type(value) is not tuple:  # an easing, a timetable and a trigger are tuples that have a text of their own
+    if (
+        type(value) is not tuple
+    ):  # an easing, a timetable and a trigger are tuples that have a text of their own
         return str(value)
     parts = [typed(part) for part in value]
     if isinstance(value[0], complex):  # points of A and of B, or a region of A

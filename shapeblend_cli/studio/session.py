@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import os
+import secrets
 import shlex
 import threading
 import zipfile
@@ -12,14 +13,16 @@ from typing import Any, NamedTuple
 
 from shapeblend_cli.errors import OptionError, ShapeblendError
 from shapeblend_cli.job.job import RECORDS
+from shapeblend_cli.options.easing import CURVES, NAMES
 from shapeblend_cli.options.fields import Option
+from shapeblend_cli.options.triggers import CLICK, HOVER, LOAD
 from shapeblend_cli.options.types import FLAG
 from shapeblend_cli.outputs.registry import DEFAULT, FORMATS, FRAME_FORMATS
 from shapeblend_cli.rows.project import Project, parse_project, project_of, project_text, values_of
 from shapeblend_cli.studio.order import Consent, Order
 from shapeblend_cli.studio.process import Process
 from shapeblend_cli.system.processes import MEGABYTES
-from shapeblend_cli.system.write import check_targets, write_files
+from shapeblend_cli.system.write import check_targets, real_path, write_files
 from shapeblend_cli.version import __version__
 
 MOST_FILES = 64
@@ -30,6 +33,9 @@ MOST_BYTES = 256 * 2**20
 
 SECONDS = 60.0
 """Time limit of a blend without --timeout, in seconds."""
+
+SPRING = "spring(1,180,12)"
+"""A spring to begin with, whose numbers people change."""
 
 EPOCH = (1980, 1, 1, 0, 0, 0)  # of files in an archive, whose bytes are to depend on nothing but the files
 
@@ -50,6 +56,8 @@ class Session:
         self._given: dict[str, bytes] = {}  # drawings that were dropped into the page
         self._opened = set(project.files)
         self._saved = project
+        self._written: dict[str, str] = {}  # projects as they were saved here, by their real paths
+        self._name = secrets.token_hex(8)  # which says nothing, and is of no other session
         self._lock = threading.Lock()
         self._seconds = float(project.given.get("timeout") or SECONDS)
         self._megabytes = float(project.given.get("max_memory") or MEGABYTES)
@@ -71,6 +79,7 @@ class Session:
         """Return what the page begins with."""
         return {
             "version": __version__,
+            "session": self._name,
             "project": values_of(self.project),
             "is_saved": self.is_saved,
             "dropped": [name for name, content in self._given.items() if not _is_file(name, content)],
@@ -82,6 +91,7 @@ class Session:
                 for name, field in record.options.items()
                 if name != "force"
             ],
+            "words": {"ease": [*NAMES, *CURVES, SPRING], "trigger": [LOAD, CLICK, HOVER]},
             "default": DEFAULT,
         }
 
@@ -148,18 +158,24 @@ class Session:
         return Download(f"{DEFAULT}.zip", _archive(files))
 
     def save(self, asked: Mapping[str, Any]) -> dict[str, Any]:
-        """Write the project into a file, or return what to ask before that."""
+        """Write the project into a file, or return what to ask before that: not about one that was written here."""
         from pathlib import Path
 
         target = Path(_text(asked, "file"))
         if target.suffix.lower() != ".json":
             raise OptionError(f"{target}: the name of a project ends in .json")
-        project, asks = self._project(asked), self._consent(asked).asks([target])
+        project, consent = self._project(asked), self._consent(asked)
+        name = real_path(target)
+        if name in self._written and _is_file(name, self._written[name].encode()):
+            consent = consent._replace(agreed=consent.agreed | {name})
+        asks = consent.asks([target])
         if any(asks.values()):
             return {"asks": asks}
         force = os.path.lexists(target)
         check_targets([target], [], force)
-        write_files({target: project_text(project, str(target.parent))}, force)
+        text = project_text(project, str(target.parent))
+        write_files({target: text}, force)
+        self._written[name] = text
         return {"written": [str(target)], "notes": []}
 
     def keep(self, asked: Mapping[str, Any]) -> Download:
@@ -232,6 +248,9 @@ def _format(format: Any) -> dict[str, Any]:
         "help": format.help,
         "suffix": format.suffix,
         "options": options,
+        "takes": {name: "" if value is None else str(value) for name, value in format.defaults.items()}
+        | ({"lossless": ""} if format.name == "webp" else {}),
+        "takes_triggers": format.takes_triggers,
         "is_raster": "fps" in format.defaults,
         "has_frames": format.has_frame_files or format.takes_times or "fps" in format.defaults,
     }
@@ -257,7 +276,7 @@ def _option(field: Option) -> dict[str, Any]:
         "many": field.many,
         "choices": list(field.kind.choices),
         "metavar": field.metavar,
-        "default": field.shown_default,
+        "default": field.shown_default or ("0" if isinstance(field.default, float) else ""),
     }
 
 

@@ -249,7 +249,7 @@ def test_a_project_is_saved_and_opened_again(studio, here):
     changed(page, lambda: page.mouse.click(*screen(page, "b", (18, 17))))
     corrected = shape(page)
     page.click("#save")
-    page.wait_for_selector("#written:has-text('Wrote blend.json')")
+    page.wait_for_selector("#notice:has-text('Saved blend.json')")
     project = read_project("blend.json")
     again = studio(*project.files, **project.given)
     assert shape(again) == corrected
@@ -629,7 +629,7 @@ def test_a_reload_loses_nothing_and_what_is_not_saved_is_said(studio, here):
         assert asked == ["beforeunload"]  # of the first time alone
         if not is_saved:
             page.click("#save")
-            page.wait_for_selector("#written:has-text('Wrote blend.json')")
+            page.wait_for_selector("#notice:has-text('Saved blend.json')")
             changed(page, lambda: page.evaluate("() => null") or page.click("#theme") or page.click("#swap"))
             changed(page, lambda: page.click("#undo"))
 

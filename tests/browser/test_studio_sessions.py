@@ -46,7 +46,7 @@ class User:
         return screen(self.page, side, self.random.choice(nodes(self.page, side, number)))
 
     def to_drawings(self):
-        self.page.locator("#panels").scroll_into_view_if_needed()
+        self.page.locator("#canvas-a").scroll_into_view_if_needed()
 
     def pair(self):
         self.page.click("[data-tool=pair]")
@@ -129,7 +129,9 @@ def test_nothing_goes_wrong_whatever_comes_after_what(studio, here, seed):  # no
     deeds = ["keys"] if seed % 5 == 4 else DEEDS
     for _ in range(STEPS):
         getattr(user, user.random.choice(deeds))()
-        page.evaluate("document.getElementById('broken-close').click()")
+        page.evaluate(
+            "for (const name of ['broken', 'notice']) document.getElementById(`${name}-close`).click()"
+        )
         settle(page)
     assert not re.search("NaN|undefined", page.inner_text("body") + shape(page))
     assert command(page).startswith(tuple(f"shapeblend {name}" for name in names))

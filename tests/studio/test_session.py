@@ -137,6 +137,9 @@ def test_a_project_that_is_saved_does_the_same(client, here, monkeypatch):
     by_project = (here / "moving.svg").read_bytes()
     command = client.ask("look", project=project)["command"]
     assert typed(command, here / "typed", monkeypatch) == {"moving.svg": by_project}
+    later = project | {"ease": "ease"}
+    assert client.ask("save", project=later, file="blend.json")["written"] == ["blend.json"]  # it is its own
+    (here / "blend.json").write_text("of somebody else")
     there = [str(here / "blend.json")]
     asked = client.ask("save", project=project, file="blend.json")
     assert asked == {"asks": {"outside": [], "existing": there}}

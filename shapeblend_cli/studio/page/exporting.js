@@ -7,20 +7,21 @@ const QUIET = 900; // milliseconds without a change before sizes are measured
 
 const sizeOf = (bytes) => (bytes < 1e6 ? `${figures(bytes / 1e3, 3)} kB` : `${figures(bytes / 1e6, 3)} MB`);
 
+const labelOf = ({ existing }) => (existing.length ? "Replace what is there" : "Write there");
+const questionOf = ({ outside, existing }) => [
+  ...(outside.length ? [`Not in the folder of this project: ${outside.join(", ")}.`] : []),
+  ...(existing.length ? [`There already: ${existing.join(", ")}.`] : []),
+].join(" ");
+
 export class Exporting {
   // `app` has the project, and takes note of one that was saved.
   constructor(app, folder) {
     Object.assign(this, { app, folder, timer: 0 });
     this.sizes = new Latest((project) => this.measure(project));
-    at("write").addEventListener("click", () => this.write("write", () => ({})));
-    at("save").addEventListener("click", () => this.write("save", () => ({ file: at("project").value.trim() })));
+    at("write").addEventListener("click", () => this.write());
+    at("save").addEventListener("click", () => this.save());
     at("download").addEventListener("click", () => this.tell(async () => `${await keep("download", { project: app.project() })} is in the browser's downloads.`));
-    at("keep").addEventListener("click", () => this.tell(async () => {
-      const project = app.project();
-      const name = await keep("keep", { project });
-      app.saved(project);
-      return `${name} is in the browser's downloads; keep it beside the drawings.`;
-    }));
+    at("keep").addEventListener("click", () => this.keep());
   }
 
   async tell(work) {
@@ -29,28 +30,50 @@ export class Exporting {
     try {
       at("written").textContent = await work();
     } catch (error) {
-      at("written").textContent = error.message;
+      at("written").textContent = this.app.isComplaint(error.message) ? "Nothing was written." : error.message;
     }
   }
 
   // Writes files; of those that were not agreed to, asks whether to.
-  write(what, more, agreed = []) {
+  write(agreed = []) {
     return this.tell(async () => {
-      const project = this.app.project();
-      const { asks, written, notes } = await ask(what, { project, agreed, ...more() });
+      const { asks, written, notes } = await ask("write", { project: this.app.project(), agreed });
       if (asks) {
-        const { outside, existing } = asks;
-        at("replace").textContent = existing.length ? "Replace what is there" : "Write there";
-        at("replace").onclick = () => this.write(what, more, [...agreed, ...outside, ...existing]);
+        at("replace").textContent = labelOf(asks);
+        at("replace").onclick = () => this.write([...agreed, ...asks.outside, ...asks.existing]);
         at("replace").hidden = false;
-        return [
-          ...(outside.length ? [`Not in the folder of this project: ${outside.join(", ")}.`] : []),
-          ...(existing.length ? [`There already: ${existing.join(", ")}.`] : []),
-        ].join(" ");
+        return questionOf(asks);
       }
-      if (what === "save") this.app.saved(project);
       return [`Wrote ${written.join(" and ")} in ${this.folder}.`, ...notes].join(" ");
     });
+  }
+
+  // Saves the project, and says so where everybody looks: its button is far from the export.
+  async save(agreed = []) {
+    const project = this.app.project();
+    try {
+      const { asks, written } = await ask("save", { project, agreed, file: at("project").value.trim() });
+      if (asks) {
+        this.app.notice(questionOf(asks), labelOf(asks), () => this.save([...agreed, ...asks.outside, ...asks.existing]));
+        return;
+      }
+      this.app.saved(project);
+      this.app.notice(`Saved ${written.join(" and ")} in ${this.folder}.`);
+    } catch (error) {
+      this.app.notice(null);
+      this.app.complain(error.message);
+    }
+  }
+
+  async keep() {
+    const project = this.app.project();
+    try {
+      const name = await keep("keep", { project });
+      this.app.saved(project);
+      this.app.notice(`${name} is in the browser's downloads; keep it beside the drawings.`);
+    } catch (error) {
+      this.app.complain(error.message);
+    }
   }
 
   // Tells how large the files would be, once nothing changes any more.

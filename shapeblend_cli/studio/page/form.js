@@ -12,18 +12,31 @@ const CONSTANTS = [
   { name: "smoothing", says: "Smoothing", low: 0, high: 0.1, step: 0.002 },
 ];
 const DECADES = 1.5;
-const EASES = ["linear", "ease", "ease-in", "ease-out", "ease-in-out", "back", "back-in", "back-in-out", "elastic", "elastic-in", "spring(1,180,12)"];
-const ELSEWHERE = new Set(["pin", "match", "stiff", "motion", "ease", "duration", "hold", "repeat", "timing", "stagger", "stagger-by", "output", "frames", "emit", "format"]);
+const SHORT = 26; // letters of a default that fit into a field
+const OF_FORMAT = { width: "Width, pixels", fps: "Pictures a second", columns: "Columns", background: "Background", lossless: "Lossless" };
+const STARTS = { load: "by itself", click: "on a click", hover: "under the pointer" };
+const ELSEWHERE = new Set(["pin", "match", "stiff", "motion", "ease", "duration", "hold", "repeat", "timing", "stagger", "stagger-by", "output", "frames", "emit", "format", ...Object.keys(OF_FORMAT)]);
 
 export class Form {
   // `app` has the options and takes changes: get, change, attempt.
-  constructor(app, { options, formats, default: name }) {
-    Object.assign(this, { app, formats, name, fields: [], sliders: [] });
+  constructor(app, { options, formats, words, default: name }) {
+    Object.assign(this, { app, formats, words, name, fields: [], inputs: new Map() });
     this.options = new Map(options.map((option) => [option.name, option]));
     this.moves();
     this.wire();
     this.others();
     this.exports();
+    for (const [option, id] of Object.entries({ ease: "ease-text", hold: "hold-a" })) this.inputs.set(option, at(id));
+    for (const option of ["motion", "duration", "repeat", "stagger", "output", "frames", "format"]) this.inputs.set(option, at(option));
+  }
+
+  // Marks the field of the option that something is wrong with, if any; returns whether the name is one of an option.
+  mark(name) {
+    for (const input of this.inputs.values()) input.removeAttribute("aria-invalid");
+    const field = this.inputs.get(name);
+    field?.setAttribute("aria-invalid", "true");
+    if (field?.offsetParent) field.scrollIntoView({ block: "nearest" });
+    return this.options.has(name);
   }
 
   set(name, value, what = name) {
@@ -36,7 +49,9 @@ export class Form {
     const { choices } = this.options.get("motion");
     at("motion").append(...choices.map((word) => made("option", { value: word }, word)));
     at("stagger-by").append(...this.options.get("stagger-by").choices.map((word) => made("option", { value: word }, word)));
-    at("ease").append(...EASES.map((word) => made("option", { value: word }, word)));
+    at("ease").append(...this.words.ease.map((word) => made("option", { value: word }, word)));
+    at("trigger").append(...this.words.trigger.map((word) => made("option", { value: word }, STARTS[word] ?? word)));
+    at("trigger").addEventListener("change", () => this.set("trigger", at("trigger").value === "load" ? null : at("trigger").value));
     at("repeat").append(...["forever", "pingpong", "1", "2", "3"].map((word) => made("option", { value: word }, word === "1" ? "once" : Number(word) ? `${word} times` : word)));
     at("motion").addEventListener("change", () => this.set("motion", at("motion").value));
     const ease = (text) => this.set("ease", text === "linear" ? null : text, "easing");
@@ -65,6 +80,7 @@ export class Form {
       if (document.activeElement !== at("ease-text")) at("ease-text").value = easing;
       choose(at("motion"), this.app.get("motion") ?? "auto");
       choose(at("ease"), easing);
+      choose(at("trigger"), this.app.get("trigger") ?? "load");
       choose(at("repeat"), String(this.app.get("repeat") ?? "forever"));
       duration.value = this.app.get("duration") ?? 2;
       at("duration-says").textContent = `${this.app.get("duration") ?? 2} s`;
@@ -105,28 +121,52 @@ export class Form {
       if (!sections.has(option.section)) sections.set(option.section, []);
       sections.get(option.section).push(option);
     }
+    const rows = [];
     for (const [title, options] of sections) {
-      const fields = made("div", { class: "fields" });
-      for (const option of options) fields.append(...this.field(option));
-      at("all").append(made("h3", {}, title), fields);
+      const fields = options.map((option) => this.row(option));
+      const section = made("section", {}, made("h3", {}, title), ...fields.map(({ element }) => element));
+      at("all").append(section);
+      rows.push(...fields.map((field) => ({ ...field, section })));
     }
+    at("find").addEventListener("input", () => {
+      const words = at("find").value.toLowerCase().split(/\s+/);
+      for (const { element, text } of rows) element.hidden = !words.every((word) => text.includes(word));
+      for (const { section } of rows) section.hidden = rows.every((row) => row.section !== section || row.element.hidden);
+      at("none-found").hidden = rows.some(({ element }) => !element.hidden);
+    });
   }
 
-  field(option) {
+  // An option as the command has it, with what it does.
+  row(option) {
     const id = `option-${option.name}`;
+    const input = this.field(option, id);
+    input.setAttribute("aria-describedby", `${id}-help`);
+    const ends = option.default.length > SHORT ? ` By default ${option.default}.` : "";
+    const help = made("p", { id: `${id}-help`, class: "quiet small" }, option.help + ends);
+    const element = made("div", { class: "fields" }, made("label", { for: id }, `--${option.name}`), input, help);
+    return { element, text: `--${option.name} ${option.section} ${option.help} ${option.choices.join(" ")}`.toLowerCase() };
+  }
+
+  field(option, id) {
     const { name, kind } = option;
-    const label = made("label", { for: id, title: option.help }, `--${name}`);
     let input;
     if (kind === "choice") {
       const first = made("option", { value: "" }, option.default ? `${option.default} (default)` : "default");
-      input = made("select", { id }, first, ...option.choices.map((word) => made("option", { value: word }, word)));
+      const others = option.choices.filter((word) => word !== option.default);
+      input = made("select", { id }, first, ...others.map((word) => made("option", { value: word }, word)));
     } else if (kind === "flag") {
       input = made("select", { id }, made("option", { value: "" }, `${option.default || "no"} (default)`));
-      for (const word of option.no ? [name, option.no] : [name]) input.append(made("option", { value: word }, option.no ? word : "yes"));
+      const words = option.no ? [name, option.no].filter((word) => word !== option.default) : [name];
+      input.append(...words.map((word) => made("option", { value: word }, option.no ? word : "yes")));
     } else {
-      input = made("input", { id, type: "text", placeholder: option.default || option.metavar, inputmode: kind === "number" ? "decimal" : "text", spellcheck: "false", autocomplete: "off" });
+      const shown = option.default.length > SHORT ? "" : option.default;
+      input = made("input", { id, type: "text", placeholder: shown || option.metavar, inputmode: kind === "number" ? "decimal" : "text", spellcheck: "false", autocomplete: "off" });
+      if (this.words[name]) {
+        const list = made("datalist", { id: `${id}-words` }, ...this.words[name].map((word) => made("option", { value: word })));
+        input.setAttribute("list", list.id);
+        at("all").append(list);
+      }
     }
-    input.title = option.help;
     input.addEventListener("change", () => {
       const text = input.value.trim();
       if (kind === "flag") {
@@ -140,20 +180,30 @@ export class Form {
     this.fields.push(() => {
       if (document.activeElement === input && kind !== "choice" && kind !== "flag") return;
       const value = this.app.get(name);
-      if (kind === "flag") input.value = this.app.get(name) ? name : option.no && this.app.get(option.no) ? option.no : "";
+      if (kind === "flag") input.value = [name, option.no].find((word) => word && word !== option.default && this.app.get(word)) ?? "";
+      else if (kind === "choice") input.value = value === undefined || value === option.default ? "" : String(value);
       else input.value = value === undefined ? "" : Array.isArray(value) ? value.join("; ") : String(value);
     });
-    return [label, input];
+    this.inputs.set(name, input);
+    return input;
   }
 
   exports() {
     at("format").append(...this.formats.map((format, k) => made("option", { value: k, title: format.help }, titleOf(format))));
     at("format").addEventListener("change", () => {
-      const { suffix, options } = this.formats[Number(at("format").value)];
+      const { suffix, options, takes, takes_triggers: takesTriggers } = this.formats[Number(at("format").value)];
+      const others = Object.keys(OF_FORMAT).filter((name) => !(name in takes));
       const old = this.app.get("output") ?? this.name;
       const stem = this.formats.map((format) => format.suffix).filter(Boolean)
         .reduce((text, each) => (text.toLowerCase().endsWith(each) ? text.slice(0, -each.length) : text), old);
-      this.app.change({ emit: null, format: null, columns: null, fps: null, width: null, background: null, ...options, output: stem + suffix }, "format");
+      this.app.change({ emit: null, format: null, ...Object.fromEntries(others.map((name) => [name, null])), ...(takesTriggers ? {} : { trigger: null }), ...options, output: stem + suffix }, "format");
+    });
+    const own = Object.entries(OF_FORMAT).map(([name, text]) => {
+      const option = this.options.get(name);
+      const id = `option-${name}`;
+      const parts = [made("label", { for: id, title: option.help }, text), this.field({ ...option, default: "" }, id)];
+      at("of-format").append(...parts);
+      return { name, parts };
     });
     at("output").addEventListener("change", () => this.set("output", at("output").value.trim(), "name"));
     at("frames").addEventListener("change", () => this.set("frames", at("frames").value === "" ? null : Number(at("frames").value), "number of in-betweens"));
@@ -161,7 +211,12 @@ export class Form {
       const output = this.app.get("output") ?? this.name;
       at("output").value = output;
       at("format").value = this.formatOf(output.toLowerCase());
-      const { has_frames: hasFrames } = this.formats[Number(at("format").value)];
+      const { has_frames: hasFrames, takes, takes_triggers: takesTriggers } = this.formats[Number(at("format").value)];
+      at("trigger").disabled = !takesTriggers && this.app.get("trigger") === undefined;
+      for (const { name, parts } of own) {
+        for (const part of parts) part.hidden = !(name in takes) && this.app.get(name) === undefined;
+        if (name in takes) parts[1].placeholder = takes[name] || "by their number";
+      }
       for (const name of ["frames", "frames-label"]) at(name).hidden = !hasFrames && this.app.get("animate") !== "frames";
       at("frames").value = this.app.get("frames") ?? "";
       at("frames").placeholder = answer?.frames ?? "";

@@ -15,13 +15,16 @@ import { zoomAll } from "./zoom.js";
 
 const PATIENCE = 400; // milliseconds before it is said that a blend takes time
 const SIGN = 30_000; // milliseconds after which the studio hears that the page is still there
+const PASSING = 6000; // milliseconds for which it is said what was done
 const FRESH = 2000; // milliseconds for which nobody asks whether drawings have changed
+const MOST_STEPS = 100; // steps that are kept for a page that is loaded again
+const KEPT = "shapeblend";
 const isDark = () => {
   const { theme } = document.documentElement.dataset;
   return theme ? theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
 };
 
-// What was done, to be undone and done again.
+// What was done, to be undone and done again, also after the page was loaded again.
 
 class History {
   constructor(first) {
@@ -52,11 +55,36 @@ class History {
     this.present = step.state;
     return step.what;
   }
+
+  // Keeps all of it with this tab of the browser, for the same session, and what goes with it.
+  keep(session, more) {
+    const { present, past, future } = this;
+    try {
+      sessionStorage.setItem(KEPT, JSON.stringify({ session, present, past: past.slice(-MOST_STEPS), future: future.slice(-MOST_STEPS), more }));
+    } catch {
+      // A browser that keeps nothing, or a history that is too long for it: undoing ends with the page.
+    }
+  }
+
+  // Takes what was kept in a session, and returns what went with it; null if nothing was.
+  restore(session) {
+    try {
+      const kept = JSON.parse(sessionStorage.getItem(KEPT));
+      if (kept?.session !== session) return null;
+      const { present, past, future, more } = kept;
+      Object.assign(this, { present, past, future });
+      return { more };
+    } catch {
+      return null;
+    }
+  }
 }
 
 const history = new History({ files: [] });
 const shown = { answer: null, version: 0, attempted: null, at: Infinity };
+const said = { timer: 0, notice: 0, isPassing: false, wrong: null };
 let saved = ""; // the project that a file has
+let session = ""; // the name of the studio's session
 let form = null;
 let tools = null;
 let drawings = null;
@@ -73,13 +101,22 @@ const app = {
   get: (name) => history.present[name],
   project: () => history.present,
   isPair: () => history.present.files.length === 2,
-  say: (text) => (at("says").textContent = text),
+  // Says what to do next, or what was just done, which passes.
+  say(text, isPassing = false) {
+    clearTimeout(said.timer);
+    said.isPassing = isPassing;
+    at("says").textContent = text;
+    if (isPassing) said.timer = setTimeout(() => tools.hint(), PASSING);
+  },
 
   complain: (text) => complain(text),
+  isComplaint: (text) => said.wrong === text,
+  notice: (text, label = "", act = null) => notice(text, label, act),
 
   // Takes options, null for none, as what is so now; see `History.commit`.
   change(options, what, merges = false) {
     shown.attempted = null;
+    if (said.isPassing) tools.hint();
     if (history.commit(changed(history.present, options), what, merges)) refresh();
     else live.want(history.present);
   },
@@ -202,9 +239,26 @@ function showPair(number) {
   corrections();
 }
 
+// Says what is wrong, null for nothing, and marks the field that it is about.
 function complain(text) {
+  said.wrong = text;
+  if (text) notice(null);
   at("broken").hidden = !text;
-  at("broken-says").textContent = (text ?? "").replace(/^the project: /, "");
+  const plain = (text ?? "").replace(/^the project: /, "");
+  const name = /^(?:--)?([a-z][a-z-]*)(?=[: ])/.exec(plain)?.[1];
+  const isOption = form?.mark(name);
+  at("broken-says").textContent = isOption && !plain.startsWith("--") ? `--${plain}` : plain;
+}
+
+// Says what became of a request, perhaps with something to do about it.
+function notice(text, label, act) {
+  clearTimeout(said.notice);
+  if (text && !act) said.notice = setTimeout(() => notice(null), PASSING);
+  at("notice").hidden = !text;
+  at("notice-says").textContent = text ?? "";
+  at("notice-do").hidden = !act;
+  at("notice-do").textContent = label;
+  at("notice-do").onclick = act;
 }
 
 // Everything that follows from the project itself.
@@ -224,6 +278,7 @@ function refresh() {
   form.show(shown.answer);
   corrections();
   tools.redraw();
+  history.keep(session, { saved });
   live.want(present);
   others.look();
   if (present.files.length > 1) exporting.size(form.isSlow);
@@ -237,7 +292,7 @@ function step(way) {
   const what = way === "undo" ? history.undo() : history.redo();
   if (what === null) return;
   refresh();
-  app.say(`${way === "undo" ? "Undone" : "Done again"}: ${what}.`);
+  app.say(`${way === "undo" ? "Undone" : "Done again"}: ${what}.`, true);
 }
 
 // ---- where to look
@@ -262,6 +317,7 @@ function pointAtFlaws() {
     if (a !== null && b !== null && wrong >= WRONG) add("a", a, wrong, "pin", `${name("a", a)} bends out of shape: pin a point`);
   });
   const isRight = at("verdict").dataset.is === "right" || !app.isPair();
+  at("places-none").hidden = isRight || found.length > 0;
   const worst = isRight ? [] : found.sort((p, q) => q.weight - p.weight).slice(0, MANY);
   at("places").replaceChildren(...worst.map(({ side, number, tool, text }) => {
     const button = made("button", { type: "button", class: "place" }, text[0].toUpperCase() + text.slice(1));
@@ -311,7 +367,7 @@ function corrections() {
     return row("Stiff", `at ${centre.map((value) => Number(value.toPrecision(3))).join(", ")}, ×`, "stiff", k, input);
   });
   const all = [...matches, ...pins, ...regions];
-  at("none").hidden = all.length > 0;
+  at("corrections-card").hidden = !all.length;
   at("corrections").replaceChildren(...all);
 }
 
@@ -332,6 +388,7 @@ function listen() {
   });
   addEventListener("beforeunload", (event) => isSaved() || event.preventDefault());
   at("broken-close").addEventListener("click", () => complain(null));
+  at("notice-close").addEventListener("click", () => notice(null));
   at("halt").addEventListener("click", () => ask("halt").catch((error) => complain(error.message)));
   at("pair").addEventListener("change", () => stage.go(Number(at("pair").value) + 0.5));
   at("show-parts").addEventListener("change", () => showPair(stage.pair));
@@ -342,8 +399,17 @@ function listen() {
   addEventListener("keydown", key);
   // Drawings may have been changed in another program meanwhile.
   addEventListener("focus", () => performance.now() - shown.at > FRESH && live.want(shown.attempted ?? history.present));
-  addEventListener("resize", () => tools.redraw());
+  new ResizeObserver(() => tools.redraw()).observe(at("canvas-a"));
+  showMore(at("options"));
   listenToDrops();
+}
+
+// Whether there is more below, so that it can be seen that options scroll.
+function showMore(element) {
+  const look = () => element.classList.toggle("is-more", element.scrollTop + element.clientHeight < element.scrollHeight - 8);
+  element.addEventListener("scroll", look);
+  const observer = new ResizeObserver(look);
+  for (const one of [element, ...element.children]) observer.observe(one);
 }
 
 function key(event) {
@@ -398,8 +464,9 @@ function theme() {
 async function begin() {
   window.history.replaceState(null, "", "/"); // the token has become a cookie
   const first = await ask("begin");
+  session = first.session;
   history.present = first.project;
-  saved = first.is_saved ? JSON.stringify(first.project) : "";
+  saved = history.restore(session)?.more.saved ?? (first.is_saved ? JSON.stringify(first.project) : "");
   form = new Form(app, first);
   drawings = new Drawings(app, first.dropped);
   others = new Others(app);

@@ -34,7 +34,7 @@ export class Others {
       if (isPresent()) this.show(others);
     } catch (error) {
       if (isPresent()) {
-        at("others-says").textContent = error.message;
+        at("others-says").textContent = this.app.isComplaint(error.message) ? "There are none as long as the blend cannot be made." : error.message;
         at("others").replaceChildren();
       }
     } finally {

@@ -8,6 +8,10 @@ import { Zoom } from "./zoom.js";
 const SAMPLES = 160; // places along an outline at which it is looked at
 const squared = ([x, y], [u, v]) => (x - u) ** 2 + (y - v) ** 2;
 const MOST_NODES = 600; // that are drawn
+const NODE = [2.5, 4.5]; // pixels across a node: where they lie close to each other, and at most
+const RIM = 2.5; // pixels around it, both sides together
+const DOT = [2, 3.5]; // pixels: radius of a place that is shown with where it goes, likewise
+const between = (low, value, high) => Math.min(Math.max(value, low), high);
 
 // What corrections say: the two ends of a pin, a stiff region; and the circle around points.
 
@@ -53,7 +57,7 @@ export class Panel {
     this.layers.parts.replaceChildren(...this.contours.map(({ element }) => element));
     for (const contour of this.contours) {
       const { x, y, width, height } = contour.element.getBBox();
-      Object.assign(contour, { box: [x, y, width, height], area: width * height, size: Math.hypot(width, height) });
+      Object.assign(contour, { box: [x, y, width, height], area: width * height, size: Math.hypot(width, height), length: contour.element.getTotalLength() });
     }
     this.order = [...this.contours].sort((p, q) => q.area - p.area || q.size - p.size).map(({ number }) => number);
   }
@@ -174,11 +178,26 @@ export class Panel {
     return label;
   }
 
+  // Pixels from a node to the next one on its outline, most of them.
+  get spacing() {
+    const gaps = this.contours.flatMap(({ nodes, length }) => nodes.map(() => length / nodes.length)).sort((p, q) => p - q);
+    return this.scale * (gaps[gaps.length >> 2] ?? 0);
+  }
+
+  get dotSize() {
+    return between(DOT[0], 0.2 * this.spacing, DOT[1]);
+  }
+
   nodes() {
     const count = this.contours.reduce((sum, { nodes }) => sum + nodes.length, 0);
     if (count > MOST_NODES) return [];
     const data = this.contours.flatMap(({ nodes }) => nodes.map(([x, y]) => `M${x} ${y}h0`)).join("");
-    return [drawn("path", { class: "nodes under", d: data }), drawn("path", { class: "nodes", d: data })];
+    const size = between(NODE[0], 0.25 * this.spacing, NODE[1]);
+    return [["nodes under", size + RIM], ["nodes", size]].map(([name, width]) => {
+      const path = drawn("path", { class: name, d: data });
+      path.style.strokeWidth = `${width}px`;
+      return path;
+    });
   }
 
   text([x, y]) {

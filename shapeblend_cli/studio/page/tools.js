@@ -223,7 +223,7 @@ export class Tools {
     };
     const others = (this.app.get("match") ?? []).filter((text) => text.includes(":") || !isSame(text));
     this.app.change({ match: [...others, `${a}=${b}`] }, "pair");
-    this.app.say(`Part ${a} of A becomes part ${b} of B.`);
+    this.app.say(`Part ${a} of A becomes part ${b} of B.`, true);
   }
 
   withPin(from, to, pin) {
@@ -237,7 +237,7 @@ export class Tools {
 
   pin(from, to, pin) {
     this.app.change(this.withPin(from, to, pin), pin ? "move of a pin" : "pin");
-    this.app.say("Pinned. Drag either end to move it, or click it and press arrow keys.");
+    this.app.say("Pinned. Drag either end to move it, or click it and press arrow keys.", true);
   }
 
   stiffen(path) {
@@ -246,7 +246,7 @@ export class Tools {
     const [width] = a.drawing.view.slice(2);
     const reach = Number(Math.max(radius, width / 100).toFixed(a.drawing.decimals + 1));
     this.app.change({ stiff: [...(this.app.get("stiff") ?? []), `${a.text(centre)},${reach}=${WEIGHT}`] }, "stiff region");
-    this.app.say(`Within this circle the wire is ${WEIGHT} times as stiff.`);
+    this.app.say(`Within this circle the wire is ${WEIGHT} times as stiff.`, true);
   }
 
   // One end of a pin, to be moved by keys.
@@ -281,7 +281,7 @@ export class Tools {
     this.choose(tool);
     if (tool === "pair") this.take(this.panels[side], { number });
     else this.hover(side, number);
-    at("panels").scrollIntoView({ block: "nearest" });
+    this.panels[side].canvas.scrollIntoView({ block: "nearest" });
   }
 
   // ---- by keys
@@ -474,14 +474,14 @@ export class Tools {
     return shown.flatMap((points) => {
       const step = Math.max(1, Math.floor(points.length / SHOWN));
       const some = points.filter((_, k) => k % step === 0);
-      return some.map((ends, k) => panel.dot(ends[panel.side === "a" ? 0 : 1], 3.5, { class: "goes", fill: hue(k, some.length) }));
+      return some.map((ends, k) => panel.dot(ends[panel.side === "a" ? 0 : 1], panel.dotSize, { class: "goes", fill: hue(k, some.length) }));
     });
   }
 
   // From one drawing into the other: what is being dragged.
   line() {
     const across = at("across");
-    const { left, top } = at("panels").getBoundingClientRect();
+    const { left, top } = across.getBoundingClientRect();
     const ends = [];
     if (this.drag?.moved && this.tool === "pin") {
       const { from, to, event } = this.drag;
