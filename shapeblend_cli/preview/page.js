@@ -463,7 +463,7 @@ async function begin() {
   at("scope-row").hidden = data.pairs.length < 2;
   for (const speed of [0.25, 0.5, 1, 2, 4]) at("speed").append(made("option", { value: speed }, `${speed} ×`));
   at("speed").value = 1;
-  const repeats = new Map([["1", "once"], ["forever", "forever"], ["pingpong", "ping-pong"]]);
+  const repeats = new Map([["1", "once"], ["forever", "forever"], ["pingpong", "pingpong"]]);
   if (!repeats.has(player.repeat)) repeats.set(player.repeat, `${player.repeat} times`);
   for (const [value, name] of repeats) at("repeat").append(made("option", { value }, name));
   at("repeat").value = player.repeat;

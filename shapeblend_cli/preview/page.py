@@ -56,6 +56,9 @@ PATH = re.compile(r"(?!-)[^\s{}<>#,=]*[/\\][^/\\\s{}<>#,=]+")
 NOT_OF_STUDIO = ("-f", "--force", "-q", "--quiet", "-v", "--verbose")
 """Options that the studio does not have."""
 
+OF_THIS_PAGE = re.compile(r"--preview[ =].*|(-n|--frames)[ =]?0", re.DOTALL)
+"""Options with their values that are about this page alone: its name, and that nothing else was wanted."""
+
 LISTS = ("vertices_a", "vertices_b", "dots")
 """Long lists in the report of a contour, which are packed."""
 
@@ -117,11 +120,14 @@ def _in_studio(command: Sequence[str]) -> list[str]:
     """Return the words that open the same blend in the studio; none if no command line has made it."""
     if list(command[:1]) != ["shapeblend"]:
         return []
-    return [
-        "shapeblend",
-        "studio",
-        *(_without_folder(word) for word in command[1:] if word not in NOT_OF_STUDIO),
-    ]
+    kept, words = ["shapeblend", "studio"], list(command[1:])
+    while words:
+        word = words.pop(0)
+        if words and OF_THIS_PAGE.fullmatch(f"{word} {words[0]}"):
+            del words[0]
+        elif word not in NOT_OF_STUDIO and not OF_THIS_PAGE.fullmatch(word):
+            kept.append(_without_folder(word))
+    return kept
 
 
 def _pair(

@@ -14,7 +14,7 @@ export function showNumbers(contour) {
     ["Work", figures(work, 6)],
     ["Stretching", figures(stretching, 6), "key-stretching"],
     ["Bending", figures(bending, 6), "key-bending"],
-    ["Lower bound", bound === null ? "nothing is proven" : `${figures(bound, 6)} (gap ${share(gap)})`],
+    ["Lower bound", bound === null || (bound === 0 && work > 0) ? "nothing is proven" : `${figures(bound, 6)} (gap ${share(gap)})`],
     ["Angles that reach zero", contour.zero_angles],
     ["Diagonal deviation", figures(contour.diagonal_deviation, 3)],
     ["Sweeps through the graph", contour.sweeps],
@@ -28,6 +28,7 @@ export function showNumbers(contour) {
 }
 
 const CONSTANTS = ["ks", "kb", "es", "eb", "pb", "mb", "cs"];
+const OPTIONS = { pins: "pin", tries: "try" }; // settings whose options are called otherwise
 const isNothing = (value) => value === null || value.length === 0;
 const asText = (value) => (isNothing(value) ? "none" : typeof value === "object" ? JSON.stringify(value) : String(value));
 
@@ -46,11 +47,12 @@ export function showRun(data) {
     ...["band", "solver", "effort", "preset", "vertices", "start"].map((name) => [name, asText(settings[name])]),
   ], "pair");
   entries(at("seconds"), Object.entries(data.seconds).map(([stage, seconds]) => [stage, figures(seconds, 3)]), "pair");
-  entries(at("settings"), Object.entries(settings).map(([name, value]) => [name.replaceAll("_", " "), asText(value)]));
+  entries(at("settings"), Object.entries(settings).map(([name, value]) => [`--${(OPTIONS[name] ?? name).replaceAll("_", "-")}`, asText(value)]));
 }
 
 // A row a frame, made when they are wanted; `chosen` is told of the pair and the time of one.
 export function listFrames(data, chosen) {
+  at("frames-all").hidden = !data.frames.length;
   at("frames-title").textContent = `Frames (${data.frames.length})`;
   at("frame-pair").hidden = data.pairs.length < 2;
   const row = ({ t, pair, area, self_crossings: crossings }) => {

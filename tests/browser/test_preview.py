@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.cli import run
+from shapeblend_cli.job.job import RECORDS
 from shapeblend_cli.matching.landscape import landscape
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.svg.reading.read import read
@@ -140,7 +141,7 @@ def test_it_does_not_start_for_who_prefers_reduced_motion(page):
     page.wait_for_function("() => Number(document.getElementById('time').value) > 0")
 
 
-@pytest.mark.parametrize("repeat", ["once", "forever", "ping-pong"])
+@pytest.mark.parametrize("repeat", ["once", "forever", "pingpong"])
 def test_at_its_end_it_does_what_was_chosen(page, repeat):
     page.select_option("#repeat", label=repeat)
     seek(page, 0.8)
@@ -159,6 +160,49 @@ def test_at_its_end_it_does_what_was_chosen(page, repeat):
         steps = np.diff(times)
         assert steps.min() < 0
         assert (steps.min() < -0.5) == (repeat == "forever")
+
+
+def test_the_slider_stands_beside_the_middle_of_the_button(page):
+    middles = [
+        (box := page.locator(name).bounding_box())["y"] + box["height"] / 2 for name in ("#play", "#time")
+    ]
+    assert middles[0] == pytest.approx(middles[1], abs=1)
+
+
+def test_there_is_no_table_of_frames_without_frames(opened):
+    page = opened("one")
+    assert page.is_visible("#frames-all")
+    page = opened("large")
+    assert not page.is_visible("#frames-all")
+
+
+def test_settings_are_called_as_their_options(page):
+    page.click("text=All settings")
+    names = set(page.locator("#settings dt").all_text_contents())
+    flags = {
+        part for record in RECORDS for o in record.options.values() for f in o.flags for part in f.split("/")
+    }
+    assert {"--select-a", "--try", "--pin"} <= names <= flags
+
+
+def test_of_lines_no_bound_of_nothing_is_told(browser, tmp_path):
+    for name, data in {"menu": "M4 6H20 M4 12H20 M4 18H20", "x": "M18 6 6 18 M6 6 18 18"}.items():
+        strokes = 'fill="none" stroke="#222" stroke-width="2"'
+        (tmp_path / f"{name}.svg").write_text(svg(data, attributes=strokes))
+    page_file, report = tmp_path / "x.html", tmp_path / "r.json"
+    files = [str(tmp_path / f"{name}.svg") for name in ("menu", "x")]
+    assert run([*files, "-q", "-n", "0", "--preview", str(page_file), "--report", str(report)]) == 0
+    contours = json.loads(report.read_text())["pairs"][0]["contours"]
+    assert any(one["work"] > 0 and one["lower_bound"] == 0 for one in contours)
+    with browser.new_context(reduced_motion="reduce") as context:
+        page = context.new_page()
+        page.goto(page_file.as_uri())
+        page.wait_for_selector("html[data-ready]")
+        page.click("#method > summary")
+        for number in range(len(contours)):
+            if page.is_visible("#contour"):
+                page.select_option("#contour", str(number))
+            assert "gap 100 %" not in page.inner_text("#works")
 
 
 def test_rests_and_easings_that_overshoot_are_played(opened):

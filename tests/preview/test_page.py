@@ -232,6 +232,21 @@ def test_others_are_told_no_folders(here):
     assert "secret" not in Path("x.html").read_text(encoding="utf-8")
 
 
+@pytest.mark.parametrize(
+    ("options", "kept"),
+    [
+        ("-n 0 --kb 2 -o m.svg", "--kb 2 -o m.svg"),
+        ("--frames=0 -q", ""),
+        ("-n0 --ends", "--ends"),
+        ("-n 10 -o strip.png", "-n 10 -o strip.png"),
+    ],
+)
+def test_the_studio_is_asked_for_the_blend_and_not_for_the_page(here, options, kept):
+    assert run(["a.svg", "b.svg", *options.split(), "--preview", "x.html"]) == 0
+    page = Page(Path("x.html").read_text(encoding="utf-8"))
+    assert " ".join(page.data["studio"]) == f"shapeblend studio a.svg b.svg {kept}".strip()
+
+
 def test_what_files_say_does_no_harm(here):
     evil = "</script><script>alert(1)</script><!--"
     name = evil.replace("/", "_") + "&.svg"
