@@ -21,7 +21,7 @@ from shapeblend_cli.svg.writing.sheet import Row, sheet
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from shapeblend_cli.model import Drawing, IntArray, PaintedShape, Pair
+    from shapeblend_cli.model import BoolArray, Drawing, IntArray, PaintedShape, Pair
     from shapeblend_cli.options.settings import Settings
 
 WAYS: Mapping[str, dict[str, Any]] = {
@@ -49,6 +49,10 @@ SIDE = 48
 
 DIFFERENT = 0.03
 """Minimum visible difference of two blends at some moment, as a share of the painted area."""
+
+NEAR = 1
+"""Maximum distance at which the same paint is in the same place for the eye, in steps of the grid: thin lines that lie
+beside each other by less have no point in common, and yet look the same."""
 
 LARGER_SIDE = 96.0
 """Larger side of a picture on a sheet, in pixels."""
@@ -144,5 +148,18 @@ def _number(colour: str) -> int:
 def _differ(a: Sequence[IntArray], b: Sequence[IntArray]) -> bool:
     """Return whether pictures of two blends differ at some moment, in what they paint."""
     return any(
-        np.count_nonzero(p != q) > DIFFERENT * np.count_nonzero(p | q) for p, q in zip(a, b, strict=True)
+        np.count_nonzero(_lacks(p, q) | _lacks(q, p)) > DIFFERENT * np.count_nonzero(p | q)
+        for p, q in zip(a, b, strict=True)
     )
+
+
+def _lacks(picture: IntArray, other: IntArray) -> BoolArray:
+    """Return the points of a picture whose paint another picture does not have there, nor near."""
+    padded = np.pad(other, NEAR, mode="edge")
+    rows, columns = other.shape
+    places = [slice(start, None) for start in range(2 * NEAR + 1)]
+    found = np.zeros(other.shape, bool)
+    for down in places:
+        for right in places:
+            found |= padded[down, right][:rows, :columns] == picture
+    return ~found

@@ -2,13 +2,16 @@
 
 import json
 
+import numpy as np
 import pytest
 
 from shapeblend_cli.errors import OptionError
+from shapeblend_cli.job.tries import _differ
 from shapeblend_cli.rows.project import project_of
 from shapeblend_cli.studio import answers
 from shapeblend_cli.studio.order import Consent, Order
 from shapeblend_cli.system.kept import Kept
+from tests.support.documents import ROOT
 from tests.support.drawings import EYED, RING, SQUARES, svg
 
 DRAWINGS = {
@@ -98,3 +101,20 @@ def test_a_mixture_is_refused_in_a_line_and_written_all_the_same(here, what):
         answers.do(Order(what, project, {}))
     assert answers.do(Order("write", project, {}, Consent(str(here))))["written"] == ["mixed.svg"]
     assert (here / "mixed.svg").exists()
+
+
+def test_other_blends_that_look_the_same_are_not_offered(here):
+    for name, drawing in {"a": "car", "b": "bus"}.items():
+        (here / f"{name}.svg").write_bytes((ROOT / "docs" / "studio" / f"{drawing}.svg").read_bytes())
+    order = Order("others", project_of({"files": ["a.svg", "b.svg"]}, "", ""), {})
+    names = {one["name"] for one in answers.do(order)}
+    assert {"As it is", "Parts split and join", "B in the frame of A"} <= names
+    assert not {"As in the paper", "Points may go far"} & names  # a line's width off at most
+
+
+@pytest.mark.parametrize(("shift", "is_other"), [(0, False), (1, False), (2, True)])
+def test_thin_lines_beside_each_other_look_the_same(shift, is_other):
+    line = np.zeros((48, 48), np.intp)
+    line[10:40, 20] = 5
+    assert _differ([line], [np.roll(line, shift, axis=1)]) == is_other
+    assert _differ([line], [np.where(line, 7, 0)])  # of another colour
