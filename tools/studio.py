@@ -20,7 +20,12 @@ if TYPE_CHECKING:
 SCREENS: dict[str, dict[str, Any]] = {
     "light": {"color_scheme": "light"},
     "dark": {"color_scheme": "dark"},
-    "phone": {"color_scheme": "light", "viewport": {"width": 390, "height": 844}, "has_touch": True},
+    "phone": {
+        "color_scheme": "light",
+        "viewport": {"width": 390, "height": 844},
+        "has_touch": True,
+        "is_mobile": True,
+    },
 }
 CORRECTED = Project(("car.svg", "bus.svg"), {"match": ["0=11", "2=13", "1=15"]})
 """The blend that the pictures show."""
@@ -66,7 +71,8 @@ def main() -> None:
     from tests.support.chromium import start_chromium
 
     with sync_playwright() as playwright:
-        browser = start_chromium(playwright.chromium)
+        # People see the scroll bars, which Playwright hides.
+        browser = start_chromium(playwright.chromium, ignore_default_args=["--hide-scrollbars"])
         for screen in SCREENS:
             draw(browser, screen)
         browser.close()

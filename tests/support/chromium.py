@@ -10,9 +10,9 @@ from tests.support.equipment import CHROMIUM
 ARGUMENTS = ["--no-sandbox", "--disable-gpu", "--disable-gpu-watchdog"]
 
 
-def start_chromium(chromium, *arguments):
-    """Start the Chromium of this machine; `chromium` is Playwright's type of browser."""
-    return chromium.launch(executable_path=CHROMIUM, args=[*ARGUMENTS, *arguments])
+def start_chromium(chromium, *arguments, **options):
+    """Start the Chromium of this machine; `chromium` is Playwright's type of browser, which takes the options."""
+    return chromium.launch(executable_path=CHROMIUM, args=[*ARGUMENTS, *arguments], **options)
 
 
 def picture_of(place, mode="RGB", **options):
