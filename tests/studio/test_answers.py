@@ -97,7 +97,7 @@ def test_a_mixture_is_refused_in_a_line_and_written_all_the_same(here, what):
     for name, drawing in {"a": "ring", "b": "eyed"}.items():
         (here / f"{name}.svg").write_text(DRAWINGS[drawing])
     project = project_of({"files": ["a.svg", "b.svg"], "mix": ".5,.5", "output": "mixed.svg"}, "", "")
-    with pytest.raises(OptionError, match="^--mix makes mixtures, which the studio does not show"):
+    with pytest.raises(OptionError, match=r"^--mix makes mixtures, which the studio does not show"):
         answers.do(Order(what, project, {}))
     assert answers.do(Order("write", project, {}, Consent(str(here))))["written"] == ["mixed.svg"]
     assert (here / "mixed.svg").exists()
