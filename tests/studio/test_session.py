@@ -10,6 +10,7 @@ import pytest
 from shapeblend_cli.cli import run
 from shapeblend_cli.errors import PictureError
 from shapeblend_cli.outputs.registry import FORMATS
+from tests.support.documents import ROOT
 from tests.support.drawings import BAR, EYED, LEAF, svg
 
 PROJECT = {"files": ["a.svg", "b.svg"], "pin": ["2,6:3,14"], "kb": 0.5}
@@ -194,7 +195,9 @@ def test_the_numbers_of_parts_are_those_of_the_command(client, here):
     assert crossed["drawings"][0]["contours"][1]["d"].startswith("M14,2")
 
 
-def test_other_blends_have_the_options_that_give_them(client):
+def test_other_blends_have_the_options_that_give_them(client, here):
+    for name, drawing in {"a": "car", "b": "bus"}.items():
+        (here / f"{name}.svg").write_bytes((ROOT / "docs" / "studio" / f"{drawing}.svg").read_bytes())
     others = client.ask("others", project={"files": ["a.svg", "b.svg"]})["others"]
     assert others[0]["changes"] == {}
     assert len(others) > 1
