@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from shapeblend_cli.cli.group import TYPED
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.options.types import FLAG, FieldType
 
@@ -40,8 +41,10 @@ class FieldText(click.ParamType):  # type: ignore[type-arg]  # generic only in n
         except InputError:
             raise
         except ValueError as error:
-            # The last of several names is the one that documents have.
-            name = max(reversed(param.opts), key=lambda name: name.startswith("--")) if param else ""
+            name = _as_typed(param, ctx) if param else ""
+            if ctx is not None and any(value in other.opts for other in ctx.command.params):
+                takes = param.metavar if param else ""
+                raise click.UsageError(f"{name} takes a value, {takes}, before {value}", ctx) from None
             raise click.UsageError(f"{name} {error}", ctx) from None
 
     def shell_complete(
@@ -55,8 +58,18 @@ class FieldText(click.ParamType):  # type: ignore[type-arg]  # generic only in n
         return [CompletionItem(word) for word in self.kind.choices if word.startswith(incomplete)]
 
 
+def _as_typed(param: click.Parameter, ctx: click.Context | None) -> str:
+    """Return the name by which an option was given; else the last of its names, which documents have."""
+    typed = {word.partition("=")[0] for word in (ctx.meta.get(TYPED, ()) if ctx else ())}
+    names = [name for name in param.opts if name.startswith("--")]
+    return next((name for name in names if name in typed), names[-1])
+
+
 class FieldOption(click.Option):
-    """An option made from a field. Its value is None, or for a repeatable one empty, where it is not given."""
+    """An option made from a field. Its value is None, or for a repeatable one empty, where it is not given.
+
+    A file to write can be named once: of two, only one would be written.
+    """
 
     def __init__(self, field: Option) -> None:
         value: dict[str, Any] = {"is_flag": True}
@@ -66,11 +79,24 @@ class FieldOption(click.Option):
             value = {
                 "type": kind,
                 "metavar": field.metavar,
-                "multiple": field.many,
+                "multiple": field.many or field.kind.is_file,
                 "nargs": field.kind.words,
             }
+            if field.kind.is_file and not field.many:
+                value["callback"] = _only
         super().__init__([*field.flags, field.name], help=field.full_help, default=None, **value)
         self.section = field.section
+
+
+def _only(_: click.Context, param: click.Parameter, values: tuple[str, ...]) -> str | None:
+    """Return the one value of an option that may be given several times, but not with several values."""
+    named = list(dict.fromkeys(values))
+    if len(named) > 1:
+        name = max(reversed(param.opts), key=lambda name: name.startswith("--"))
+        raise click.UsageError(
+            f"{name} is given twice, {named[0]} and {named[1]}; a run for each of them would work"
+        )
+    return named[0] if named else None
 
 
 def options_of(

@@ -6,6 +6,7 @@ https://www.w3.org/TR/css-easing-1/#cubic-bezier-easing-functions
 from __future__ import annotations
 
 import math
+import re
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from itertools import pairwise
@@ -238,6 +239,61 @@ def parse(text: str) -> Easing:
         mass, stiffness, damping = numbers
         return Curve(words, _knots(_spring(mass, stiffness, damping)))
     raise ValueError(text)
+
+
+LIKE = {
+    "back": "back overshoot anticipate",
+    "elastic": "elastic bounce wobble",
+    "ease": "sine quad cubic quart quint expo circ power1 power2 power3 power4 swing smooth",
+}
+"""Words for easings elsewhere, by the family here that comes closest."""
+
+FORMS = {
+    "cubic-bezier": ("x1,y1,x2,y2", "cubic-bezier(.34,1.56,.64,1)"),
+    "spring": ("mass,stiffness,damping", "spring(1,100,10)"),
+    "linear": ("0,...,1", "linear(0,1.2,1)"),
+}
+"""Easings with numbers: what these are, and an example."""
+
+
+def wrong(text: str) -> str:
+    """Return what is wrong with a text that `parse` does not read, with what would work; empty if it is like nothing.
+
+    Examples
+    --------
+    >>> print(wrong("easeOutBack"))
+    a known easing, not 'easeOutBack'; back-out would work
+    >>> print(wrong("spring"))
+    spring(mass,stiffness,damping), not 'spring'; spring(1,100,10) would work
+    """
+    name, _, body = "".join(text.split()).lower().partition("(")
+    if name in FORMS:
+        numbers, example = FORMS[name]
+        problem = f", not {text!r}"
+        given = [word for word in body.rstrip(")").split(",") if word]
+        if name == "cubic-bezier" and len(given) == 4 and body.endswith(")"):
+            off = [f"{axis} is {x}" for axis, x in zip(("x1", "x2"), given[::2], strict=True) if _is_off(x)]
+            problem = f" with x1 and x2 between 0 and 1, and {' and '.join(off)}" if off else problem
+        elif name != "linear" and given and len(given) != numbers.count(",") + 1:
+            problem = f"{problem}, which has {len(given)} number{'s' * (len(given) > 1)}"
+        return f"{name}({numbers}){problem}; {example} would work"
+    words = [word.lower() for word in re.findall(r"[A-Z]?[a-z]+[0-9]?", text.partition("(")[0])]
+    if words == ["steps"]:
+        return f"a known easing, not {text!r}; stops of linear(0,...,1) make steps"
+    family = [ours for ours, theirs in LIKE.items() if set(theirs.split()) & {*words}]
+    if not family and "ease" not in words[:1] and not {*words} & {"in", "out"}:
+        return ""
+    way = "-".join(word for word in ("in", "out") if word in words)
+    way = way or ("in" if "anticipate" in words else "out")
+    found = f"{family[0] if family else 'ease'}-{way}"
+    return f"a known easing, not {text!r}; {found} would work"
+
+
+def _is_off(text: str) -> bool:
+    try:
+        return not 0.0 <= float(text) <= 1.0
+    except ValueError:
+        return True
 
 
 def _back(time: float) -> float:

@@ -182,14 +182,37 @@ def _band(value: Any) -> float | None:
 
 
 MOST_RUNS = 1_000_000  # runs of an animation that can be asked for; more is forever
+RUNS = f"forever, pingpong, or a number from 1 to {MOST_RUNS}"
+
+
+LIKE_RUNS = {
+    "forever": "infinite infinity indefinite always endless loop true yes on -1 0".split(),
+    "pingpong": "ping-pong alternate yoyo reverse boomerang bounce mirror".split(),
+    "1": "once no none false off never".split(),
+}
+"""Words for runs of animations elsewhere, by those that mean the same here."""
 
 
 def _repeat(value: Any) -> Any:
     if value in ("forever", "pingpong"):
         return value
+    likely = [ours for ours, theirs in LIKE_RUNS.items() if str(value).lower() in theirs]
+    if likely:
+        raise Unfit(f"{RUNS}, not {value!r}; {likely[0]} would work")
     if not 1 <= _integer(value) <= MOST_RUNS:
         raise ValueError
     return index(value)
+
+
+def _ease(value: Any) -> easing.Easing:
+    if isinstance(value, easing.Easing):
+        return value
+    try:
+        return easing.parse(str(value))
+    except ValueError:
+        if problem := easing.wrong(str(value)):
+            raise Unfit(problem) from None
+        raise
 
 
 def _timing(value: Any) -> timetable.Timetable:
@@ -337,13 +360,13 @@ BAND = FieldType(
     lambda text: text if text == "none" else float(text),
 )
 EASE = FieldType(
-    f"{', '.join(easing.NAMES)}, back, elastic, cubic-bezier(x1,y1,x2,y2) with x1 and x2 between 0 and 1, "
-    "spring(mass,stiffness,damping) or linear(0,...,1)",
-    lambda value: value if isinstance(value, easing.Easing) else easing.parse(str(value)),
+    f"{', '.join(easing.NAMES)}, back or elastic, both also with -in, -out or -in-out, "
+    f"{' or '.join(f'{name}({numbers})' for name, (numbers, _) in easing.FORMS.items())}",
+    _ease,
     "NAME",
 )
 REPEAT = FieldType(
-    f"forever, pingpong, or a number from 1 to {MOST_RUNS}",
+    RUNS,
     _repeat,
     "N|forever|pingpong",
     lambda text: int(text) if text.isdecimal() else text,

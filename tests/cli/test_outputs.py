@@ -252,3 +252,8 @@ def test_a_format_is_chosen_without_what_renders_it():
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert "one is enough" in done.stderr
     assert done.stdout == "set()\n"
+
+
+def test_the_same_output_named_twice_is_one_output():
+    assert run([*AB, "-o", "x.svg", "--output", "x.svg"]) == 0
+    assert "x.svg" in contents()

@@ -1,9 +1,21 @@
+import re
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.options.easing import LINEAR, NAMES, PINGPONG, TOLERANCE, Ease, Timing, frame_times, parse
+from shapeblend_cli.options.easing import (
+    FORMS,
+    LINEAR,
+    NAMES,
+    PINGPONG,
+    TOLERANCE,
+    Ease,
+    Timing,
+    frame_times,
+    parse,
+)
 from shapeblend_cli.options.settings import Settings
 
 shares = st.floats(0.0, 1.0)
@@ -59,8 +71,49 @@ FORMLESS += [
 
 @pytest.mark.parametrize("text", FORMLESS)
 def test_what_is_no_easing(text):
-    with pytest.raises(ValueError, match=r"ease must be linear, ease, .*spring.*, not"):
+    with pytest.raises(ValueError, match=r"^ease must be .*(spring|bezier|linear)\(.*, (not|and x1 is) "):
         Settings(ease=text)
+
+
+MEANT = {
+    "bounce": "elastic-out",
+    "overshoot": "back-out",
+    "anticipate": "back-in",
+    "easeInOut": "ease-in-out",
+    "easeOutBack": "back-out",
+    "ease-out-back": "back-out",
+    "back.out(1.7)": "back-out",
+    "elastic.inOut": "elastic-in-out",
+    "power2.out": "ease-out",
+}
+
+
+@pytest.mark.parametrize("text", MEANT)
+def test_a_name_from_elsewhere_is_answered_by_what_comes_closest(text):
+    with pytest.raises(ValueError, match=f"ease must be a known easing, not .*; {MEANT[text]} would work"):
+        Settings(ease=text)
+    assert parse(MEANT[text]).at(1.0) == 1.0
+
+
+NUMBERED = {
+    "cubic-bezier(1,2,3)": "'cubic-bezier(1,2,3)', which has 3 numbers; cubic-bezier(",
+    "cubic-bezier(1.5,0,1,1)": "with x1 and x2 between 0 and 1, and x1 is 1.5;",
+    "cubic-bezier(0,0,-1,1)": "and x2 is -1;",
+    "spring": "must be spring(mass,stiffness,damping), not 'spring'; spring(1,100,10) would work",
+    "spring(1)": "not 'spring(1)', which has 1 number; spring(1,100,10) would work",
+    "steps(5)": "not 'steps(5)'; stops of linear(0,...,1) make steps",
+}
+
+
+@pytest.mark.parametrize("text", NUMBERED)
+def test_what_is_wrong_with_an_easing_of_numbers_is_said(text):
+    with pytest.raises(ValueError, match=re.escape(NUMBERED[text])):
+        Settings(ease=text)
+
+
+@pytest.mark.parametrize("example", [example for _, example in FORMS.values()])
+def test_the_examples_in_errors_are_easings(example):
+    assert parse(example).at(1.0) == 1.0
 
 
 def test_frames_are_spaced_by_it():
