@@ -73,9 +73,9 @@ class StatesOptions(Record, section=STATES):
     trigger: str = option(
         types.choice("none", "click", "hover"),
         default="none",
-        help="What changes the state of an SVG. none: only the page around it; click: a click, Enter or Space moves "
+        help="What changes the state. none: only the page around it; click: a click, Enter or Space moves "
         "on to the next state; hover: the second state is shown while the pointer is on it or it has the keyboard's "
-        "focus. A custom element has the attribute trigger for this.",
+        "focus. A custom element reacts so unless its attribute trigger says otherwise.",
     )
     duration: float = option(
         types.seconds(0.0, 3600.0), default=0.3, help="Seconds from one state to another; 300ms works, too."

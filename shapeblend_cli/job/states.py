@@ -59,7 +59,7 @@ def write_states(
         decimals,
     )
     trigger = None if options.trigger == "none" else options.trigger
-    written = states_js(states, element) if element else states_svg(states, trigger)
+    written = states_js(states, element, trigger) if element else states_svg(states, trigger)
     write_output(options.output, written, options.force)
 
 

@@ -35,8 +35,8 @@ class Element(Shown):
 def element(show, here):  # noqa: F811
     """Show a custom element with attributes."""
 
-    def shown(attributes="", before="", seconds=SECONDS, **options):
-        script = made("--element", "my-icon", "--duration", str(seconds), file="icon.js")
+    def shown(attributes="", before="", seconds=SECONDS, asked=(), **options):
+        script = made("--element", "my-icon", "--duration", str(seconds), *asked, file="icon.js")
         body = f"<style>my-icon{{width:120px;height:120px}}</style><script>{before}</script>"
         body += f'<script type="module">{script}</script><my-icon {attributes}></my-icon>'
         found = show(body, **options)
@@ -111,6 +111,19 @@ def test_an_element_goes_from_state_to_state(element):
     shown.page.evaluate("document.querySelector('my-icon').setAttribute('state', 'left')")
     assert_moves(shown.path(), 8, 2)
     assert shown.page.evaluate("document.querySelector('my-icon').states") == list(PLACES)
+
+
+def test_an_element_without_a_trigger_has_that_of_its_module(element):
+    shown = element(asked=("--trigger", "click"))
+    shown.click()
+    assert_moves(shown.path(), 2, 8)
+
+
+def test_an_element_may_have_no_trigger_where_its_module_has_one(element):
+    shown = element('trigger=""', asked=("--trigger", "click"))
+    shown.click()
+    shown.page.wait_for_timeout(500)
+    assert shown.left() == 2.0
 
 
 def test_an_element_reacts_to_clicks_and_keys(element):

@@ -76,3 +76,15 @@ def test_one_file_has_no_states_and_existing_files_stay(here, capsys):
     assert run(["states", "a.svg", "b.svg"]) == 1
     assert "exists" in capsys.readouterr().err
     assert Path("states.svg").read_text() == "mine"
+
+
+def test_elements_react_as_the_trigger_says_unless_they_say_otherwise(here):
+    written = {}
+    for name, options in {"plain": [], "none": ["none"], "click": ["click"], "hover": ["hover"]}.items():
+        asked = ["--trigger", *options] if options else []
+        assert run(["states", *three(), "-o", "s.js", "-q", "-f", *asked]) == 0
+        written[name] = Path("s.js").read_text()
+    assert written["plain"] == written["none"]
+    for name in ("click", "hover"):
+        changed = written[name].replace(f' ?? "{name}"', "")
+        assert (changed, len(written[name]) - len(changed)) == (written["plain"], len(name) + 6)

@@ -22,6 +22,7 @@ from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
 
 CLICK, HOVER = "click", "hover"
+ATTRIBUTE = 'this.getAttribute("trigger")'
 
 _ON = "var l=%s,s=this.dataset;s.state=l[(l.indexOf(s.state)+1)%%l.length]"
 _KEYS = "if(/^( |Enter)$/.test(event.key)){event.preventDefault();this.onclick(event)}"
@@ -65,8 +66,11 @@ def states_svg(states: States, trigger: str | None) -> str:
     return document.text(drawing, style="\n".join(["", *rules, ""]))
 
 
-def states_js(states: States, element: str) -> str:
-    """Return a module of JavaScript that defines a custom element of some name."""
+def states_js(states: States, element: str, trigger: str | None = None) -> str:
+    """Return a module of JavaScript that defines a custom element of some name.
+
+    A trigger is the one of elements without an attribute for it.
+    """
     drawing, rules = _drawing(states, with_data=True)
     document.put(drawing, {"aria-hidden": "true"})  # the element around it says what it is
     for name in ("width", "height"):
@@ -91,6 +95,8 @@ def states_js(states: States, element: str) -> str:
     for key, value in values.items():
         if key.startswith("/*"):
             body = body.replace(key, value.replace("</", "<\\/"))  # no end of a script in a page
+    if trigger:
+        body = body.replace(ATTRIBUTE, f"{ATTRIBUTE} ?? {json.dumps(trigger)}", 1)
     return head + body
 
 
