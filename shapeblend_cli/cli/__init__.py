@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import click
 
-from shapeblend_cli.cli.group import Commands, DefaultGroup, in_other_words, with_value
+from shapeblend_cli.cli.group import Commands, DefaultGroup, as_typed, command_of, in_other_words, with_value
 from shapeblend_cli.cli.terminal import say
 from shapeblend_cli.errors import OptionError, ShapeblendError, in_words
 from shapeblend_cli.system.interrupts import Interrupted, listening
@@ -48,18 +48,8 @@ def run(arguments: Sequence[str], began: float | None = None) -> int:
             if sys.stdout is not None:
                 sys.stdout.flush()
             return status or 0
-    except click.NoSuchOption as error:
-        say(f"{in_other_words(error)} (shapeblend --help lists the options)")
-        return USAGE
-    except click.BadOptionUsage as error:
-        named = arguments[0] if arguments[0] in shapeblend.commands else DefaultGroup.default
-        say(f"{with_value(error, shapeblend.commands[named])} (shapeblend --help lists the options)")
-        return USAGE
-    except click.ClickException as error:
-        say(f"{error.format_message()} (shapeblend --help lists the options)")
-        return USAGE
-    except OptionError as error:
-        say(f"{error} (shapeblend --help lists the options)")
+    except (click.ClickException, OptionError) as error:
+        _say_usage(error, arguments)
         return USAGE
     except Interrupted as error:
         say(str(error))
@@ -72,6 +62,18 @@ def run(arguments: Sequence[str], began: float | None = None) -> int:
     except (OSError, MemoryError) as error:
         say(in_words(error))
         return FAILED
+
+
+def _say_usage(error: click.ClickException | OptionError, arguments: Sequence[str]) -> None:
+    """Say what is wrong with a command line, and where its options are listed."""
+    typed, command = command_of(arguments, shapeblend, DefaultGroup.default)
+    if isinstance(error, click.NoSuchOption):
+        text = in_other_words(error)
+    elif isinstance(error, click.BadOptionUsage):
+        text = with_value(error, command)
+    else:
+        text = error.format_message() if isinstance(error, click.ClickException) else str(error)
+    say(f"{as_typed(text, arguments, command)} ({typed} --help lists the options)")
 
 
 def status_of(interrupted: Interrupted) -> int:

@@ -3,16 +3,24 @@
 from __future__ import annotations
 
 import sys
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from shapeblend_cli.cli.group import TYPED, SectionedCommand
 from shapeblend_cli.cli.parameters import NAME, options_of
-from shapeblend_cli.cli.terminal import Terminal, TerminalOptions, details, results
+from shapeblend_cli.cli.terminal import NOTHING, Terminal, TerminalOptions, details, results
+from shapeblend_cli.errors import OptionError
 from shapeblend_cli.job.job import RECORDS, check_inputs, job_of
 from shapeblend_cli.job.options import RunOptions
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
+from shapeblend_cli.outputs.options import check_runs
 from shapeblend_cli.system.interrupts import limit
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from shapeblend_cli.job.job import Job
 
 EXAMPLES = (
     ("shapeblend a.svg b.svg", "five in-betweens: blend/frame-1.svg ... blend/frame-5.svg"),
@@ -38,14 +46,17 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
     printed = TerminalOptions.of(given)
     if printed.quiet and printed.verbose:
         raise click.UsageError("--quiet and --verbose contradict each other")
-    files, given = opened(files, given, stays_inside=True)
-    job = job_of(files, given, ("shapeblend", *context.meta[TYPED]))
-    limit(*RunOptions.of(given).values)
+    files, options = opened(files, given, stays_inside=True)
+    job = job_of(files, options, ("shapeblend", *context.meta[TYPED]))
+    _check_idle(job, given, printed)
+    limit(*RunOptions.of(options).values)
     check_inputs(job.files)
 
     from shapeblend_cli.job.make import blend_files
 
     with Terminal(quiet=printed.quiet) as terminal:
+        if given["ends"] and job.output.format.plays:
+            terminal.note("--ends adds nothing here: animations begin and end with the drawings")
         run = blend_files(job, terminal.note, terminal.warn, terminal.progress)
         if sys.stderr is not None and sys.stderr.isatty():
             for line in results(job, sum(run.clock.seconds.values())):
@@ -53,6 +64,16 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
         if printed.verbose:
             for line in details(run, context.obj):
                 terminal.note(line)
+
+
+def _check_idle(job: Job, typed: Mapping[str, Any], printed: TerminalOptions) -> None:
+    """Raise OptionError for a run that would do nothing, and for what was typed and would do nothing."""
+    output, write = job.output, job.write
+    if typed["repeat"] is not None:
+        check_runs(output)
+    others = write.report or write.preview or write.tries or write.fail_on != "never" or printed.verbose
+    if not (output.files() or output.path == STANDARD_OUTPUT or others):
+        raise OptionError(NOTHING)
 
 
 def opened(

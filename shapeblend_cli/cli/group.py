@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator, Mapping
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -72,6 +73,33 @@ def with_value(error: click.BadOptionUsage, command: click.Command) -> str:
     found = [option for option in command.params if error.option_name in option.opts]
     takes = f" '{error.option_name} {found[0].metavar}' would work." if found and found[0].metavar else ""
     return error.format_message() + takes
+
+
+def as_typed(message: str, arguments: Sequence[str], command: click.Command) -> str:
+    """Return a message that names options as they were typed, where they have another long name in it.
+
+    Examples
+    --------
+    >>> loop = click.Option(["--loop", "--repeat"])
+    >>> as_typed("--repeat is for animations", ["--loop=3"], click.Command("blend", params=[loop]))
+    '--loop is for animations'
+    """
+    typed = {argument.partition("=")[0] for argument in arguments}
+    for names in ([name for name in param.opts if name.startswith("--")] for param in command.params):
+        for name in names[:-1] if not typed & {*names[-1:]} else ():
+            if name in typed:
+                message = re.sub(rf"{names[-1]}(?![\w-])", name, message)
+    return message
+
+
+def command_of(arguments: Sequence[str], group: click.Group, default: str) -> tuple[str, click.Command]:
+    """Return the command that arguments name, as it is typed, or the default one of a group, as nobody types it."""
+    if not arguments or arguments[0] not in group.commands:
+        return "shapeblend", group.commands[default]
+    words, command = ["shapeblend", arguments[0]], group.commands[arguments[0]]
+    if isinstance(command, click.Group) and arguments[1:] and arguments[1] in command.commands:
+        words, command = [*words, arguments[1]], command.commands[arguments[1]]
+    return " ".join(words), command
 
 
 class SectionedCommand(click.Command):

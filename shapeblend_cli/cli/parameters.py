@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from shapeblend_cli.cli.group import TYPED
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.options.types import FLAG, FieldType
 
@@ -41,7 +40,7 @@ class FieldText(click.ParamType):  # type: ignore[type-arg]  # generic only in n
         except InputError:
             raise
         except ValueError as error:
-            name = _as_typed(param, ctx) if param else ""
+            name = documented(param) if param else ""
             if ctx is not None and any(value in other.opts for other in ctx.command.params):
                 takes = param.metavar if param else ""
                 raise click.UsageError(f"{name} takes a value, {takes}, before {value}", ctx) from None
@@ -58,11 +57,9 @@ class FieldText(click.ParamType):  # type: ignore[type-arg]  # generic only in n
         return [CompletionItem(word) for word in self.kind.choices if word.startswith(incomplete)]
 
 
-def _as_typed(param: click.Parameter, ctx: click.Context | None) -> str:
-    """Return the name by which an option was given; else the last of its names, which documents have."""
-    typed = {word.partition("=")[0] for word in (ctx.meta.get(TYPED, ()) if ctx else ())}
-    names = [name for name in param.opts if name.startswith("--")]
-    return next((name for name in names if name in typed), names[-1])
+def documented(param: click.Parameter) -> str:
+    """Return the name of an option that documents have: the last of several long ones."""
+    return max(reversed(param.opts), key=lambda name: name.startswith("--"))
 
 
 class FieldOption(click.Option):
@@ -92,10 +89,8 @@ def _only(_: click.Context, param: click.Parameter, values: tuple[str, ...]) -> 
     """Return the one value of an option that may be given several times, but not with several values."""
     named = list(dict.fromkeys(values))
     if len(named) > 1:
-        name = max(reversed(param.opts), key=lambda name: name.startswith("--"))
-        raise click.UsageError(
-            f"{name} is given twice, {named[0]} and {named[1]}; a run for each of them would work"
-        )
+        given = f"{documented(param)} is given twice, {named[0]} and {named[1]}"
+        raise click.UsageError(f"{given}; a run for each of them would work")
     return named[0] if named else None
 
 

@@ -27,6 +27,7 @@ OFTEN, SELDOM = (
     10.0,
     60.0,
 )  # seconds before the first line in a pipe or a file, and between further ones at most
+NOTHING = "wrote nothing: --frames 0 asks for no in-betweens; --ends would write the drawings"
 BAR = 30  # characters of the bar that shows how far a batch is
 CLEAR = "\r\x1b[K"
 
@@ -214,7 +215,7 @@ def results(job: Job, seconds: float) -> Iterator[str]:
     took = f"in {seconds:.1f} s"
     if not files:
         if not (job.write.preview or others or output.path == "-"):
-            yield "wrote nothing: --frames 0 asks for no in-betweens; --ends would write the drawings"
+            yield NOTHING
     elif output.format.has_frame_files:
         which = files[0] if len(files) == 1 else f"{files[0]} to {os.path.basename(files[-1])}"
         yield f"wrote {_count(len(files), 'frame')}, {which}, {took}"

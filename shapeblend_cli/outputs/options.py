@@ -26,6 +26,12 @@ SHARED = {
 """Options that several formats take, and their purposes."""
 
 
+PLAYING = "animations, a name ending in " + alternatives(
+    list(dict.fromkeys(format.suffix for format in FORMATS if format.plays))
+)
+"""What options of time are for, in errors."""
+
+
 def _by_suffix() -> str:
     suffixes: dict[str, list[str]] = {}
     taken: set[str] = set()
@@ -197,8 +203,12 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
     if settings.has_spans and not format.takes_stagger:
         raise OptionError(f"{settings.spans_by} is for frames and what plays, not for {asked}")
     for name, is_asked in {"hold": any(options.hold), "delay": options.delay > 0.0}.items():
-        if is_asked and not (format.plays and options.trigger.is_load):
-            raise OptionError(f"--{name} is for animations that start by themselves, not for {asked}")
+        if is_asked and not format.plays:
+            raise OptionError(f"--{name} is for {PLAYING}, not for {asked}")
+        if is_asked and not options.trigger.is_load:
+            raise OptionError(
+                f"--{name} is for animations that start by themselves; --trigger {options.trigger} waits for an event"
+            )
     if settings.times and not format.takes_times:
         raise OptionError(f"--times is for a folder of frames, a contact sheet or layers, not for {asked}")
     _check_lossless(options, format, asked)
@@ -232,6 +242,14 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
     )
     format.check(spec)
     return spec
+
+
+def check_runs(spec: OutputSpec) -> None:
+    """Raise OptionError for an output that has no runs, as it does not play."""
+    if not spec.format.plays:
+        emit = spec.format.emit
+        asked = f"--output {spec.path}" if emit == EMITS[0] else f"--emit {emit}"
+        raise OptionError(f"--repeat is for {PLAYING}, not for {asked}")
 
 
 def _check_mix(options: OutputOptions, settings: Settings, format: Format, asked: str) -> None:

@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from PIL import Image
@@ -256,4 +257,17 @@ def test_a_format_is_chosen_without_what_renders_it():
 
 def test_the_same_output_named_twice_is_one_output():
     assert run([*AB, "-o", "x.svg", "--output", "x.svg"]) == 0
-    assert "x.svg" in contents()
+    assert made() == ["x.svg"]
+
+
+def test_ends_of_an_animation_are_there_anyway_and_that_is_said(capsys):
+    for name, options in (("plain.svg", []), ("ends.svg", ["--ends"])):
+        assert run([*AB, "-o", name, *options]) == 0
+    said = capsys.readouterr().err
+    assert said == "shapeblend: --ends adds nothing here: animations begin and end with the drawings\n"
+    assert contents()[Path("plain.svg")] == contents()[Path("ends.svg")]
+
+
+@pytest.mark.parametrize("options", ["--report r.json", "--fail-on poor", "-v", "-o -"])
+def test_without_in_betweens_a_run_goes_on_if_anything_else_comes_of_it(options):
+    assert run([*AB, "-n", "0", *options.split()]) == 0

@@ -40,7 +40,7 @@ def files(here):
     [
         ("", ["wrote 5 frames, blend/frame-1.svg to frame-5.svg, in"]),
         ("-n 1", ["wrote 1 frame, blend/frame-1.svg, in"]),
-        ("-n 0", ["wrote nothing: --frames 0 asks for no in-betweens; --ends would write the drawings"]),
+        ("-n 0 -v", ["wrote nothing: --frames 0 asks for no in-betweens; --ends would write the drawings"]),
         ("-n 0 --preview look.html", ["wrote look.html; a browser shows it"]),
         ("-o m.svg", ["wrote m.svg, one animated SVG, 2 s long, ", "; a browser plays it"]),
         ("-o m.svg --duration 300ms", ["wrote m.svg, one animated SVG, 0.3 s long, "]),
