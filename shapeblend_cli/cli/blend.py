@@ -14,7 +14,7 @@ from shapeblend_cli.errors import OptionError
 from shapeblend_cli.job.job import RECORDS, check_inputs, job_of
 from shapeblend_cli.job.options import RunOptions
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
-from shapeblend_cli.outputs.options import check_runs
+from shapeblend_cli.outputs.options import OutputOptions, check_runs, long_times
 from shapeblend_cli.system.interrupts import limit
 
 if TYPE_CHECKING:
@@ -55,6 +55,8 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
     from shapeblend_cli.job.make import blend_files
 
     with Terminal(quiet=printed.quiet) as terminal:
+        for line in long_times(OutputOptions.of(given)):
+            terminal.note(line)
         if given["ends"] and job.output.format.plays:
             terminal.note("--ends adds nothing here: animations begin and end with the drawings")
         run = blend_files(job, terminal.note, terminal.warn, terminal.progress)

@@ -18,6 +18,7 @@ from shapeblend_cli.options.settings import OUTPUT, ReadOptions
 from shapeblend_cli.system.interrupts import limit
 
 COLUMNS = ("shape", "element", "id", "contours", "ends", "length", "box", "fill", "stroke", "rule")
+NUMBERS = "numbers"  # of contours, as --match takes them; on a terminal they stand in place of their count
 LINES = "lines"  # names of recovered lines; those of strokes are the numbers of contours
 
 _NUMBERS = frozenset(("shape", "contours", "length"))
@@ -29,7 +30,9 @@ _MAX_ALIGNED = 60  # a longer cell pushes the rest of its own line on, and no ot
 
 
 SELECT = ReadOptions.options["select_a"]._replace(
-    name="select", flags=("--select",), help="List only these shapes: #id or a CSS selector."
+    name="select",
+    flags=("--select",),
+    help="List only these shapes: #id, a CSS selector, or their numbers, such as 0,2.",
 )
 
 
@@ -92,10 +95,10 @@ def _show(found: dict[str, Any]) -> None:
     count = sum(len(shape["pen_lines"]) for shape in found["shapes"])
     lines = f", {count} pen line{'s' * (count != 1)}" if count else ""
     title = f"{found['file']}: viewBox {viewbox}{lines}"
-    columns: tuple[str, ...] = COLUMNS
+    columns: tuple[str, ...] = (*COLUMNS, NUMBERS)
     rows = [_cells(shape) for shape in found["shapes"]]
     if any(shape["pen_lines"] and shape["fill"] for shape in found["shapes"]):
-        columns = (*COLUMNS, LINES)
+        columns = (*columns, LINES)
         rows = [(*row, _lines(shape)) for row, shape in zip(rows, found["shapes"], strict=True)]
     if sys.stdout.isatty() and len(rows) <= _MAX_PRETTY:
         _print_table(title, columns, rows)
@@ -120,7 +123,13 @@ def _cells(shape: dict[str, Any]) -> tuple[str, ...]:
         shape["fill"] or "none",
         shape["stroke"] or "none",
         shape["fill_rule"],
+        _numbers(shape),
     )
+
+
+def _numbers(shape: dict[str, Any]) -> str:
+    first, last = shape["first_contour"], shape["first_contour"] + shape["contours"] - 1
+    return f"{first}-{last}" if last > first else f"{first}"
 
 
 def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
@@ -146,12 +155,15 @@ def _print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str
     # Narrow, so that most drawings fit into 80 columns; ids and boxes are folded where they do not.
     table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="bold")
     for name in columns:
+        if name == NUMBERS:
+            continue
         justify: Literal["right", "left"] = "right" if name in _NUMBERS else "left"
         table.add_column(name, justify=justify, overflow="fold", no_wrap=name not in _FOLDED)
     for row in rows:
         cells = dict(zip(columns, row, strict=True))
         x0, y0, x1, y1 = cells["box"].split(",")
         cells["box"] = f"{x0},{y0} {x1},{y1}"
+        cells["contours"] = cells.pop(NUMBERS)
         table.add_row(*(Text(cell, _style(name, cell)) for name, cell in cells.items()))
     console = Console(highlight=False)
     console.print(Text(title))

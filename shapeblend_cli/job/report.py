@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import accumulate
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -136,10 +137,14 @@ def inspection(drawing: Drawing) -> dict[str, Any]:
             "cap": line.style.stroke_linecap,
         }
         lines.setdefault(line.shape, []).append(found)
+    counts = [len(shape.contours) for shape in drawing.shapes]
     return {
         "file": drawing.file,
         "viewbox": list(drawing.viewbox) if drawing.viewbox else None,
-        "shapes": [_shape(shape) | {"pen_lines": lines.get(shape.index, [])} for shape in drawing.shapes],
+        "shapes": [
+            _shape(shape) | {"first_contour": first, "pen_lines": lines.get(shape.index, [])}
+            for shape, first in zip(drawing.shapes, accumulate(counts, initial=0), strict=False)
+        ],
     }
 
 

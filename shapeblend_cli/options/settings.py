@@ -53,7 +53,7 @@ class ReadOptions(Record, section=SHAPES):
     select_a: str | None = option(
         types.SELECTOR,
         default=None,
-        help="Blend only these shapes of A: #id or a CSS selector.",
+        help="Blend only these shapes of A: #id, a CSS selector, or numbers as inspect prints them, such as 0,2.",
         default_text="all painted shapes",
     )
     select_b: str | None = option(

@@ -170,6 +170,9 @@ def _match(value: Any) -> tuple[str, str] | tuple[complex, complex]:
     a, b = (str(side).strip() for side in value)
     if not (a and b):
         raise ValueError
+    if re.fullmatch(r"[0-9.]+(?:[\s,;]+[0-9.]+=[0-9.]+)+", b):
+        pairs = re.split(r"[\s,;]+", f"{a}={b}")
+        raise Unfit(f"one pair each time, {' and then '.join(pairs)}, not '{a}={b}'")
     return a, b
 
 

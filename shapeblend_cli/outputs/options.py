@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 from shapeblend_cli.errors import OptionError
@@ -17,6 +18,10 @@ from shapeblend_cli.outputs.registry import DEFAULT, EMITS, FORMATS, FRAME_FORMA
 BY_SUFFIX = ", or --output with a suffix such as .gif in its place"
 """The end of errors about formats that have no word."""
 
+LONG = 60.0
+"""Time from which a line says how long it is, in seconds. Few drawings move for a minute, and milliseconds are easily
+meant."""
+
 SHARED = {
     "columns": "a contact sheet",
     "fps": "a raster animation",
@@ -25,11 +30,10 @@ SHARED = {
 }
 """Options that several formats take, and their purposes."""
 
-
 PLAYING = "animations, a name ending in " + alternatives(
     list(dict.fromkeys(format.suffix for format in FORMATS if format.plays))
 )
-"""What options of time are for, in errors."""
+"""Purpose of options of time, in errors."""
 
 
 def _by_suffix() -> str:
@@ -242,6 +246,24 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
     )
     format.check(spec)
     return spec
+
+
+def long_times(options: OutputOptions) -> Iterator[str]:
+    """Yield a line for each time that is so long that milliseconds may have been meant.
+
+    Examples
+    --------
+    >>> list(long_times(OutputOptions(duration=300)))
+    ['--duration 300 is 5 minutes; 300ms would be 0.3 seconds']
+    """
+    for name, time in {
+        "duration": options.duration,
+        "hold": max(options.hold),
+        "delay": options.delay,
+    }.items():
+        if time >= LONG:
+            short = f"{time:g}ms would be {time / 1000.0:g} seconds"
+            yield f"--{name} {time:g} is {time / 60.0:.3g} minute{'s' * (time > 60.0)}; {short}"
 
 
 def check_runs(spec: OutputSpec) -> None:

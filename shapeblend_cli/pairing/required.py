@@ -167,5 +167,9 @@ def _named(name: str, side: PlacedDrawing) -> list[PlacedContour]:
 
     ids = [shape.id for shape in shapes if shape.id]
     near = difflib.get_close_matches(wanted, ids, SUGGESTIONS) or ids[:SUGGESTIONS]
-    there = f"; there is {', '.join(near)}" if near else ", nor any other; a contour number would work"
+    there = (
+        f"; there is {', '.join(near)}"
+        if near
+        else f", nor any other id; a number from 0 to {len(side.contours) - 1} would work"
+    )
     raise MatchError(f"{side.drawing.file} paints no shape with the id '{wanted}'{there}")

@@ -30,6 +30,10 @@ if TYPE_CHECKING:
     Lines = Sequence[PenLine]
 
 
+LISTED = 8
+"""Maximum number of names of lines and contours that an error lists."""
+
+
 class Required(NamedTuple):
     """Pairs of lines that are required, by index, each with its pins in units; and what is not about lines."""
 
@@ -109,9 +113,10 @@ def _named(name: str, lines: Lines, drawing: PlacedDrawing) -> int | None:
     ]
     contours = drawing.contours
     if not found and not any(name == str(c.number) or c.shape in wanted for c in contours):
-        raise MatchError(
-            f"{drawing.drawing.file} has no line or contour '{name}'; shapeblend inspect lists them"
-        )
+        names = list(dict.fromkeys([*(line.name for line in lines), *(str(c.number) for c in contours)]))
+        more = f" and {len(names) - LISTED} more" if len(names) > LISTED else ""
+        there = f"{', '.join(names[:LISTED])}{more}"
+        raise MatchError(f"{drawing.drawing.file} has no line or contour '{name}'; its names are {there}")
     return max(found, key=lambda k: lines[k].length, default=None)
 
 

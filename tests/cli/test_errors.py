@@ -30,6 +30,8 @@ OPTIONS = {
     "--reverse maybe": "--reverse must be auto, yes or no, not 'maybe'",
     "--preset fig9": "not 'fig9'",
     "--match 0": "--match must be of the form A=B",
+    "--match 0=1,1=0": "--match must be one pair each time, 0=1 and then 1=0, not '0=1,1=0'",
+    "--match '1=2 2=1'": "--match must be one pair",
     "--match =1": "--match must be of the form A=B",
     "--match 1,2:3": "such as 0=1 or left=right, or two points such as 120,40:98,44, not '1,2:3'",
     "--select-a 'g >'": "--select-a must be #id or a CSS selector: 'g >' is no CSS selector",
@@ -197,7 +199,7 @@ FAILURES = {
     "--match 0=9": "a.svg and b.svg: B has no contour 9 to match; its contours are 0 to 1",
     "--match 0=1": "contour 0 of A is an outline and contour 1 of B a hole in contour 0",
     "--match smal=0": "a.svg paints no shape with the id 'smal'; there is small",
-    "--match small=nothing": "b.svg paints no shape with the id 'nothing', nor any other; a contour number would work",
+    "--match small=nothing": "b.svg paints no shape with the id 'nothing', nor any other id; a number from 0 to 1",
 }
 """Further arguments of a blend of a.svg and b.svg that are well-formed, but do not fit the files."""
 

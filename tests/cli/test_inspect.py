@@ -55,12 +55,12 @@ def test_json_and_table_of_transformed_shapes(here, capsys):
         "shapes": [
             {
                 "index": 0, "id": "r", "element": "rect", "contours": 1, "closed": True,
-                "length": pytest.approx(12), "bbox": pytest.approx([5, 5, 9, 7]),
+                "length": pytest.approx(12), "bbox": pytest.approx([5, 5, 9, 7]), "first_contour": 0,
                 "fill": "#123456", "stroke": None, "fill_rule": "nonzero", "pen_lines": [],
             },
             {
                 "index": 1, "id": None, "element": "path", "contours": 1, "closed": False,
-                "length": pytest.approx(3), "bbox": pytest.approx([5, 5, 8, 5]),
+                "length": pytest.approx(3), "bbox": pytest.approx([5, 5, 8, 5]), "first_contour": 1,
                 "fill": None, "stroke": "#ff0000", "fill_rule": "nonzero",
                 "pen_lines": [{"name": "1", "width": 1.0, "closed": False, "cap": "butt"}],
             },
@@ -76,9 +76,9 @@ def test_columns_are_aligned_and_every_cell_is_one_word(file, capsys):
     assert run(["inspect", "a.svg"]) == 0
     assert capsys.readouterr().out == (
         "a.svg: viewBox 0 0 20 20, 2 pen lines\n"
-        "shape  element  id  contours  ends    length  box          fill     stroke   rule\n"
-        "0      rect     r   1         closed  12      1.5,0,5.5,2  #123456  none     nonzero\n"
-        "1      path     -   2         open    4       0,0,3,1      none     #ff0000  evenodd\n"
+        "shape  element  id  contours  ends    length  box          fill     stroke   rule     numbers\n"
+        "0      rect     r   1         closed  12      1.5,0,5.5,2  #123456  none     nonzero  0\n"
+        "1      path     -   2         open    4       0,0,3,1      none     #ff0000  evenodd  1-2\n"
     )
 
 
@@ -138,7 +138,8 @@ def test_a_terminal_gets_colours_within_its_width(file):
     plain = on_a_terminal(file, NO_COLOR="1", TERM="dumb")
     assert "\x1b[3" not in plain
     assert max(map(len, plain.splitlines())) <= 80
-    assert [line.split()[:2] for line in plain.splitlines()[2:4]] == [["0", "rect"], ["1", "path"]]
+    rows = [line.split() for line in plain.splitlines()[2:4]]
+    assert [(*row[:2], row[3]) for row in rows] == [("0", "rect", "0"), ("1", "path", "1-2")]
 
 
 def test_ids_are_no_markup(file):

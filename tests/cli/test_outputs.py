@@ -271,3 +271,20 @@ def test_ends_of_an_animation_are_there_anyway_and_that_is_said(capsys):
 @pytest.mark.parametrize("options", ["--report r.json", "--fail-on poor", "-v", "-o -"])
 def test_without_in_betweens_a_run_goes_on_if_anything_else_comes_of_it(options):
     assert run([*AB, "-n", "0", *options.split()]) == 0
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--duration", "300"], "--duration 300 is 5 minutes; 300ms would be 0.3 seconds"),
+        (["--hold", "0,60"], "--hold 60 is 1 minute; 60ms would be 0.06 seconds"),
+        (["--delay", "200"], "--delay 200 is 3.33 minutes; 200ms would be 0.2 seconds"),
+        (["--duration", "59"], ""),
+        (["--duration", "300ms"], ""),
+    ],
+)
+def test_times_of_minutes_are_said(capsys, options, said):
+    assert run([*AB, "-o", "x.svg", *options]) == 0
+    assert capsys.readouterr().err == (f"shapeblend: {said}\n" if said else "")
+    assert run([*AB, "-o", "x.svg", *options, "-f", "-q"]) == 0
+    assert capsys.readouterr().err == ""

@@ -81,7 +81,7 @@ def test_stiff_lines_correspond_otherwise():
 
 
 def test_a_name_that_nothing_has_is_an_error():
-    with pytest.raises(MatchError, match="has no line or contour '9'"):
+    with pytest.raises(MatchError, match=r"has no line or contour '9'; its names are 0"):
         blend("lucide-menu", "lucide-x", match=(("9", "0"),))
 
 

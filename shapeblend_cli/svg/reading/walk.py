@@ -127,7 +127,7 @@ class Walk:
         """
         numbers = None if selector is None else shape_numbers(selector)
         selector = selector if numbers is None else None
-        nodes = [] if selector is None else select(self._root, selector)
+        nodes = [] if selector is None else select(self._root, selector, self._notes.add)
         self._chosen = {id(node) for node in nodes}
         self._ancestors = {id(node) for node in ancestors(self._root, nodes[0])} if nodes else set()
         self._pixel = viewports.root_pixel(self._root, box)

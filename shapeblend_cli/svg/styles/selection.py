@@ -8,7 +8,7 @@ Anything else, and an id that does not exist, is a CSS selector.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from shapeblend_cli.svg.xml.messages import Problem, printable
@@ -40,10 +40,11 @@ def shape_numbers(text: str) -> list[int] | None:
     return [int(number) for number in text.split(",")] if is_numbers else None
 
 
-def select(root: Node, text: str) -> list[Node]:
+def select(root: Node, text: str, note: Callable[[str], None] = lambda text: None) -> list[Node]:
     """Return the elements that a selector matches, in document order.
 
-    A Problem is raised if there is none, or matching takes too long.
+    A Problem is raised if there is none, or matching takes too long. A `note` says that the document itself is one of
+    them, which few selectors mean.
     """
     nodes = []
     if _is_id(text):
@@ -56,6 +57,8 @@ def select(root: Node, text: str) -> list[Node]:
                 raise Problem(str(error)) from None
     if not nodes:
         raise Problem(f"nothing in it matches '{printable(text, 60)}'; {_suggestion(root, text)}")
+    if nodes[0] is root and text.strip() not in ("*", "svg", ":root"):
+        note(f"all shapes are taken: '{printable(text, 60)}' matches the document itself")
     return nodes
 
 
@@ -167,7 +170,7 @@ def _suggestion(root: Node, text: str) -> str:
     if ids:
         more = f" and {len(ids) - _MAX_LISTED} more" if len(ids) > _MAX_LISTED else ""
         return f"its ids are {', '.join(printable(name) for name in ids[:_MAX_LISTED])}{more}"
-    return f"it has no ids, but {_join(names[:_MAX_SUGGESTED])} would"
+    return f"it has no ids, but {_join(['0 (its first shape)', *names[: _MAX_SUGGESTED - 1]])} would"
 
 
 def _names(root: Node) -> list[str]:

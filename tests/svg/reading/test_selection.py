@@ -83,9 +83,17 @@ def test_a_selector_that_takes_nothing_is_told_why_and_what_would_work(selector)
 
 
 def test_a_file_without_ids_names_what_can_be_selected():
-    refused(
-        '<path class="wing" d="M0 0h1v1z"/>', "it has no ids, but .wing, path or svg would", select="#zzz"
-    )
+    said = re.escape("it has no ids, but 0 (its first shape), .wing or path would")
+    refused('<path class="wing" d="M0 0h1v1z"/>', said, select="#zzz")
+
+
+def test_a_selector_that_matches_the_document_itself_takes_all_and_that_is_said():
+    two = '<path d="M0 0h1v1z"/><path d="M2 0h1v1z"/>'
+    drawing = drawn(two, select=":first-child")
+    assert len(drawing.shapes) == 2
+    assert drawing.notes == ("all shapes are taken: ':first-child' matches the document itself",)
+    for select in ("path:first-child", "svg", "*", None):
+        assert not drawn(two, select=select).notes
 
 
 BROKEN = {
