@@ -5,6 +5,7 @@ The pages are the plain Markdown of `docs`, with the README in front. `site.toml
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 import subprocess
@@ -20,6 +21,17 @@ ROOT_PAGES = {"README.md": "index.md"} | {
     name: name.lower() for name in ("CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md")
 }
 """Pages that are not in `docs`, and what they are called in the site."""
+
+
+SOUGHT = {
+    "guide.html#time": "pause, rest, loop, repeat, ping-pong, easing, ease, spring, overshoot, delay, duration, speed",
+    "guide.html#pictures-and-videos": "GIF, PNG, WebP, APNG, video, MP4, transparent, white background",
+    "guide.html#colours-lines-and-order": "currentColor, gradients, opacity",
+    "guide.html#selectors": "first shape, some shapes only, ids, classes",
+    "guide.html#in-bulk": "folder, many files",
+    "states.html": "hover, click, trigger",
+}
+"""Words by which people look for a section of a page, where its title has others. The search counts a title most."""
 
 
 def sources(folder: Path) -> None:
@@ -50,7 +62,20 @@ def build(folder: Path) -> Path:
     done = subprocess.run([zensical, "build", "--clean", "--strict"], cwd=folder, check=False)
     if done.returncode:
         sys.exit("the site could not be built")
-    return folder / "site"
+    site = folder / "site"
+    _answer(site / "search.json")
+    return site
+
+
+def _answer(file: Path) -> None:
+    """Add the words of `SOUGHT` to the titles that the search looks through; a section that is not there ends it."""
+    index = json.loads(file.read_text(encoding="utf-8"))
+    places = {item["location"]: item for item in index["items"]}
+    if lost := SOUGHT.keys() - places.keys():
+        sys.exit(f"the site has no {min(lost)}")
+    for place, words in SOUGHT.items():
+        places[place]["title"] += f": {words}"
+    file.write_text(json.dumps(index, ensure_ascii=False, separators=(",", ":")), encoding="utf-8")
 
 
 def main() -> None:

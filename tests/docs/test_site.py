@@ -1,10 +1,17 @@
 """The site of the documents is built without a network, and has every page."""
 
 import json
+import re
+import time
 import tomllib
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from threading import Thread
 
 import pytest
 
+from tests.support.chromium import start_chromium
+from tests.support.equipment import require
 from tools import site
 
 
@@ -35,6 +42,82 @@ def test_what_people_look_for_is_found_and_on_the_first_page_of_the_guide(index,
     found = [one["location"] for one in index if words in f"{one['title']} {one['text']}".lower()]
     assert len(found) > 1
     assert any(location.startswith("guide.html") for location in found)
+
+
+ANSWERS = {
+    "pause": "guide.html#time",
+    "loop": "guide.html#time",
+    "easing": "guide.html#time",
+    "spring": "guide.html#time",
+    "overshoot": "guide.html#time",
+    "GIF": "guide.html#pictures-and-videos",
+    "transparent": "guide.html#pictures-and-videos",
+    "currentColor": "guide.html#colours-lines-and-order",
+    "folder": "guide.html#in-bulk",
+    "first shape": "guide.html#selectors",
+    "hover": "states.html",
+    "icon": "icons.html",
+    "react": "cookbook.html#react",
+    "figma": "cookbook.html#figma",
+    "after effects": "coming-from.html#after-effects-figma-and-lottie",
+}
+"""What people type, and where the first hit should lead."""
+
+FOUND = """() => {
+  const inside = (root) =>
+    [...root.querySelectorAll("*")].flatMap((e) => [e, ...(e.shadowRoot ? inside(e.shadowRoot) : [])]);
+  return inside(document).filter((e) => e.href && e.getRootNode() !== document).map((e) => e.href);
+}"""
+"""The hits of the search, which are in a shadow of the page."""
+
+
+@pytest.fixture(scope="module")
+def search(tmp_path_factory):
+    """Type words into the search of the site, in Chromium, and return where the hits lead."""
+    require("Chromium")
+    from playwright.sync_api import sync_playwright
+
+    folder = site.build(tmp_path_factory.mktemp("searched"))
+    handler = partial(Quiet, directory=folder)
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server, sync_playwright() as playwright:
+        Thread(target=server.serve_forever, daemon=True).start()
+        page = start_chromium(playwright.chromium).new_page()
+        address = f"http://127.0.0.1:{server.server_port}/"
+        page.goto(f"{address}index.html", wait_until="load")
+
+        def hits(words):
+            # The page listens to keys when its scripts have run.
+            deadline = time.monotonic() + 30.0
+            while time.monotonic() < deadline:
+                page.keyboard.press("/")
+                page.keyboard.press("Control+a")
+                page.keyboard.press("Delete")
+                page.keyboard.type(words)
+                page.wait_for_timeout(600)
+                if found := page.evaluate(FOUND):
+                    return [re.sub(r"\?[^#]*", "", place.removeprefix(address)) for place in found]
+            return []
+
+        yield hits
+        server.shutdown()
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    """A server that says nothing of what it serves."""
+
+    def log_message(self, *_):
+        pass
+
+
+@pytest.mark.parametrize("words", ANSWERS)
+def test_the_first_hit_answers(search, words):
+    assert search(words)[0] == ANSWERS[words]
+
+
+def test_words_for_a_section_that_is_not_there_end_it(tmp_path, monkeypatch):
+    monkeypatch.setitem(site.SOUGHT, "guide.html#nothing", "x")
+    with pytest.raises(SystemExit, match=r"the site has no guide\.html#nothing"):
+        site.build(tmp_path / "site")
 
 
 def test_a_link_that_leads_nowhere_ends_it(tmp_path, monkeypatch):
