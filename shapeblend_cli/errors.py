@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 
 
@@ -28,9 +29,36 @@ class InputError(FileError, ValueError):
 
 def unreadable(file: str, error: OSError | ValueError, what: str) -> InputError:
     """Return the error for a file of some kind, such as "SVG file", that cannot be opened."""
+    if isinstance(error, FileNotFoundError):
+        near = _namesake(file)
+        would = f"{near} is there" if near else f"a readable {what} would work"
+        if re.match("(?i)https?://", file):
+            would = f"curl prints it, and {os.path.basename(file) or 'a file'} saved from there would work"
+        return InputError(file or "''", f"cannot be read ({error.strerror}); {would}")
     if isinstance(error, OSError):
         return InputError(file, f"cannot be read ({error.strerror}); a readable {what} would work")
     return InputError(file, "not the name of a file")  # names with a null character
+
+
+MOST_NAMES = 2000
+"""Maximum number of names in a folder that are looked at for one that was meant."""
+
+
+def _namesake(file: str) -> str:
+    """Return the name of a file beside the one that is not there, which was probably meant; empty if there is none."""
+    import difflib  # only errors need it
+
+    folder, name = os.path.split(file)
+    try:
+        with os.scandir(folder or os.curdir) as entries:
+            names = [
+                entry.name for entry, _ in zip(entries, range(MOST_NAMES), strict=False) if entry.is_file()
+            ]
+    except (OSError, ValueError):
+        return ""
+    folded = {each.lower(): each for each in sorted(names, reverse=True)}
+    near = difflib.get_close_matches(name.lower(), folded, 1, 0.8)
+    return os.path.join(folder, folded[near[0]]) if near else ""
 
 
 class OutputError(FileError, OSError):

@@ -35,6 +35,7 @@ class Task(NamedTuple):
     place: Path  # the file or the folder that it is recorded for
     tree: str  # the folder that its output and those of similar tasks are in
     source: tuple[str, ...]  # where the tasks of the batch come from: a word and paths
+    pattern: str = ""  # of the output, perhaps with fields
 
     @property
     def output(self) -> str:
@@ -106,7 +107,7 @@ def plan(
         except ShapeblendError as error:
             raise OptionError(f"{row.where}: {error}") from None
         place = place_of(job, targets)
-        tasks.append(Task(number, row.where, row.files, given, targets, place, tree, source))
+        tasks.append(Task(number, row.where, row.files, given, targets, place, tree, source, output.pattern))
     _check_files(tasks)
     return tasks
 
@@ -168,10 +169,7 @@ def _check_files(tasks: Sequence[Task]) -> None:
         for path in dict.fromkeys((*files, str(task.place))):
             other = owners.setdefault(place(path), _Owner(task, path, path in files)).task
             if other is not task:
-                raise OptionError(
-                    f"{task.where}: {path} is written by {other.where} as well; "
-                    "{n} or {b} in --output would tell them apart"
-                )
+                raise OptionError(f"{task.where}: {path} is written by {other.where} as well; {_apart(task)}")
 
     @cache
     def owned(folder: str) -> str:
@@ -197,7 +195,19 @@ def _check_files(tasks: Sequence[Task]) -> None:
         for file in task.files:
             writer = owners.get(place(file))
             if writer is not None:
+                if writer.task is task:
+                    raise OptionError(f"{task.where}: {file} would be written, and is one of its drawings")
                 raise OptionError(f"{writer.task.where}: {file} would be written, which {task.where} reads")
+
+
+def _apart(task: Task) -> str:
+    """Return what would tell the outputs of tasks apart: fields where there are none yet, or others."""
+    named, fields = task.pattern, "{a}" if task.source[0] == "--pairs" else "{a}-{b}"
+    if not named or _FIELD.search(named):
+        return "{n} or {b} in --output would tell them apart"
+    root, suffix = os.path.splitext(named.rstrip("/"))
+    apart = f"{root}-{fields}{suffix}" if suffix else f"{root}/{fields}"
+    return f"--output '{apart}' would tell them apart"
 
 
 def _check_name(path: str, where: str, longest: int) -> None:

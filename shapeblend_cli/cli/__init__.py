@@ -68,7 +68,10 @@ def _say_usage(error: click.ClickException | OptionError, arguments: Sequence[st
     """Say what is wrong with a command line, and where its options are listed."""
     typed, command = command_of(arguments, shapeblend, DefaultGroup.default)
     if isinstance(error, click.NoSuchOption):
-        text = in_other_words(error)
+        text = in_other_words(error, command)
+    elif isinstance(error, click.exceptions.NoArgsIsHelpError) and isinstance(command, click.Group):
+        *words, last = sorted(command.commands)
+        text = f"{typed} takes a command: {', '.join(words)} or {last}"
     elif isinstance(error, click.BadOptionUsage):
         text = with_value(error, command)
     else:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import shlex
 from collections import Counter
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -254,7 +256,9 @@ def _found(names: tuple[str, ...], options: BatchOptions) -> Found | None:
     are_drawings = ways == 1 and options.pairs is None and not any(map(is_manifest, names))
     if ways + (0 if are_drawings else len(names)) != 1:
         raise click.UsageError(
-            "a batch is one of: a manifest, --pairs FROM TO, --chain '*.svg', --all FOLDER"
+            _meant(names)
+            if len(names) > 1 and not ways
+            else "a batch is one of: a manifest, --pairs FROM TO, --chain '*.svg', --all FOLDER"
         )
     if options.pairs is not None:
         return sources.same_names(*options.pairs)
@@ -263,6 +267,16 @@ def _found(names: tuple[str, ...], options: BatchOptions) -> Found | None:
     if options.every_two is not None:
         return sources.every_two(options.every_two, names)
     return None
+
+
+def _meant(names: Sequence[str]) -> str:
+    """Return what would be done with names of which a batch takes one, a manifest."""
+    shown = f"{', '.join(names[:-1])} and {names[-1]}" if len(names) < 4 else f"{len(names)} names"
+    if all(map(os.path.isdir, names)):
+        return f"{shown} are folders: --pairs {shlex.join(names[:2])} would work"
+    if all(name.lower().endswith(".svg") for name in names):
+        return f"{shown} are drawings: shapeblend {shlex.join(names)} blends them, and --chain takes a folder"
+    return f"a batch takes one manifest, or --pairs FROM TO, --chain '*.svg' or --all FOLDER; {shown} given"
 
 
 def _show(tasks: Sequence[Task], found: Iterable[State], options: BatchOptions) -> None:

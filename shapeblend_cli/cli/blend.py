@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +11,7 @@ import click
 from shapeblend_cli.cli.group import TYPED, SectionedCommand
 from shapeblend_cli.cli.parameters import NAME, options_of
 from shapeblend_cli.cli.terminal import NOTHING, Terminal, TerminalOptions, details, results
-from shapeblend_cli.errors import OptionError
+from shapeblend_cli.errors import InputError, OptionError
 from shapeblend_cli.job.job import RECORDS, check_inputs, job_of
 from shapeblend_cli.job.options import RunOptions
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
@@ -18,7 +19,7 @@ from shapeblend_cli.outputs.options import OutputOptions, check_runs, long_times
 from shapeblend_cli.system.interrupts import limit
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from shapeblend_cli.job.job import Job
 
@@ -46,11 +47,13 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
     printed = TerminalOptions.of(given)
     if printed.quiet and printed.verbose:
         raise click.UsageError("--quiet and --verbose contradict each other")
+    typed_files = files
+    _check_words(files, context.find_root().command)
     files, options = opened(files, given, stays_inside=True)
     job = job_of(files, options, ("shapeblend", *context.meta[TYPED]))
     _check_idle(job, given, printed)
     limit(*RunOptions.of(options).values)
-    check_inputs(job.files)
+    _check_files(job.files, "" if job.files == typed_files else typed_files[0])
 
     from shapeblend_cli.job.make import blend_files
 
@@ -66,6 +69,23 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
         if printed.verbose:
             for line in details(run, context.obj):
                 terminal.note(line)
+
+
+def _check_words(files: Sequence[str], group: click.Command) -> None:
+    """Raise UsageError for a command among the files."""
+    for word in files[1:]:
+        if isinstance(group, click.Group) and word in group.commands and not os.path.exists(word):
+            raise click.UsageError(f"{word} is a command, which comes first: shapeblend {word}")
+
+
+def _check_files(files: Sequence[str], project: str) -> None:
+    """Raise InputError for a drawing that is not there, with the project that names it, if one does."""
+    try:
+        check_inputs(files)
+    except InputError as error:
+        if not project:
+            raise
+        raise InputError(project, f"its drawing {error}") from None
 
 
 def _check_idle(job: Job, typed: Mapping[str, Any], printed: TerminalOptions) -> None:

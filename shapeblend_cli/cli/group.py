@@ -57,15 +57,18 @@ MEANT = {
 """Options, and what people who do not know them type for them."""
 
 
-def in_other_words(error: click.NoSuchOption) -> str:
-    """Return the message of an unknown option, with the option that it means if that is known."""
+def in_other_words(error: click.NoSuchOption, command: click.Command) -> str:
+    """Return the message of an unknown option, with the option of the command that it means if that is known."""
     name = error.option_name.lstrip("-").lower().replace("_", "-")
     meant = [option for option, words in MEANT.items() if name in words.split()]
-    return (
-        f"No such option '{error.option_name}'. Did you mean '{meant[0]}'?"
-        if meant
-        else error.format_message()
-    )
+    if not meant:
+        from difflib import get_close_matches
+
+        known = {
+            each.lstrip("-") for param in command.params for each in (*param.opts, *param.secondary_opts)
+        }
+        meant = [f"--{near}" for near in get_close_matches(name, sorted({*known, "help", "version"}), 1, 0.7)]
+    return f"No such option '{error.option_name}'" + (f". Did you mean '{meant[0]}'?" if meant else "")
 
 
 def with_value(error: click.BadOptionUsage, command: click.Command) -> str:
@@ -173,6 +176,8 @@ class DefaultGroup(click.Group):
         near = get_close_matches(word.lower(), self.commands, 1, 0.7)
         if near:
             raise click.UsageError(f"No such command or file '{word}'. Did you mean the command '{near[0]}'?")
+        if {"-h", "--help"} & {*args}:
+            raise click.UsageError(f"No such command or file '{word}'")
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
         """Offer commands, and the beginnings of the default command, such as a file."""

@@ -18,6 +18,20 @@ from shapeblend_cli.system.interrupts import limit
 KINDS = ("graph", "angle")  # each is a module of that name in `plot`
 
 
+class Kind(click.Choice):  # type: ignore[type-arg]  # generic only in newer releases
+    """The kind of a plot."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return a kind; an error says where it stands."""
+        if value not in KINDS:
+            files = "A.svg B.svg" if value.isalpha() else f"{value} ..."
+            raise click.UsageError(
+                f"KIND must be {' or '.join(KINDS)}, not '{value}'; shapeblend plot {KINDS[0]} {files} would work",
+                ctx,
+            )
+        return value
+
+
 @click.command(
     cls=SectionedCommand,
     params=options_of(
@@ -29,7 +43,7 @@ KINDS = ("graph", "angle")  # each is a module of that name in `plot`
         without=(*ABOUT_FRAMES, "style", "viewbox", "verbose"),
     ),
 )
-@click.argument("kind", type=click.Choice(KINDS), metavar="KIND")
+@click.argument("kind", type=Kind(KINDS), metavar="KIND")
 @click.argument("files", type=NAME, nargs=-1, required=True, metavar="A.svg B.svg")
 def plot(kind: str, files: tuple[str, ...], **given: Any) -> None:
     """Draw how two files correspond, in the style of the paper's figures.

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
+import shlex
+import stat
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from shapeblend_cli.errors import OptionError, OutputError, unreadable
+from shapeblend_cli.errors import InputError, OptionError, OutputError, unreadable
 from shapeblend_cli.job.options import RunOptions, WriteOptions, report_settings
 from shapeblend_cli.options.fields import Record
 from shapeblend_cli.options.settings import ReadOptions, Settings
@@ -52,7 +55,9 @@ def job_of(files: tuple[str, ...], given: Mapping[str, Any], command: tuple[str,
 def check_files(files: tuple[str, ...], settings: Settings) -> None:
     """Raise OptionError if there are too few files, or settings that do not go with their number."""
     if len(files) < 2:
-        raise OptionError(f"a blend needs two files or more, A.svg and B.svg; {len(files)} given")
+        quoted = [file for file in files if re.search(r"[*?\[]", file) and not os.path.exists(file)]
+        remedy = f"; without quotes the shell gives what fits {quoted[0]}" if quoted else ""
+        raise OptionError(f"a blend needs two files or more, A.svg and B.svg; {len(files)} given{remedy}")
     if files.count(STANDARD_INPUT) > 1:
         raise OptionError("only one of the files can be standard input")
     settings.check_drawings(len(files))
@@ -62,10 +67,19 @@ def check_inputs(files: Sequence[str]) -> None:
     """Raise InputError for a file that is not there, before anything heavy is imported to read the others."""
     for file in files:
         try:
-            if file != STANDARD_INPUT:
-                os.stat(file)
+            if file != STANDARD_INPUT and stat.S_ISDIR(os.stat(file).st_mode):
+                raise InputError(file, f"is a folder; shapeblend batch {_of_folders(files, file)} would work")
+        except InputError:
+            raise
         except (OSError, ValueError) as error:
             raise unreadable(file, error, "SVG file") from None
+
+
+def _of_folders(files: Sequence[str], folder: str) -> str:
+    """Return what a batch is told of folders that were given in place of drawings."""
+    if len(files) == 2 and all(map(os.path.isdir, files)):
+        return f"--pairs {shlex.join(files)}"
+    return f"--chain {shlex.quote(folder)}"
 
 
 def all_targets(job: Job) -> list[Path]:

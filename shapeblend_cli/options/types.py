@@ -252,10 +252,14 @@ def _integer(value: Any) -> int:
 
 def _within(number: Any, low: float, high: float, above: bool = False) -> Any:
     if number < low or (above and number == low):
-        raise Unfit(f"{f'greater than {low:g}' if above else f'{low:g} or more'}, not {number:g}")
+        raise Unfit(f"{f'greater than {low:g}' if above else f'{low:g} or more'}, not {_shown(number)}")
     if number > high:
-        raise Unfit(f"at most {high:g}, not {number:g}")
+        raise Unfit(f"at most {_shown(high)}, not {_shown(number)}")
     return number
+
+
+def _shown(number: float) -> str:
+    return str(number) if isinstance(number, int) and abs(number) < 1e15 else f"{number:g}"
 
 
 def _point(value: Any) -> complex:

@@ -164,6 +164,12 @@ DEFAULT = "blend"
 PAGES = (".htm", ".html")
 """Suffixes of web pages, the files of ``--preview``."""
 
+LIKE = dict.fromkeys((".jsx", ".tsx", ".ts", ".mjs", ".vue", ".svelte"), ".js") | {
+    ".mov": ".mp4",
+    ".avi": ".mp4",
+}
+"""Suffixes that are not written, and those of formats for the same purpose."""
+
 ENDING = re.compile(r"\.[a-z][a-z0-9]{0,5}$", re.IGNORECASE)
 """End of a name that is taken for the suffix of a file."""
 
@@ -195,6 +201,10 @@ def choose(emit: str, path: str | None, frame_format: str | None, drawings: int)
         raise OptionError(f"--emit {emit} writes {what}; {path} given")
     if suffix in PAGES:
         raise OptionError(f"--output {path}: --preview {path} writes a page of this kind")
+    if suffix in LIKE:
+        would = f"{path[: -len(suffix)]}{LIKE[suffix]}"
+        kind = next(format.help for format in FORMATS if format.suffix == LIKE[suffix])
+        raise OptionError(f"--output {path}: {suffix} cannot be written; {would} would work, {kind}")
     others = ", ".join(dict.fromkeys(format.suffix for format in formats if format.suffix))
     raise OptionError(
         f"--output {path}: {suffix} cannot be written; {others} would work, or {path}/ for a folder of frames"

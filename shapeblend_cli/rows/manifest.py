@@ -112,6 +112,8 @@ def _csv(text: str, name: str) -> Iterator[tuple[str, dict[str, Any]]]:
                 header = [cell.strip() for cell in cells]
                 if len({*header}) < len(header):
                     raise OptionError(f"{where}: two columns have the same name")
+                if len(header) == 1 and ";" in header[0]:
+                    raise OptionError(f"{where}: {header[0]} has no commas; a,b,o would work, as CSV")
                 check_names(header, where)
                 continue
             if len(cells) > len(header):

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from shapeblend_cli.errors import InputError, OptionError, unreadable
 from shapeblend_cli.options.types import FLAG
 from shapeblend_cli.rows.manifest import once
-from shapeblend_cli.rows.row import Name, command_of, fields_of, row_of, typed
+from shapeblend_cli.rows.row import LETTERS, Name, command_of, fields_of, plain_number, row_of, typed
 from shapeblend_cli.system.write import is_inside
 
 SUFFIX = ".json"
@@ -89,6 +89,9 @@ def parse_project(data: bytes, where: str, base: str) -> Project:
         raise OptionError(f"{where}: not JSON ({error}); {form}") from None
     if not isinstance(values, dict):
         raise OptionError(f"{where}: not a JSON object; {form}")
+    if not values.keys() & {"files", *LETTERS}:
+        kind = "a Lottie animation" if {"layers", "v"} <= values.keys() else "a file of JSON without drawings"
+        raise OptionError(f"{where}: {kind}, not a project of shapeblend; {form}")
     return project_of(values, where, base)
 
 
@@ -112,15 +115,9 @@ def values_of(project: Project) -> dict[str, Any]:
         elif field.many:
             values[yes.lstrip("-")] = [typed(one) for one in value]
         else:
-            values[yes.lstrip("-")] = _plain(value)
+            plain = isinstance(value, int | float) and not isinstance(value, bool)
+            values[yes.lstrip("-")] = plain_number(value) if plain else typed(value)
     return values
-
-
-def _plain(value: Any) -> Any:
-    """Return a number as it is typed, without a point if it is whole, and anything else as the text that is typed."""
-    if isinstance(value, float) and value.is_integer():
-        return int(value)
-    return value if isinstance(value, int | float) else typed(value)
 
 
 def project_text(project: Project, folder: str) -> str:

@@ -131,17 +131,25 @@ def fields_of(given: Mapping[str, Any]) -> Iterator[tuple[Option, Any]]:
 def typed(value: Any) -> str:
     """Return a value as it is typed on the command line."""
     if isinstance(value, complex):
-        return f"{typed(value.real)},{typed(value.imag)}"
+        return f"{plain_number(value.real)},{plain_number(value.imag)}"
     if isinstance(value, float):
-        return repr(value).removesuffix(".0")
-    if (
-        type(value) is not tuple
-    ):  # an easing, a timetable and a trigger are tuples that have a text of their own
+        return str(plain_number(value))
+    # An easing, a timetable and a trigger are tuples that have a text of their own.
+    if type(value) is not tuple:
         return str(value)
     parts = [typed(part) for part in value]
     if isinstance(value[0], complex):  # points of A and of B, or a region of A
         return ":".join(parts) if len(parts) == 2 else f"{parts[0]},{parts[1]}={parts[2]}"
     return ("=" if isinstance(value[0], str) else ",").join(parts)
+
+
+def plain_number(number: float) -> float:
+    """Return a number as people type it: 2 and not 2.0.
+
+    >>> plain_number(2.0), plain_number(0.5), plain_number(1e300)
+    (2, 0.5, 1e+300)
+    """
+    return int(number) if number == int(number) and abs(number) < 1e15 else number
 
 
 def check_names(keys: Iterable[str], where: str) -> None:
@@ -156,9 +164,11 @@ def _option(key: str, where: str) -> tuple[Option, bool]:
     try:
         return _names()[key.replace("_", "-")]
     except KeyError:
-        raise OptionError(
-            f"{where}: {key!r} is no option of a job; a, b, o, and long options such as frames would work"
-        ) from None
+        import difflib  # only errors need it
+
+        near = difflib.get_close_matches(key.replace("_", "-"), _names(), 1, 0.75)
+        would = near[0] if near else "a, b, o, and long options such as frames"
+        raise OptionError(f"{where}: {key!r} is no option of a job; {would} would work") from None
 
 
 @cache

@@ -74,6 +74,8 @@ def natural(file: str) -> tuple[list[str | int], str]:
 
 
 def _found(option: str, pattern: str, pairs: Sequence[tuple[str, str]], count: int) -> Found:
+    if not (count or glob.has_magic(pattern) or os.path.exists(pattern)):
+        raise OptionError(f"{option}: {pattern} is no folder")
     if not pairs:
         raise OptionError(
             f"{option} {pattern}: {count or 'no'} {'drawing' if count == 1 else 'drawings'} found; it takes two"

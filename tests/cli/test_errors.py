@@ -1,6 +1,7 @@
 """What is refused, and in which words."""
 
 import shlex
+from pathlib import Path
 
 import pytest
 
@@ -9,6 +10,13 @@ from tests.support.drawings import BAR, RING, svg
 
 OPTIONS = {
     "--nope": "--nope",
+    "--fill red": "No such option '--fill' (shapeblend --help lists the options)",
+    "--foo": "No such option '--foo' (",
+    "--vershion": "No such option '--vershion'. Did you mean '--version'?",
+    "--durations 3": "No such option '--durations'. Did you mean '--duration'?",
+    "-o x.jsx": "--output x.jsx: .jsx cannot be written; x.js would work, a module of JavaScript",
+    "-o X.MOV": "X.MOV: .mov cannot be written; X.mp4 would work, a video",
+    "-n 1000000": "--frames must be at most 10000, not 1000000",
     "-n -1": "--frames must be 0 or more, not -1",
     "--cs 0": "--cs must be greater than 0, not 0",
     "--cs 2": "--cs must be at most 1, not 2",
@@ -65,7 +73,6 @@ OPTIONS = {
     "c.svg -o x.xml": "--output x.xml takes two files; 3 given",
     "-o x.html": "x.html: --preview x.html writes a page of this kind",
     "-o x.jpg": "cannot be written; .svg, .png, .gif, .webp, .apng, .mp4, .webm, .json, .lottie, .js, .xml would work",
-    "-o X.MOV": "X.MOV: .mov cannot be written",
     "-o frames.old": ".old cannot be written",
     "-o x.foo": "or x.foo/ for a folder of frames",
     "--loop often": "--loop must be forever, pingpong, or a number from 1 to 1000000, not 'often'",
@@ -166,13 +173,33 @@ COMMANDS = {
     "inspect a.svg --select :x": "an unknown pseudo-class",
     "plot graph a.svg": "a plot compares two files, A.svg and B.svg; 1 given",
     "plot graph a.svg b.svg a.svg": "a plot compares two files, A.svg and B.svg; 3 given",
-    "plot pie a.svg b.svg": "'pie' is not one of 'graph', 'angle'",
+    "plot pie a.svg b.svg": "KIND must be graph or angle, not 'pie'; shapeblend plot graph A.svg B.svg would work",
+    "plot a.svg b.svg": "not 'a.svg'; shapeblend plot graph a.svg ... would work",
+    "inkscape": "shapeblend inkscape takes a command: animate, blend, install or studio",
+    "docs --help": "No such command or file 'docs' (shapeblend --help lists",
+    "a.svg b.svg studio": "studio is a command, which comes first: shapeblend studio",
+    "'*.svg'": "1 given; without quotes the shell gives what fits *.svg",
+    "batch a.svg b.svg": "a.svg and b.svg are drawings: shapeblend a.svg b.svg blends them, and --chain takes a folder",
+    "batch sub sub2": "sub and sub2 are folders: --pairs sub sub2 would work",
     "states a.svg b.svg -o x.png": "must be a file name ending in .svg or .js or -",
     "states a.svg b.svg -o x.js --element icon": "--element must be the name of a custom element",
     "states a.svg b.svg -o 1-2.js": "elements begin with a letter",
     "states a.svg b.svg --trigger load": "--trigger must be none, click or hover",
     "plot graph a.svg b.svg --dot 0,0": "--dot is for angle; graph shows all dots",
 }
+
+FILES = {
+    "smal.svg b.svg": "smal.svg: cannot be read (No such file or directory); small.svg is there",
+    "SMALL.SVG b.svg": "; small.svg is there",
+    "in/q.svg b.svg": "in/q.svg: cannot be read (No such file or directory); a readable SVG file would work",
+    "https://example.org/x.svg b.svg": "curl prints it, and x.svg saved from there would work",
+    "'' b.svg": "'': cannot be read",
+    "sub sub2": "sub: is a folder; shapeblend batch --pairs sub sub2 would work",
+    "sub b.svg": "sub: is a folder; shapeblend batch --chain sub would work",
+    "page.svg b.svg": "page.svg: this is a page of HTML; an SVG file would work",
+    "project.json": "project.json: its drawing gone.svg: cannot be read",
+}
+"""Drawings that cannot be read."""
 
 FAILURES = {
     "-o a.svg --force": "a.svg: is an input",
@@ -211,7 +238,25 @@ def test_wrong_options(three, refused, options, words):
 
 @pytest.mark.parametrize(("command", "words"), COMMANDS.items())
 def test_wrong_commands(three, refused, command, words):
+    Path("sub").mkdir()
+    Path("sub2").mkdir()
     refused(shlex.split(command), 2, words)
+
+
+@pytest.mark.parametrize(("files", "words"), FILES.items())
+def test_drawings_that_cannot_be_read(three, refused, files, words):
+    write(small=svg(BAR), page="<!DOCTYPE html>\n<html><body>404")
+    Path("sub").mkdir()
+    Path("sub2").mkdir()
+    Path("project.json").write_text('{"files": ["gone.svg", "b.svg"]}')
+    refused(shlex.split(files), 1, words)
+
+
+def test_a_file_of_json_that_is_no_project(three, refused):
+    Path("l.json").write_text('{"v": "5.5", "layers": []}')
+    refused(["l.json"], 2, "l.json: a Lottie animation, not a project of shapeblend; a project such as")
+    Path("l.json").write_text("{}")
+    refused(["l.json"], 2, "l.json: a file of JSON without drawings, not a project of shapeblend")
 
 
 @pytest.mark.parametrize(("options", "words"), FAILURES.items())

@@ -18,6 +18,8 @@ OPTIONS = {
     "ends": True,
     "motion": "linear",
     "kb": 0.5,
+    "ks": 2,
+    "timeout": 30,
     "band": 0.75,
     "ease": "cubic-bezier(0.4,0,0.6,1)",
     "duration": 1.5,
@@ -26,7 +28,8 @@ OPTIONS = {
 }
 TYPED = (
     "a.svg b.svg --pin 2,6:3,14 --match 0=0 --stiff 12,6,20=3 --polygons --ends --motion linear "
-    "--kb 0.5 --band 0.75 --ease cubic-bezier(0.4,0,0.6,1) --duration 1.5 --repeat pingpong -o typed.svg"
+    "--kb 0.5 --ks 2 --timeout 30 --band 0.75 --ease cubic-bezier(0.4,0,0.6,1) --duration 1.5 --repeat pingpong "
+    "-o typed.svg"
 )
 
 
@@ -63,6 +66,7 @@ def test_it_is_read_as_it_was_written():
     project = parse_project(json.dumps(OPTIONS).encode(), "blend.json", "")
     text = project_text(project, "")
     assert json.loads(text) == OPTIONS
+    assert ".0" not in text
     assert parse_project(text.encode(), "blend.json", "") == project
     elsewhere = project_text(project, "inside")
     assert json.loads(elsewhere)["files"] == ["../a.svg", "../b.svg"]

@@ -28,6 +28,7 @@ _OTHER_FORMATS = {
     b"%!PS": "a PostScript document",
     b"PK\x03\x04": "a zip archive",
 }
+_HTML = re.compile(rb"(?i)(\xef\xbb\xbf)?\s*(<!--.*?-->\s*)*<(!doctype\s+html|html)[\s>]", re.DOTALL)
 _GZIP = b"\x1f\x8b"
 _UTF_32 = (b"\xff\xfe\0\0", b"\0\0\xfe\xff", b"<\0\0\0", b"\0\0\0<")
 # Their first bytes tell UTF-16 apart even where the byte order mark is missing.
@@ -128,6 +129,8 @@ def _unpack(data: bytes) -> bytes:
     for magic, name in _OTHER_FORMATS.items():
         if data.startswith(magic):
             raise Problem(f"this is {name}; an SVG file would work")
+    if _HTML.match(data):
+        raise Problem("this is a page of HTML; an SVG file would work")
     if data.startswith(_UTF_32):
         raise Problem("this is text in UTF-32; saved in UTF-8 it would work")
     return data
