@@ -56,7 +56,10 @@ def _namesake(file: str) -> str:
             ]
     except (OSError, ValueError):
         return ""
-    folded = {each.lower(): each for each in sorted(names, reverse=True)}
+    # Of numbered files, another number is another drawing.
+    numbers = re.findall("[0-9]+", name)
+    alike = [each for each in names if re.findall("[0-9]+", each) == numbers]
+    folded = {each.lower(): each for each in sorted(alike, reverse=True)}
     near = difflib.get_close_matches(name.lower(), folded, 1, 0.8)
     return os.path.join(folder, folded[near[0]]) if near else ""
 

@@ -222,7 +222,7 @@ def test_details_say_when_frames_cross_themselves(here, capsys, d, line):
 
 BAD = {
     "missing": (None, "no such file"),
-    "folder": ("folder", "directory"),
+    "folder": ("folder", "is a folder; shapeblend batch --chain"),
     "empty": ("", "empty"),
     "not XML": ("hello", "XML"),
     "not SVG": ("<html/>", "svg"),

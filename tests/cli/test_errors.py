@@ -191,6 +191,7 @@ COMMANDS = {
 FILES = {
     "smal.svg b.svg": "smal.svg: cannot be read (No such file or directory); small.svg is there",
     "SMALL.SVG b.svg": "; small.svg is there",
+    "smal2.svg b.svg": "smal2.svg: cannot be read (No such file or directory); a readable SVG file would work",
     "in/q.svg b.svg": "in/q.svg: cannot be read (No such file or directory); a readable SVG file would work",
     "https://example.org/x.svg b.svg": "curl prints it, and x.svg saved from there would work",
     "'' b.svg": "'': cannot be read",
