@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from shapeblend_cli.anatomy import decompose
 from shapeblend_cli.blending.blended import blend_shapes, with_lines_in_common
 from shapeblend_cli.blending.clipping import has_clips, with_clips
-from shapeblend_cli.blending.matched import Progress
+from shapeblend_cli.blending.matched import Progress, is_star
 from shapeblend_cli.blending.placing import lay
 from shapeblend_cli.frames.views import with_room
 from shapeblend_cli.model import Box, Pair
@@ -57,18 +57,21 @@ def match_all(
     """
     clock, kept = clock or Clock(), kept or Kept(0)
     drawings, specks = without_specks(drawings, settings)
+    if settings.mix and (len(drawings) > 2 or is_star(settings)):
+        drawings, left_out = _without_pictures(drawings)
+        specks = [*specks, *left_out]
     if settings.mix:
         drawings, settings = _mixed(drawings, settings)
     watch("flattening", 0.0)
     laid, notes = lay(drawings, settings, kept)
     check_stiff([contour.polygon for contour in laid[0].placed.contours], settings)
     clock.lap("flatten")
-    is_star = len(laid) > 2 and bool(settings.mix)
+    mixes = len(laid) > 2 and bool(settings.mix)
 
     def matched(settings: Settings) -> list[Pair]:
         count = len(laid) - 1
         parts = [Progress(clock, kept.steps, watch, (k, count)) for k in range(count)]
-        return [_pair(laid, 0 if is_star else k, k + 1, settings, part) for k, part in enumerate(parts)]
+        return [_pair(laid, 0 if mixes else k, k + 1, settings, part) for k, part in enumerate(parts)]
 
     pairs = matched(settings)
     if settings.mix and settings.motion == "linear" and settings.strokes != "keep":
@@ -78,7 +81,7 @@ def match_all(
             found = with_lines_in_common(matched(settings.replace(strokes="recover")), laid[0].placed)
         pairs = matched(settings.replace(strokes="keep")) if found is None else found
     pairs = with_room(pairs, settings.viewbox)
-    if not is_star:
+    if not mixes:
         pairs = [with_clips(pair, settings, watch) if has_clips(pair) else pair for pair in pairs]
     elif any(map(has_clips, pairs)):
         notes = [*notes, "clip paths are left out of mixtures and states; frames and animated SVGs have them"]
@@ -97,9 +100,29 @@ def match_all(
 def _pair(laid: Sequence[LaidDrawing], i: int, k: int, settings: Settings, progress: Progress) -> Pair:
     """Blend two of several drawings."""
     a, b = laid[i], laid[k]
-    shapes = blend_shapes(a.placed, b.placed, settings, Box.union([a.view, b.view]), progress)
+    view = Box.union([a.view, b.view])
+    if _has_pictures(a) or _has_pictures(b):
+        from shapeblend_cli.blending.images.picture_blends import blend_with_pictures  # few drawings have any
+
+        shapes = blend_with_pictures(a.placed, b.placed, settings, view, progress)
+    else:
+        shapes = blend_shapes(a.placed, b.placed, settings, view, progress)
     progress.clock.lap("interpolate")
     return Pair(i, k, shapes, (a.painted, b.painted), (a.view, b.view), (a.page, b.page))
+
+
+def _has_pictures(laid: LaidDrawing) -> bool:
+    return any(contour.style.picture is not None for contour in laid.placed.contours)
+
+
+def _without_pictures(drawings: Sequence[Drawing]) -> tuple[Sequence[Drawing], list[str]]:
+    """Return drawings for a mixture, and a note if they had pictures."""
+    if not any(shape.style.picture for drawing in drawings for shape in drawing.shapes):
+        return drawings, []
+    from shapeblend_cli.blending.images.picture_blends import without_pictures
+
+    note = "pictures are left out of mixtures and states; frames and animated SVGs have them"
+    return [without_pictures(drawing) for drawing in drawings], [note]
 
 
 def without_specks(drawings: Sequence[Drawing], settings: Settings) -> tuple[Sequence[Drawing], list[str]]:

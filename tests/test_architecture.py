@@ -38,7 +38,7 @@ ROOMS = {
     "pens": "pairing wires matching motion options anatomy geometry _cython errors model",
     "pairing": "wires motion options anatomy geometry errors model",
     "preview": "wires matching svg.writing options svg.reading interpolate geometry paint model",
-    "outputs": "web frames svg.writing options interpolate paint system errors model",
+    "outputs": "web frames svg.writing options interpolate images paint system errors model",
     "wires": "matching options anatomy geometry errors model",
     "frames": "options interpolate geometry paint errors model",
     "matching": "options _cython errors model",
@@ -47,10 +47,11 @@ ROOMS = {
     "motion": "interpolate geometry model",
     "grading": "geometry model",
     "options": "svg.styles errors",
-    "svg.reading": "svg.styles geometry svg.xml errors model svg.libraries",
+    "svg.reading": "svg.styles geometry images svg.xml errors model svg.libraries",
     "anatomy": "geometry errors model",
     "interpolate": "geometry paint model",
     "svg.styles": "svg.xml",
+    "images": "model",
     "geometry": "_cython model",
     "paint": "model",
     "svg.xml": "model",
@@ -71,7 +72,7 @@ LIBRARIES = {
     "tinycss2": "svg.styles",
     "cssselect2": "svg.styles",
     "svgwrite": "svg.writing",
-    "PIL": "outputs",
+    "PIL": "outputs images",
     "resvg_py": "outputs",
     "coloraide": "svg.styles",
     "distributed": "batch",
@@ -95,7 +96,7 @@ HANDED_DOWN = {
     # A `Motion`, which `model` declares.
     *(
         f"{motion}.{what}"
-        for motion in ("Rigid", "Intrinsic", "Sweep", "Pen", "Together", "Inlaid")
+        for motion in ("Rigid", "Intrinsic", "Sweep", "Pen", "Together", "Inlaid", "Posed")
         for what in ("name", "segments")
     ),
     *("Settings._defaults", "WorkConstants._defaults"),  # a `Record` asks what it is made of

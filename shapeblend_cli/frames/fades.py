@@ -60,6 +60,4 @@ def in_paint_order(shapes: Sequence[ShapeBlend], places: Sequence[Place]) -> tup
 
 
 def _is_opaque(style: Style) -> bool:
-    paints = [paint for paint in style.paints if paint.colour is not None]
-    stops = [stop for paint in paints if paint.gradient for stop in paint.gradient.stops]
-    return all(paint.opacity == 1.0 for paint in paints) and all(stop.opacity == 1.0 for stop in stops)
+    return all(paint.least_opacity == 1.0 for paint in style.paints if paint.colour is not None)

@@ -6,10 +6,10 @@ import cmath
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.model import Box, Contour, Gradient, LinearGradient, Polygon, Style
+from shapeblend_cli.model import Box, Contour, LinearGradient, Picture, Polygon, Style
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray
+    from shapeblend_cli.model import ComplexArray, Filling
 
 
 class Similarity(NamedTuple):
@@ -64,7 +64,10 @@ class Similarity(NamedTuple):
             pixel=style.pixel and scale * style.pixel,
         )
 
-    def _gradient(self, gradient: Gradient) -> Gradient:
+    def _gradient(self, gradient: Filling) -> Filling:
+        if isinstance(gradient, Picture):
+            across, down = self.factor * gradient.across, self.factor * gradient.down
+            return gradient._replace(origin=self.point(gradient.origin), across=across, down=down)
         if isinstance(gradient, LinearGradient):
             return gradient._replace(start=self.point(gradient.start), end=self.point(gradient.end))
         first, second = (abs(self.factor) * radius for radius in gradient.radii)

@@ -230,13 +230,20 @@ def read_files(
     drawings = []
     for file, selector in zip(files, options.selections(len(files)), strict=True):
         content = sources[file] if file in sources else contents_of(file)
-        key = file, content, options.lenient, options.text, selector
+        key = file, content, options.lenient, options.text, options.images, selector
         drawing = kept.find(key)
         if drawing is None:
             drawing = read(
-                file, content, lenient=options.lenient, select=selector, is_to_blend=True, text=options.text
+                file,
+                content,
+                lenient=options.lenient,
+                select=selector,
+                is_to_blend=True,
+                text=options.text,
+                images=options.images,
             )
-            kept.keep(key, drawing, len(content))
+            if options.images != "beside":  # files beside it may change
+                kept.keep(key, drawing, len(content))
         drawings.append(drawing)
     for drawing in drawings:
         for text in drawing.notes:

@@ -29,7 +29,11 @@ from shapeblend_cli.model.drawing import Page as Page
 from shapeblend_cli.model.drawing import Polygon as Polygon
 from shapeblend_cli.model.drawing import Shape as Shape
 from shapeblend_cli.model.drawing import control_box as control_box
+from shapeblend_cli.model.picture import Picture as Picture
+from shapeblend_cli.model.picture import Pose as Pose
+from shapeblend_cli.model.picture import Raster as Raster
 from shapeblend_cli.model.style import PAGE_COLOUR as PAGE_COLOUR
+from shapeblend_cli.model.style import Filling as Filling
 from shapeblend_cli.model.style import Gradient as Gradient
 from shapeblend_cli.model.style import LinearGradient as LinearGradient
 from shapeblend_cli.model.style import Paint as Paint

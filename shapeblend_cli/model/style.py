@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from shapeblend_cli.model.picture import Picture
+
 PAGE_COLOUR = "currentColor"
 """The text colour of the page that a drawing stands in; black where there is none."""
 
@@ -43,20 +45,34 @@ class RadialGradient(NamedTuple):
 
 Gradient = LinearGradient | RadialGradient
 
+Filling = Gradient | Picture
+
 
 class Paint(NamedTuple):
     """The paint of a fill or a stroke."""
 
     colour: str | None
     opacity: float
-    gradient: Gradient | None = None
+    gradient: Filling | None = None
+
+    @property
+    def least_opacity(self) -> float:
+        """The opacity where least is seen of it."""
+        if isinstance(self.gradient, Picture):
+            return self.opacity * float(self.gradient.raster.is_opaque)
+        return (
+            self.opacity * min((stop.opacity for stop in self.gradient.stops), default=1.0)
+            if self.gradient
+            else self.opacity
+        )
 
 
 class Style(NamedTuple):
     """The paint of a shape, by the properties of SVG.
 
-    Colours are ``#rrggbb``; None is no paint. A gradient is painted instead of the plain colour that stands for it.
-    Only what is about to be written has `PAGE_COLOUR` for a colour, by `paint.page_colour`: until then it is black.
+    Colours are ``#rrggbb``; None is no paint. A gradient, or a picture, is painted instead of the plain colour that
+    stands for it. Only what is about to be written has `PAGE_COLOUR` for a colour, by `paint.page_colour`: until then
+    it is black.
     """
 
     fill: str | None = "#000000"
@@ -70,8 +86,8 @@ class Style(NamedTuple):
     stroke_miterlimit: float = 4.0
     stroke_dasharray: tuple[float, ...] = ()  # lengths of dashes and gaps in turn; empty for a solid line
     stroke_dashoffset: float = 0.0
-    fill_gradient: Gradient | None = None
-    stroke_gradient: Gradient | None = None
+    fill_gradient: Filling | None = None
+    stroke_gradient: Filling | None = None
     pixel: float | None = (
         None  # of the screen, at the drawing's own size; None for a stroke that scales with it
     )
@@ -83,6 +99,11 @@ class Style(NamedTuple):
             stroke_dasharray=tuple(scale * length for length in self.stroke_dasharray),
             stroke_dashoffset=scale * self.stroke_dashoffset,
         )
+
+    @property
+    def picture(self) -> Picture | None:
+        """The picture that it fills a shape with, if it is one."""
+        return self.fill_gradient if isinstance(self.fill_gradient, Picture) else None
 
     @property
     def reach(self) -> float:

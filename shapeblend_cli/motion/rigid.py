@@ -6,10 +6,14 @@ import cmath
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
+from shapeblend_cli.geometry import cubics
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, ContourBlend
+    from shapeblend_cli.model import ComplexArray, ContourBlend, Pose
     from shapeblend_cli.motion.alignment import Alignment
 
 THINNEST = 0.1
@@ -83,3 +87,19 @@ class Whole(NamedTuple):
             self.apply((1.0 - t) * contour.start.segments + t * self.undo(contour.end.segments), t)
             for contour in contours
         ]
+
+
+class Posed(NamedTuple):
+    """Motion of a picture from one pose to another; its corners are its outline."""
+
+    start: Pose
+    end: Pose
+
+    @property
+    def name(self) -> str:
+        """The name of the motion in reports."""
+        return "picture"
+
+    def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
+        """Return the control points of the outline at time t."""
+        return [cubics.lines(np.array(self.start.towards(self.end, t).corners), True) for _ in contours]

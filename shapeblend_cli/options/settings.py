@@ -70,6 +70,12 @@ class ReadOptions(Record, section=SHAPES):
         help="outline: each letter is a shape, drawn with the font that the file embeds or that is installed; equal "
         "letters become each other. skip: text is left out.",
     )
+    images: str = option(
+        types.choice("embedded", "beside", "skip"),
+        default="embedded",
+        help="embedded: pictures that are in the file itself go along, PNG, JPEG and WebP; beside: also files in the "
+        "drawing's folder or below it; skip: pictures are left out.",
+    )
 
     def selections(self, files: int) -> tuple[str | None, ...]:
         """Return the selector of each file."""

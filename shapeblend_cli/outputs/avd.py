@@ -175,8 +175,9 @@ def _add(parent: Element, tag: str, attributes: dict[str, str] | None = None) ->
 
 def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Return the drawable."""
-    from shapeblend_cli.outputs.move import clips_left_out, moves_of
+    from shapeblend_cli.outputs.move import clips_left_out, moves_of, without_pictures
 
+    pairs, left_out = without_pictures(pairs, "Android")
     (move,), decimals = moves_of(spec.eased(pairs), trims=True), spec.decimals(pairs)
     dashed = [
         f"{shape.name}: Android draws no dashes; its stroke is solid"
@@ -184,6 +185,7 @@ def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
         if any(side.style.stroke_dasharray for side in (shape.start, shape.end))
     ]
     notes = [
+        *left_out,
         *move.unsupported_in("Android"),
         *dashed,
         *too_long(move, decimals),

@@ -7,17 +7,18 @@ them.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from importlib import import_module
 from os.path import join
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeVar, overload
 
 from shapeblend_cli.options.easing import Ease
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping, Sequence
+    from collections.abc import Callable, Iterator, Mapping
 
-    from shapeblend_cli.model import Box, Page, Pair
+    from shapeblend_cli.model import Box, Frame, Page, Pair
     from shapeblend_cli.options.easing import Knots, Timing
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.options.triggers import Trigger
@@ -199,11 +200,41 @@ def page_of(pairs: Sequence[Pair]) -> Page:
     return common_page([pairs[0].pages[0], *(pair.pages[1] for pair in pairs)])
 
 
-def frame_svgs(spec: OutputSpec, pairs: Sequence[Pair], settings: Settings | None = None) -> list[str]:
-    """Return every frame as an SVG document without a size, by the settings of the output or by others."""
-    from shapeblend_cli.frames.frames import make_frames
-    from shapeblend_cli.svg.writing.document import frame_svg
+class Documents(Sequence[str]):
+    """Frames as SVG documents without a size, each written when it is asked for: with pictures they are large."""
 
-    decimals = spec.decimals(pairs)
+    def __init__(self, frames: Sequence[Frame], decimals: int, side: int) -> None:
+        self._frames = frames
+        self._decimals = decimals
+        self._side = side
+
+    def __len__(self) -> int:
+        return len(self._frames)
+
+    @overload
+    def __getitem__(self, k: int) -> str: ...
+
+    @overload
+    def __getitem__(self, k: slice) -> Documents: ...
+
+    def __getitem__(self, k: int | slice) -> str | Documents:
+        from shapeblend_cli.svg.writing.document import frame_svg
+
+        if isinstance(k, slice):
+            return Documents(self._frames[k], self._decimals, self._side)
+        frame = self._frames[k].picture
+        if any(shape.style.picture is not None for shape in frame.shapes):
+            from shapeblend_cli.images.own_files import with_own_pictures  # few drawings have any
+
+            frame = with_own_pictures(frame, self._side)
+        return frame_svg(frame, self._decimals)
+
+
+def frame_svgs(spec: OutputSpec, pairs: Sequence[Pair], settings: Settings | None = None) -> Documents:
+    """Return every frame as an SVG document to be drawn, by the settings of the output or by others."""
+    from shapeblend_cli.frames.frames import make_frames
+
     frames = make_frames(pairs, settings or spec.settings)
-    return [frame_svg(frame.picture, decimals) for frame in frames]
+    view = pairs[0].views[0]
+    side = (spec.width or 1) * max(1.0, view.height / view.width)
+    return Documents(frames, spec.decimals(pairs), round(side))

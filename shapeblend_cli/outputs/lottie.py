@@ -388,11 +388,11 @@ def _rounded(value: float, decimals: int) -> float:
 
 def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Return the animation."""
-    from shapeblend_cli.outputs.move import clips_left_out, moves_of
+    from shapeblend_cli.outputs.move import clips_left_out, moves_of, without_pictures
 
+    pairs, notes = without_pictures(pairs, "Lottie")
     moves = moves_of(spec.eased(pairs), trims=True)
     text = lottie(moves, spec.timing, spec.decimals(pairs))
-    notes = []
     for move in moves:
         notes += move.unsupported_in("Lottie", _shows_gradients)
         notes += [

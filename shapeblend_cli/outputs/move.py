@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
 import numpy as np
 
+from shapeblend_cli.errors import PictureError
 from shapeblend_cli.frames.frames import fading_styles, shapes_at
 from shapeblend_cli.frames.stagger import paced
 from shapeblend_cli.interpolate.paths import waypoints
@@ -172,6 +173,21 @@ def _whole(shape: ShapeBlend) -> ShapeBlend:
     (contour,) = shape.contours
     whole = contour._replace(start=shape.trim.start, end=shape.trim.end)
     return shape._replace(contours=(whole,), motion=None)
+
+
+def without_pictures(pairs: Sequence[Pair], where: str) -> tuple[Sequence[Pair], list[str]]:
+    """Return pairs for a form that has no pictures, and a phrase if they had some; PictureError if nothing is left."""
+    if not any(shape.style_a.picture for pair in pairs for shape in pair.shapes):
+        return pairs, []
+    left = [
+        pair._replace(shapes=tuple(shape for shape in pair.shapes if not shape.style_a.picture))
+        for pair in pairs
+    ]
+    if not all(pair.shapes for pair in left):
+        raise PictureError(
+            f"{where} cannot have pictures, and the drawings are nothing else; .gif would work"
+        )
+    return left, [f"pictures are left out of {where}; frames and animated SVGs have them"]
 
 
 def clips_left_out(pairs: Sequence[Pair], where: str) -> list[str]:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.errors import OptionError, PictureError
 from shapeblend_cli.options.easing import Timing
-from shapeblend_cli.outputs.formats import FASTEST, OutputSpec, Rendered, frame_svgs
+from shapeblend_cli.outputs.formats import FASTEST, Documents, OutputSpec, Rendered, frame_svgs
 from shapeblend_cli.outputs.pixels import Size, check_libraries, rasterize, read_png, size_of
 
 if TYPE_CHECKING:
@@ -132,7 +132,7 @@ def run_of(spec: OutputSpec) -> Run:
     return run_for(spec.fps, spec.settings.frames, spec.drawings - 1, spec.timing)
 
 
-def svgs_of(spec: OutputSpec, pairs: Sequence[Pair], run: Run) -> list[str]:
+def svgs_of(spec: OutputSpec, pairs: Sequence[Pair], run: Run) -> Documents:
     """Return the documents that a run shows, from the first drawing to the last."""
     return frame_svgs(spec, pairs, spec.settings.replace(frames=run.steps - 1, ends=True))
 

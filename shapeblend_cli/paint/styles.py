@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from shapeblend_cli.model import Paint
+from shapeblend_cli.model import Paint, Picture
 from shapeblend_cli.paint.oklab import blend_colours
 
 if TYPE_CHECKING:
@@ -45,8 +45,9 @@ def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
     evenly on the screen.
 
     The second style, if any, is painted below. A linear and a radial gradient have nothing in between, so B's dissolves
-    into view over A's, which weighs 1 - t everywhere. If both are opaque, A's stays opaque until it is covered: the
-    ground would shine through two half-transparent coats.
+    into view over A's, which weighs 1 - t everywhere. So does a picture over another, both on their way from the place
+    of A's to B's. If both are opaque, A's stays opaque until it is covered: the ground would shine through two
+    half-transparent coats.
     """
     a, b = _with_stroke_of(a, b), _with_stroke_of(b, a)
     (fill, fill_below), (stroke, stroke_below) = (
@@ -132,11 +133,21 @@ def _blend_paint(a: Paint, b: Paint, t: float) -> tuple[Paint, Paint | None]:
     colour = blend_colours(a.colour, b.colour, t, a.opacity, b.opacity)
     if a.gradient == b.gradient:
         return Paint(colour, opacity, a.gradient), None
+    if isinstance(a.gradient, Picture) and isinstance(b.gradient, Picture):
+        pose = a.gradient.pose.towards(b.gradient.pose, t)
+        pictures = a.gradient.posed(pose), b.gradient.posed(pose)
+        if a.gradient.raster == b.gradient.raster:
+            return Paint(colour, opacity, pictures[0]), None
+        below = a._replace(opacity=_opacity_below(a, b, t), gradient=pictures[0])
+        return b._replace(opacity=t * b.opacity, gradient=pictures[1]), below
 
     from shapeblend_cli.paint.gradients import blend_gradients, plain_gradient  # few drawings have any
 
     either = a.gradient or b.gradient
     assert either is not None
+    assert not isinstance(a.gradient, Picture), "pictures become pictures"
+    assert not isinstance(b.gradient, Picture), "pictures become pictures"
+    assert not isinstance(either, Picture)
     gradient_a = a.gradient or plain_gradient(either, a.colour)
     gradient = blend_gradients(gradient_a, b.gradient or plain_gradient(either, b.colour), t)
     if gradient is not None:
@@ -149,8 +160,7 @@ def _opacity_below(a: Paint, b: Paint, t: float) -> float:
 
     Of the paint below, a share of 1 - t * (B's opacity) is seen, which has to be (1 - t) * (A's opacity) in all.
     """
-    stops = b.gradient.stops if b.gradient else ()
-    cover = b.opacity * min((stop.opacity for stop in stops), default=1.0)
+    cover = b.least_opacity
     return a.opacity if cover == 1.0 else (1.0 - t) * a.opacity / (1.0 - t * cover)
 
 

@@ -67,7 +67,7 @@ def follow(contour: PlacedContour, image: FlatContour, vertices: IntArray, *, of
     return _without_partner(contour.flat, image, contour.number, np.array(steps, np.intp), of_b=of_b)
 
 
-def keep_still(contour: PlacedContour, numbers: tuple[int, int]) -> ContourBlend:
+def keep_still(contour: PlacedContour, numbers: tuple[int | None, int | None]) -> ContourBlend:
     """Return a blend of a contour that stays as it is, for two contours with these numbers."""
     vertices = np.arange(len(contour.polygon.vertices))
     dots = np.stack([vertices, vertices], axis=1)

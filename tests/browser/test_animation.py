@@ -25,6 +25,7 @@ from tests.support.chromium import picture_of, start_chromium
 from tests.support.commands import write
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
 from tests.support.ends import ENDS, SHADED, card, emitted_ends
+from tests.support.images import checkerboard, face, image
 from tests.support.motions import rotated
 
 SIZE = 120
@@ -162,6 +163,25 @@ def animated(*arguments):
     return Path("moving.svg").read_text()
 
 
+PICTURE = image(checkerboard(), 'id="p" x="2" y="2" width="12" height="12"')
+OTHER_PICTURE = image(
+    face(), 'id="p" x="8" y="6" width="14" height="10" transform="rotate(30 12 12)"', "JPEG"
+)
+ROUND_PICTURE = CLIPPED_ROUND.partition("<g")[0] + f'<g clip-path="url(#r)">{PICTURE}</g>'
+
+PICTURES = {
+    "pictures": ([RED + PICTURE, RED + OTHER_PICTURE], ["--ease", "ease-in"]),
+    "one picture": ([PICTURE, PICTURE.replace('x="2"', 'x="9" opacity=".6"')], []),
+    "a picture that is turned over": (
+        [RED + PICTURE, RED + PICTURE.replace("/>", ' transform="scale(-1 1) translate(-22)"/>')],
+        [],
+    ),
+    "a picture that comes": ([RED, RED + PICTURE], []),
+    "a clipped picture": ([ROUND_PICTURE, OTHER_PICTURE], ["--ease", "ease-in-out"]),
+    "pictures one after the other": ([PICTURE + SOLID, OTHER_PICTURE + SOLID], ["--stagger", "0.4"]),
+    "pictures, through three": ([PICTURE, OTHER_PICTURE, PICTURE], []),
+}
+
 GRADIENTS = {
     "linear": ([ACROSS, DOWN], []),
     "radial": ([ROUND, OVAL], ["--ease", "ease-in"]),
@@ -175,7 +195,7 @@ GRADIENTS = {
 @pytest.mark.parametrize("method", ["smil", "css"])
 def test_animations_show_what_the_frames_show(here, assert_shown, method):
     rows = []
-    for name, (paths, options) in (CASES | (GRADIENTS if method == "smil" else {})).items():
+    for name, (paths, options) in (CASES | PICTURES | (GRADIENTS if method == "smil" else {})).items():
         names, frames = blended(here, paths, options)
         moving = animated(*names, "--animate", method, *options)
         # Between two colours there are as few in between as the eye asks for.
@@ -190,7 +210,7 @@ def test_animations_show_what_the_frames_show(here, assert_shown, method):
 @pytest.mark.parametrize("ease", ["back-in-out", "spring(1,100,8)", "linear(0, 0.8 30%, 0.4, 1)"])
 def test_easing_beyond_the_drawings_is_that_of_the_frames(here, assert_shown, method, ease):
     rows = []
-    for name, (paths, options) in (CASES | (GRADIENTS if method == "smil" else {})).items():
+    for name, (paths, options) in (CASES | PICTURES | (GRADIENTS if method == "smil" else {})).items():
         asked = [*(option for option in options if not option.startswith("ease")), "--ease", ease]
         asked = [option for k, option in enumerate(asked) if option != "--ease" or k == len(asked) - 2]
         names, frames = blended(here, paths, asked)

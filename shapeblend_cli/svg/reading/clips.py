@@ -11,7 +11,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import rectangle
-from shapeblend_cli.model import Box, Clip, Contour
+from shapeblend_cli.model import Box, Clip, Contour, Style
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.elements import contours_of
 from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
@@ -22,7 +22,7 @@ from shapeblend_cli.svg.xml.units import length
 from shapeblend_cli.svg.xml.xmltree import SHAPES, Node, named
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterator, Sequence
 
     from shapeblend_cli.svg.styles.cascade import Cascade, Inherited
     from shapeblend_cli.svg.styles.declarations import Declarations
@@ -265,3 +265,12 @@ def covers(clip: Clip, painted: Box) -> bool:
         and bool(path.straight.all())
         and box.contains(painted, SLACK * box.diagonal)
     )
+
+
+def needed(clips: Sequence[Clip], placed: Sequence[Contour], style: Style) -> tuple[Clip, ...]:
+    """Return the clips that a shape is not wholly inside of."""
+    if not clips:
+        return ()
+    reach = style.stroke_width / 2.0 if style.stroke else 0.0
+    painted = Box.union([cubics.bounds(contour.segments).expanded(reach) for contour in placed])
+    return tuple(clip for clip in clips if not covers(clip, painted))

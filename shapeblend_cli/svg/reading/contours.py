@@ -9,10 +9,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.model import Contour
+from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Contour
+from shapeblend_cli.svg.xml.messages import Problem
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine
+from shapeblend_cli.svg.xml.units import LEAST
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from shapeblend_cli.model import ComplexArray
 
 Segment = tuple[complex, ...]  # the four control points of a cubic
@@ -61,6 +65,32 @@ def transform(contour: Contour, matrix: Affine) -> Contour:
     if matrix == IDENTITY:
         return contour
     return Contour(_join(matrix.points(contour.segments), contour.closed), contour.straight, contour.closed)
+
+
+def placed(contour: Contour, matrix: Affine) -> Contour | None:
+    """Return a contour in the root's coordinates, or None if it is a point there."""
+    found = transform(contour, matrix)
+    parts = np.ascontiguousarray(found.segments).view(float)
+    is_small = np.abs(parts) < LEAST
+    if not is_small.any():
+        return found
+    parts = np.where(is_small, 0.0, parts)
+    return Contour(parts.view(np.complex128), found.straight, found.closed) if parts.any() else None
+
+
+def check_size(drawn: int, added: Sequence[Contour]) -> None:
+    """Refuse a drawing that is too large to blend as soon as it shows: it has some contours, with those just added."""
+    if drawn > MOST_CONTOURS:
+        raise Problem(
+            f"it draws {drawn} contours or more, and {MOST_CONTOURS} are the most that are blended; "
+            "selecting some of its shapes would work (--select-a, --select-b)"
+        )
+    largest = max(len(contour.segments) for contour in added)
+    if largest > MOST_SEGMENTS:
+        raise Problem(
+            f"it draws a contour of {largest} segments, and {MOST_SEGMENTS} are the most that are blended; a "
+            "simpler drawing would work"
+        )
 
 
 def _join(points: ComplexArray, closed: bool) -> ComplexArray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 
 from shapeblend_cli.errors import InputError, unreadable
@@ -27,6 +28,7 @@ def read(
     select: str | None = None,
     is_to_blend: bool = False,
     text: str = "outline",
+    images: str = "embedded",
 ) -> Drawing:
     """Return the drawing in an SVG file; without its contents as `data`, the file is opened.
 
@@ -35,6 +37,8 @@ def read(
     only the shapes it matches, those in groups it matches, and those drawn through a ``use`` it matches; `Shape.index`
     still counts all the file paints. A drawing that `is_to_blend` is refused early if it is too large for that. With
     `text` ``outline`` each letter is a shape, with ``skip`` text is left out.
+    Pictures in the file are taken, with `images` ``beside`` also those in files of its folder and below, with ``skip``
+    none.
 
     Raises
     ------
@@ -49,7 +53,8 @@ def read(
             tag = printable(root.tag.lstrip(":"))
             raise Problem(f"its root element is <{tag}>, not <svg>; an SVG file would work")
         box = viewports.root_box(root, notes)
-        shapes = Walk(root, notes, lenient, is_to_blend, text).shapes(box, select)
+        folder = None if file == STANDARD_INPUT else os.path.dirname(file) or os.curdir
+        shapes = Walk(root, notes, lenient, is_to_blend, text, (images, folder)).shapes(box, select)
     except Problem as problem:
         raise InputError(name, str(problem)) from None
     return Drawing(name, box, shapes, notes.phrases(), viewports.root_page(root, box))

@@ -1,9 +1,17 @@
-"""The names of elements: ids, the labels of Inkscape, titles and descriptions."""
+"""The names of elements: ids, the labels of Inkscape, titles and descriptions; and shapes by their numbers."""
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from shapeblend_cli.model import Group, Name
+from shapeblend_cli.svg.xml.messages import Problem
 from shapeblend_cli.svg.xml.xmltree import Node
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import Shape
 
 MAX_ID = 1000
 _MAX_TEXT = 10_000
@@ -38,3 +46,14 @@ def clean_text(text: str | None) -> str | None:
 def _prefixed(node: Node, name: str) -> str | None:
     """Return the value of an attribute of another namespace than SVG's, which only editors write, by its local name."""
     return next((value for key, value in node.attrib.items() if key.endswith(f":{name}")), None)
+
+
+def numbered(shapes: Sequence[Shape], numbers: Sequence[int]) -> list[Shape]:
+    """Return the shapes with some numbers; raise a Problem for a number that none has."""
+    found = [shape for shape in shapes if shape.index in numbers]
+    missing = sorted({*numbers} - {shape.index for shape in found})
+    if missing:
+        last = max(shape.index for shape in shapes)
+        known = f"0 to {last} would work" if last else "0 is the only one"
+        raise Problem(f"it paints no shape {missing[0]}; {known}")
+    return found

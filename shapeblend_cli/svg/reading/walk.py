@@ -4,30 +4,40 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Clip, Contour, Group, Name, Shape, Style
+from shapeblend_cli.model import (
+    Box,
+    Clip,
+    Contour,
+    Group,
+    Name,
+    Picture,
+    Shape,
+    Style,
+)
 from shapeblend_cli.svg.reading import contours, viewports
-from shapeblend_cli.svg.reading.clips import REGIONS, Clips, covers
+from shapeblend_cli.svg.reading.clips import REGIONS, Clips, needed
 from shapeblend_cli.svg.reading.elements import contours_of, is_for_us
 from shapeblend_cli.svg.reading.markers import MARKED, marks
 from shapeblend_cli.svg.reading.painter import Painter
 from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
-from shapeblend_cli.svg.reading.titles import clean, group_of, name_of
+from shapeblend_cli.svg.reading.titles import clean, group_of, name_of, numbered
 from shapeblend_cli.svg.styles.cascade import INITIAL, Cascade, Inherited, inherit, share
 from shapeblend_cli.svg.styles.declarations import Declarations, substitute
 from shapeblend_cli.svg.styles.selection import ancestors, paints_nothing, select, shape_numbers
 from shapeblend_cli.svg.xml.messages import Notes, Problem, check_limit, printable
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, origin, parse, translation
-from shapeblend_cli.svg.xml.units import LEAST, LIMIT, Lengths
+from shapeblend_cli.svg.xml.units import LIMIT, Lengths
 from shapeblend_cli.svg.xml.xmltree import GROUPS, LEFT_OUT, POINT_LISTS, SHAPES, Node
 
 if TYPE_CHECKING:
+    from shapeblend_cli.svg.reading.images.element import Images, PlacedImage
     from shapeblend_cli.svg.reading.text import Text, Texts
 
 _EFFECTS = {
@@ -78,7 +88,8 @@ class Walk:
     """One walk from an ``svg`` element, with an explicit stack: a hostile file must not reach the recursion limit.
 
     `lenient` draws broken path data and points up to the error; `notes` takes phrases on elements that are left
-    out; a drawing that `is_to_blend` is refused if it is too large for that; `text` is outlined or skipped.
+    out; a drawing that `is_to_blend` is refused if it is too large for that; `text` is outlined or skipped;
+    `images` says which pictures are taken, as `--images` does, and the folder of the file.
     """
 
     def __init__(
@@ -88,6 +99,7 @@ class Walk:
         lenient: bool = False,
         is_to_blend: bool = False,
         text: str = "outline",
+        images: tuple[str, str | None] = ("embedded", None),
     ) -> None:
         self._root = root
         self._notes = notes
@@ -118,6 +130,8 @@ class Walk:
         self._other_names: dict[str, None] = {}
         self._outlines_text = text == "outline"
         self._texts: Texts | None = None
+        self._which_images = images
+        self._images: Images | None = None
 
     def shapes(self, box: Box | None, selector: str | None = None) -> tuple[Shape, ...]:
         """Return the painted shapes, at least one, given the box of the root.
@@ -141,7 +155,7 @@ class Walk:
             )
         if selector is not None and not self._shapes:
             raise paints_nothing(self._root, selector, nodes, self._reason, list(self._other_names))
-        return tuple(self._shapes if numbers is None else _numbered(self._shapes, numbers))
+        return tuple(self._shapes if numbers is None else numbered(self._shapes, numbers))
 
     def _process(self, visit: _Visit) -> None:
         node = visit.node
@@ -155,7 +169,7 @@ class Walk:
         is_used_symbol = node.tag in ("symbol", "marker") and visit.used[-1:] == (node,)
         if node.tag == "text" and not self._has_text():
             return
-        is_drawn = node.tag in SHAPES or node.tag in GROUPS or node.tag == "text"
+        is_drawn = node.tag in SHAPES or node.tag in GROUPS or node.tag in ("text", "image")
         if not (is_drawn or is_used_symbol) or not is_for_us(node):
             return
         declared = self._cascade.declared(node, keep=bool(visit.used))
@@ -177,6 +191,8 @@ class Walk:
             reason = self._draw(visit, declared)
         elif node.tag == "text":
             reason = self._draw_text(visit)
+        elif node.tag == "image":
+            reason = self._draw_image(visit, declared)
         elif node.tag == "use":
             self._use(visit)
         else:
@@ -259,7 +275,10 @@ class Walk:
         )
 
     def _box(self, visit: _Visit, declared: Declarations) -> Box | None:
-        """Return the box around a shape, in its own coordinates."""
+        """Return the box around a shape or a picture, in its own coordinates."""
+        if visit.node.tag == "image":
+            image = self._image(visit, declared)
+            return image and (image.viewport or image.box)
         if visit.node.tag not in SHAPES or visit.matrix.determinant == 0:
             return None
         own = self._contours(visit, declared)
@@ -305,15 +324,17 @@ class Walk:
         scales: bool = True,
         letters: str | None = None,
         whole: list[Contour] | None = None,
+        picture: Picture | None = None,
     ) -> str | None:
-        """Add a shape of contours in its own coordinates; gradients of letters span the `whole` text."""
+        """Add a shape of contours in its own coordinates, or a picture; gradients of letters span the `whole` text."""
         node = visit.node
         if visit.inherited.visibility != "visible":
             return "hidden"
         scale = math.sqrt(abs(visit.matrix.determinant))
-        style = self._painter.style(
-            visit.inherited, visit.opacity, scale if scales else self._pixel, visit.lengths
-        )
+        pixel = scale if scales else self._pixel
+        style = self._painter.style(visit.inherited, visit.opacity, pixel, visit.lengths)
+        if picture is not None:
+            style = Style(picture.raster.colour, visit.opacity, fill_gradient=picture)
         if style.stroke is not None and not scales:
             style = style._replace(pixel=self._pixel)
         if style.fill is None and style.stroke is None:
@@ -321,7 +342,9 @@ class Walk:
         own_contours = make()
         self._segments += sum(len(contour.segments) for contour in own_contours)
         check_limit(self._segments, MAX_SEGMENTS, "segments")
-        placed = [each for contour in own_contours if (each := _placed(contour, visit.matrix)) is not None]
+        placed = [
+            each for contour in own_contours if (each := contours.placed(contour, visit.matrix)) is not None
+        ]
         if not placed:
             return "without extent"
         index = self._painted
@@ -332,20 +355,37 @@ class Walk:
                 self._other_names[name] = None
             return None
         if self._is_to_blend:
-            self._check_limits(placed)
+            self._drawn += len(placed)
+            contours.check_size(self._drawn, placed)
         if not all(np.abs(contour.segments).max() < LIMIT for contour in placed):
             raise Problem(f"{node}: coordinates beyond {LIMIT:g}; smaller ones would work")
-        style = self._painter.with_gradients(
-            style, visit.inherited, whole or own_contours, visit.matrix, visit.lengths
-        )
+        if picture is None:
+            span = whole or own_contours
+            style = self._painter.with_gradients(style, visit.inherited, span, visit.matrix, visit.lengths)
         if style.stroke_dasharray and node.get("pathLength") is not None:
             self._notes.add("pathLength not applied to dashes")
         called = name_of(node) if letters is None else Name(label=clean(letters))
-        clips = _clips_of(visit.clips, placed, style)
-        left = self._painter.page_coloured(style, visit.inherited)
+        clips = needed(visit.clips, placed, style)
+        left = () if picture else self._painter.page_coloured(style, visit.inherited)
         drawn = tuple(placed), style, called, visit.groups, clips, left
         self._shapes.append(Shape(index, name, node.tag, *drawn))
         return None
+
+    def _image(self, visit: _Visit, declared: Declarations) -> PlacedImage | None:
+        """Return the picture of an element, if there is one."""
+        if self._images is None:
+            from shapeblend_cli.svg.reading.images.element import Images  # few drawings have any
+
+            self._images = Images(self._notes, *self._which_images)
+        return self._images.of(visit.node, declared, visit.lengths)
+
+    def _draw_image(self, visit: _Visit, declared: Declarations) -> str | None:
+        """Add a picture, or return why it is not painted."""
+        image = self._image(visit, declared)
+        if image is None:
+            return "without a picture"
+        around = visit._replace(clips=(*visit.clips, *image.clips(visit.matrix)))
+        return self._paint(around, lambda: [image.contour], picture=image.picture(visit.matrix))
 
     def _has_text(self) -> bool:
         """Return whether text is drawn."""
@@ -423,21 +463,6 @@ class Walk:
         found = contours_of(target, declared, visit.lengths, self._notes, self._lenient)
         return tuple(contours.transform(contour, matrix) for contour in found)
 
-    def _check_limits(self, placed: Sequence[Contour]) -> None:
-        """Refuse a drawing that is too large to blend as soon as it shows."""
-        self._drawn += len(placed)
-        if self._drawn > MOST_CONTOURS:
-            raise Problem(
-                f"it draws {self._drawn} contours or more, and {MOST_CONTOURS} are the most that are blended; "
-                "selecting some of its shapes would work (--select-a, --select-b)"
-            )
-        largest = max(len(contour.segments) for contour in placed)
-        if largest > MOST_SEGMENTS:
-            raise Problem(
-                f"it draws a contour of {largest} segments, and {MOST_SEGMENTS} are the most that are blended; a "
-                "simpler drawing would work"
-            )
-
     def _contours(self, visit: _Visit, declared: Declarations) -> list[Contour]:
         node = visit.node
         # Only lists of points are worth remembering, and no percentage changes them.
@@ -467,34 +492,3 @@ class Walk:
 
 def _shapes(count: int) -> str:
     return "1 shape" if count == 1 else f"{count} shapes"
-
-
-def _clips_of(clips: Sequence[Clip], placed: Sequence[Contour], style: Style) -> tuple[Clip, ...]:
-    """Return the clips that a shape is not wholly inside of."""
-    if not clips:
-        return ()
-    reach = style.stroke_width / 2.0 if style.stroke else 0.0
-    painted = Box.union([cubics.bounds(contour.segments).expanded(reach) for contour in placed])
-    return tuple(clip for clip in clips if not covers(clip, painted))
-
-
-def _placed(contour: Contour, matrix: Affine) -> Contour | None:
-    """Return a contour in the root's coordinates, or None if it is a point there."""
-    placed = contours.transform(contour, matrix)
-    parts = np.ascontiguousarray(placed.segments).view(float)
-    is_small = np.abs(parts) < LEAST
-    if not is_small.any():
-        return placed
-    parts = np.where(is_small, 0.0, parts)
-    return Contour(parts.view(np.complex128), placed.straight, placed.closed) if parts.any() else None
-
-
-def _numbered(shapes: Sequence[Shape], numbers: Sequence[int]) -> list[Shape]:
-    """Return the shapes with some numbers; raise a Problem for a number that none has."""
-    found = [shape for shape in shapes if shape.index in numbers]
-    missing = sorted({*numbers} - {shape.index for shape in found})
-    if missing:
-        last = max(shape.index for shape in shapes)
-        known = f"0 to {last} would work" if last else "0 is the only one"
-        raise Problem(f"it paints no shape {missing[0]}; {known}")
-    return found

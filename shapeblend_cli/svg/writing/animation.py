@@ -7,22 +7,26 @@ in the same order.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from shapeblend_cli.model import Box, KeyframedShape, Style
+from shapeblend_cli.model import Box, KeyframedShape, Pose, Style
 from shapeblend_cli.options.easing import LINEAR, Ease, Timing
 from shapeblend_cli.paint.oklab import colour_stops
 from shapeblend_cli.paint.styles import INSTANT
-from shapeblend_cli.svg.writing.paint import STROKE_LENGTHS, paint_attributes, without_defaults
+from shapeblend_cli.svg.writing.paint import SIDES, STROKE_LENGTHS, paint_attributes, without_defaults
 from shapeblend_cli.svg.writing.path_data import short_path_data
+from shapeblend_cli.svg.writing.rounding import number
 
 COLOURS = frozenset(("fill", "stroke", "stop_color"))
 
 OPACITIES = ("fill_opacity", "stroke_opacity")
 
 TIME_DIGITS = 5
+
+ANGLE_DIGITS = 4
+"""Minimum number of decimals of the transforms of a picture."""
 
 
 class Values(NamedTuple):
@@ -104,6 +108,71 @@ def attribute_values(shape: KeyframedShape, decimals: int) -> dict[str, Values]:
     waypoints = [[(w.t, short_path_data(w.paths, decimals)) for w in section] for section in shape.waypoints]
     values["d"] = values["d"]._replace(waypoints=waypoints)
     return values
+
+
+class ImageValues(NamedTuple):
+    """The values over time of a picture: of attributes, and of the transforms that place it, if it is not upright."""
+
+    attributes: dict[str, Values]
+    transforms: list[tuple[str, Values]]  # functions of ``transform``, the first of them ``translate``
+
+    @property
+    def first(self) -> dict[str, str]:
+        """The attributes at first."""
+        found = {name: values.keys[0] for name, values in self.attributes.items()}
+        if self.transforms:
+            placed = " ".join(f"{kind}({values.keys[0]})" for kind, values in self.transforms)
+            found |= {"x": "-.5", "y": "-.5", "width": "1", "height": "1", "transform": placed}
+        return found
+
+    @property
+    def is_still(self) -> bool:
+        """Whether it stays in its place."""
+        return all(values.is_constant for _, values in self.transforms)
+
+
+def image_values(shape: KeyframedShape, decimals: int, *, boxes: bool = True) -> ImageValues:
+    """Return the values of a picture: of its box where it is upright, if programs can move boxes, or of transforms."""
+    times, styles = fading_keys(shape if shape.is_paced else shape._replace(fading=()))
+    poses: list[Pose] = []
+    for style in styles:
+        assert style.picture is not None, "what is a picture stays one"
+        poses.append(style.picture.pose.near(poses[-1]) if poses else style.picture.pose)
+
+    def over_time(name: str, texts: Sequence[str]) -> Values:
+        return delayed(values_between(name, texts, times), shape.spans)
+
+    found = attribute_values(shape, decimals)
+    attributes = {"opacity": found["fill_opacity"]} if "fill_opacity" in found else {}
+    if boxes and all(pose.is_upright for pose in poses):
+        for name, of in zip(SIDES, _SIDES, strict=True):
+            attributes[name] = over_time(name, [number(of(pose), decimals) for pose in poses])
+        return ImageValues(attributes, [])
+    kinds: dict[str, list[tuple[float, ...]]] = {
+        "translate": [(pose.centre.real, pose.centre.imag) for pose in poses],
+        "rotate": [(pose.angle,) for pose in poses],
+        "skewX": [(pose.skew,) for pose in poses],
+        "scale": [(pose.width, pose.height) for pose in poses],
+    }
+    transforms = [
+        (
+            kind,
+            over_time(
+                kind, [" ".join(number(one, max(decimals, ANGLE_DIGITS)) for one in each) for each in every]
+            ),
+        )
+        for kind, every in kinds.items()
+        if kind in ("translate", "scale") or any(each != (0.0,) for each in every)
+    ]
+    return ImageValues(attributes, transforms)
+
+
+_SIDES: tuple[Callable[[Pose], float], ...] = (
+    lambda pose: pose.centre.real - 0.5 * pose.width,
+    lambda pose: pose.centre.imag - 0.5 * pose.height,
+    lambda pose: pose.width,
+    lambda pose: pose.height,
+)
 
 
 def fading_keys(shape: KeyframedShape) -> tuple[list[float], list[Style]]:

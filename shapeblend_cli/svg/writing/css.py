@@ -16,10 +16,11 @@ from shapeblend_cli.svg.writing.animation import (
     Moment,
     Values,
     attribute_values,
+    image_values,
     moments,
     resting,
 )
-from shapeblend_cli.svg.writing.paint import Regions, add_region
+from shapeblend_cli.svg.writing.paint import Regions, add_region, link_attributes
 from shapeblend_cli.svg.writing.rounding import number
 
 
@@ -30,10 +31,16 @@ def css_svg(
 
     Gradients become plain colours, and there is one view, since CSS can animate neither. The shapes are in paint order.
     """
-    values_by_shape = [attribute_values(shape, decimals) for shape in shapes]
+    values_by_shape = [_values_of(shape, decimals) for shape in shapes]
     # Names of its own, so that several drawings can stand in one page.
     keys = [{name: values.keys for name, values in attributes.items()} for attributes in values_by_shape]
-    curved = [section for attributes in values_by_shape for section in attributes["d"].waypoints if section]
+    curved = [
+        section
+        for attributes in values_by_shape
+        if "d" in attributes
+        for section in attributes["d"].waypoints
+        if section
+    ]
     prefix = f"b{zlib.crc32(repr((keys, timing, *curved)).encode()):08x}"
     last = max(shape.first + len(shape.keys) for shape in shapes) - 1
     clock = _Clock.of(timing, last)
@@ -55,7 +62,12 @@ def css_svg(
         name = f"{prefix}-{k}"
         animations = _animate(name, shape, attributes, clock, rules)
         start = {attribute: values.keys[0] for attribute, values in attributes.items()}
-        path = document.new("path", {"class": name, **regions.attributes(shape.clips), **start})
+        clipped, picture = regions.attributes(shape.clips), shape.keys[0].style.picture
+        if picture is None:
+            path = document.new("path", {"class": name, **clipped, **start})
+        else:
+            placed = {**link_attributes(picture), **image_values(shape, decimals, boxes=False).first}
+            path = document.new("image", {"class": name, **placed})
         if len(shape.keys) <= last:
             begin, until = shape.first, shape.first + len(shape.keys) - 1
             visible = {0.0: ["visibility:hidden"], clock.share(timing.when(begin)): ["visibility:visible"]}
@@ -66,10 +78,34 @@ def css_svg(
             document.put(path, {"visibility": "hidden" if shape.first else "visible"})
         if animations:
             rules.append(f".{name}{{animation:{','.join(animations)}}}")
+        if picture is not None:
+            path = document.clipped(path, clipped.get("clip_path"))
         tree.add(path, shape.groups, shape.name)
     rules += clip_rules
     rules.append(f"@media (prefers-reduced-motion:reduce){{[class^={prefix}]{{animation:none!important}}}}")
     return document.text(drawing, style="\n".join(["", *rules, ""]), definitions=regions.elements)
+
+
+def _values_of(shape: KeyframedShape, decimals: int) -> dict[str, Values]:
+    """Return the values of the attributes of a path, or of a picture, as style sheets have them."""
+    if shape.keys[0].style.picture is None:
+        return attribute_values(shape, decimals)
+    found = image_values(shape, decimals, boxes=False)
+    units = {"translate": "px", "rotate": "deg", "skewX": "deg", "scale": ""}
+
+    def joined(texts: Sequence[str]) -> str:
+        return " ".join(
+            f"{kind}({','.join(part + units[kind] for part in text.split(' '))})"
+            for (kind, _), text in zip(found.transforms, texts, strict=True)
+        )
+
+    every = [values for _, values in found.transforms]
+    keys = list(map(joined, zip(*(values.keys for values in every), strict=True)))
+    waypoints = [
+        [(parts[0][0], joined([text for _, text in parts])) for parts in zip(*sections, strict=True)]
+        for sections in zip(*(values.waypoints for values in every), strict=True)
+    ]
+    return {**found.attributes, "transform": Values(keys, waypoints)}
 
 
 class _Clock(NamedTuple):

@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import MappingProxyType
 from xml.etree.ElementTree import Element, tostring
 
-from shapeblend_cli.model import Box, Frame, Group, KeyframedShape, Name, Page, PaintedShape
+from shapeblend_cli.model import Box, Frame, Group, KeyframedShape, Name, Page, PaintedShape, Style
 from shapeblend_cli.paint.names import page_for
 from shapeblend_cli.svg.writing.ids import Ids
-from shapeblend_cli.svg.writing.paint import Gradients, hyphened, visible_styles
+from shapeblend_cli.svg.writing.paint import Gradients, hyphened, picture_attributes, visible_styles
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
 
@@ -220,5 +220,25 @@ def add_shapes(tree: Tree, frame: Frame, gradients: Gradients) -> None:
         data = {"d": path_data(shape.paths, gradients.decimals), **gradients.clips.attributes(shape.clips)}
         *below, above = visible_styles(shape, frame.t)
         for style in below:
-            tree.add(new("path", data | gradients.attributes(style)), shape.groups)
-        tree.add(new("path", data | gradients.attributes(above)), shape.groups, shape.name)
+            tree.add(painted(style, data, gradients), shape.groups)
+        tree.add(painted(above, data, gradients), shape.groups, shape.name)
+
+
+def painted(style: Style, data: Mapping[str, str], gradients: Gradients) -> Element:
+    """Return a path in a style; or the picture that it is filled with, in a group if it is clipped.
+
+    The `data` are the attributes of a path apart from its paint.
+    """
+    if style.picture is None:
+        return new("path", {**data, **gradients.attributes(style)})
+    image = new("image", picture_attributes(style.picture, style.fill_opacity, gradients.decimals))
+    return clipped(image, data.get("clip_path"))
+
+
+def clipped(image: Element, clip_path: str | None) -> Element:
+    """Return a picture in a group that clips it, if anything does: its own transform would move a clip path."""
+    if clip_path is None:
+        return image
+    group = new("g", {"clip_path": clip_path})
+    group.append(image)
+    return group

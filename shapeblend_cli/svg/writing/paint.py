@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 from xml.etree.ElementTree import Element, SubElement
 
-from shapeblend_cli.model import Clip, Gradient, LinearGradient, PaintedShape, RadialGradient, Style
+from shapeblend_cli.model import Clip, Gradient, LinearGradient, PaintedShape, Picture, RadialGradient, Style
 from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
@@ -33,6 +33,9 @@ DEFAULTS = {
 PIXEL_DIGITS = 4
 """Decimals of lengths in pixels of the screen."""
 
+SIDES = ("x", "y", "width", "height")
+"""Attributes that place an upright picture."""
+
 STROKE_LENGTHS = ("stroke_width", "stroke_dasharray", "stroke_dashoffset")
 
 
@@ -45,6 +48,8 @@ def visible_styles(shape: PaintedShape, t: float) -> list[Style]:
     """Return the styles a shape is painted in at time t, from below: two where one paint dissolves into another."""
     # At the end of time what is below is covered, and would only show at antialiased edges.
     styles = [shape.style] if shape.below is None or t >= 1.0 else [shape.below, shape.style]
+    if styles[0].picture is not None and styles[-1].fill_opacity == 0.0:
+        styles = styles[:1]  # a picture is large, also where nothing is seen of it
     return [_simplify(style) for style in styles]
 
 
@@ -59,7 +64,9 @@ def _simplify(style: Style) -> Style:
     if dashes and len(dashes) % 2 == 0 and not any(dashes[1::2]):
         style = style._replace(stroke_dasharray=(), stroke_dashoffset=0.0)
     for name, gradient in (("fill", style.fill_gradient), ("stroke", style.stroke_gradient)):
-        if gradient is not None and len({(stop.colour, stop.opacity) for stop in gradient.stops}) == 1:
+        if gradient is None or isinstance(gradient, Picture):
+            continue
+        if len({(stop.colour, stop.opacity) for stop in gradient.stops}) == 1:
             style = style.with_plain(name, gradient.stops[0])
     return style
 
@@ -132,6 +139,25 @@ def _coordinates(point: complex, decimals: int) -> tuple[str, str]:
     return number(point.real, decimals), number(point.imag, decimals)
 
 
+def picture_attributes(picture: Picture, opacity: float, decimals: int) -> dict[str, str]:
+    """Return the attributes of an ``image`` that is a picture in its place."""
+    written = {**link_attributes(picture), "opacity": number(opacity, 4)}
+    if picture.is_upright:
+        place = (picture.origin.real, picture.origin.imag, picture.across.real, picture.down.imag)
+        written |= {name: number(value, decimals) for name, value in zip(SIDES, place, strict=True)}
+    else:
+        parts = [part for z in (picture.across, picture.down, picture.origin) for part in (z.real, z.imag)]
+        entries = " ".join(number(part, decimals) for part in parts)
+        written |= {"width": "1", "height": "1", "transform": f"matrix({entries})"}
+    return {name: value for name, value in written.items() if (name, value) != ("opacity", "1")}
+
+
+def link_attributes(picture: Picture) -> dict[str, str]:
+    """Return the attributes of an ``image`` that hold wherever the picture is."""
+    smooth = {} if picture.is_smooth else {"image_rendering": "pixelated"}
+    return {"href": picture.raster.uri, "preserveAspectRatio": "none", **smooth}
+
+
 class Regions:
     """The clip paths of a document, each defined once in `elements`; how one is drawn is left to `draw`."""
 
@@ -190,7 +216,7 @@ class Gradients:
         """Return the presentation attributes of a style, linked to its gradients, without initial values."""
         paint = paint_attributes(style, self.decimals)
         for name, gradient in (("fill", style.fill_gradient), ("stroke", style.stroke_gradient)):
-            if gradient is not None:
+            if gradient is not None and not isinstance(gradient, Picture):
                 paint[name] = self.link(gradient)
         return without_defaults(paint)
 

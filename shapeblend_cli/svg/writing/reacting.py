@@ -155,8 +155,7 @@ def _add_still(group: Element, reaction: Reaction, end: int, gradients: Gradient
             ]
             clipped = gradients.clips.attributes(regions)
             for style in visible_styles(painted, float(bool(end))):
-                painted_as = gradients.attributes(style)
-                group.append(document.new("path", {"d": data, **painted_as, **clipped}))
+                group.append(document.painted(style, {"d": data, **clipped}, gradients))
 
 
 class _ThereAndBack(Timeline):

@@ -19,6 +19,7 @@ from shapeblend_cli.svg.writing.animation import (
     attribute_values,
     delayed,
     fading_keys,
+    image_values,
     moments,
     resting,
     values_between,
@@ -30,6 +31,7 @@ from shapeblend_cli.svg.writing.paint import (
     add_region,
     gradient_attributes,
     gradient_element,
+    link_attributes,
     visible_styles,
 )
 from shapeblend_cli.svg.writing.path_data import short_path_data
@@ -110,6 +112,11 @@ def add_animated(
     regions = Regions(tree.ids, add_clip)
     for shape in shapes:
         extended = _extend(shape, drawings)
+        if shape.keys[0].style.picture is not None:
+            image = _animated_image(timeline, extended, regions.attributes(shape.clips), decimals)
+            _show_in_time(timeline, image, shape)
+            tree.add(image, shape.groups, shape.name)
+            continue
         attributes = attribute_values(extended, decimals)
         for paint in ("fill", "stroke"):
             times, styles = fading_keys(extended if extended.is_paced else extended._replace(fading=()))
@@ -124,12 +131,32 @@ def add_animated(
         for name, values in attributes.items():
             if not values.is_constant:
                 timeline.animate(path, name, values)
-        if len(shape.keys) < drawings:
-            if shape.first:
-                document.put(path, {"visibility": "hidden"})
-            timeline.show(path, shape.first, shape.first + len(shape.keys) - 1)
+        _show_in_time(timeline, path, shape)
         tree.add(path, shape.groups, shape.name)
     return [*gradients, *regions.elements]
+
+
+def _show_in_time(timeline: Timeline, element: Element, shape: KeyframedShape) -> None:
+    """Let an element be seen while its shape is there."""
+    if len(shape.keys) <= timeline.pairs:
+        if shape.first:
+            document.put(element, {"visibility": "hidden"})
+        timeline.show(element, shape.first, shape.first + len(shape.keys) - 1)
+
+
+def _animated_image(
+    timeline: Timeline, shape: KeyframedShape, clipped: dict[str, str], decimals: int
+) -> Element:
+    """Return a picture that moves, in a group if it is clipped."""
+    values, picture = image_values(shape, decimals), shape.keys[0].style.picture
+    assert picture is not None, "it is one"
+    image = document.new("image", {**link_attributes(picture), **values.first})
+    for name, changing in values.attributes.items():
+        if not changing.is_constant:
+            timeline.animate(image, name, changing)
+    for kind, changing in () if values.is_still else values.transforms:
+        timeline.animate_transform(image, kind, changing, "transform")
+    return document.clipped(image, clipped.get("clip_path"))
 
 
 def stacked_svg(
@@ -170,7 +197,7 @@ def stacked_svg(
         for shape in frame.shapes:
             data = short_path_data(shape.paths, decimals)
             for style in visible_styles(shape, frame.t):
-                layer.append(document.new("path", {"d": data, **gradients.attributes(style)}))
+                layer.append(document.painted(style, {"d": data}, gradients))
         drawing.append(layer)
     rule = _stop(drawing, gradients.elements, timing)
     return document.text(drawing, style=rule, definitions=gradients.elements)
@@ -251,12 +278,18 @@ class Timeline:
         else:
             self._add(element, "animate", {"attributeName": name.replace("_", "-")}, *self._timed(values))
 
-    def animate_transform(self, element: Element | list[Element], kind: str, values: Values) -> None:
-        """Animate a part of ``gradientTransform`` through all keys; all but the first, a translation, are added."""
+    def animate_transform(
+        self,
+        element: Element | list[Element],
+        kind: str,
+        values: Values,
+        attribute: str = "gradientTransform",
+    ) -> None:
+        """Animate a part of a transform through all keys; all but the first, a translation, are added."""
         texts, extra = self._timed(values)
         if kind != "translate":
             extra["additive"] = "sum"
-        given = {"attributeName": "gradientTransform", "type": kind}
+        given = {"attributeName": attribute, "type": kind}
         self._add(element, "animateTransform", given, texts, extra)
 
     def show(self, element: Element | list[Element], first: int, last: int) -> None:

@@ -52,7 +52,7 @@ SHAPES = POINT_LISTS | {"rect", "circle", "ellipse", "line"}
 GROUPS = frozenset(("g", "a", "switch", "svg", "use"))
 """Elements that draw their children, or the element that they refer to."""
 
-LEFT_OUT = frozenset(("image", "foreignObject", "video", "canvas", "iframe"))
+LEFT_OUT = frozenset(("foreignObject", "video", "canvas", "iframe"))
 """Elements that browsers draw and this reader does not."""
 
 WITH_TEXT = frozenset(("style", "title", "desc"))

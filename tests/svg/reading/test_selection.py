@@ -69,7 +69,7 @@ NOTHING = {
     "#inside": "paints nothing: it is in g 'hidden' on line 4, which is not displayed; ",
     "#unused": "paints nothing: it stands in <defs> and no use draws it; ",
     "#clear": "paints nothing: it is with neither fill nor stroke; ",
-    "#words": "paints nothing: image is not read; ",
+    "#words": "paints nothing: it is without a picture; ",
     "#empty": "paints nothing: no shape stands in it; ",
     "#fade": "paints nothing: <linearGradient> is no shape; ",
     "#lost": "paints nothing: what it refers to is not drawn; ",
