@@ -85,6 +85,9 @@ def match_all(
         pairs = [with_clips(pair, settings, watch) if has_clips(pair) else pair for pair in pairs]
     elif any(map(has_clips, pairs)):
         notes = [*notes, "clip paths are left out of mixtures and states; frames and animated SVGs have them"]
+    if settings.warp != "off" and any(shape.style_a.picture for pair in pairs for shape in pair.shapes):
+        pairs, not_bent = _bent(pairs, settings.warp)
+        notes = [*notes, *not_bent]
     if settings.has_spans:
         from shapeblend_cli.frames.stagger import eased, staggered, timed
 
@@ -123,6 +126,14 @@ def _without_pictures(drawings: Sequence[Drawing]) -> tuple[Sequence[Drawing], l
 
     note = "pictures are left out of mixtures and states; frames and animated SVGs have them"
     return [without_pictures(drawing) for drawing in drawings], [note]
+
+
+def _bent(pairs: list[Pair], warp: str) -> tuple[list[Pair], list[str]]:
+    """Return pairs with the bending of their pictures, and notes."""
+    from shapeblend_cli.blending.images.warping import with_bends
+
+    found = [with_bends(pair, warp) for pair in pairs]
+    return [pair for pair, _ in found], list(dict.fromkeys(note for _, notes in found for note in notes))
 
 
 def without_specks(drawings: Sequence[Drawing], settings: Settings) -> tuple[Sequence[Drawing], list[str]]:

@@ -33,8 +33,8 @@ ROOMS = {
     "job": "pipeline blending grading pens preview outputs frames matching svg.writing options svg.reading "
     "interpolate geometry paint system errors model version",
     "pipeline": "blending wires frames options anatomy interpolate paint system model",
-    "blending": "pens grading pairing wires frames motion options anatomy interpolate geometry paint system errors "
-    "model",
+    "blending": "pens grading pairing wires frames motion options anatomy interpolate images geometry paint system "
+    "errors model",
     "pens": "pairing wires matching motion options anatomy geometry _cython errors model",
     "pairing": "wires motion options anatomy geometry errors model",
     "preview": "wires matching svg.writing options svg.reading interpolate geometry paint model",
@@ -51,7 +51,7 @@ ROOMS = {
     "anatomy": "geometry errors model",
     "interpolate": "geometry paint model",
     "svg.styles": "svg.xml",
-    "images": "model",
+    "images": "_cython model",
     "geometry": "_cython model",
     "paint": "model",
     "svg.xml": "model",
@@ -80,7 +80,8 @@ LIBRARIES = {
     "fontTools": "svg.reading",
     "brotli": "svg.reading",
     "uharfbuzz": "svg.reading",
-    "cython": "geometry matching pens system",
+    "cython": "geometry images matching pens system",
+    "mapbox_earcut": "images",
 }
 SHARED = {"numpy", *sys.stdlib_module_names}
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.images.decode import as_png
+from shapeblend_cli.model import Style
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import Frame, Style
+    from shapeblend_cli.model import Frame
 
 
 def with_own_pictures(frame: Frame, side: int) -> Frame:
@@ -26,7 +27,9 @@ def with_own_pictures(frame: Frame, side: int) -> Frame:
         return style._replace(fill_gradient=picture._replace(raster=raster))
 
     shapes = tuple(
-        shape._replace(style=safe(shape.style), below=shape.below and safe(shape.below))
+        shape._replace(style=Style(fill_gradient=shape.bent.drawn(frame.view, side)), below=None, bent=None)
+        if shape.bent is not None
+        else shape._replace(style=safe(shape.style), below=shape.below and safe(shape.below))
         if shape.style.picture is not None
         else shape
         for shape in frame.shapes

@@ -225,6 +225,25 @@ class Motion(Protocol):
         """Return the control points of each contour at a time within (0, 1); their limits are the start and the end."""
 
 
+class Bend(Protocol):
+    """The bending of a picture with an outline around it."""
+
+    as_triangles: bool  # whether documents show it, too
+
+    def at(self, shape: ShapeBlend, t: float) -> BentPicture | None:
+        """Return the picture of a shape at time t."""
+
+
+class BentPicture(Protocol):
+    """A bent picture at a time."""
+
+    def drawn(self, view: Box, side: int) -> Picture:
+        """Return it as a picture of a view, of some pixels on the longer side."""
+
+    def triangles(self) -> list[tuple[float, list[tuple[Picture, CubicPath]]]]:
+        """Return it as layers, each with its opacity: pictures, of which the inside of a triangle is seen."""
+
+
 class Fade(NamedTuple):
     """The even appearance or disappearance of a shape between two times."""
 
@@ -284,6 +303,7 @@ class ShapeBlend(NamedTuple):
     span: tuple[float, float] = WHOLE  # the times of its start and its end
     trim: Trim | None = None  # its motion, for formats that trim paths
     pace: tuple[tuple[float, float], ...] = ()  # its own time at times, even in between, if not by the span
+    bend: Bend | None = None  # of a picture, with an outline
 
     def own_time(self, t: float) -> float:
         """Return the time within the shape's own span: 0 before it, 1 after it; by its pace it may be beyond both."""
@@ -363,6 +383,8 @@ class PaintedShape(NamedTuple):
     name: Name = UNNAMED
     groups: tuple[Group, ...] = ()  # the outermost first
     clips: tuple[Clip, ...] = ()
+    as_triangles: bool = False  # whether it is seen so in documents, too
+    bent: BentPicture | None = None  # seen instead of a picture, where pixels are drawn
     page_coloured: tuple[str, ...] = ()  # of a drawing's own shape
 
 

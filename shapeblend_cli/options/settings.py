@@ -226,6 +226,13 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         help="Part of the plane that frames show. keep: the drawings' viewBoxes; grow: also shapes outside of them; "
         "auto: keep, unless something clearly visible would leave them on the way.",
     )
+    warp: str = option(
+        types.choice("auto", "svg", "off"),
+        default="auto",
+        section=IN_BETWEENS,
+        help="Pictures in outlines. auto: a picture that an outline clips or surrounds is bent with it where pixels "
+        "are drawn, in .png, .gif and so on; svg: in SVG frames, too, as triangles; off: pictures move as a whole.",
+    )
     style: str = option(
         types.choice("blend", "a", "b"),
         default="blend",

@@ -36,7 +36,7 @@ def pictures_in(text):
     [
         (("-o", "moving.svg"), 2),
         (("-o", "moving.svg", "--animate", "css"), 2),
-        (("-o", "moving.svg", "--trigger", "click"), 4),
+        (("-o", "moving.svg", "--trigger", "click"), 5),
         (("-o", "moving.svg", "--animate", "frames", "-n", "1"), 4),
         (("-o", "moving.svg", "--emit", "layers", "-n", "1"), 2),
         (("-o", "moving.js"), 2),

@@ -7,7 +7,18 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import MappingProxyType
 from xml.etree.ElementTree import Element, tostring
 
-from shapeblend_cli.model import Box, Frame, Group, KeyframedShape, Name, Page, PaintedShape, Style
+from shapeblend_cli.model import (
+    BentPicture,
+    Box,
+    Clip,
+    Frame,
+    Group,
+    KeyframedShape,
+    Name,
+    Page,
+    PaintedShape,
+    Style,
+)
 from shapeblend_cli.paint.names import page_for
 from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.paint import Gradients, hyphened, picture_attributes, visible_styles
@@ -218,6 +229,9 @@ def add_shapes(tree: Tree, frame: Frame, gradients: Gradients) -> None:
     """Add the shapes of a frame to a drawing. Of two coats of paint the upper one has the name."""
     for shape in frame.shapes:
         data = {"d": path_data(shape.paths, gradients.decimals), **gradients.clips.attributes(shape.clips)}
+        if shape.bent is not None and shape.as_triangles:
+            tree.add(_bent(shape.bent, data.get("clip_path"), gradients), shape.groups, shape.name)
+            continue
         *below, above = visible_styles(shape, frame.t)
         for style in below:
             tree.add(painted(style, data, gradients), shape.groups)
@@ -233,6 +247,19 @@ def painted(style: Style, data: Mapping[str, str], gradients: Gradients) -> Elem
         return new("path", {**data, **gradients.attributes(style)})
     image = new("image", picture_attributes(style.picture, style.fill_opacity, gradients.decimals))
     return clipped(image, data.get("clip_path"))
+
+
+def _bent(bent: BentPicture, clip_path: str | None, gradients: Gradients) -> Element:
+    """Return a bent picture as triangles that are cut out of it, in a group."""
+    group = new("g", {"clip_path": clip_path or ""})
+    for opacity, triangles in bent.triangles():
+        layer = new("g", {"opacity": "" if opacity == 1.0 else number(opacity, 4)})
+        group.append(layer)
+        for picture, triangle in triangles:
+            holder = new("g", gradients.clips.attributes((Clip((triangle,)),)))
+            holder.append(new("use", gradients.shared_picture(picture)))
+            layer.append(holder)
+    return group
 
 
 def clipped(image: Element, clip_path: str | None) -> Element:

@@ -8,7 +8,16 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 from xml.etree.ElementTree import Element, SubElement
 
-from shapeblend_cli.model import Clip, Gradient, LinearGradient, PaintedShape, Picture, RadialGradient, Style
+from shapeblend_cli.model import (
+    Clip,
+    Gradient,
+    LinearGradient,
+    PaintedShape,
+    Picture,
+    RadialGradient,
+    Raster,
+    Style,
+)
 from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
@@ -203,11 +212,12 @@ class Gradients:
         self.clips = Regions(self._ids, self._add_clip)
         self._gradients: list[Element] = []
         self._names: dict[Gradient, str] = {}
+        self._pictures: dict[Raster, Element] = {}
 
     @property
     def elements(self) -> list[Element]:
-        """The definitions of gradients and of clip paths."""
-        return [*self._gradients, *self.clips.elements]
+        """The definitions of pictures, of gradients and of clip paths."""
+        return [*self._pictures.values(), *self._gradients, *self.clips.elements]
 
     def _add_clip(self, element: Element, clip: Clip) -> None:
         add_region(element, {"d": path_data(clip.paths, self.decimals)}, clip.rule)
@@ -219,6 +229,17 @@ class Gradients:
             if gradient is not None and not isinstance(gradient, Picture):
                 paint[name] = self.link(gradient)
         return without_defaults(paint)
+
+    def shared_picture(self, picture: Picture) -> dict[str, str]:
+        """Return the attributes of a ``use`` that shows a picture in its place; the picture itself is defined once."""
+        if picture.raster not in self._pictures:
+            own = {"id": self._ids.new(f"picture-{len(self._pictures) + 1}"), "width": "1", "height": "1"}
+            self._pictures[picture.raster] = Element("image", hyphened({**own, **link_attributes(picture)}))
+        return {"href": f"#{self._pictures[picture.raster].get('id')}", "transform": self._matrix(picture)}
+
+    def _matrix(self, picture: Picture) -> str:
+        parts = [part for z in (picture.across, picture.down, picture.origin) for part in (z.real, z.imag)]
+        return f"matrix({' '.join(number(part, self.decimals) for part in parts)})"
 
     def link(self, gradient: Gradient) -> str:
         """Return the value of ``fill`` or ``stroke`` that refers to a gradient."""

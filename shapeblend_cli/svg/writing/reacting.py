@@ -155,6 +155,8 @@ def _add_still(group: Element, reaction: Reaction, end: int, gradients: Gradient
             ]
             clipped = gradients.clips.attributes(regions)
             for style in visible_styles(painted, float(bool(end))):
+                if style.picture is not None and style.fill_opacity == 0.0:
+                    continue
                 group.append(document.painted(style, {"d": data, **clipped}, gradients))
 
 
