@@ -104,6 +104,10 @@ def plan(
             targets = tuple(all_targets(job))
             if not targets:
                 raise OptionError("nothing is written: there are no frames, nor anything else")
+            if job.read.images == "beside":
+                raise OptionError(
+                    "--images beside: a batch would not notice that such a file changes; embedded would work"
+                )
         except ShapeblendError as error:
             raise OptionError(f"{row.where}: {error}") from None
         place = place_of(job, targets)

@@ -1,4 +1,4 @@
 """Pictures of pixels: found, decoded within limits, and bent with the outlines around them.
 
-It may import errors, model.
+It may import model.
 """

@@ -89,6 +89,7 @@ WRONG = {
     '{"a": "1.svg", "b": "2.svg", "o": "{x}.svg"}': "line 2: {x}.svg has {x}; {a}, {b}, {n} would work, and {{ for",
     '{"a": "1.svg", "b": "2.svg", "o": "-"}': "line 2: a batch writes files",
     '{"a": "1.svg", "b": "2.svg", "frames": 0}': "line 2: nothing is written",
+    '{"a": "1.svg", "b": "2.svg", "images": "beside"}': "line 2: --images beside: a batch would not notice",
     '{"a": "1.svg", "b": "2.svg", "o": "./x.svg"}': "line 2: in/x.svg is written by in/jobs.jsonl, line 1 as well",
     '{"a": "1.svg", "b": "2.svg", "o": "2.svg"}': "line 2: in/2.svg would be written, which in/jobs.jsonl, line 1",
     f'{AB}, "o": "x.svg/y.svg"}}': "line 2: in/x.svg/y.svg is in in/x.svg, which in/jobs.jsonl, line 1 writes as",
