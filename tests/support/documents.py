@@ -35,7 +35,7 @@ STAND_INS = {
     "samples/pause": "pause",
     **{
         f"docs/moving/drawings/{name}": name
-        for name in "fox wolf cat-face dog-face egg hatching-chick tulip sunflower".split()
+        for name in "fox wolf cat-face dog-face egg hatching-chick tulip sunflower checked-disc ringed-heart".split()
     },
     **{f"docs/studio/{path.stem}": path.stem for path in (ROOT / "docs" / "studio").glob("*.svg")},
 }
