@@ -80,7 +80,8 @@ def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
             shape.name,
             shape.groups,
             tuple(clip_at(clip, shape.own_time(t)) for clip in shape.clips),
-            *(() if shape.bend is None else (shape.bend.at(shape, t), shape.bend.as_triangles)),
+            bent=None if shape.bend is None else shape.bend.at(shape, t),
+            as_triangles=shape.bend is not None and shape.bend.as_triangles,
         )
         for shape in pair.shapes
     )

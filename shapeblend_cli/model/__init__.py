@@ -383,8 +383,8 @@ class PaintedShape(NamedTuple):
     name: Name = UNNAMED
     groups: tuple[Group, ...] = ()  # the outermost first
     clips: tuple[Clip, ...] = ()
-    as_triangles: bool = False  # whether it is seen so in documents, too
     bent: BentPicture | None = None  # seen instead of a picture, where pixels are drawn
+    as_triangles: bool = False  # whether it is seen so in documents, too
     page_coloured: tuple[str, ...] = ()  # of a drawing's own shape
 
 

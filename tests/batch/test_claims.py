@@ -68,8 +68,10 @@ def test_a_batch_that_was_killed_is_in_nobodys_way_and_its_processes_write_no_mo
 
 def test_shards_and_batches_with_other_outputs_share_a_folder(hold, capsys):
     hold("--shard", "2/3")
-    for line in ("--shard 1/3", "--shard 3/3", "-o m/other-{n}.svg"):
-        assert run(["batch", *LINE, "-q", *line.split()]) == 0
+    for shard in ("1/3", "3/3"):
+        assert run(["batch", *LINE, "-q", "--shard", shard]) == 0
+    others = ["m/other-{n}.svg" if word == "m/{n}.svg" else word for word in LINE]
+    assert run(["batch", *others, "-q"]) == 0
     assert_refused(capsys, OTHER, "m/2.svg: another batch is writing this", status=1)
 
 

@@ -110,9 +110,9 @@ def test_a_gradient_gets_an_id_that_no_shape_has(here):
     for options in ([], ["--animate", "smil"]):
         write(a=svg(shaded.format(22)), b=svg(shaded.format(18)))
         root = written(*options) if options else frame(a=svg(shaded.format(22)), b=svg(shaded.format(18)))
-        assert sorted(ids(root)) == ["gradient-1", "gradient-1-2"]
-        path = root.find(f".//{SVG}path")
-        assert (path.get("id"), path.get("fill")) == ("gradient-1", "url(#gradient-1-2)")
+        path, gradient = root.find(f".//{SVG}path"), root.find(f".//{SVG}linearGradient")
+        assert path.get("id") == "gradient-1" != gradient.get("id")
+        assert path.get("fill") == f"url(#{gradient.get('id')})"
 
 
 def test_a_size_keeps_its_scale_where_more_is_shown(here):

@@ -62,7 +62,7 @@ REFUSED = {
         b"<svg>\n<g></svg>",
         "line 2: not well-formed XML (mismatched tag); a file saved as SVG would work",
     ),
-    "web page": (b"<html><svg/></html>", "its root element is <html>, not <svg>"),
+    "web page": (b"<html><svg/></html>", "this is a page of HTML; an SVG file would work"),
     "no shapes": (b"<svg/>", "no painted shape: it has no shape elements"),
     "only images": (b"<svg><image/></svg>", "no painted shape: image left out"),
     "only definitions": (b"<svg><defs><path/></defs></svg>", "1 shape in defs, symbols, clip paths"),
