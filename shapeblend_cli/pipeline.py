@@ -97,7 +97,33 @@ def match_all(
             pairs = timed(pairs, drawings, settings.timing)
         if settings.eases_parts:
             pairs = [eased(pair, knots_of(settings.ease), each=True) for pair in pairs]
-    return with_names(pairs, drawings), [*specks, *notes]
+    pairs = with_names(pairs, drawings)
+    if any(shape.effects for drawing in drawings for shape in drawing.shapes):
+        pairs, others = _with_effects(pairs, mixes, settings, watch)
+        notes = [*notes, *others]
+    return pairs, [*specks, *notes]
+
+
+def _with_effects(
+    pairs: Sequence[Pair], mixes: bool, settings: Settings, watch: Callable[[str, float], None]
+) -> tuple[list[Pair], list[str]]:
+    """Return pairs with filters and all else that is done to groups, and notes on what is not as it was."""
+    from shapeblend_cli.blending.clipping import with_effect_clips
+    from shapeblend_cli.paint.effects import has_effects, pair_without_effects, with_effects
+
+    if mixes:
+        left_out = (
+            "filters and blend modes are left out of mixtures and states; frames and animated SVGs have them"
+        )
+        return [pair_without_effects(pair) for pair in pairs], [left_out]
+    found, notes = [], dict[str, None]()
+    for pair in pairs:
+        if has_effects(pair):
+            pair, own = with_effects(pair)
+            pair = with_effect_clips(pair, settings, watch)
+            notes |= dict.fromkeys(own)
+        found.append(pair)
+    return found, [*notes]
 
 
 def _pair(laid: Sequence[LaidDrawing], i: int, k: int, settings: Settings, progress: Progress) -> Pair:

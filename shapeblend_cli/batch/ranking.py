@@ -18,7 +18,7 @@ from shapeblend_cli.errors import InputError, OptionError
 from shapeblend_cli.options.settings import ReadOptions, Settings
 from shapeblend_cli.rows.sources import drawings
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, contents_of, read
-from shapeblend_cli.svg.writing.sheet import Row, sheet
+from shapeblend_cli.svg.writing.figure import Row, sheet
 from shapeblend_cli.system.kept import Kept
 from shapeblend_cli.system.write import check_targets, write_files
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.blending.blended import blend_shapes
@@ -16,6 +18,7 @@ from shapeblend_cli.model import (
     ClipBlend,
     Contour,
     Drawing,
+    EffectBlend,
     Pair,
     Shape,
     ShapeBlend,
@@ -27,7 +30,7 @@ from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.kept import Kept
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Sequence
 
     from shapeblend_cli.model import Motion
     from shapeblend_cli.options.settings import Settings
@@ -36,40 +39,81 @@ ROOM = 0.05
 """Margin of the box around a shape that stands for a missing clip, as a share of the shape's larger side."""
 
 
-def with_clips(
-    pair: Pair, settings: Settings, watch: Callable[[str, float], None] = lambda stage, share: None
-) -> Pair:
+Watch = Callable[[str, float], None]
+
+
+def with_clips(pair: Pair, settings: Settings, watch: Watch = lambda stage, share: None) -> Pair:
     """Return a pair whose shapes have the clips of both drawings, outermost with outermost.
 
     A box around the shape stands for a missing clip. Clips that cannot be blended clip nothing on the way. The observer
     is told the stages that clips go through.
     """
-    progress = Progress(Clock(), Kept(0), lambda stage, share: watch(f"clips: {stage}", share))
-    settings = settings.replace(**dict.fromkeys(("match", "pins", "start", "stiff", "mix", "specks")))
-    settings = settings.replace(strokes="keep")  # what is clipped is seen in regions, and not in lines
-    view = Box.union(list(pair.views))
-    known: dict[tuple[object, object], ClipBlend] = {}
-
-    def blended(a: Clip | None, b: Clip | None, shape: ShapeBlend) -> ClipBlend:
-        regions = a or _box_around(shape, 0), b or _box_around(shape, 1)
-        key = (id(a) if a else regions[0].paths, id(b) if b else regions[1].paths)
-        if key not in known:
-            drawings = _as_drawing(regions[0]), _as_drawing(regions[1])
-            known[key] = ClipBlend(_region_blend(drawings, settings, view, shape.motion, progress))
-        return known[key]
-
+    clips = _Clips(pair, settings, watch)
     shapes = []
     for shape in pair.shapes:
         sides = [
             () if k is None else drawn[k].clips for k, drawn in zip(shape.sources, pair.drawn, strict=True)
         ]
-        count = max(map(len, sides))
         if None in shape.sources:  # a shape in one drawing only keeps its clips
             sides = [max(sides, key=len)] * 2
-        a, b = ([*side, *[None] * (count - len(side))] for side in sides)
-        clips = (blended(one, other, shape) for one, other in zip(a, b, strict=True))
-        shapes.append(shape._replace(clips=tuple(clip for clip in clips if clip.shapes)))
+        boxes = partial(_box_around, shape)
+        shapes.append(shape._replace(clips=clips.blended(sides, boxes, shape.motion)))
     return pair._replace(shapes=tuple(shapes))
+
+
+def with_effect_clips(pair: Pair, settings: Settings, watch: Watch = lambda stage, share: None) -> Pair:
+    """Return a pair whose effects have the clips of both drawings; the region of a filter stands for a missing one."""
+    clips = _Clips(pair, settings, watch)
+    known: dict[int, EffectBlend] = {}
+
+    def clipped(blend: EffectBlend, shape: ShapeBlend) -> EffectBlend:
+        if blend.number not in known:
+            ends = blend.start, blend.end
+
+            def around(end: int) -> Clip:
+                made = ends[end].filter
+                return _box_around(shape, end) if made is None else Clip((rectangle(made.region),))
+
+            sides = [end.clips for end in ends]
+            known[blend.number] = blend._replace(clips=clips.blended(sides, around, shape.motion))
+        return known[blend.number]
+
+    shapes = (
+        shape._replace(effects=tuple(clipped(blend, shape) for blend in shape.effects))
+        for shape in pair.shapes
+    )
+    return pair._replace(shapes=tuple(shapes))
+
+
+class _Clips:
+    """The clips of a pair that move, each blended once."""
+
+    def __init__(self, pair: Pair, settings: Settings, watch: Watch) -> None:
+        self._progress = Progress(Clock(), Kept(0), lambda stage, share: watch(f"clips: {stage}", share))
+        settings = settings.replace(**dict.fromkeys(("match", "pins", "start", "stiff", "mix", "specks")))
+        self._settings = settings.replace(strokes="keep")  # what is clipped is seen in regions, not in lines
+        self._view = Box.union(list(pair.views))
+        self._known: dict[tuple[object, object], ClipBlend] = {}
+
+    def blended(
+        self, sides: Sequence[Sequence[Clip]], around: Callable[[int], Clip], motion: Motion | None
+    ) -> tuple[ClipBlend, ...]:
+        """Return the clips between those of two sides; `around` has a region for an end that has fewer."""
+        count = max(map(len, sides))
+        a, b = ([*side, *[None] * (count - len(side))] for side in sides)
+        clips = (self._one(one, other, around, motion) for one, other in zip(a, b, strict=True))
+        return tuple(clip for clip in clips if clip.shapes)
+
+    def _one(
+        self, a: Clip | None, b: Clip | None, around: Callable[[int], Clip], motion: Motion | None
+    ) -> ClipBlend:
+        regions = a or around(0), b or around(1)
+        key = (id(a) if a else regions[0].paths, id(b) if b else regions[1].paths)
+        if key not in self._known:
+            drawings = _as_drawing(regions[0]), _as_drawing(regions[1])
+            shapes = _region_blend(drawings, self._settings, self._view, motion, self._progress)
+            self._known[key] = ClipBlend(shapes)
+        return self._known[key]
 
 
 def _region_blend(

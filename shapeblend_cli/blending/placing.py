@@ -95,9 +95,13 @@ def as_drawn(drawing: Drawing, to_a: Similarity = AS_IT_IS) -> tuple[PaintedShap
     def laid(paths: Sequence[CubicPath]) -> tuple[CubicPath, ...]:
         return tuple(CubicPath(to_a.points(path.segments), path.straight, path.closed) for path in paths)
 
-    clips = {
-        id(clip): clip._replace(paths=laid(clip.paths)) for shape in drawing.shapes for clip in shape.clips
-    }
+    given = [
+        clip
+        for shape in drawing.shapes
+        for found in (shape.clips, *(effect.clips for effect in shape.effects))
+        for clip in found
+    ]
+    clips = {id(clip): clip._replace(paths=laid(clip.paths)) for clip in given}
     return tuple(
         PaintedShape(
             laid(shape.contours),
@@ -106,6 +110,10 @@ def as_drawn(drawing: Drawing, to_a: Similarity = AS_IT_IS) -> tuple[PaintedShap
             groups=shape.groups,
             clips=tuple(clips[id(clip)] for clip in shape.clips),
             page_coloured=shape.page_coloured,
+            effects=tuple(
+                to_a.effect(effect, tuple(clips[id(clip)] for clip in effect.clips))
+                for effect in shape.effects
+            ),
         )
         for shape in drawing.shapes
     )

@@ -5,7 +5,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.interpolate.paths import paths_at
-from shapeblend_cli.model import Box, Clip, ClipBlend, Frame, PaintedShape, Pair, ShapeBlend, Style
+from shapeblend_cli.model import (
+    Box,
+    Clip,
+    ClipBlend,
+    Effect,
+    EffectBlend,
+    Frame,
+    PaintedShape,
+    Pair,
+    ShapeBlend,
+    Style,
+)
 from shapeblend_cli.options.easing import frame_times
 from shapeblend_cli.paint.names import common_page, page_for
 from shapeblend_cli.paint.styles import paint_times, shape_styles
@@ -73,6 +84,16 @@ def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
             clips[key] = Clip(paths, clip.rule)
         return clips[key]
 
+    effects: dict[int, Effect] = {}
+
+    def effect_of(blend: EffectBlend) -> Effect:
+        from shapeblend_cli.paint.effects import effect_at, own_time  # few drawings have any
+
+        if blend.number not in effects:
+            clipped = tuple(clip_at(clip, own_time(blend, t)) for clip in blend.clips)
+            effects[blend.number] = effect_at(blend, t)._replace(clips=clipped)
+        return effects[blend.number]
+
     return tuple(
         PaintedShape(
             paths_at(shape, t),
@@ -82,6 +103,7 @@ def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
             tuple(clip_at(clip, shape.own_time(t)) for clip in shape.clips),
             bent=None if shape.bend is None else shape.bend.at(shape, t),
             as_triangles=shape.bend is not None and shape.bend.as_triangles,
+            effects=tuple(effect_of(blend) for blend in shape.effects),
         )
         for shape in pair.shapes
     )

@@ -137,16 +137,25 @@ def paced(pair: Pair) -> Pair:
 
 
 def _eased(shape: ShapeBlend, knots: Sequence[tuple[float, float]], *, each: bool) -> ShapeBlend:
+    effects = (
+        effect._replace(span=WHOLE, pace=_pace(shape._replace(span=effect.span), knots, each=each))
+        for effect in shape.effects
+    )
+    return shape._replace(span=WHOLE, pace=_pace(shape, knots, each=each), effects=tuple(effects))
+
+
+def _pace(
+    shape: ShapeBlend, knots: Sequence[tuple[float, float]], *, each: bool
+) -> tuple[tuple[float, float], ...]:
     begin, until = shape.span
     whole = shape._replace(span=WHOLE, pace=tuple(knots))
     if each:
         inner = [(begin + t * (until - begin), share) for t, share in knots]
-        pace = [*([(0.0, 0.0)] if begin > 0.0 else []), *inner, *([(1.0, 1.0)] if until < 1.0 else [])]
-        return whole._replace(pace=tuple(pace))
+        return (*([(0.0, 0.0)] if begin > 0.0 else []), *inner, *([(1.0, 1.0)] if until < 1.0 else []))
     if shape.span == WHOLE:
-        return whole
+        return whole.pace
     times = [0.0, *whole.times_of(shape.span), 1.0]
-    return whole._replace(pace=tuple((t, shape.own_time(whole.own_time(t))) for t in times))
+    return tuple((t, shape.own_time(whole.own_time(t))) for t in times)
 
 
 def _key(by: str) -> Callable[[ShapeBlend], float]:

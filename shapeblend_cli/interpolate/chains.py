@@ -18,7 +18,9 @@ from shapeblend_cli.model import (
     WHOLE,
     ClipBlend,
     CubicPath,
+    EffectBlend,
     Group,
+    KeyframedEffect,
     KeyframedShape,
     Name,
     PaintedShape,
@@ -48,6 +50,7 @@ class _ShapeChain(NamedTuple):
     groups: tuple[Group, ...] = ()
     spans: tuple[tuple[float, float], ...] = ()
     clips: tuple[ClipBlend, ...] = ()
+    effects: tuple[EffectBlend, ...] = ()
 
 
 def keyframed_shapes(pairs: Sequence[Pair], finer: float = 1.0) -> list[KeyframedShape]:
@@ -98,17 +101,29 @@ def keyframed_shapes(pairs: Sequence[Pair], finer: float = 1.0) -> list[Keyframe
         tuple[int, int, Span, tuple[Span, ...]], tuple[KeyframedShape, ...]
     ] = {}  # shapes that share a clip still share it
 
-    def regions_of(chain: _ShapeChain) -> tuple[tuple[KeyframedShape, ...], ...]:
-        (span,), pace = chain.spans[:1], chain.fading.pace if chain.fading else ()
-        for clip in chain.clips:
-            if (id(clip), chain.first, span, pace) not in regions:
+    def regions_of(
+        clips: Sequence[ClipBlend], first: int, span: Span, pace: tuple[Span, ...]
+    ) -> tuple[tuple[KeyframedShape, ...], ...]:
+        for clip in clips:
+            if (id(clip), first, span, pace) not in regions:
                 started = [
-                    _start(shape._replace(span=span, pace=pace), chain.first, finer) for shape in clip.shapes
+                    _start(shape._replace(span=span, pace=pace), first, finer) for shape in clip.shapes
                 ]
-                regions[id(clip), chain.first, span, pace] = tuple(_coats(shape)[-1] for shape in started)
-        return tuple(regions[id(clip), chain.first, span, pace] for clip in chain.clips)
+                regions[id(clip), first, span, pace] = tuple(_coats(shape)[-1] for shape in started)
+        return tuple(regions[id(clip), first, span, pace] for clip in clips)
 
-    return [coat._replace(clips=regions_of(chain)) for chain in chains for coat in _coats(chain)]
+    def around(chain: _ShapeChain) -> tuple[KeyframedEffect, ...]:
+        return tuple(
+            KeyframedEffect(each, chain.first, regions_of(each.clips, chain.first, each.span, each.pace))
+            for each in chain.effects
+        )
+
+    def complete(chain: _ShapeChain) -> list[KeyframedShape]:
+        pace = chain.fading.pace if chain.fading else ()
+        clips = regions_of(chain.clips, chain.first, chain.spans[0], pace)
+        return [coat._replace(clips=clips, effects=around(chain)) for coat in _coats(chain)]
+
+    return [coat for chain in chains for coat in complete(chain)]
 
 
 def _longest_rise(numbers: Sequence[int]) -> list[int]:
@@ -142,7 +157,16 @@ def _start(shape: ShapeBlend, first: int, finer: float) -> _ShapeChain:
     times = [tuple(p.t for p in points)]
     fading = shape if shape.fade or shape.pace else None
     return _ShapeChain(
-        first, contours, styles, times, fading, shape.names, shape.groups, (shape.span,), shape.clips
+        first,
+        contours,
+        styles,
+        times,
+        fading,
+        shape.names,
+        shape.groups,
+        (shape.span,),
+        shape.clips,
+        shape.effects,
     )
 
 
@@ -181,7 +205,7 @@ def _coats(chain: _ShapeChain) -> list[KeyframedShape]:
 
 def _continue(chain: _ShapeChain, following: _ShapeChain) -> _ShapeChain | None:
     """Return a shape whose contours and paint all continue to the next key; None if one of them cannot."""
-    if chain.clips or following.clips:
+    if chain.clips or following.clips or chain.effects or following.effects:
         return None
     styles = [*chain.styles, following.styles[-1]]
     if keyed_styles(styles) is None:

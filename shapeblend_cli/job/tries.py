@@ -15,8 +15,8 @@ from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.model import Box
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.writing.document import frame_svg
+from shapeblend_cli.svg.writing.figure import Row, sheet
 from shapeblend_cli.svg.writing.rounding import decimals_for
-from shapeblend_cli.svg.writing.sheet import Row, sheet
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

@@ -17,26 +17,36 @@ from shapeblend_cli.model.arrays import frozen as frozen
 from shapeblend_cli.model.box import Box as Box
 from shapeblend_cli.model.drawing import MOST_CONTOURS as MOST_CONTOURS
 from shapeblend_cli.model.drawing import MOST_SEGMENTS as MOST_SEGMENTS
+from shapeblend_cli.model.drawing import NORMAL as NORMAL
 from shapeblend_cli.model.drawing import UNNAMED as UNNAMED
 from shapeblend_cli.model.drawing import Clip as Clip
 from shapeblend_cli.model.drawing import Contour as Contour
 from shapeblend_cli.model.drawing import CubicPath as CubicPath
 from shapeblend_cli.model.drawing import Drawing as Drawing
+from shapeblend_cli.model.drawing import Effect as Effect
 from shapeblend_cli.model.drawing import Group as Group
 from shapeblend_cli.model.drawing import Length as Length
+from shapeblend_cli.model.drawing import Mask as Mask
+from shapeblend_cli.model.drawing import MaskLayer as MaskLayer
 from shapeblend_cli.model.drawing import Name as Name
 from shapeblend_cli.model.drawing import Page as Page
 from shapeblend_cli.model.drawing import Polygon as Polygon
 from shapeblend_cli.model.drawing import Shape as Shape
 from shapeblend_cli.model.drawing import control_box as control_box
+from shapeblend_cli.model.filters import ALPHA as ALPHA
+from shapeblend_cli.model.filters import SOURCE as SOURCE
+from shapeblend_cli.model.filters import Filter as Filter
+from shapeblend_cli.model.filters import Step as Step
 from shapeblend_cli.model.picture import Picture as Picture
 from shapeblend_cli.model.picture import Pose as Pose
 from shapeblend_cli.model.picture import Raster as Raster
 from shapeblend_cli.model.style import PAGE_COLOUR as PAGE_COLOUR
+from shapeblend_cli.model.style import Content as Content
 from shapeblend_cli.model.style import Filling as Filling
 from shapeblend_cli.model.style import Gradient as Gradient
 from shapeblend_cli.model.style import LinearGradient as LinearGradient
 from shapeblend_cli.model.style import Paint as Paint
+from shapeblend_cli.model.style import Pattern as Pattern
 from shapeblend_cli.model.style import RadialGradient as RadialGradient
 from shapeblend_cli.model.style import Stop as Stop
 from shapeblend_cli.model.style import Style as Style
@@ -304,6 +314,7 @@ class ShapeBlend(NamedTuple):
     trim: Trim | None = None  # its motion, for formats that trim paths
     pace: tuple[tuple[float, float], ...] = ()  # its own time at times, even in between, if not by the span
     bend: Bend | None = None  # of a picture, with an outline
+    effects: tuple[EffectBlend, ...] = ()  # around it, the outermost first
 
     def own_time(self, t: float) -> float:
         """Return the time within the shape's own span: 0 before it, 1 after it; by its pace it may be beyond both."""
@@ -367,6 +378,21 @@ class ClipBlend(NamedTuple):
         return self.shapes[0].style_a.fill_rule
 
 
+class EffectBlend(NamedTuple):
+    """An effect between two of one kind, whose filters have the same steps."""
+
+    start: Effect
+    end: Effect
+    span: tuple[float, float] = (0.0, 1.0)  # the times of its start and its end
+    pace: tuple[tuple[float, float], ...] = ()  # its own time at times, as of a shape
+    clips: tuple[ClipBlend, ...] = ()  # as many as both have, or more
+
+    @property
+    def number(self) -> int:
+        """The number of both."""
+        return self.start.number
+
+
 class Place(NamedTuple):
     """A place in the order of paint."""
 
@@ -386,6 +412,7 @@ class PaintedShape(NamedTuple):
     bent: BentPicture | None = None  # seen instead of a picture, where pixels are drawn
     as_triangles: bool = False  # whether it is seen so in documents, too
     page_coloured: tuple[str, ...] = ()  # of a drawing's own shape
+    effects: tuple[Effect, ...] = ()  # the outermost first
 
 
 class Waypoint(NamedTuple):
@@ -393,6 +420,14 @@ class Waypoint(NamedTuple):
 
     t: float
     paths: tuple[CubicPath, ...]
+
+
+class KeyframedEffect(NamedTuple):
+    """An effect from one key to the next, with the regions that clip it, each the union of shapes."""
+
+    blend: EffectBlend
+    first: int  # number of the first drawing
+    clips: tuple[tuple[KeyframedShape, ...], ...] = ()
 
 
 class KeyframedShape(NamedTuple):
@@ -412,6 +447,7 @@ class KeyframedShape(NamedTuple):
     spans: tuple[tuple[float, float], ...] = ()  # of each pair, unless it moves all the time
     clips: tuple[tuple[KeyframedShape, ...], ...] = ()  # regions, each the union of shapes
     is_paced: bool = False  # whether all of its paint is as `fading` has it, not its opacities alone
+    effects: tuple[KeyframedEffect, ...] = ()  # the outermost first
 
 
 class Pair(NamedTuple):

@@ -10,12 +10,13 @@ import numpy as np
 
 from shapeblend_cli.model.arrays import frozen
 from shapeblend_cli.model.box import Box
-from shapeblend_cli.model.style import Style
+from shapeblend_cli.model.style import Content, Style
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model.arrays import BoolArray, ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model.filters import Filter
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -63,6 +64,48 @@ class Clip(NamedTuple):
 
     paths: tuple[CubicPath, ...]
     rule: str = "nonzero"
+
+
+NORMAL = "normal"
+"""Name of the blend mode of what is simply painted on what is below."""
+
+
+class MaskLayer(NamedTuple):
+    """A picture in a mask: where it is white and opaque, all is seen. It is scaled, then moved."""
+
+    content: Content | None  # None is white everywhere
+    region: Box  # in its own coordinates, outside of which it is black
+    share: float = 1.0  # by which it covers the layers below it
+    shift: complex = 0j
+    scale: tuple[float, float] = (1.0, 1.0)
+
+
+class Mask(NamedTuple):
+    """A mask, in the coordinates of the drawing: layers, the lowest first, in a region beyond which nothing is seen."""
+
+    region: Box
+    layers: tuple[MaskLayer, ...]
+
+
+class Effect(NamedTuple):
+    """What is done to all shapes with an effect of this number together: to a group, or to a shape of its own.
+
+    The filter comes first, then the clips, then the mask; the opacity is last.
+    """
+
+    number: int  # of its own in a drawing
+    filter: Filter | None = None
+    clips: tuple[Clip, ...] = ()
+    mask: Mask | None = None
+    opacity: float = 1.0
+    mode: str = NORMAL  # as mix-blend-mode names it
+    isolates: bool = False  # whether modes inside see only what is inside
+    place: int = 0  # how many of the groups around a shape are around the effect
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether it changes nothing."""
+        return self._replace(number=0, place=0) == Effect(0)
 
 
 class Name(NamedTuple):
@@ -126,6 +169,7 @@ class Shape:
     groups: tuple[Group, ...] = ()  # around it, the outermost first
     clips: tuple[Clip, ...] = ()  # only the region common to all is painted
     page_coloured: tuple[str, ...] = ()  # of ``fill`` and ``stroke``, those that the file leaves to its page
+    effects: tuple[Effect, ...] = ()  # around it, the outermost first
 
 
 class Drawing(NamedTuple):

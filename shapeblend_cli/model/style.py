@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from shapeblend_cli.model.picture import Picture
 
@@ -43,7 +43,45 @@ class RadialGradient(NamedTuple):
     spread: str = "pad"
 
 
-Gradient = LinearGradient | RadialGradient
+class Content:
+    """Shapes that are drawn as they are, in a pattern or a mask; two that paint the same are equal."""
+
+    __slots__ = ("key", "shapes")
+
+    def __init__(self, shapes: tuple[Any, ...], key: str) -> None:
+        self.shapes = shapes  # of `Shape`, in coordinates of their own
+        self.key = key  # a digest of what they paint
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Content) and self.key == other.key
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+    def __repr__(self) -> str:
+        return f"Content({self.key})"
+
+
+class Pattern(NamedTuple):
+    """A tile that is repeated in both directions, in the coordinates of the drawing.
+
+    The tile has its corner at 0. It is scaled, skewed along x, turned, and moved: each of these SMIL can change.
+    """
+
+    content: Content
+    size: tuple[float, float]  # of the tile, before it is scaled
+    origin: complex
+    angle: float  # in degrees
+    scale: tuple[float, float]
+    skew: float  # in degrees
+
+    @property
+    def stops(self) -> tuple[Stop, ...]:
+        """The stops that a gradient has."""
+        return ()
+
+
+Gradient = LinearGradient | RadialGradient | Pattern
 
 Filling = Gradient | Picture
 
@@ -60,6 +98,8 @@ class Paint(NamedTuple):
         """The opacity where least is seen of it."""
         if isinstance(self.gradient, Picture):
             return self.opacity * float(self.gradient.raster.is_opaque)
+        if isinstance(self.gradient, Pattern):
+            return 0.0  # between what it draws there may be gaps
         return (
             self.opacity * min((stop.opacity for stop in self.gradient.stops), default=1.0)
             if self.gradient
@@ -88,6 +128,7 @@ class Style(NamedTuple):
     stroke_dashoffset: float = 0.0
     fill_gradient: Filling | None = None
     stroke_gradient: Filling | None = None
+    paint_order: str = "normal"  # or stroke, if that is below the fill
     pixel: float | None = (
         None  # of the screen, at the drawing's own size; None for a stroke that scales with it
     )

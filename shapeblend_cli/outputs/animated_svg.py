@@ -80,7 +80,8 @@ def render_module(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
 
 def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Rendered:
     """Return an animation that waits for its trigger."""
-    from shapeblend_cli.outputs.move import clips_left_out, moves_of, without_pictures
+    from shapeblend_cli.outputs.move import left_out, moves_of, without_pictures
+    from shapeblend_cli.paint.effects import pair_without_effects
     from shapeblend_cli.svg.writing.reacting import Reaction, reacting_css, reacting_smil
 
     decimals, called = spec.decimals(pairs), page_for(page, pairs[0].views[0])
@@ -88,8 +89,9 @@ def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Ren
         seen = shown_views(views(pairs), spec.knots)
         reaction = Reaction(keyframed_shapes(spec.eased(pairs)), seen, called, spec.trigger)
         return Rendered([reacting_smil(reaction, spec.timing, decimals)])
-    pairs, left_out = without_pictures(pairs, "CSS transitions")
-    reaction = Reaction(keyframed_shapes(pairs), Views(views(pairs)), called, spec.trigger)
+    pairs, lost = without_pictures(pairs, "CSS transitions")
+    bare = [pair_without_effects(pair) for pair in pairs]
+    reaction = Reaction(keyframed_shapes(bare), Views(views(pairs)), called, spec.trigger)
     (move,) = moves_of(pairs)
     shown = Box.union(reaction.views.boxes)
     reaction = reaction._replace(page=page_for(page, shown), views=Views([shown, shown]))
@@ -98,8 +100,7 @@ def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Ren
         for shape in move.shapes
         if shape.waypoints
     ]
-    notes = [*left_out, *notes]
-    notes += clips_left_out(pairs, "CSS transitions")
+    notes = [*lost, *notes, *left_out(pairs, "CSS transitions")]
     return Rendered([reacting_css(reaction, spec.timing, spec.settings.ease, decimals)], notes)
 
 

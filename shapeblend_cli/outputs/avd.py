@@ -175,20 +175,21 @@ def _add(parent: Element, tag: str, attributes: dict[str, str] | None = None) ->
 
 def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Return the drawable."""
-    from shapeblend_cli.outputs.move import clips_left_out, moves_of, without_pictures
+    from shapeblend_cli.outputs.move import left_out, moves_of, without_pictures
 
-    pairs, left_out = without_pictures(pairs, "Android")
+    pairs, lost = without_pictures(pairs, "Android")
     (move,), decimals = moves_of(spec.eased(pairs), trims=True), spec.decimals(pairs)
+    move = move.with_strokes_below()
     dashed = [
         f"{shape.name}: Android draws no dashes; its stroke is solid"
         for shape in move.shapes
         if any(side.style.stroke_dasharray for side in (shape.start, shape.end))
     ]
     notes = [
-        *left_out,
+        *lost,
         *move.unsupported_in("Android"),
         *dashed,
         *too_long(move, decimals),
-        *clips_left_out(pairs, "Android"),
+        *left_out(pairs, "Android"),
     ]
     return Rendered([animated_vector(move, spec.timing, decimals)], notes)

@@ -248,12 +248,12 @@ def _shows_gradients(shape: MovedShape, paint: str) -> bool:
 
 def _gradients(shape: MovedShape, paint: str) -> list[Gradient]:
     """Return the gradients of a paint if Lottie has such, ellipses as circles in their own coordinates."""
-    from shapeblend_cli.model import RadialGradient
+    from shapeblend_cli.model import Pattern, RadialGradient
 
     found: list[Gradient] = [getattr(style, f"{paint}_gradient") for _, style in shape.styles]
     if None in found or len({(type(one), len(one.stops)) for one in found}) > 1:
         return []
-    if any(one.spread != "pad" for one in found):
+    if any(isinstance(one, Pattern) or one.spread != "pad" for one in found):
         return []
     if not isinstance(found[0], RadialGradient):
         return found
@@ -309,14 +309,14 @@ def _ellipse(shape: MovedShape) -> _Ellipse | None:
 
 def _shade(shape: MovedShape, gradients: Sequence[Gradient], keys: _Keyframes) -> dict[str, Any]:
     """Return the properties of a gradient: its kind, its line or radius, its highlight and its stops."""
-    from shapeblend_cli.model import LinearGradient
+    from shapeblend_cli.model import LinearGradient, RadialGradient
 
     lines, highlights = [], []
     for gradient in gradients:
         if isinstance(gradient, LinearGradient):
             lines.append((gradient.start, gradient.end))
             highlights.append((0.0, 0.0))
-        else:
+        elif isinstance(gradient, RadialGradient):
             lines.append((gradient.centre, gradient.centre + gradient.radii[0]))
             away, angle = cmath.polar(gradient.focus)
             highlights.append((100.0 * away, math.degrees(angle) + gradient.angle if away else 0.0))
@@ -388,10 +388,10 @@ def _rounded(value: float, decimals: int) -> float:
 
 def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Return the animation."""
-    from shapeblend_cli.outputs.move import clips_left_out, moves_of, without_pictures
+    from shapeblend_cli.outputs.move import left_out, moves_of, without_pictures
 
     pairs, notes = without_pictures(pairs, "Lottie")
-    moves = moves_of(spec.eased(pairs), trims=True)
+    moves = [move.with_strokes_below() for move in moves_of(spec.eased(pairs), trims=True)]
     text = lottie(moves, spec.timing, spec.decimals(pairs))
     for move in moves:
         notes += move.unsupported_in("Lottie", _shows_gradients)
@@ -400,7 +400,7 @@ def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
             for shape in move.shapes
             if _loses_dashes(shape.start.style, shape.end.style)
         ]
-    return Rendered([text], [*notes, *clips_left_out(pairs, "Lottie")])
+    return Rendered([text], [*notes, *left_out(pairs, "Lottie")])
 
 
 def render_archive(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:

@@ -11,7 +11,8 @@ from shapeblend_cli.errors import PictureError
 from shapeblend_cli.frames.frames import fading_styles, shapes_at
 from shapeblend_cli.frames.stagger import paced
 from shapeblend_cli.interpolate.paths import waypoints
-from shapeblend_cli.model import Box, CubicPath, PaintedShape, Pair, ShapeBlend, Style, Waypoint
+from shapeblend_cli.model import Box, CubicPath, PaintedShape, Pair, Pattern, ShapeBlend, Style, Waypoint
+from shapeblend_cli.paint.styles import NO_PAINT
 from shapeblend_cli.svg.writing.ids import Ids
 
 if TYPE_CHECKING:
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 
 FIXED = {
     "fill": {"fill_rule": "fill rule"},
-    "stroke": {"stroke_linecap": "line cap", "stroke_linejoin": "line join"},
+    "stroke": {"stroke_linecap": "line cap", "stroke_linejoin": "line join", "paint_order": "paint order"},
 }
 """Properties of each paint that switch at once, and their names."""
 
@@ -56,6 +57,20 @@ class MovedShape(NamedTuple):
         """The styles at times between which paint changes evenly, without its opacities."""
         return [(0.0, self.start.style), *(self.fading if self.is_paced else ()), (1.0, self.end.style)]
 
+    def painted(self, name: str, paint: str) -> MovedShape:
+        """Return the shape with another name, and with its ``fill`` or its ``stroke`` alone."""
+
+        def only(style: Style) -> Style:
+            fill, stroke = style.paints
+            return style.painted(fill, NO_PAINT) if paint == "fill" else style.painted(NO_PAINT, stroke)
+
+        return self._replace(
+            name=name,
+            start=self.start._replace(style=only(self.start.style)),
+            end=self.end._replace(style=only(self.end.style)),
+            fading=tuple((t, only(style)) for t, style in self.fading),
+        )
+
     def mapped(self, change: Callable[[CubicPath], CubicPath]) -> MovedShape:
         """Return the shape with its paths changed, all in the same linear way."""
         return self._replace(
@@ -76,6 +91,18 @@ class Move(NamedTuple):
         """The part of the plane to show all the time."""
         return Box.union(self.views)
 
+    def with_strokes_below(self) -> Move:
+        """Return the move with two shapes for one whose stroke is below its fill, which programs cannot show."""
+        shapes: list[MovedShape] = []
+        for shape in self.shapes:
+            style = shape.start.style
+            if style.paint_order != "stroke" or style.fill is None or style.stroke is None:
+                shapes.append(shape)
+                continue
+            shapes.append(shape.painted(f"{shape.name}-stroke", "stroke"))
+            shapes.append(shape.painted(shape.name, "fill"))
+        return self._replace(shapes=tuple(shapes))
+
     def unsupported_in(
         self, program: str, shows: Callable[[MovedShape, str], object] = lambda shape, paint: None
     ) -> list[str]:
@@ -84,7 +111,7 @@ class Move(NamedTuple):
         `shows` tells whether it can show the gradients of a shape's ``fill`` or ``stroke``.
         """
         plain = [
-            f"{shape.name}: its gradient is a plain colour in {program}"
+            f"{shape.name}: its {_server(shape)} is a plain colour in {program}"
             for shape in self.shapes
             if any(
                 any(getattr(side.style, f"{paint}_gradient") for side in (shape.start, shape.end))
@@ -130,6 +157,10 @@ def moves_of(pairs: Sequence[Pair], *, trims: bool = False) -> list[Move]:
     """Return the move from each drawing to the next; lines that are drawn on or back as `trims` or as paths."""
     moves = []
     for pair in pairs:
+        if any(shape.effects for shape in pair.shapes):
+            from shapeblend_cli.paint.effects import pair_without_effects  # few drawings have any
+
+            pair = pair_without_effects(pair)
         pair = paced(pair)
         trimmed = [_trims(shape) if trims else () for shape in pair.shapes]
         if trims:
@@ -190,10 +221,16 @@ def without_pictures(pairs: Sequence[Pair], where: str) -> tuple[Sequence[Pair],
     return left, [f"pictures are left out of {where}; frames and animated SVGs have them"]
 
 
-def clips_left_out(pairs: Sequence[Pair], where: str) -> list[str]:
-    """Return a phrase if shapes are clipped, for a form that has no clip paths of ours."""
-    is_clipped = any(shape.clips for pair in pairs for shape in pair.shapes)
-    return [f"clip paths are left out of {where}; frames and animated SVGs have them"] if is_clipped else []
+def left_out(pairs: Sequence[Pair], where: str) -> list[str]:
+    """Return a phrase for clip paths, and one for effects of groups, for a form that has none of them."""
+    notes = []
+    if any(shape.clips for pair in pairs for shape in pair.shapes):
+        notes.append(f"clip paths are left out of {where}; frames and animated SVGs have them")
+    if any(shape.effects for pair in pairs for shape in pair.shapes):
+        from shapeblend_cli.paint.effects import kinds_in
+
+        notes.append(f"{kinds_in(pairs)} left out of {where}; frames and animated SVGs have them")
+    return notes
 
 
 def moved_shape(
@@ -217,6 +254,13 @@ def moved_shape(
         start_style = start_style._replace(stroke_linecap="butt")
         end_style = end_style._replace(stroke_linecap="butt")
     return MovedShape(name, start._replace(style=start_style), end._replace(style=end_style), waypoints)
+
+
+def _server(shape: MovedShape) -> str:
+    """Return what paints a shape that is no plain colour, in a word."""
+    sides = (shape.start.style, shape.end.style)
+    painted = [paint for style in sides for paint in (style.fill_gradient, style.stroke_gradient)]
+    return "pattern" if any(isinstance(paint, Pattern) for paint in painted) else "gradient"
 
 
 def _shows(style: Style, paint: str) -> bool:

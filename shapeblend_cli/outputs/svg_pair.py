@@ -45,9 +45,9 @@ def svg_pair(move: Move, decimals: int) -> list[str]:
 
 def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Return both documents."""
-    from shapeblend_cli.outputs.move import clips_left_out, moves_of, without_pictures
+    from shapeblend_cli.outputs.move import left_out, moves_of, without_pictures
 
-    pairs, left_out = without_pictures(pairs, "--emit pair")
+    pairs, lost = without_pictures(pairs, "--emit pair")
     (move,) = moves_of(pairs)
-    notes = [*left_out, *move.lost_curved_motion(), *clips_left_out(pairs, "--emit pair")]
+    notes = [*lost, *move.lost_curved_motion(), *left_out(pairs, "--emit pair")]
     return Rendered(svg_pair(move, spec.decimals(pairs)), notes)

@@ -7,7 +7,7 @@ import math
 from bisect import bisect_left, bisect_right
 from typing import TYPE_CHECKING, TypeVar
 
-from shapeblend_cli.model import Gradient, LinearGradient, RadialGradient, Stop
+from shapeblend_cli.model import Gradient, LinearGradient, Pattern, RadialGradient, Stop
 from shapeblend_cli.paint.oklab import blend_colours, blend_in_srgb
 
 if TYPE_CHECKING:
@@ -19,6 +19,8 @@ Number = TypeVar("Number", float, complex)
 
 def plain_gradient(gradient: Gradient, colour: str) -> Gradient:
     """Return a gradient of one colour everywhere, which blends with another gradient."""
+    if isinstance(gradient, Pattern):
+        return gradient
     return gradient._replace(stops=tuple(Stop(stop.offset, colour) for stop in gradient.stops))
 
 
@@ -30,6 +32,8 @@ def blend_gradients(a: Gradient, b: Gradient, t: float) -> Gradient | None:
 
     Colours are not premultiplied, as in SVG between stops: the colour of an invisible stop is seen beside it.
     """
+    if isinstance(a, Pattern) or isinstance(b, Pattern):
+        return blend_patterns(a, b, t) if isinstance(a, Pattern) and isinstance(b, Pattern) else None
     stops = tuple(
         Stop(p.offset, blend_colours(p.colour, q.colour, t), _between(p.opacity, q.opacity, t))
         for p, q in zip(*common_stops(a.stops, b.stops), strict=True)
@@ -49,6 +53,19 @@ def blend_gradients(a: Gradient, b: Gradient, t: float) -> Gradient | None:
             spread=spread,
         )
     return None
+
+
+def blend_patterns(a: Pattern, b: Pattern, t: float) -> Pattern | None:
+    """Return the pattern at time t: the tile moves, turns the shorter way and is scaled; None if the tiles differ."""
+    if a.content != b.content or a.size != b.size or (a.scale[1] < 0.0) != (b.scale[1] < 0.0):
+        return None
+    turned = b.angle + 360.0 * round((a.angle - b.angle) / 360.0)
+    return a._replace(
+        origin=_between(a.origin, b.origin, t),
+        angle=_between(a.angle, turned, t),
+        scale=(_between(a.scale[0], b.scale[0], t), _between(a.scale[1], b.scale[1], t)),
+        skew=_between(a.skew, b.skew, t),
+    )
 
 
 def common_stops(a: Sequence[Stop], b: Sequence[Stop]) -> tuple[tuple[Stop, ...], tuple[Stop, ...]]:

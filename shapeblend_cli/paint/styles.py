@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from shapeblend_cli.model import Paint, Picture
+from shapeblend_cli.model import Paint, Pattern, Picture
 from shapeblend_cli.paint.oklab import blend_colours
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ShapeBlend, Style
+    from shapeblend_cli.model import Gradient, ShapeBlend, Style
 
 MOST_DASHES = 64
 """Maximum number of entries to which two lists of dashes are repeated."""
@@ -124,7 +124,7 @@ def _enlarges(style: Style) -> bool:
 
 
 def _blend_paint(a: Paint, b: Paint, t: float) -> tuple[Paint, Paint | None]:
-    """Return the paint at time t, and the paint below it if two gradients are of different kinds."""
+    """Return the paint at time t, and the paint below it if two gradients or patterns are of different kinds."""
     if a.colour is None:
         return b._replace(opacity=t * b.opacity), None
     if b.colour is None:
@@ -148,8 +148,10 @@ def _blend_paint(a: Paint, b: Paint, t: float) -> tuple[Paint, Paint | None]:
     assert not isinstance(a.gradient, Picture), "pictures become pictures"
     assert not isinstance(b.gradient, Picture), "pictures become pictures"
     assert not isinstance(either, Picture)
-    gradient_a = a.gradient or plain_gradient(either, a.colour)
-    gradient = blend_gradients(gradient_a, b.gradient or plain_gradient(either, b.colour), t)
+    gradient: Gradient | None = None
+    if not isinstance(either, Pattern) or (a.gradient and b.gradient):
+        gradient_a = a.gradient or plain_gradient(either, a.colour)
+        gradient = blend_gradients(gradient_a, b.gradient or plain_gradient(either, b.colour), t)
     if gradient is not None:
         return Paint(colour, opacity, gradient), None
     return b._replace(opacity=t * b.opacity), a._replace(opacity=_opacity_below(a, b, t))

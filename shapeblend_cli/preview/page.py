@@ -78,6 +78,12 @@ def preview(
     The `ends` are the drawings, as frames show them; the `command` is in words; the `notes` were printed by the run;
     the `maps` lay each drawing over the first. Files are named without their folders: the page is shown to others.
     """
+    if any(shape.effects for pair in pairs for shape in pair.shapes):
+        from shapeblend_cli.paint.effects import kinds_in, pair_without_effects, without_effects
+
+        notes = [*notes, f"{kinds_in(pairs)} left out of this page; frames and animated SVGs have them"]
+        pairs = [pair_without_effects(pair) for pair in pairs]
+        ends = [frame._replace(shapes=without_effects(frame.shapes)) for frame in ends]
     decimals = decimals_for([frame.view for frame in ends])
     landscapes = iter(graphs([contour for pair in pairs for contour in pair.contours], settings))
     written = []

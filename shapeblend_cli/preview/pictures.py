@@ -14,6 +14,7 @@ from shapeblend_cli.model import (
     CubicPath,
     Frame,
     Pair,
+    Pattern,
     Picture,
     RadialGradient,
     ShapeBlend,
@@ -119,7 +120,8 @@ def _paint(style: Style, decimals: int, *, as_ellipse: bool) -> dict[str, Any]:
     attributes.pop("vector_effect", None)
     paint: dict[str, Any] = {"path": hyphened(attributes)}
     for name, gradient in zip(GRADIENTS, (style.fill_gradient, style.stroke_gradient), strict=True):
-        if gradient is not None and not isinstance(gradient, Picture):  # a plain colour stands for it
+        # A plain colour stands for a pattern, and for a picture.
+        if gradient is not None and not isinstance(gradient, Pattern | Picture):
             is_radial = isinstance(gradient, RadialGradient)
             attributes, stops = gradient_attributes(gradient, decimals, as_ellipse=as_ellipse and is_radial)
             paint[name] = {

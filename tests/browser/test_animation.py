@@ -58,7 +58,7 @@ def draw(screenshot):
     def drawn(cells):
         boxes = ""
         for k, (body, time) in enumerate(cells):
-            own_ids = re.sub(r"(gradient|clip)-(?=\d)", rf"\1-{k}-", body)
+            own_ids = re.sub(r"(gradient|clip|filter)-(?=\d)", rf"\1-{k}-", body)
             stopped = "" if time is None else f"data-time={time}"
             boxes += f'<div style="top:{k * SIZE}px" {stopped}>{own_ids}</div>'
         pixels = screenshot(style, boxes + STOP, SIZE, SIZE * len(cells)) / 255.0
@@ -125,6 +125,31 @@ KEEPING = (
     'vector-effect="non-scaling-stroke"/>'
 )
 SCALING = '<path d="M3 3H21V15H3Z" fill="none" stroke="#800" stroke-width="2"/>'
+
+SHADOWED = (
+    '<filter id="s" x="0" y="0" width="24" height="24" filterUnits="userSpaceOnUse">'
+    '<feOffset in="SourceAlpha" dx="{0}" dy="{0}"/><feGaussianBlur stdDeviation="{1}"/>'
+    '<feColorMatrix values="0 0 0 0 0 0 0 0 0 0 0 0 0 0 .4 0 0 0 .7 0"/>'
+    '<feMerge><feMergeNode/><feMergeNode in="SourceGraphic"/></feMerge></filter>'
+    '<g filter="url(#s)"><path d="M4 4H14V14H4Z" fill="#f0c000"/><path d="M9 9H18V18H9Z" fill="#c00000"/></g>'
+)
+GLASSY = (
+    '<path d="M2 2H16V16H2Z" fill="#e0e0a0"/><g opacity=".5"><path d="M6 6H18V18H6Z" fill="#008080"/>'
+    '<path d="M10 10H22V22H10Z" fill="#802000"/></g>'
+)
+INKED = (
+    '<path d="M2 2H16V16H2Z" fill="#e0e0a0"/><g style="mix-blend-mode:multiply">'
+    '<path d="M6 6H18V18H6Z" fill="#80c0c0"/>'
+    '<path d="M10 10H22V22H10Z" fill="#c0a0ff"/></g>'
+)
+
+EFFECTS = {
+    "shadows": ([SHADOWED.format(1, 0.5), SHADOWED.format(3, 2)], ["--ease", "ease-in"]),
+    "a shadow in one of them": ([SHADOWED.format(2, 1), COLOURS], []),
+    "a shadow and a blur": ([SHADOWED.format(2, 1), f'<g style="filter:blur(2px)">{RED}</g>'], []),
+    "shadows, through three": ([SHADOWED.format(k, 1) for k in (1, 2, 3)], ["--stagger", "0.4"]),
+    "opacity and modes of groups": ([GLASSY, INKED], []),
+}
 
 CASES = {
     "colours": ([RED, BLUE], ["--ease", "ease"]),
@@ -203,6 +228,19 @@ def test_animations_show_what_the_frames_show(here, assert_shown, method):
         # Frames are eased themselves, so they are evenly spaced in time. At a drawing itself what is a point elsewhere
         # may be a dot.
         rows += [(moving, 0.5 * k, frames[k], most) for k in range(1, len(frames) - 1) if k % 4]
+    assert_shown(rows)
+
+
+@pytest.mark.parametrize("method", ["smil", "css"])
+@pytest.mark.parametrize("ease", [None, "back-in-out", "linear(0, 0.8 30%, 0.4, 1)"])
+def test_filters_and_opacities_and_modes_change_as_in_the_frames(here, assert_shown, method, ease):
+    rows = []
+    for paths, options in EFFECTS.values():
+        asked = ["--ease", ease] if ease else options
+        names, frames = blended(here, paths, asked)
+        moving = animated(*names, "--animate", method, *asked)
+        # Half way modes change at once.
+        rows += [(moving, 0.5 * k, frames[k], 0.015) for k in range(1, len(frames) - 1) if k % 2]
     assert_shown(rows)
 
 

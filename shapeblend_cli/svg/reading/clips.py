@@ -11,7 +11,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import rectangle
-from shapeblend_cli.model import Box, Clip, Contour, Style
+from shapeblend_cli.model import Box, Clip, Contour
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.elements import contours_of
 from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
@@ -22,7 +22,7 @@ from shapeblend_cli.svg.xml.units import length
 from shapeblend_cli.svg.xml.xmltree import SHAPES, Node, named
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Callable, Iterator
 
     from shapeblend_cli.svg.styles.cascade import Cascade, Inherited
     from shapeblend_cli.svg.styles.declarations import Declarations
@@ -64,20 +64,31 @@ class Clips:
         self._notes = notes
         self._lenient = lenient
         self._known: dict[tuple[int, Affine], tuple[Clip, ...]] = {}
-        self._soft: set[str] = set()
+        self._soft: set[int] = set()
         self._segments = 0
 
     def of(
         self, declared: Declarations, matrix: Affine, lengths: Lengths, box: Callable[[], Box | None]
-    ) -> list[Clip]:
+    ) -> tuple[list[Clip], Node | None]:
         """Return the regions of an element outside of which it is not painted, in the root's coordinates.
 
-        The `matrix` maps its coordinates to the root's; `box` finds the box around it, unless it is a group.
+        The `matrix` maps its coordinates to the root's; `box` finds the box around it, unless it is a group. A mask
+        that is no region is returned as it is.
         """
-        ways = {"clip-path": self._clip, "mask": self._mask}
-        wanted = [name for name in ways if declared.get(name, "none").strip() != "none"]
+        wanted = [name for name in ("clip-path", "mask") if declared.get(name, "none").strip() != "none"]
         around = box() if wanted else None
-        return [clip for name in wanted for clip in ways[name](declared[name], matrix, lengths, around)]
+        clips: list[Clip] = []
+        soft = None
+        if "clip-path" in wanted:
+            clips += self._clip(declared["clip-path"], matrix, lengths, around)
+        if "mask" in wanted:
+            node = self._ids.get(named(declared["mask"]))
+            if node is None or node.tag != "mask":
+                return [*clips, *self._none(NO_MASK)], None
+            regions = self._mask(node, matrix, lengths, around)
+            soft = node if regions is None else None
+            clips += regions or ()
+        return clips, soft
 
     def _clip(self, value: str, matrix: Affine, lengths: Lengths, box: Box | None) -> tuple[Clip, ...]:
         """Return the region that a value of ``clip-path`` names; nothing without one."""
@@ -92,24 +103,22 @@ class Clips:
             self._known[key] = self._read(node, inner, lengths)
         return self._known[key]
 
-    def _mask(self, value: str, matrix: Affine, lengths: Lengths, box: Box | None) -> tuple[Clip, ...]:
-        """Return the regions that together are what a value of ``mask`` shows; nothing if it is no region."""
-        name = named(value)
-        node = self._ids.get(name)
-        if node is None or node.tag != "mask" or "mask" in self._cascade.declared(node) or name in self._soft:
-            return self._none(NO_MASK)
+    def _mask(self, node: Node, matrix: Affine, lengths: Lengths, box: Box | None) -> tuple[Clip, ...] | None:
+        """Return the regions that together are what a mask shows; None if it is no region."""
+        if not REGIONS.isdisjoint(self._cascade.declared(node)) or id(node) in self._soft:
+            return None
         inner = _in_units(node.get("maskContentUnits"), matrix, box)
         if inner is None:
-            return self._none(NO_MASK)
+            return None
         key = id(node), inner
         if key not in self._known:
             before = self._segments
             try:
                 self._known[key] = self._shown(node, inner, lengths)
             except _SoftMaskError:
-                self._soft.add(name)  # not to be read again for each shape behind it
+                self._soft.add(id(node))  # not to be read again for each shape behind it
                 self._segments = before
-                return self._none(NO_MASK)
+                return None
         return *self._known[key], *_frame(node, matrix, lengths, box)
 
     def _none(self, note: str) -> tuple[Clip, ...]:
@@ -265,12 +274,3 @@ def covers(clip: Clip, painted: Box) -> bool:
         and bool(path.straight.all())
         and box.contains(painted, SLACK * box.diagonal)
     )
-
-
-def needed(clips: Sequence[Clip], placed: Sequence[Contour], style: Style) -> tuple[Clip, ...]:
-    """Return the clips that a shape is not wholly inside of."""
-    if not clips:
-        return ()
-    reach = style.stroke_width / 2.0 if style.stroke else 0.0
-    painted = Box.union([cubics.bounds(contour.segments).expanded(reach) for contour in placed])
-    return tuple(clip for clip in clips if not covers(clip, painted))

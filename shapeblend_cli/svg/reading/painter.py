@@ -5,11 +5,13 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.model import Box, Contour, Gradient, LinearGradient, RadialGradient, Stop, Style
+from shapeblend_cli.model import Box, Contour, Gradient, LinearGradient, Paint, RadialGradient, Stop, Style
+from shapeblend_cli.svg.reading import viewports
 from shapeblend_cli.svg.styles import css_colours as colours
 from shapeblend_cli.svg.styles.cascade import Cascade, Inherited, share
 from shapeblend_cli.svg.styles.declarations import substitute
@@ -18,6 +20,9 @@ from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, onto
 from shapeblend_cli.svg.xml.transforms import parse as parse_transform
 from shapeblend_cli.svg.xml.units import Lengths, length
 from shapeblend_cli.svg.xml.xmltree import Node
+
+if TYPE_CHECKING:
+    from shapeblend_cli.svg.effects.tiles import Draw
 
 MAX_STOPS = 200_000  # of all gradients together, counted once for every colour they are used with
 _STAND_IN = "a gradient or pattern read as a plain colour"
@@ -31,8 +36,9 @@ _CIRCLE = 1e-9  # radii that differ by no more than this share are equal
 class Painter:
     """Makes a `Style` of the properties in force for an element of a document, whose nodes it knows by their ids."""
 
-    def __init__(self, ids: dict[str, Node], cascade: Cascade, notes: Notes) -> None:
+    def __init__(self, ids: dict[str, Node], cascade: Cascade, notes: Notes, draw: Draw) -> None:
         self._ids = ids
+        self._draw = draw  # what is in a pattern
         self._cascade = cascade
         self._notes = notes
         self._stops: dict[tuple[int, colours.Colour, int], tuple[Inherited, tuple[Stop, ...]]] = {}
@@ -61,6 +67,7 @@ class Painter:
             # https://www.w3.org/TR/SVG2/painting.html#StrokeDasharrayProperty: only zeros are a solid line.
             stroke_dasharray=dashes if any(dashes) else (),
             stroke_dashoffset=scale * lengths.resolve(inherited.stroke_dashoffset),
+            paint_order=inherited.paint_order,
         )
 
     def page_coloured(self, style: Style, inherited: Inherited) -> tuple[str, ...]:
@@ -91,6 +98,10 @@ class Painter:
             if given.kind != "server" or getattr(style, name) is None or self._fallback(given) is not None:
                 continue
             box = cubics.bounds(np.concatenate([contour.segments for contour in contours]))
+            server = self._ids.get(given.link[1:]) if given.link.startswith("#") else None
+            if server is not None and server.tag == "pattern":
+                style = self._with_pattern(style, name, server, (matrix, box, lengths))
+                continue
             links = _chain(given.link, self._ids)
             gradient = _resolve(links, self._stops_of(links, inherited), matrix, box, lengths)
             if gradient is None:
@@ -103,12 +114,34 @@ class Painter:
                 style = style._replace(stroke_gradient=gradient)
         return style
 
+    def _with_pattern(
+        self, style: Style, name: str, server: Node, placed: tuple[Affine, Box, Lengths]
+    ) -> Style:
+        """Return a style with a pattern for its fill or its stroke; a plain colour stands for one with pictures."""
+        from shapeblend_cli.svg.effects import tiles
+
+        links = tiles.chain(server, self._ids)
+        if any(map(tiles.has_pictures, links)):
+            self._notes.add(_STAND_IN)
+            return style
+        found = tiles.pattern_of(links, *placed, self._draw, self._fitted)
+        if found is None:
+            self._notes.add(_STAND_IN)
+            return style
+        fill, stroke = style.paints
+        if name == "fill":
+            return style.painted(Paint(tiles.colour_of(found) or fill.colour, fill.opacity, found), stroke)
+        return style.painted(fill, Paint(tiles.colour_of(found) or stroke.colour, stroke.opacity, found))
+
+    def _fitted(self, node: Node, width: float, height: float) -> Affine | None:
+        """Return the map of an element's viewBox onto a size."""
+        box = viewports.viewbox(node, self._notes)
+        return box and viewports.fit(box, width, height, node.get("preserveAspectRatio") or "")
+
     def _fallback(self, given: colours.Paint) -> colours.Paint | None:
-        """Return a paint server's fallback if that is painted: in place of a pattern or a missing server."""
+        """Return a paint server's fallback if that is painted: in place of a missing server."""
         server = self._ids.get(given.link[1:]) if given.link.startswith("#") else None
-        if given.fallback is None or (server is not None and server.tag in _GRADIENTS):
-            return None
-        return given.fallback if given.fallback.kind != "none" or server is None else None
+        return None if given.fallback is None or _paints(server) else given.fallback
 
     def _colour(self, given: colours.Paint, inherited: Inherited) -> tuple[str | None, float]:
         """Return the plain colour that stands for a paint, and its opacity."""
@@ -121,6 +154,9 @@ class Painter:
         fallback = self._fallback(given)
         if fallback is not None:
             return self._colour(fallback, inherited)
+        server = self._ids.get(given.link[1:]) if given.link.startswith("#") else None
+        if not _paints(server):
+            return None, 1.0  # as in browsers
         stops = self._stops_of(_chain(given.link, self._ids), inherited)
         # A gradient's first colour, opaque: a later stop may well be.
         return colours.Colour(stops[0].colour) if stops else colours.BLACK
@@ -137,6 +173,13 @@ class Painter:
             check_limit(self._stops_read, MAX_STOPS, "stops of gradients")
             self._stops[key] = inherited, stops
         return self._stops[key][1]
+
+
+def _paints(server: Node | None) -> bool:
+    """Return whether a paint server is there, and not an empty pattern."""
+    if server is None or server.tag in _GRADIENTS:
+        return server is not None
+    return server.tag == "pattern" and bool(server.children or server.link())
 
 
 def _chain(link: str, ids: Mapping[str, Node]) -> list[Node]:
@@ -157,15 +200,18 @@ def _read_stops(links: list[Node], cascade: Cascade, inherited: Inherited) -> tu
     The custom properties and the colour in force for the shape are taken for those of the gradient. They agree
     if they are set on the root.
     """
-    stop_nodes = ([child for child in node.children if child.tag == "stop"] for node in links)
+    holders = (node for node in links if any(child.tag == "stop" for child in node.children))
+    holder = next(holders, links[0])
+    around = cascade.declared(holder, keep=True).get("color")
     stops: list[Stop] = []
     offset = 0.0
-    for node in next(filter(None, stop_nodes), []):
+    for node in (child for child in holder.children if child.tag == "stop"):
         declared = substitute(cascade.declared(node, keep=True), inherited.variables)
         given = colours.parse(declared.get("stop-color", "black"))
         colour = colours.BLACK
         if given is not None and given.kind == "current":
-            own = colours.parse_colour(declared["color"]) if "color" in declared else None
+            found = declared.get("color") or around
+            own = None if found is None else colours.parse_colour(found)
             colour = own or inherited.color
         elif given is not None and given.colour is not None:
             colour = given.colour

@@ -70,8 +70,8 @@ def root_lengths(box: Box | None) -> Lengths:
 
 def nested(
     node: Node, given: tuple[str | None, str | None], outer: Lengths, notes: Notes
-) -> tuple[Affine, Lengths] | None:
-    """Return the map out of a nested viewport, and the lengths inside it; None when it has no area.
+) -> tuple[Affine, Lengths, Box] | None:
+    """Return the map out of a nested viewport, the lengths inside it, and its box outside; None without an area.
 
     A ``use`` that refers to the ``svg`` or ``symbol`` may have `given` it a width and a height.
     """
@@ -81,12 +81,13 @@ def nested(
     height = outer.height if height is None else height
     if width <= 0 or height <= 0:
         return None
-    matrix = translation(*offset(node, outer))
+    x, y = offset(node, outer)
+    matrix, window = translation(x, y), Box(x, y, width, height)
     box = viewbox(node, notes)
     if box is None:
-        return matrix, outer._replace(width=width, height=height)
+        return matrix, outer._replace(width=width, height=height), window
     matrix = matrix @ fit(box, width, height, node.get("preserveAspectRatio") or "")
-    return matrix, outer._replace(width=box.width, height=box.height)
+    return matrix, outer._replace(width=box.width, height=box.height), window
 
 
 def offset(node: Node, lengths: Lengths) -> tuple[float, float]:

@@ -4,25 +4,19 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from copy import copy
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.model import (
-    Box,
-    Clip,
-    Contour,
-    Group,
-    Name,
-    Picture,
-    Shape,
-    Style,
-)
+from shapeblend_cli.geometry.polygons import rectangle
+from shapeblend_cli.model import Box, Clip, Contour, Group, Name, Picture, Shape, Style
+from shapeblend_cli.svg.effects.layers import DECLARED, Clipped, Drawn, Given, Layers
 from shapeblend_cli.svg.reading import contours, viewports
-from shapeblend_cli.svg.reading.clips import REGIONS, Clips, needed
+from shapeblend_cli.svg.reading.clips import REGIONS, Clips, covers
 from shapeblend_cli.svg.reading.elements import contours_of, is_for_us
 from shapeblend_cli.svg.reading.markers import MARKED, marks
 from shapeblend_cli.svg.reading.painter import Painter
@@ -30,9 +24,9 @@ from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
 from shapeblend_cli.svg.reading.titles import clean, group_of, name_of, numbered
 from shapeblend_cli.svg.styles.cascade import INITIAL, Cascade, Inherited, inherit, share
 from shapeblend_cli.svg.styles.declarations import Declarations, substitute
-from shapeblend_cli.svg.styles.selection import ancestors, paints_nothing, select, shape_numbers
+from shapeblend_cli.svg.styles.selection import ancestors, no_shape, paints_nothing, select, shape_numbers
 from shapeblend_cli.svg.xml.messages import Notes, Problem, check_limit, printable
-from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, origin, parse, translation
+from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, parse, transform_of, translation
 from shapeblend_cli.svg.xml.units import LIMIT, Lengths
 from shapeblend_cli.svg.xml.xmltree import GROUPS, LEFT_OUT, POINT_LISTS, SHAPES, Node
 
@@ -40,16 +34,12 @@ if TYPE_CHECKING:
     from shapeblend_cli.svg.reading.images.element import Images, PlacedImage
     from shapeblend_cli.svg.reading.text import Text, Texts
 
-_EFFECTS = {
-    **dict.fromkeys(("filter", "backdrop-filter"), "none"),
-    **dict.fromkeys(("mix-blend-mode", "paint-order"), "normal"),
-}
-"""Properties that are not applied, and the values that need not be."""
-# CSS properties that come before `transform`, in this order.
-_SINGLE_TRANSFORMS = ("translate", "rotate", "scale")
-_TRANSFORMS = frozenset(("transform", *_SINGLE_TRANSFORMS))
+CONTENTS = ("mask", "pattern")
+"""Elements whose contents are drawn where they are referred to."""
 
 MAX_GROUPS = 32  # around a shape; deeper ones are left out, and what is in them is in the one around
+MAX_CONTENTS = 1000
+MAX_CONTENT_DEPTH = 4
 MAX_USE_DEPTH = 16
 MAX_USED = 10_000
 MAX_VARIABLES = 1000
@@ -61,7 +51,7 @@ class _Visit(NamedTuple):
 
     `used` are the elements that the open ``use`` elements refer to, `use_id` is the id of the innermost; `given` is the
     size that a ``use`` gives to the viewport it refers to. `chosen` tells whether it or one around it is selected.
-    `groups` are around it, the outermost first.
+    `groups` are around it, the outermost first, and so are its `clips` and the numbers of its `effects`.
     """
 
     node: Node
@@ -74,7 +64,8 @@ class _Visit(NamedTuple):
     given: tuple[str | None, str | None] = (None, None)
     chosen: bool = True
     groups: tuple[Group, ...] = ()
-    clips: tuple[Clip, ...] = ()
+    clips: tuple[Clipped, ...] = ()
+    effects: tuple[int, ...] = ()
 
     def transformed(self, inner: Affine) -> _Visit:
         """Return the visit with a transform of its element applied."""
@@ -115,9 +106,12 @@ class Walk:
             if name := node.get("id"):
                 self._ids.setdefault(name, node)
         self._clips = Clips(self._ids, self._cascade, notes, lenient)
-        self._painter = Painter(self._ids, self._cascade, notes)
         self._stack: list[_Visit] = []
-        self._shapes: list[Shape] = []
+        self._layers = Layers(self._ids, self._cascade, notes, self._content)
+        self._painter = Painter(self._ids, self._cascade, notes, self._content)
+        self._depth = self._contents = 0  # of patterns and masks: in each other, and all
+        self._known_contents: dict[tuple[int, Affine, Lengths, int], Sequence[Shape]] = {}
+        self._shapes: list[Drawn] = []
         self._skipped: Counter[str] = Counter()
         self._visits_by_use = 0
         self._segments = 0
@@ -150,12 +144,11 @@ class Walk:
         while self._stack:
             self._process(self._stack.pop())
         if not self._painted:
-            raise Problem(
-                f"no painted shape: {self._reasons()}; a file with a filled or stroked path would work"
-            )
+            raise no_shape(self._root, self._skipped, self._notes)
         if selector is not None and not self._shapes:
             raise paints_nothing(self._root, selector, nodes, self._reason, list(self._other_names))
-        return tuple(self._shapes if numbers is None else numbered(self._shapes, numbers))
+        shapes = self._layers.finish(self._shapes, box, covers)
+        return tuple(shapes if numbers is None else numbered(shapes, numbers))
 
     def _process(self, visit: _Visit) -> None:
         node = visit.node
@@ -164,21 +157,27 @@ class Walk:
         if visit.used:
             self._visits_by_use += 1
             check_limit(self._visits_by_use, MAX_USED, "elements drawn through use")
-        if node.tag in LEFT_OUT:
+        has_image = node.tag == "image" and not self._depth  # in patterns and masks there are none
+        if node.tag in LEFT_OUT or (node.tag == "image" and not has_image):
             self._notes.add(f"{node.tag} left out")
-        is_used_symbol = node.tag in ("symbol", "marker") and visit.used[-1:] == (node,)
+        is_used_symbol = node.tag in ("symbol", "marker", *CONTENTS) and visit.used[-1:] == (node,)
         if node.tag == "text" and not self._has_text():
             return
-        is_drawn = node.tag in SHAPES or node.tag in GROUPS or node.tag in ("text", "image")
+        is_drawn = node.tag in SHAPES or node.tag in GROUPS or node.tag == "text" or has_image
         if not (is_drawn or is_used_symbol) or not is_for_us(node):
             return
         declared = self._cascade.declared(node, keep=bool(visit.used))
         if declared:
+            around = len(visit.effects)
             declared, visit = self._apply(declared, visit)
+            mask = None
             if not REGIONS.isdisjoint(declared):
                 box = partial(self._box, visit, declared)
-                clips = self._clips.of(declared, visit.matrix, visit.lengths, box)
-                visit = visit._replace(clips=(*visit.clips, *clips))
+                clips, mask = self._clips.of(declared, visit.matrix, visit.lengths, box)
+                visit = visit._replace(clips=(*visit.clips, *(Clipped(around, clip) for clip in clips)))
+            if mask is not None or not DECLARED.isdisjoint(declared):
+                given = Given(declared, visit.matrix, visit.inherited, visit.lengths, len(visit.groups), mask)
+                visit = visit._replace(effects=self._layers.add(given, visit.effects))
         reason = None
         if declared.get("display", "").strip().lower() == "none":
             reason = "not displayed"
@@ -212,29 +211,13 @@ class Walk:
         lengths = visit.lengths._replace(font_size=inherited.font_size)
         own_opacity = share(declared.get("opacity", "1"))
         opacity = visit.opacity * (1.0 if own_opacity is None else own_opacity)
-        for effect, nothing in _EFFECTS.items():
-            if declared.get(effect, nothing) != nothing:
-                self._notes.add(f"{effect} not applied")
+        if declared.get("backdrop-filter", "none") != "none":
+            self._notes.add("backdrop-filter not applied")
         visit = visit._replace(inherited=inherited, opacity=opacity, lengths=lengths)
-        if visit.node is not self._root and not _TRANSFORMS.isdisjoint(declared):
-            visit = visit.transformed(self._transform(visit.node, declared, lengths))
+        if visit.node is not self._root:
+            moved = transform_of(visit.node, declared, lengths, self._notes)
+            visit = visit if moved == IDENTITY else visit.transformed(moved)
         return declared, visit
-
-    def _transform(self, node: Node, declared: Declarations, lengths: Lengths) -> Affine:
-        text = declared.get("transform", "none")
-        # The two have different grammars; a property that wins is not the attribute's string.
-        matrix = parse(text, None if text is node.get("transform") else lengths)
-        steps = [f"{name}({declared[name]})" for name in _SINGLE_TRANSFORMS if name in declared]
-        first = parse(" ".join(steps), lengths)
-        if matrix is None or first is None:
-            self._notes.add("a transform that cannot be read is not applied")
-            return IDENTITY
-        matrix = first @ matrix
-        if "transform-origin" not in declared:
-            return matrix
-        if declared.get("transform-box", "view-box") not in ("view-box", "border-box"):
-            self._notes.add("transform-box read as view-box")
-        return matrix.about(*origin(declared["transform-origin"], lengths))
 
     def _descend(self, visit: _Visit) -> None:
         node = visit.node
@@ -242,13 +225,16 @@ class Walk:
             inner = viewports.nested(node, visit.given, visit.lengths, self._notes)
             if inner is None:
                 return
-            matrix, lengths = inner
+            matrix, lengths, window = inner
+            if self._cascade.declared(node).get("overflow", "hidden").strip() not in ("visible", "auto"):
+                clip = Clip((contours.transform(rectangle(window), visit.matrix),))
+                visit = visit._replace(clips=(*visit.clips, Clipped(len(visit.effects), clip)))
             visit = visit.transformed(matrix)._replace(lengths=lengths)
         children = node.children
         if node.tag == "switch":
             children = [child for child in children if ":" not in child.tag and is_for_us(child)][:1]
         visit = visit._replace(given=(None, None))
-        visit = visit if node.tag == "marker" else self._grouped(visit)
+        visit = visit if node.tag in ("marker", *CONTENTS) else self._grouped(visit)
         self._stack.extend(visit._replace(node=child) for child in reversed(children))
 
     def _use(self, visit: _Visit) -> None:
@@ -273,6 +259,31 @@ class Walk:
                 given=(node.get("width"), node.get("height")),
             )
         )
+
+    def _content(self, node: Node, matrix: Affine, lengths: Lengths) -> Sequence[Shape]:
+        """Return the shapes in a pattern or a mask, in its coordinates."""
+        key = id(node), matrix, lengths, self._depth
+        if key in self._known_contents:
+            return self._known_contents[key]
+        check_limit(self._contents + 1, MAX_CONTENTS, "patterns and masks")
+        if self._depth >= MAX_CONTENT_DEPTH:
+            self._notes.add(f"patterns and masks in each other deeper than {MAX_CONTENT_DEPTH} left out")
+            return []
+        around = INITIAL
+        for outer in ancestors(self._root, node):
+            around = inherit(around, self._cascade.declared(outer, keep=True), self._notes.add)
+        inner = copy(self)
+        inner._depth, inner._contents, inner._is_to_blend = self._depth + 1, self._contents + 1, False
+        inner._layers = Layers(self._ids, self._cascade, self._notes, inner._content)
+        inner._painter = Painter(self._ids, self._cascade, self._notes, inner._content)
+        inner._shapes, inner._stack = [], [_Visit(node, matrix, around, 1.0, lengths, used=(node,))]
+        while inner._stack:
+            inner._process(inner._stack.pop())
+        shapes = inner._layers.finish(inner._shapes, None, covers)
+        self._segments, self._contents = inner._segments, inner._contents
+        self._visits_by_use = inner._visits_by_use
+        self._known_contents[key] = shapes
+        return shapes
 
     def _box(self, visit: _Visit, declared: Declarations) -> Box | None:
         """Return the box around a shape or a picture, in its own coordinates."""
@@ -313,7 +324,7 @@ class Walk:
             around = INITIAL._replace(context=(inherited.fill, inherited.stroke))
             for node in ancestors(self._root, mark.node):
                 around = inherit(around, self._cascade.declared(node, keep=True), self._notes.add)
-            clips = (*visit.clips, *mark.clips(visit.matrix))
+            clips = (*visit.clips, *(Clipped(len(visit.effects), each) for each in mark.clips(visit.matrix)))
             inner = visit.transformed(mark.matrix)._replace(node=mark.node, inherited=around, clips=clips)
             self._stack.append(inner._replace(lengths=mark.lengths, used=(*visit.used, mark.node)))
 
@@ -365,10 +376,10 @@ class Walk:
         if style.stroke_dasharray and node.get("pathLength") is not None:
             self._notes.add("pathLength not applied to dashes")
         called = name_of(node) if letters is None else Name(label=clean(letters))
-        clips = needed(visit.clips, placed, style)
         left = () if picture else self._painter.page_coloured(style, visit.inherited)
-        drawn = tuple(placed), style, called, visit.groups, clips, left
-        self._shapes.append(Shape(index, name, node.tag, *drawn))
+        drawn = tuple(placed), style, called, visit.groups
+        shape = Shape(index, name, node.tag, *drawn, page_coloured=left)
+        self._shapes.append(Drawn(shape, visit.effects, visit.clips))
         return None
 
     def _image(self, visit: _Visit, declared: Declarations) -> PlacedImage | None:
@@ -384,7 +395,8 @@ class Walk:
         image = self._image(visit, declared)
         if image is None:
             return "without a picture"
-        around = visit._replace(clips=(*visit.clips, *image.clips(visit.matrix)))
+        clips = (Clipped(len(visit.effects), clip) for clip in image.clips(visit.matrix))
+        around = visit._replace(clips=(*visit.clips, *clips))
         return self._paint(around, lambda: [image.contour], picture=image.picture(visit.matrix))
 
     def _has_text(self) -> bool:
@@ -479,16 +491,3 @@ class Walk:
                 self._reason = reason
             elif id(node) in self._ancestors:
                 self._reason = f"in {node}, which is {reason}"
-
-    def _reasons(self) -> str:
-        reasons = [f"{_shapes(count)} {reason}" for reason, count in self._skipped.items() if count]
-        total = sum(node.tag in SHAPES for node in self._root.walk())
-        unseen = total - sum(self._skipped.values())
-        if unseen > 0:
-            reasons.append(f"{_shapes(unseen)} in defs, symbols, clip paths or groups that are not displayed")
-        reasons += self._notes.phrases()
-        return ", ".join(reasons) or "it has no shape elements"
-
-
-def _shapes(count: int) -> str:
-    return "1 shape" if count == 1 else f"{count} shapes"

@@ -19,8 +19,9 @@ TEXT = frozenset(
 """Properties of text, which this reader keeps as they are written."""
 
 PRESENTATION = TEXT - {"font"} | frozenset(
-    "clip-path clip-rule color display fill fill-opacity fill-rule filter font-size marker-end marker-mid "
-    "marker-start mask mask-type opacity overflow paint-order stop-color stop-opacity stroke stroke-dasharray "
+    "clip-path clip-rule color color-interpolation-filters display fill fill-opacity fill-rule filter flood-color "
+    "flood-opacity font-size lighting-color marker-end marker-mid marker-start mask mask-type opacity overflow "
+    "paint-order stop-color stop-opacity stroke stroke-dasharray "
     "stroke-dashoffset stroke-linecap stroke-linejoin stroke-miterlimit stroke-opacity stroke-width transform "
     "transform-origin vector-effect visibility".split()
 )
@@ -45,6 +46,7 @@ class Inherited(NamedTuple):
     has_color: bool = False  # whether the file sets it; else the page does
     visibility: str = "visible"
     font_size: float = 16.0
+    paint_order: str = "normal"  # or stroke, if that is below the fill
     marker_start: str = "none"
     marker_mid: str = "none"
     marker_end: str = "none"
@@ -71,6 +73,7 @@ _MAX_DASHES_TEXT = 10_000
 _MAX_DASHES = 1000
 
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
+_LAYERS = frozenset(("fill", "stroke", "markers"))
 _CONTEXT = {"context-fill": 0, "context-stroke": 1}
 
 _FONT_SIZES = {"smaller": 1 / 1.2, "larger": 1.2}
@@ -174,6 +177,8 @@ def _value(name: str, text: str, parent: Inherited, font_size: float) -> Any:
         return colours.parse(text) if context is None else parent.context[context]
     if name in _MARKERS:
         return text
+    if name == "paint-order":
+        return _paint_order(text)
     if name == "color":
         return parent.color if text.lower() == "currentcolor" else colours.parse_colour(text)
     if name in ("fill-opacity", "stroke-opacity"):
@@ -229,6 +234,17 @@ def _text(parent: Mapping[str, str], declared: Declarations) -> Mapping[str, str
         elif keyword not in _PARENTS:
             found[name] = value
     return found
+
+
+def _paint_order(text: str) -> str | None:
+    """Return ``stroke`` if strokes are below fills, else ``normal``; what is not named comes later."""
+    words = text.lower().split()
+    if words == ["normal"]:
+        return "normal"
+    if not words or len({*words}) < len(words) or not _LAYERS.issuperset(words):
+        return None
+    order = [*words, *(word for word in ("fill", "stroke") if word not in words)]
+    return "stroke" if order.index("stroke") < order.index("fill") else "normal"
 
 
 def share(text: str) -> float | None:

@@ -8,10 +8,10 @@ Anything else, and an id that does not exist, is a CSS selector.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-from shapeblend_cli.svg.xml.messages import Problem, printable
+from shapeblend_cli.svg.xml.messages import Notes, Problem, printable
 from shapeblend_cli.svg.xml.xmltree import GROUPS, LEFT_OUT, SHAPES, Node
 
 _MAX_SELECTOR = 2_000
@@ -143,6 +143,21 @@ def paints_nothing(
     return Problem(
         f"'{printable(text, 60)}' is there ({nodes[0]}{others}) but paints nothing: {why}; {advice}"
     )
+
+
+def no_shape(root: Node, skipped: Mapping[str, int], notes: Notes) -> Problem:
+    """Return the error for a file that paints no shape, given the number of shapes skipped for each reason."""
+    reasons = [f"{_shapes(count)} {reason}" for reason, count in skipped.items() if count]
+    unseen = sum(node.tag in SHAPES for node in root.walk()) - sum(skipped.values())
+    if unseen > 0:
+        reasons.append(f"{_shapes(unseen)} in defs, symbols, clip paths or groups that are not displayed")
+    reasons += notes.phrases()
+    found = ", ".join(reasons) or "it has no shape elements"
+    return Problem(f"no painted shape: {found}; a file with a filled or stroked path would work")
+
+
+def _shapes(count: int) -> str:
+    return "1 shape" if count == 1 else f"{count} shapes"
 
 
 def _why(root: Node, node: Node) -> str:

@@ -10,16 +10,23 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import NamedTuple
+from xml.etree.ElementTree import Element
 
 from shapeblend_cli.model import Box, KeyframedShape, Pose, Style
-from shapeblend_cli.options.easing import LINEAR, Ease, Timing
+from shapeblend_cli.options.easing import FOREVER, LINEAR, PINGPONG, Ease, Timing
 from shapeblend_cli.paint.oklab import colour_stops
 from shapeblend_cli.paint.styles import INSTANT
+from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.paint import SIDES, STROKE_LENGTHS, paint_attributes, without_defaults
 from shapeblend_cli.svg.writing.path_data import short_path_data
 from shapeblend_cli.svg.writing.rounding import number
 
-COLOURS = frozenset(("fill", "stroke", "stop_color"))
+COLOURS = frozenset(("fill", "stroke", "stop_color", "flood_color", "lighting_color"))
+
+DISCRETE = frozenset(
+    "fill_rule stroke_linecap stroke_linejoin vector_effect spreadMethod paint_order class".split()
+)
+"""Attributes without values in between, which switch at half time."""
 
 OPACITIES = ("fill_opacity", "stroke_opacity")
 
@@ -229,3 +236,124 @@ def resting(timed: Sequence[Moment], timing: Timing) -> list[Moment]:
             found.append(Moment(reached, moment.value, LINEAR))
         found.append(moment._replace(time=left))
     return found
+
+
+class Timeline:
+    """Adds animations to elements, or to lists; key times are shares of one run, forwards and perhaps backwards."""
+
+    def __init__(self, pairs: int, timing: Timing) -> None:
+        self.pairs = pairs
+        self.timing = timing
+        self.backwards = timing.is_pingpong
+        self.total = timing.length(pairs)  # in times of `timing.seconds`
+
+    def add_views(self, drawing: Element, views: Views, decimals: int) -> None:
+        """Let a drawing show one box after another."""
+        boxes = [document.box_text(view, decimals) for view in views.boxes]
+        if len(set(boxes)) > 1:
+            self.animate(drawing, "viewBox", values_between("viewBox", boxes, views.times))
+
+    def animate(self, element: Element | list[Element], name: str, values: Values) -> None:
+        """Animate an attribute of an element through all keys."""
+        if name in DISCRETE or (name == "stroke_dasharray" and len({v.count(" ") for v in values.keys}) > 1):
+            self._switch(element, name, values)
+        else:
+            self._add(element, "animate", {"attributeName": name.replace("_", "-")}, *self._timed(values))
+
+    def animate_transform(
+        self, element: Element | list[Element], kind: str, values: Values, name: str = "gradientTransform"
+    ) -> None:
+        """Animate a part of a transform through all keys; all but the first, a translation, are added."""
+        texts, extra = self._timed(values)
+        if kind != "translate":
+            extra["additive"] = "sum"
+        given = {"attributeName": name, "type": kind}
+        self._add(element, "animateTransform", given, texts, extra)
+
+    def show(self, element: Element | list[Element], first: int, last: int) -> None:
+        """Make an element visible from one key to another."""
+        reached, until = self.timing.when(first), self.timing.when(last, leaves=last == self.pairs)
+        spans = [(reached, until)]
+        if self.backwards:
+            there, back = (
+                self._mirrored(self.timing.when(last)),
+                self._mirrored(self.timing.when(first, leaves=not first)),
+            )
+            spans = [(reached, back)] if last == self.pairs else [(reached, until), (there, back)]
+        states = {0.0: "hidden"}
+        for start, end in spans:
+            states[start / self.total] = "visible"
+            if end < self.total:
+                states[end / self.total] = "hidden"
+        self.steps(element, "visibility", states)
+
+    def steps(self, element: Element | list[Element], name: str, states: dict[float, str]) -> None:
+        """Switch an attribute of an element to each value at its time."""
+        kept: dict[float, str] = {}
+        for time, value in states.items():
+            if not kept or value != list(kept.values())[-1]:
+                kept[time] = value
+        times = ";".join(number(time, TIME_DIGITS) for time in kept)
+        extra = {"calcMode": "discrete", "keyTimes": times}
+        given = {"attributeName": name.replace("_", "-")}
+        self._add(element, "animate", given, list(kept.values()), extra)
+
+    def _switch(self, element: Element | list[Element], name: str, values: Values) -> None:
+        """Switch an attribute at half time from value to value."""
+        timed = [(0.0, values.keys[0])]
+        for k, (section, key) in enumerate(zip(values.waypoints, values.keys[1:], strict=True)):
+            for (start, before), (end, after) in pairwise([(0.0, timed[-1][1]), *section, (1.0, key)]):
+                if before != after:
+                    half = self.timing.ease.time_of(0.5 * (start + end))
+                    timed.append((self.timing.when(k + half), after))
+        states = {t / self.total: value for t, value in timed}
+        if self.backwards:
+            states |= {self._mirrored(t) / self.total: before for (_, before), (t, _) in pairwise(timed)}
+        self.steps(element, name, dict(sorted(states.items())))
+
+    def _mirrored(self, time: float) -> float:
+        """Return when a time on the way there comes again on the way back."""
+        return self.timing.when(self.pairs, leaves=True) + self.timing.when(self.pairs) - time
+
+    def _timed(self, values: Values) -> tuple[list[str], dict[str, str]]:
+        """Return the values of a run, and the attributes for their times and easing."""
+        ease = self.timing.ease
+        forth = resting(moments(values, ease), self.timing)
+        splines = [moment.ease for moment in forth[:-1]]
+        back: list[Moment] = []
+        if self.backwards:
+            first, last = self.timing.when(0, leaves=True), self.timing.when(self.pairs)
+            on_the_way = [moment for moment in forth if first <= moment.time < last]
+            splines += [moment.ease.mirrored() for moment in on_the_way[::-1]]
+            back = [moment._replace(time=self._mirrored(moment.time)) for moment in on_the_way[::-1]]
+        texts = [moment.value for moment in (*forth, *back)]
+        extra = {}
+        if len(texts) > self.total + 1 or self.timing.rests or not ease.is_linear:
+            times = [moment.time / self.total for moment in (*forth, *back)]
+            extra["keyTimes"] = ";".join(number(time, TIME_DIGITS) for time in times)
+        if not ease.is_linear:
+            extra["calcMode"] = "spline"
+            extra["keySplines"] = ";".join(" ".join(number(v, 4) for v in spline) for spline in splines)
+        return texts, extra
+
+    def _add(
+        self,
+        element: Element | list[Element],
+        tag: str,
+        given: dict[str, str],
+        texts: Sequence[str],
+        extra: dict[str, str],
+    ) -> None:
+        is_endless = self.timing.repeat in (FOREVER, PINGPONG)
+        run = {
+            "dur": self.duration,
+            **({"begin": f"{number(self.timing.delay, 4)}s"} if self.timing.delay else {}),
+            "repeatCount": "indefinite" if is_endless else str(self.timing.repeat),
+            **({} if is_endless else {"fill": "freeze"}),
+        }
+        element.append(document.new(tag, {**given, "values": ";".join(texts), **run, **extra}))
+
+    @property
+    def duration(self) -> str:
+        """How long a run takes."""
+        return f"{number(self.timing.seconds * self.total, 4)}s"

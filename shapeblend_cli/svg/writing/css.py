@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Mapping, Sequence
+from functools import partial
+from itertools import pairwise
 from typing import NamedTuple
 from xml.etree.ElementTree import Element
 
-from shapeblend_cli.model import Box, KeyframedShape, Page
+from shapeblend_cli.model import Box, Effect, KeyframedEffect, KeyframedShape, MaskLayer, Page, Pattern
 from shapeblend_cli.options.easing import FOREVER, PINGPONG, Timing
+from shapeblend_cli.paint.gradients import blend_patterns
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import (
     COLOURS,
@@ -16,12 +19,18 @@ from shapeblend_cli.svg.writing.animation import (
     Moment,
     Values,
     attribute_values,
+    delayed,
     image_values,
     moments,
     resting,
+    values_between,
 )
-from shapeblend_cli.svg.writing.paint import Regions, add_region, link_attributes
+from shapeblend_cli.svg.writing.groups import effect_attributes
+from shapeblend_cli.svg.writing.paint import Around, Gradients, Regions, add_region, link_attributes
 from shapeblend_cli.svg.writing.rounding import number
+
+FILTER_STEPS = 24
+"""Number of filters from one drawing to the next, each of which is seen for a moment."""
 
 
 def css_svg(
@@ -41,7 +50,8 @@ def css_svg(
         for section in attributes["d"].waypoints
         if section
     ]
-    prefix = f"b{zlib.crc32(repr((keys, timing, *curved)).encode()):08x}"
+    effects = [each.blend for shape in shapes for each in shape.effects]
+    prefix = f"b{zlib.crc32(repr((keys, timing, *curved, *effects)).encode()):08x}"
     last = max(shape.first + len(shape.keys) for shape in shapes) - 1
     clock = _Clock.of(timing, last)
     drawing = document.empty(view, decimals, page)
@@ -58,16 +68,14 @@ def css_svg(
 
     clip_rules: list[str] = []
     regions = Regions(tree.ids, add_clip, f"{prefix}-clip")
+    contents = Gradients(decimals, tree.ids, f"{prefix}-")
+    layers = _AnimatedEffects(prefix, clock, last + 1, contents, regions)
     for k, (shape, attributes) in enumerate(zip(shapes, values_by_shape, strict=True)):
         name = f"{prefix}-{k}"
+        attributes |= _patterns(shape, contents)
         animations = _animate(name, shape, attributes, clock, rules)
         start = {attribute: values.keys[0] for attribute, values in attributes.items()}
-        clipped, picture = regions.attributes(shape.clips), shape.keys[0].style.picture
-        if picture is None:
-            path = document.new("path", {"class": name, **clipped, **start})
-        else:
-            placed = {**link_attributes(picture), **image_values(shape, decimals, boxes=False).first}
-            path = document.new("image", {"class": name, **placed})
+        path = _element(shape, {"class": name, **start}, regions, decimals)
         if len(shape.keys) <= last:
             begin, until = shape.first, shape.first + len(shape.keys) - 1
             visible = {0.0: ["visibility:hidden"], clock.share(timing.when(begin)): ["visibility:visible"]}
@@ -78,12 +86,134 @@ def css_svg(
             document.put(path, {"visibility": "hidden" if shape.first else "visible"})
         if animations:
             rules.append(f".{name}{{animation:{','.join(animations)}}}")
-        if picture is not None:
-            path = document.clipped(path, clipped.get("clip_path"))
-        tree.add(path, shape.groups, shape.name)
-    rules += clip_rules
+        if path.tag == "image":
+            path = document.clipped(path, regions.attributes(shape.clips).get("clip_path"))
+        tree.add(path, shape.groups, shape.name, layers.around(shape.effects))
+    rules += [*clip_rules, *layers.rules]
     rules.append(f"@media (prefers-reduced-motion:reduce){{[class^={prefix}]{{animation:none!important}}}}")
-    return document.text(drawing, style="\n".join(["", *rules, ""]), definitions=regions.elements)
+    definitions = [*regions.elements, *contents.elements, *layers.masks]
+    return document.text(drawing, style="\n".join(["", *rules, ""]), definitions=definitions)
+
+
+def _element(shape: KeyframedShape, start: dict[str, str], regions: Regions, decimals: int) -> Element:
+    """Return the path of a shape, which is clipped, or its picture, which is not, as they are at first."""
+    picture = shape.keys[0].style.picture
+    if picture is None:
+        return document.new("path", {**start, **regions.attributes(shape.clips)})
+    placed = image_values(shape, decimals, boxes=False).first
+    return document.new("image", {"class": start["class"], **link_attributes(picture), **placed})
+
+
+def _patterns(shape: KeyframedShape, contents: Gradients) -> dict[str, Values]:
+    """Return the values of paints that are patterns; of one that moves there is another in each of many steps."""
+    found = {}
+    for paint in ("fill", "stroke"):
+        patterns = [getattr(key.style, f"{paint}_gradient") for key in shape.keys]
+        if not all(isinstance(pattern, Pattern) for pattern in patterns):
+            continue
+        waypoints = [
+            [
+                (n / FILTER_STEPS, contents.link(between))
+                for n in range(1, FILTER_STEPS if start != end else 1)
+                if (between := blend_patterns(start, end, n / FILTER_STEPS)) is not None
+            ]
+            for start, end in pairwise(patterns)
+        ]
+        found[paint] = delayed(Values(list(map(contents.link, patterns)), waypoints), shape.spans)
+    return found
+
+
+class _AnimatedEffects:
+    """The groups of effects that are animated, with the rules for them."""
+
+    def __init__(
+        self, prefix: str, clock: _Clock, drawings: int, contents: Gradients, regions: Regions
+    ) -> None:
+        self.rules: list[str] = []
+        self.masks: list[Element] = []
+        self._contents = contents  # filters, and what is in masks
+        self._names: dict[int, str] = {}
+        self._prefix = prefix
+        self._clock = clock
+        self._drawings = drawings
+        self._regions = regions
+
+    def around(self, effects: Sequence[KeyframedEffect]) -> list[Around]:
+        """Return groups for the effects around a shape, the outermost first."""
+        return [
+            Around(each.blend.number, each.blend.start.place, partial(self._group, each)) for each in effects
+        ]
+
+    def _group(self, keyed: KeyframedEffect) -> Element:
+        """Return the group of an effect. CSS animates no filters, so there is another one in each of many steps."""
+        from shapeblend_cli.paint.effects import keyed_effects
+
+        times, effects = keyed_effects(keyed, self._drawings, FILTER_STEPS)
+        end = keyed.first + 1
+        # Browsers paint blots where a filter moves over a group of which nothing is visible.
+        shown = [keyed.first <= time < end or time == end == self._drawings - 1 for time in times]
+        links = [
+            effect.filter and self._contents.filters.link(effect.filter) if is_shown else None
+            for effect, is_shown in zip(effects, shown, strict=True)
+        ]
+        name = f"{self._prefix}-effect-{len(self.rules)}"
+        start = effect_attributes(effects[0], links[0], self._regions.attributes(keyed.clips))
+        masked = {} if effects[0].mask is None else {"mask": self._mask(keyed.blend.number, times, effects)}
+        element = document.new("g", {"class": name, **start, **masked})
+        texts = {
+            "opacity": [number(effect.opacity, 4) for effect in effects],
+            "filter": [link or "none" for link in links],
+            "mix-blend-mode": [effect.mode for effect in effects],
+            "isolation": ["isolate" if effect.isolates else "auto" for effect in effects],
+        }
+        self._animate(name, texts, times)
+        return element
+
+    def _mask(self, known: int, times: Sequence[float], effects: Sequence[Effect]) -> str:
+        """Return the value of ``mask`` that refers to an animated mask, which is defined once."""
+        if known in self._names:
+            return f"url(#{self._names[known]})"
+        own = self._names[known] = f"{self._prefix}-mask-{len(self._names) + 1}"
+        masks = [effect.mask for effect in effects if effect.mask is not None]
+        element, written = self._contents.mask_element(own, masks[0])
+        for k, (holder, place) in enumerate(written):
+            layers = [mask.layers[k] for mask in masks]
+            texts = {
+                "opacity": (holder, [number(layer.share, 4) for layer in layers]),
+                "transform": (place, [_place(layer) for layer in layers]),
+            }
+            for attribute, (moved, values) in texts.items():
+                if len(set(values)) > 1:
+                    document.put(moved, {"class": f"{own}-{k}-{attribute}"})
+                    self._animate(f"{own}-{k}-{attribute}", {attribute: values}, times)
+        self.masks.append(element)
+        return f"url(#{own})"
+
+    def _animate(self, name: str, texts: Mapping[str, Sequence[str]], times: Sequence[float]) -> None:
+        """Add the rules of a class whose properties change."""
+        animations = []
+        for attribute, values in texts.items():
+            if len(set(values)) == 1:
+                continue
+            timed = moments(values_between(attribute, values, times), self._clock.timing.ease)
+            own = f"{name}-{attribute}"
+            if attribute in ("opacity", "transform"):
+                declared, pace = _declarations(attribute, timed, self._clock), "linear"
+            else:
+                stops = resting(timed, self._clock.timing)
+                declared, pace = (
+                    {self._clock.share(m.time): [declaration(attribute, m.value)] for m in stops},
+                    "step-end",
+                )
+            self.rules.append(_keyframes(own, declared))
+            animations.append(f"{own} {self._clock.run} {pace}")
+        if animations:
+            self.rules.append(f".{name}{{animation:{','.join(animations)}}}")
+
+
+def _place(layer: MaskLayer) -> str:
+    x, y = (number(value, 4) for value in (layer.shift.real, layer.shift.imag))
+    return f"translate({x}px,{y}px) scale({number(layer.scale[0], 6)},{number(layer.scale[1], 6)})"
 
 
 def _values_of(shape: KeyframedShape, decimals: int) -> dict[str, Values]:

@@ -21,7 +21,7 @@ from shapeblend_cli.model import (
 )
 from shapeblend_cli.paint.names import page_for
 from shapeblend_cli.svg.writing.ids import Ids
-from shapeblend_cli.svg.writing.paint import Gradients, hyphened, picture_attributes, visible_styles
+from shapeblend_cli.svg.writing.paint import Around, Gradients, hyphened, picture_attributes, visible_styles
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
 
@@ -66,7 +66,9 @@ def empty_and_called(viewbox: Box, decimals: int, page: Page) -> Element:
 
 def fingerprint(shapes: Iterable[KeyframedShape], *others: object) -> str:
     """Return a hash of shapes and other values, for names that are unique among the drawings of a page."""
-    return fingerprint_of([shape.keys for shape in shapes], *others)
+    shapes = [*shapes]
+    effects = [each.blend for shape in shapes for each in shape.effects]
+    return fingerprint_of([shape.keys for shape in shapes], *others, *effects)
 
 
 def fingerprint_of(painted: Iterable[Iterable[PaintedShape]], *others: object) -> str:
@@ -74,7 +76,7 @@ def fingerprint_of(painted: Iterable[Iterable[PaintedShape]], *others: object) -
     drawn = [
         [([path.segments.tolist() for path in key.paths], key.style) for key in keys] for keys in painted
     ]
-    text = repr((drawn, *others)).replace(", pixel=None", "")
+    text = repr((drawn, *others)).replace(", pixel=None", "").replace(", paint_order='normal'", "")
     return f"{zlib.crc32(text.encode()):08x}"
 
 
@@ -105,7 +107,7 @@ class Tree:
     def __init__(self, root: Element, ids: Ids) -> None:
         self._ids = ids
         self._root = root  # what elements in no group are added to
-        self._open: list[tuple[int, Element]] = []  # groups by their numbers, the outermost first
+        self._open: list[tuple[tuple[str, int], Element]] = []  # groups by their numbers, the outermost first
 
     @classmethod
     def of(cls, drawing: Element, shapes: Iterable[PaintedShape | KeyframedShape]) -> Tree:
@@ -117,17 +119,33 @@ class Tree:
         """The ids of the document."""
         return self._ids
 
-    def add(self, element: Element, groups: Sequence[Group] = (), name: Name | None = None) -> None:
-        """Add an element, which has no title yet if it gets a name."""
+    def add(
+        self,
+        element: Element,
+        groups: Sequence[Group] = (),
+        name: Name | None = None,
+        around: Sequence[Around] = (),
+    ) -> None:
+        """Add an element, which has no title yet if it gets a name, in its groups, and in others `around` it."""
+        path: list[tuple[tuple[str, int], Group | Around]] = []
+        waiting = list(around)
+        for k, group in enumerate(groups):
+            while waiting and waiting[0].place <= k:
+                path.append((("effect", waiting[0].number), waiting.pop(0)))
+            path.append((("group", group.number), group))
+        path += [(("effect", each.number), each) for each in waiting]
         shared = 0
-        while shared < min(len(self._open), len(groups)) and self._open[shared][0] == groups[shared].number:
+        while shared < min(len(self._open), len(path)) and self._open[shared][0] == path[shared][0]:
             shared += 1
         del self._open[shared:]
-        for group in groups[shared:]:
-            opened = new("g", {"inkscape:groupmode": "layer"} if group.is_layer else {})
-            self._name(opened, group.name)
+        for key, each in path[shared:]:
+            if isinstance(each, Group):
+                opened = new("g", {"inkscape:groupmode": "layer"} if each.is_layer else {})
+                self._name(opened, each.name)
+            else:
+                opened = each.make()
             self._parent.append(opened)
-            self._open.append((group.number, opened))
+            self._open.append((key, opened))
         if name is not None:
             self._name(element, name)
         self._parent.append(element)
@@ -229,13 +247,14 @@ def add_shapes(tree: Tree, frame: Frame, gradients: Gradients) -> None:
     """Add the shapes of a frame to a drawing. Of two coats of paint the upper one has the name."""
     for shape in frame.shapes:
         data = {"d": path_data(shape.paths, gradients.decimals), **gradients.clips.attributes(shape.clips)}
+        around = gradients.around(shape.effects)
         if shape.bent is not None and shape.as_triangles:
-            tree.add(_bent(shape.bent, data.get("clip_path"), gradients), shape.groups, shape.name)
+            tree.add(_bent(shape.bent, data.get("clip_path"), gradients), shape.groups, shape.name, around)
             continue
         *below, above = visible_styles(shape, frame.t)
         for style in below:
-            tree.add(painted(style, data, gradients), shape.groups)
-        tree.add(painted(above, data, gradients), shape.groups, shape.name)
+            tree.add(painted(style, data, gradients), shape.groups, around=around)
+        tree.add(painted(above, data, gradients), shape.groups, shape.name, around)
 
 
 def painted(style: Style, data: Mapping[str, str], gradients: Gradients) -> Element:

@@ -1,10 +1,14 @@
-"""A technical figure as an SVG document: lines, areas and words, looked after by one style sheet."""
+"""A technical figure as an SVG document: lines, areas and words, looked after by one style sheet.
+
+And a contact sheet as such a document: rows of documents with a line of words above each.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import base64
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 import svgwrite
 
@@ -16,6 +20,21 @@ Point = tuple[float, float]
 
 DECIMALS = 1  # of coordinates; a figure is some hundreds of units wide
 SIZE = 2  # decimals of radii and the like
+
+
+GAP = 6.0
+"""Distance between pictures, in pixels."""
+
+WORDS = 22.0
+"""Height of the line of words above a row, in pixels."""
+
+MARGIN = 12.0
+"""Margin around all rows, in pixels."""
+
+SHEET_STYLE = """\
+.ground { fill: #fff }
+.words { font: 13px system-ui, sans-serif; fill: #333 }
+"""
 
 
 class Figure:
@@ -90,3 +109,31 @@ def rect_data(x: float, y: float, width: float, height: float) -> str:
 def _pair(x: int, y: int) -> str:
     first, second = (number(v / 10**DECIMALS, DECIMALS) for v in (x, y))
     return f"{first}{second}" if second.startswith("-") else f"{first} {second}"
+
+
+class Row(NamedTuple):
+    """SVG documents in a row, and the line of words above them."""
+
+    words: str
+    pictures: Sequence[str]
+
+
+def sheet(rows: Sequence[Row], width: float, height: float) -> str:
+    """Return rows of documents, each of the same width and height, as one document that needs no other file.
+
+    Each document is an image in it, so that their ids and gradients do not meet.
+    """
+    longest = max(len(row.pictures) for row in rows)
+    figure = Figure(
+        2 * MARGIN + longest * (width + GAP) - GAP,
+        2 * MARGIN + len(rows) * (WORDS + height + GAP) - GAP,
+        SHEET_STYLE,
+    )
+    for n, row in enumerate(rows):
+        top = MARGIN + n * (WORDS + height + GAP)
+        figure.words(row.words, (MARGIN, top + 15.0), "words")
+        for k, picture in enumerate(row.pictures):
+            data = base64.b64encode(picture.encode("utf-8")).decode("ascii")
+            place = (MARGIN + k * (width + GAP), top + WORDS)
+            figure.image(f"data:image/svg+xml;base64,{data}", place, (width, height))
+    return figure.text()

@@ -5,14 +5,24 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from functools import partial
+from typing import TYPE_CHECKING, Any, NamedTuple
 from xml.etree.ElementTree import Element, SubElement
 
+import numpy as np
+
 from shapeblend_cli.model import (
+    Box,
     Clip,
+    Content,
+    CubicPath,
+    Effect,
     Gradient,
     LinearGradient,
+    Mask,
+    MaskLayer,
     PaintedShape,
+    Pattern,
     Picture,
     RadialGradient,
     Raster,
@@ -21,6 +31,9 @@ from shapeblend_cli.model import (
 from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
+
+if TYPE_CHECKING:
+    from shapeblend_cli.svg.writing.groups import Filters
 
 SHARE_DIGITS = 5
 """Decimals of shares, such as the offset of a stop."""
@@ -35,9 +48,16 @@ DEFAULTS = {
     "stroke_miterlimit": "4",
     "stroke_dasharray": "none",
     "stroke_dashoffset": "0",
+    "paint_order": "normal",
     "vector_effect": "none",
 }
 """Initial values of attributes. They need not be written."""
+
+CONTENT_DIGITS = 2
+"""Number of further decimals of what is drawn in patterns and masks, which may be scaled up."""
+
+SCALE_DIGITS = 6
+"""Decimals of factors by which patterns and masks are scaled."""
 
 PIXEL_DIGITS = 4
 """Decimals of lengths in pixels of the screen."""
@@ -98,6 +118,7 @@ def paint_attributes(style: Style, decimals: int) -> dict[str, str]:
         dashes = " ".join(number(length, decimals) for length in style.stroke_dasharray)
         paint["stroke_dasharray"] = dashes or "none"
         paint["stroke_dashoffset"] = number(style.stroke_dashoffset, decimals) if dashes else "0"
+        paint["paint_order"] = style.paint_order if style.fill is not None else "normal"
         paint["vector_effect"] = "none" if style.pixel is None else "non-scaling-stroke"
     return paint
 
@@ -110,6 +131,8 @@ def gradient_attributes(
     An ellipse is written as a unit circle under ``translate(x y) rotate(angle) scale(rx ry)``, a circle only if asked.
     """
     attributes = {"gradientUnits": "userSpaceOnUse"}
+    if isinstance(gradient, Pattern):
+        raise TypeError("a pattern has no stops")
     if isinstance(gradient, LinearGradient):
         (x1, y1), (x2, y2) = (_coordinates(point, decimals) for point in (gradient.start, gradient.end))
         attributes |= {"x1": x1, "y1": y1, "x2": x2, "y2": y2}
@@ -167,6 +190,14 @@ def link_attributes(picture: Picture) -> dict[str, str]:
     return {"href": picture.raster.uri, "preserveAspectRatio": "none", **smooth}
 
 
+class Around(NamedTuple):
+    """A group around shapes in a row: its number, how many groups are around it, and its element."""
+
+    number: int
+    place: int
+    make: Callable[[], Element]
+
+
 class Regions:
     """The clip paths of a document, each defined once in `elements`; how one is drawn is left to `draw`."""
 
@@ -203,21 +234,61 @@ def hyphened(attributes: Mapping[str, str]) -> dict[str, str]:
     return {name.replace("_", "-"): value for name, value in attributes.items()}
 
 
-class Gradients:
-    """The gradients of a document, and its clip paths, each defined once."""
+def _rectangle(box: Box) -> CubicPath:
+    left, top, right, bottom = box.bounds
+    corners = np.array(
+        [complex(left, top), complex(right, top), complex(right, bottom), complex(left, bottom)]
+    )
+    steps = (np.roll(corners, -1) - corners)[:, None] * np.array([0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0])
+    return CubicPath(corners[:, None] + steps, np.ones(4, bool), True)
 
-    def __init__(self, decimals: int, ids: Ids | None = None) -> None:
+
+class Gradients:
+    """The gradients of a document, its clip paths and its filters, each defined once."""
+
+    def __init__(self, decimals: int, ids: Ids | None = None, prefix: str = "") -> None:
         self.decimals = decimals
         self._ids = ids or Ids()
-        self.clips = Regions(self._ids, self._add_clip)
+        self.clips = Regions(self._ids, self._add_clip, f"{prefix}clip")
         self._gradients: list[Element] = []
         self._names: dict[Gradient, str] = {}
         self._pictures: dict[Raster, Element] = {}
+        self._filters: Filters | None = None
+        self._masks: dict[Mask, str] = {}
+        self._frames: dict[Box, tuple[Clip, ...]] = {}
+        self._prefix = prefix
 
     @property
     def elements(self) -> list[Element]:
-        """The definitions of pictures, of gradients and of clip paths."""
-        return [*self._pictures.values(), *self._gradients, *self.clips.elements]
+        """The definitions of pictures, gradients, clip paths and filters."""
+        filters = self._filters.elements if self._filters else ()
+        return [*self._pictures.values(), *self._gradients, *self.clips.elements, *filters]
+
+    @property
+    def filters(self) -> Filters:
+        """The filters."""
+        from shapeblend_cli.svg.writing.groups import Filters
+
+        if self._filters is None:
+            self._filters = Filters(self.decimals, self._ids, f"{self._prefix}filter")
+        return self._filters
+
+    def around(self, effects: Sequence[Effect]) -> list[Around]:
+        """Return groups for the effects around a shape, the outermost first."""
+        return [
+            Around(effect.number, effect.place, partial(self._group, effect))
+            for effect in effects
+            if not effect.is_plain
+        ]
+
+    def _group(self, effect: Effect) -> Element:
+        from shapeblend_cli.svg.writing.groups import effect_attributes  # few drawings have any
+
+        link = effect.filter and self.filters.link(effect.filter)
+        attributes = effect_attributes(effect, link, self.clips.attributes(effect.clips))
+        if effect.mask is not None:
+            attributes["mask"] = self.mask(effect.mask)
+        return Element("g", dict(sorted(hyphened(attributes).items())))
 
     def _add_clip(self, element: Element, clip: Clip) -> None:
         add_region(element, {"d": path_data(clip.paths, self.decimals)}, clip.rule)
@@ -241,13 +312,71 @@ class Gradients:
         parts = [part for z in (picture.across, picture.down, picture.origin) for part in (z.real, z.imag)]
         return f"matrix({' '.join(number(part, self.decimals) for part in parts)})"
 
+    def pattern(self, name: str, pattern: Pattern) -> Element:
+        """Return the definition of a pattern."""
+        element = Element("pattern", {"id": name, **pattern_attributes(pattern, self.decimals)})
+        self.fill(element, pattern.content)
+        return element
+
+    def fill(self, holder: Element, content: Content) -> None:
+        """Add what a pattern or a mask draws to an element."""
+        opened: list[tuple[int, Element]] = [(-1, holder)]
+        decimals = self.decimals + CONTENT_DIGITS
+        for shape in content.shapes:
+            path = [each for each in shape.effects if not each.is_plain]
+            shared = 0
+            while shared < min(len(opened) - 1, len(path)) and opened[shared + 1][0] == path[shared].number:
+                shared += 1
+            del opened[shared + 1 :]
+            for effect in path[shared:]:
+                group = self._group(effect)
+                opened[-1][1].append(group)
+                opened.append((effect.number, group))
+            paint = {**self.attributes(shape.style), **self.clips.attributes(shape.clips)}
+            SubElement(opened[-1][1], "path", {"d": path_data(shape.contours, decimals), **hyphened(paint)})
+
+    def mask(self, mask: Mask) -> str:
+        """Return the value of ``mask`` that refers to a mask."""
+        if mask not in self._masks:
+            self._masks[mask] = self._ids.new(f"{self._prefix}mask-{len(self._masks) + 1}")
+            element, _ = self.mask_element(self._masks[mask], mask)
+            self._gradients.append(element)
+        return f"url(#{self._masks[mask]})"
+
+    def mask_element(self, name: str, mask: Mask) -> tuple[Element, list[tuple[Element, Element]]]:
+        """Return the definition of a mask, and of each layer the elements that have its opacity and its place."""
+        from shapeblend_cli.svg.writing import groups
+
+        return groups.mask_element(name, mask, self.fill, self._inside, self.decimals)
+
+    def _inside(self, layer: MaskLayer) -> dict[str, str]:
+        """Return the attributes that clip a layer of a mask by its region."""
+        if layer.region not in self._frames:
+            self._frames[layer.region] = (Clip((_rectangle(layer.region),)),)
+        return hyphened(self.clips.attributes(self._frames[layer.region]))
+
     def link(self, gradient: Gradient) -> str:
         """Return the value of ``fill`` or ``stroke`` that refers to a gradient."""
         if gradient not in self._names:
-            self._names[gradient] = self._ids.new(f"gradient-{len(self._names) + 1}")
+            kind = "pattern" if isinstance(gradient, Pattern) else "gradient"
+            self._names[gradient] = self._ids.new(f"{self._prefix}{kind}-{len(self._names) + 1}")
+            if isinstance(gradient, Pattern):
+                self._gradients.append(self.pattern(self._names[gradient], gradient))
+                return f"url(#{self._names[gradient]})"
             written = gradient_attributes(gradient, self.decimals)
             self._gradients.append(gradient_element(self._names[gradient], gradient, *written))
         return f"url(#{self._names[gradient]})"
+
+
+def pattern_attributes(pattern: Pattern, decimals: int) -> dict[str, str]:
+    """Return the attributes of a pattern; its transform is ``translate(x y) rotate(a) skewX(a) scale(x y)``."""
+    width, height = (number(side, decimals + CONTENT_DIGITS) for side in pattern.size)
+    x, y = _coordinates(pattern.origin, decimals + CONTENT_DIGITS)
+    turn, skew = number(pattern.angle, 4), number(pattern.skew, 4)
+    scale = " ".join(number(side, SCALE_DIGITS) for side in pattern.scale)
+    transform = f"translate({x} {y}) rotate({turn}) skewX({skew}) scale({scale})"
+    size = {"width": width, "height": height}
+    return {"patternUnits": "userSpaceOnUse", **size, "patternTransform": transform}
 
 
 def gradient_element(

@@ -12,16 +12,17 @@ from itertools import pairwise
 from typing import NamedTuple
 from xml.etree.ElementTree import Element, SubElement
 
-from shapeblend_cli.model import Box, Clip, KeyframedShape, Page, PaintedShape
+from shapeblend_cli.model import Box, Clip, Effect, KeyframedEffect, KeyframedShape, Page, PaintedShape
 from shapeblend_cli.options.easing import Easing, Timing
 from shapeblend_cli.options.triggers import CLICK, HOVER, Trigger
 from shapeblend_cli.svg.writing import document
-from shapeblend_cli.svg.writing.animation import COLOURS, Values, Views, attribute_values
+from shapeblend_cli.svg.writing.animation import COLOURS, DISCRETE, Timeline, Values, Views, attribute_values
 from shapeblend_cli.svg.writing.css import declaration
+from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.paint import STROKE_LENGTHS, Gradients, visible_styles
 from shapeblend_cli.svg.writing.path_data import short_path_data
 from shapeblend_cli.svg.writing.rounding import number
-from shapeblend_cli.svg.writing.smil import DISCRETE, Timeline, add_animated
+from shapeblend_cli.svg.writing.smil import add_animated
 
 XHTML = "http://www.w3.org/1999/xhtml"
 
@@ -144,20 +145,31 @@ def _begins(trigger: Trigger, name: str) -> tuple[str, str]:
 def _add_still(group: Element, reaction: Reaction, end: int, gradients: Gradients) -> None:
     """Add the shapes as they are in the first drawing, or in the last."""
     last = reaction.views.pairs
+    tree = document.Tree(group, Ids())
     for shape in reaction.shapes:
         is_there = shape.first == 0 if end == 0 else shape.first + len(shape.keys) - 1 == last
         painted: PaintedShape = shape.keys[end]
         if is_there and not all(path.is_point for path in painted.paths):
             data = short_path_data(painted.paths, gradients.decimals)
-            regions = [
-                Clip(tuple(p for s in clip for p in s.keys[end].paths), clip[0].keys[end].style.fill_rule)
-                for clip in shape.clips
-            ]
+            regions = [_still_region(clip, end) for clip in shape.clips]
             clipped = gradients.clips.attributes(regions)
+            around = gradients.around([_still(each, end) for each in shape.effects])
             for style in visible_styles(painted, float(bool(end))):
                 if style.picture is not None and style.fill_opacity == 0.0:
                     continue
-                group.append(document.painted(style, {"d": data, **clipped}, gradients))
+                element = document.painted(style, {"d": data, **clipped}, gradients)
+                tree.add(element, around=around)
+
+
+def _still_region(clip: Sequence[KeyframedShape], end: int) -> Clip:
+    """Return a region as it is at an end."""
+    return Clip(tuple(p for s in clip for p in s.keys[end].paths), clip[0].keys[end].style.fill_rule)
+
+
+def _still(keyed: KeyframedEffect, end: int) -> Effect:
+    """Return an effect as it is at an end."""
+    effect = keyed.blend.end if end else keyed.blend.start
+    return effect._replace(clips=tuple(_still_region(clip, end) for clip in keyed.clips))
 
 
 class _ThereAndBack(Timeline):

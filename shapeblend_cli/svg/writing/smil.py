@@ -3,42 +3,48 @@
 from __future__ import annotations
 
 import zlib
-from collections.abc import Sequence
-from functools import cache
-from itertools import pairwise
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache, partial
 from xml.etree.ElementTree import Element
 
-from shapeblend_cli.model import WHOLE, Frame, Gradient, KeyframedShape, Page, RadialGradient
+from shapeblend_cli.model import (
+    NORMAL,
+    WHOLE,
+    Effect,
+    Frame,
+    Gradient,
+    KeyframedEffect,
+    KeyframedShape,
+    Page,
+    Pattern,
+    RadialGradient,
+)
 from shapeblend_cli.options.easing import FOREVER, PINGPONG, Timing
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import (
-    TIME_DIGITS,
-    Moment,
+    Timeline,
     Values,
     Views,
     attribute_values,
     delayed,
     fading_keys,
     image_values,
-    moments,
-    resting,
     values_between,
 )
 from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.paint import (
+    Around,
     Gradients,
     Regions,
     add_region,
     gradient_attributes,
     gradient_element,
     link_attributes,
+    pattern_attributes,
     visible_styles,
 )
 from shapeblend_cli.svg.writing.path_data import short_path_data
 from shapeblend_cli.svg.writing.rounding import number
-
-DISCRETE = frozenset(("fill_rule", "stroke_linecap", "stroke_linejoin", "vector_effect", "spreadMethod"))
-"""Attributes without values in between, which switch at half time."""
 
 TICKS = ".02s 500"
 """Length and number of the events that end animations: in ten seconds most pages are loaded."""
@@ -110,21 +116,26 @@ def add_animated(
                 timeline.animate(path, "d", values)
 
     regions = Regions(tree.ids, add_clip)
+    layers = _AnimatedEffects(timeline, Gradients(decimals, tree.ids), regions, tree.ids)
     for shape in shapes:
         extended = _extend(shape, drawings)
         if shape.keys[0].style.picture is not None:
             image = _animated_image(timeline, extended, regions.attributes(shape.clips), decimals)
             _show_in_time(timeline, image, shape)
-            tree.add(image, shape.groups, shape.name)
+            tree.add(image, shape.groups, shape.name, layers.around(shape.effects))
             continue
         attributes = attribute_values(extended, decimals)
         for paint in ("fill", "stroke"):
             times, styles = fading_keys(extended if extended.is_paced else extended._replace(fading=()))
             painted = [getattr(style, f"{paint}_gradient") for style in styles]
             if all(painted):
-                name = tree.ids.new(f"gradient-{len(gradients) + 1}")
-                animated = _animated_gradient(timeline, name, painted, (times, extended.spans), decimals)
-                gradients.append(animated)
+                kind = "pattern" if isinstance(painted[0], Pattern) else "gradient"
+                name = tree.ids.new(f"{kind}-{len(gradients) + 1}")
+                when = times, extended.spans
+                if isinstance(painted[0], Pattern):
+                    gradients.append(_animated_pattern(timeline, name, painted, when, layers.contents))
+                else:
+                    gradients.append(_animated_gradient(timeline, name, painted, when, decimals))
                 attributes[paint] = values_between(paint, [f"url(#{name})"] * drawings)
         clipped = regions.attributes(shape.clips)
         path = document.new("path", {name: values.keys[0] for name, values in attributes.items()} | clipped)
@@ -132,8 +143,117 @@ def add_animated(
             if not values.is_constant:
                 timeline.animate(path, name, values)
         _show_in_time(timeline, path, shape)
-        tree.add(path, shape.groups, shape.name)
-    return [*gradients, *regions.elements]
+        tree.add(path, shape.groups, shape.name, layers.around(shape.effects))
+    return [*gradients, *regions.elements, *layers.elements]
+
+
+class _AnimatedEffects:
+    """The groups of effects that are animated, and in `elements` what they refer to."""
+
+    def __init__(self, timeline: Timeline, contents: Gradients, regions: Regions, ids: Ids) -> None:
+        self.contents = contents  # of patterns and masks, which do not change
+        self._timeline = timeline
+        self._ids = ids
+        self._regions = regions
+        self._decimals = contents.decimals
+        self._masks: dict[int, str] = {}
+        self._filters: list[Element] = []
+        self._links: dict[int, str] = {}
+        self._rules: dict[str, None] = {}
+
+    @property
+    def elements(self) -> list[Element]:
+        """Filters, and the style sheet of blend modes that change."""
+        found = [*self._filters, *self.contents.elements]
+        if not self._rules:
+            return found
+        sheet = Element("style")
+        sheet.text = "".join(self._rules)
+        return [*found, sheet]
+
+    def around(self, effects: Sequence[KeyframedEffect]) -> list[Around]:
+        """Return groups for the effects around a shape, the outermost first."""
+        return [
+            Around(each.blend.number, each.blend.start.place, partial(self._group, each)) for each in effects
+        ]
+
+    def _group(self, keyed: KeyframedEffect) -> Element:
+        from shapeblend_cli.paint.effects import keyed_effects
+        from shapeblend_cli.svg.writing.groups import class_of, effect_attributes, rule_of
+
+        times, effects = keyed_effects(keyed, self._timeline.pairs + 1)
+        link = None if effects[0].filter is None else self._link(keyed.blend.number, times, effects)
+        changes = len({(effect.mode, effect.isolates) for effect in effects}) > 1
+        first = effects[0]._replace(mode=NORMAL, isolates=False) if changes else effects[0]
+        masked = {} if first.mask is None else {"mask": self._mask(keyed.blend.number, times, effects)}
+        clipped = self._regions.attributes(keyed.clips)
+        element = document.new("g", {**effect_attributes(first, link, clipped), **masked})
+        if changes:
+            classes = [class_of(effect) for effect in effects]
+            self._rules |= dict.fromkeys(map(rule_of, effects))
+            document.put(element, {"class": classes[0]})
+            self._timeline.animate(element, "class", values_between("class", classes, times))
+        opacities = [number(effect.opacity, 4) for effect in effects]
+        if len(set(opacities)) > 1:
+            self._timeline.animate(element, "opacity", values_between("opacity", opacities, times))
+        return element
+
+    def _link(self, known: int, times: Sequence[float], effects: Sequence[Effect]) -> str:
+        """Return the value of ``filter`` that refers to an animated filter, which is defined once."""
+        from shapeblend_cli.svg.writing import groups as writing
+
+        if known in self._links:
+            return self._links[known]
+        made = [effect.filter for effect in effects if effect.filter is not None]
+        single = writing.is_single(made)
+        name = self._ids.new(f"filter-{len(self._links) + 1}")
+        element = writing.filter_element(name, made[0], self._decimals, single)
+        written = list(element)
+        self._animate(element, [writing.filter_attributes(each, self._decimals) for each in made], times)
+        for k, (step, is_one) in enumerate(zip(written, single, strict=True)):
+            steps = [each.steps[k] for each in made]
+            parts = list(step)
+            self._animate(
+                step, [writing.step_attributes(each, self._decimals, is_one) for each in steps], times
+            )
+            for n, _ in enumerate(steps[0].parts):
+                own = [writing.step_attributes(each.parts[n], self._decimals, single=False) for each in steps]
+                self._animate(parts[n], own, times)
+        self._filters.append(element)
+        self._links[known] = f"url(#{name})"
+        return self._links[known]
+
+    def _mask(self, known: int, times: Sequence[float], effects: Sequence[Effect]) -> str:
+        """Return the value of ``mask`` that refers to an animated mask, which is defined once."""
+        from shapeblend_cli.svg.writing.groups import place_of
+
+        if known not in self._masks:
+            name = self._ids.new(f"mask-{len(self._masks) + 1}")
+            masks = [effect.mask for effect in effects if effect.mask is not None]
+            element, written = self.contents.mask_element(name, masks[0])
+            for k, (holder, place) in enumerate(written):
+                layers = [mask.layers[k] for mask in masks]
+                shares = [number(layer.share, 4) for layer in layers]
+                if len(set(shares)) > 1:
+                    self._timeline.animate(holder, "opacity", values_between("opacity", shares, times))
+                places = [place_of(layer, self._decimals) for layer in layers]
+                if len(set(places)) > 1:
+                    _animate_steps(
+                        self._timeline,
+                        place,
+                        "transform",
+                        places,
+                        lambda each: values_between("transform", each, times),
+                    )
+            self._filters.append(element)
+            self._masks[known] = f"url(#{name})"
+        return self._masks[known]
+
+    def _animate(self, element: Element, texts: Sequence[Mapping[str, str]], times: Sequence[float]) -> None:
+        for name in texts[0]:
+            values = values_between(name.replace("-", "_"), [text[name] for text in texts], times)
+            if not values.is_constant:
+                self._timeline.animate(element, name.replace("-", "_"), values)
 
 
 def _show_in_time(timeline: Timeline, element: Element, shape: KeyframedShape) -> None:
@@ -178,8 +298,10 @@ def stacked_svg(
     view = frames[0].view
     drawing = document.empty(view, decimals, page)
     timeline = Timeline(pairs, timing)
-    own = cache(lambda: f"b{document.fingerprint_of([frame.shapes for frame in frames])}-")
-    gradients = Gradients(decimals, Ids(own=own))
+    effects = [shape.effects for frame in frames for shape in frame.shapes if shape.effects]
+    own = cache(lambda: f"b{document.fingerprint_of([frame.shapes for frame in frames], *effects)}-")
+    ids = Ids(own=own)
+    gradients = Gradients(decimals, ids)
     for k, frame in enumerate(frames):
         if frame.view == view:
             layer = document.new("g")
@@ -194,10 +316,13 @@ def stacked_svg(
         )
         states = {n: "visible" if k == shown else "hidden" for n, shown in zip(shares, order, strict=True)}
         timeline.steps(layer, "visibility", states)
+        tree = document.Tree(layer, ids)
         for shape in frame.shapes:
-            data = short_path_data(shape.paths, decimals)
+            clipped = gradients.clips.attributes(shape.clips)
+            data = {"d": short_path_data(shape.paths, decimals), **clipped}
+            around = gradients.around(shape.effects)
             for style in visible_styles(shape, frame.t):
-                layer.append(document.painted(style, {"d": data}, gradients))
+                tree.add(document.painted(style, data, gradients), around=around)
         drawing.append(layer)
     rule = _stop(drawing, gradients.elements, timing)
     return document.text(drawing, style=rule, definitions=gradients.elements)
@@ -241,10 +366,7 @@ def _animated_gradient(
         if len(set(texts)) == 1:
             continue
         if attribute == "gradientTransform":
-            # Each is "translate(...) rotate(...) scale(...)".
-            for step in zip(*(text.rstrip(")").split(") ") for text in texts), strict=True):
-                kinds, numbers = zip(*(function.split("(") for function in step), strict=True)
-                timeline.animate_transform(animations, kinds[0], values(attribute, numbers))
+            _animate_steps(timeline, animations, attribute, texts, partial(values, attribute))
         else:
             timeline.animate(animations, attribute, values(attribute, texts))
     gradient[:0] = animations
@@ -256,126 +378,38 @@ def _animated_gradient(
     return gradient
 
 
-class Timeline:
-    """Adds animations to elements, or to lists; key times are shares of one run, forwards and perhaps backwards."""
+def _animate_steps(
+    timeline: Timeline,
+    animations: list[Element] | Element,
+    attribute: str,
+    texts: Sequence[str],
+    values: Callable[[Sequence[str]], Values],
+) -> None:
+    """Animate transforms step by step: each is ``translate(...) rotate(...) scale(...)`` or the like."""
+    for step in zip(*(text.rstrip(")").split(") ") for text in texts), strict=True):
+        kinds, numbers = zip(*(function.split("(") for function in step), strict=True)
+        timeline.animate_transform(animations, kinds[0], values(numbers), attribute)
 
-    def __init__(self, pairs: int, timing: Timing) -> None:
-        self.pairs = pairs
-        self.timing = timing
-        self.backwards = timing.is_pingpong
-        self.total = timing.length(pairs)  # in times of `timing.seconds`
 
-    def add_views(self, drawing: Element, views: Views, decimals: int) -> None:
-        """Let a drawing show one box after another."""
-        boxes = [document.box_text(view, decimals) for view in views.boxes]
-        if len(set(boxes)) > 1:
-            self.animate(drawing, "viewBox", values_between("viewBox", boxes, views.times))
-
-    def animate(self, element: Element | list[Element], name: str, values: Values) -> None:
-        """Animate an attribute of an element through all keys."""
-        if name in DISCRETE or (name == "stroke_dasharray" and len({v.count(" ") for v in values.keys}) > 1):
-            self._switch(element, name, values)
-        else:
-            self._add(element, "animate", {"attributeName": name.replace("_", "-")}, *self._timed(values))
-
-    def animate_transform(
-        self,
-        element: Element | list[Element],
-        kind: str,
-        values: Values,
-        attribute: str = "gradientTransform",
-    ) -> None:
-        """Animate a part of a transform through all keys; all but the first, a translation, are added."""
-        texts, extra = self._timed(values)
-        if kind != "translate":
-            extra["additive"] = "sum"
-        given = {"attributeName": attribute, "type": kind}
-        self._add(element, "animateTransform", given, texts, extra)
-
-    def show(self, element: Element | list[Element], first: int, last: int) -> None:
-        """Make an element visible from one key to another."""
-        reached, until = self.timing.when(first), self.timing.when(last, leaves=last == self.pairs)
-        spans = [(reached, until)]
-        if self.backwards:
-            there, back = (
-                self._mirrored(self.timing.when(last)),
-                self._mirrored(self.timing.when(first, leaves=not first)),
-            )
-            spans = [(reached, back)] if last == self.pairs else [(reached, until), (there, back)]
-        states = {0.0: "hidden"}
-        for start, end in spans:
-            states[start / self.total] = "visible"
-            if end < self.total:
-                states[end / self.total] = "hidden"
-        self.steps(element, "visibility", states)
-
-    def steps(self, element: Element | list[Element], name: str, states: dict[float, str]) -> None:
-        """Switch an attribute of an element to each value at its time."""
-        kept: dict[float, str] = {}
-        for time, value in states.items():
-            if not kept or value != list(kept.values())[-1]:
-                kept[time] = value
-        times = ";".join(number(time, TIME_DIGITS) for time in kept)
-        extra = {"calcMode": "discrete", "keyTimes": times}
-        given = {"attributeName": name.replace("_", "-")}
-        self._add(element, "animate", given, list(kept.values()), extra)
-
-    def _switch(self, element: Element | list[Element], name: str, values: Values) -> None:
-        """Switch an attribute at half time from value to value."""
-        timed = [(0.0, values.keys[0])]
-        for k, (section, key) in enumerate(zip(values.waypoints, values.keys[1:], strict=True)):
-            for (start, before), (end, after) in pairwise([(0.0, timed[-1][1]), *section, (1.0, key)]):
-                if before != after:
-                    half = self.timing.ease.time_of(0.5 * (start + end))
-                    timed.append((self.timing.when(k + half), after))
-        states = {t / self.total: value for t, value in timed}
-        if self.backwards:
-            states |= {self._mirrored(t) / self.total: before for (_, before), (t, _) in pairwise(timed)}
-        self.steps(element, name, dict(sorted(states.items())))
-
-    def _mirrored(self, time: float) -> float:
-        """Return when a time on the way there comes again on the way back."""
-        return self.timing.when(self.pairs, leaves=True) + self.timing.when(self.pairs) - time
-
-    def _timed(self, values: Values) -> tuple[list[str], dict[str, str]]:
-        """Return the values of a run, and the attributes for their times and easing."""
-        ease = self.timing.ease
-        forth = resting(moments(values, ease), self.timing)
-        splines = [moment.ease for moment in forth[:-1]]
-        back: list[Moment] = []
-        if self.backwards:
-            first, last = self.timing.when(0, leaves=True), self.timing.when(self.pairs)
-            on_the_way = [moment for moment in forth if first <= moment.time < last]
-            splines += [moment.ease.mirrored() for moment in on_the_way[::-1]]
-            back = [moment._replace(time=self._mirrored(moment.time)) for moment in on_the_way[::-1]]
-        texts = [moment.value for moment in (*forth, *back)]
-        extra = {}
-        if len(texts) > self.total + 1 or self.timing.rests or not ease.is_linear:
-            times = [moment.time / self.total for moment in (*forth, *back)]
-            extra["keyTimes"] = ";".join(number(time, TIME_DIGITS) for time in times)
-        if not ease.is_linear:
-            extra["calcMode"] = "spline"
-            extra["keySplines"] = ";".join(" ".join(number(v, 4) for v in spline) for spline in splines)
-        return texts, extra
-
-    def _add(
-        self,
-        element: Element | list[Element],
-        tag: str,
-        given: dict[str, str],
-        texts: Sequence[str],
-        extra: dict[str, str],
-    ) -> None:
-        is_endless = self.timing.repeat in (FOREVER, PINGPONG)
-        run = {
-            "dur": self.duration,
-            **({"begin": f"{number(self.timing.delay, 4)}s"} if self.timing.delay else {}),
-            "repeatCount": "indefinite" if is_endless else str(self.timing.repeat),
-            **({} if is_endless else {"fill": "freeze"}),
-        }
-        element.append(document.new(tag, {**given, "values": ";".join(texts), **run, **extra}))
-
-    @property
-    def duration(self) -> str:
-        """How long a run takes."""
-        return f"{number(self.timing.seconds * self.total, 4)}s"
+def _animated_pattern(
+    timeline: Timeline,
+    name: str,
+    keys: Sequence[Pattern],
+    when: tuple[Sequence[float], Sequence[tuple[float, float]]],
+    contents: Gradients,
+) -> Element:
+    """Return a pattern that is animated together with the shape it paints, by its times and spans."""
+    element = contents.pattern(name, keys[0])
+    attribute = "patternTransform"
+    texts = [pattern_attributes(key, contents.decimals)[attribute] for key in keys]
+    if len(set(texts)) > 1:
+        animations: list[Element] = []
+        _animate_steps(
+            timeline,
+            animations,
+            attribute,
+            texts,
+            lambda each: delayed(values_between(attribute, each, when[0]), when[1]),
+        )
+        element[:0] = animations
+    return element

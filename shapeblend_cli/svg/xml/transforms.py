@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.svg.xml.units import BLANK, GAP, LIMIT, NUMBER, Lengths, length
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import Box, ComplexArray
+    from shapeblend_cli.svg.xml.messages import Notes
+    from shapeblend_cli.svg.xml.xmltree import Node
+
+_SINGLE = ("translate", "rotate", "scale")  # CSS properties that come before `transform`, in this order
+_TRANSFORMS = frozenset(("transform", *_SINGLE))
 
 # Left as text: `re` compiles them when the first transform is read.
 _CALL = rf"{GAP}([a-zA-Z]++){BLANK}*+\(([^()]*+)\)"
@@ -174,3 +179,23 @@ def origin(text: str, lengths: Lengths) -> tuple[float, float]:
     horizontal, vertical = (_ORIGINS.get(word, word) for word in (*words, "center", "center")[:2])
     x, y = lengths.x(horizontal), lengths.y(vertical)
     return (0.0, 0.0) if x is None or y is None else (x, y)
+
+
+def transform_of(node: Node, declared: Mapping[str, str], lengths: Lengths, notes: Notes) -> Affine:
+    """Return the transform that an element declares; the identity, with a note, if it cannot be read."""
+    if _TRANSFORMS.isdisjoint(declared):
+        return IDENTITY
+    text = declared.get("transform", "none")
+    # The two have different grammars; a property that wins is not the attribute's string.
+    matrix = parse(text, None if text is node.get("transform") else lengths)
+    steps = [f"{name}({declared[name]})" for name in _SINGLE if name in declared]
+    first = parse(" ".join(steps), lengths)
+    if matrix is None or first is None:
+        notes.add("a transform that cannot be read is not applied")
+        return IDENTITY
+    matrix = first @ matrix
+    if "transform-origin" not in declared:
+        return matrix
+    if declared.get("transform-box", "view-box") not in ("view-box", "border-box"):
+        notes.add("transform-box read as view-box")
+    return matrix.about(*origin(declared["transform-origin"], lengths))

@@ -131,13 +131,18 @@ def test_what_a_mask_shows_is_what_browsers_show():
         '<circle r="9" fill="white" opacity=".5"/>',
         '<circle r="9" fill="none" stroke="white"/>',
         '<path d="M8 8H16V16H8Z"/><circle r="9" fill="white"/>',
-        '<image href="x.png"/>',
         '<use href="#none"/>',
     ],
 )
-def test_a_mask_that_is_no_region_is_not_applied_and_noted(shapes):
+def test_a_mask_that_is_no_region_stays_a_mask(shapes):
     found = drawing(f'<mask id="m">{shapes}</mask>', f'<g mask="url(#m)">{RECT}</g>')
     assert found.shapes[0].clips == ()
+    assert found.shapes[0].effects[0].mask is not None
+
+
+def test_a_mask_of_pictures_is_not_applied_and_noted():
+    found = drawing('<mask id="m"><image href="x.png"/></mask>', f'<g mask="url(#m)">{RECT}</g>')
+    assert (found.shapes[0].clips, found.shapes[0].effects) == ((), ())
     assert "mask not applied" in found.notes
 
 

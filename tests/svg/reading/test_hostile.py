@@ -51,6 +51,9 @@ REFUSED = {
         '<svg width="1e8" height="1e8" viewBox="0 0 1e-8 1e-8"><rect width="1" height="1"/></svg>',
         '<rect x="1e5" width="1" height="1" transform="scale(1e5)"/>',
     ],
+    "more than 2000 steps of filters, the limit": [
+        f'<filter id="f">{"<feOffset/>" * 64}</filter>' + f'<g filter="url(#f)">{RECT}</g>' * 32
+    ],
     SLOW_SHEET: [f"<style>x {'g ' * 9}rect {{ fill: red }}</style>{'<g>' * 300}{RECT * 50}{'</g>' * 300}"],
     "more than 1000 custom properties": [
         f'<g style="{";".join(f"--v{k}:1" for k in range(1001))}">{RECT}</g>'
@@ -73,6 +76,18 @@ LIMITS = {
         *(walk, "MAX_SEGMENTS", 1000),
         f'<defs><path id="p" d="M0 0{"h1v1" * 100}"/></defs>{"""<use href="#p"/>""" * 6}',
         "more than 1000 segments",
+    ),
+    "patterns": (
+        *(walk, "MAX_CONTENTS", 1),
+        f'<pattern id="p" width="1" height="1" patternContentUnits="objectBoundingBox">{RECT}</pattern>'
+        '<rect width="1" height="1" fill="url(#p)"/><rect width="2" height="1" fill="url(#p)"/>',
+        "more than 1 patterns and masks, the limit",
+    ),
+    "masks": (
+        *(walk, "MAX_CONTENTS", 1),
+        f'<mask id="m"><g opacity=".5">{RECT}</g></mask><g mask="url(#m)">{RECT}</g>'
+        f'<g mask="url(#m)" transform="scale(2)">{RECT}</g>',
+        "more than 1 patterns and masks, the limit",
     ),
     "many rules on many elements": (
         *(stylesheets, "_BUDGET", 10_000),

@@ -34,7 +34,7 @@ PAINT = {
         'stroke-linecap="round" stroke-linejoin="bevel" stroke-miterlimit="2.5">'
         '<path d="M0 0h1" style="stroke-width:10%;opacity:.5"/></g>',
         {
-            **{"fill_rule": "evenodd", "fill_opacity": 0.125, "stroke": "#00ff00", "stroke_opacity": 0.125},
+            **{"fill_rule": "evenodd", "fill_opacity": 0.5, "stroke": "#00ff00", "stroke_opacity": 0.5},
             **{"stroke_linecap": "round", "stroke_linejoin": "bevel", "stroke_miterlimit": 2.5},
             "stroke_width": pytest.approx(5),
         },
@@ -169,15 +169,16 @@ STOPS = '<linearGradient id="h"><stop stop-color="#0a0"/><stop/></linearGradient
 @pytest.mark.parametrize(
     ("fill", "colour"),
     [
-        ("url(#p)", "#000000"),
-        ("url(#p) none", "#000000"),
         ("url(#p) red", "#ff0000"),
-        ("url(#missing)", "#000000"),
+        ("url(#p)", None),
+        ("url(#missing)", None),
+        ("url(#missing) none", None),
+        ("url(other.svg#g)", None),
         ("url(other.svg#g) #123", "#112233"),
     ],
 )
-def test_a_pattern_or_what_is_not_there_is_read_as_a_plain_colour(fill, colour):
-    painted = style(f'<defs><pattern id="p"/></defs><g fill="{fill}">{RECT}</g>')
+def test_paint_that_is_not_there_is_what_comes_after_it_or_none(fill, colour):
+    painted = style(f'<defs><pattern id="p"/></defs><g fill="{fill}" stroke="blue">{RECT}</g>')
     assert (painted.fill, painted.fill_gradient) == (colour, None)
 
 
@@ -196,12 +197,13 @@ NOTES = {
         ("stroke cannot be read", "fill cannot be read", "stroke-width cannot be read"),
     ),
     "a pattern": (
-        f'<defs><pattern id="p"/></defs><g fill="url(#p)">{RECT}</g>',
+        f'<defs><pattern id="p"><image/></pattern></defs><g fill="url(#p)">{RECT}</g>',
         ("a gradient or pattern read as a plain colour",),
     ),
     "effects": (
-        f'<g style="mix-blend-mode:multiply" paint-order="stroke"><g style="mix-blend-mode:normal">{RECT}</g></g>',
-        ("mix-blend-mode not applied", "paint-order not applied"),
+        f'<g style="backdrop-filter:blur(2px)" filter="url(#no)">{RECT}</g><g filter="url(#i)">{RECT}</g>'
+        '<filter id="i"><feImage href="#a"/></filter>',
+        ("backdrop-filter not applied", "feImage of a filter not applied", "filter not applied (2 times)"),
     ),
     "left out": (
         f'<image/><image/><foreignObject/><g clip-path="url(#c)" filter="none">{RECT}</g>'

@@ -1,0 +1,45 @@
+"""Filters: what is made of a shape or a group once it is painted."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from shapeblend_cli.model.box import Box
+
+SOURCE = "SourceGraphic"
+"""Name of what a filter is applied to, an input of its steps."""
+
+ALPHA = "SourceAlpha"
+"""Name of the opacity alone of what a filter is applied to, an input of its steps."""
+
+
+class Step(NamedTuple):
+    """A step of a filter, a primitive of SVG, by the names that SVG gives its attributes."""
+
+    tag: str
+    inputs: tuple[str | int, ...] = ()  # numbers of earlier steps, counted from 0, or `SOURCE` or `ALPHA`
+    words: tuple[tuple[str, str], ...] = ()  # values that have nothing in between
+    numbers: tuple[tuple[str, tuple[float, ...]], ...] = ()  # lengths and places in the drawing's coordinates
+    colours: tuple[tuple[str, str], ...] = ()  # #rrggbb
+    region: Box | None = None  # outside of which it is transparent; None for that of the filter
+    parts: tuple[Step, ...] = ()  # elements in it, such as feFuncR
+
+    @property
+    def kind(self) -> tuple[object, ...]:
+        """What two steps have in common whose numbers and colours can be blended."""
+        numbers = tuple((name, len(values)) for name, values in self.numbers)
+        colours = tuple(name for name, _ in self.colours)
+        parts = tuple(part.kind for part in self.parts)
+        return self.tag, self.inputs, self.words, numbers, colours, self.region is None, parts
+
+
+class Filter(NamedTuple):
+    """A filter, in the coordinates of the drawing: the last of its steps is what is seen."""
+
+    region: Box
+    steps: tuple[Step, ...]
+
+    @property
+    def kind(self) -> tuple[object, ...]:
+        """What two filters have in common that can be blended number by number."""
+        return tuple(step.kind for step in self.steps)
