@@ -91,7 +91,7 @@ def _check_files(files: Sequence[str], project: str) -> None:
 def _check_idle(job: Job, typed: Mapping[str, Any], printed: TerminalOptions) -> None:
     """Raise OptionError for a run that would do nothing, and for what was typed and would do nothing."""
     output, write = job.output, job.write
-    if typed["repeat"] is not None:
+    if typed["repeat"] is not None and not write.preview:  # its page plays whatever is written
         check_runs(output)
     others = write.report or write.preview or write.tries or write.fail_on != "never" or printed.verbose
     if not (output.files() or output.path == STANDARD_OUTPUT or others):
