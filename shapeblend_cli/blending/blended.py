@@ -128,11 +128,12 @@ def _by_lines_or_outlines(
     def paced(shapes: Shapes, kept: float = 1.0) -> Shapes:
         if not _is_free(settings):
             return shapes
-        early = dict.fromkeys(alone_in_the_way(shapes, view.larger_side), EARLY)
         if is_sign and (kept < KEPT or changes_much(shapes, view.larger_side)):
             early = dict.fromkeys(alone_in(shapes), EARLY)
-        elif not is_sign and is_of_one_colour(shapes) and changes_much(shapes, view.larger_side):
-            early = dict.fromkeys(leaving(shapes), LEAVES) | early
+        else:
+            early = dict.fromkeys(alone_in_the_way(shapes, view.larger_side), EARLY)
+            if not is_sign and is_of_one_colour(shapes) and changes_much(shapes, view.larger_side):
+                early = dict.fromkeys(leaving(shapes), LEAVES) | early
         shapes = with_early_parts(shapes, early)
         return carried_by_lines(shapes) if is_sign else shapes
 

@@ -87,10 +87,10 @@ def shapes_at(pair: Pair, t: float) -> tuple[PaintedShape, ...]:
     effects: dict[int, Effect] = {}
 
     def effect_of(blend: EffectBlend) -> Effect:
-        from shapeblend_cli.paint.effects import effect_at, own_time  # few drawings have any
+        from shapeblend_cli.paint.effects import effect_at  # few drawings have any
 
         if blend.number not in effects:
-            clipped = tuple(clip_at(clip, own_time(blend, t)) for clip in blend.clips)
+            clipped = tuple(clip_at(clip, blend.own_time(t)) for clip in blend.clips)
             effects[blend.number] = effect_at(blend, t)._replace(clips=clipped)
         return effects[blend.number]
 

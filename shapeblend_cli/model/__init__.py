@@ -295,6 +295,13 @@ WHOLE = (0.0, 1.0)
 """The span of a shape that moves all the time."""
 
 
+def _time_within(span: tuple[float, float], pace: Sequence[tuple[float, float]], t: float) -> float:
+    """Return the time that is told by a pace, or else within a span: 0 before it, 1 after it."""
+    if pace:
+        return float(np.interp(t, [time for time, _ in pace], [own for _, own in pace]))
+    return t if span == WHOLE else min(max((t - span[0]) / (span[1] - span[0]), 0.0), 1.0)
+
+
 class ShapeBlend(NamedTuple):
     """Contours that are painted together, from one paint to another."""
 
@@ -318,10 +325,7 @@ class ShapeBlend(NamedTuple):
 
     def own_time(self, t: float) -> float:
         """Return the time within the shape's own span: 0 before it, 1 after it; by its pace it may be beyond both."""
-        if self.pace:
-            return float(np.interp(t, [time for time, _ in self.pace], [own for _, own in self.pace]))
-        begin, until = self.span
-        return t if self.span == WHOLE else min(max((t - begin) / (until - begin), 0.0), 1.0)
+        return _time_within(self.span, self.pace, t)
 
     def time_of(self, own: float) -> float:
         """Return the time of the blend at a time within the shape's own span."""
@@ -391,6 +395,10 @@ class EffectBlend(NamedTuple):
     def number(self) -> int:
         """The number of both."""
         return self.start.number
+
+    def own_time(self, t: float) -> float:
+        """Return the time within the effect's own span, from 0 to 1."""
+        return min(max(_time_within(self.span, self.pace, t), 0.0), 1.0)
 
 
 class Place(NamedTuple):

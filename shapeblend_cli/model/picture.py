@@ -127,11 +127,6 @@ class Picture(NamedTuple):
         return self._replace(origin=pose.centre - 0.5 * (across + down), across=across, down=down)
 
 
-def _degrees(angle: float) -> float:
-    """Return an angle in degrees, and 0 for one that is due to rounding."""
-    return math.degrees(angle) if abs(angle) > ROUNDING else 0.0
-
-
 def _near(angle: float, other: float) -> float:
     """Return an angle in degrees, or that and full turns, next to another one."""
     return other + math.remainder(angle - other, 2.0 * HALF_TURN)

@@ -121,7 +121,7 @@ def reach_of(whole: Filter) -> float:
 
 def effect_at(blend: EffectBlend, t: float) -> Effect:
     """Return an effect at time t, without its clips; modes, which have nothing in between, change at half time."""
-    t = own_time(blend, t)
+    t = blend.own_time(t)
     a, b = blend.start, blend.end
     half = a if t < 0.5 else b
     made = None if a.filter is None or b.filter is None else blend_filters(a.filter, b.filter, t)
@@ -142,15 +142,6 @@ def _blend_masks(a: Mask, b: Mask, t: float) -> Mask:
         for p, q in zip(a.layers, b.layers, strict=True)
     )
     return Mask(a.region.interpolate(b.region, t), layers)
-
-
-def own_time(blend: EffectBlend, t: float) -> float:
-    """Return the time within an effect's own span, from 0 to 1."""
-    if blend.pace:
-        times, own = zip(*blend.pace, strict=True)
-        return float(min(max(np.interp(t, times, own), 0.0), 1.0))
-    begin, until = blend.span
-    return min(max((t - begin) / (until - begin), 0.0), 1.0)
 
 
 def keyed_effects(

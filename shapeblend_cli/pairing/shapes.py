@@ -8,7 +8,7 @@ import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
 from shapeblend_cli.anatomy.structure import along
-from shapeblend_cli.anatomy.twins import anatomy_of
+from shapeblend_cli.anatomy.twins import Mirror, anatomy_of
 from shapeblend_cli.geometry.polygons import centroid, orientation, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places, thin
 from shapeblend_cli.model import Box, ContourBlend, Fade, ShapeBlend, Style
@@ -237,17 +237,12 @@ def _mirrored(
     outlines = [k for k, one in enumerate(growing) if one.contour.role != HOLE]
     if len(outlines) < 2 or not all(sides):
         return growing
-    mirrors = [anatomy_of(side)[1] for side in sides]
-    for k, (side, mirror) in enumerate(zip(sides, mirrors, strict=True)):
-        paired = {match.pair[k].number for match in matches}
-        if mirror is None or any(
-            contour.number in paired and twin is None for contour, twin in zip(side, mirror.twin, strict=True)
-        ):
-            return growing
+    mirrors = [
+        _mirror_of_paired(side, {match.pair[k].number for match in matches}) for k, side in enumerate(sides)
+    ]
     own, other = mirrors[here], mirrors[1 - here]
-    assert own is not None
-    assert other is not None
-    if abs(own.x - other.x) > SAME_AXIS * Box.union([contour.box for contour in sides[here]]).diagonal:
+    reach = SAME_AXIS * Box.union([contour.box for contour in sides[here]]).diagonal
+    if own is None or other is None or abs(own.x - other.x) > reach:
         return growing
     at = {growing[k].contour.number: k for k in outlines}
     for twins in own.twins(sides[here]):
@@ -257,6 +252,16 @@ def _mirrored(
             growing[i] = growing[i]._replace(point=left)
             growing[j] = growing[j]._replace(point=2.0 * other.x - left.conjugate())
     return growing
+
+
+def _mirror_of_paired(side: Sequence[PlacedContour], paired: set[int]) -> Mirror | None:
+    """Return the axis of a drawing if all paired contours, by their numbers, have a mirror image; else None."""
+    mirror = anatomy_of(side)[1]
+    if mirror is None or any(
+        contour.number in paired and twin is None for contour, twin in zip(side, mirror.twin, strict=True)
+    ):
+        return None
+    return mirror
 
 
 def _growth_points(
