@@ -9,7 +9,7 @@ from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.pairing.assignment import Pairing
 from shapeblend_cli.pairing.opening import open_rings
-from shapeblend_cli.pairing.split import split_exteriors
+from shapeblend_cli.pairing.split import pairs_by_rows, split_exteriors
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -49,11 +49,16 @@ def pair_contours(
     fixed = _required_partners(a, b, required)
     if len(a) == len(b) == 1 and frames is None:
         return [(a[0], b[0])]
-    pairing = Pairing(a, b, fixed, frames)
-    pairing.from_outermost_in()
-    pairs = [(a[i], b[j]) for i, j in pairing.partner.items()]
-    if settings.unmatched != "point":
-        pairs = _with_pieces(a, b, pairs, fixed, settings)
+    is_free = settings.unmatched == "auto" and not fixed and frames is None
+    pairs = pairs_by_rows(a, b, settings.vertices) if is_free else []
+    if pairs:
+        pairs = _with_holes(a, b, pairs, fixed)
+    else:
+        pairing = Pairing(a, b, fixed, frames)
+        pairing.from_outermost_in()
+        pairs = [(a[i], b[j]) for i, j in pairing.partner.items()]
+        if settings.unmatched != "point":
+            pairs = _with_pieces(a, b, pairs, fixed, settings)
     return sorted(pairs, key=lambda pair: pair[0].number)
 
 
@@ -114,6 +119,17 @@ def _with_pieces(
         for pair in pairs
         if pair[0].role == HOLE and pair[0].exterior not in numbers[0] and pair[1].exterior not in numbers[1]
     ]
+    return kept + _with_holes(a, b, cut, fixed)
+
+
+def _with_holes(
+    a: Sequence[PlacedContour],
+    b: Sequence[PlacedContour],
+    cut: Sequence[ContourPair],
+    fixed: dict[int, int],
+) -> list[ContourPair]:
+    """Return pairs of pieces, and the pairs of the holes in them."""
+    found = []
     for p, q in cut:
         inner_a, inner_b = (
             [c, *(hole for hole in side if c.contains_hole(hole))] for side, c in ((a, p), (b, q))
@@ -124,8 +140,8 @@ def _with_pieces(
             inner_a, inner_b, {p.number: q.number} | {i: j for i, j in wanted.items() if j in there}
         )
         inner.from_outermost_in()
-        kept += [(inner_a[i], inner_b[j]) for i, j in inner.partner.items()]
-    return kept
+        found += [(inner_a[i], inner_b[j]) for i, j in inner.partner.items()]
+    return found
 
 
 def _required_partners(

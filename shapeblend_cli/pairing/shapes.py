@@ -22,6 +22,7 @@ from shapeblend_cli.pairing.growth import (
 )
 from shapeblend_cli.pairing.paint_order import paint_places
 from shapeblend_cli.pairing.riders import Ride, ride
+from shapeblend_cli.pairing.split import AT_EDGE, hole_in_piece
 from shapeblend_cli.wires.contour_blends import grow_from_point
 
 if TYPE_CHECKING:
@@ -38,6 +39,9 @@ TOUCHING = 0.02
 GAP = 0.06
 """Maximum gap between contours of one paint that belong together, as a share of the drawing's diagonal."""
 
+EQUALLY_NEAR = 0.1
+"""Maximum difference of gaps that are equal, in distances of contours that touch."""
+
 CONTACTS = 48
 """Number of points of a contour that may touch another one."""
 
@@ -46,6 +50,9 @@ LEAST_HOST = 0.5
 
 SAME_AXIS = 0.02
 """Maximum distance of the axes of two drawings that are one, as a share of a drawing's diagonal."""
+
+LEAST_PART_OF_HOLE = 1e-3
+"""Minimum area of a part of a hole that is cut, as a share of the hole's area."""
 
 NEARLY_ALL = 0.9
 """Minimum share of points inside of a contour that lies in another."""
@@ -216,12 +223,56 @@ def _unmatched(contours: Sequence[PlacedContour], matches: Sequence[Match], here
         if contour.exterior in growing:
             holes.append(growing[contour.exterior]._replace(contour=contour))
             continue
+        parts = _parts_of_hole(contour, contours, outer, here)
+        if len(parts) > 1:
+            holes += parts
+            continue
         around = (match for match in outer if match.pair[here].contains_hole(contour))
         match = next(around, paired[contour.exterior])
         siblings = [other.points(here) for other in matches if other.pair[here].exterior == contour.exterior]
         point = growth_point_inside(contour.polygon.vertices, match.points(here), siblings)
         holes.append(_Unmatched(contour, match.group, point))
     return [*growing.values(), *holes]
+
+
+def _parts_of_hole(
+    hole: PlacedContour, contours: Sequence[PlacedContour], matches: Sequence[Match], here: int
+) -> list[_Unmatched]:
+    """Return the parts of a hole in the pieces that were cut from its exterior; they stay at the cuts."""
+    pieces = [
+        match for match in matches if match.pair[here].is_piece and match.pair[here].number == hole.exterior
+    ]
+    if len(pieces) < 2:
+        return []
+    owner = next(contour for contour in contours if contour.number == hole.exterior)
+    found = []
+    for match in pieces:
+        part = hole_in_piece(hole, match.pair[here], owner)
+        if part is not None and part.area > LEAST_PART_OF_HOLE * hole.area:
+            points = match.points(here)
+            point = _place_on_edge(part, hole.centre, np.append(points.here, points.here[0]))
+            there = np.append(points.there, points.there[0])
+            at = complex(np.interp(point, np.arange(len(there)), there))
+            found.append(_Unmatched(part, match.group, at))
+    return found
+
+
+def _place_on_edge(part: PlacedContour, middle: complex, line: ComplexArray) -> float:
+    """Return the place on an outline, edge number plus share, where a part of a hole stays: on its longest cut edge.
+
+    It is the one nearest to the middle of the hole that is not near an end of the edge, where corners are round. Of two
+    edges that are about equally long it is where they meet.
+    """
+    edges = part.contour.segments[part.contour.straight][:, [0, 3]]
+    edges = edges[nearest_places(edges.mean(axis=1), line)[0] < AT_EDGE * part.size]
+    if not len(edges):
+        return float(nearest_places(np.array([middle]), line)[1][0])
+    lengths = np.abs(edges[:, 1] - edges[:, 0])
+    start, end = edges[lengths.argmax()]
+    from_end = 0.0 if len(edges) > 1 and np.sort(lengths)[-2] > 0.5 * lengths.max() else 0.25
+    share = ((middle - start) / (end - start)).real
+    point = start + min(max(share, from_end), 1.0 - from_end) * (end - start)
+    return float(nearest_places(np.array([point]), line)[1][0])
 
 
 def _mirrored(
@@ -232,10 +283,11 @@ def _mirrored(
 ) -> list[_Unmatched]:
     """Let outlines of A, 0, or B, 1, that mirror each other grow from points that do so; the drawings share an axis.
 
-    These are the means of the two points and each other's mirror images. Points of holes stay: they lie in outlines.
+    These are the means of the two points and each other's mirror images. An outline that is its own mirror image grows
+    from the axis. Points of holes stay: they lie in outlines.
     """
     outlines = [k for k, one in enumerate(growing) if one.contour.role != HOLE]
-    if len(outlines) < 2 or not all(sides):
+    if not outlines or not all(sides):
         return growing
     mirrors = [
         _mirror_of_paired(side, {match.pair[k].number for match in matches}) for k, side in enumerate(sides)
@@ -245,6 +297,10 @@ def _mirrored(
     if own is None or other is None or abs(own.x - other.x) > reach:
         return growing
     at = {growing[k].contour.number: k for k in outlines}
+    for k, contour in enumerate(sides[here]):
+        if own.twin[k] == k and contour.number in at:
+            one = growing[at[contour.number]]
+            growing[at[contour.number]] = one._replace(point=complex(other.x, one.point.imag))
     for twins in own.twins(sides[here]):
         i, j = (at.get(sides[here][k].number) for k in twins)
         if i is not None and j is not None:
@@ -351,14 +407,20 @@ def _points_of_contact(
 def _place_across(
     points: ComplexArray, hosts: Sequence[MatchedPoints], gap: float, touching: float
 ) -> complex | None:
-    """Return the place of the nearest host that faces points across a gap, carried along; None if all are far."""
-    place = None
-    for host in hosts:
-        apart = np.abs(host.here[:, None] - points).min(axis=1)
-        if apart.min() < gap:
-            gap = float(apart.min())
-            place = complex(host.there[apart <= gap + touching].mean())
-    return place
+    """Return the place of the nearest host that faces points across a gap, carried along; None if all are far.
+
+    Of hosts that are equally near it is the mean.
+    """
+    apart = [np.abs(host.here[:, None] - points).min(axis=1) for host in hosts]
+    nearest = min((float(each.min()) for each in apart), default=gap)
+    if nearest >= gap:
+        return None
+    places = [
+        host.there[each <= nearest + touching].mean()
+        for host, each in zip(hosts, apart, strict=True)
+        if each.min() <= nearest + EQUALLY_NEAR * touching
+    ]
+    return complex(np.mean(places))
 
 
 def _near(some: Sequence[PlacedContour], others: Sequence[PlacedContour], distance: float) -> list[list[int]]:

@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-from itertools import combinations
+from itertools import chain, combinations
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.anatomy.decompose import EXTERIOR, PlacedContour
+from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE, PlacedContour
+from shapeblend_cli.anatomy.rows import rows_of
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.cutting import left_of, run_of_segments, with_vertices
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
-from shapeblend_cli.geometry.polyline import may_be_near, thin
+from shapeblend_cli.geometry.polyline import may_be_near, nearest_places, thin
 from shapeblend_cli.model import Box, Contour, Polygon
+from shapeblend_cli.pairing.costs import assign
 from shapeblend_cli.pairing.growth import WATCHED
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from shapeblend_cli.anatomy.decompose import ContourPair
-    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
     from shapeblend_cli.options.settings import Settings
 
 
@@ -41,8 +44,26 @@ FILLED = 0.55
 MOST_SHARED = 0.15
 """Maximum area common to boxes of parts, as a share of the box around all."""
 
+MOST_IN_ROWS = 24
+"""Maximum number of exteriors of a drawing of rows."""
+
+UPRIGHT = 0.2
+"""Maximum slope of a cut that is made upright or level, as the sine of an angle."""
+
+NEAR_CUT = 0.08
+"""Maximum move of an end of such a cut, as a share of the number of vertices."""
+
+AT_EDGE = 1e-3
+"""Maximum distance of an edge of a piece from the outline of the whole to be part of it, as a share of the size."""
+
 LEAST_PART = 0.12
 """Minimum area of a part's box, as a share of the box around all parts."""
+
+LEAST_BOX = 0.04
+"""The same where all parts fill their boxes, as in grids."""
+
+BOX = 0.75
+"""Minimum area of a part that fills its box, as a share of the box."""
 
 MOST_PART = 0.57
 """Maximum area of a part's box, as a share of the box around all parts."""
@@ -52,6 +73,15 @@ MOST_LIKE = 0.6
 
 MOST_OF_ALL = 0.8
 """Minimum area of such a part, as a share of the area of all parts."""
+
+LEAST_OF_MOVED = 0.4
+"""Minimum area of a part that is the whole, moved, as a share of the whole's area."""
+
+MOVED_OUTLINE = 0.04
+"""Maximum distance of its outline from the whole's, laid over it, as a share of the size."""
+
+MOST_NEAR = 0.9
+"""Minimum share of its outline that is no further away."""
 
 SAME_OUTLINE = 0.015
 """Maximum distance of outlines that are the same, as a share of the size."""
@@ -112,22 +142,95 @@ def split_exteriors(
                     continue
             if len(partners) < 2:
                 continue
-            holes = [contour.polygon for contour in (a, b)[owner_side] if contour.exterior == owner.number]
-            outline = _Outline(owner.contour, owner.polygon, holes)
-            pieces = _pieces(outline, partners, vertices)
-            if pieces is None:
-                continue
-            split.remove(pair)
-            for section, partner in pieces:
-                piece = owner._replace(contour=section, polygon=flatten(section, vertices), is_piece=True)
-                split.append((partner, piece) if owner_side else (piece, partner))
+            sides = (b, a) if owner_side else (a, b)
+            pieces = _cut(owner, partners, sides, vertices)
+            if pieces:
+                split.remove(pair)
+                split += [(partner, piece) if owner_side else (piece, partner) for piece, partner in pieces]
     return split
+
+
+def pairs_by_rows(a: Sequence[PlacedContour], b: Sequence[PlacedContour], vertices: int) -> list[ContourPair]:
+    """Cut bars above or beside each other into the outlines of rows that are as wide. Return all pairs of exteriors.
+
+    That keeps lists and grids as symmetric as they are. The first and the last bar are taken for the first and the last
+    row, and others for the nearest ones; if there are more bars, the rest has no partner. There is nothing to return if
+    the drawings have anything else, or one row only.
+    """
+    outer = [[contour for contour in side if contour.role != HOLE] for side in (a, b)]
+    paints = {(contour.style.fill, contour.style.stroke) for side in outer for contour in side}
+    if len(paints) > 1 or min(map(len, outer)) < 2 or max(map(len, outer)) > MOST_IN_ROWS:
+        return []
+    fill, stroke = paints.pop()
+    if fill is None or stroke is not None:
+        return []
+    for owner_side in (0, 1):
+        sides = (b, a) if owner_side else (a, b)
+        for is_turned in (False, True):
+            bars, rows = (rows_of(outer[k], is_turned=is_turned) for k in (owner_side, 1 - owner_side))
+            if (
+                2 <= len(rows) <= len(bars)
+                and all(len(bar.contours) == 1 for bar in bars)
+                and all(len(row.contours) > 1 for row in rows)
+                and all(bar.is_as_wide_as(row) for bar in bars for row in rows)
+            ):
+                middles = (_from_first_to_last([row.middle for row in each]) for each in (bars, rows))
+                away = np.abs(np.subtract.outer(*middles))
+                taken = [(bars[i].contours[0], rows[j].contours) for i, j in assign(away)]
+                found = [_cut(bar, row, sides, vertices) for bar, row in taken]
+                if all(found):
+                    pairs = [pair for pieces in found for pair in pieces]
+                    return [pair[::-1] for pair in pairs] if owner_side else pairs
+    return []
+
+
+def _from_first_to_last(middles: Sequence[float]) -> FloatArray:
+    """Return where middles lie, as shares of the way from the first to the last."""
+    return (np.array(middles) - middles[0]) / (middles[-1] - middles[0])
+
+
+def _cut(
+    owner: PlacedContour,
+    partners: Sequence[PlacedContour],
+    sides: tuple[Sequence[PlacedContour], Sequence[PlacedContour]],
+    vertices: int,
+) -> list[ContourPair]:
+    """Cut an exterior of the first side into a piece for each partner, of the other; nothing if no cut lies inside.
+
+    Cuts go around holes, unless the partners have none: then they go through, see `hole_in_piece`.
+    """
+    numbers = {partner.number for partner in partners}
+    goes_around = any(contour.exterior in numbers for contour in sides[1])
+    holes = [c.polygon for c in sides[0] if goes_around and c.exterior == owner.number]
+    pieces = _pieces(_Outline(owner.contour, owner.polygon, holes), partners, vertices) or []
+    return [
+        (owner._replace(contour=section, polygon=flatten(section, vertices), is_piece=True), partner)
+        for section, partner in pieces
+    ]
+
+
+def hole_in_piece(hole: PlacedContour, piece: PlacedContour, owner: PlacedContour) -> PlacedContour | None:
+    """Return the part of a hole that lies in a piece cut from its exterior, the owner; None if there is none."""
+    line, size = owner.polygon.line, owner.size
+    corners = piece.contour.segments[piece.contour.straight][:, [0, 3]]
+    middles = corners.mean(axis=1)
+    is_cut = nearest_places(middles, line)[0] > AT_EDGE * size
+    part: Contour | None = hole.contour
+    turn = 1 if signed_area(piece.polygon.vertices) > 0.0 else -1
+    for cut in corners[is_cut & (winding_numbers(middles, owner.polygon.vertices) != 0)]:
+        if part is not None:
+            part = left_of(part, *cut[::turn])
+    if part is None:
+        return None
+    return hole._replace(contour=part, polygon=flatten(part, len(hole.polygon.vertices)), is_piece=True)
 
 
 def _tiles(parts: Sequence[PlacedContour], whole: PlacedContour) -> list[PlacedContour]:
     """Return the parts, without small ones, if they lie side by side and fill about the box of the whole."""
     union = Box.union([part.box for part in parts])
-    tiles = [part for part in parts if part.box.area > LEAST_PART * union.area]
+    are_boxes = all(part.area > BOX * part.box.area for part in parts)
+    least = LEAST_BOX if are_boxes else LEAST_PART
+    tiles = [part for part in parts if part.box.area > least * union.area]
     if len(tiles) < 2:
         return []
     boxes = [part.box for part in tiles]
@@ -141,6 +244,7 @@ def _tiles(parts: Sequence[PlacedContour], whole: PlacedContour) -> list[PlacedC
         and sum(box.area for box in boxes) > FILLED * union.area
         and max(box.area for box in boxes) < MOST_PART * union.area
         and not any(tile.area > most and _is_like(tile.box, whole.box) for tile in tiles)
+        and not any(_has_moved(tile, whole) for tile in tiles)
         and sum(p.intersection(q) for p, q in combinations(boxes, 2)) < MOST_SHARED * union.area
     )
     return tiles if fit else []
@@ -162,6 +266,15 @@ def _bitten(parts: Sequence[PlacedContour], whole: PlacedContour) -> PlacedConto
 def _is_like(part: Box, whole: Box) -> bool:
     common = part.intersection(whole)
     return common > MOST_LIKE * (part.area + whole.area - common)
+
+
+def _has_moved(part: PlacedContour, whole: PlacedContour) -> bool:
+    """Return whether a part is the whole, moved and perhaps smaller: a head beside which another one comes."""
+    if part.area < LEAST_OF_MOVED * whole.area:
+        return False
+    there = whole.centre + (part.polygon.vertices - part.centre) * (whole.size / part.size)
+    near = may_be_near(there, whole.polygon.line, MOVED_OUTLINE * whole.box.larger_side)
+    return bool(near.mean() > MOST_NEAR)
 
 
 def _nearest(contour: PlacedContour, owners: Sequence[PlacedContour], bounds: FloatArray) -> int:
@@ -200,9 +313,7 @@ def _pieces(
     """Cut a contour into a piece for each partner, by halves; None if no cut lies inside."""
     if len(partners) == 1:
         return [(outline.contour, partners[0])]
-    half = len(partners) // 2
-    ranked = [sorted(partners, key=lambda p: ((p.centre * axis.conjugate()).real, p.number)) for axis in AXES]
-    halved = [(contours[:half], contours[half:]) for contours in ranked]
+    halved = _halved(partners)
     cuts = [
         _best_cut(outline, _area(first) / _area([*first, *second]), _centre(second) - _centre(first))
         for first, second in halved
@@ -212,15 +323,30 @@ def _pieces(
     if not np.isfinite(cost):
         return None
     pieces: list[tuple[Contour, PlacedContour]] = []
-    for some, (start, end) in zip(halved[best], ((i, j), (j, i)), strict=True):
-        contour = _section(outline.contour, outline.polygon, start, end)
-        polygon = flatten(contour, vertices)
-        inside = [hole for hole in outline.holes if winding_numbers(hole.vertices[:1], polygon.vertices)[0]]
-        smaller = _pieces(_Outline(contour, polygon, inside), some, vertices)
+    first, second = halved[best]
+    polygon, i, j = _straightened(outline, i, j, _area(first) / _area([*first, *second]))
+    for some, (start, end) in zip((first, second), ((i, j), (j, i)), strict=True):
+        contour = _section(outline.contour, polygon, start, end)
+        piece = flatten(contour, vertices)
+        inside = [hole for hole in outline.holes if winding_numbers(hole.vertices[:1], piece.vertices)[0]]
+        smaller = _pieces(_Outline(contour, piece, inside), some, vertices)
         if smaller is None:
             return None
         pieces += smaller
     return pieces
+
+
+def _halved(partners: Sequence[PlacedContour]) -> list[tuple[list[PlacedContour], list[PlacedContour]]]:
+    """Return the ways to divide partners into two halves: by whole rows or columns of a grid, else by place."""
+    grids = [rows_of(partners, is_turned=is_turned) for is_turned in (False, True)]
+    if all(len({len(row.contours) for row in rows}) == 1 and len(rows) > 1 for rows in grids):
+        lines = [[row.contours for row in rows] for rows in grids]
+    else:
+        ranked = (
+            sorted(partners, key=lambda p: ((p.centre * axis.conjugate()).real, p.number)) for axis in AXES
+        )
+        lines = [[[contour] for contour in contours] for contours in ranked]
+    return [(list(chain(*line[: len(line) // 2])), list(chain(*line[len(line) // 2 :]))) for line in lines]
 
 
 def _centre(contours: Sequence[PlacedContour]) -> complex:
@@ -255,6 +381,37 @@ def _best_cut(outline: _Outline, share: float, offset: complex) -> tuple[float, 
         if np.isfinite(cost[p, q]) and _lies_inside(complex(z[ends[p]]), complex(z[ends[q]]), boundaries):
             return float(cost[p, q]), int(ends[p]), int(ends[q])
     return np.inf, 0, 0
+
+
+def _straightened(outline: _Outline, i: int, j: int, share: float) -> tuple[Polygon, int, int]:
+    """Return a polygon in which a cut that is about upright or level is so, and gives the first piece its share.
+
+    The polygon has two more vertices then, the ends of the cut, whose numbers are returned with it.
+    """
+    polygon = outline.polygon
+    z, chord = polygon.vertices, complex(polygon.vertices[j] - polygon.vertices[i])
+    turn = 1.0 if abs(chord.real) < abs(chord.imag) else -1j  # what is level becomes upright
+    upright = z * turn
+    if abs((chord * turn).real) > UPRIGHT * abs(chord):
+        return polygon, i, j
+    piece = signed_area(upright[np.arange(i, j + 1 if j > i else j + 1 + len(z)) % len(z)])
+    missing = share * signed_area(upright) - piece
+    x = float((upright[i] + upright[j]).real / 2.0 + missing / -(chord * turn).imag)
+    edges = upright.real - x, np.roll(upright.real, -1) - x
+    crossing = np.flatnonzero((edges[0] < 0.0) != (edges[1] < 0.0))
+    places = []
+    for k in (i, j):
+        apart = np.abs(crossing - k)
+        near = crossing[np.minimum(apart, len(z) - apart) <= NEAR_CUT * len(z)]
+        if not len(near):
+            return polygon, i, j
+        edge = near[np.abs(z[near] - z[k]).argmin()]
+        places.append(float(edge + edges[0][edge] / (edges[0][edge] - edges[1][edge])))
+    finer = with_vertices(polygon, np.array(places))
+    i, j = (int(np.floor(place)) + 1 + (place > min(places)) for place in places)
+    boundaries = [finer.vertices, *(hole.vertices for hole in outline.holes)]
+    inside = _lies_inside(complex(finer.vertices[i]), complex(finer.vertices[j]), boundaries)
+    return (finer, i, j) if inside else (polygon, i, j)
 
 
 def _halves(z: ComplexArray, ends: IntArray) -> tuple[FloatArray, ComplexArray]:
@@ -299,19 +456,3 @@ def _section(contour: Contour, polygon: Polygon, i: int, j: int) -> Contour:
     segments, straight = run_of_segments(contour, polygon, i, j)
     closing = cubics.line(segments[-1, 3], segments[0, 0])
     return Contour(np.vstack([segments, closing]), np.append(straight, True), closed=True)
-
-
-def run_of_segments(contour: Contour, polygon: Polygon, i: int, j: int) -> tuple[ComplexArray, BoolArray]:
-    """Return the segments of a closed contour from vertex i to j, once round if i is j, and which of them are lines."""
-    count = len(contour.segments)
-    first, start = int(polygon.segment[i]), float(polygon.parameter[i])
-    last, end = int(polygon.segment[j]), float(polygon.parameter[j])
-    if end == 0.0:  # a node: the end of the segment before
-        last, end = (last - 1) % count, 1.0
-    steps = (last - first) % count
-    if steps == 0 and end <= start:
-        steps = count
-    numbers = (first + np.arange(steps + 1)) % count
-    starts, ends = np.zeros(steps + 1), np.ones(steps + 1)
-    starts[0], ends[-1] = start, end
-    return cubics.pieces(contour.segments[numbers], starts, ends), contour.straight[numbers]

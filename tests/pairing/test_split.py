@@ -2,11 +2,14 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
-from shapeblend_cli.geometry.cubics import signed_area
+from shapeblend_cli.frames.frames import shapes_at
+from shapeblend_cli.geometry.cubics import polyline, signed_area
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pairing.pair import pair_contours
-from tests.support.drawings import BAR, EVENODD, EYED, LEAF, RING, SQUARES, contours_of
+from shapeblend_cli.pairing.split import hole_in_piece
+from tests.support.drawings import BAR, EVENODD, EYED, LEAF, RING, SQUARES, contours_of, drawing
+from tests.support.motions import pair_of
 
 DISCS = "".join(f"M{x} 9A3 3 0 1 0 {x} 15A3 3 0 1 0 {x} 9Z" for x in (4, 12, 20))
 CIRCLE = "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2Z"
@@ -41,8 +44,12 @@ def test_the_other_way_round_it_is_the_same():
     assert max(abs(q.centre - p.centre) for p, q in found) < 4  # each goes to its own quarter
 
 
-def test_a_ring_cannot_be_cut_by_a_line_and_stays_whole():
-    assert [(p.number, p.is_piece) for p, _ in pairs(RING, DISCS) if p.role == EXTERIOR] == [(0, False)]
+def test_a_ring_cannot_be_cut_by_a_line_for_rings_and_stays_whole():
+    rings = "".join(
+        f"M{x} 9A3 3 0 1 0 {x} 15A3 3 0 1 0 {x} 9Z M{x} 11A1 1 0 1 1 {x} 13A1 1 0 1 1 {x} 11Z"
+        for x in (4, 12, 20)
+    )
+    assert [(p.number, p.is_piece) for p, _ in pairs(RING, rings) if p.role == EXTERIOR] == [(0, False)]
 
 
 def test_holes_go_with_the_piece_they_are_in():
@@ -121,3 +128,75 @@ def test_a_shape_with_a_sign_in_a_bite_is_what_is_left_of_it_and_not_cut():
         ((p, q),) = pairs(one, other, "auto")
         assert (p.is_piece, q.is_piece) == (False, False)
         assert {len(p.contour.segments), len(q.contour.segments)} == {4, 6}
+
+
+BARS = "M2 3H22V6H2Z M2 11H22V13H2Z M2 18H22V21H2Z"
+COLUMNS = "M3 2V22H6V2Z M11 2V22H13V2Z M18 2V22H21V2Z"
+
+
+@pytest.mark.parametrize(("bars", "left"), [(BARS, 1), (COLUMNS, 1), ("M2 4H22V9H2Z M2 15H22V20H2Z", None)])
+def test_bars_are_cut_for_rows_and_stay_symmetric(bars, left):
+    for a, b, side in ((bars, SQUARES, 0), (SQUARES, bars, 1)):
+        found = pairs(a, b, "auto")
+        assert len(found) == 4
+        assert left not in {pair[side].number for pair in found}
+        middles = np.array([pair[side].centre for pair in found])
+        for mirrored in (24 - middles.conj(), 24j + middles.conj()):
+            assert np.abs(middles[:, None] - mirrored).min(axis=1).max() < 1e-6
+
+
+@pytest.mark.parametrize(
+    "bars",
+    [
+        "M2 3H12V6H2Z M2 11H12V13H2Z M2 18H12V21H2Z",  # not as wide
+        "M2 3H22V6H2Z M2 11H10V13H2Z M12 11H22V13H12Z",  # a row and a bar
+    ],
+)
+def test_other_bars_are_paired_as_usual(bars):
+    found = pairs(bars, "M2 1H6V3H2Z M18 1H22V3H18Z M2 21H6V23H2Z M18 21H22V23H18Z", "auto")
+    assert not any(p.is_piece for p, _ in found)
+
+
+@pytest.mark.parametrize("count", [2, 3, 4])
+def test_a_grid_is_cut_by_whole_rows(count):
+    step = 20 / count
+    cells = "".join(
+        f"M{2.5 + x * step} {2.5 + y * step}h{step - 1}v{step - 1}h{1 - step}Z"
+        for x in range(count)
+        for y in range(count)
+    )
+    found = pairs("M2 2H22V22H2Z", cells, "auto")
+    assert len(found) == count * count
+    for p, q in found:
+        assert p.centre == pytest.approx(q.centre)
+        assert (p.box.width, p.box.height) == pytest.approx((step, step))
+
+
+def test_holes_are_cut_where_the_parts_have_none():
+    box, bar = "M2 2H22V22H2Z ", "M5 9V11H19V9Z"
+    found = pairs(f"{box}{bar}", SQUARES, "auto")
+    assert [p.is_piece for p, _ in found] == [True] * 4
+    whole, hole = contours_of(f"{box}{bar}", attributes=EVENODD)
+    parts = [hole_in_piece(hole, p, whole) for p, _ in found]
+    assert [part.area for part in parts if part is not None] == pytest.approx([14, 14])
+
+
+@pytest.mark.parametrize(
+    "d", ["M5 9V11H19V9Z", "M5 11V13H19V11Z", "M5 6V8H7V6Z M4 10V14H9V10Z M14 3V12H16V3Z"]
+)
+def test_nothing_is_painted_in_the_gap_between_pieces_of_a_shape_with_holes(d):
+    a, b = (drawing(each, attributes=EVENODD) for each in ("M2 2H22V22H2Z " + d, SQUARES))
+    for one, other in ((a, b), (b, a)):
+        pair = pair_of(one, other, motion="linear")
+        grid = np.add.outer(1j * np.arange(1.03, 23, 0.4), np.arange(1.07, 23, 0.4)).ravel()
+        for t in np.linspace(0.05, 0.95, 7):
+            (painted,) = shapes_at(pair, t)
+            polygons = [polyline(contour.segments, 16) for contour in painted.paths]
+            winding = sum(winding_numbers(grid, polygon) for polygon in polygons)
+            assert set(np.unique(winding * np.sign(winding.sum()))) <= {0, 1}
+
+
+def test_a_head_that_moves_is_not_cut_for_the_head_that_comes_beside_it():
+    head = "M12 3A5 5 0 1 0 12 13A5 5 0 1 0 12 3Z"
+    heads = "M10 3A4.5 4.5 0 1 0 10 12A4.5 4.5 0 1 0 10 3Z M16 3.5A4.5 4.5 0 0 1 16 12C18 9 18 6 16 3.5Z"
+    assert not any(p.is_piece or q.is_piece for p, q in pairs(head, heads, "auto"))
