@@ -197,12 +197,13 @@ def _cut(
 ) -> list[ContourPair]:
     """Cut an exterior of the first side into a piece for each partner, of the other; nothing if no cut lies inside.
 
-    Cuts go around holes, unless the partners have none: then they go through, see `hole_in_piece`.
+    Cuts go around holes. Upright and level ones go through, if the partners have no holes: see `hole_in_piece`.
     """
     numbers = {partner.number for partner in partners}
     goes_around = any(contour.exterior in numbers for contour in sides[1])
-    holes = [c.polygon for c in sides[0] if goes_around and c.exterior == owner.number]
-    pieces = _pieces(_Outline(owner.contour, owner.polygon, holes), partners, vertices) or []
+    holes = [contour.polygon for contour in sides[0] if contour.exterior == owner.number]
+    outline = _Outline(owner.contour, owner.polygon, holes, goes_around)
+    pieces = _pieces(outline, partners, vertices) or []
     return [
         (owner._replace(contour=section, polygon=flatten(section, vertices), is_piece=True), partner)
         for section, partner in pieces
@@ -305,6 +306,14 @@ class _Outline(NamedTuple):
     contour: Contour
     polygon: Polygon
     holes: Sequence[Polygon]
+    goes_around: bool  # whether cuts that are upright or level go around holes, as all others do
+
+    def may_be_cut(self, start: complex, end: complex) -> bool:
+        """Return whether the line between two points of the contour lies inside, and meets no hole that it must not."""
+        boundaries = [self.polygon.vertices]
+        if self.goes_around or not _is_straight(end - start):
+            boundaries += [hole.vertices for hole in self.holes]
+        return _lies_inside(start, end, boundaries)
 
 
 def _pieces(
@@ -329,7 +338,7 @@ def _pieces(
         contour = _section(outline.contour, polygon, start, end)
         piece = flatten(contour, vertices)
         inside = [hole for hole in outline.holes if winding_numbers(hole.vertices[:1], piece.vertices)[0]]
-        smaller = _pieces(_Outline(contour, piece, inside), some, vertices)
+        smaller = _pieces(outline._replace(contour=contour, polygon=piece, holes=inside), some, vertices)
         if smaller is None:
             return None
         pieces += smaller
@@ -375,10 +384,9 @@ def _best_cut(outline: _Outline, share: float, offset: complex) -> tuple[float, 
         + DIRECTION_WEIGHT * 0.5 * (1.0 - cosine)
     )
     cost[~((shares > LEAST_SHARE) & (shares < 1.0 - LEAST_SHARE) & np.isfinite(cost))] = np.inf
-    boundaries = [z, *(hole.vertices for hole in outline.holes)]
     for flat in np.argsort(cost, axis=None, kind="stable")[:TRIES]:
         p, q = np.unravel_index(flat, cost.shape)
-        if np.isfinite(cost[p, q]) and _lies_inside(complex(z[ends[p]]), complex(z[ends[q]]), boundaries):
+        if np.isfinite(cost[p, q]) and outline.may_be_cut(complex(z[ends[p]]), complex(z[ends[q]])):
             return float(cost[p, q]), int(ends[p]), int(ends[q])
     return np.inf, 0, 0
 
@@ -390,10 +398,10 @@ def _straightened(outline: _Outline, i: int, j: int, share: float) -> tuple[Poly
     """
     polygon = outline.polygon
     z, chord = polygon.vertices, complex(polygon.vertices[j] - polygon.vertices[i])
+    if not _is_straight(chord):
+        return polygon, i, j
     turn = 1.0 if abs(chord.real) < abs(chord.imag) else -1j  # what is level becomes upright
     upright = z * turn
-    if abs((chord * turn).real) > UPRIGHT * abs(chord):
-        return polygon, i, j
     piece = signed_area(upright[np.arange(i, j + 1 if j > i else j + 1 + len(z)) % len(z)])
     missing = share * signed_area(upright) - piece
     x = float((upright[i] + upright[j]).real / 2.0 + missing / -(chord * turn).imag)
@@ -409,9 +417,14 @@ def _straightened(outline: _Outline, i: int, j: int, share: float) -> tuple[Poly
         places.append(float(edge + edges[0][edge] / (edges[0][edge] - edges[1][edge])))
     finer = with_vertices(polygon, np.array(places))
     i, j = (int(np.floor(place)) + 1 + (place > min(places)) for place in places)
-    boundaries = [finer.vertices, *(hole.vertices for hole in outline.holes)]
-    inside = _lies_inside(complex(finer.vertices[i]), complex(finer.vertices[j]), boundaries)
-    return (finer, i, j) if inside else (polygon, i, j)
+    fine = outline._replace(polygon=finer)
+    is_inside = fine.may_be_cut(complex(finer.vertices[i]), complex(finer.vertices[j]))
+    return (finer, i, j) if is_inside else (polygon, i, j)
+
+
+def _is_straight(chord: complex) -> bool:
+    """Return whether a cut is about upright or level."""
+    return min(abs(chord.real), abs(chord.imag)) <= UPRIGHT * abs(chord)
 
 
 def _halves(z: ComplexArray, ends: IntArray) -> tuple[FloatArray, ComplexArray]:
