@@ -37,6 +37,9 @@ LEAST_SHARE = 0.75
 SURE_SHARE = 0.9
 """Minimum share of a stroke that lies on another that covers it."""
 
+AS_WELL = 0.95
+"""Minimum share of a stroke that another one covers to cover it as well as the one that covers most."""
+
 ONE_WAY = 0.9
 """Minimum share of a stroke's length in its main direction along the edge."""
 
@@ -152,7 +155,8 @@ def ride(
     for part in parts if parts and len(parts) == len(found) else [whole]:
         near = _near(part.points, stroke.style.stroke_width, strokes)
         if near.any(axis=0).mean() >= SURE_SHARE:
-            cover = strokes[int(near.sum(axis=1).argmax())]
+            shares = near.mean(axis=1)
+            cover = strokes[int(np.flatnonzero(shares >= AS_WELL * shares.max())[-1])]  # painted last
             style = cover.style._replace(fill=None, fill_gradient=None)
             rides.append(Ride(stroke, part.blend, cover.shape, style))
         else:
