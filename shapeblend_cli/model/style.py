@@ -16,6 +16,7 @@ class Stop(NamedTuple):
     offset: float
     colour: str
     opacity: float = 1.0
+    of_page: bool = False  # whether the file leaves the colour to its page, and it is black until then
 
 
 class LinearGradient(NamedTuple):

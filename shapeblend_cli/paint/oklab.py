@@ -98,6 +98,8 @@ def _mixed(a: tuple[float, ...], b: tuple[float, ...], share: float) -> list[flo
 
 def blend_in_srgb(a: str, b: str, t: float) -> str:
     """Return the colour at time t as SVG interpolates between two stops: each channel by itself."""
+    if a == b:
+        return a
     pairs = zip(bytes.fromhex(_seen(a)[1:]), bytes.fromhex(_seen(b)[1:]), strict=True)
     return "#" + bytes(round((1.0 - t) * p + t * q) for p, q in pairs).hex()
 

@@ -5,19 +5,21 @@ Everything before this, from pairing to the judge, sees the black that it stands
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from shapeblend_cli.model import PAGE_COLOUR
+from shapeblend_cli.model import PAGE_COLOUR, LinearGradient, RadialGradient
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Pair, ShapeBlend, Style
+    from shapeblend_cli.model import PaintedShape, Pair, ShapeBlend, Style
 
 LOST = "currentColor is black wherever only one of the drawings has it"
 """Note on paint that does not stay `currentColor`."""
 
 _PAINTS = ("fill", "stroke")
+
+_MARKED, _OTHER = "#ffffff", "#000000"
 
 
 class _Source(NamedTuple):
@@ -32,26 +34,30 @@ def with_page_colour(pairs: Sequence[Pair], style: str) -> tuple[Sequence[Pair],
     """Return pairs in which paint is `PAGE_COLOUR` where that is what it is in all drawings; and notes.
 
     Paints that become each other have it together or not at all. A shape without a partner has it if every drawing
-    has some. The `style` is that of the settings: under `a` and `b` the paint of one drawing alone counts.
+    has some. Gradients have it in some stops or in all, and become each other where it does not mix with other colours.
+    The `style` is that of the settings: under `a` and `b` the paint of one drawing alone counts.
     """
     drawn = {k: shapes for pair in pairs for k, shapes in zip((pair.a, pair.b), pair.drawn, strict=True)}
     asked = {
         _Source(k, i, paint)
         for k, shapes in drawn.items()
         for i, shape in enumerate(shapes)
-        for paint in shape.page_coloured
+        for paint in _asked(shape)
     }
     if not asked:
         return pairs, []
     is_in_all = {source.drawing for source in asked} == drawn.keys()
     kept = asked if is_in_all or style != "blend" else set()
-    links = {
-        (ends[0], ends[1])
-        for pair in pairs
-        for shape in pair.shapes
-        for paint in _PAINTS
-        if len(ends := _sources(pair, shape, paint, style)) == 2
-    }
+    links = set()
+    for pair in pairs:
+        for shape in pair.shapes:
+            for paint in _PAINTS:
+                ends = _sources(pair, shape, paint, style)
+                if len(ends) < 2:
+                    continue
+                links.add((ends[0], ends[1]))
+                if not _stays_apart(*(_gradient(each, paint) for each in (shape.style_a, shape.style_b))):
+                    kept = kept.difference(ends.values())
     while parted := [link for link in links if (link[0] in kept) != (link[1] in kept)]:
         kept = kept.difference(*parted)
     notes = [LOST] if kept < asked else []
@@ -78,12 +84,56 @@ def _with_kept(pair: Pair, kept: set[_Source], style: str) -> Pair:
     return pair._replace(shapes=tuple(shapes), drawn=(drawn[0], drawn[1]))
 
 
-def _coloured(style: Style, paints: set[str]) -> Style:
-    fill, stroke = (
-        PAGE_COLOUR if name in paints else colour
-        for name, colour in zip(_PAINTS, (style.fill, style.stroke), strict=True)
+def _asked(shape: PaintedShape) -> list[str]:
+    """Return which of fill and stroke a drawing leaves to its page, all of it or some stops."""
+    return [
+        paint
+        for paint in _PAINTS
+        if paint in shape.page_coloured
+        or (
+            (gradient := _gradient(shape.style, paint)) is not None
+            and any(stop.of_page for stop in gradient.stops)
+        )
+    ]
+
+
+def _gradient(style: Style, paint: str) -> LinearGradient | RadialGradient | None:
+    """Return the gradient of a fill or a stroke that has stops."""
+    found = getattr(style, f"{paint}_gradient")
+    return found if isinstance(found, LinearGradient | RadialGradient) else None
+
+
+def _stays_apart(
+    a: LinearGradient | RadialGradient | None, b: LinearGradient | RadialGradient | None
+) -> bool:
+    """Return whether two paints that become each other, plain ones or gradients, do not mix the page's colour."""
+    if a is None or b is None:
+        stops = [stop for each in (a, b) if each is not None for stop in each.stops]
+        return len({stop.of_page for stop in stops}) < 2
+    if type(a) is not type(b):
+        return True  # one dissolves into the other
+
+    from shapeblend_cli.paint.gradients import common_stops  # few drawings have any
+
+    marked = (
+        [stop._replace(colour=_MARKED if stop.of_page else _OTHER, opacity=1.0) for stop in each.stops]
+        for each in (a, b)
     )
-    return style._replace(fill=fill, stroke=stroke)
+    return all(p.colour == q.colour in (_MARKED, _OTHER) for p, q in zip(*common_stops(*marked), strict=True))
+
+
+def _coloured(style: Style, paints: set[str]) -> Style:
+    changed: dict[str, Any] = {}
+    for name in paints:
+        gradient = _gradient(style, name)
+        if gradient is None:
+            changed[name] = PAGE_COLOUR
+            continue
+        stops = [stop._replace(colour=PAGE_COLOUR) if stop.of_page else stop for stop in gradient.stops]
+        changed[f"{name}_gradient"] = gradient._replace(stops=tuple(stops))
+        if stops[0].of_page:  # it stands for the gradient where there are none
+            changed[name] = PAGE_COLOUR
+    return style._replace(**changed)
 
 
 def _sources(pair: Pair, shape: ShapeBlend, paint: str, style: str) -> dict[int, _Source]:

@@ -59,6 +59,60 @@ def test_it_stays_in_all_that_a_page_may_hold(here, options, attributes, markup)
     assert written(*options) == black.replace("#000000", "currentColor") != black
 
 
+def graded(path, stops, kind="linear", colour="currentColor"):
+    """A drawing that is filled with a gradient of such stops: colours, and an opacity."""
+    written = "".join(
+        f'<stop offset="{k / max(len(stops) - 1, 1)}" stop-color="{stop or colour}" stop-opacity="{1 - 0.4 * k}"/>'
+        for k, stop in enumerate(stops)
+    )
+    return svg(f'<{kind}Gradient id="g">{written}</{kind}Gradient><path d="{path}" fill="url(#g)"/>')
+
+
+@pytest.mark.parametrize("options", OUTPUTS.values(), ids=OUTPUTS)
+@pytest.mark.parametrize("stops", [("", ""), ("", "red")], ids=["all stops", "one stop"])
+def test_it_stays_in_gradients(here, capsys, options, stops):
+    both = "M4 4h16v16h-16z", "M12 2 22 12 12 22 2 12z"
+    found = []
+    for colour in ("#000000", "currentColor"):
+        a, b = (graded(path, stops, colour=colour) for path in both)
+        write(a=a, b=b)
+        found.append(written(*options))
+    assert found[1] == found[0].replace("#000000", "currentColor")
+    assert "currentColor" in found[1]
+    assert LOST not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "stays"),
+    [
+        (("", ""), SOLID.replace("/>", ' fill="currentColor"/>'), True),
+        (("", "red"), SOLID.replace("/>", ' fill="currentColor"/>'), False),
+        (("", "red"), ("red", ""), False),
+        (("", "red"), ("", "blue"), True),
+        (("", ""), ("red", "red"), False),
+        (("", ""), ("", "", ""), True),
+        (("", "red"), ("", "red", "red"), False),
+    ],
+)
+def test_in_gradients_it_stays_where_it_does_not_mix(here, capsys, a, b, stays):
+    path = "M4 4h16v16h-16z"
+    a, b = (graded(path, each) if isinstance(each, tuple) else svg(each) for each in (a, b))
+    write(a=a, b=b)
+    text = written("-o", "out", "-n", "1", "--ends")
+    assert ("currentColor" in text) == stays
+    assert capsys.readouterr().err.count(LOST) == (not stays)
+
+
+def test_a_gradient_of_one_colour_is_that_of_the_page(here):
+    write(a=graded("M4 4h16v16h-16z", ("",)), b=svg(RING.replace("/>", ' fill="currentColor"/>')))
+    assert written("-o", "out", "-n", "1", "--ends").count('fill="currentColor"') == 3
+
+
+def test_gradients_of_two_kinds_dissolve_with_it(here):
+    write(a=graded("M4 4h16v16h-16z", ("", "")), b=graded("M4 4h16v16h-16z", ("", ""), kind="radial"))
+    assert written("-o", "out", "-n", "1").count('stop-color="currentColor"') == 4
+
+
 @pytest.mark.parametrize("out", ["states.svg", "states.js"])
 def test_it_stays_in_states(here, out):
     drawings("#000", "#000")

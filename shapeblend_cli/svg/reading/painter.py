@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache, partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,7 +14,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import Box, Contour, Gradient, LinearGradient, Paint, RadialGradient, Stop, Style
 from shapeblend_cli.svg.reading import viewports
 from shapeblend_cli.svg.styles import css_colours as colours
-from shapeblend_cli.svg.styles.cascade import Cascade, Inherited, share
+from shapeblend_cli.svg.styles.cascade import Cascade, Inherited, in_force, share
 from shapeblend_cli.svg.styles.declarations import substitute
 from shapeblend_cli.svg.xml.messages import Notes, check_limit
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, onto
@@ -24,7 +25,7 @@ from shapeblend_cli.svg.xml.xmltree import Node
 if TYPE_CHECKING:
     from shapeblend_cli.svg.effects.tiles import Draw
 
-MAX_STOPS = 200_000  # of all gradients together, counted once for every colour they are used with
+MAX_STOPS = 200_000  # of all gradients together
 _STAND_IN = "a gradient or pattern read as a plain colour"
 _GRADIENTS = frozenset(("linearGradient", "radialGradient"))
 _MAX_LINKS = 8
@@ -36,13 +37,15 @@ _CIRCLE = 1e-9  # radii that differ by no more than this share are equal
 class Painter:
     """Makes a `Style` of the properties in force for an element of a document, whose nodes it knows by their ids."""
 
-    def __init__(self, ids: dict[str, Node], cascade: Cascade, notes: Notes, draw: Draw) -> None:
+    def __init__(self, root: Node, ids: dict[str, Node], cascade: Cascade, notes: Notes, draw: Draw) -> None:
+        self._root = root
         self._ids = ids
         self._draw = draw  # what is in a pattern
         self._cascade = cascade
         self._notes = notes
-        self._stops: dict[tuple[int, colours.Colour, int], tuple[Inherited, tuple[Stop, ...]]] = {}
+        self._stops: dict[int, tuple[Stop, ...]] = {}
         self._stops_read = 0
+        self._parents: dict[int, Node] = {}
 
     def style(self, inherited: Inherited, opacity: float, scale: float, lengths: Lengths) -> Style:
         """Return the style of a shape, with plain colours in place of gradients and patterns.
@@ -71,15 +74,26 @@ class Painter:
         )
 
     def page_coloured(self, style: Style, inherited: Inherited) -> tuple[str, ...]:
-        """Return which of fill and stroke are `currentColor` of the page, as the file sets no colour."""
-        if inherited.has_color:
-            return ()
-        given = {"fill": inherited.fill, "stroke": inherited.stroke}
+        """Return which of fill and stroke are `currentColor` of the page, as the file sets no colour.
+
+        Of gradients the stops know it.
+        """
         return tuple(
             name
-            for name, paint in given.items()
-            if getattr(style, name) is not None and (self._fallback(paint) or paint).kind == "current"
+            for name, paint, gradient in (
+                ("fill", inherited.fill, style.fill_gradient),
+                ("stroke", inherited.stroke, style.stroke_gradient),
+            )
+            if getattr(style, name) is not None and gradient is None and self._is_of_page(paint, inherited)
         )
+
+    def _is_of_page(self, paint: colours.Paint, inherited: Inherited) -> bool:
+        """Return whether the plain colour that stands for a paint is that of the page."""
+        paint = self._fallback(paint) or paint
+        if paint.kind == "server":
+            stops = self._stops_of(_chain(paint.link, self._ids))
+            return bool(stops) and all(stop.of_page for stop in stops)
+        return paint.kind == "current" and not inherited.has_color
 
     def with_gradients(
         self,
@@ -103,7 +117,7 @@ class Painter:
                 style = self._with_pattern(style, name, server, (matrix, box, lengths))
                 continue
             links = _chain(given.link, self._ids)
-            gradient = _resolve(links, self._stops_of(links, inherited), matrix, box, lengths)
+            gradient = _resolve(links, self._stops_of(links), matrix, box, lengths)
             if gradient is None:
                 self._notes.add(_STAND_IN)
             elif isinstance(gradient, Stop):
@@ -157,22 +171,31 @@ class Painter:
         server = self._ids.get(given.link[1:]) if given.link.startswith("#") else None
         if not _paints(server):
             return None, 1.0  # as in browsers
-        stops = self._stops_of(_chain(given.link, self._ids), inherited)
+        stops = self._stops_of(_chain(given.link, self._ids))
         # A gradient's first colour, opaque: a later stop may well be.
         return colours.Colour(stops[0].colour) if stops else colours.BLACK
 
-    def _stops_of(self, links: list[Node], inherited: Inherited) -> tuple[Stop, ...]:
-        if not links:
+    def _stops_of(self, links: list[Node]) -> tuple[Stop, ...]:
+        """Return the stops of the first gradient in a chain that has any."""
+        holders = (node for node in links if any(child.tag == "stop" for child in node.children))
+        holder = next(holders, None)
+        if holder is None:
             return ()
-        # Stops may have the shape's colour, or that of one of its custom properties. What is in force is kept, so that
-        # the number that stands for the custom properties remains theirs.
-        key = id(links[0]), inherited.color, id(inherited.variables)
-        if key not in self._stops:
-            stops = _read_stops(links, self._cascade, inherited)
-            self._stops_read += len(stops)
+        if id(holder) not in self._stops:
+            nodes = [child for child in holder.children if child.tag == "stop"]
+            self._stops_read += len(nodes)
             check_limit(self._stops_read, MAX_STOPS, "stops of gradients")
-            self._stops[key] = inherited, stops
-        return self._stops[key][1]
+            self._stops[id(holder)] = _read_stops(nodes, self._cascade, cache(partial(self._around, holder)))
+        return self._stops[id(holder)]
+
+    def _around(self, node: Node) -> Inherited:
+        """Return what is in force in an element, wherever it is referred to."""
+        if not self._parents:
+            self._parents = {id(child): each for each in self._root.walk() for child in each.children}
+        path = [node]
+        while id(path[-1]) in self._parents:
+            path.append(self._parents[id(path[-1])])
+        return in_force(self._cascade, reversed(path), self._notes.add)
 
 
 def _paints(server: Node | None) -> bool:
@@ -194,31 +217,26 @@ def _chain(link: str, ids: Mapping[str, Node]) -> list[Node]:
     return links
 
 
-def _read_stops(links: list[Node], cascade: Cascade, inherited: Inherited) -> tuple[Stop, ...]:
-    """Return the stops of the first gradient in a chain that has any, their offsets in order.
-
-    The custom properties and the colour in force for the shape are taken for those of the gradient. They agree
-    if they are set on the root.
-    """
-    holders = (node for node in links if any(child.tag == "stop" for child in node.children))
-    holder = next(holders, links[0])
-    around = cascade.declared(holder, keep=True).get("color")
+def _read_stops(nodes: Sequence[Node], cascade: Cascade, around: Callable[[], Inherited]) -> tuple[Stop, ...]:
+    """Return stops, their offsets in order. Few ask for what is in force `around` them."""
     stops: list[Stop] = []
     offset = 0.0
-    for node in (child for child in holder.children if child.tag == "stop"):
-        declared = substitute(cascade.declared(node, keep=True), inherited.variables)
+    for node in nodes:
+        declared = cascade.declared(node, keep=True)
+        if any("var(" in value for value in declared.values()):
+            declared = substitute(declared, around().variables)
         given = colours.parse(declared.get("stop-color", "black"))
-        colour = colours.BLACK
+        colour, of_page = colours.BLACK, False
         if given is not None and given.kind == "current":
-            found = declared.get("color") or around
-            own = None if found is None else colours.parse_colour(found)
-            colour = own or inherited.color
+            own = in_force(cascade, [node], lambda phrase: None, around())
+            colour, of_page = own.color, not own.has_color
         elif given is not None and given.colour is not None:
             colour = given.colour
         opacity = share(declared.get("stop-opacity", "1"))
         # An offset before that of the stop before it counts as that.
         offset = max(offset, share(node.get("offset") or "0") or 0.0)
-        stops.append(Stop(offset, colour.rgb, colour.alpha * (1.0 if opacity is None else opacity)))
+        alpha = colour.alpha * (1.0 if opacity is None else opacity)
+        stops.append(Stop(offset, colour.rgb, alpha, of_page))
     return tuple(stops)
 
 

@@ -22,7 +22,15 @@ from shapeblend_cli.svg.reading.markers import MARKED, marks
 from shapeblend_cli.svg.reading.painter import Painter
 from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
 from shapeblend_cli.svg.reading.titles import clean, group_of, name_of, numbered
-from shapeblend_cli.svg.styles.cascade import INITIAL, Cascade, Inherited, inherit, share
+from shapeblend_cli.svg.styles.cascade import (
+    INITIAL,
+    Cascade,
+    Inherited,
+    in_force,
+    inherit,
+    share,
+    with_variables,
+)
 from shapeblend_cli.svg.styles.declarations import Declarations, substitute
 from shapeblend_cli.svg.styles.selection import ancestors, no_shape, paints_nothing, select, shape_numbers
 from shapeblend_cli.svg.xml.messages import Notes, Problem, check_limit, printable
@@ -42,7 +50,6 @@ MAX_CONTENTS = 1000
 MAX_CONTENT_DEPTH = 4
 MAX_USE_DEPTH = 16
 MAX_USED = 10_000
-MAX_VARIABLES = 1000
 _MAX_NAMES = 3
 
 
@@ -108,7 +115,7 @@ class Walk:
         self._clips = Clips(self._ids, self._cascade, notes, lenient)
         self._stack: list[_Visit] = []
         self._layers = Layers(self._ids, self._cascade, notes, self._content)
-        self._painter = Painter(self._ids, self._cascade, notes, self._content)
+        self._painter = Painter(root, self._ids, self._cascade, notes, self._content)
         self._depth = self._contents = 0  # of patterns and masks: in each other, and all
         self._known_contents: dict[tuple[int, Affine, Lengths, int], Sequence[Shape]] = {}
         self._shapes: list[Drawn] = []
@@ -201,11 +208,7 @@ class Walk:
 
     def _apply(self, declared: Declarations, visit: _Visit) -> tuple[Declarations, _Visit]:
         """Return the declarations with variables substituted, and the visit with the element's style and transform."""
-        inherited = visit.inherited
-        own = {name: value for name, value in declared.items() if name.startswith("--")}
-        if own:
-            inherited = inherited._replace(variables={**inherited.variables, **own})
-            check_limit(len(inherited.variables), MAX_VARIABLES, "custom properties")
+        inherited = with_variables(visit.inherited, declared)
         declared = substitute(declared, inherited.variables)
         inherited = inherit(inherited, declared, self._notes.add)
         lengths = visit.lengths._replace(font_size=inherited.font_size)
@@ -269,13 +272,11 @@ class Walk:
         if self._depth >= MAX_CONTENT_DEPTH:
             self._notes.add(f"patterns and masks in each other deeper than {MAX_CONTENT_DEPTH} left out")
             return []
-        around = INITIAL
-        for outer in ancestors(self._root, node):
-            around = inherit(around, self._cascade.declared(outer, keep=True), self._notes.add)
+        around = in_force(self._cascade, ancestors(self._root, node), self._notes.add)
         inner = copy(self)
         inner._depth, inner._contents, inner._is_to_blend = self._depth + 1, self._contents + 1, False
         inner._layers = Layers(self._ids, self._cascade, self._notes, inner._content)
-        inner._painter = Painter(self._ids, self._cascade, self._notes, inner._content)
+        inner._painter = Painter(self._root, self._ids, self._cascade, self._notes, inner._content)
         inner._shapes, inner._stack = [], [_Visit(node, matrix, around, 1.0, lengths, used=(node,))]
         while inner._stack:
             inner._process(inner._stack.pop())
@@ -322,8 +323,7 @@ class Walk:
             if mark.node in visit.used or len(visit.used) >= MAX_USE_DEPTH:
                 continue
             around = INITIAL._replace(context=(inherited.fill, inherited.stroke))
-            for node in ancestors(self._root, mark.node):
-                around = inherit(around, self._cascade.declared(node, keep=True), self._notes.add)
+            around = in_force(self._cascade, ancestors(self._root, mark.node), self._notes.add, around)
             clips = (*visit.clips, *(Clipped(len(visit.effects), each) for each in mark.clips(visit.matrix)))
             inner = visit.transformed(mark.matrix)._replace(node=mark.node, inherited=around, clips=clips)
             self._stack.append(inner._replace(lengths=mark.lengths, used=(*visit.used, mark.node)))

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from shapeblend_cli.svg.styles import css_colours as colours
-from shapeblend_cli.svg.styles.declarations import KEYWORDS, Declarations, parse_inline, put
+from shapeblend_cli.svg.styles.declarations import KEYWORDS, Declarations, parse_inline, put, substitute
+from shapeblend_cli.svg.xml.messages import check_limit
 from shapeblend_cli.svg.xml.units import Measure, length
 from shapeblend_cli.svg.xml.xmltree import Node
 
@@ -71,6 +72,7 @@ _FIELDS = {
 }
 _MAX_DASHES_TEXT = 10_000
 _MAX_DASHES = 1000
+MAX_VARIABLES = 1000
 
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
 _LAYERS = frozenset(("fill", "stroke", "markers"))
@@ -138,6 +140,27 @@ def _is_css(node: Node) -> bool:
     from shapeblend_cli.svg.styles import stylesheets
 
     return stylesheets.medium(media) in stylesheets.MEDIA
+
+
+def in_force(
+    cascade: Cascade, nodes: Iterable[Node], note: Callable[[str], None], around: Inherited = INITIAL
+) -> Inherited:
+    """Return what the last of some elements has, each of which is in the one before, and hands on."""
+    for node in nodes:
+        declared = cascade.declared(node, keep=True)
+        around = with_variables(around, declared)
+        around = inherit(around, substitute(declared, around.variables), note)
+    return around
+
+
+def with_variables(inherited: Inherited, declared: Declarations) -> Inherited:
+    """Return the properties in force with the custom properties that an element declares."""
+    own = {name: value for name, value in declared.items() if name.startswith("--")}
+    if not own:
+        return inherited
+    variables = {**inherited.variables, **own}
+    check_limit(len(variables), MAX_VARIABLES, "custom properties")
+    return inherited._replace(variables=variables)
 
 
 def inherit(parent: Inherited, declared: Declarations, note: Callable[[str], None]) -> Inherited:

@@ -240,3 +240,8 @@ def test_colours_of_stops_are_those_of_their_gradient():
     stops = '<stop stop-color="currentColor"/><stop offset="1" stop-color="blue"/>'
     markup = f'<linearGradient id="g" color="red">{stops}</linearGradient><rect width="9" height="9" fill="url(#g)"/>'
     assert drawn(markup).shapes[0].style.fill_gradient.stops[0].colour == "#ff0000"
+    bare = markup.replace('color="red"', "", 1)
+    around = f'<g color="lime" style="--c: red">{bare}</g>'
+    assert drawn(around).shapes[0].style.fill_gradient.stops[0].colour == "#00ff00"
+    by_name = around.replace('"currentColor"', '"var(--c)"')
+    assert drawn(by_name).shapes[0].style.fill_gradient.stops[0].colour == "#ff0000"
