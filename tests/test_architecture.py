@@ -48,7 +48,7 @@ ROOMS = {
     "grading": "geometry model",
     "options": "svg.styles errors",
     "svg.reading": "svg.effects svg.styles geometry images svg.xml errors model svg.libraries",
-    "svg.effects": "svg.styles geometry svg.xml model",
+    "svg.effects": "svg.styles geometry images svg.xml model",
     "anatomy": "geometry errors model",
     "interpolate": "geometry paint model",
     "svg.styles": "svg.xml",

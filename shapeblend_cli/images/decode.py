@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import warnings
+from dataclasses import replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -59,6 +60,16 @@ def as_png(raster: Raster, most: int) -> Raster:
         factor *= 2
     image = image.reduce(factor) if factor > 1 else image
     return encoded(image, raster)
+
+
+@lru_cache(maxsize=16)
+def whitened(raster: Raster) -> Raster:
+    """Return a picture that is white where it is seen, and as opaque as another one."""
+    image = pixels_of(raster)
+    white = image.copy()
+    white.paste((255, 255, 255), (0, 0, *image.size))
+    white.putalpha(image.getchannel("A"))
+    return replace(encoded(white, raster), colour="#ffffff")
 
 
 def encoded(image: Image.Image, like: Raster) -> Raster:

@@ -103,6 +103,12 @@ class Effect(NamedTuple):
     place: int = 0  # how many of the groups around a shape are around the effect
 
     @property
+    def has_pictures(self) -> bool:
+        """Whether its mask has some."""
+        layers = () if self.mask is None else self.mask.layers
+        return any(layer.content is not None and layer.content.has_pictures for layer in layers)
+
+    @property
     def is_plain(self) -> bool:
         """Whether it changes nothing."""
         return self._replace(number=0, place=0) == Effect(0)
@@ -170,6 +176,11 @@ class Shape:
     clips: tuple[Clip, ...] = ()  # only the region common to all is painted
     page_coloured: tuple[str, ...] = ()  # of ``fill`` and ``stroke``, those that the file leaves to its page
     effects: tuple[Effect, ...] = ()  # around it, the outermost first
+
+    @property
+    def has_pictures(self) -> bool:
+        """Whether it is painted with pictures, or masked with some."""
+        return self.style.has_pictures or any(effect.has_pictures for effect in self.effects)
 
 
 class Drawing(NamedTuple):

@@ -47,11 +47,12 @@ class RadialGradient(NamedTuple):
 class Content:
     """Shapes that are drawn as they are, in a pattern or a mask; two that paint the same are equal."""
 
-    __slots__ = ("key", "shapes")
+    __slots__ = ("has_pictures", "key", "shapes")
 
     def __init__(self, shapes: tuple[Any, ...], key: str) -> None:
         self.shapes = shapes  # of `Shape`, in coordinates of their own
         self.key = key  # a digest of what they paint
+        self.has_pictures = any(shape.has_pictures for shape in shapes)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Content) and self.key == other.key
@@ -146,6 +147,14 @@ class Style(NamedTuple):
     def picture(self) -> Picture | None:
         """The picture that it fills a shape with, if it is one."""
         return self.fill_gradient if isinstance(self.fill_gradient, Picture) else None
+
+    @property
+    def has_pictures(self) -> bool:
+        """Whether it is painted with a picture, or with a pattern that has some."""
+        return any(
+            isinstance(paint, Picture) or (isinstance(paint, Pattern) and paint.content.has_pictures)
+            for paint in (self.fill_gradient, self.stroke_gradient)
+        )
 
     @property
     def reach(self) -> float:

@@ -18,7 +18,7 @@ from shapeblend_cli.options.easing import Ease
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping
 
-    from shapeblend_cli.model import Box, Frame, Page, Pair
+    from shapeblend_cli.model import Box, Frame, Page, PaintedShape, Pair
     from shapeblend_cli.options.easing import Knots, Timing
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.options.triggers import Trigger
@@ -223,11 +223,17 @@ class Documents(Sequence[str]):
         if isinstance(k, slice):
             return Documents(self._frames[k], self._decimals, self._side)
         frame = self._frames[k].picture
-        if any(shape.style.picture is not None for shape in frame.shapes):
+        if any(map(_has_pictures, frame.shapes)):
             from shapeblend_cli.images.own_files import with_own_pictures  # few drawings have any
 
             frame = with_own_pictures(frame, self._side)
         return frame_svg(frame, self._decimals)
+
+
+def _has_pictures(shape: PaintedShape) -> bool:
+    """Return whether a shape is painted with pictures, or masked with some."""
+    below = shape.below is not None and shape.below.has_pictures
+    return below or shape.style.has_pictures or any(effect.has_pictures for effect in shape.effects)
 
 
 def frame_svgs(spec: OutputSpec, pairs: Sequence[Pair], settings: Settings | None = None) -> Documents:

@@ -38,10 +38,10 @@ def face(width=160, height=120):
     return image
 
 
-def disc(side=64):
+def disc(side=64, colour=(200, 30, 60, 255)):
     """A disc with nothing around it."""
     image = Image.new("RGBA", (side, side))
-    ImageDraw.Draw(image).ellipse((0, 0, side - 1, side - 1), fill=(200, 30, 60, 255))
+    ImageDraw.Draw(image).ellipse((0, 0, side - 1, side - 1), fill=colour)
     return image
 
 

@@ -178,9 +178,9 @@ class Layers:
 
         is_alpha = self._cascade.declared(node, keep=True).get("mask-type", "luminance").strip() == "alpha"
 
-        def drawn(node: Node, matrix: Affine, lengths: Lengths) -> Sequence[Shape]:
+        def drawn(node: Node, matrix: Affine, lengths: Lengths) -> Sequence[Shape] | None:
             shapes = self._draw(node, matrix, lengths)
-            return tiles.whitened(shapes) if is_alpha else shapes
+            return tiles.whitened(shapes) if shapes and is_alpha else shapes
 
         found = tiles.mask_of(node, given.matrix, _box(inside, given.matrix), given.lengths, drawn)
         if found is None:

@@ -17,14 +17,15 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import Box, Content, Filling, Mask, MaskLayer, Pattern, Picture, Shape, Style
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, onto, parse, translation
 from shapeblend_cli.svg.xml.units import Lengths, length
-from shapeblend_cli.svg.xml.xmltree import LEFT_OUT
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
     from shapeblend_cli.svg.xml.xmltree import Node
 
-    Draw = Callable[[Node, Affine, Lengths], Sequence[Shape]]  # draws what is in an element
+    Draw = Callable[
+        [Node, Affine, Lengths], Sequence[Shape] | None
+    ]  # draws what is in an element, if all of it
     Fit = Callable[[Node, float, float], Affine | None]  # maps the viewBox of an element onto a size
 
 MOST_LINKS = 8
@@ -50,11 +51,6 @@ def content_of(shapes: Sequence[Shape]) -> Content:
         effects = [effect._replace(clips=()) for effect in shape.effects]
         digest.update(repr((len(shape.contours), shape.style, effects)).encode())
     return Content(tuple(shapes), digest.hexdigest())
-
-
-def has_pictures(node: Node) -> bool:
-    """Return whether something in an element is a picture, which is not drawn."""
-    return any(each.tag == "image" or each.tag in LEFT_OUT for each in node.walk())
 
 
 def chain(node: Node, ids: Mapping[str, Node]) -> list[Node]:
@@ -142,9 +138,11 @@ def mask_of(node: Node, matrix: Affine, box: Box | None, lengths: Lengths, draw:
         if box is None:
             return None
         inner = matrix @ onto(box)
-    if region is None or has_pictures(node):
+    if region is None:
         return None
     shapes = draw(node, inner, lengths)
+    if shapes is None or (not shapes and any(each.tag == "text" for each in node.walk())):
+        return None  # it would hide what it masks
     corners = np.array(
         [
             complex(x, y)
@@ -163,8 +161,13 @@ def whitened(shapes: Sequence[Shape]) -> list[Shape]:
 
 def _white(style: Style) -> Style:
     def white(gradient: Filling | None) -> Filling | None:
-        if gradient is None or isinstance(gradient, Picture):  # there are no pictures in masks
-            return gradient
+        if gradient is None:
+            return None
+        if isinstance(gradient, Picture):
+            from shapeblend_cli.images.decode import whitened as white_picture  # few drawings have any
+
+            opaque = gradient.raster.is_opaque
+            return None if opaque else gradient._replace(raster=white_picture(gradient.raster))
         if isinstance(gradient, Pattern):
             return gradient._replace(content=content_of(whitened(gradient.content.shapes)))
         return gradient._replace(stops=tuple(stop._replace(colour=_WHITE) for stop in gradient.stops))

@@ -131,13 +131,10 @@ class Painter:
     def _with_pattern(
         self, style: Style, name: str, server: Node, placed: tuple[Affine, Box, Lengths]
     ) -> Style:
-        """Return a style with a pattern for its fill or its stroke; a plain colour stands for one with pictures."""
+        """Return a style with a pattern for its fill or its stroke; a plain colour stands for one that is not whole."""
         from shapeblend_cli.svg.effects import tiles
 
         links = tiles.chain(server, self._ids)
-        if any(map(tiles.has_pictures, links)):
-            self._notes.add(_STAND_IN)
-            return style
         found = tiles.pattern_of(links, *placed, self._draw, self._fitted)
         if found is None:
             self._notes.add(_STAND_IN)

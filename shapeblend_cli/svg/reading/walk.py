@@ -117,7 +117,7 @@ class Walk:
         self._layers = Layers(self._ids, self._cascade, notes, self._content)
         self._painter = Painter(root, self._ids, self._cascade, notes, self._content)
         self._depth = self._contents = 0  # of patterns and masks: in each other, and all
-        self._known_contents: dict[tuple[int, Affine, Lengths, int], Sequence[Shape]] = {}
+        self._known_contents: dict[tuple[int, Affine, Lengths, int], Sequence[Shape] | None] = {}
         self._shapes: list[Drawn] = []
         self._skipped: Counter[str] = Counter()
         self._visits_by_use = 0
@@ -164,13 +164,12 @@ class Walk:
         if visit.used:
             self._visits_by_use += 1
             check_limit(self._visits_by_use, MAX_USED, "elements drawn through use")
-        has_image = node.tag == "image" and not self._depth  # in patterns and masks there are none
-        if node.tag in LEFT_OUT or (node.tag == "image" and not has_image):
-            self._notes.add(f"{node.tag} left out")
+        if node.tag in LEFT_OUT:
+            self._notes.leave_out(f"{node.tag} left out")
         is_used_symbol = node.tag in ("symbol", "marker", *CONTENTS) and visit.used[-1:] == (node,)
         if node.tag == "text" and not self._has_text():
             return
-        is_drawn = node.tag in SHAPES or node.tag in GROUPS or node.tag == "text" or has_image
+        is_drawn = node.tag in SHAPES or node.tag in GROUPS or node.tag in ("text", "image")
         if not (is_drawn or is_used_symbol) or not is_for_us(node):
             return
         declared = self._cascade.declared(node, keep=bool(visit.used))
@@ -263,16 +262,17 @@ class Walk:
             )
         )
 
-    def _content(self, node: Node, matrix: Affine, lengths: Lengths) -> Sequence[Shape]:
-        """Return the shapes in a pattern or a mask, in its coordinates."""
+    def _content(self, node: Node, matrix: Affine, lengths: Lengths) -> Sequence[Shape] | None:
+        """Return the shapes in a pattern or a mask, in its coordinates; None if something is left out of it."""
         key = id(node), matrix, lengths, self._depth
         if key in self._known_contents:
             return self._known_contents[key]
         check_limit(self._contents + 1, MAX_CONTENTS, "patterns and masks")
         if self._depth >= MAX_CONTENT_DEPTH:
             self._notes.add(f"patterns and masks in each other deeper than {MAX_CONTENT_DEPTH} left out")
-            return []
+            return None
         around = in_force(self._cascade, ancestors(self._root, node), self._notes.add)
+        before = self._notes.left_out
         inner = copy(self)
         inner._depth, inner._contents, inner._is_to_blend = self._depth + 1, self._contents + 1, False
         inner._layers = Layers(self._ids, self._cascade, self._notes, inner._content)
@@ -282,9 +282,10 @@ class Walk:
             inner._process(inner._stack.pop())
         shapes = inner._layers.finish(inner._shapes, None, covers)
         self._segments, self._contents = inner._segments, inner._contents
-        self._visits_by_use = inner._visits_by_use
-        self._known_contents[key] = shapes
-        return shapes
+        self._visits_by_use, self._images = inner._visits_by_use, inner._images
+        found = None if self._notes.left_out > before else shapes
+        self._known_contents[key] = found
+        return found
 
     def _box(self, visit: _Visit, declared: Declarations) -> Box | None:
         """Return the box around a shape or a picture, in its own coordinates."""

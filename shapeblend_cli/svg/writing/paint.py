@@ -252,7 +252,7 @@ class Gradients:
         self.clips = Regions(self._ids, self._add_clip, f"{prefix}clip")
         self._gradients: list[Element] = []
         self._names: dict[Gradient, str] = {}
-        self._pictures: dict[Raster, Element] = {}
+        self._pictures: dict[tuple[Raster, bool], Element] = {}
         self._filters: Filters | None = None
         self._masks: dict[Mask, str] = {}
         self._frames: dict[Box, tuple[Clip, ...]] = {}
@@ -301,16 +301,19 @@ class Gradients:
                 paint[name] = self.link(gradient)
         return without_defaults(paint)
 
-    def shared_picture(self, picture: Picture) -> dict[str, str]:
-        """Return the attributes of a ``use`` that shows a picture in its place; the picture itself is defined once."""
-        if picture.raster not in self._pictures:
-            own = {"id": self._ids.new(f"picture-{len(self._pictures) + 1}"), "width": "1", "height": "1"}
-            self._pictures[picture.raster] = Element("image", hyphened({**own, **link_attributes(picture)}))
-        return {"href": f"#{self._pictures[picture.raster].get('id')}", "transform": self._matrix(picture)}
+    def shared_picture(self, picture: Picture, further: int = 0) -> dict[str, str]:
+        """Return the attributes of a ``use`` that shows a picture in its place; the picture itself is defined once.
 
-    def _matrix(self, picture: Picture) -> str:
+        The place has `further` decimals.
+        """
+        key = picture.raster, picture.is_smooth
+        if key not in self._pictures:
+            name = self._ids.new(f"{self._prefix}picture-{len(self._pictures) + 1}")
+            own = {"id": name, "width": "1", "height": "1", **link_attributes(picture)}
+            self._pictures[key] = Element("image", hyphened(own))
         parts = [part for z in (picture.across, picture.down, picture.origin) for part in (z.real, z.imag)]
-        return f"matrix({' '.join(number(part, self.decimals) for part in parts)})"
+        entries = " ".join(number(part, self.decimals + further) for part in parts)
+        return {"href": f"#{self._pictures[key].get('id')}", "transform": f"matrix({entries})"}
 
     def pattern(self, name: str, pattern: Pattern) -> Element:
         """Return the definition of a pattern."""
@@ -332,7 +335,15 @@ class Gradients:
                 group = self._group(effect)
                 opened[-1][1].append(group)
                 opened.append((effect.number, group))
-            paint = {**self.attributes(shape.style), **self.clips.attributes(shape.clips)}
+            clipped = self.clips.attributes(shape.clips)
+            if shape.style.picture is not None:
+                around = SubElement(opened[-1][1], "g", hyphened(clipped)) if clipped else opened[-1][1]
+                shown = self.shared_picture(shape.style.picture, CONTENT_DIGITS)
+                opacity = shape.style.fill_opacity
+                faded = {"opacity": number(opacity, 4)} if opacity < 1.0 else {}
+                SubElement(around, "use", {**shown, **faded})
+                continue
+            paint = {**self.attributes(shape.style), **clipped}
             SubElement(opened[-1][1], "path", {"d": path_data(shape.contours, decimals), **hyphened(paint)})
 
     def mask(self, mask: Mask) -> str:

@@ -22,11 +22,17 @@ class Notes:
 
     def __init__(self) -> None:
         self._counts: Counter[str] = Counter()
+        self.left_out = 0  # elements that browsers draw
 
     def add(self, phrase: str) -> None:
         """Add a phrase, or count it once more."""
         if phrase in self._counts or len(self._counts) < _MAX_PHRASES:
             self._counts[phrase] += 1
+
+    def leave_out(self, phrase: str) -> None:
+        """Add a phrase on an element that browsers draw."""
+        self.add(phrase)
+        self.left_out += 1
 
     def phrases(self) -> tuple[str, ...]:
         """Return the phrases in the order they first came up."""

@@ -72,15 +72,15 @@ class Images:
     def of(self, node: Node, declared: Declarations, lengths: Lengths) -> PlacedImage | None:
         """Return the picture of an element; None, with a note, if there is none."""
         if self._wanted == "skip":
-            self._notes.add(LEFT_OUT)
+            self._notes.leave_out(LEFT_OUT)
             return None
         if not decode.is_available():
-            self._notes.add(f"{LEFT_OUT}: the extra shapeblend[images] reads pictures")
+            self._notes.leave_out(f"{LEFT_OUT}: the extra shapeblend[images] reads pictures")
             return None
         try:
             raster = decode.raster_of(bytes_of(node.link(), self._folder))
         except NotThereError as reason:
-            self._notes.add(f"{LEFT_OUT}: {reason}" if str(reason) else LEFT_OUT)
+            self._notes.leave_out(f"{LEFT_OUT}: {reason}" if str(reason) else LEFT_OUT)
             return None
         self._count += 1
         self._pixels += raster.width * raster.height
