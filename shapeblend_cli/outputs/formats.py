@@ -93,7 +93,7 @@ class Format(NamedTuple):
 
 def named(name: str) -> Callable[..., Any]:
     """Return a function of a format."""
-    module, function = name.split(".")
+    module, _, function = name.rpartition(".")
     found: Callable[..., Any] = getattr(import_module(f"{__package__}.{module}"), function)
     return found
 

@@ -10,14 +10,27 @@ import numpy as np
 from shapeblend_cli.errors import PictureError
 from shapeblend_cli.frames.frames import fading_styles, shapes_at
 from shapeblend_cli.frames.stagger import paced
-from shapeblend_cli.interpolate.paths import waypoints
-from shapeblend_cli.model import Box, CubicPath, PaintedShape, Pair, Pattern, ShapeBlend, Style, Waypoint
-from shapeblend_cli.paint.styles import NO_PAINT
+from shapeblend_cli.interpolate.paths import paths_at, waypoints
+from shapeblend_cli.model import (
+    WHOLE,
+    Box,
+    CubicPath,
+    PaintedShape,
+    Pair,
+    Pattern,
+    Picture,
+    Pose,
+    ShapeBlend,
+    Style,
+    Waypoint,
+)
+from shapeblend_cli.paint.styles import NO_PAINT, faded_coats
 from shapeblend_cli.svg.writing.ids import Ids
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from shapeblend_cli.model import ClipBlend
     from shapeblend_cli.options.easing import Ease
 
 FIXED = {
@@ -39,6 +52,14 @@ class Section(NamedTuple, Generic[T]):
     ease: Ease
 
 
+class MovedPicture(NamedTuple):
+    """A picture that moves: its poses and its opacities at times between which they change evenly."""
+
+    picture: Picture  # at the start
+    poses: tuple[tuple[float, Pose], ...]
+    opacities: tuple[tuple[float, float], ...]
+
+
 class MovedShape(NamedTuple):
     """A shape from one picture to another, straight from waypoint to waypoint."""
 
@@ -51,6 +72,10 @@ class MovedShape(NamedTuple):
         tuple[float, tuple[float, float]], ...
     ] = ()  # the part of the path that is seen at times, as shares
     is_paced: bool = False  # whether all of its paint is as `fading` has it, not its opacities alone
+    pictures: tuple[MovedPicture, ...] = ()  # in place of paths, the lowest first
+    clips: tuple[
+        tuple[tuple[float, CubicPath], ...], ...
+    ] = ()  # of which all is seen that is inside of each, at times
 
     @property
     def styles(self) -> list[tuple[float, Style]]:
@@ -113,7 +138,8 @@ class Move(NamedTuple):
         plain = [
             f"{shape.name}: its {_server(shape)} is a plain colour in {program}"
             for shape in self.shapes
-            if any(
+            if not shape.pictures
+            and any(
                 any(getattr(side.style, f"{paint}_gradient") for side in (shape.start, shape.end))
                 and not shows(shape, paint)
                 for paint in FIXED
@@ -174,11 +200,52 @@ def moves_of(pairs: Sequence[Pair], *, trims: bool = False) -> list[Move]:
         moved = [moved_shape(name, *shape) for name, shape in zip(names, shapes, strict=True)]
         more = zip(moved, pair.shapes, trimmed, strict=True)
         shown = [
-            shape._replace(fading=fading_styles(blend), trims=parts, is_paced=bool(blend.pace))
+            shape._replace(
+                fading=fading_styles(blend),
+                trims=parts,
+                is_paced=bool(blend.pace),
+                pictures=_pictures(blend) if blend.style_a.picture else (),
+                clips=tuple(map(_clip, [blend] * len(blend.clips), blend.clips))
+                if has_simple_clips(blend)
+                else (),
+            )
             for shape, blend, parts in more
         ]
         moves.append(Move(tuple(shown), pair.views))
     return moves
+
+
+def _pictures(shape: ShapeBlend) -> tuple[MovedPicture, ...]:
+    """Return the coats of a picture, the lowest first: two where one dissolves over another."""
+    times, coats = faded_coats(shape)
+    found = []
+    for coat in coats:
+        shown = [style.picture for style in coat]
+        poses: list[Pose] = []
+        for picture in shown:
+            assert picture is not None, "what is a picture stays one"
+            poses.append(picture.pose.near(poses[-1]) if poses else picture.pose)
+        when = (0.0, *times, 1.0)
+        opacities = [style.fill_opacity for style in coat]
+        assert shown[0] is not None
+        found.append(
+            MovedPicture(
+                shown[0], tuple(zip(when, poses, strict=True)), tuple(zip(when, opacities, strict=True))
+            )
+        )
+    return tuple(found)
+
+
+def has_simple_clips(shape: ShapeBlend) -> bool:
+    """Return whether each region that clips a shape has a single outline, as those of most programs."""
+    return all(len(each.shapes) == 1 and len(each.shapes[0].contours) == 1 for each in shape.clips)
+
+
+def _clip(shape: ShapeBlend, clip: ClipBlend) -> tuple[tuple[float, CubicPath], ...]:
+    """Return the outline of a region that clips a shape, at the times between which it moves straight."""
+    region = clip.shapes[0]._replace(span=WHOLE, pace=shape.pace)
+    ends = [(t, paths_at(region, t)[0]) for t in (0.0, 1.0)]
+    return (ends[0], *((point.t, point.paths[0]) for point in waypoints(region)), ends[1])
 
 
 def _trims(shape: ShapeBlend) -> tuple[tuple[float, tuple[float, float]], ...]:
@@ -221,11 +288,16 @@ def without_pictures(pairs: Sequence[Pair], where: str) -> tuple[Sequence[Pair],
     return left, [f"pictures are left out of {where}; frames and animated SVGs have them"]
 
 
-def left_out(pairs: Sequence[Pair], where: str) -> list[str]:
-    """Return a phrase for clip paths, and one for effects of groups, for a form that has none of them."""
+def left_out(pairs: Sequence[Pair], where: str, *, has_masks: bool = False) -> list[str]:
+    """Return a phrase for clip paths, and one for effects of groups, for a form that has none of them.
+
+    One that `has_masks` has clip paths of a single outline.
+    """
     notes = []
-    if any(shape.clips for pair in pairs for shape in pair.shapes):
-        notes.append(f"clip paths are left out of {where}; frames and animated SVGs have them")
+    clipped = [shape for pair in pairs for shape in pair.shapes if shape.clips]
+    if not all(has_masks and has_simple_clips(shape) for shape in clipped):
+        some = "clip paths of several outlines" if has_masks else "clip paths"
+        notes.append(f"{some} are left out of {where}; frames and animated SVGs have them")
     if any(shape.effects for pair in pairs for shape in pair.shapes):
         from shapeblend_cli.paint.effects import kinds_in
 

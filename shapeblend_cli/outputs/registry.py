@@ -111,7 +111,7 @@ FORMATS: tuple[Format, ...] = (
     Format(
         "lottie",
         "a Lottie animation (JSON)",
-        "lottie.render",
+        "lottie.lottie.render",
         emit="lottie",
         takes_stagger=True,
         plays=True,
@@ -121,7 +121,7 @@ FORMATS: tuple[Format, ...] = (
     Format(
         "dotlottie",
         "a Lottie animation in a zip file",
-        "lottie.render_archive",
+        "lottie.lottie.render_archive",
         emit="lottie",
         takes_stagger=True,
         plays=True,

@@ -13,16 +13,20 @@ import pytest
 from shapeblend_cli.cli import run
 from shapeblend_cli.frames.frames import frame_at
 from shapeblend_cli.options.easing import LINEAR, Ease, Timing
-from shapeblend_cli.outputs.lottie import lottie
+from shapeblend_cli.outputs.lottie.lottie import lottie
 from shapeblend_cli.svg.writing.document import frame_svg
 from tests.outputs.blends import AB, BLENDS, OPTIONS, emitted, write_blend
-from tests.support.drawings import EIGHT, B
+from tests.support.commands import write
+from tests.support.drawings import EIGHT, B, svg
 from tests.support.ends import ENDS, emitted_ends
 from tests.support.equipment import LOTTIE_WEB, require
+from tests.support.images import checkerboard, disc, face, image
 from tests.support.motions import rotated_move
 from tests.support.pictures import difference
 
 ICONS = Path(__file__).parents[1] / "pens" / "icons"
+
+BAR = '<rect width="24" height="3"/>'
 
 SIZE = 160
 FINER = 4
@@ -52,6 +56,14 @@ def frames_of(blend, ease="linear"):
     viewbox = re.search(r'viewBox="[^"]*"', BLENDS[blend][0]).group()
     files = [Path(f"frames/frame-{k + 1}.svg") for k in range(len(TIMES))]
     return [re.sub(r'viewBox="[^"]*"', viewbox, file.read_text(encoding="utf-8")) for file in files]
+
+
+def written_frames():
+    """The frames in a folder, with ids of their own: all stand in one page."""
+    files = [Path(f"frames/frame-{k + 1}.svg") for k in range(len(TIMES))]
+    return [
+        re.sub(r'(id="|#)clip-', rf"\1clip-{k}-", file.read_text("utf-8")) for k, file in enumerate(files)
+    ]
 
 
 def assert_shown(pictures, most=2e-3):
@@ -131,6 +143,60 @@ def test_lottie_web_draws_lines_on_and_back(here, played, names):
     assert run([*files, "-n", str(len(TIMES) - 2), "--ends", "-o", "frames", "-q"]) == 0
     frames = [Path(f"frames/frame-{k + 1}.svg").read_text("utf-8") for k in range(len(TIMES))]
     assert_shown(played(Path("x.json").read_text("utf-8"), frames, TIMES), 1e-2)
+
+
+CLIPS = (
+    '<clipPath id="c">{}</clipPath><clipPath id="d"><path d="M0 0H24V15H0Z"/></clipPath>'
+    '<g clip-path="url(#d)">{}</g>'
+)
+PHOTOS = {
+    "boxes": (
+        image(checkerboard(), 'x="2" y="4" width="10" height="10"'),
+        image(face(), 'x="10" y="9" width="12" height="9"', "JPEG"),
+    ),
+    "turned, skewed and mirrored": (
+        image(face(), 'width="12" height="9" transform="translate(9 3) rotate(25) skewX(20)"'),
+        image(face(), 'x="-20" y="5" width="16" height="12" transform="scale(-1 1)"'),
+    ),
+    "the same picture": (
+        image(face(), 'width="10" height="9" transform="rotate(20)"', "WEBP"),
+        image(face(), 'x="6" y="8" width="16" height="12" opacity=".5"', "WEBP"),
+    ),
+    "in clips": (
+        CLIPS.format(
+            '<circle cx="9" cy="9" r="7"/>',
+            image(checkerboard(), 'x="1" y="1" width="18" height="18" clip-path="url(#c)"'),
+        ),
+        CLIPS.format(
+            '<path d="M6 4h14v14h-14z"/>', image(face(), 'width="24" height="18" clip-path="url(#c)"')
+        ),
+    ),
+    "in one drawing alone": (BAR, BAR + image(disc(), 'x="4" y="4" width="16" height="16"')),
+}
+
+
+@pytest.mark.parametrize(
+    "options", [(), ("--stagger", "0.4"), ("--ease", "back")], ids=["", "stagger", "back"]
+)
+@pytest.mark.parametrize("name", PHOTOS)
+def test_lottie_web_shows_pictures(here, played, name, options):
+    write(**{side: svg(BAR + markup) for side, markup in zip("ab", PHOTOS[name], strict=True)})
+    files = ["a.svg", "b.svg", "-q", "--warp", "off", *options]
+    assert run([*files, "--emit", "lottie", "-o", "x.json", "--duration", str(SECONDS)]) == 0
+    assert run([*files, "-n", str(len(TIMES) - 2), "--ends", "-o", "frames"]) == 0
+    assert_shown(played(Path("x.json").read_text("utf-8"), written_frames(), TIMES), 1e-2)
+
+
+def test_lottie_web_shows_what_clips_leave(here, played):
+    a, b = (
+        '<clipPath id="c"><circle cx="9" cy="9" r="6"/></clipPath>',
+        '<clipPath id="c"><path d="M6 6h16v9h-16z"/></clipPath>',
+    )
+    for name, clip in (("a", a), ("b", b)):
+        write(**{name: svg(f'{clip}<path d="M1 1H22V20H1Z" fill="#c40" clip-path="url(#c)"/>')})
+    assert run(["a.svg", "b.svg", "--emit", "lottie", "-o", "x.json", "--duration", str(SECONDS), "-q"]) == 0
+    assert run(["a.svg", "b.svg", "-n", str(len(TIMES) - 2), "--ends", "-o", "frames", "-q"]) == 0
+    assert_shown(played(Path("x.json").read_text("utf-8"), written_frames(), TIMES), 5e-3)
 
 
 @pytest.mark.parametrize("blend", SMOOTH)

@@ -1,5 +1,6 @@
 """Clip paths that go along with what they clip."""
 
+import json
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -89,7 +90,6 @@ def test_a_region_without_area_does_not_stop_a_blend(here):
 @pytest.mark.parametrize(
     ("options", "where"),
     [
-        ("--emit lottie", "Lottie"),
         ("--emit avd", "Android"),
         ("--emit pair", "--emit pair"),
         ("-o x.svg --trigger hover --animate css", "CSS transitions"),
@@ -99,6 +99,17 @@ def test_what_has_no_clips_says_so(here, capsys, options, where):
     write(a=clipped(LEFT), b=clipped(RIGHT))
     assert run(["a.svg", "b.svg", *options.split()]) == 0
     assert f"clip paths are left out of {where}" in capsys.readouterr().err
+
+
+def test_lottie_has_clips_of_one_outline(here, capsys):
+    write(a=clipped(LEFT), b=clipped(RIGHT))
+    assert run("a.svg b.svg -o one.json".split()) == 0
+    layers = json.loads(Path("one.json").read_text())["layers"]
+    assert [len(layer.get("masksProperties", ())) for layer in layers] == [1] * len(layers)
+    assert capsys.readouterr().err == ""
+    write(a=clipped(LEFT + RIGHT))
+    assert run("a.svg b.svg -o several.json".split()) == 0
+    assert "clip paths of several outlines are left out of Lottie" in capsys.readouterr().err
 
 
 def test_states_say_so_too(here, capsys):

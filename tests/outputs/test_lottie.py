@@ -12,7 +12,7 @@ import pytest
 from shapeblend_cli.cli import run
 from shapeblend_cli.model import Box, LinearGradient, PaintedShape, RadialGradient, Stop, Style
 from shapeblend_cli.options.easing import LINEAR, Ease, Timing
-from shapeblend_cli.outputs.lottie import lottie
+from shapeblend_cli.outputs.lottie.lottie import lottie
 from shapeblend_cli.outputs.move import Move, moved_shape, sections
 from tests.outputs.blends import each_blend, emitted
 from tests.support.commands import names, write

@@ -2,6 +2,7 @@
 
 import base64
 import io
+import json
 import re
 from pathlib import Path
 
@@ -40,6 +41,7 @@ def pictures_in(text):
         (("-o", "moving.svg", "--animate", "frames", "-n", "1"), 4),
         (("-o", "moving.svg", "--emit", "layers", "-n", "1"), 2),
         (("-o", "moving.js"), 2),
+        (("-o", "moving.json"), 2),
     ],
 )
 def test_drawings_that_move_hold_the_files_of_their_pictures(files, options, count, capsys):
@@ -54,7 +56,6 @@ def test_drawings_that_move_hold_the_files_of_their_pictures(files, options, cou
     ("options", "where"),
     [
         (("--emit", "pair"), "--emit pair"),
-        (("--emit", "lottie"), "Lottie"),
         (("--emit", "avd"), "Android"),
         (("-o", "moving.svg", "--trigger", "hover", "--animate", "css"), "CSS transitions"),
     ],
@@ -63,6 +64,26 @@ def test_other_formats_leave_pictures_out_and_say_so_once(files, options, where,
     assert run(["a.svg", "b.svg", *options]) == 0
     note = f"shapeblend: pictures are left out of {where}; frames and animated SVGs have them\n"
     assert capsys.readouterr().err == note
+
+
+def test_lottie_has_each_picture_once_as_all_players_know_it(here, capsys):
+    photo = image(face(), 'id="p" x="2" y="4" width="8" height="6"', "WEBP")
+    write(a=svg(photo), b=svg(photo + '<use href="#p" x="10" opacity=".5"/>'))
+    assert run(["a.svg", "b.svg", "-o", "moving.json"]) == 0
+    assert capsys.readouterr().err == ""
+    found = json.loads(Path("moving.json").read_text("utf-8"))
+    (asset,) = found["assets"]
+    assert (asset["w"], asset["h"], asset["e"]) == (160, 120, 1)
+    (png,) = pictures_in(asset["p"])
+    assert Image.open(io.BytesIO(png)).format == "PNG"
+    assert [(layer["ty"], layer["refId"]) for layer in found["layers"]] == [(2, asset["id"])] * 2
+
+
+def test_lottie_says_that_pixels_are_smooth(here, capsys):
+    photo = image(face(), 'width="8" height="6" image-rendering="pixelated"')
+    write(a=svg(photo), b=svg(photo))
+    assert run(["a.svg", "b.svg", "-o", "moving.json"]) == 0
+    assert capsys.readouterr().err == "shapeblend: Lottie smooths pictures; image-rendering is left out\n"
 
 
 def test_a_format_without_pictures_needs_something_else_to_show(here, capsys):

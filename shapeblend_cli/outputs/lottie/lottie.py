@@ -14,28 +14,24 @@ import zipfile
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.outputs.formats import OutputSpec, Rendered
-from shapeblend_cli.svg.writing.rounding import number
+from shapeblend_cli.outputs.lottie.image_layers import FRAME_RATE, Assets, masks_of
+from shapeblend_cli.outputs.lottie.keyframes import Keyframes, constant, rounded
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from shapeblend_cli.model import Box, CubicPath, Gradient, Pair, RadialGradient, Stop, Style
-    from shapeblend_cli.options.easing import Ease, Timing
+    from shapeblend_cli.options.easing import Timing
     from shapeblend_cli.outputs.move import Move, MovedShape
 
 VERSION = "5.7.4"
 """Version of the format. Players correct the behaviour of older versions."""
-
-FRAME_RATE = 60
 
 SIZE = 512
 """Longer side of an animation, in pixels, for drawings outside of `OWN_SIZES`. Players scale it as they like."""
 
 OWN_SIZES = range(100, 4097)
 """Longer sides that an animation takes from its drawing, in pixels. Both sides must be whole numbers."""
-
-TIME_DIGITS = 3
-"""Decimals of times, in frames. Waypoints may lie between two frames."""
 
 SAME = 1e-3
 """Tolerance of equal radii, as a share of the larger one."""
@@ -60,6 +56,7 @@ def lottie(moves: Sequence[Move], timing: Timing, decimals: int) -> str:
     scale = 1.0 if is_whole and view.larger_side in OWN_SIZES else SIZE / view.larger_side
     size = max(1, round(scale * view.width)), max(1, round(scale * view.height))
     placement = _placement(view, scale, size, decimals)
+    assets = Assets(size, scale, view.centre)
     frames = max(1, round(FRAME_RATE * timing.seconds))
     # Where each drawing is reached, and where it is left.
     reached, left = (
@@ -69,11 +66,15 @@ def lottie(moves: Sequence[Move], timing: Timing, decimals: int) -> str:
     last = left[-1] + 1
     layers = []
     for k, move in enumerate(moves):
-        keys = _Keyframes(left[k], reached[k + 1], timing.ease, decimals)
+        keys = Keyframes(left[k], reached[k + 1], timing.ease, decimals)
         until = keys.end if k + 1 < len(moves) else last
         for shape in move.shapes:
-            placed = {"ks": placement, "ao": 0, "shapes": [_group(shape, keys)]}
             times = {"ip": reached[k], "op": until, "st": 0}
+            if shape.pictures:
+                layers += assets.layers(shape, keys, times)
+                continue
+            masks = masks_of(shape, keys.path_over_time)
+            placed = {"ks": placement, **masks, "ao": 0, "shapes": [_group(shape, keys)]}
             layers.append({"ddd": 0, "ty": 4, "nm": shape.name, "sr": 1, **placed, **times, "bm": 0})
     layers.reverse()  # in Lottie what comes first is on top
     animation = {
@@ -85,80 +86,23 @@ def lottie(moves: Sequence[Move], timing: Timing, decimals: int) -> str:
         "h": size[1],
         "nm": "blend",
         "ddd": 0,
-        "assets": [],
+        "assets": assets.found,
         "layers": [{"ind": ind, **layer} for ind, layer in enumerate(layers, 1)],
     }
     return json.dumps(animation, separators=(",", ":"), allow_nan=False) + "\n"
 
 
-class _Keyframes(NamedTuple):
-    """The keyframes of a move: the frames of its start and its end, and its easing."""
-
-    start: int
-    end: int
-    ease: Ease
-    decimals: int
-
-    def value(self, shape: MovedShape, of: Callable[[Style], Any]) -> dict[str, Any]:
-        """Return a property of numbers or lists of numbers that a shape has by its style."""
-        return self.property([(t, of(style)) for t, style in shape.styles])
-
-    def opacity(self, shape: MovedShape, paint: str) -> dict[str, Any]:
-        """Return the property of the opacity of a paint."""
-        styles = [(0.0, shape.start.style), *shape.fading, (1.0, shape.end.style)]
-        return self.property([(t, _percent(getattr(style, f"{paint}_opacity"))) for t, style in styles])
-
-    def path(self, shape: MovedShape, contour: int) -> dict[str, Any]:
-        """Return the property of one of the paths of a shape."""
-        inner = [(waypoint.t, waypoint.paths) for waypoint in shape.waypoints]
-        stops = [(0.0, shape.start.paths), *inner, (1.0, shape.end.paths)]
-        return self.property([(t, _bezier(paths[contour], self.decimals)) for t, paths in stops])
-
-    def trim(self, shape: MovedShape, side: int) -> dict[str, Any]:
-        """Return the property of an end of the part of a path that is seen."""
-        return self.property([(t, _percent(part[side])) for t, part in shape.trims])
-
-    def property(self, stops: Sequence[tuple[float, Any]]) -> dict[str, Any]:
-        """Return the property with values at times."""
-        from shapeblend_cli.outputs.move import sections
-
-        end = stops[-1][1]
-        if all(value == end for _, value in stops):
-            return {"a": 0, "k": end}
-        keys: list[dict[str, Any]] = []
-        for section in sections(stops, self.end - self.start, self.ease, TIME_DIGITS):
-            x1, y1, x2, y2 = (_speed(_rounded(value, 4), end) for value in section.ease)
-            time = _rounded(self.start + section.times[0], TIME_DIGITS)
-            keys.append(
-                {"t": time, "s": _listed(section.start), "o": {"x": x1, "y": y1}, "i": {"x": x2, "y": y2}}
-            )
-        return {"a": 1, "k": [*keys, {"t": self.end, "s": _listed(end)}]}
-
-
-def _listed(value: Any) -> list[Any]:
-    return value if isinstance(value, list) else [value]
-
-
-def _speed(number: float, value: Any) -> Any:
-    """Return a number of easing in the form that a value takes: of paths it is no list."""
-    return number if isinstance(value, dict) else [number]
-
-
-def _constant(values: dict[str, Any]) -> dict[str, Any]:
-    return {name: {"a": 0, "k": value} for name, value in values.items()}
-
-
 def _placement(view: Box, scale: float, size: tuple[int, int], decimals: int) -> dict[str, Any]:
     """Return the transform that lays the centre of the view on the centre of the picture."""
     # Half of a side has one decimal more.
-    centre = [*(_rounded(value, decimals + 1) for value in (view.centre.real, view.centre.imag)), 0]
+    centre = [*(rounded(value, decimals + 1) for value in (view.centre.real, view.centre.imag)), 0]
     percent = float(f"{100 * scale:.9g}")
     percent = int(percent) if percent.is_integer() else percent
-    position = [*(_rounded(side / 2, 1) for side in size), 0]
-    return _constant({"o": 100, "r": 0, "p": position, "a": centre, "s": [percent, percent, 100]})
+    position = [*(rounded(side / 2, 1) for side in size), 0]
+    return constant({"o": 100, "r": 0, "p": position, "a": centre, "s": [percent, percent, 100]})
 
 
-def _group(shape: MovedShape, keys: _Keyframes) -> dict[str, Any]:
+def _group(shape: MovedShape, keys: Keyframes) -> dict[str, Any]:
     """Return paths and their paint, the upper one first."""
     ellipse = _ellipse(shape)
     if ellipse is not None:
@@ -175,10 +119,10 @@ def _group(shape: MovedShape, keys: _Keyframes) -> dict[str, Any]:
         kind, shade = _paint(shape, "stroke", keys)
         stroke = {
             **shade,
-            "w": keys.value(shape, lambda style: _rounded(style.stroke_width, keys.decimals)),
+            "w": keys.value(shape, lambda style: rounded(style.stroke_width, keys.decimals)),
             "lc": LINE_CAPS[s.stroke_linecap],
             "lj": LINE_JOINS[s.stroke_linejoin],
-            "ml": _rounded(s.stroke_miterlimit, 4),
+            "ml": rounded(s.stroke_miterlimit, 4),
             **_dashes(shape, keys),
         }
         items.append({"ty": kind, "nm": "stroke", **stroke})
@@ -187,20 +131,20 @@ def _group(shape: MovedShape, keys: _Keyframes) -> dict[str, Any]:
         if s.fill is not None and e.fill is not None:
             kind, shade = _paint(coat, "fill", keys)
             items.append({"ty": kind, "nm": "fill", **shade, "r": FILL_RULES[s.fill_rule]})
-    still = _constant({"p": [0, 0], "a": [0, 0], "s": [100, 100], "r": 0, "o": 100})
+    still = constant({"p": [0, 0], "a": [0, 0], "s": [100, 100], "r": 0, "o": 100})
     if ellipse is not None:
-        still |= _constant({"s": [100, _rounded(100.0 * ellipse.ratio, 6)], "r": _rounded(ellipse.angle, 4)})
+        still |= constant({"s": [100, rounded(100.0 * ellipse.ratio, 6)], "r": rounded(ellipse.angle, 4)})
     return {"ty": "gr", "nm": "paths", "it": [*items, {"ty": "tr", **still}]}
 
 
-def _dashes(shape: MovedShape, keys: _Keyframes) -> dict[str, Any]:
+def _dashes(shape: MovedShape, keys: Keyframes) -> dict[str, Any]:
     """Return the property for dashes and gaps in turn, if there are any."""
     start, end = shape.start.style, shape.end.style
     if not start.stroke_dasharray or _loses_dashes(start, end):
         return {}
 
     def length(k: int) -> Callable[[Style], float]:
-        return lambda style: _rounded((*style.stroke_dasharray, style.stroke_dashoffset)[k], keys.decimals)
+        return lambda style: rounded((*style.stroke_dasharray, style.stroke_dashoffset)[k], keys.decimals)
 
     kinds = [*("dg"[k % 2] for k in range(len(start.stroke_dasharray))), "o"]
     # Players need names of their own.
@@ -232,7 +176,7 @@ def _coats(shape: MovedShape) -> list[MovedShape]:
     ]
 
 
-def _paint(shape: MovedShape, name: str, keys: _Keyframes) -> tuple[str, dict[str, Any]]:
+def _paint(shape: MovedShape, name: str, keys: Keyframes) -> tuple[str, dict[str, Any]]:
     """Return the kind of a fill or a stroke, and its colours and opacity."""
     gradients = _gradients(shape, name)
     opacity = {"o": keys.opacity(shape, name)}
@@ -307,7 +251,7 @@ def _ellipse(shape: MovedShape) -> _Ellipse | None:
     return None if is_round or others else first
 
 
-def _shade(shape: MovedShape, gradients: Sequence[Gradient], keys: _Keyframes) -> dict[str, Any]:
+def _shade(shape: MovedShape, gradients: Sequence[Gradient], keys: Keyframes) -> dict[str, Any]:
     """Return the properties of a gradient: its kind, its line or radius, its highlight and its stops."""
     from shapeblend_cli.model import LinearGradient, RadialGradient
 
@@ -321,9 +265,9 @@ def _shade(shape: MovedShape, gradients: Sequence[Gradient], keys: _Keyframes) -
             away, angle = cmath.polar(gradient.focus)
             highlights.append((100.0 * away, math.degrees(angle) + gradient.angle if away else 0.0))
     points = [
-        [[_rounded(z.real, keys.decimals), _rounded(z.imag, keys.decimals)] for z in line] for line in lines
+        [[rounded(z.real, keys.decimals), rounded(z.imag, keys.decimals)] for z in line] for line in lines
     ]
-    spots = [[_rounded(value, 2) for value in highlight] for highlight in highlights]
+    spots = [[rounded(value, 2) for value in highlight] for highlight in highlights]
     with_alpha = any(stop.opacity < 1.0 for gradient in gradients for stop in gradient.stops)
     stops = [_stops(gradient.stops, with_alpha) for gradient in gradients]
 
@@ -344,53 +288,22 @@ def _stops(stops: Sequence[Stop], with_alpha: bool) -> list[float]:
     """Return offsets with red, green and blue, then offsets with opacities."""
     numbers: list[float] = []
     for stop in stops:
-        numbers += [_rounded(stop.offset, 4), *_colour(stop.colour)[:3]]
+        numbers += [rounded(stop.offset, 4), *_colour(stop.colour)[:3]]
     for stop in stops if with_alpha else ():
-        numbers += [_rounded(stop.offset, 4), _rounded(stop.opacity, 4)]
+        numbers += [rounded(stop.offset, 4), rounded(stop.opacity, 4)]
     return numbers
-
-
-def _bezier(path: CubicPath, decimals: int) -> dict[str, Any]:
-    """Return vertices with the tangents before and after them; a closed path has its first vertex once."""
-    segments = path.segments.tolist()
-    lines = path.straight.tolist()
-    vertices = [p0 for p0, *_ in segments]
-    leaving = [0j if line else p1 - p0 for (p0, p1, _, _), line in zip(segments, lines, strict=True)]
-    arriving = [0j if line else p2 - p3 for (_, _, p2, p3), line in zip(segments, lines, strict=True)]
-    if path.closed:
-        arriving = [arriving[-1], *arriving[:-1]]
-    else:
-        vertices, leaving, arriving = [*vertices, segments[-1][3]], [*leaving, 0j], [0j, *arriving]
-    lists = {"v": vertices, "i": arriving, "o": leaving}
-    return {
-        "c": path.closed,
-        **{
-            name: [[_rounded(z.real, decimals), _rounded(z.imag, decimals)] for z in points]
-            for name, points in lists.items()
-        },
-    }
 
 
 def _colour(text: str) -> list[float]:
     """Return ``#rrggbb`` as shares of 1, with the opaque alpha some players expect."""
-    return [*(_rounded(c / 255, 4) for c in bytes.fromhex(text[1:])), 1]
-
-
-def _percent(share: float) -> float:
-    return _rounded(100 * share, 2)
-
-
-def _rounded(value: float, decimals: int) -> float:
-    """Return a rounded number, an int if it is whole, which JSON writes in its shortest form."""
-    rounded = float(number(value, decimals))
-    return int(rounded) if rounded.is_integer() else rounded
+    return [*(rounded(c / 255, 4) for c in bytes.fromhex(text[1:])), 1]
 
 
 def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Return the animation."""
-    from shapeblend_cli.outputs.move import left_out, moves_of, without_pictures
+    from shapeblend_cli.outputs.move import left_out, moves_of
 
-    pairs, notes = without_pictures(pairs, "Lottie")
+    notes: list[str] = []
     moves = [move.with_strokes_below() for move in moves_of(spec.eased(pairs), trims=True)]
     text = lottie(moves, spec.timing, spec.decimals(pairs))
     for move in moves:
@@ -400,7 +313,9 @@ def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
             for shape in move.shapes
             if _loses_dashes(shape.start.style, shape.end.style)
         ]
-    return Rendered([text], [*notes, *left_out(pairs, "Lottie")])
+    if any(not each.picture.is_smooth for move in moves for shape in move.shapes for each in shape.pictures):
+        notes.append("Lottie smooths pictures; image-rendering is left out")
+    return Rendered([text], [*notes, *left_out(pairs, "Lottie", has_masks=True)])
 
 
 def render_archive(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
