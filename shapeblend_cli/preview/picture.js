@@ -2,14 +2,22 @@
 
 import { drawn, mixed, sampled } from "./values.js";
 
+// The links of pictures by the names that drawings have for them.
+const images = new Map();
+
+export function know(found = {}) {
+  for (const [name, link] of Object.entries(found)) images.set(name, link);
+}
+
 // Beyond the drawings outlines move on, and everything else stays.
 const within = (t) => Math.min(Math.max(t, 0), 1);
 
 export class MovingShape {
-  constructor({ outlines, times, points, coats }, scale) {
+  constructor({ outlines, times, points, coats = [], clips = [] }, scale) {
     this.times = times;
     this.coats = coats;
-    this.isFilled = coats.some(({ path, fill }) => fill || path.fill.some((colour) => colour !== "none"));
+    this.clips = clips;
+    this.isFilled = coats.some(({ path, fill, image }) => fill || image || path.fill.some((colour) => colour !== "none"));
     let row = new Array(points[0].length).fill(0);
     this.keys = points.map((steps) => {
       row = row.map((value, k) => value + steps[k]);
@@ -82,26 +90,57 @@ function gradientOf({ tag, attributes, stops }, group) {
   return element;
 }
 
-// Paths that do not move, as a group.
-export function still(paths) {
-  const group = drawn("g");
-  for (const { path, ...paints } of paths) {
-    const element = drawn("path", path);
-    for (const [name, gradient] of Object.entries(paints)) element.setAttribute(name, `url(#${gradientOf(gradient, group).id})`);
-    group.append(element);
+// Regions lie there, too.
+let regions = 0;
+
+function regionIn(group, rule, d = "") {
+  const element = drawn("clipPath", { id: `region-${++regions}` });
+  const path = drawn("path", { "clip-rule": rule, d });
+  element.append(path);
+  group.append(element);
+  return { path, link: `url(#${element.id})` };
+}
+
+// Groups in a group, each clipped by one of some regions; returns the innermost.
+function clipped(group, links) {
+  for (const link of links) {
+    const inner = drawn("g", { "clip-path": link });
+    group.append(inner);
+    group = inner;
   }
   return group;
 }
 
-// Adds a path for each coat of a shape to a group, and returns what draws them at a time.
-function painted(shape, digits, group) {
+// Paths that do not move, and pictures, as a group.
+export function still(paths) {
+  const group = drawn("g");
+  for (const { path, image, source, clips = [], ...paints } of paths) {
+    const holder = clipped(group, clips.map(({ rule, d }) => regionIn(group, rule, d).link));
+    if (image) {
+      holder.append(drawn("image", { ...image, href: images.get(source) }));
+      continue;
+    }
+    const element = drawn("path", path);
+    for (const [name, gradient] of Object.entries(paints)) element.setAttribute(name, `url(#${gradientOf(gradient, group).id})`);
+    holder.append(element);
+  }
+  return group;
+}
+
+// Adds a path or a picture for each coat of a shape to a group, and returns what draws them at a time.
+function painted(shape, digits, group, links) {
   const changes = [];
   const vary = (target, name, values) => {
     target.setAttribute(name, values[0]);
     if (values.length > 1) changes.push((t) => target.setAttribute(name, mixed(...sampled(values, t))));
   };
-  const elements = shape.coats.map(({ path, ...paints }) => {
-    const element = drawn("path");
+  const elements = shape.coats.map(({ path, image, source, ...paints }) => {
+    const element = drawn(image ? "image" : "path");
+    if (image) {
+      element.setAttribute("href", images.get(source));
+      for (const [name, values] of Object.entries(image)) vary(element, name, values);
+      return element;
+    }
     // Where there is a gradient, the plain colour that stands for it is not painted.
     for (const [name, values] of Object.entries(path)) if (!(name in paints)) vary(element, name, values);
     for (const [name, values] of Object.entries(paints)) {
@@ -115,19 +154,23 @@ function painted(shape, digits, group) {
     }
     return element;
   });
-  group.append(...elements);
+  clipped(group, shape.clips.map((number) => links[number])).append(...elements);
+  const paths = elements.filter(({ tagName }) => tagName === "path");
   return (t, points) => {
-    const text = shape.path(points, digits);
-    for (const element of elements) element.setAttribute("d", text);
+    const text = paths.length ? shape.path(points, digits) : "";
+    for (const element of paths) element.setAttribute("d", text);
     for (const change of changes) change(t);
   };
 }
 
 // A pair of drawings and what moves between them.
 export class Scene {
-  constructor({ shapes, ends, lists }, views, decimals) {
+  constructor({ shapes, ends, lists, regions = [], images }, views, decimals) {
     Object.assign(this, { ends, views, lists, decimals });
-    this.shapes = shapes.map((shape) => new MovingShape(shape, 10 ** decimals));
+    know(images);
+    const moving = (shape) => new MovingShape(shape, 10 ** decimals);
+    this.shapes = shapes.map(moving);
+    this.regions = regions.map(({ rule, shapes }) => ({ rule, shapes: shapes.map(moving) }));
   }
 
   view(t) {
@@ -157,6 +200,7 @@ export class Picture {
     const kind = t === 0 ? "first" : t === 1 ? "last" : "between";
     if (kind === "between") {
       groups.between ??= this.between();
+      groups.between.cuts.forEach((cut) => cut(t));
       groups.between.updates.forEach((update, k) => update(within(t), points[k]));
     } else {
       groups[kind] ??= { group: still(scene.ends[t]) };
@@ -168,8 +212,14 @@ export class Picture {
 
   between() {
     const group = drawn("g");
-    const updates = this.scene.shapes.map((shape) => painted(shape, this.scene.decimals + 1, group));
-    return { group, updates };
+    const digits = this.scene.decimals + 1;
+    const found = this.scene.regions.map(({ rule, shapes }) => ({ shapes, ...regionIn(group, rule) }));
+    const cuts = found.map(({ shapes, path }) => (t) => {
+      path.setAttribute("d", shapes.map((shape) => shape.path(shape.at(t), digits)).join(""));
+    });
+    const links = found.map(({ link }) => link);
+    const updates = this.scene.shapes.map((shape) => painted(shape, digits, group, links));
+    return { group, cuts, updates };
   }
 }
 

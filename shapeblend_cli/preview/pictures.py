@@ -10,6 +10,7 @@ import numpy as np
 from shapeblend_cli.interpolate.parametrization import parametrize
 from shapeblend_cli.interpolate.paths import paths_at, waypoints
 from shapeblend_cli.model import (
+    ClipBlend,
     ContourBlend,
     CubicPath,
     Frame,
@@ -45,12 +46,36 @@ GRADIENTS = ("fill", "stroke")
 def picture(pair: Pair, ends: tuple[Frame, Frame], times: Sequence[float], decimals: int) -> dict[str, Any]:
     """Return a pair for the page: its `shapes` between the ends, and the `ends` themselves, in paint order.
 
-    The ends are the frames at t = 0 and t = 1, and the times belong to the frames.
+    The ends are the frames at t = 0 and t = 1, and the times belong to the frames. If there are any, there are the
+    `regions` that clip shapes, and the `images`: links by short names.
     """
-    return {
-        "shapes": [_moving_shape(shape, times, decimals) for shape in pair.shapes],
-        "ends": [still_paths(frame, decimals) for frame in ends],
-    }
+    numbers: dict[tuple[Any, ...], int] = {}
+    regions: list[dict[str, Any]] = []
+
+    def region(shape: ShapeBlend, clip: ClipBlend) -> int:
+        """Return the number of a region, which moves with the shape that it clips; shapes may share it."""
+        key = id(clip), shape.span, shape.pace
+        if key not in numbers:
+            numbers[key] = len(regions)
+            moving = [each._replace(span=shape.span, pace=shape.pace) for each in clip.shapes]
+            regions.append({"rule": clip.rule, "shapes": [_moving(each, times, decimals) for each in moving]})
+        return numbers[key]
+
+    shapes = []
+    for shape in pair.shapes:
+        clips = [region(shape, clip) for clip in shape.clips]
+        own = _moving(shape, times, decimals) | {"coats": _coats(shape, decimals)}
+        shapes.append(own | ({"clips": clips} if clips else {}))
+    found = {"shapes": shapes, "ends": [still_paths(frame, decimals) for frame in ends]}
+    styles = [style for shape in pair.shapes for style in (shape.style_a, shape.style_b)]
+    images = images_of([*styles, *(shape.style for frame in ends for shape in frame.shapes)])
+    return found | ({"regions": regions} if regions else {}) | ({"images": images} if images else {})
+
+
+def images_of(styles: Iterable[Style]) -> dict[str, str]:
+    """Return the links of pictures in styles by short names."""
+    rasters = {style.picture.raster for style in styles if style.picture is not None}
+    return {raster.digest: raster.uri for raster in sorted(rasters, key=lambda raster: raster.digest)}
 
 
 def timing(timing: Timing, settings: Settings) -> dict[str, Any]:
@@ -64,7 +89,8 @@ def timing(timing: Timing, settings: Settings) -> dict[str, Any]:
     }
 
 
-def _moving_shape(shape: ShapeBlend, times: Sequence[float], decimals: int) -> dict[str, Any]:
+def _moving(shape: ShapeBlend, times: Sequence[float], decimals: int) -> dict[str, Any]:
+    """Return the outlines of a shape, and their points at the times between which they move straight."""
     own_times = times if shape.motion is not None and len(times) <= MOST_OWN_TIMES else ()
     keys = sorted({0.0, 1.0, *(waypoint.t for waypoint in waypoints(shape)), *own_times})
     grid = np.array([_on_grid(paths_at(shape, t), decimals) for t in keys])
@@ -77,7 +103,6 @@ def _moving_shape(shape: ShapeBlend, times: Sequence[float], decimals: int) -> d
         ],
         "times": keys,
         "points": points.reshape(len(keys), -1).tolist(),
-        "coats": _coats(shape, decimals),
     }
 
 
@@ -102,12 +127,35 @@ def _coats(shape: ShapeBlend, decimals: int) -> list[dict[str, Any]]:
 
 
 def _coat(styles: Sequence[Style], decimals: int) -> dict[str, Any]:
+    pictures = [style.picture for style in styles]
+    if pictures[0] is not None:
+        return {
+            "source": pictures[0].raster.digest,
+            "image": {name: [value] for name, value in _still(pictures[0]).items()}
+            | {
+                "transform": _once(
+                    [_matrix(picture, decimals) for picture in pictures if picture is not None]
+                ),
+                "opacity": _once([number(style.fill_opacity, 4) for style in styles]),
+            },
+        }
     every = [_paint(style, decimals, as_ellipse=True) for style in styles]
     first = every[0]
     return {
         "path": {name: _once([one["path"].get(name, "none") for one in every]) for name in first["path"]},
         **{name: _once([one[name] for one in every]) for name in GRADIENTS if name in first},
     }
+
+
+def _still(picture: Picture) -> dict[str, str]:
+    """Return what does not change of a picture, whose transform places a square of side 1."""
+    smooth = {} if picture.is_smooth else {"image-rendering": "pixelated"}
+    return {"width": "1", "height": "1", "preserveAspectRatio": "none", **smooth}
+
+
+def _matrix(picture: Picture, decimals: int) -> str:
+    parts = [part for z in (picture.across, picture.down, picture.origin) for part in (z.real, z.imag)]
+    return f"matrix({' '.join(number(part, decimals + 2) for part in parts)})"
 
 
 def _once(values: list[Any]) -> list[Any]:
@@ -120,7 +168,7 @@ def _paint(style: Style, decimals: int, *, as_ellipse: bool) -> dict[str, Any]:
     attributes.pop("vector_effect", None)
     paint: dict[str, Any] = {"path": hyphened(attributes)}
     for name, gradient in zip(GRADIENTS, (style.fill_gradient, style.stroke_gradient), strict=True):
-        # A plain colour stands for a pattern, and for a picture.
+        # A plain colour stands for a pattern.
         if gradient is not None and not isinstance(gradient, Pattern | Picture):
             is_radial = isinstance(gradient, RadialGradient)
             attributes, stops = gradient_attributes(gradient, decimals, as_ellipse=as_ellipse and is_radial)
@@ -137,9 +185,19 @@ def still_paths(frame: Frame, decimals: int) -> list[dict[str, Any]]:
     paths = []
     for shape in frame.shapes:
         data = path_data(shape.paths, decimals)
+        clips = [{"d": path_data(clip.paths, decimals), "rule": clip.rule} for clip in shape.clips]
+        clipped = {"clips": clips} if clips else {}
         for style in visible_styles(shape, frame.t):
+            if style.picture is not None:
+                placed = {
+                    "transform": _matrix(style.picture, decimals),
+                    "opacity": number(style.fill_opacity, 4),
+                }
+                image = {"source": style.picture.raster.digest, "image": _still(style.picture) | placed}
+                paths.append(image | clipped)
+                continue
             paint = _paint(style, decimals, as_ellipse=False)
-            paths.append(paint | {"path": {"d": data, **paint["path"]}})
+            paths.append(paint | {"path": {"d": data, **paint["path"]}} | clipped)
     return paths
 
 

@@ -33,6 +33,7 @@ from shapeblend_cli.model import Frame
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.preview.pictures import (
     correspondence_lists,
+    images_of,
     picture,
     rounded,
     scale_and_shift,
@@ -175,6 +176,8 @@ def _drawing(drawing: Drawing, number: int) -> dict[str, Any]:
         "paths": still_paths(Frame(0.0, 0, shapes, view), decimals),
         "contours": contours,
     }
+    images = images_of(shape.style for shape in shapes)
+    found |= {"images": images} if images else {}
     return found | {"key": hashlib.sha256(repr((number, found)).encode()).hexdigest()[:16]}
 
 

@@ -4,9 +4,11 @@ import numpy as np
 from PIL import Image
 
 from shapeblend_cli.cli import run
+from tests.browser.test_preview import seek
 from tests.support.commands import write
 from tests.support.drawings import svg
 from tests.support.images import checkerboard, disc, face, image
+from tests.support.pictures import difference, pixels
 
 SIZE = 240
 EXIF = Image.Exif()
@@ -80,3 +82,43 @@ def test_pictures_of_pixels_are_what_chromium_shows(here, screenshot):
     pixels = screenshot(style, body, SIZE, SIZE * len(cells)).reshape(len(names), 2, SIZE, SIZE, 3)
     for name, (own, drawn) in zip(names, pixels, strict=True):
         assert np.abs(own - drawn).mean() < 2.0, name
+
+
+ROUND, SQUARE = '<circle cx="9" cy="9" r="7"/>', '<path d="M6 4h14v14h-14z"/>'
+CUT = '<rect y="20" width="24" height="4" fill="teal"/><clipPath id="c">{}</clipPath><g clip-path="url(#c)">{}</g>'
+ONE = CUT.format(ROUND, image(checkerboard(), 'x="1" y="1" width="18" height="18"'))
+OTHER = CUT.format(SQUARE, image(face(), 'width="24" height="18"'))
+TURNED = image(disc(), 'x="14" y="2" width="9" height="9" transform="rotate(10)"')
+FADED = image(disc(), 'x="3" y="12" width="9" height="9" opacity=".6"')
+WITH_PICTURES = {"a": svg(ONE + TURNED), "b": svg(OTHER + FADED)}
+
+
+def shown_in(page, selector):
+    """What an element of a page draws, in the view of the drawings."""
+    inside = page.evaluate("(selector) => document.querySelector(selector).innerHTML", selector)
+    return svg(inside)
+
+
+def written(here):
+    """The frames at 0, half way, and 1, in pixels."""
+    assert run("a.svg b.svg -n 1 --ends -o frames --warp off --ease linear -q -f".split()) == 0
+    return [pixels((here / f"frames/frame-{k}.svg").read_text("utf-8")) for k in (1, 2, 3)]
+
+
+def test_the_page_shows_pictures_and_what_clips_them(here, browser):
+    write(**WITH_PICTURES)
+    assert run("a.svg b.svg -o out --warp off --ease linear --preview page.html -q".split()) == 0
+    page = browser.new_page(reduced_motion="reduce")
+    wrong = []
+    page.on("console", lambda message: wrong.append(message.text))
+    page.goto((here / "page.html").as_uri())
+    page.wait_for_selector("html[data-ready]")
+    found = []
+    for t in (0.0, 0.5, 1.0):
+        seek(page, t)
+        found.append(pixels(shown_in(page, "#picture")))
+    page.close()
+    assert wrong == []
+    for shown, frame in zip(found, written(here), strict=True):
+        assert difference(shown, frame) < 5e-3
+    assert difference(found[0], found[2]) > 0.05

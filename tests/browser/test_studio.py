@@ -11,10 +11,13 @@ from shapeblend_cli.cli import run
 from shapeblend_cli.rows.project import Project, read_project
 from shapeblend_cli.studio.server import Studio
 from shapeblend_cli.studio.session import Session
+from tests.browser.test_images import WITH_PICTURES, shown_in, written
 from tests.browser.test_preview import CONTRASTS
 from tests.studio.test_safety import HOSTILE
+from tests.support.commands import write
 from tests.support.documents import ROOT
 from tests.support.drawings import BAR, LEAF, svg
+from tests.support.pictures import difference, pixels
 
 SAMPLES = ("bird-1.svg", "bird-2.svg")
 TWO = ("M3 3H10V10H3Z", "M12 12H23V23H12Z")  # parts that pair by place, and are not alike
@@ -896,3 +899,15 @@ def test_an_empty_studio_has_drawings_to_try(studio):
     names = page.locator("#others .what > :first-child").all_inner_texts()
     assert names[0] == "As it is"
     assert not any("--" in name for name in names)
+
+
+def test_pictures_and_what_clips_them_are_shown(studio, here):
+    write(**WITH_PICTURES)
+    page = studio("a.svg", "b.svg", warp="off", ease="linear")
+    page.wait_for_selector("#picture image")
+    start, middle, end = written(here)
+    papers = [page.locator(".paper").nth(k).evaluate("(group) => group.innerHTML") for k in (0, 1)]
+    for paper, frame in zip(papers, (start, end), strict=True):
+        assert difference(pixels(svg(paper)), frame) < 5e-3
+    page.fill("#time", "0.5")
+    assert difference(pixels(shown_in(page, "#picture")), middle) < 5e-3

@@ -24,6 +24,7 @@ from shapeblend_cli.preview.graphs import graphs
 from shapeblend_cli.preview.pictures import dot_positions, picture
 from shapeblend_cli.wires.match import solved_wires
 from tests.support.drawings import BAR, EIGHT, EYED, LEAF, RING, SQUARES, B, drawing, svg
+from tests.support.images import face, image
 from tests.support.motions import blend, rotated
 
 LINES = '<path id="{}" d="M2 2L22 20" fill="none" stroke="#000"/>'
@@ -118,6 +119,24 @@ def test_the_ends_are_the_drawings_whatever_the_times_of_the_frames(here, times)
         previewed("a.svg", "b.svg", frames=frames).scenes[0] for frames in (("-n", "1"), ("--times", times))
     ]
     assert scenes[0]["ends"] == scenes[1]["ends"]
+
+
+def test_pictures_and_what_clips_shapes_are_there_once(here):
+    photo = image(face(), 'id="p" x="2" y="4" width="8" height="6"')
+    region = '<clipPath id="c"><circle cx="12" cy="12" r="{}"/></clipPath>'
+    markup = region + '<g clip-path="url(#c)">' + photo + '<use href="#p" x="10"/><path d="M2 2H9V9H2Z"/></g>'
+    for name, radius in (("a", 8), ("b", 5)):
+        (here / f"{name}.svg").write_text(svg(markup.format(radius)))
+    (scene,) = previewed("a.svg", "b.svg", "--ends").scenes
+    (name,) = scene["images"]
+    assert scene["images"][name].startswith("data:image/png;base64,")
+    assert [shape["coats"][0].get("source") for shape in scene["shapes"]] == [name, name, None]
+    assert [shape["clips"] for shape in scene["shapes"]] == [[0]] * 3
+    (region,) = scene["regions"]
+    assert (region["rule"], len(region["shapes"])) == ("nonzero", 1)
+    for end in scene["ends"]:
+        assert [path.get("source") for path in end] == [name, name, None]
+        assert [len(path["clips"]) for path in end] == [1, 1, 1]
 
 
 def test_paint_is_given_once_where_it_stays_and_at_even_times_where_it_changes():

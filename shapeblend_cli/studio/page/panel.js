@@ -1,7 +1,7 @@
 // A drawing with its parts, in its own coordinates: what is under a pointer, and what is marked on it.
 
 import { drawn } from "./values.js";
-import { still } from "./picture.js";
+import { know, still } from "./picture.js";
 import { ALONE, tintOf } from "./parts.js";
 import { Zoom } from "./zoom.js";
 
@@ -49,6 +49,7 @@ export class Panel {
     this.key = drawing.key;
     this.drawing = drawing;
     this.zoom.go(1, [0.5, 0.5]);
+    know(drawing.images);
     this.layers.paper.replaceChildren(still(drawing.paths));
     this.contours = drawing.contours.map(({ d, id, filled, nodes }, number) => {
       const element = drawn("path", { class: "part", d, "data-number": number });
