@@ -56,7 +56,7 @@ def match_all(
         What was left out, one phrase each.
     """
     clock, kept = clock or Clock(), kept or Kept(0)
-    drawings, specks = without_specks(drawings, settings)
+    drawings, specks = without_specks(with_kept_text(drawings, settings), settings)
     if settings.mix and (len(drawings) > 2 or is_star(settings)):
         drawings, left_out = _without_pictures(drawings)
         specks = [*specks, *left_out]
@@ -160,6 +160,15 @@ def _bent(pairs: list[Pair], warp: str) -> tuple[list[Pair], list[str]]:
 
     found = [with_bends(pair, warp) for pair in pairs]
     return [pair for pair, _ in found], list(dict.fromkeys(note for _, notes in found for note in notes))
+
+
+def with_kept_text(drawings: Sequence[Drawing], settings: Settings) -> Sequence[Drawing]:
+    """Return drawings with one shape for each text that stays text, if they were read so; mixtures have letters."""
+    if settings.mix or not any(shape.whole for shape in drawings[0].shapes):
+        return drawings
+    from shapeblend_cli.blending.images.kept_text import with_common_texts  # few runs keep text
+
+    return with_common_texts(drawings)
 
 
 def without_specks(drawings: Sequence[Drawing], settings: Settings) -> tuple[Sequence[Drawing], list[str]]:

@@ -37,7 +37,7 @@ ROOMS = {
     "errors model",
     "pens": "pairing wires matching motion options anatomy geometry _cython errors model",
     "pairing": "wires motion options anatomy geometry errors model",
-    "preview": "wires matching svg.writing options svg.reading interpolate geometry paint model",
+    "preview": "wires frames matching svg.writing options svg.reading interpolate geometry paint model",
     "outputs": "web frames svg.writing options interpolate images paint system errors model",
     "wires": "matching options anatomy geometry errors model",
     "frames": "options interpolate geometry paint errors model",

@@ -29,10 +29,11 @@ def grade_of(pair: Pair) -> Grade:
     """Return how good a blend of two drawings looks on its way, as `shapeblend judge` grades its frames."""
     # Most blends are not graded.
     from shapeblend_cli.frames.frames import shapes_at
+    from shapeblend_cli.frames.outlined import with_outlined_text
     from shapeblend_cli.grading.grade import grade
     from shapeblend_cli.grading.painting import picture
 
-    view = Box.union(list(pair.views))
+    view, pair = Box.union(list(pair.views)), with_outlined_text(pair)
     return grade([picture(shapes_at(pair, k / STEPS), view) for k in range(STEPS + 1)])
 
 

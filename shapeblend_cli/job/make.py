@@ -20,7 +20,7 @@ from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.model import Drawing, Pair
 from shapeblend_cli.options.settings import ReadOptions, Settings
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
-from shapeblend_cli.pipeline import match_all, without_specks
+from shapeblend_cli.pipeline import match_all, with_kept_text, without_specks
 from shapeblend_cli.svg.reading.read import STANDARD_INPUT, contents_of, read
 from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.kept import Kept
@@ -255,8 +255,8 @@ def read_files(
 def kept_of(
     drawings: Sequence[Drawing], settings: Settings, note: Callable[[str], None]
 ) -> Sequence[Drawing]:
-    """Return drawings without their specks, if these are left out: what is matched, with its numbers."""
-    drawings, notes = without_specks(drawings, settings)
+    """Return what is matched, with its numbers: without specks that are left out, and with text that stays text."""
+    drawings, notes = without_specks(with_kept_text(drawings, settings), settings)
     for text in notes:
         note(text)
     return drawings

@@ -10,6 +10,7 @@ import numpy as np
 
 from shapeblend_cli.model.arrays import frozen
 from shapeblend_cli.model.box import Box
+from shapeblend_cli.model.picture import Picture
 from shapeblend_cli.model.style import Content, Style
 
 if TYPE_CHECKING:
@@ -176,6 +177,7 @@ class Shape:
     clips: tuple[Clip, ...] = ()  # only the region common to all is painted
     page_coloured: tuple[str, ...] = ()  # of ``fill`` and ``stroke``, those that the file leaves to its page
     effects: tuple[Effect, ...] = ()  # around it, the outermost first
+    whole: Picture | None = None  # the text that it is a letter of, if that may stay text
 
     @property
     def has_pictures(self) -> bool:

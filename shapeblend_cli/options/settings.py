@@ -65,10 +65,11 @@ class ReadOptions(Record, section=SHAPES):
         help="Draw broken path data up to the error, as browsers do, instead of refusing the file.",
     )
     text: str = option(
-        types.choice("outline", "skip"),
+        types.choice("outline", "keep", "skip"),
         default="outline",
         help="outline: each letter is a shape, drawn with the font that the file embeds or that is installed; equal "
-        "letters become each other. skip: text is left out.",
+        "letters become each other. keep: text that all drawings have stays text in SVG frames and animations. "
+        "skip: text is left out.",
     )
     images: str = option(
         types.choice("embedded", "beside", "skip"),

@@ -60,6 +60,7 @@ class Format(NamedTuple):
     takes_triggers: bool = False  # whether it may wait for an event
     mixtures: Literal["none", "one", "several"] = "none"  # how many of --mix it shows
     takes_page_colour: bool = False  # whether what it shows may have the colour of a page around
+    takes_text: bool = False  # whether text may stay text in it, if it waits for no event
     defaults: Mapping[str, str | int | None] = {}  # of the shared options that it takes
     motion: str = "auto"  # what the motion auto stands for
     checker: str = ""
@@ -68,6 +69,11 @@ class Format(NamedTuple):
     def render(self, spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
         """Return the contents of an output."""
         notes: Sequence[str] = ()
+        has_pictures = any(shape.style_a.picture for pair in pairs for shape in pair.shapes)
+        if has_pictures and not (self.takes_text and spec.trigger.is_load):
+            from shapeblend_cli.frames.outlined import with_outlined_text
+
+            pairs = [with_outlined_text(pair) for pair in pairs]
         if self.takes_page_colour:
             from shapeblend_cli.paint.page_colour import with_page_colour
 

@@ -27,7 +27,12 @@ _PICTURES = Format(
 )
 
 _FRAMES = _PICTURES._replace(
-    name="svg", renderer="frame_files.render_svg", defaults={}, libraries="", takes_page_colour=True
+    name="svg",
+    renderer="frame_files.render_svg",
+    defaults={},
+    libraries="",
+    takes_page_colour=True,
+    takes_text=True,
 )
 
 _GIF = Format(
@@ -68,6 +73,7 @@ FORMATS: tuple[Format, ...] = (
         takes_triggers=True,
         mixtures="one",
         takes_page_colour=True,
+        takes_text=True,
     ),
     Format(
         "contact sheet",
@@ -107,6 +113,7 @@ FORMATS: tuple[Format, ...] = (
         takes_stagger=True,
         checker="frame_files.check_layers",
         takes_page_colour=True,
+        takes_text=True,
     ),
     Format(
         "lottie",

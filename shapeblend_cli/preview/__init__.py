@@ -1,4 +1,4 @@
 """The page of --preview.
 
-It may import wires, interpolate, paint, svg, options, model.
+It may import wires, frames, interpolate, paint, svg, options, model.
 """

@@ -117,7 +117,7 @@ export function still(paths) {
   for (const { path, image, source, clips = [], ...paints } of paths) {
     const holder = clipped(group, clips.map(({ rule, d }) => regionIn(group, rule, d).link));
     if (image) {
-      holder.append(drawn("image", { ...image, href: images.get(source) }));
+      holder.append(source ? drawn("image", { ...image, href: images.get(source) }) : drawn("path", image));
       continue;
     }
     const element = drawn("path", path);
@@ -135,9 +135,9 @@ function painted(shape, digits, group, links) {
     if (values.length > 1) changes.push((t) => target.setAttribute(name, mixed(...sampled(values, t))));
   };
   const elements = shape.coats.map(({ path, image, source, ...paints }) => {
-    const element = drawn(image ? "image" : "path");
+    const element = drawn(source ? "image" : "path");
     if (image) {
-      element.setAttribute("href", images.get(source));
+      if (source) element.setAttribute("href", images.get(source));
       for (const [name, values] of Object.entries(image)) vary(element, name, values);
       return element;
     }
@@ -155,7 +155,7 @@ function painted(shape, digits, group, links) {
     return element;
   });
   clipped(group, shape.clips.map((number) => links[number])).append(...elements);
-  const paths = elements.filter(({ tagName }) => tagName === "path");
+  const paths = elements.filter((_, k) => !shape.coats[k].image);
   return (t, points) => {
     const text = paths.length ? shape.path(points, digits) : "";
     for (const element of paths) element.setAttribute("d", text);

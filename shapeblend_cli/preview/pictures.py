@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from shapeblend_cli.frames.outlined import letters_at
 from shapeblend_cli.interpolate.parametrization import parametrize
 from shapeblend_cli.interpolate.paths import paths_at, waypoints
 from shapeblend_cli.model import (
@@ -22,6 +23,7 @@ from shapeblend_cli.model import (
     Style,
     unroll,
 )
+from shapeblend_cli.model.words import words_in
 from shapeblend_cli.options.easing import Ease
 from shapeblend_cli.paint.styles import shape_styles
 from shapeblend_cli.svg.writing.paint import gradient_attributes, hyphened, paint_attributes, visible_styles
@@ -39,6 +41,9 @@ PAINT_STEPS = 30
 
 MOST_OWN_TIMES = 60
 """Maximum number of frames at whose times curved motion is given exactly."""
+
+UNIT_DIGITS = 5
+"""Decimals of outlines in a square of side 1."""
 
 GRADIENTS = ("fill", "stroke")
 
@@ -74,7 +79,8 @@ def picture(pair: Pair, ends: tuple[Frame, Frame], times: Sequence[float], decim
 
 def images_of(styles: Iterable[Style]) -> dict[str, str]:
     """Return the links of pictures in styles by short names."""
-    rasters = {style.picture.raster for style in styles if style.picture is not None}
+    pictures = [style.picture for style in styles if style.picture is not None]
+    rasters = {picture.raster for picture in pictures if words_in(picture) is None}
     return {raster.digest: raster.uri for raster in sorted(rasters, key=lambda raster: raster.digest)}
 
 
@@ -129,15 +135,9 @@ def _coats(shape: ShapeBlend, decimals: int) -> list[dict[str, Any]]:
 def _coat(styles: Sequence[Style], decimals: int) -> dict[str, Any]:
     pictures = [style.picture for style in styles]
     if pictures[0] is not None:
-        return {
-            "source": pictures[0].raster.digest,
-            "image": {name: [value] for name, value in _still(pictures[0]).items()}
-            | {
-                "transform": _once(
-                    [_matrix(picture, decimals) for picture in pictures if picture is not None]
-                ),
-                "opacity": _once([number(style.fill_opacity, 4) for style in styles]),
-            },
+        drawn = [_placed(style, decimals) for style in styles]
+        return drawn[0] | {
+            "image": {name: _once([one["image"][name] for one in drawn]) for name in drawn[0]["image"]}
         }
     every = [_paint(style, decimals, as_ellipse=True) for style in styles]
     first = every[0]
@@ -147,10 +147,20 @@ def _coat(styles: Sequence[Style], decimals: int) -> dict[str, Any]:
     }
 
 
-def _still(picture: Picture) -> dict[str, str]:
-    """Return what does not change of a picture, whose transform places a square of side 1."""
-    smooth = {} if picture.is_smooth else {"image-rendering": "pixelated"}
-    return {"width": "1", "height": "1", "preserveAspectRatio": "none", **smooth}
+def _placed(style: Style, decimals: int) -> dict[str, Any]:
+    """Return a picture as a square of side 1 that a transform places, by its name; or a text, as outlines in that."""
+    picture = style.picture
+    assert picture is not None
+    place = {"transform": _matrix(picture, decimals)}
+    words = words_in(picture)
+    if words is None:
+        smooth = {} if picture.is_smooth else {"image-rendering": "pixelated"}
+        square = {"width": "1", "height": "1", "preserveAspectRatio": "none", **smooth}
+        opacity = {"opacity": number(style.fill_opacity, 4)}
+        return {"source": picture.raster.digest, "image": {**square, **place, **opacity}}
+    own = letters_at(words, picture._replace(origin=0j, across=1.0 + 0j, down=1j))
+    paint = {"fill": style.fill or "none", "fill-opacity": number(style.fill_opacity, 4)}
+    return {"image": {"d": path_data(own, UNIT_DIGITS), **place, **paint}}
 
 
 def _matrix(picture: Picture, decimals: int) -> str:
@@ -189,12 +199,7 @@ def still_paths(frame: Frame, decimals: int) -> list[dict[str, Any]]:
         clipped = {"clips": clips} if clips else {}
         for style in visible_styles(shape, frame.t):
             if style.picture is not None:
-                placed = {
-                    "transform": _matrix(style.picture, decimals),
-                    "opacity": number(style.fill_opacity, 4),
-                }
-                image = {"source": style.picture.raster.digest, "image": _still(style.picture) | placed}
-                paths.append(image | clipped)
+                paths.append(_placed(style, decimals) | clipped)
                 continue
             paint = _paint(style, decimals, as_ellipse=False)
             paths.append(paint | {"path": {"d": data, **paint["path"]}} | clipped)

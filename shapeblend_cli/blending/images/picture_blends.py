@@ -15,14 +15,15 @@ from shapeblend_cli.errors import InputError, MatchError
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.interpolate.paths import with_curves
-from shapeblend_cli.model import Contour, Correspondence, Fade, Polygon, ShapeBlend
+from shapeblend_cli.model import Contour, Correspondence, Fade, Polygon, ShapeBlend, control_box
+from shapeblend_cli.model.words import words_in
 from shapeblend_cli.motion.rigid import Posed
 from shapeblend_cli.paint.styles import painted_as
 from shapeblend_cli.wires.contour_blends import blend_along, keep_still
 from shapeblend_cli.wires.contour_match import Solved
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Collection, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
     from shapeblend_cli.blending.matched import Progress
@@ -95,7 +96,10 @@ def _pairs(
             for name, side, drawing in zip(match, left, drawings, strict=True)
         ]
         if all(found):
-            take(found[0][0], found[1][0], "as --match says")
+            i, j = found[0][0], found[1][0]
+            if not _may_pair(left[0][i], left[1][j]):
+                raise MatchError(f"--match {match[0]},{match[1]}: text that stays text becomes the same text")
+            take(i, j, "as --match says")
         elif any(found):
             raise MatchError(
                 f"--match {match[0]},{match[1]}: a picture becomes a picture, and only one of these is one"
@@ -105,7 +109,11 @@ def _pairs(
     for reason, alike in (("same id", _same_id), ("same label", _same_label)):
         i = 0
         while i < len(left[0]):
-            partners = [j for j, c in enumerate(left[1]) if alike(left[0][i], c, drawings)]
+            partners = [
+                j
+                for j, c in enumerate(left[1])
+                if alike(left[0][i], c, drawings) and _may_pair(left[0][i], c)
+            ]
             if partners:
                 take(i, partners[0], reason)
             else:
@@ -115,12 +123,18 @@ def _pairs(
         sides = [list(side) for side in left]
         for place in np.argsort(costs, axis=None, kind="stable").tolist():
             one, other = sides[0][place // costs.shape[1]], sides[1][place % costs.shape[1]]
-            if one in left[0] and other in left[1]:
+            if one in left[0] and other in left[1] and _may_pair(one, other):
                 take(left[0].index(one), left[1].index(other), "nearest in place and size")
     pairs += [Pair(c, None, "no picture is left in B") for c in left[0]]
     pairs += [Pair(None, c, "no picture is left in A") for c in left[1]]
     order = sorted(pairs, key=lambda pair: max(c.shape for c in (pair.a, pair.b) if c is not None))
     return order, settings.replace(match=tuple(wanted)) if len(wanted) < len(settings.match) else settings
+
+
+def _may_pair(a: PlacedContour, b: PlacedContour) -> bool:
+    """Return whether a picture may become another one: text becomes the same text."""
+    words = [words_in(c.style.picture) for c in (a, b)]
+    return words[0] == words[1]
 
 
 def _is_called(name: str, contour: PlacedContour, drawing: PlacedDrawing) -> bool:
@@ -217,20 +231,41 @@ def _fading(drawing: PlacedDrawing, end: int, settings: Settings) -> list[ShapeB
     return found
 
 
+def _touched(shapes: Sequence[ShapeBlend], picture: ShapeBlend, end: int) -> set[int]:
+    """Return the numbers of shapes whose boxes a picture touches at one of its ends."""
+    boxes = [
+        control_box([contour.end if end else contour.start for contour in shape.contours]).expanded(
+            (shape.style_b if end else shape.style_a).reach
+        )
+        for shape in (picture, *shapes)
+    ]
+    return {k for k, box in enumerate(boxes[1:]) if box.overlaps(boxes[0])}
+
+
 def _inserted(shapes: Sequence[ShapeBlend], picture: ShapeBlend) -> list[ShapeBlend]:
     """Return shapes with a picture at its place in the order of paint; twice if the drawings disagree."""
     places = range(len(shapes) + 1)
+    # A text covers little: only what it touches counts, and the order of the files where that leaves a choice.
+    touched = [
+        _touched(shapes, picture, end) if words_in(picture.style_a.picture) else None for end in (0, 1)
+    ]
 
-    def wrong(place: int, end: int) -> int:
-        """Return how many shapes would be painted on the wrong side of it in one of the drawings."""
+    def wrong(place: int, end: int, among: Collection[int] | None = None) -> int:
+        """Return how many shapes, or some of them, would be painted on the wrong side of it in one of the drawings."""
         own = picture.sources[end]
         numbers = [shape.sources[end] for shape in shapes]
         if own is None:
             return 0
-        return sum(n is not None and ((n > own) if k < place else (n < own)) for k, n in enumerate(numbers))
+        return sum(
+            n is not None and (among is None or k in among) and ((n > own) if k < place else (n < own))
+            for k, n in enumerate(numbers)
+        )
 
-    best = min(places, key=lambda place: wrong(place, 0) + wrong(place, 1))
-    if wrong(best, 0) + wrong(best, 1) == 0 or None in picture.sources:
+    def cost(place: int) -> tuple[int, int]:
+        return sum(wrong(place, end, touched[end]) for end in (0, 1)), wrong(place, 0) + wrong(place, 1)
+
+    best = min(places, key=cost)
+    if cost(best)[0] == 0 or None in picture.sources:
         return [*shapes[:best], picture, *shapes[best:]]
     goes, comes = (min(places, key=lambda place, end=end: wrong(place, end)) for end in (0, 1))  # type: ignore[misc]
     copies = (

@@ -15,6 +15,7 @@ from shapeblend_cli.images.bent import BentPicture
 from shapeblend_cli.images.triangles import NotSimpleError, is_available
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import ClipBlend
+from shapeblend_cli.model.words import words_in
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -98,7 +99,7 @@ def with_bends(pair: Pair, warp: str) -> tuple[Pair, list[str]]:
     shapes: list[ShapeBlend] = list(pair.shapes)
     notes: list[str] = []
     for k, shape in enumerate(pair.shapes):
-        if shape.style_a.picture is None:
+        if shape.style_a.picture is None or words_in(shape.style_a.picture) is not None:
             continue
         found = _outline_of(k, pair.shapes)
         if found is None:

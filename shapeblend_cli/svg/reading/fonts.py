@@ -129,6 +129,15 @@ class Fonts:
             self._lists[wanted] = found
         return self._lists[wanted]
 
+    def rules(self, wanted: Wanted) -> list[str]:
+        """Return rules of CSS for the fonts of a text that the drawing embeds and that can be read."""
+        names = [family.lower() for family in wanted.families[:MOST_FAMILIES]]
+        return [
+            _rule(face)
+            for face in self._embedded
+            if face.family.lower() in names and self._known.get((wanted, face)) is not None
+        ]
+
     def fallback(self, wanted: Wanted, character: str) -> Face | None:
         """Return an installed font that draws a character, or None."""
         family = wanted.families[0] if wanted.families else "serif"
@@ -230,6 +239,21 @@ def _decoded(source: str) -> bytes:
         return base64.b64decode(b"".join(octets.split()) + b"==")
     except binascii.Error:
         raise FontError("its data is damaged") from None
+
+
+def _rule(face: _Embedded) -> str:
+    data = base64.b64encode(_decoded(face.source)).decode("ascii")
+    weights = " ".join(map(str, dict.fromkeys(face.weights)))
+    style = "italic" if face.is_slanted else "normal"
+    return (
+        f"@font-face{{font-family:{quoted(face.family)};font-weight:{weights};font-style:{style};"
+        f"src:url(data:font/sfnt;base64,{data})}}"
+    )
+
+
+def quoted(family: str) -> str:
+    """Return the name of a font as a string of CSS."""
+    return '"' + "".join(c for c in family if c.isprintable() and c not in '"\\<>') + '"'
 
 
 def _sfnt(data: bytes) -> bytes:

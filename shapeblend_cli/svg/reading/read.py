@@ -36,7 +36,8 @@ def read(
     points that break the grammar are drawn up to the error. To `select`, by ``#id`` or a CSS selector, is to return
     only the shapes it matches, those in groups it matches, and those drawn through a ``use`` it matches; `Shape.index`
     still counts all the file paints. A drawing that `is_to_blend` is refused early if it is too large for that. With
-    `text` ``outline`` each letter is a shape, with ``skip`` text is left out.
+    `text` ``outline`` each letter is a shape, with ``keep`` one that knows the whole text, if that may stay text; with
+    ``skip`` text is left out.
     Pictures in the file are taken, with `images` ``beside`` also those in files of its folder and below, with ``skip``
     none.
 

@@ -121,13 +121,18 @@ class Texts:
             return False
         return True
 
+    @property
+    def fonts(self) -> Fonts:
+        """The fonts of the drawing."""
+        return self._fonts
+
     def letters(self, text: Text) -> list[Letter]:
         """Return the letters of a text in the order of reading, those of each line as they are seen."""
         while text.characters and text.characters[-1][0] == " ":
             text.characters.pop()
         self._characters += len(text.characters)
         check_limit(self._characters, MOST_CHARACTERS, "characters")
-        places = _Places.of(text)
+        places = Places.of(text)
         pen = 0j
         found: list[Letter] = []
         for start, end in places.chunks(text):
@@ -146,7 +151,7 @@ class Texts:
             self._notes.add(phrase)
 
     def _chunk(
-        self, text: Text, places: _Places, start: int, end: int, pen: complex
+        self, text: Text, places: Places, start: int, end: int, pen: complex
     ) -> tuple[list[Letter], complex]:
         """Return the letters between two numbers, anchored together, and where the next ones begin."""
         clusters = [cluster for run in self._runs(text, start, end) for cluster in self._shaped(run)]
@@ -185,7 +190,7 @@ class Texts:
 
     def _runs(self, text: Text, start: int, end: int) -> list[_Run]:
         """Return the runs between two numbers as they are seen, from left to right."""
-        styles = {k: _style(text.spans[k]) for k in {span for _, span in text.characters[start:end]}}
+        styles = {k: style_of(text.spans[k]) for k in {span for _, span in text.characters[start:end]}}
         characters = "".join(character for character, _ in text.characters[start:end])
         base = _is_rtl(text.spans[text.characters[start][1]].inherited)
         levels, scripts = levels_of(characters, base), scripts_of(characters)
@@ -311,7 +316,7 @@ def _drawing() -> Any:
     return functions
 
 
-class _Places(NamedTuple):
+class Places(NamedTuple):
     """The attributes x, y, dx, dy and rotate of each character; no place is that after the character before."""
 
     x: list[float | None]
@@ -321,7 +326,7 @@ class _Places(NamedTuple):
     rotate: list[float]
 
     @classmethod
-    def of(cls, text: Text) -> _Places:
+    def of(cls, text: Text) -> Places:
         """Read the attributes of the spans; those of inner ones count."""
         count = len(text.characters)
         places = cls([None] * count, [None] * count, [0.0] * count, [0.0] * count, [0.0] * count)
@@ -357,7 +362,8 @@ def _list(span: Span, name: str, most: int) -> list[float]:
     return values
 
 
-def _style(span: Span) -> _Style:
+def style_of(span: Span) -> _Style:
+    """Return what decides about the shapes and distances of a span's letters."""
     given, size = span.inherited.text, span.inherited.font_size
 
     def spacing(name: str) -> float:

@@ -129,7 +129,7 @@ class Walk:
         self._ancestors: set[int] = set()
         self._reason: str | None = None
         self._other_names: dict[str, None] = {}
-        self._outlines_text = text == "outline"
+        self._text_as = text
         self._texts: Texts | None = None
         self._which_images = images
         self._images: Images | None = None
@@ -402,7 +402,7 @@ class Walk:
 
     def _has_text(self) -> bool:
         """Return whether text is drawn."""
-        if not self._outlines_text:
+        if self._text_as == "skip":
             self._notes.add("text skipped")
             return False
         if self._texts is None:
@@ -416,15 +416,19 @@ class Walk:
         """Add a shape for each letter of a text, or return why there is none."""
         text, visits = self._text(self._grouped(visit))
         letters = self._texts.letters(text) if self._texts else []
-        whole = [contour for letter in letters for contour in letter.contours]
+        whole, first = [contour for letter in letters for contour in letter.contours], len(self._shapes)
         reason: str | None = "without letters"
         for letter in letters:
-            around = visits[letter.span]
             # Fonts know one rule for what is inside.
-            solid = around.inherited._replace(fill_rule="nonzero")
-            here = around._replace(node=visit.node, inherited=solid)
+            solid = visits[letter.span].inherited._replace(fill_rule="nonzero")
+            here = visits[letter.span]._replace(node=visit.node, inherited=solid)
             skipped = self._paint(here, partial(list, letter.contours), letters=letter.letters, whole=whole)
             reason = skipped if reason is not None else None
+        if self._text_as == "keep" and self._texts and not self._depth:
+            from shapeblend_cli.svg.reading.kept import whole_text  # few runs keep text
+
+            own = whole_text.with_whole(self._shapes[first:], text, letters, self._texts.fonts, visit.matrix)
+            self._shapes[first:] = own
         return reason
 
     def _text(self, visit: _Visit) -> tuple[Text, list[_Visit]]:

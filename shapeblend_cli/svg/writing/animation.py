@@ -17,7 +17,14 @@ from shapeblend_cli.options.easing import FOREVER, LINEAR, PINGPONG, Ease, Timin
 from shapeblend_cli.paint.oklab import colour_stops
 from shapeblend_cli.paint.styles import INSTANT
 from shapeblend_cli.svg.writing import document
-from shapeblend_cli.svg.writing.paint import SIDES, STROKE_LENGTHS, paint_attributes, without_defaults
+from shapeblend_cli.svg.writing.paint import (
+    SIDES,
+    STROKE_LENGTHS,
+    Gradients,
+    hyphened,
+    paint_attributes,
+    without_defaults,
+)
 from shapeblend_cli.svg.writing.path_data import short_path_data
 from shapeblend_cli.svg.writing.rounding import number
 
@@ -172,6 +179,26 @@ def image_values(shape: KeyframedShape, decimals: int, *, boxes: bool = True) ->
         if kind in ("translate", "scale") or any(each != (0.0,) for each in every)
     ]
     return ImageValues(attributes, transforms)
+
+
+def text_values(shape: KeyframedShape, decimals: int) -> ImageValues:
+    """Return the values of a text: of its colour and opacity, and of the transforms that place its box."""
+    found = attribute_values(shape, decimals)
+    paint: dict[str, Values] = {name: found[name] for name in ("fill", "fill_opacity") if name in found}
+    return image_values(shape, decimals, boxes=False)._replace(attributes=paint)
+
+
+def moving_text(style: Style, values: ImageValues, contents: Gradients) -> Element:
+    """Return a group of a text, which has its paint at first, and its place if the text moves."""
+    from shapeblend_cli.svg.writing.kept.text_element import centred  # few blends have any
+
+    assert style.picture is not None
+    first = {} if values.is_still else {"transform": values.first["transform"]}
+    paint = {name: each.keys[0] for name, each in values.attributes.items()}
+    group = Element("g", dict(sorted(hyphened(without_defaults({**first, **paint})).items())))
+    place = style.picture if values.is_still else centred(style.picture)
+    group.append(contents.text(style, at=place, is_painted=False))
+    return group
 
 
 _SIDES: tuple[Callable[[Pose], float], ...] = (

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from xml.etree.ElementTree import Element
 
 from shapeblend_cli.model import Box, Effect, KeyframedEffect, KeyframedShape, MaskLayer, Page, Pattern
+from shapeblend_cli.model.words import Words, words_in
 from shapeblend_cli.options.easing import FOREVER, PINGPONG, Timing
 from shapeblend_cli.paint.gradients import blend_patterns
 from shapeblend_cli.svg.writing import document
@@ -22,11 +23,19 @@ from shapeblend_cli.svg.writing.animation import (
     delayed,
     image_values,
     moments,
+    moving_text,
     resting,
+    text_values,
     values_between,
 )
 from shapeblend_cli.svg.writing.groups import effect_attributes
-from shapeblend_cli.svg.writing.paint import Around, Gradients, Regions, add_region, link_attributes
+from shapeblend_cli.svg.writing.paint import (
+    Around,
+    Gradients,
+    Regions,
+    add_region,
+    link_attributes,
+)
 from shapeblend_cli.svg.writing.rounding import number
 
 FILTER_STEPS = 24
@@ -75,7 +84,7 @@ def css_svg(
         attributes |= _patterns(shape, contents)
         animations = _animate(name, shape, attributes, clock, rules)
         start = {attribute: values.keys[0] for attribute, values in attributes.items()}
-        path = _element(shape, {"class": name, **start}, regions, decimals)
+        path = _element(shape, {"class": name, **start}, regions, contents)
         if len(shape.keys) <= last:
             begin, until = shape.first, shape.first + len(shape.keys) - 1
             visible = {0.0: ["visibility:hidden"], clock.share(timing.when(begin)): ["visibility:visible"]}
@@ -86,7 +95,7 @@ def css_svg(
             document.put(path, {"visibility": "hidden" if shape.first else "visible"})
         if animations:
             rules.append(f".{name}{{animation:{','.join(animations)}}}")
-        if path.tag == "image":
+        if shape.keys[0].style.picture is not None:
             path = document.clipped(path, regions.attributes(shape.clips).get("clip_path"))
         tree.add(path, shape.groups, shape.name, layers.around(shape.effects))
     rules += [*clip_rules, *layers.rules]
@@ -95,11 +104,15 @@ def css_svg(
     return document.text(drawing, style="\n".join(["", *rules, ""]), definitions=definitions)
 
 
-def _element(shape: KeyframedShape, start: dict[str, str], regions: Regions, decimals: int) -> Element:
+def _element(shape: KeyframedShape, start: dict[str, str], regions: Regions, contents: Gradients) -> Element:
     """Return the path of a shape, which is clipped, or its picture, which is not, as they are at first."""
-    picture = shape.keys[0].style.picture
+    picture, decimals = shape.keys[0].style.picture, contents.decimals
     if picture is None:
         return document.new("path", {**start, **regions.attributes(shape.clips)})
+    if isinstance(picture.raster, Words):
+        text = moving_text(shape.keys[0].style, text_values(shape, decimals), contents)
+        document.put(text, {"class": start["class"]})
+        return text
     placed = image_values(shape, decimals, boxes=False).first
     return document.new("image", {"class": start["class"], **link_attributes(picture), **placed})
 
@@ -220,7 +233,8 @@ def _values_of(shape: KeyframedShape, decimals: int) -> dict[str, Values]:
     """Return the values of the attributes of a path, or of a picture, as style sheets have them."""
     if shape.keys[0].style.picture is None:
         return attribute_values(shape, decimals)
-    found = image_values(shape, decimals, boxes=False)
+    is_text = words_in(shape.keys[0].style.picture) is not None
+    found = text_values(shape, decimals) if is_text else image_values(shape, decimals, boxes=False)
     units = {"translate": "px", "rotate": "deg", "skewX": "deg", "scale": ""}
 
     def joined(texts: Sequence[str]) -> str:

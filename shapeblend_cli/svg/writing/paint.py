@@ -28,6 +28,7 @@ from shapeblend_cli.model import (
     Raster,
     Style,
 )
+from shapeblend_cli.model.words import Words
 from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
@@ -257,12 +258,18 @@ class Gradients:
         self._masks: dict[Mask, str] = {}
         self._frames: dict[Box, tuple[Clip, ...]] = {}
         self._prefix = prefix
+        self.faces: dict[str, None] = {}
 
     @property
     def elements(self) -> list[Element]:
         """The definitions of pictures, gradients, clip paths and filters."""
         filters = self._filters.elements if self._filters else ()
-        return [*self._pictures.values(), *self._gradients, *self.clips.elements, *filters]
+        found = [*self._pictures.values(), *self._gradients, *self.clips.elements, *filters]
+        if self.faces:
+            sheet = Element("style")
+            sheet.text = "".join(self.faces)
+            found.append(sheet)
+        return found
 
     @property
     def filters(self) -> Filters:
@@ -300,6 +307,16 @@ class Gradients:
             if gradient is not None and not isinstance(gradient, Picture):
                 paint[name] = self.link(gradient)
         return without_defaults(paint)
+
+    def text(self, style: Style, *, at: Picture | None = None, is_painted: bool = True) -> Element:
+        """Return the text that a style shows, `at` its own place or at another one, with its fonts defined once."""
+        from shapeblend_cli.svg.writing.kept.text_element import text_element  # few blends have any
+
+        assert style.picture is not None
+        assert isinstance(style.picture.raster, Words)
+        self.faces |= dict.fromkeys(style.picture.raster.faces)
+        paint = hyphened(self.attributes(style)) if is_painted else {}
+        return text_element(style.picture.raster, at or style.picture, paint, self.decimals)
 
     def shared_picture(self, picture: Picture, further: int = 0) -> dict[str, str]:
         """Return the attributes of a ``use`` that shows a picture in its place; the picture itself is defined once.

@@ -19,6 +19,7 @@ from shapeblend_cli.model import (
     Pattern,
     RadialGradient,
 )
+from shapeblend_cli.model.words import Words
 from shapeblend_cli.options.easing import FOREVER, PINGPONG, Timing
 from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import (
@@ -29,6 +30,8 @@ from shapeblend_cli.svg.writing.animation import (
     delayed,
     fading_keys,
     image_values,
+    moving_text,
+    text_values,
     values_between,
 )
 from shapeblend_cli.svg.writing.ids import Ids
@@ -120,7 +123,7 @@ def add_animated(
     for shape in shapes:
         extended = _extend(shape, drawings)
         if shape.keys[0].style.picture is not None:
-            image = _animated_image(timeline, extended, regions.attributes(shape.clips), decimals)
+            image = _animated_image(timeline, extended, regions.attributes(shape.clips), layers.contents)
             _show_in_time(timeline, image, shape)
             tree.add(image, shape.groups, shape.name, layers.around(shape.effects))
             continue
@@ -265,12 +268,18 @@ def _show_in_time(timeline: Timeline, element: Element, shape: KeyframedShape) -
 
 
 def _animated_image(
-    timeline: Timeline, shape: KeyframedShape, clipped: dict[str, str], decimals: int
+    timeline: Timeline, shape: KeyframedShape, clipped: dict[str, str], contents: Gradients
 ) -> Element:
-    """Return a picture that moves, in a group if it is clipped."""
-    values, picture = image_values(shape, decimals), shape.keys[0].style.picture
+    """Return a picture that moves, or a text, in a group if it is clipped."""
+    style = shape.keys[0].style
+    picture = style.picture
     assert picture is not None, "it is one"
-    image = document.new("image", {**link_attributes(picture), **values.first})
+    if isinstance(picture.raster, Words):
+        values = text_values(shape, contents.decimals)
+        image = moving_text(style, values, contents)
+    else:
+        values = image_values(shape, contents.decimals)
+        image = document.new("image", {**link_attributes(picture), **values.first})
     for name, changing in values.attributes.items():
         if not changing.is_constant:
             timeline.animate(image, name, changing)

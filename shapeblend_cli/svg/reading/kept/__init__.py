@@ -1,0 +1,4 @@
+"""Text that may stay text.
+
+It may import what `svg.reading` may.
+"""

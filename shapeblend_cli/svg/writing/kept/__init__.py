@@ -1,0 +1,4 @@
+"""Text that stayed text, as elements.
+
+It may import what `svg.writing` may.
+"""
