@@ -138,7 +138,7 @@ class Layers:
         self, drawn: Sequence[Drawn], view: Box | None, covers: Callable[[Clip, Box], bool]
     ) -> list[Shape]:
         """Return shapes with their effects and clips; a clip that `covers` what is painted is left out."""
-        if not self._given:
+        if not (self._given and drawn):
             return [_clipped(each.shape, [one.clip for one in each.clips], covers) for each in drawn]
         members: dict[int, list[int]] = {}
         for k, each in enumerate(drawn):

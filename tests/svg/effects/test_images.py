@@ -135,6 +135,13 @@ def test_what_cannot_be_shown_of_a_pattern_or_a_mask_leaves_it_out(inside):
     assert len(masked.notes) == 2
 
 
+def test_a_mask_in_which_nothing_is_drawn_though_it_has_effects_leaves_a_note():
+    broken = '<image opacity=".5" width="9" height="9" href="data:image/png;base64,AAAA"/>'
+    drawing = drawn(MASK.format("", broken))
+    assert [shape.effects for shape in drawing.shapes] == [(), ()]
+    assert drawing.notes[-1] == "mask not applied"
+
+
 def test_pictures_of_pixels_have_own_files_in_patterns_and_masks_too():
     jpeg = image(face(), 'width="20" height="15"', "JPEG")
     inner = (
