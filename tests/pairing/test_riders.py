@@ -96,3 +96,10 @@ def test_what_users_match_is_matched():
     a, b = [FILL.format(LEAF), STROKE.format(UPPER, 1)], [FILL.format(DROP), STROKE.format("M14 6V20", 1)]
     (pair,), _ = match_all([drawing(*a), drawing(*b)], Settings(match=(("1", "1"),)))
     assert (1, 1) in [(contour.a, contour.b) for contour in pair.contours]
+
+
+def test_a_stroke_becomes_the_stroke_that_is_painted_last_where_it_goes():
+    a = [FILL.format(LEAF), STROKE.format(LEAF, 1)]
+    filled = FILL.format(DROP).replace("/>", ' stroke="#fc0" stroke-width="1"/>')
+    shapes = between(a, [filled, STROKE.format(DROP, 1)])
+    assert {shape.style.stroke for shape in shapes if shape.style.fill is None} == {"#000000"}
