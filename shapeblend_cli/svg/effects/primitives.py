@@ -165,8 +165,8 @@ class Steps:
         if node.tag not in KNOWN:
             return False
         declared = substitute(self._cascade.declared(node, keep=True), self._inherited.variables)
-        words = [(SPACE, declared.get(SPACE, space).strip())]
-        words = [pair for pair in words if pair[1] == "sRGB"]  # linearRGB is the default
+        is_srgb = declared.get(SPACE, space).strip().lower() == "srgb"
+        words = [(SPACE, "sRGB")] if is_srgb else []  # linearRGB is the default
         step = Step(
             node.tag,
             self._inputs(node),

@@ -93,6 +93,13 @@ def test_a_chain_names_steps_by_their_numbers():
     ]
 
 
+@pytest.mark.parametrize("space", ["sRGB", "srgb", " SRGB "])
+def test_colours_of_a_filter_are_mixed_as_screens_show_them_where_it_says_so(space):
+    markup = f"<filter id='f' style='color-interpolation-filters:{space}'><feGaussianBlur/></filter>"
+    (step,) = effect(f"{markup}<g filter='url(#f)'>{BOX}</g>").filter.steps
+    assert dict(step.words)["color-interpolation-filters"] == "sRGB"
+
+
 @pytest.mark.parametrize(
     ("attributes", "deviation", "offset"),
     [
