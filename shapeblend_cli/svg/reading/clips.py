@@ -38,7 +38,7 @@ NOT_APPLIED = "clip-path not applied"
 NO_MASK = "mask not applied"
 
 MOST_GROUPS = 16
-"""Maximum depth of groups in a mask."""
+"""Maximum depth of groups in a mask, and of clip paths that are clipped themselves."""
 
 WHITE, BLACK = "#ffffff", "#000000"
 
@@ -69,18 +69,21 @@ class Clips:
 
     def of(
         self, declared: Declarations, matrix: Affine, lengths: Lengths, box: Callable[[], Box | None]
-    ) -> tuple[list[Clip], Node | None]:
+    ) -> tuple[list[Clip], Node | None] | None:
         """Return the regions of an element outside of which it is not painted, in the root's coordinates.
 
         The `matrix` maps its coordinates to the root's; `box` finds the box around it, unless it is a group. A mask
-        that is no region is returned as it is.
+        that is no region is returned as it is. A clip path without a region leaves nothing to paint: None.
         """
         wanted = [name for name in ("clip-path", "mask") if declared.get(name, "none").strip() != "none"]
         around = box() if wanted else None
         clips: list[Clip] = []
         soft = None
         if "clip-path" in wanted:
-            clips += self._clip(declared["clip-path"], matrix, lengths, around)
+            region = self._clip(declared["clip-path"], matrix, lengths, around)
+            if region is None:
+                return None
+            clips += region
         if "mask" in wanted:
             node = self._ids.get(named(declared["mask"]))
             if node is None or node.tag != "mask":
@@ -90,18 +93,23 @@ class Clips:
             clips += regions or ()
         return clips, soft
 
-    def _clip(self, value: str, matrix: Affine, lengths: Lengths, box: Box | None) -> tuple[Clip, ...]:
-        """Return the region that a value of ``clip-path`` names; nothing without one."""
+    def _clip(
+        self, value: str, matrix: Affine, lengths: Lengths, box: Box | None, depth: int = 0
+    ) -> tuple[Clip, ...] | None:
+        """Return the regions that a value of ``clip-path`` names, () if it names none; None if they have no inside."""
         node = self._ids.get(named(value))
-        if node is None or node.tag != "clipPath" or "clip-path" in self._cascade.declared(node):
+        if node is None or node.tag != "clipPath" or depth >= MOST_GROUPS:
             return self._none(NOT_APPLIED)
+        around = self._cascade.declared(node).get("clip-path", "none").strip()
+        outer = () if around == "none" else self._clip(around, matrix, lengths, box, depth + 1)
         inner = _in_units(node.get("clipPathUnits"), matrix, box)
         if inner is None:
             return self._none(NOT_APPLIED)
         key = id(node), inner
         if key not in self._known:
             self._known[key] = self._read(node, inner, lengths)
-        return self._known[key]
+        own = self._known[key]
+        return (*own, *outer) if own and outer is not None else None
 
     def _mask(self, node: Node, matrix: Affine, lengths: Lengths, box: Box | None) -> tuple[Clip, ...] | None:
         """Return the regions that together are what a mask shows; None if it is no region."""
@@ -197,6 +205,7 @@ class Clips:
         return [_closed(contours.transform(contour, matrix)) for contour in found]
 
     def _read(self, node: Node, matrix: Affine, lengths: Lengths) -> tuple[Clip, ...]:
+        """Return the region of a clip path; nothing if it has no inside."""
         matrix = matrix @ (parse(node.get("transform") or "none") or IDENTITY)
         outer = self._cascade.declared(node)
         found: list[Contour] = []
@@ -213,7 +222,7 @@ class Clips:
             found += self._closed_in(child, declared, inner, lengths)
             rules.append(declared.get("clip-rule") or outer.get("clip-rule") or "nonzero")
         if not found:
-            return self._none(NOT_APPLIED)
+            return ()
         return (Clip(tuple(found), "evenodd" if rules[0].strip() == "evenodd" else "nonzero"),)
 
 

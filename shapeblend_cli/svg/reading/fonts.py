@@ -122,7 +122,9 @@ class Fonts:
                 if face and len(found) == 1:
                     self._tell(wanted, face)
             if not found:
-                face = self._installed(wanted, "Times New Roman", is_any=True)
+                # As Chromium: what is as wide as its standard font, or else any without serifs.
+                face = self._installed(wanted, "Times New Roman")
+                face = face or self._installed(wanted, "sans-serif", is_any=True)
                 found = [face] if face else []
                 if face:
                     self._tell(wanted, face)

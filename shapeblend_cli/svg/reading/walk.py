@@ -179,7 +179,11 @@ class Walk:
             mask = None
             if not REGIONS.isdisjoint(declared):
                 box = partial(self._box, visit, declared)
-                clips, mask = self._clips.of(declared, visit.matrix, visit.lengths, box)
+                regions = self._clips.of(declared, visit.matrix, visit.lengths, box)
+                if regions is None:
+                    self._skip(visit, "clipped away")
+                    return
+                clips, mask = regions
                 visit = visit._replace(clips=(*visit.clips, *(Clipped(around, clip) for clip in clips)))
             if mask is not None or not DECLARED.isdisjoint(declared):
                 given = Given(declared, visit.matrix, visit.inherited, visit.lengths, len(visit.groups), mask)

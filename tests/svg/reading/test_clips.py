@@ -76,14 +76,32 @@ def test_the_rule_of_a_region_is_its_own():
 
 @pytest.mark.parametrize(
     "value",
-    ["url(#none)", "circle(5px)", "url(#g)", "url(#nested)", "url(#empty)", "url(other.svg#c)"],
+    ["url(#none)", "circle(5px)", "url(#g)", "url(other.svg#c)"],
 )
 def test_what_cannot_be_read_clips_nothing_and_is_noted(value):
-    known = '<g id="g"/><clipPath id="c"><rect width="3" height="3"/></clipPath><clipPath id="empty"/>'
-    known += '<clipPath id="nested" clip-path="url(#c)"><rect width="3" height="3"/></clipPath>'
+    known = '<g id="g"/><clipPath id="c"><rect width="3" height="3"/></clipPath>'
     found = drawing(known, f'<g clip-path="{value}">{RECT}</g>')
     assert found.shapes[0].clips == ()
     assert "clip-path not applied" in found.notes
+
+
+@pytest.mark.parametrize(
+    "region", ["", f"<g>{RECT}</g>", '<path d=""/>', f'<g id="x">{RECT}</g><title>t</title>']
+)
+def test_a_clip_path_without_an_inside_leaves_nothing_to_see(region):
+    known = f'<clipPath id="c">{region}</clipPath>'
+    known += f'<clipPath id="d" clip-path="url(#c)">{RECT}</clipPath>'
+    hidden = "".join(f'<g clip-path="url(#{name})">{RECT}</g>' for name in "cd")
+    assert len(drawing(known, hidden + RECT).shapes) == 1
+
+
+def test_a_clip_path_may_be_clipped_itself():
+    known = '<clipPath id="c"><rect x="4" width="9" height="24"/></clipPath>'
+    known += '<clipPath id="d" clip-path="url(#c)"><rect y="4" width="24" height="9"/></clipPath>'
+    known += f'<clipPath id="round" clip-path="url(#round)">{RECT}</clipPath>'
+    (found,) = clips(known, f'<g clip-path="url(#d)">{RECT}</g>')
+    assert len(found) == 2
+    assert len(drawing(known, f'<g clip-path="url(#round)">{RECT}</g>').shapes) == 1
 
 
 def mask(shapes, attributes='style="mask-type:alpha"'):

@@ -12,6 +12,8 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.geometry.cubics import bounds
+from shapeblend_cli.svg.reading import fonts
+from shapeblend_cli.svg.xml.messages import Notes
 from tests.svg.reading.drawings import RECT, boxes, drawn, refused
 
 hb = pytest.importorskip("uharfbuzz")
@@ -128,6 +130,25 @@ def test_style_size_and_paint_of_spans_count():
 def test_a_font_that_is_missing_is_said_once():
     drawing = text(2 * '<text y="50" style="font-family: Nowhere, Mine">H</text>')
     assert drawing.notes == ("font 'Nowhere' is not there: Mine taken",)
+
+
+@pytest.mark.parametrize(
+    ("there", "taken"),
+    [
+        ({"times new roman": "Tinos"}, "Tinos"),
+        ({"times new roman": "Sans"}, "Sans"),
+        ({"serif": "S"}, "Sans"),
+    ],
+)
+def test_without_any_of_the_fonts_there_is_what_chromium_takes(monkeypatch, there, taken):
+    found = {"sans-serif": "Sans"} | there
+    monkeypatch.setattr(
+        fonts,
+        "_installed",
+        lambda family, *_: (str(FONT), 0, [found.get(family.lower(), "Sans")], 400, False),
+    )
+    (face,) = fonts.Fonts([], Notes()).faces(fonts.Wanted(("Nowhere",)))
+    assert face.name == taken
 
 
 def test_text_is_skipped_or_waits_for_its_libraries(monkeypatch):
