@@ -318,11 +318,13 @@ def _pair(values: Sequence[float], default: float) -> tuple[float, float]:
 
 def _bounded(tag: str, found: Sequence[tuple[str, tuple[float, ...]]]) -> list[tuple[str, tuple[float, ...]]]:
     """Return numbers within what is drawn in little time."""
-    most = {"numOctaves": float(MOST_OCTAVES), "order": float(LARGEST_KERNEL)}
-    return [
-        (name, tuple(min(max(value, 1.0), most[name]) for value in values) if name in most else values)
-        for name, values in found
-    ]
+    limits = {"numOctaves": (0.0, float(MOST_OCTAVES)), "order": (1.0, float(LARGEST_KERNEL))}
+
+    def bounded(name: str, value: float) -> float:
+        low, high = limits.get(name, (value, value))
+        return min(max(value, low), high)
+
+    return [(name, tuple(bounded(name, value) for value in values)) for name, values in found]
 
 
 def colour_matrix(kind: str, values: Sequence[float]) -> tuple[float, ...]:
