@@ -58,7 +58,7 @@ def draw(screenshot):
     def drawn(cells):
         boxes = ""
         for k, (body, time) in enumerate(cells):
-            own_ids = re.sub(r"(gradient|clip|filter)-(?=\d)", rf"\1-{k}-", body)
+            own_ids = re.sub(r"(gradient|clip|filter|pattern|mask)-(?=\d)", rf"\1-{k}-", body)
             stopped = "" if time is None else f"data-time={time}"
             boxes += f'<div style="top:{k * SIZE}px" {stopped}>{own_ids}</div>'
         pixels = screenshot(style, boxes + STOP, SIZE, SIZE * len(cells)) / 255.0
@@ -143,12 +143,47 @@ INKED = (
     '<path d="M10 10H22V22H10Z" fill="#c0a0ff"/></g>'
 )
 
+SPOTTED = (
+    '<pattern id="t" width="{0}" height="6" patternUnits="userSpaceOnUse" patternTransform="rotate({1})">'
+    '<rect width="{0}" height="6" fill="#f0e0a0"/><circle cx="2" cy="3" r="1.5" fill="#a02020"/></pattern>'
+    '<path d="M2 2H{2}V20H2Z" fill="url(#t)"/>'
+)
+STRIPED = (
+    '<pattern id="t" width="4" height="4" patternUnits="userSpaceOnUse"><path d="M0 0H2V4H0Z" fill="#2040a0"/>'
+    '</pattern><path d="M4 4H21V21H4Z" fill="url(#t)" stroke="#202020"/>'
+)
+MASKED = (
+    '<linearGradient id="w"><stop stop-color="#fff"/><stop offset="1" stop-color="#000"/></linearGradient>'
+    '<mask id="m" maskUnits="userSpaceOnUse" x="0" y="0" width="24" height="24">'
+    '<circle cx="{0}" cy="12" r="9" fill="url(#w)"/></mask><g mask="url(#m)">'
+    '<path d="M2 2H22V13H2Z" fill="#a02020"/><path d="M2 {1}H22V22H2Z" fill="#2040a0"/></g>'
+)
+
 EFFECTS = {
     "shadows": ([SHADOWED.format(1, 0.5), SHADOWED.format(3, 2)], ["--ease", "ease-in"]),
     "a shadow in one of them": ([SHADOWED.format(2, 1), COLOURS], []),
     "a shadow and a blur": ([SHADOWED.format(2, 1), f'<g style="filter:blur(2px)">{RED}</g>'], []),
     "shadows, through three": ([SHADOWED.format(k, 1) for k in (1, 2, 3)], ["--stagger", "0.4"]),
     "opacity and modes of groups": ([GLASSY, INKED], []),
+}
+
+# Patterns and soft masks, alone and with filters and modes.
+PAINTED = {
+    "a pattern that turns and widens": ([SPOTTED.format(5, 0, 14), SPOTTED.format(8, 40, 22)], []),
+    "patterns, through three": ([SPOTTED.format(5, 10 * k, 20) for k in range(3)], ["--stagger", "0.4"]),
+    "another pattern": ([SPOTTED.format(6, 0, 20), STRIPED], []),
+    "a pattern that becomes a colour": ([STRIPED, RED], []),
+    "soft masks": ([MASKED.format(9, 9), MASKED.format(14, 14)], []),
+    "a soft mask in one of them": ([MASKED.format(12, 10), COLOURS], []),
+    "soft masks, through three": ([MASKED.format(9 + 3 * k, 9) for k in range(3)], ["--stagger", "0.4"]),
+    "a masked pattern": ([MASKED.format(12, 10) + SPOTTED.format(6, 0, 9), STRIPED], []),
+    "a masked shadow that is multiplied": (
+        [
+            MASKED.format(12, 10) + SHADOWED.format(1, 0.5),
+            f'{STRIPED}<g style="mix-blend-mode:multiply">{SHADOWED.format(2, 1)}</g>',
+        ],
+        [],
+    ),
 }
 
 CASES = {
@@ -233,9 +268,9 @@ def test_animations_show_what_the_frames_show(here, assert_shown, method):
 
 @pytest.mark.parametrize("method", ["smil", "css"])
 @pytest.mark.parametrize("ease", [None, "back-in-out", "linear(0, 0.8 30%, 0.4, 1)"])
-def test_filters_and_opacities_and_modes_change_as_in_the_frames(here, assert_shown, method, ease):
+def test_filters_and_modes_and_patterns_and_masks_change_as_in_the_frames(here, assert_shown, method, ease):
     rows = []
-    for paths, options in EFFECTS.values():
+    for paths, options in [*EFFECTS.values(), *([] if ease else PAINTED.values())]:
         asked = ["--ease", ease] if ease else options
         names, frames = blended(here, paths, asked)
         moving = animated(*names, "--animate", method, *asked)
