@@ -29,7 +29,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels test-cluster docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-stages bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui judge-weights pictures studio options api install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels test-cluster docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-stages bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui ends judge-weights pictures studio options api install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -159,6 +159,11 @@ bench-judge: install npm ## count the pairs for which the judge chooses the blen
 
 bench-ui: install ## draw and grade the transitions of icons in docs/icons, or in the folder UI, as a page and a table
 	$(BIN)/python -m tools.icons $(UI)
+
+FILES ?= samples
+
+ends: install chromium ## compare the ends of blends with the files in the folder FILES, in Chromium
+	$(BIN)/python -m tools.ends $(FILES)
 
 clean: ## remove what the other targets made, except the pictures in docs
 	rm -rf $(VENV) build dist out *.egg-info .mypy_cache .pytest_cache .ruff_cache .hypothesis .benchmarks
