@@ -9,6 +9,7 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polyline import distinct
 from shapeblend_cli.model import Contour, Polygon
+from shapeblend_cli.model.arrays import rolled
 
 if TYPE_CHECKING:
     from collections.abc import Hashable
@@ -121,7 +122,7 @@ def edge_parts(contour: Contour, polygon: Polygon) -> tuple[IntArray, FloatArray
         segment[at_node] = real[np.searchsorted(real, segment[at_node], side="left") - 1]
     start = np.where(segment == polygon.segment[:count], polygon.parameter[:count], 0.0)
     end = np.where(at_node, 1.0, polygon.parameter[following])
-    changes = np.roll(segment, -1) != segment
+    changes = rolled(segment, -1) != segment
     if not closed:
         changes[-1:] = True
     return segment, start, np.where(changes, 1.0, end)
@@ -146,7 +147,7 @@ def _measure(
         share > 0.0, _parameters(ladders, segment, share), 0.0
     )  # a point has no lengths to go by
     last = np.append(segment[1:] != segment[:-1], True)
-    end = np.where(last, 1.0, np.roll(parameter, -1))
+    end = np.where(last, 1.0, rolled(parameter, -1))
     deviation = cubics.chord_deviation(cubics.pieces(contour.segments[segment], parameter, end))
     return parameter, np.where(contour.straight[segment], 0.0, deviation)
 

@@ -10,6 +10,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import polygon_crossings
 from shapeblend_cli.geometry.raster import windings
 from shapeblend_cli.model import Box, Contour, Polygon
+from shapeblend_cli.model.arrays import rolled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -25,7 +26,7 @@ GRID = 24
 
 def signed_area(vertices: ComplexArray) -> float:
     """Return the area of a closed polygon; positive if it runs from x towards y."""
-    return 0.5 * float((vertices.conj() * np.roll(vertices, -1)).imag.sum())
+    return 0.5 * float((vertices.conj() * rolled(vertices, -1)).imag.sum())
 
 
 def ring_edges(rings: Sequence[ComplexArray]) -> tuple[ComplexArray, ComplexArray]:
@@ -37,7 +38,7 @@ def centroid(vertices: ComplexArray) -> complex:
     """Return the centroid of a closed polygon's area; the mean of its vertices if it has none."""
     area = signed_area(vertices)
     origin = vertices[0]
-    p, q = vertices - origin, np.roll(vertices, -1) - origin
+    p, q = vertices - origin, rolled(vertices, -1) - origin
     size = float(np.abs(p).max())
     if abs(area) < 1e-9 * size * size:
         return complex(vertices.mean())
@@ -56,8 +57,8 @@ def orientation(polygon: Polygon) -> int:
     vertices = polygon.vertices
     sign = int(np.sign(signed_area(vertices)))
     if polygon_crossings([polygon], most=1):
-        edges = np.roll(vertices, -1) - vertices
-        turns = np.angle(edges * np.roll(edges, 1).conj()).sum() / (2.0 * np.pi)
+        edges = rolled(vertices, -1) - vertices
+        turns = np.angle(edges * rolled(edges, 1).conj()).sum() / (2.0 * np.pi)
         if sign * round(float(turns)) <= 0 and _share_with_sign(vertices, sign) < NEARLY_ALL:
             return 0
     return sign
@@ -86,7 +87,7 @@ def reverse_polygon(polygon: Polygon, segments: int) -> Polygon:
     """Return the polygon of a reversed contour with this number of segments; a closed one keeps its first vertex."""
     order = np.arange(len(polygon.vertices))[::-1]
     if polygon.closed:
-        order = np.roll(order, 1)
+        order = rolled(order, 1)
     segment, parameter = polygon.segment[order], polygon.parameter[order]
     is_node = parameter == 0.0
     segment = np.where(is_node, segments - segment, segments - 1 - segment)
@@ -137,14 +138,14 @@ def mean_value_weights(point: complex, vertices: ComplexArray) -> FloatArray:
     """
     spokes = vertices - point
     lengths = np.abs(spokes)
-    following, beyond = np.roll(spokes, -1), np.roll(lengths, -1)
+    following, beyond = rolled(spokes, -1), rolled(lengths, -1)
     turned = spokes.conj() * following
     # tan(alpha / 2) of the angle between neighbouring spokes.
     below = lengths * beyond + turned.real
     weights = np.zeros(len(vertices))
     if lengths.min() > 0.0 and (below > 1e-12 * lengths * beyond).all():
         tangents = turned.imag / below
-        weights = (np.roll(tangents, 1) + tangents) / lengths
+        weights = (rolled(tangents, 1) + tangents) / lengths
     total = weights.sum()
     if abs(total) > 1e-12 * np.abs(weights).sum():
         return weights / total

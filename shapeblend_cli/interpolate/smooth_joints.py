@@ -22,6 +22,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.parametrization import CORNER, ContourParameter
+from shapeblend_cli.model.arrays import rolled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -58,8 +59,8 @@ class _Joints(NamedTuple):
 
 def _joints(segments: ComplexArray, closed: bool) -> _Joints:
     begin, end = cubics.directions(segments)
-    turn = begin * np.roll(end, 1).conj()
-    inward = np.roll(np.abs(segments[:, 3] - segments[:, 2]), 1)
+    turn = begin * rolled(end, 1).conj()
+    inward = rolled(np.abs(segments[:, 3] - segments[:, 2]), 1)
     outward = np.abs(segments[:, 1] - segments[:, 0])
     smooth = (turn.real >= np.cos(CORNER)) & (inward > 0.0) & (outward > 0.0)
     if not closed:
@@ -99,8 +100,8 @@ def divide_lines(
     a, b = _joints(even_a, closed), _joints(even_b, closed)
     excess = np.where(a.smooth & b.smooth, _excess(a, b), 0.0)
     # If both pieces at a joint can change, each takes half.
-    share = np.exp(excess / np.maximum(1, free.astype(np.intp) + np.roll(free, 1)))
-    following = np.roll(share, -1)
+    share = np.exp(excess / np.maximum(1, free.astype(np.intp) + rolled(free, 1)))
+    following = rolled(share, -1)
     return (
         _scale_handles(even_a, free_a, share, 1.0 / following),
         _scale_handles(even_b, free_b, 1.0 / share, following),
@@ -112,6 +113,8 @@ def _match_speeds(segments: ComplexArray, others: ComplexArray, lines: BoolArray
 
     Then both have passed the same share of their lengths at about the same time, as the polygons have.
     """
+    if not lines.any():
+        return segments
     legs = np.abs(np.diff(others[lines], axis=1))
     chord = np.abs(others[lines, 3] - others[lines, 0])
     length = 0.5 * (legs.sum(axis=1) + chord)
@@ -122,6 +125,8 @@ def _match_speeds(segments: ComplexArray, others: ComplexArray, lines: BoolArray
 def _scale_handles(
     segments: ComplexArray, lines: BoolArray, outward: FloatArray, inward: FloatArray
 ) -> ComplexArray:
+    if not lines.any():
+        return segments
     start, end = segments[lines, 0], segments[lines, 3]
     whole = np.where(end == start, 1.0, np.abs(end - start))
     head = np.abs(segments[lines, 1] - start) / whole * outward[lines]
@@ -167,10 +172,10 @@ def slide_cuts(
         _joints(cubics.pieces(one.segments[segment], start, end), a.closed)
         for one, (segment, start, end) in zip((a, b), parts, strict=True)
     )
-    smooth = joints_a.smooth & joints_b.smooth & real & np.roll(real, 1)
+    smooth = joints_a.smooth & joints_b.smooth & real & rolled(real, 1)
     # Lines that become curves are divided so that their joints do not bend.
     free = a.straight[parts[0][0]] ^ b.straight[parts[1][0]]
-    bends = smooth & ~free & ~np.roll(free, 1)
+    bends = smooth & ~free & ~rolled(free, 1)
     node_a, node_b = a.is_node(cuts[:-1, 0]), b.is_node(cuts[:-1, 1])
     movable = loose[:-1] & smooth & ~(node_a & node_b)
     if not (bends.any() and movable.any()):

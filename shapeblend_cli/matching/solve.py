@@ -10,6 +10,7 @@ import numpy as np
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.matching import angles, coarse, graph
 from shapeblend_cli.model import Correspondence
+from shapeblend_cli.model.arrays import rolled
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -96,7 +97,7 @@ def least_work(
     first = _first_dot(wires, search, pins)
     near = search.near
     if near is not None:
-        near = (np.roll(near, -first[0]) - first[1]) % n
+        near = (rolled(near, -first[0]) - first[1]) % n
     problem = coarse.Problem(
         wires=wires.beginning_at(*first),
         band=search.band,
@@ -222,5 +223,5 @@ def _crossing(rolled: list[Dot], pins: list[Dot], closed: bool) -> str:
 
 def from_column_0(dots: IntArray) -> IntArray:
     """Return a closed path from where it enters column 0 from another column."""
-    first = (dots[:, 0] == 0) & (np.roll(dots[:, 0], 1) != 0)
-    return np.roll(dots, -int(np.flatnonzero(first)[0]), axis=0)
+    first = (dots[:, 0] == 0) & (rolled(dots[:, 0], 1) != 0)
+    return rolled(dots, -int(np.flatnonzero(first)[0]))

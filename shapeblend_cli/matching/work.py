@@ -26,6 +26,7 @@ from shapeblend_cli.matching.stretching import fill_stretching, stretching_work
 from shapeblend_cli.matching.tables import Tables, Window
 from shapeblend_cli.matching.travel import Stations, add_travel, places
 from shapeblend_cli.model import Work
+from shapeblend_cli.model.arrays import rolled
 from shapeblend_cli.options.constants import WorkConstants
 
 if TYPE_CHECKING:
@@ -142,7 +143,7 @@ class Wires:
             wire.along((np.arange(len(wire.vertices)) + first) % len(wire.vertices))
             for wire, first in zip(self.wires, (i, j), strict=True)
         )
-        return Wires(p, q, True, self.constants, np.roll(self.weight, -i))
+        return Wires(p, q, True, self.constants, rolled(self.weight, -i))
 
     def along(self, i: IntArray, j: IntArray) -> Wires:
         """Return open wires along these vertices of the first wire and of the second, as stiff as anywhere."""
@@ -243,13 +244,13 @@ class Wires:
 
     def _path(self, dots: IntArray) -> tuple[IntArray, IntArray, IntArray, IntArray]:
         """Return the dots that steps leave, and the steps; the dots that have an angle, and their bends."""
-        following = np.roll(dots, -1, axis=0) if self.closed else dots[1:]
+        following = rolled(dots, -1) if self.closed else dots[1:]
         start = dots[: len(following)]
         moves = (following - start) % (self.m, self.n)
         steps = moves @ (1, 2) - 1  # EAST, SOUTH, SOUTHEAST
         at, steps_in, steps_out = dots[1:-1], steps[:-1], steps[1:]
         if self.closed:
-            at, steps_in, steps_out = dots, np.roll(steps, 1), steps
+            at, steps_in, steps_out = dots, rolled(steps, 1), steps
         legal = moves.max(initial=0) <= 1 and moves.any(axis=1).all()
         kinds = BEND_OF_STEPS[steps_in, steps_out] if legal else np.array([NO_BEND])
         if (kinds == NO_BEND).any():
