@@ -1,4 +1,4 @@
-"""Polylines: length along them, points at given lengths, repeated points, fewer points, and what is near.
+"""Polylines: length along them, points at given lengths, repeated points, fewer points, what is near, and even values.
 
 This file is compiled by Cython and runs uncompiled as well.
 """
@@ -226,3 +226,45 @@ def add_distances(
         k = p if at_points else min(max(near, 0), far.shape[0] - 1)
         if least > far[k]:
             far[k] = least
+
+
+def tridiagonal(diagonal: FloatArray, beside: FloatArray, right: FloatArray) -> FloatArray:
+    """Solve a symmetric, diagonally dominant system of values along a polyline, each tied to the next.
+
+    Parameters
+    ----------
+    diagonal : (n,) float
+    beside : (n - 1,) float
+        The elements beside the diagonal, each times -1.
+    right : (n,) float
+
+    Returns
+    -------
+    (n,) float
+
+    Examples
+    --------
+    >>> tridiagonal(np.array([2.0, 2.0]), np.array([1.0]), np.array([1.0, 1.0])).tolist()
+    [1.0, 1.0]
+    """
+    values = right.copy()
+    _solve_tridiagonal(diagonal.copy(), beside, values)
+    return values
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
+def _solve_tridiagonal(
+    pivots: cython.double[::1], beside: cython.const[cython.double][::1], values: cython.double[::1]
+) -> None:
+    """Put the solution in the place of the right side; the diagonal is lost."""
+    last: cython.Py_ssize_t = values.shape[0] - 1
+    k: cython.Py_ssize_t
+    for k in range(last):
+        share: cython.double = beside[k] / pivots[k]
+        pivots[k + 1] -= share * beside[k]
+        values[k + 1] += share * values[k]
+    values[last] /= pivots[last]
+    for k in range(last - 1, -1, -1):
+        values[k] = (values[k] + beside[k] * values[k + 1]) / pivots[k]

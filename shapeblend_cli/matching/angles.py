@@ -89,6 +89,27 @@ def _arg(z: ComplexArray) -> FloatArray:
     return np.arctan2(z.imag, z.real)
 
 
+def _edges_at(vertices: ComplexArray, closed: bool) -> tuple[ComplexArray, ComplexArray]:
+    """Return B and F of each vertex, see `Corners`."""
+    last = len(vertices) - 1
+    fwd = np.concatenate([vertices[1:], vertices[:1]]) - vertices
+    back = np.concatenate([vertices[last:], vertices[:last]]) - vertices
+    if not closed:
+        fwd[last] = -back[last]
+        back[0] = -fwd[0]
+    return back, fwd
+
+
+def _theta(back: ComplexArray, fwd: ComplexArray) -> FloatArray:
+    theta = _arg(fwd.conj() * back)
+    return np.where(theta < 0.0, theta + 2.0 * np.pi, theta)
+
+
+def turns(vertices: ComplexArray, closed: bool) -> FloatArray:
+    """Return how far a wire turns at its vertices, as `Corners.turn`, (m,) float, without their other angles."""
+    return np.pi - _theta(*_edges_at(vertices, closed))
+
+
 @cython.cclass
 class Corners:
     """The angles at the vertices of a wire.
@@ -132,14 +153,8 @@ class Corners:
     aside: cython.double[::1]
 
     def __init__(self, vertices: ComplexArray, closed: bool) -> None:
-        last = len(vertices) - 1
-        fwd = np.concatenate([vertices[1:], vertices[:1]]) - vertices
-        back = np.concatenate([vertices[last:], vertices[:last]]) - vertices
-        if not closed:
-            fwd[last] = -back[last]
-            back[0] = -fwd[0]
-        theta = _arg(fwd.conj() * back)
-        theta = np.where(theta < 0.0, theta + 2.0 * np.pi, theta)
+        back, fwd = _edges_at(vertices, closed)
+        theta = _theta(back, fwd)
         base = back / np.abs(back) * np.exp(-1j * (0.5 * np.pi + 0.5 * theta))
         self.theta, self.turn = theta, np.pi - theta
         self.back, self.fwd, self.base = back, fwd, base

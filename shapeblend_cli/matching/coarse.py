@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.matching import starts
-from shapeblend_cli.matching.angles import Corners
+from shapeblend_cli.matching.angles import turns
 from shapeblend_cli.matching.graph import Graph, Path
 from shapeblend_cli.matching.tables import Window
 from shapeblend_cli.matching.work import Wires
@@ -257,7 +257,7 @@ def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> FloatArray:
         return np.arange(m, dtype=np.float64)
     runs = -(-m // FACTOR)
     padded = np.zeros(runs * FACTOR)
-    padded[:m] = np.abs(Corners(vertices, closed).turn)
+    padded[:m] = np.abs(turns(vertices, closed))
     sharp = np.arange(runs) * FACTOR + padded.reshape(runs, FACTOR).argmax(axis=1)
     fixed = set(sharp[padded[sharp] > CORNER].tolist()) | keep | {0}
     if not closed:

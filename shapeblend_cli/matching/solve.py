@@ -137,7 +137,7 @@ def _first_dot(wires: Wires, search: Search, pins: Sequence[Dot]) -> Dot:
         return 0, 0
     if pins:
         return pins[0]
-    i = int(np.abs(wires.corners0.turn).argmax())
+    i = int(np.abs(angles.turns(wires.p0, closed=True)).argmax())
     return i, int(search.near[i]) if search.near is not None else 0
 
 

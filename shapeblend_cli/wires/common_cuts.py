@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.matching.angles import Corners
+from shapeblend_cli.geometry.polyline import tridiagonal
+from shapeblend_cli.matching.angles import turns
 from shapeblend_cli.matching.solve import is_proven
 from shapeblend_cli.model import unroll
 from shapeblend_cli.wires.contour_match import Solved
@@ -114,10 +115,8 @@ def _smoothed_path(a: FlatContour, b: FlatContour, dots: IntArray) -> tuple[Floa
         for k, own in enumerate((a.shares, b.shares))
     )
     middle, ahead = 0.5 * (place_a + place_b), place_b - place_a
-    turns = [
-        np.asarray(Corners(flat.polygon.vertices, closed).turn)[dots[:, k]] for k, flat in enumerate((a, b))
-    ]
-    weight = np.where(turns[0] * turns[1] > 0.0, np.minimum(*np.abs(turns)), 0.0)
+    turn_a, turn_b = (turns(flat.polygon.vertices, closed)[dots[:, k]] for k, flat in enumerate((a, b)))
+    weight = np.where(turn_a * turn_b > 0.0, np.minimum(np.abs(turn_a), np.abs(turn_b)), 0.0)
     steps = np.maximum(np.diff(middle), SHORTEST_STEP)
     weight[: len(steps)] += BASE * steps
     if not closed:
@@ -140,27 +139,14 @@ def _even_between(values: FloatArray, weight: FloatArray, spring: FloatArray, cl
     diagonal[1:] += spring[: count - 1]
     right = weight * values
     if not closed:
-        return _tridiagonal(diagonal, spring, right)
+        return tridiagonal(diagonal, spring, right)
     last = float(spring[-1])
     corner = np.zeros(count)
     corner[[0, -1]] = 1.0, -1.0  # spring (x_first - x_last)^2 alone
     diagonal[-1] -= last
-    inside, outside = (_tridiagonal(diagonal, spring[:-1], side) for side in (right, corner))
+    inside, outside = (tridiagonal(diagonal, spring[:-1], side) for side in (right, corner))
     share = last * (inside[0] - inside[-1]) / (1.0 + last * (outside[0] - outside[-1]))
     return inside - share * outside
-
-
-def _tridiagonal(diagonal: FloatArray, beside: FloatArray, right: FloatArray) -> FloatArray:
-    """Solve a symmetric, diagonally dominant system whose other elements are minus `beside`."""
-    pivots, values = diagonal.tolist(), right.tolist()
-    for k, spring in enumerate(beside.tolist()):
-        share = spring / pivots[k]
-        pivots[k + 1] -= share * spring
-        values[k + 1] += share * values[k]
-    values[-1] /= pivots[-1]
-    for k in range(len(beside) - 1, -1, -1):
-        values[k] = (values[k] + beside[k] * values[k + 1]) / pivots[k]
-    return np.array(values)
 
 
 def _along(places: FloatArray, known: FloatArray, partners: FloatArray, closed: bool) -> FloatArray:

@@ -29,3 +29,16 @@ def test_the_edges_of_a_closed_line_go_round():
     point, place, far = coordinates(np.array([-0.25 + 0.5j])), np.array([0.0]), np.zeros(1)
     polyline.add_distances(point, coordinates(square), place, lengths, True, True, far)
     assert far.tolist() == [0.25]
+
+
+def test_tied_values_solve_their_system_the_same_compiled_and_uncompiled(rng, load_uncompiled):
+    beside = rng.uniform(0.1, 2.0, 39)
+    diagonal = np.append(beside, 0.0) + np.append(0.0, beside) + rng.uniform(0.01, 1.0, 40)
+    right = rng.normal(size=40)
+    matrix = np.diag(diagonal) - np.diag(beside, 1) - np.diag(beside, -1)
+    given = diagonal.copy(), right.copy()
+    values = polyline.tridiagonal(diagonal, beside, right)
+    np.testing.assert_allclose(matrix @ values, right, atol=1e-12)
+    assert np.array_equal((diagonal, right), given)  # they are as they were
+    uncompiled = load_uncompiled("shapeblend_cli.geometry.polyline")
+    assert np.array_equal(uncompiled.tridiagonal(diagonal, beside, right), values)
