@@ -59,6 +59,9 @@ LETTERS = b' text-rendering="geometricPrecision"'
 SECONDS = 20
 """Maximum time of one blend; after that the drawing itself is measured."""
 
+STRETCHED = b'preserveAspectRatio="none"'
+"""What a file has whose picture is stretched to the size of the page."""
+
 PAGE = """<!doctype html><style>body {{ margin: 0; background: #fff }} img {{ display: block; position: absolute;
 top: 0; width: {width}px; height: {height}px }}</style><img src="{file}"><img style="left: {width}px" src="{frame}">"""
 
@@ -109,7 +112,8 @@ def end_frame(file: Path, *, is_moving: bool) -> tuple[str, tuple[int, int], lis
         max(round(SIDE * length / longer), 1) for length in (frame.view.width, frame.view.height)
     )
     text = frame_svg(frame, decimals_for([frame.view]))
-    if b"viewBox" not in file.read_bytes():  # browsers stretch the picture of such a file
+    root = re.search(rb"<(?:\w+:)?svg\b[^>]*", file.read_bytes())
+    if root and (b"viewBox" not in root[0] or STRETCHED in root[0]):  # browsers stretch such a file
         text = text.replace("<svg ", '<svg preserveAspectRatio="none" ', 1)
     return text, (width, height), notes
 

@@ -42,7 +42,15 @@ def installed(family):
 
 
 @pytest.mark.parametrize(("family", "words"), SCRIPTS.values(), ids=SCRIPTS)
-@pytest.mark.parametrize("attributes", ["", 'text-anchor="end" x="380"', 'letter-spacing="2"'])
+@pytest.mark.parametrize(
+    "attributes",
+    [
+        "",
+        'text-anchor="end" x="380"',
+        'letter-spacing="2"',
+        'textLength="300" lengthAdjust="spacingAndGlyphs"',
+    ],
+)
 def test_letters_are_where_chromium_has_them(screenshot, family, words, attributes):
     if not installed(family):
         pytest.skip(f"no font {family}")

@@ -4,6 +4,12 @@ from __future__ import annotations
 
 import unicodedata
 from itertools import groupby
+from typing import TYPE_CHECKING, TypeVar
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+T = TypeVar("T")
 
 
 def scripts_of(characters: str) -> list[str]:
@@ -52,3 +58,17 @@ def levels_of(characters: str, is_rtl: bool) -> list[int]:
             elif len(sides) == 1:
                 found[members[0] : members[-1] + 1] = [levels[sides.pop()]] * len(members)
     return found
+
+
+def in_visual_order(parts: Sequence[T], levels: Sequence[int]) -> list[T]:
+    """Return parts of a line from left to right: those of a level or a higher one are reversed together."""
+    order = list(range(len(parts)))
+    for level in range(max(levels, default=0), 0, -1):
+        start = 0
+        while start < len(order):
+            end = start
+            while end < len(order) and levels[order[end]] >= level:
+                end += 1
+            order[start:end] = order[start:end][::-1]
+            start = end + 1
+    return [parts[k] for k in order]

@@ -14,7 +14,7 @@ import numpy as np
 
 from shapeblend_cli.model import Contour
 from shapeblend_cli.svg.reading import contours
-from shapeblend_cli.svg.reading.directions import levels_of, scripts_of
+from shapeblend_cli.svg.reading.directions import in_visual_order, levels_of, scripts_of
 from shapeblend_cli.svg.reading.fonts import INSTALL, Face, Fonts, Wanted, families, weight_of
 from shapeblend_cli.svg.styles.cascade import Inherited
 from shapeblend_cli.svg.xml.messages import Notes, check_limit, printable
@@ -98,6 +98,7 @@ class _Cluster(NamedTuple):
     glyphs: list[tuple[int, complex]]  # their numbers and offsets
     advance: float
     run: _Run
+    stretch: float = 1.0  # along the line
 
 
 class Texts:
@@ -155,6 +156,7 @@ class Texts:
     ) -> tuple[list[Letter], complex]:
         """Return the letters between two numbers, anchored together, and where the next ones begin."""
         clusters = [cluster for run in self._runs(text, start, end) for cluster in self._shaped(run)]
+        clusters = _fitted(clusters, text, start, end)
         first = text.spans[text.characters[start][1]]
         begin = pen
         origins = []
@@ -208,7 +210,7 @@ class Texts:
             if face is not None and style.size > 0:
                 part = characters[members[0] : members[-1] + 1]
                 runs.append(_Run(start + members[0], part, style, face, level, script))
-        return _reordered(runs)
+        return in_visual_order(runs, [run.level for run in runs])
 
     def _face(self, character: str, wanted: Wanted, before: Face | None) -> Face | None:
         """Return the font for a character: marks and blanks have that of the character before."""
@@ -253,13 +255,19 @@ class Texts:
 
     def _drawn(self, cluster: _Cluster, place: complex, turn: complex) -> list[Contour]:
         found = []
-        scale = cluster.run.style.size / cluster.run.face.unit
+        scale, stretch = cluster.run.style.size / cluster.run.face.unit, cluster.stretch
         for number, offset in cluster.glyphs:
-            origin, factor = place + offset * turn, turn * scale
+            origin, factor = place + complex(stretch * offset.real, offset.imag) * turn, turn * scale
             if not max(abs(origin.real), abs(origin.imag)) < LIMIT:
                 continue
             for path in self._outline(cluster.run.face, number):
-                segments = [tuple(origin + factor * point for point in segment) for segment in path.segments]
+                segments = [
+                    tuple(
+                        origin + factor * complex(cluster.stretch * point.real, point.imag)
+                        for point in segment
+                    )
+                    for segment in path.segments
+                ]
                 contour = contours.chain(segments, path.straight, closed=True)
                 found += [contour] if contour is not None else []
         if not found and cluster.letters.strip() and unicodedata.category(cluster.letters[0])[0] not in "ZC":
@@ -376,6 +384,31 @@ def style_of(span: Span) -> _Style:
     return _Style(wanted, size, spacing("letter-spacing"), spacing("word-spacing"), _is_rtl(span.inherited))
 
 
+def _fitted(clusters: list[_Cluster], text: Text, start: int, end: int) -> list[_Cluster]:
+    """Return clusters that fill the ``textLength`` of elements within a chunk."""
+    for span, until in zip(reversed(text.spans), reversed(text.ends), strict=True):
+        length = span.lengths.x(span.node.get("textLength") or "")
+        inside = [k for k, c in enumerate(clusters) if span.start <= c.start < until]
+        natural = sum(clusters[k].advance for k in inside)
+        if (
+            not length
+            or length < 0.0
+            or natural <= 0.0
+            or not start <= span.start < min(until, len(text.characters)) <= end
+        ):
+            continue
+        if (span.node.get("lengthAdjust") or "").strip() == "spacingAndGlyphs":
+            share = length / natural
+            for k in inside:
+                c = clusters[k]
+                clusters[k] = c._replace(advance=share * c.advance, stretch=share * c.stretch)
+        else:
+            for k in inside[:-1]:
+                gap = (length - natural) / (len(inside) - 1)
+                clusters[k] = clusters[k]._replace(advance=clusters[k].advance + gap)
+    return clusters
+
+
 def _is_rtl(inherited: Inherited) -> bool:
     return inherited.text.get("direction", "ltr").strip().lower() == "rtl"
 
@@ -445,20 +478,6 @@ class _Rail(NamedTuple):
         along = (q - p) / abs(q - p)
         on_path = p + (q - p) * (middle - self.lengths[k - 1]) / step
         return on_path + along * complex(-advance / 2, place.imag), along
-
-
-def _reordered(runs: list[_Run]) -> list[_Run]:
-    """Return runs from left to right: those of a level or a higher one are reversed together."""
-    ordered = list(runs)
-    for level in range(max((run.level for run in runs), default=0), 0, -1):
-        start = 0
-        while start < len(ordered):
-            end = start
-            while end < len(ordered) and ordered[end].level >= level:
-                end += 1
-            ordered[start:end] = ordered[start:end][::-1]
-            start = end + 1
-    return ordered
 
 
 def keeps_blanks(node: Node, inherited: Inherited, before: bool) -> bool:

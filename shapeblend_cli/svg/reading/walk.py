@@ -167,9 +167,8 @@ class Walk:
         if node.tag in LEFT_OUT:
             self._notes.leave_out(f"{node.tag} left out")
         is_used_symbol = node.tag in ("symbol", "marker", *CONTENTS) and visit.used[-1:] == (node,)
-        if node.tag == "text" and not self._has_text():
-            return
-        is_drawn = node.tag in SHAPES or node.tag in GROUPS or node.tag in ("text", "image")
+        is_drawn = node.tag in SHAPES or node.tag in GROUPS or node.tag == "image"
+        is_drawn = is_drawn or (node.tag == "text" and self._has_text())
         if not (is_drawn or is_used_symbol) or not is_for_us(node):
             return
         declared = self._cascade.declared(node, keep=bool(visit.used))
@@ -493,10 +492,9 @@ class Walk:
         return known[id(node)]
 
     def _skip(self, visit: _Visit, reason: str) -> None:
-        node = visit.node
-        self._skipped[reason] += node.tag in SHAPES
+        self._skipped[reason] += visit.node.tag in SHAPES
         if self._reason is None and self._chosen:
             if visit.chosen:
                 self._reason = reason
-            elif id(node) in self._ancestors:
-                self._reason = f"in {node}, which is {reason}"
+            elif id(visit.node) in self._ancestors:
+                self._reason = f"in {visit.node}, which is {reason}"

@@ -92,6 +92,10 @@ def test_packed_fonts_draw_the_same(kind):
         ('<text y="50" x="10" letter-spacing=".3em">HH</text>', [10, 13 + advance("H")[0]]),
         ('<text y="50" x="10" word-spacing="4">H  H</text>', [10, 14 + sum(advance("H "))]),
         ('<text y="50" x="10" xml:space="preserve">H  H</text>', [10, 10 + sum(advance("H  "))]),
+        ('<text y="50" x="10" textLength="40">HH</text>', [10, 50 - advance("H")[0]]),
+        ('<text y="50" x="10"><tspan textLength="40">HH</tspan>H</text>', [10, 50 - advance("H")[0], 50]),
+        ('<text y="50" x="50" text-anchor="end" textLength="40">HH</text>', [10, 50 - advance("H")[0]]),
+        ('<text y="50" x="10" textLength="-4">HH</text>', [10, 10 + advance("H")[0]]),
         ('<text y="50" x="50" text-anchor="end">HH</text>', [50 - 2 * advance("H")[0], 50 - advance("H")[0]]),
         ('<text y="50" x="50" text-anchor="middle">H</text>', [50 - advance("H")[0] / 2]),
         ('<text y="50" x="50" direction="rtl">H</text>', [50 - advance("H")[0]]),
@@ -101,6 +105,14 @@ def test_letters_are_placed(markup, expected):
     drawing = text(f'<g font-size="10">{markup}</g>')
     bearing = lefts(text('<text y="50" font-size="10">H</text>'))[0]
     np.testing.assert_allclose(lefts(drawing), np.array(expected) + bearing, atol=1e-3)
+
+
+def test_letters_are_as_wide_as_their_length_says():
+    length = 3 * 2 * advance("H")[0]
+    asked = f'textLength="{length}" lengthAdjust="spacingAndGlyphs"'
+    plain, wide = (boxes(text(f'<text y="50" font-size="10" {more}>HH</text>')) for more in ("", asked))
+    for p, q in zip(plain, wide, strict=True):
+        np.testing.assert_allclose([3 * p[0], p[1], 3 * p[2], p[3]], q, atol=1e-3)
 
 
 def test_letters_turn_and_follow_paths():
