@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE, PlacedContour
-from shapeblend_cli.anatomy.rows import rows_of
+from shapeblend_cli.anatomy.rows import Row, rows_of
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.cutting import left_of, run_of_segments, with_vertices
 from shapeblend_cli.geometry.flatten import flatten
@@ -197,10 +197,11 @@ def _cut(
 ) -> list[ContourPair]:
     """Cut an exterior of the first side into a piece for each partner, of the other; nothing if no cut lies inside.
 
-    Cuts go around holes. Upright and level ones go through, if the partners have no holes: see `hole_in_piece`.
+    Cuts go around holes. Upright and level ones go through, if the partners are a grid without holes: see
+    `hole_in_piece`.
     """
     numbers = {partner.number for partner in partners}
-    goes_around = any(contour.exterior in numbers for contour in sides[1])
+    goes_around = _grid(partners) is None or any(contour.exterior in numbers for contour in sides[1])
     holes = [contour.polygon for contour in sides[0] if contour.exterior == owner.number]
     outline = _Outline(owner.contour, owner.polygon, holes, goes_around)
     pieces = _pieces(outline, partners, vertices) or []
@@ -345,11 +346,18 @@ def _pieces(
     return pieces
 
 
+def _grid(contours: Sequence[PlacedContour]) -> list[list[Row]] | None:
+    """Return the rows and the columns of a grid; None if contours are no grid."""
+    grid = [rows_of(contours, is_turned=is_turned) for is_turned in (False, True)]
+    is_even = all(len({len(row.contours) for row in rows}) == 1 and len(rows) > 1 for rows in grid)
+    return grid if is_even else None
+
+
 def _halved(partners: Sequence[PlacedContour]) -> list[tuple[list[PlacedContour], list[PlacedContour]]]:
     """Return the ways to divide partners into two halves: by whole rows or columns of a grid, else by place."""
-    grids = [rows_of(partners, is_turned=is_turned) for is_turned in (False, True)]
-    if all(len({len(row.contours) for row in rows}) == 1 and len(rows) > 1 for rows in grids):
-        lines = [[row.contours for row in rows] for rows in grids]
+    grid = _grid(partners)
+    if grid is not None:
+        lines = [[row.contours for row in rows] for rows in grid]
     else:
         ranked = (
             sorted(partners, key=lambda p: ((p.centre * axis.conjugate()).real, p.number)) for axis in AXES
