@@ -431,8 +431,8 @@ def _straightened(outline: _Outline, i: int, j: int, share: float) -> tuple[Poly
 
 
 def _is_straight(chord: complex) -> bool:
-    """Return whether a cut is about upright or level."""
-    return min(abs(chord.real), abs(chord.imag)) <= UPRIGHT * abs(chord)
+    """Return whether a cut is about upright or level; one without a length, where an outline touches itself, is not."""
+    return chord != 0.0 and min(abs(chord.real), abs(chord.imag)) <= UPRIGHT * abs(chord)
 
 
 def _halves(z: ComplexArray, ends: IntArray) -> tuple[FloatArray, ComplexArray]:

@@ -12,6 +12,8 @@ from tests.support.drawings import BAR, EVENODD, EYED, LEAF, RING, SQUARES, cont
 from tests.support.motions import pair_of
 
 DISCS = "".join(f"M{x} 9A3 3 0 1 0 {x} 15A3 3 0 1 0 {x} 9Z" for x in (4, 12, 20))
+PAUSE = "M5 4H10V20H5Z M14 4H19V20H14Z"
+TWO_BARS = "M4 5H20V10H4Z M4 14H20V19H4Z"
 CIRCLE = "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2Z"
 
 
@@ -35,6 +37,14 @@ def test_an_outline_is_cut_into_as_many_pieces_as_it_has_partners(whole, several
     for p in pieces:
         middle = np.array([p.polygon.vertices.mean()])
         assert [k for k in pieces if winding_numbers(middle, k.polygon.vertices)[0]] == [p]
+
+
+@pytest.mark.parametrize("unmatched", ["auto", "split"])
+@pytest.mark.parametrize("whole", ["M2 2L12 12L22 2V22L12 12L2 22Z", "M2 2H22L12 12L22 22H2L12 12Z"])
+def test_an_outline_is_cut_where_it_touches_itself(whole, unmatched):
+    found = pairs(whole, PAUSE if "V" in whole else TWO_BARS, unmatched)
+    assert [p.is_piece for p, _ in found] == [True, True]
+    assert [abs(signed_area(p.contour.segments)) for p, _ in found] == pytest.approx([100, 100], rel=1e-3)
 
 
 def test_the_other_way_round_it_is_the_same():
@@ -66,7 +76,6 @@ def test_without_splitting_nothing_is_cut():
 
 
 TRIANGLE = "M4 3L20 12L4 21Z"
-PAUSE = "M5 4H10V20H5Z M14 4H19V20H14Z"
 HALVES = "M2 2H11L9 12L11 22H2Z M13 2H22V22H13L11 12Z"
 
 
