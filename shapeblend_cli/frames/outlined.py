@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-import numpy as np
-
 from shapeblend_cli.model import CubicPath, PaintedShape, Pair, Picture, Pose, ShapeBlend, Style
 from shapeblend_cli.model.words import words_in
 
@@ -17,9 +15,10 @@ if TYPE_CHECKING:
 
 
 class Carried(NamedTuple):
-    """Motion of outlines that are carried from one pose of a box to another."""
+    """Motion of the letters of a text from its place to another pose of it."""
 
-    start: Pose
+    words: Words
+    picture: Picture  # in whose place the text is at first
     end: Pose
 
     @property
@@ -29,8 +28,8 @@ class Carried(NamedTuple):
 
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Return the control points of each contour at time t."""
-        pose = self.start.towards(self.end, t)
-        return [_onto(pose, _within(self.start, contour.start.segments)) for contour in contours]
+        there = self.picture.posed(self.picture.pose.towards(self.end, t))
+        return [path.segments for path in letters_at(self.words, there)]
 
 
 def with_outlined_text(pair: Pair) -> Pair:
@@ -52,9 +51,7 @@ def outlined_shape(shape: PaintedShape) -> PaintedShape:
 
 def letters_at(words: Words, picture: Picture) -> tuple[CubicPath, ...]:
     """Return the outlines of the letters of a text in the place of a picture."""
-    box = words.box
-    across, down = picture.across / box.width, picture.down / box.height
-    origin = picture.origin - box.x * across - box.y * down
+    origin, across, down = words.axes_in(picture)
     return tuple(
         CubicPath(
             origin + path.segments.real * across + path.segments.imag * down, path.straight, path.closed
@@ -78,26 +75,10 @@ def _outlined(shape: ShapeBlend) -> ShapeBlend:
     )
     poses = a.pose, b.pose.near(a.pose)
     is_straight = (poses[0].angle, poses[0].skew) == (poses[1].angle, poses[1].skew)
-    motion = None if is_straight else Carried(*poses)
+    motion = None if is_straight else Carried(words, a, poses[1])
     styles = _plain(shape.style_a), _plain(shape.style_b)
     return shape._replace(contours=contours, style_a=styles[0], style_b=styles[1], motion=motion)
 
 
 def _plain(style: Style) -> Style:
     return style._replace(fill_gradient=None)
-
-
-def _within(pose: Pose, z: ComplexArray) -> ComplexArray:
-    """Return points by their shares of the sides of a box, from its centre."""
-    across, down = pose.sides
-    matrix = np.array([[across.real, down.real], [across.imag, down.imag]])
-    shares = np.linalg.solve(
-        matrix, np.stack([(z - pose.centre).real.ravel(), (z - pose.centre).imag.ravel()])
-    )
-    found: ComplexArray = (shares[0] + 1j * shares[1]).reshape(z.shape)
-    return found
-
-
-def _onto(pose: Pose, shares: ComplexArray) -> ComplexArray:
-    across, down = pose.sides
-    return pose.centre + shares.real * across + shares.imag * down

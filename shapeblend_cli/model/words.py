@@ -41,6 +41,11 @@ class Words(Raster):
     )  # around its letters, in its own coordinates
     letters: tuple[tuple[CubicPath, ...], ...] = field(compare=False, default=())
 
+    def axes_in(self, picture: Picture) -> tuple[complex, complex, complex]:
+        """Return where its own coordinates are in the place of a picture: the origin, and the units along x and y."""
+        across, down = picture.across / self.box.width, picture.down / self.box.height
+        return picture.origin - self.box.x * across - self.box.y * down, across, down
+
     def __repr__(self) -> str:
         return f"Words({self.digest})"
 

@@ -29,13 +29,7 @@ from shapeblend_cli.svg.writing.animation import (
     values_between,
 )
 from shapeblend_cli.svg.writing.groups import effect_attributes
-from shapeblend_cli.svg.writing.paint import (
-    Around,
-    Gradients,
-    Regions,
-    add_region,
-    link_attributes,
-)
+from shapeblend_cli.svg.writing.paint import Around, Gradients, Regions, add_region, link_attributes
 from shapeblend_cli.svg.writing.rounding import number
 
 FILTER_STEPS = 24

@@ -34,9 +34,7 @@ class _Map(NamedTuple):
 
 def text_element(words: Words, picture: Picture, paint: Mapping[str, str], decimals: int) -> Element:
     """Return a text in the place of a picture, by its own attributes if it is only scaled and moved there."""
-    box = words.box
-    across, down = picture.across / box.width, picture.down / box.height
-    origin = picture.origin - box.x * across - box.y * down
+    origin, across, down = words.axes_in(picture)
     if abs(down - 1j * across) + abs(across.imag) <= SAME * abs(across) and across.real > 0.0:
         return _written(words, _Map(across.real, origin), paint, decimals)
     parts = [part for z in (across, down, origin) for part in (z.real, z.imag)]
