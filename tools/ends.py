@@ -20,7 +20,7 @@ import numpy as np
 from PIL import Image
 
 from shapeblend_cli.blending.placing import as_drawn
-from shapeblend_cli.errors import ShapeblendError
+from shapeblend_cli.errors import InputError, ShapeblendError
 from shapeblend_cli.frames.frames import frame_at
 from shapeblend_cli.model import Frame
 from shapeblend_cli.options.settings import Settings
@@ -98,6 +98,8 @@ def end_frame(file: Path, *, is_moving: bool) -> tuple[str, tuple[int, int], lis
     """Return the frame of a file, its size in pixels, and the notes."""
     drawing = read(str(file), lenient=True)
     notes = [*drawing.notes]
+    if drawing.viewbox is None:
+        raise InputError(str(file), "it has no size; a viewBox would work")
     frame = Frame(0.0, 0, as_drawn(drawing), drawing.viewbox)
     if is_moving:
         try:
@@ -171,7 +173,7 @@ def table(found: Sequence[Measured]) -> Iterator[str]:
 
 def main(*arguments: str) -> None:
     """Measure the SVG files of a folder."""
-    from playwright.sync_api import sync_playwright
+    from playwright.sync_api import Error, sync_playwright
 
     from tests.support.chromium import start_chromium
 
@@ -184,7 +186,15 @@ def main(*arguments: str) -> None:
         browser = start_chromium(playwright.chromium)
         page = page_in(browser)
         for file in files:
-            found.append(measured(page, file, OUT, is_moving=is_moving))
+            try:
+                found.append(measured(page, file, OUT, is_moving=is_moving))
+            except Error as error:  # it may be too much for one page, and is for no other one
+                found.append(
+                    Measured(file.stem, None, ["not drawn by Chromium: " + str(error).split("\n", 1)[0]])
+                )
+                browser.close()
+                browser = start_chromium(playwright.chromium)
+                page = page_in(browser)
             print(f"{len(found)}/{len(files)} {file.name}", file=sys.stderr, flush=True)
         browser.close()
     print("\n".join(table(found)))
