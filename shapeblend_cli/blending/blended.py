@@ -16,12 +16,12 @@ from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.early import (
-    EARLY,
     LEAVES,
     alone_in,
     alone_in_the_way,
     carried_by_lines,
     changes_much,
+    early_shares,
     is_of_one_colour,
     leaving,
     with_early_parts,
@@ -129,9 +129,10 @@ def _by_lines_or_outlines(
         if not _is_free(settings):
             return shapes
         if is_sign and (kept < KEPT or changes_much(shapes, view.larger_side)):
-            early = dict.fromkeys(alone_in(shapes), EARLY)
+            early = early_shares(shapes, alone_in(shapes), are_changed=True)
         else:
-            early = dict.fromkeys(alone_in_the_way(shapes, view.larger_side), EARLY)
+            parts = alone_in_the_way(shapes, view.larger_side)
+            early = early_shares(shapes, parts, bool(parts) and changes_much(shapes, view.larger_side))
             if not is_sign and is_of_one_colour(shapes) and changes_much(shapes, view.larger_side):
                 early = dict.fromkeys(leaving(shapes), LEAVES) | early
         shapes = with_early_parts(shapes, early)

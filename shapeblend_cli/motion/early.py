@@ -14,7 +14,7 @@ from shapeblend_cli.geometry.polyline import may_be_near, nearest_places
 from shapeblend_cli.interpolate.paths import paths_at
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Collection, Mapping, Sequence
 
     from shapeblend_cli.model import ComplexArray, ContourBlend, CubicPath, Motion, ShapeBlend
 
@@ -23,6 +23,10 @@ if TYPE_CHECKING:
 
 EARLY = 0.5
 """Share of the time by which a part without a partner is gone before the end, or comes after the start."""
+
+COMES = 0.2
+"""Share of the time by which a hole comes after the start in a shape that is plain, as does any part of what changes
+little: late, it would be a speck in what is nearly drawn."""
 
 LEAVES = 0.3
 """Share of the time by which a part of a silhouette without a partner is gone before the end: shrunk, it would be a
@@ -198,6 +202,30 @@ def alone_in(shapes: Sequence[ShapeBlend]) -> frozenset[Numbers]:
 def leaving(shapes: Sequence[ShapeBlend]) -> frozenset[Numbers]:
     """Return the parts that shrink to a point, but not where most of a drawing does."""
     return frozenset((a, b) for a, b in alone_in(shapes) if b is None)
+
+
+def early_shares(
+    shapes: Sequence[ShapeBlend], parts: Collection[Numbers], are_changed: bool
+) -> dict[Numbers, float]:
+    """Return the shares of the time by which parts without a partner leave early, or come late.
+
+    Parameters
+    ----------
+    shapes : sequence of ShapeBlend
+    parts : collection of (int or None, int or None)
+    are_changed : bool
+        Whether what has a partner changes much.
+    """
+    contours = [contour for shape in shapes for contour in shape.contours]
+    areas = {contour.b: signed_area(contour.polygon_b.vertices) for contour in contours if contour.is_matched}
+    is_plain = not any(contour.shrinks for contour in contours)
+
+    def is_soon(contour: ContourBlend) -> bool:
+        is_hole = areas.get(contour.parents[1], 0.0) * _area(contour) < 0.0
+        return contour.grows and ((is_hole and is_plain) or not are_changed)
+
+    alone = [contour for contour in contours if (contour.a, contour.b) in parts]
+    return {(contour.a, contour.b): COMES if is_soon(contour) else EARLY for contour in alone}
 
 
 def with_early_parts(shapes: Sequence[ShapeBlend], parts: Mapping[Numbers, float]) -> tuple[ShapeBlend, ...]:

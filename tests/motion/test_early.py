@@ -1,4 +1,4 @@
-"""Parts without a partner that leave early."""
+"""Parts without a partner that leave early, or come late."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ def sizes(a, b, t):
 
 def test_holes_of_a_solid_shape_are_gone_before_it_is_a_check_mark():
     solid, sign = drawing(BIN), drawing(CHECK)
-    for pair, early, late in (((solid, sign), 0.2, 0.6), ((sign, solid), 0.8, 0.4)):
+    for pair, early, late in (((solid, sign), 0.2, 0.6), ((sign, solid), 0.8, 0.15)):
         assert all(size > 1.0 for size in sizes(*pair, early)[0])
         holes, others = sizes(*pair, late)
         assert len(holes) == 2
@@ -50,10 +50,20 @@ def disc(x, radius):
 
 def test_parts_that_what_moves_would_touch_are_gone_before_and_others_like_them_too():
     sun, moon = drawing(disc(12, 5), RAYS), drawing(disc(15, 7))
-    for pair, late in (((sun, moon), 0.6), ((moon, sun), 0.4)):
+    for pair, late in (((sun, moon), 0.6), ((moon, sun), 0.15)):
         rays, others = sizes(*pair, late)
         assert len(rays) == 4
         assert max(rays) < 0.01 < min(others)
+    assert min(sizes(moon, sun, 0.4)[0]) > 0.1  # what hardly changes is not waited for
+
+
+def test_parts_come_late_into_what_changes_much_and_holes_soon_if_none_go():
+    bar, cross = '<path d="M2 2H4V22H2Z"/>', "M10 2H14V10H22V14H14V22H10V14H2V10H10Z"
+    chip, hole = '<path d="M3 16h4v4h-4z"/>', "M11 11V13H13V11Z"
+    late, _ = sizes(drawing(bar), drawing(f'<path d="{cross}"/>', chip), 0.45)
+    soon, _ = sizes(drawing(bar), drawing(f'<path d="{cross}{hole}"/>'), 0.45)
+    assert len(late) == len(soon) == 1
+    assert late[0] < 0.01 < soon[0]
 
 
 def test_parts_that_nothing_comes_near_take_all_of_the_time():
