@@ -10,12 +10,12 @@ from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE
 from shapeblend_cli.geometry.cubics import lines as straight_lines
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import ring_edges, signed_area
-from shapeblend_cli.geometry.polyline import may_be_near
+from shapeblend_cli.geometry.polyline import may_be_near, needed
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.pairing.riders import riders
 from shapeblend_cli.pens.drawings import file_line
-from shapeblend_cli.pens.line import UNITS, evenly, needed
+from shapeblend_cli.pens.line import UNITS, evenly
 from shapeblend_cli.pens.region import Recovered, stroke_edges
 
 if TYPE_CHECKING:

@@ -17,9 +17,10 @@ from shapeblend_cli.blending.copies import CROWD
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.polygons import orientation, signed_area, winding_numbers
+from shapeblend_cli.geometry.polyline import needed
 from shapeblend_cli.model import Contour, Correspondence, Polygon
 from shapeblend_cli.pens.drawings import recovered_lines
-from shapeblend_cli.pens.line import UNITS, needed
+from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.wires.contour_blends import blend_along
 from shapeblend_cli.wires.contour_match import Solved
 

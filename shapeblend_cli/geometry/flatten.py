@@ -143,9 +143,11 @@ def _measure(
     contour: Contour, ladders: FloatArray, segment: IntArray, share: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Return the parameter at which each piece begins, and a bound on its distance from its chord."""
-    parameter = np.where(
-        share > 0.0, _parameters(ladders, segment, share), 0.0
-    )  # a point has no lengths to go by
+    if share.any():
+        # A point has no lengths to go by.
+        parameter = np.where(share > 0.0, _parameters(ladders, segment, share), 0.0)
+    else:
+        parameter = np.zeros(len(share))
     last = np.append(segment[1:] != segment[:-1], True)
     end = np.where(last, 1.0, rolled(parameter, -1))
     deviation = cubics.chord_deviation(cubics.pieces(contour.segments[segment], parameter, end))

@@ -28,6 +28,10 @@ cython.declare(REACH=cython.Py_ssize_t)
 REACH = 3
 """Number of edges to either side of a place that are near it."""
 
+cython.declare(BLOCK=cython.Py_ssize_t)
+BLOCK = 16
+"""Number of edges, one after the other, that are passed over together where their box is not near."""
+
 AT_ONCE = 1 << 20
 """Maximum number of distances computed at once: arrays of sixteen times as many bytes."""
 
@@ -42,7 +46,9 @@ def from_end_to_end(vertices: ComplexArray, closed: bool) -> ComplexArray:
 
 def cumulative_lengths(points: ComplexArray) -> FloatArray:
     """Return the length from the first point up to each, (n,) float."""
-    return np.concatenate([[0.0], np.cumsum(np.abs(np.diff(points)))])
+    lengths = np.zeros(len(points))
+    np.cumsum(np.abs(points[1:] - points[:-1]), out=lengths[1:])
+    return lengths
 
 
 def points_at(positions: FloatArray, points: ComplexArray, known: FloatArray) -> ComplexArray:
@@ -71,6 +77,135 @@ def thin(points: ComplexArray, most: int) -> ComplexArray:
     return points[:: -(-len(points) // most)]
 
 
+def needed(points: ComplexArray, tolerance: float) -> BoolArray:
+    """Return which points of a polyline are needed to keep within a tolerance of it (Douglas and Peucker 1973).
+
+    >>> needed(np.array([0.0, 1.0 + 0.1j, 2.0, 2.0 + 2.0j]), 0.2).tolist()
+    [True, False, True, True]
+    """
+    keep = np.zeros(len(points), np.uint8)
+    keep[[0, -1]] = 1
+    _keep_needed(np.ascontiguousarray(points), tolerance, np.empty(2 * len(points), np.intp), keep)
+    return keep.view(np.bool_)
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
+def _keep_needed(
+    points: cython.const[cython.doublecomplex][::1],
+    tolerance: cython.double,
+    spans: cython.Py_ssize_t[::1],
+    keep: cython.uchar[::1],
+) -> None:
+    """Mark the furthest point of each span between marked ones, while that is beyond the tolerance."""
+    k: cython.Py_ssize_t
+    count: cython.Py_ssize_t = 1
+    spans[0], spans[1] = 0, points.shape[0] - 1
+    while count:
+        count -= 1
+        first: cython.Py_ssize_t = spans[2 * count]
+        last: cython.Py_ssize_t = spans[2 * count + 1]
+        dx: cython.double = points[last].real - points[first].real
+        dy: cython.double = points[last].imag - points[first].imag
+        size: cython.double = sqrt(dx * dx + dy * dy)
+        furthest: cython.Py_ssize_t = -1
+        most: cython.double = tolerance
+        for k in range(first + 1, last):
+            x: cython.double = points[k].real - points[first].real
+            y: cython.double = points[k].imag - points[first].imag
+            away: cython.double = abs(y * dx - x * dy) / size if size > 1e-12 else sqrt(x * x + y * y)
+            if away > most:
+                most, furthest = away, k
+        if furthest >= 0:
+            keep[furthest] = 1
+            spans[2 * count], spans[2 * count + 1] = first, furthest
+            spans[2 * count + 2], spans[2 * count + 3] = furthest, last
+            count += 2
+
+
+def nearest_edges(
+    points: ComplexArray, starts: ComplexArray, ends: ComplexArray
+) -> tuple[FloatArray, IntArray, FloatArray]:
+    """Return the nearest of some edges to each point: the first of those as near.
+
+    Parameters
+    ----------
+    points : (p,) complex
+    starts, ends : (n,) complex, n >= 1
+
+    Returns
+    -------
+    distance : (p,) float
+    edge : (p,) int
+    share : (p,) float
+        The place on the edge that is nearest, from 0 at its start to 1 at its end.
+    """
+    distance, edge, share = np.empty(len(points)), np.empty(len(points), np.intp), np.empty(len(points))
+    ways = ends - starts
+    slopes = 1.0 / np.maximum(ways.real**2 + ways.imag**2, 1e-300)
+    blocks = np.arange(0, len(starts), BLOCK)
+    low = np.minimum.reduceat(np.minimum(starts.real, ends.real), blocks)
+    high = np.maximum.reduceat(np.maximum(starts.real, ends.real), blocks)
+    below = np.minimum.reduceat(np.minimum(starts.imag, ends.imag), blocks)
+    above = np.maximum.reduceat(np.maximum(starts.imag, ends.imag), blocks)
+    whole = [np.ascontiguousarray(each) for each in (points, starts, ways)]
+    _find_nearest(*whole, slopes, np.stack([low, high, below, above]), distance, edge, share)
+    return distance, edge, share
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
+def _find_nearest(
+    points: cython.const[cython.doublecomplex][::1],
+    starts: cython.const[cython.doublecomplex][::1],
+    ways: cython.const[cython.doublecomplex][::1],
+    slopes: cython.const[cython.double][::1],
+    boxes: cython.const[cython.double][:, ::1],
+    distance: cython.double[::1],
+    edge: cython.Py_ssize_t[::1],
+    share: cython.double[::1],
+) -> None:
+    """Find the nearest edge to each point: in the block of the last one first, then in those whose boxes are near."""
+    nearest: cython.Py_ssize_t = 0
+    p: cython.Py_ssize_t
+    b: cython.Py_ssize_t
+    k: cython.Py_ssize_t
+    for p in range(points.shape[0]):
+        px: cython.double = points[p].real
+        py: cython.double = points[p].imag
+        least: cython.double = -1.0
+        place: cython.double = 0.0
+        last: cython.Py_ssize_t = nearest // BLOCK
+        for b in range(-1, boxes.shape[1]):
+            block: cython.Py_ssize_t = last if b < 0 else b
+            if b == last:
+                continue
+            if b >= 0:
+                gap: cython.double = max(boxes[0, b] - px, px - boxes[1, b])
+                if gap > 0.0 and gap * gap > least:
+                    continue
+                gap = max(boxes[2, b] - py, py - boxes[3, b])
+                if gap > 0.0 and gap * gap > least:
+                    continue
+            for k in range(block * BLOCK, min(starts.shape[0], (block + 1) * BLOCK)):
+                x: cython.double = px - starts[k].real
+                y: cython.double = py - starts[k].imag
+                dx: cython.double = ways[k].real
+                dy: cython.double = ways[k].imag
+                at: cython.double = (x * dx + y * dy) * slopes[k]
+                at = 0.0 if at < 0.0 else (1.0 if at > 1.0 else at)
+                x -= at * dx
+                y -= at * dy
+                away: cython.double = x * x + y * y
+                if least < 0.0 or away < least or (away == least and k < nearest):
+                    least, nearest, place = away, k, at
+        distance[p] = sqrt(least)
+        edge[p] = nearest
+        share[p] = place
+
+
 def nearest_places(points: ComplexArray, line: ComplexArray) -> tuple[FloatArray, FloatArray]:
     """Return the distance of each point from a polyline, and the nearest place: edge number plus share of the edge.
 
@@ -83,19 +218,8 @@ def nearest_places(points: ComplexArray, line: ComplexArray) -> tuple[FloatArray
     -------
     distance, place : (p,) float
     """
-    edges = np.diff(line)
-    squares = np.maximum(edges.real**2 + edges.imag**2, 1e-300)
-    distance, place = np.empty(len(points)), np.empty(len(points))
-    step = max(1, AT_ONCE // len(edges))
-    for first in range(0, len(points), step):
-        some = slice(first, first + step)
-        offsets = points[some, None] - line[:-1]
-        shares = np.clip((offsets * edges.conj()).real / squares, 0.0, 1.0)
-        distances = np.abs(offsets - shares * edges)
-        nearest = distances.argmin(axis=1)
-        rows = np.arange(len(nearest))
-        distance[some], place[some] = distances[rows, nearest], nearest + shares[rows, nearest]
-    return distance, place
+    distance, edge, share = nearest_edges(points, line[:-1], line[1:])
+    return distance, edge + share
 
 
 def distances_to(vertices: ComplexArray, points: ComplexArray) -> FloatArray:

@@ -46,10 +46,10 @@ def ball_diameters(points: ComplexArray, normals: ComplexArray, most: float) -> 
     found = np.full(len(points), most)
     arrays = (points[order].real, points[order].imag, normals[order].real, normals[order].imag)
     x, y, u, v = (np.ascontiguousarray(each) for each in arrays)
-    _narrow(x, y, u, v, found)
-    result = np.empty(len(points))
-    result[order] = found
-    return result
+    ranks = np.empty(len(points), np.intp)
+    ranks[order] = np.arange(len(points))
+    _narrow(x, y, u, v, ranks, found)
+    return found[ranks]
 
 
 @cython.cfunc
@@ -58,17 +58,27 @@ def _narrow(
     y: cython.double[::1],
     u: cython.double[::1],
     v: cython.double[::1],
+    ranks: cython.Py_ssize_t[::1],
     found: cython.double[::1],
 ) -> None:
-    """Narrow the balls of points, which rise in x, by each other; only points within a diameter matter."""
+    """Narrow the balls of points, which rise in x, by each other; only points within a diameter matter.
+
+    They are looked at in the order of the outline: what bounds the last ball, or is next to that, most often nearly
+    bounds the next one.
+    """
     i: cython.Py_ssize_t
     j: cython.Py_ssize_t
+    k: cython.Py_ssize_t
     step: cython.int
     count: cython.Py_ssize_t = x.shape[0]
-    for i in range(count):
+    bounding: cython.Py_ssize_t = -1
+    for k in range(count):
+        i = ranks[k]
         best: cython.double = found[i]
-        for step in (1, -1):
-            j = i + step
+        last: cython.Py_ssize_t = bounding
+        bounding = -1
+        for step in (0, 1, -1):
+            j = last if step == 0 else i + step
             while 0 <= j < count:
                 dx: cython.double = x[j] - x[i]
                 if dx * step > best:
@@ -83,5 +93,8 @@ def _narrow(
                         and square < best * inward
                     ):
                         best = square / inward
+                        bounding = j
+                if step == 0:
+                    break
                 j += step
         found[i] = best

@@ -104,7 +104,7 @@ class PenDrawing(NamedTuple):
 
 def length(points: ComplexArray) -> float:
     """Return the length of a polyline."""
-    return float(np.abs(np.diff(points)).sum())
+    return float(np.abs(points[1:] - points[:-1]).sum())
 
 
 def part_of(points: ComplexArray, closed: bool, begin: float, end: float) -> ComplexArray:
@@ -172,25 +172,6 @@ def each_once(places: FloatArray) -> FloatArray:
     """Return one or more places along a line in order, rounded, without repetitions."""
     ordered = np.sort(np.round(places, 6))  # np.unique would load numpy.ma first
     return ordered[np.append(True, np.diff(ordered) > 0.0)]
-
-
-def needed(points: ComplexArray, tolerance: float) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-    """Return which points of a polyline are needed to keep within a tolerance of it (Douglas and Peucker 1973)."""
-    keep = np.zeros(len(points), bool)
-    keep[[0, -1]] = True
-    spans = [(0, len(points) - 1)]
-    while spans:
-        first, last = spans.pop()
-        if last - first < 2:
-            continue
-        chord, offsets = points[last] - points[first], points[first + 1 : last] - points[first]
-        size = abs(chord)
-        away = np.abs((offsets * chord.conjugate()).imag) / size if size > 1e-12 else np.abs(offsets)
-        k = int(away.argmax())
-        if away[k] > tolerance:
-            keep[first + 1 + k] = True
-            spans += [(first, first + 1 + k), (first + 1 + k, last)]
-    return keep
 
 
 def corners(points: ComplexArray, least: float = 35.0) -> list[float]:

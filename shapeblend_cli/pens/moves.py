@@ -9,7 +9,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.cubics import lines as straight_lines
 from shapeblend_cli.geometry.placement import to_unit_box
-from shapeblend_cli.geometry.polyline import nearest_places
+from shapeblend_cli.geometry.polyline import nearest_places, needed
 from shapeblend_cli.matching.solve import priced
 from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.model import (
@@ -33,7 +33,6 @@ from shapeblend_cli.pens.line import (
     foot_points,
     length,
     lengths_along,
-    needed,
     with_dashes,
 )
 

@@ -17,10 +17,11 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.polyline import cumulative_lengths
+from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_edges, needed
+from shapeblend_cli.model.arrays import rolled
 from shapeblend_cli.pens.balls import ball_diameters
-from shapeblend_cli.pens.line import UNITS, chains, evenly, length, needed, part_of
-from shapeblend_cli.pens.region import Region, Stretch, checked, distance_ahead, nearest_edge
+from shapeblend_cli.pens.line import UNITS, chains, evenly, length, part_of
+from shapeblend_cli.pens.region import Region, Stretch, checked, distance_ahead
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -78,6 +79,15 @@ CUT_BACK = np.pi / 8.0
 
 OVER = 0.03
 """Maximum distance that a round join sticks out of the region, in widths: a sharper corner is rounded."""
+
+REACH = 3.2
+"""Maximum distance of ends that are joined, in widths."""
+
+SHARPEST = np.radians(155.0)
+"""Maximum turn from one of them to the other, in radians."""
+
+LEAST_FACING = 1e-9 - np.cos(SHARPEST)
+"""Maximum cosine of the angle between the directions out of such ends, with room for rounding."""
 
 ROUND_POINTS = 9
 """Number of points of a corner that is rounded."""
@@ -172,7 +182,7 @@ def _stretches(samples: _Samples, pen: IntArray, widths: FloatArray) -> list[Str
     centres = samples.points + samples.normals * np.where(pen >= 0, widths[pen], 0.0) / 2.0
     for number in range(int(samples.contour.max()) + 1):
         own = np.flatnonzero(samples.contour == number)
-        following = np.roll(own, -1)
+        following = rolled(own, -1)
         apart = np.abs(centres[following] - centres[own])
         most = 2.0 * np.maximum(samples.spacing[own], samples.spacing[following]) + 1e-9
         goes_on = (pen[own] >= 0) & (pen[following] == pen[own]) & (apart < most)
@@ -180,7 +190,7 @@ def _stretches(samples: _Samples, pen: IntArray, widths: FloatArray) -> list[Str
             found += _cut_at_caps(own, centres, samples, widths[pen[own[0]]], is_ring=True)
             continue
         start = int(np.flatnonzero(~goes_on)[0]) + 1
-        own, goes_on = np.roll(own, -start), np.roll(goes_on, -start)
+        own, goes_on = rolled(own, -start), rolled(goes_on, -start)
         breaks = np.flatnonzero(~goes_on) + 1
         for run in np.split(own, breaks[:-1]):
             if pen[run[0]] >= 0 and len(run) > 1:
@@ -192,7 +202,7 @@ def _cut_at_caps(
     run: IntArray, centres: ComplexArray, samples: _Samples, width: float, is_ring: bool
 ) -> list[Stretch]:
     """Cut a run of sample points where the centre rests while the normal turns by the angle of a cap."""
-    following = np.roll(run, -1)
+    following = rolled(run, -1)
     spacing = 0.5 * (samples.spacing[run] + samples.spacing[following])
     rests = np.abs(centres[following] - centres[run]) < RESTS * spacing
     if not is_ring:
@@ -201,7 +211,7 @@ def _cut_at_caps(
         return [Stretch(np.array([centres[run].mean()]), width, ends=("round", "round"))]
     else:
         start = int(np.flatnonzero(~rests)[0]) + 1
-        run, rests = np.roll(run, -start), np.roll(rests, -start)
+        run, rests = rolled(run, -start), rolled(rests, -start)
     # Where the centre rests, points are one; `starts` are their first ones.
     starts = np.flatnonzero(np.append(True, ~rests[:-1]))
     sums: ComplexArray = np.add.reduceat(centres[run], starts).astype(complex)
@@ -234,20 +244,22 @@ def _edges(stretches: Sequence[Stretch]) -> tuple[ComplexArray, ComplexArray, In
 def _once(stretches: Sequence[Stretch]) -> list[Stretch]:
     """Keep each stretch of centre line once, of both sides of the stroke: the longest first."""
     kept: list[Stretch] = []
+    outlines: list[ComplexArray] = []
     for one in sorted(stretches, key=lambda each: (not each.closed, -round(length(each.points), 3))):
         if not kept:
             kept.append(one)
             continue
-        starts, ends, _ = _edges(kept)
+        outlines += [each.outline for each in kept[len(outlines) :]]
+        starts = np.concatenate([points[:-1] for points in outlines])
+        ends = np.concatenate([points[1:] for points in outlines])
         points = evenly(one.outline, STEP) if len(one.points) > 1 else one.points
-        away, edge = nearest_edge(points, starts, ends)
+        away, edge, _ = nearest_edges(points, starts, ends)
         if len(points) == 1:
             if away[0] >= 0.2 * one.width:
                 kept.append(one)
             continue
-        slope = np.gradient(points)
-        slant = (slope * (ends - starts)[edge].conj()).imag
-        slant = np.abs(slant) / np.maximum(np.abs(slope) * np.abs((ends - starts)[edge]), 1e-12)
+        slope, way = _slopes(points), (ends - starts)[edge]
+        slant = np.abs((slope * way.conj()).imag) / np.maximum(np.abs(slope) * np.abs(way), 1e-12)
         is_new = ~((away < 0.12 * one.width + 0.02) & (slant < 0.4) | (away < 0.05 * one.width))
         if one.closed:
             if is_new.mean() >= 0.5:
@@ -260,6 +272,12 @@ def _once(stretches: Sequence[Stretch]) -> list[Stretch]:
                 known = one.ends[0] if first == 0 else None, one.ends[1] if beyond == len(points) else None
                 kept.append(Stretch(part, one.width, ends=known))
     return kept
+
+
+def _slopes(points: ComplexArray) -> ComplexArray:
+    """Return the mean step to and from each point of a polyline: `numpy.gradient`, sooner."""
+    steps = points[1:] - points[:-1]
+    return np.concatenate([steps[:1], (points[2:] - points[:-2]) / 2.0, steps[-1:]])
 
 
 class _End(NamedTuple):
@@ -292,8 +310,12 @@ def _joined(stretches: Sequence[Stretch], region: Region) -> list[Stretch]:
         if not one.closed and len(one.points) > 1 and one.ends[side] is None
     ]
     joints: list[tuple[float, int, int, list[complex]]] = []
+    places, ways = (np.array([end[k] for end in ends]) for k in (2, 3))
+    reach = REACH * max(one.width for one in stretches)
     for i, a in enumerate(ends):
-        for j in range(i + 1, len(ends)):
+        is_near = np.abs(places[i + 1 :] - a.place) <= reach
+        is_near &= (ways[i + 1 :] * a.direction.conjugate()).real < LEAST_FACING
+        for j in (np.flatnonzero(is_near) + i + 1).tolist():
             joint = _joint(a, ends[j], stretches, region)
             if joint is not None:
                 joints.append((joint[0], i, j, joint[1]))
@@ -311,7 +333,7 @@ def _joint(
     p, q = stretches[a.stretch], stretches[b.stretch]
     width, gap = max(p.width, q.width), abs(b.place - a.place)
     turn = abs(float(np.angle(-b.direction / a.direction)))
-    if min(p.width, q.width) < 0.8 * width or gap > 3.2 * width or turn > np.radians(155.0):
+    if min(p.width, q.width) < 0.8 * width or gap > REACH * width or turn > SHARPEST:
         return None
     if p is q and gap > 1.2 * width and length(p.points) < 3.0 * gap:
         return None
@@ -330,7 +352,7 @@ def _joint(
     if not all(-0.4 * width < each < 3.0 * width for each in reach):
         return None
     corner = a.place + reach[0] * a.direction
-    near = nearest_edge(np.array([corner]), region.starts, region.ends)[0][0]
+    near = nearest_edges(np.array([corner]), region.starts, region.ends)[0][0]
     inside = region.holds(corner) or near <= 0.08 * width
     inside = inside and region.holds((a.place + corner) / 2.0) and region.holds((b.place + corner) / 2.0)
     if not inside:
@@ -402,7 +424,7 @@ def _seen(lines: Sequence[Stretch]) -> list[Stretch]:
             others = owner != number
             if (
                 others.any()
-                and nearest_edge(line.points, starts[others], ends[others])[0].max() < COVERED * line.width
+                and nearest_edges(line.points, starts[others], ends[others])[0].max() < COVERED * line.width
             ):
                 continue
         found.append(line)

@@ -8,13 +8,14 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import ring_edges, signed_area
+from shapeblend_cli.geometry.polyline import nearest_edges
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.pens.line import evenly
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray
 
 DISC = np.exp(2j * np.pi * np.arange(24) / 24.0) / np.sqrt(np.cos(np.pi / 24.0))
 """Vertices of a round cap or join of radius 1; the area is a circle's."""
@@ -130,21 +131,6 @@ def _polyline(segments: ComplexArray) -> ComplexArray:
     return cubics.evaluate(segments[segment], within / counts[segment])
 
 
-def nearest_edge(
-    points: ComplexArray, starts: ComplexArray, ends: ComplexArray
-) -> tuple[FloatArray, IntArray]:
-    """Return the distance of each point from the nearest edge, and which one that is."""
-    edges = ends - starts
-    squares = np.maximum(edges.real**2 + edges.imag**2, 1e-300)
-    x, y = points.real[:, None] - starts.real, points.imag[:, None] - starts.imag
-    shares = np.clip(x * (edges.real / squares) + y * (edges.imag / squares), 0.0, 1.0)
-    x -= shares * edges.real
-    y -= shares * edges.imag
-    away = x * x + y * y
-    nearest = away.argmin(axis=1)
-    return np.sqrt(away[np.arange(len(points)), nearest]), nearest
-
-
 def distance_ahead(
     point: complex, direction: complex, starts: ComplexArray, ends: ComplexArray
 ) -> tuple[float, int]:
@@ -243,10 +229,8 @@ def _from_lines(
             np.append(line.points, line.points[0]) if line.closed or len(line.points) == 1 else line.points
         )
         starts, ends = outline[:-1], outline[1:]
-        away, edge = nearest_edge(points, starts, ends)
-        ways = (ends - starts)[edge]
-        shares = ((points - starts[edge]) * ways.conj()).real / np.maximum(np.abs(ways) ** 2, 1e-12)
-        own = starts[edge] + np.clip(shares, 0.0, 1.0) * ways
+        away, edge, shares = nearest_edges(points, starts, ends)
+        own = starts[edge] + shares * (ends - starts)[edge]
         is_nearer = away - line.width / 2.0 < best
         best = np.where(is_nearer, away - line.width / 2.0, best)
         feet, widths = np.where(is_nearer, own, feet), np.where(is_nearer, line.width, widths)
@@ -266,7 +250,7 @@ def checked(
 
     wanted = painted(region.starts, region.ends)
     best, covered, drawn = 0.0, wanted, list[Recovered]()
-    for join in ("round", "miter"):
+    for join in ("round", "miter") if any(map(_has_corners, lines)) else ("round",):
         some = [Recovered(line.points, line.closed, line.width, _cap_of(line), join) for line in lines]
         cells = painted(*stroke_edges(some))
         overlap = float((wanted & cells).sum() / max(1, (wanted | cells).sum()))
@@ -291,6 +275,15 @@ def checked(
     whole = float((wanted & covered).sum() / max(1, (wanted | covered).sum()))
     is_drawn = 0 < len(rests) <= MOST_RESTS and len(drawn) <= MOST_BESIDE_RESTS and whole >= GOOD
     return (drawn, rests) if is_drawn else None
+
+
+def _has_corners(line: Stretch) -> bool:
+    """Return whether the joins of a line are to be seen."""
+    points = np.append(line.points, line.points[:2]) if line.closed else line.points
+    ways = np.diff(points)
+    ways = ways[np.abs(ways) > 1e-9]
+    turns = np.abs(np.angle(ways[1:] * ways[:-1].conj()))
+    return bool(((turns > SLIGHT) & (turns <= SHARPEST)).any())
 
 
 def _slanted(lines: Sequence[Stretch], area: float) -> float:

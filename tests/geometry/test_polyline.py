@@ -1,6 +1,7 @@
-"""Distances from a polyline near given places, beside distances from all of it."""
+"""Distances from polylines and their edges, beside plain ones, and what is needed of a polyline."""
 
 import numpy as np
+import pytest
 
 from shapeblend_cli.geometry import polyline
 
@@ -42,3 +43,35 @@ def test_tied_values_solve_their_system_the_same_compiled_and_uncompiled(rng, lo
     assert np.array_equal((diagonal, right), given)  # they are as they were
     uncompiled = load_uncompiled("shapeblend_cli.geometry.polyline")
     assert np.array_equal(uncompiled.tridiagonal(diagonal, beside, right), values)
+
+
+@pytest.mark.parametrize("count", [1, 15, 16, 17, 100])
+def test_nearest_edges_are_the_first_of_those_as_near(rng, load_uncompiled, count):
+    points, starts = (rng.normal(size=n) + 1j * rng.normal(size=n) for n in (50, count))
+    ends = starts + 0.2 * (rng.normal(size=count) + 1j * rng.normal(size=count))
+    starts, ends = np.append(starts, starts), np.append(ends, ends)  # each twice
+    ways = ends - starts
+    shares = ((points[:, None] - starts) * ways.conj()).real / np.abs(ways) ** 2
+    shares = np.clip(shares, 0.0, 1.0)
+    away = np.abs(points[:, None] - starts - shares * ways)
+    found = distance, edge, share = polyline.nearest_edges(points, starts, ends)
+    assert distance == pytest.approx(away.min(axis=1))
+    assert (edge < count).all()
+    rows = np.arange(len(points))
+    assert away[rows, edge] == pytest.approx(distance)
+    assert share == pytest.approx(shares[rows, edge])
+    uncompiled = load_uncompiled("shapeblend_cli.geometry.polyline").nearest_edges(points, starts, ends)
+    assert all(map(np.array_equal, found, uncompiled))
+
+
+def test_points_that_are_not_needed_are_within_the_tolerance(rng, load_uncompiled):
+    points = np.cumsum(rng.normal(size=300) + 1j * rng.normal(size=300))
+    uncompiled = load_uncompiled("shapeblend_cli.geometry.polyline")
+    for tolerance in (0.1, 1.0, 5.0):
+        kept = polyline.needed(points, tolerance)
+        assert kept[0]
+        assert kept[-1]
+        assert polyline.nearest_places(points, points[kept])[0].max() <= tolerance * (1.0 + 1e-9)
+        assert np.array_equal(kept, uncompiled.needed(points, tolerance))
+    assert kept.sum() < 150
+    assert polyline.needed(points, 0.0).all()
